@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/atomic_file.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cerrno>
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <random>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+#include "core/base/memory.h"
+#include "core/base/text.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr std::size_t kBufferSize = std::size_t{1} << 20;
+constexpr off_t kSurelyFits = 16'000'000; ///< bytes
+
+/// In the place of an errno: the target is a device, a pipe or the like.
+constexpr int kNotRegular = -1;
+
+std::string reason(int error) {
+    return error == kNotRegular ? "not a regular file"
+                                : std::error_code(error, std::generic_category()).message();
+}
+
+/// Where the bytes shall stand in the end: symbolic links are followed, so that they stay links, even one
+/// whose target does not exist yet.
+std::filesystem::path resolved(std::filesystem::path target) {
+    constexpr int kMostLinks = 40; // what the system itself follows before it says ELOOP
+    std::error_code error;
+    for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(target, error); ++i) {
+        const auto next = std::filesystem::read_symlink(target, error);
+        if (error)
+            break;
+        target = target.parent_path() / next; // an absolute `next` replaces the folder
+    }
+    return target;
+}
+
+/// The error that forbids to put a regular file in the place of `target`, 0 where nothing does.
+int refusal(const std::filesystem::path& target) {
+    std::error_code ignored;
+    const auto status = std::filesystem::status(target, ignored);
+    if (std::filesystem::is_directory(status))
+        return EISDIR;
+    if (!std::filesystem::exists(status))
+        return 0;
+    if (!std::filesystem::is_regular_file(status))
+        return kNotRegular;
+    // A rename would replace a write-protected file without asking.
+    return ::access(target.c_str(), W_OK) == 0 ? 0 : errno;
+}
+
+/// A name beside the target that does not grow with it: a target may have the full 255 bytes already.
+std::filesystem::path temporaryName(const std::filesystem::path& target, std::random_device& random) {
+    return target.parent_path() / fmt::format(".proveout-{:08x}{:08x}.part", random(), random());
+}
+
+/// Makes the rename itself survive a power cut. Some file systems refuse to sync a folder: then nothing can
+/// be done about it.
+void syncFolder(const std::filesystem::path& file) {
+    const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (descriptor < 0)
+        return;
+    static_cast<void>(::fsync(descriptor));
+    ::close(descriptor);
+}
+
+tl::unexpected<Diagnostics> cannotRead(const std::filesystem::path& file, int error) {
+    return failure("file-unreadable", PROVEOUT_TEXT("Core", "The file cannot be read: {}."), {reason(error)},
+                   file.string());
+}
+
+} // namespace
+
+AtomicFile::AtomicFile(std::filesystem::path target)
+    : m_target(resolved(std::move(target))), m_error(refusal(m_target)) {
+    if (failed())
+        return;
+    struct stat old {};
+    const bool replaces = ::stat(m_target.c_str(), &old) == 0;
+    // The mode goes through open(), where the system applies the umask: asking for the umask means setting
+    // it, which other threads would see.
+    const mode_t mode = replaces ? 0600 : 0666;
+    std::random_device random;
+    do {
+        m_temporary = temporaryName(m_target, random);
+        m_descriptor = ::open(m_temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
+    } while (m_descriptor < 0 && (errno == EEXIST || errno == EINTR));
+    if (m_descriptor < 0) {
+        m_error = errno;
+        return;
+    }
+    if (replaces && ::fchmod(m_descriptor, old.st_mode & 07777) != 0)
+        m_error = errno;
+    m_buffer.reserve(kBufferSize);
+}
+
+AtomicFile::AtomicFile(AtomicFile&& other) noexcept
+    : m_target(std::move(other.m_target)), m_temporary(std::exchange(other.m_temporary, {})),
+      m_buffer(std::move(other.m_buffer)), m_written(other.m_written),
+      m_descriptor(std::exchange(other.m_descriptor, -1)), m_error(other.m_error) {}
+
+AtomicFile::~AtomicFile() {
+    discard();
+}
+
+void AtomicFile::write(const void* data, std::size_t size) {
+    if (failed())
+        return;
+    if (m_buffer.size() + size > kBufferSize)
+        flush();
+    m_buffer.append(static_cast<const char*>(data), size);
+    m_written += size;
+}
+
+void AtomicFile::flush() {
+    std::size_t done = 0;
+    while (done < m_buffer.size() && !failed()) {
+        const auto count = ::write(m_descriptor, m_buffer.data() + done, m_buffer.size() - done);
+        if (count >= 0)
+            done += static_cast<std::size_t>(count);
+        else if (errno != EINTR)
+            m_error = errno;
+    }
+    m_buffer.clear();
+}
+
+void AtomicFile::discard() {
+    if (m_descriptor >= 0)
+        ::close(std::exchange(m_descriptor, -1));
+    if (!m_temporary.empty())
+        ::unlink(std::exchange(m_temporary, {}).c_str());
+}
+
+Result<void> AtomicFile::commit() {
+    assert((m_descriptor >= 0 || failed()) && "committed twice, or moved from");
+    if (!failed())
+        flush();
+    if (!failed() && ::fsync(m_descriptor) != 0)
+        m_error = errno;
+    // Network file systems tell late errors of writing at the close, so it comes before the rename.
+    if (!failed() && ::close(std::exchange(m_descriptor, -1)) != 0)
+        m_error = errno;
+    if (!failed() && ::rename(m_temporary.c_str(), m_target.c_str()) != 0)
+        m_error = errno;
+    if (failed()) {
+        discard();
+        if (m_written == 0)
+            return failure("file-unwritable", PROVEOUT_TEXT("Core", "The file cannot be written: {}."),
+                           {reason(m_error)}, m_target.string());
+        return failure("file-unwritable",
+                       PROVEOUT_TEXT("Core", "The file cannot be written ({} needed): {}."),
+                       {readableBytes(static_cast<double>(m_written)), reason(m_error)}, m_target.string());
+    }
+    m_temporary.clear();
+    syncFolder(m_target);
+    return {};
+}
+
+Result<void> writeFile(const std::filesystem::path& target, std::string_view bytes) {
+    AtomicFile file(target);
+    file.write(bytes);
+    return file.commit();
+}
+
+Result<std::string> readFile(const std::filesystem::path& source, std::uint64_t limit) {
+    // O_NONBLOCK: opening a FIFO must not wait for a writer.
+    const int descriptor = ::open(source.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
+    if (descriptor < 0)
+        return cannotRead(source, errno);
+    struct stat info {};
+    if (::fstat(descriptor, &info) != 0 || !S_ISREG(info.st_mode)) {
+        ::close(descriptor);
+        return failure("file-not-regular", PROVEOUT_TEXT("Core", "This is not a regular file."), {},
+                       source.string());
+    }
+    // Memory is asked first: a file that fits the limit may still be more than the machine can hold. Asking
+    // takes longer than reading a small file.
+    if (info.st_size > kSurelyFits)
+        limit = std::min(limit, availableMemoryBytes());
+    if (static_cast<std::uint64_t>(info.st_size) > limit) {
+        ::close(descriptor);
+        return failure(
+            "file-too-large", PROVEOUT_TEXT("Core", "The file has {}; the limit is {}."),
+            {readableBytes(static_cast<double>(info.st_size)), readableBytes(static_cast<double>(limit))},
+            source.string());
+    }
+    std::string bytes;
+    bytes.reserve(static_cast<std::size_t>(info.st_size));
+    std::array<char, 65536> chunk{};
+    int error = 0;
+    for (;;) {
+        const auto count = ::read(descriptor, chunk.data(), chunk.size());
+        if (count > 0) {
+            bytes.append(chunk.data(), static_cast<std::size_t>(count));
+            if (bytes.size() > limit) // it grows while it is read
+                error = EFBIG;
+        } else if (count < 0 && errno != EINTR) {
+            error = errno;
+        }
+        if (count == 0 || error != 0)
+            break;
+    }
+    ::close(descriptor);
+    if (error != 0)
+        return cannotRead(source, error);
+    return bytes;
+}
+
+} // namespace proveout

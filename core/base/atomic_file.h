@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "core/base/diagnostic.h"
+
+namespace proveout {
+
+/// A file that appears whole or not at all: bytes go to a temporary beside the target, `commit()` flushes
+/// them to the disk and renames. Without a successful commit the temporary is removed and an older file stays
+/// as it was. Ownership: holds an open descriptor, movable. Errors: kept and told by `commit()`, writing
+/// after one is harmless; what was not written needs so many bytes, which the message tells. The permissions
+/// of an existing target are kept; a symbolic link is followed, so that the link survives; folders, special
+/// files and write-protected files are never replaced.
+class AtomicFile {
+public:
+    explicit AtomicFile(std::filesystem::path target);
+    AtomicFile(AtomicFile&& other) noexcept;
+    AtomicFile(const AtomicFile&) = delete;
+    AtomicFile& operator=(const AtomicFile&) = delete;
+    AtomicFile& operator=(AtomicFile&&) = delete;
+    ~AtomicFile();
+
+    void write(const void* data, std::size_t size);
+    void write(std::string_view text) { write(text.data(), text.size()); }
+    [[nodiscard]] std::uint64_t bytesWritten() const { return m_written; }
+    [[nodiscard]] bool failed() const { return m_error != 0; }
+
+    /// Once. Until it returns without an error the target is as it was.
+    [[nodiscard]] Result<void> commit();
+
+private:
+    void flush();
+    void discard();
+
+    std::filesystem::path m_target;
+    std::filesystem::path m_temporary;
+    std::string m_buffer;
+    std::uint64_t m_written = 0;
+    int m_descriptor = -1;
+    int m_error = 0; ///< errno of the first failure, below 0 for those that have none
+};
+
+/// Writes a whole file atomically.
+[[nodiscard]] Result<void> writeFile(const std::filesystem::path& target, std::string_view bytes);
+
+/// Reads a whole regular file; never waits (a FIFO is refused). Errors: missing, unreadable, a folder or
+/// special file, larger than `limit` bytes or than the memory that is free.
+[[nodiscard]] Result<std::string> readFile(const std::filesystem::path& source,
+                                           std::uint64_t limit = 4'000'000'000);
+
+} // namespace proveout

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/diagnostic.h"
+
+#include <gtest/gtest.h>
+
+namespace proveout {
+namespace {
+
+TEST(Diagnostic, FillsItsArgumentsInOrder) {
+    EXPECT_EQ(fillIn("{} of {}", {"1", "2"}), "1 of 2");
+    EXPECT_EQ(fillIn("{} of {}", {"1"}), "1 of {}") << "a missing argument stays visible";
+    EXPECT_EQ(fillIn("{2} von {1}", {"1", "2"}), "2 von 1") << "a translation may change the order";
+    EXPECT_EQ(fillIn("{3} {0} {12}", {"1", "2"}), "{3} {0} {12}");
+    EXPECT_EQ(fillIn("none", {"1"}), "none");
+    EXPECT_EQ(fillIn("{}", {"{}"}), "{}") << "an argument is text, not a place for the next";
+    EXPECT_EQ(fillIn("{", {"1"}), "{");
+    EXPECT_EQ(fillIn("", {}), "");
+}
+
+Diagnostic unknownWord() {
+    Diagnostic diagnostic;
+    diagnostic.id = "unknown-word";
+    diagnostic.text = "The word {} is not known.";
+    diagnostic.arguments = {"G99.7"};
+    diagnostic.file = "part.nc";
+    return diagnostic;
+}
+
+TEST(Diagnostic, OneLineHasFileLineAndColumn) {
+    auto diagnostic = unknownWord();
+    EXPECT_EQ(oneLine(diagnostic), "part.nc: error: The word G99.7 is not known. [unknown-word]");
+    diagnostic.where = {12, 5, 5};
+    diagnostic.severity = Severity::fault;
+    EXPECT_EQ(oneLine(diagnostic), "part.nc:12:5: fault: The word G99.7 is not known. [unknown-word]");
+    diagnostic.file.clear();
+    EXPECT_EQ(oneLine(diagnostic), "proveout:12:5: fault: The word G99.7 is not known. [unknown-word]");
+}
+
+TEST(Diagnostic, IsOneLineWhateverTheInputHolds) {
+    auto diagnostic = unknownWord();
+    diagnostic.file = "a\nb\x1b[31m";
+    diagnostic.arguments = {std::string("x\0y\r\n", 5)};
+    EXPECT_EQ(oneLine(diagnostic), "a\\x0ab\\x1b[31m: error: The word x\\x00y\\x0d\\x0a is not known. "
+                                   "[unknown-word]");
+}
+
+TEST(Diagnostic, FailureIsOneError) {
+    const auto failed = failure("id", "Text {}.", {"a"}, "file");
+    ASSERT_EQ(failed.value().size(), 1U);
+    EXPECT_EQ(failed.value().front().severity, Severity::error);
+    EXPECT_EQ(oneLine(failed.value().front()), "file: error: Text a. [id]");
+}
+
+TEST(Diagnostic, EverySeverityHasAName) {
+    EXPECT_STREQ(name(Severity::note), "note");
+    EXPECT_STREQ(name(Severity::warning), "warning");
+    EXPECT_STREQ(name(Severity::error), "error");
+    EXPECT_STREQ(name(Severity::fault), "fault");
+}
+
+} // namespace
+} // namespace proveout
