@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/nc/execution.h"
+
+namespace proveout {
+
+/// Gives `motion`, which has its ends and its plane, the centre and the sweep that the words I J K R P of the
+/// block describe; a flat arc about a far centre becomes a straight feed. False where the words make no arc,
+/// which is then told.
+[[nodiscard]] bool shapeArc(Execution& execution, const Word& word, Motion& motion, bool clockwise);
+
+} // namespace proveout

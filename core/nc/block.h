@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+namespace proveout {
+
+/// A letter with its number, and where it stands in its line (columns are 1-based and count bytes).
+struct Word {
+    char letter = 0; ///< upper case
+    double value = 0;
+    int column = 0;
+    int length = 0;
+};
+
+/// A set of upper-case letters.
+class LetterSet {
+public:
+    constexpr LetterSet() = default;
+    constexpr explicit LetterSet(const char* letters) {
+        for (; *letters != '\0'; ++letters)
+            add(*letters);
+    }
+    constexpr void add(char letter) { m_bits |= bit(letter); }
+    constexpr void add(LetterSet other) { m_bits |= other.m_bits; }
+    constexpr void remove(LetterSet other) { m_bits &= ~other.m_bits; }
+    [[nodiscard]] constexpr bool has(char letter) const { return (m_bits & bit(letter)) != 0; }
+    [[nodiscard]] constexpr bool any(LetterSet other) const { return (m_bits & other.m_bits) != 0; }
+    [[nodiscard]] constexpr bool empty() const { return m_bits == 0; }
+
+private:
+    static constexpr std::uint32_t bit(char letter) { return 1U << static_cast<unsigned>(letter - 'A'); }
+
+    std::uint32_t m_bits = 0;
+};
+
+/// The words of one line: G and M words in the order of the text, every other letter at most once. Holds no
+/// memory of its own; one object is filled again and again.
+class Block {
+public:
+    static constexpr std::size_t kMostCodes = 24;
+
+    void clear() {
+        m_letters = {};
+        m_codeCount = 0;
+    }
+    /// False where there is no room for the word: the letter is there already, or there are too many codes.
+    [[nodiscard]] bool add(const Word& word) {
+        if (word.letter == 'G' || word.letter == 'M') {
+            if (m_codeCount == kMostCodes)
+                return false;
+            m_codes[m_codeCount++] = word;
+            return true;
+        }
+        if (m_letters.has(word.letter))
+            return false;
+        m_letters.add(word.letter);
+        m_words[index(word.letter)] = word;
+        return true;
+    }
+
+    [[nodiscard]] bool has(char letter) const { return m_letters.has(letter); }
+    [[nodiscard]] const Word& word(char letter) const { return m_words[index(letter)]; }
+    [[nodiscard]] double value(char letter) const { return m_words[index(letter)].value; }
+    [[nodiscard]] LetterSet letters() const { return m_letters; } ///< without G and M
+    [[nodiscard]] std::span<const Word> codes() const { return {m_codes.data(), m_codeCount}; }
+    [[nodiscard]] bool empty() const { return m_letters.empty() && m_codeCount == 0; }
+
+private:
+    static std::size_t index(char letter) { return static_cast<std::size_t>(letter - 'A'); }
+
+    LetterSet m_letters;
+    std::size_t m_codeCount = 0;
+    std::array<Word, 26> m_words;
+    std::array<Word, kMostCodes> m_codes;
+};
+
+} // namespace proveout

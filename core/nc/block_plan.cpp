@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/nc/block_plan.h"
+
+#include <fmt/format.h>
+#include <string>
+
+namespace proveout {
+
+namespace {
+
+constexpr LetterSet kAxes("XYZ");
+constexpr LetterSet kOtherAxes("ABCUVW");
+constexpr LetterSet kArcLetters("IJKR");
+constexpr LetterSet kOwnMeaning("FSTNO");
+constexpr int kMostMWords = 4;
+
+std::string asText(const Word& word) {
+    return fmt::format("{}{:g}", word.letter, word.value);
+}
+
+class Planner {
+public:
+    Planner(Execution& execution, BlockPlan& plan)
+        : m_execution(execution), m_block(execution.block), m_plan(plan) {}
+
+    bool plan() {
+        for (const Word& word : m_block.codes()) {
+            if (!planCode(word))
+                return false;
+        }
+        for (const LetterRow& row : letters()) {
+            if (row.handler != nullptr && m_block.has(row.letter))
+                m_plan.add(row.step, row.handler, m_block.word(row.letter));
+        }
+        tellOtherAxes();
+        return planMotion() && checkUnused();
+    }
+
+private:
+    bool planCode(const Word& word) {
+        const CodeRow* row = findCode(word);
+        if (word.letter == 'M' && ++m_mWords > kMostMWords)
+            return refuse(nc_message::kTooManyM, word);
+        if (row == nullptr) {
+            tell(nc_message::kUnknownCode, word, {asText(word)});
+            m_strange = true;
+            m_unknownCode = true;
+            return true;
+        }
+        const Word*& rival = m_groups[static_cast<std::size_t>(row->group)];
+        if (rival != nullptr)
+            return refuse(nc_message::kModalConflict, word, {asText(*rival), asText(word)});
+        rival = &word;
+        if (row->group == ModalGroup::motion)
+            m_motionRow = row;
+        if (!row->supported())
+            planUnsupported(*row, word);
+        else if (row->group != ModalGroup::motion && row->group != ModalGroup::motionOff)
+            m_plan.add(row->step, row->handler, word);
+        m_used.add(row->letters);
+        return true;
+    }
+
+    void planUnsupported(const CodeRow& row, const Word& word) {
+        tell(nc_message::kUnsupportedCode, word, {asText(word), row.name});
+        m_strange = true;
+        if (row.axisUse == AxisUse::none)
+            return;
+        m_axesTaken = true;
+        if (row.axisUse == AxisUse::allAxes && !m_block.letters().any(kAxes))
+            m_execution.state.forget(kAxes);
+    }
+
+    void tellOtherAxes() {
+        if (!m_block.letters().any(kOtherAxes))
+            return;
+        for (const LetterRow& row : letters()) {
+            if (kOtherAxes.has(row.letter) && m_block.has(row.letter))
+                tell(nc_message::kAxisUnsupported, m_block.word(row.letter), {std::string(1, row.letter)});
+        }
+        m_used.add(kOtherAxes);
+    }
+
+    /// The motion is the one of this block, or the one in force where the block has axis words.
+    bool planMotion() {
+        MachineState& state = m_execution.state;
+        const bool named = m_block.letters().any(kAxes);
+        if (m_motionRow != nullptr && m_motionRow->handler == nullptr)
+            state.motion = m_motionRow;
+        if (m_axesTaken || (m_unknownCode && m_motionRow == nullptr)) {
+            forgetNamedAxes();
+            // "G53 G0 Z0": G0 stays in force, but this block moves somewhere else.
+            if (m_motionRow != nullptr)
+                state.motion = m_motionRow;
+            return true;
+        }
+        if (m_motionRow != nullptr) {
+            m_plan.add(Step::motion, m_motionRow->handler, groupWord(ModalGroup::motion));
+            state.motion = m_motionRow;
+            return true;
+        }
+        if (m_groups[static_cast<std::size_t>(ModalGroup::motionOff)] != nullptr)
+            return planMotionOff(named);
+        const bool arc = state.motion != nullptr && state.motion->letters.any(kArcLetters);
+        if (!named && !(arc && m_block.letters().any(kArcLetters)))
+            return true;
+        return planMotionInForce();
+    }
+
+    bool planMotionOff(bool named) {
+        if (named)
+            return refuse(nc_message::kG80WithAxis, firstAxisWord(),
+                          {std::string(1, firstAxisWord().letter)});
+        m_execution.state.motion = nullptr;
+        return true;
+    }
+
+    bool planMotionInForce() {
+        const CodeRow* row = m_execution.state.motion;
+        if (row == nullptr)
+            return refuse(nc_message::kAxisWithoutMotion, firstAxisWord(),
+                          {std::string(1, firstAxisWord().letter)});
+        if (row->supported()) {
+            m_plan.add(Step::motion, row->handler, firstMotionWord());
+            m_used.add(row->letters);
+        } else {
+            // Told at its word; every block of it moves the axes somewhere.
+            m_strange = true;
+            forgetNamedAxes();
+        }
+        return true;
+    }
+
+    /// LinuxCNC refuses a word that nothing in the block uses; it may be a slip that moves elsewhere.
+    bool checkUnused() {
+        LetterSet unused = m_block.letters();
+        unused.remove(m_used);
+        unused.remove(kOwnMeaning);
+        if (m_strange || unused.empty())
+            return true;
+        for (const LetterRow& row : letters()) {
+            if (unused.has(row.letter))
+                return refuse(nc_message::kWordUnused, m_block.word(row.letter),
+                              {std::string(1, row.letter)});
+        }
+        return true;
+    }
+
+    void forgetNamedAxes() { m_execution.state.forget(m_block.letters()); }
+
+    [[nodiscard]] const Word& groupWord(ModalGroup group) const {
+        return *m_groups[static_cast<std::size_t>(group)];
+    }
+    [[nodiscard]] const Word& firstAxisWord() const {
+        for (const char letter : {'X', 'Y', 'Z'}) {
+            if (m_block.has(letter))
+                return m_block.word(letter);
+        }
+        return m_block.word('X');
+    }
+    [[nodiscard]] const Word& firstMotionWord() const {
+        for (const char letter : {'X', 'Y', 'Z', 'I', 'J', 'K', 'R'}) {
+            if (m_block.has(letter))
+                return m_block.word(letter);
+        }
+        return m_block.word('X');
+    }
+
+    void tell(const Message& message, const Word& word, std::vector<std::string> arguments = {}) {
+        m_execution.reporter.tell(message, word, std::move(arguments));
+    }
+    bool refuse(const Message& message, const Word& word, std::vector<std::string> arguments = {}) {
+        tell(message, word, std::move(arguments));
+        return false;
+    }
+
+    Execution& m_execution;
+    const Block& m_block;
+    BlockPlan& m_plan;
+    std::array<const Word*, static_cast<std::size_t>(ModalGroup::count)> m_groups{};
+    const CodeRow* m_motionRow = nullptr;
+    LetterSet m_used;
+    int m_mWords = 0;
+    bool m_strange = false;     ///< something in the block is not supported: other words may belong to it
+    bool m_unknownCode = false; ///< it may use the axis words, unless a motion code does
+    bool m_axesTaken = false;
+};
+
+} // namespace
+
+bool makePlan(Execution& execution, BlockPlan& plan) {
+    return Planner(execution, plan).plan();
+}
+
+} // namespace proveout

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+
+#include "core/nc/codes.h"
+#include "core/nc/execution.h"
+
+namespace proveout {
+
+/// What a block orders, sorted by the step at which it takes effect.
+class BlockPlan {
+public:
+    void add(Step step, CodeHandler handler, const Word& word) {
+        m_orders[static_cast<std::size_t>(step)] = {handler, &word};
+        m_present |= 1U << static_cast<unsigned>(step);
+    }
+
+    void run(Execution& execution) const {
+        for (std::uint32_t rest = m_present; rest != 0; rest &= rest - 1) {
+            const Order& order = m_orders[static_cast<std::size_t>(std::countr_zero(rest))];
+            order.handler(execution, *order.word);
+        }
+    }
+
+private:
+    struct Order {
+        CodeHandler handler;
+        const Word* word;
+    };
+
+    std::uint32_t m_present = 0;
+    std::array<Order, static_cast<std::size_t>(Step::count)> m_orders;
+};
+
+/// Finds out what a block orders and tells what is wrong with it. Codes that are not supported leave their
+/// mark in the state at once: axes forgotten, a motion mode that moves nothing. False: the block
+/// contradicts itself and must not run. The plan points into the block.
+[[nodiscard]] bool makePlan(Execution& execution, BlockPlan& plan);
+
+} // namespace proveout

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The codes of NC programs, as a table: the interpreter runs its rows, the editor colours and explains by it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "core/nc/block.h"
+
+namespace proveout {
+
+struct Execution;
+
+/// What a code does, given the word that ordered it.
+using CodeHandler = void (*)(Execution&, const Word&);
+
+/// Of the codes of one group, a block may hold one only.
+enum class ModalGroup : std::uint8_t {
+    nonModal,
+    motion,
+    motionOff, ///< G80; LinuxCNC lets it stand beside a motion code, which then wins
+    plane,
+    distance,
+    arcDistance,
+    feedMode,
+    units,
+    cutterCompensation,
+    toolLength,
+    retract,
+    workOffset,
+    pathControl,
+    spindleMode,
+    transformation, ///< scaling, rotation, mirroring, polar coordinates
+    diameterMode,
+    macroCall,
+    stop,
+    inputOutput,
+    toolChange,
+    spindle,
+    coolant,
+    overrides,
+    modalSave,
+    subprogram,
+    count
+};
+
+/// When in its block a word takes effect, whatever its place in the text: the order of this enumeration.
+/// Source: LinuxCNC, order of execution.
+enum class Step : std::uint8_t {
+    feedMode,
+    feedRate,
+    spindleSpeed,
+    toolSelection,
+    toolChange,
+    spindle,
+    coolant,
+    dwell,
+    plane,
+    units,
+    cutterCompensation,
+    toolLength,
+    workOffset,
+    pathControl,
+    distance,
+    arcDistance,
+    motion,
+    stop,
+    count,
+    none = count ///< takes no effect of its own
+};
+
+/// What a code that is not supported does with the axis words of its block.
+enum class AxisUse : std::uint8_t {
+    none,   ///< they belong to the motion in force
+    takes,  ///< they are its own: no motion, and the axes named are somewhere else afterwards
+    allAxes ///< as `takes`, and without axis words it moves every axis
+};
+
+struct CodeRow {
+    char letter; ///< G or M
+    int tenths;  ///< 382 is G38.2
+    ModalGroup group;
+    const char* name;              ///< marked with PROVEOUT_TEXT
+    CodeHandler handler = nullptr; ///< null: known, but not supported yet
+    Step step = Step::none;
+    LetterSet letters = {}; ///< the words that it uses
+    AxisUse axisUse = AxisUse::none;
+
+    [[nodiscard]] bool supported() const { return handler != nullptr; }
+};
+
+/// A letter that is not a code: what its number means.
+struct LetterRow {
+    char letter;
+    const char* name;              ///< marked with PROVEOUT_TEXT
+    CodeHandler handler = nullptr; ///< where the word takes effect by itself
+    Step step = Step::none;
+};
+
+/// All rows, by letter and number.
+[[nodiscard]] std::span<const CodeRow> codes();
+/// The row of a code, null where there is none. Constant time.
+[[nodiscard]] const CodeRow* findCode(char letter, int tenths);
+/// The row of the code that a G or M word means, null where there is none.
+[[nodiscard]] const CodeRow* findCode(const Word& word);
+
+/// All letters but G and M, in alphabetical order.
+[[nodiscard]] std::span<const LetterRow> letters();
+
+} // namespace proveout

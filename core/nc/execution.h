@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "core/nc/block.h"
+#include "core/nc/machine_state.h"
+#include "core/nc/program.h"
+#include "core/nc/reporter.h"
+
+namespace proveout {
+
+/// What the handler of a code works on: the block, and everything that the block may change.
+struct Execution {
+    const Block& block;
+    MachineState& state;
+    Program& program;
+    Reporter& reporter;
+    std::uint32_t line; ///< source line, 1-based
+};
+
+/// Checks a block and executes it: every word at its step, each group at most once. A block that contradicts
+/// itself is told and skipped whole, and the axes that it names are forgotten.
+void executeBlock(Execution& execution);
+
+} // namespace proveout

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "core/base/geometry.h"
+#include "core/base/work_context.h"
+#include "core/nc/nc_text.h"
+#include "core/nc/program.h"
+
+namespace proveout {
+
+struct InterpretOptions {
+    std::string file;               ///< name for diagnostics
+    bool blockDelete = false;       ///< skip blocks that begin with "/"
+    std::optional<Vec3> start;      ///< the position before the first block; without it no axis is known
+    bool assumeStartAtZero = false; ///< `interpret`: start at 0,0,0, every motion counts as known
+    std::size_t maxMotions = 50'000'000;
+    std::size_t maxDiagnostics = 100; ///< further ones are counted in one last message
+};
+
+/// Interprets an NC text (RS274 as LinuxCNC reads it, the codes of the table in codes.h). Never fails: what
+/// could not be understood stands in the program's diagnostics, and everything behind it is marked
+/// unverified. Pure function of text and options; any thread. A stopped context gives the program up to that
+/// block with a diagnostic that says so.
+[[nodiscard]] std::shared_ptr<const Program>
+interpret(const NcText& text, const InterpretOptions& options = {}, const WorkContext& context = {});
+
+} // namespace proveout

@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/nc/lexer.h"
+
+#include <algorithm>
+
+#include "core/nc/number.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr std::size_t kLongestBlockNumber = 15; ///< digits; more than any control can hold
+
+bool isBlank(char c) {
+    return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
+
+/// DC1 to DC4 of a serial line, the end-of-file byte of DOS.
+bool isControlCode(char c) {
+    return (c >= 0x11 && c <= 0x14) || c == 0x1a;
+}
+
+char upper(char c) {
+    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+
+bool isLetter(char c) {
+    const char u = upper(c);
+    return u >= 'A' && u <= 'Z';
+}
+
+/// Bytes of the UTF-8 character at the begin of `text`; 1 where it is none.
+std::size_t characterLength(std::string_view text) {
+    const auto lead = static_cast<unsigned char>(text.front());
+    const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : lead >= 0xc0 ? 2 : 1;
+    if (length > text.size())
+        return 1;
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((static_cast<unsigned char>(text[i]) & 0xc0) != 0x80)
+            return 1;
+    }
+    return length;
+}
+
+class LineReader {
+public:
+    LineReader(std::string_view text, Line& line) : m_text(text), m_line(line) {}
+
+    void read() {
+        skipBlanks();
+        if (!atEnd() && m_text[m_at] == '%') {
+            readPercent();
+            return;
+        }
+        if (!atEnd() && m_text[m_at] == '/') {
+            m_line.deleteMark = true;
+            ++m_at;
+        }
+        while (skipBlanks(), !atEnd() && !m_line.error)
+            readItem();
+    }
+
+private:
+    [[nodiscard]] bool atEnd() const { return m_at >= m_text.size(); }
+
+    void skipBlanks() {
+        for (; !atEnd(); ++m_at) {
+            if (isControlCode(m_text[m_at]))
+                m_line.controlCodeColumn = std::max(m_line.controlCodeColumn, static_cast<int>(m_at + 1));
+            else if (!isBlank(m_text[m_at]))
+                return;
+        }
+    }
+
+    void fail(const Message& message, std::size_t begin, std::size_t end, std::string_view argument = {}) {
+        m_line.error = ReadError{&message, static_cast<int>(begin + 1),
+                                 static_cast<int>(std::max(end, begin + 1) - begin), argument};
+    }
+
+    void readPercent() {
+        const std::size_t percent = m_at++;
+        while (skipBlanks(), !atEnd() && !m_line.error) {
+            if (m_text[m_at] == '(' || m_text[m_at] == ';')
+                readItem();
+            else
+                fail(nc_message::kPercentNotAlone, percent, percent + 1);
+        }
+        m_line.percent = !m_line.error.has_value();
+    }
+
+    void readItem() {
+        const char c = m_text[m_at];
+        if (isLetter(c))
+            readWord(upper(c));
+        else if (c == '(')
+            readComment();
+        else if (c == ';')
+            m_at = m_text.size();
+        else if (c == '#')
+            fail(nc_message::kExpression, m_at, m_text.size(), shortened(m_at));
+        else
+            failOnCharacter();
+    }
+
+    void failOnCharacter() {
+        const std::size_t end = m_at + characterLength(m_text.substr(m_at));
+        fail(nc_message::kBadCharacter, m_at, end, m_text.substr(m_at, end - m_at));
+    }
+
+    /// The text from `begin`, cut where it would make a message unreadable.
+    [[nodiscard]] std::string_view shortened(std::size_t begin) const {
+        std::string_view rest = m_text.substr(begin, 40);
+        const std::size_t comment = rest.find_first_of("(;");
+        rest = rest.substr(0, comment);
+        while (!rest.empty() && isBlank(rest.back()))
+            rest.remove_suffix(1);
+        return rest;
+    }
+
+    void readComment() {
+        const std::size_t end = m_text.find_first_of("()", m_at + 1);
+        if (end == std::string_view::npos)
+            fail(nc_message::kCommentUnclosed, m_at, m_at + 1);
+        else if (m_text[end] == '(')
+            fail(nc_message::kCommentNested, end, end + 1);
+        else
+            m_at = end + 1;
+    }
+
+    void readWord(char letter) {
+        if (letter == 'N') {
+            readBlockNumber();
+            return;
+        }
+        if (letter == 'O') {
+            readProgramNumber();
+            return;
+        }
+        const std::size_t begin = m_at;
+        const NumberRead number = readNumber(m_text, begin + 1);
+        if (number.status != NumberStatus::good) {
+            failOnNumber(number, begin);
+            return;
+        }
+        addWord(letter, number.value, begin, number.end);
+    }
+
+    void addWord(char letter, double value, std::size_t begin, std::size_t end) {
+        m_at = end;
+        const Word word{letter, value, static_cast<int>(begin + 1), static_cast<int>(end - begin)};
+        if (m_line.block.add(word))
+            return;
+        const bool code = letter == 'G' || letter == 'M';
+        fail(code ? nc_message::kTooManyCodes : nc_message::kWordTwice, begin, end, m_text.substr(begin, 1));
+    }
+
+    void failOnNumber(const NumberRead& number, std::size_t begin) {
+        const std::string_view letter = m_text.substr(begin, 1);
+        switch (number.status) {
+        case NumberStatus::good:
+            return;
+        case NumberStatus::missing:
+            failOnMissing(number.place, begin);
+            return;
+        case NumberStatus::doubleSign:
+            fail(nc_message::kDoubleSign, number.place, number.end + 1, letter);
+            return;
+        case NumberStatus::twoPoints:
+            fail(nc_message::kTwoPoints, number.place, number.place + 1, letter);
+            return;
+        case NumberStatus::outOfRange:
+            fail(nc_message::kNumberOutOfRange, begin, number.end, letter);
+            return;
+        case NumberStatus::expression:
+            fail(nc_message::kExpression, number.place, m_text.size(), shortened(number.place));
+            return;
+        }
+    }
+
+    /// Points at what stands in the place of the number, or at the letter where the line ends there.
+    void failOnMissing(std::size_t place, std::size_t begin) {
+        while (place < m_text.size() && isBlank(m_text[place]))
+            ++place;
+        if (place >= m_text.size()) {
+            fail(nc_message::kNumberMissing, begin, m_text.size(), m_text.substr(begin, 1));
+            return;
+        }
+        if (static_cast<unsigned char>(m_text[place]) >= 0x80) {
+            m_at = place;
+            failOnCharacter();
+            return;
+        }
+        fail(nc_message::kNumberMissing, place, place + 1, m_text.substr(begin, 1));
+    }
+
+    /// Block numbers are labels, of any length and also with decimals.
+    void readBlockNumber() {
+        const std::size_t begin = m_at;
+        if (!m_line.block.empty() || m_seenBlockNumber) {
+            fail(nc_message::kBlockNumberPlace, begin, begin + 1);
+            return;
+        }
+        m_seenBlockNumber = true;
+        const NumberRead number = readNumber(m_text, begin + 1);
+        if (number.status == NumberStatus::good && number.value < 0) {
+            fail(nc_message::kBlockNumberNegative, begin, number.end);
+            return;
+        }
+        if (number.status != NumberStatus::good && number.status != NumberStatus::outOfRange) {
+            failOnNumber(number, begin);
+            return;
+        }
+        if (number.end - begin > kLongestBlockNumber + 1)
+            m_line.longBlockNumber = {static_cast<int>(begin + 1), static_cast<int>(number.end - begin)};
+        m_at = number.end;
+    }
+
+    /// An O word alone names the program; with anything behind it, it is control flow.
+    void readProgramNumber() {
+        const std::size_t begin = m_at;
+        const NumberRead number = readNumber(m_text, begin + 1);
+        if (number.status != NumberStatus::good || !m_line.block.empty()) {
+            fail(nc_message::kFlowControl, begin, m_text.size(), shortened(begin));
+            return;
+        }
+        addWord('O', number.value, begin, number.end);
+        while (skipBlanks(), !atEnd() && !m_line.error) {
+            if (m_text[m_at] == '(' || m_text[m_at] == ';')
+                readItem();
+            else
+                fail(nc_message::kFlowControl, begin, m_text.size(), shortened(begin));
+        }
+    }
+
+    std::string_view m_text;
+    Line& m_line;
+    std::size_t m_at = 0;
+    bool m_seenBlockNumber = false;
+};
+
+} // namespace
+
+void readLine(std::string_view text, Line& line) {
+    line.block.clear();
+    line.percent = false;
+    line.deleteMark = false;
+    line.controlCodeColumn = 0;
+    line.longBlockNumber = {};
+    line.error.reset();
+    LineReader(text, line).read();
+}
+
+LetterSet axisLetters(std::string_view text) {
+    LetterSet letters;
+    bool comment = false;
+    for (const char c : text) {
+        if (c == ';' && !comment)
+            break;
+        comment = (comment || c == '(') && c != ')';
+        const char letter = upper(c);
+        if (!comment && letter >= 'X' && letter <= 'Z')
+            letters.add(letter);
+    }
+    return letters;
+}
+
+} // namespace proveout

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <string>
+
+#include "core/nc/execution.h"
+#include "core/nc/handlers.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr int kLargestTool = 99'999'999;
+
+bool tellNegative(Execution& execution, const Word& word) {
+    if (word.value >= 0)
+        return false;
+    execution.reporter.tell(nc_message::kNegative, word, {std::string(1, word.letter)});
+    return true;
+}
+
+void switchCoolant(Execution& execution, Coolant coolant, bool on) {
+    bool& state = coolant == Coolant::mist ? execution.state.mist : execution.state.flood;
+    if (state == on)
+        return;
+    state = on;
+    execution.program.append(CoolantSwitch{coolant, on}, execution.line);
+}
+
+} // namespace
+
+void dwell(Execution& execution, const Word& word) {
+    if (!execution.block.has('P')) {
+        execution.reporter.tell(nc_message::kWordMissing, word, {"G4", "P"});
+        return;
+    }
+    const Word& seconds = execution.block.word('P');
+    if (!tellNegative(execution, seconds))
+        execution.program.append(Dwell{seconds.value}, execution.line);
+}
+
+void setFeed(Execution& execution, const Word& word) {
+    if (tellNegative(execution, word))
+        return;
+    execution.state.feedMmPerMin = execution.state.toMm(word.value);
+    execution.state.missingFeedTold = false;
+}
+
+void setSpindleSpeed(Execution& execution, const Word& word) {
+    if (!tellNegative(execution, word))
+        execution.state.spindleRpm = word.value;
+}
+
+void selectTool(Execution& execution, const Word& word) {
+    const bool whole = std::abs(word.value - std::round(word.value)) < 1e-4;
+    if (!whole || word.value < 0 || word.value > kLargestTool) {
+        execution.reporter.tell(nc_message::kNotInteger, word, {"T", "0", std::to_string(kLargestTool)});
+        return;
+    }
+    execution.state.selectedTool = static_cast<int>(std::lround(word.value));
+}
+
+void changeTool(Execution& execution, const Word& word) {
+    if (execution.state.selectedTool < 0) {
+        execution.reporter.tell(nc_message::kNoToolSelected, word);
+        return;
+    }
+    execution.state.tool = execution.state.selectedTool;
+    // A tool is changed with the spindle at rest; M3 or M4 must follow.
+    execution.state.spindleDirection = 0;
+    execution.program.append(ToolChange{execution.state.tool}, execution.line);
+}
+
+void turnSpindleClockwise(Execution& execution, const Word& /*word*/) {
+    execution.state.spindleDirection = 1;
+}
+
+void turnSpindleCounterClockwise(Execution& execution, const Word& /*word*/) {
+    execution.state.spindleDirection = -1;
+}
+
+void stopSpindle(Execution& execution, const Word& /*word*/) {
+    execution.state.spindleDirection = 0;
+}
+
+void switchMistOn(Execution& execution, const Word& /*word*/) {
+    switchCoolant(execution, Coolant::mist, true);
+}
+
+void switchFloodOn(Execution& execution, const Word& /*word*/) {
+    switchCoolant(execution, Coolant::flood, true);
+}
+
+void switchCoolantOff(Execution& execution, const Word& /*word*/) {
+    switchCoolant(execution, Coolant::mist, false);
+    switchCoolant(execution, Coolant::flood, false);
+}
+
+void stopProgram(Execution& execution, const Word& /*word*/) {
+    execution.program.append(ProgramStop{StopKind::program}, execution.line);
+}
+
+void stopProgramOptionally(Execution& execution, const Word& /*word*/) {
+    execution.program.append(ProgramStop{StopKind::optional}, execution.line);
+}
+
+void endProgram(Execution& execution, const Word& /*word*/) {
+    execution.program.append(ProgramEnd{}, execution.line);
+    execution.state.ended = true;
+}
+
+} // namespace proveout

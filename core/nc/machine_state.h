@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/geometry.h"
+#include "core/nc/codes.h"
+#include "core/nc/motion.h"
+
+namespace proveout {
+
+constexpr double kMmPerInch = 25.4;
+
+/// Everything that one block leaves behind for the next. A value: saving and restoring it is a copy.
+/// Lengths are in mm whatever the unit of the program.
+struct MachineState {
+    const CodeRow* motion = nullptr; ///< the motion code in force; null after G80 and at the start
+    Plane plane = Plane::xy;
+    bool inch = false;
+    bool incremental = false;       ///< G91
+    bool arcCentreAbsolute = false; ///< G90.1
+    bool ended = false;             ///< M2 or M30 was executed
+    bool mist = false;
+    bool flood = false;
+
+    double feedMmPerMin = 0;  ///< 0: none given
+    double spindleRpm = 0;    ///< as S said
+    int spindleDirection = 0; ///< 1 clockwise, -1 counter-clockwise, 0 stopped
+    int selectedTool = -1;    ///< by T; -1: none yet
+    int tool = 0;             ///< in the spindle; 0: none
+
+    Vec3 position{0};
+    std::uint8_t known = 0; ///< AxisBits of `position`
+
+    // What was told already, so that it is told once.
+    std::uint8_t unknownTold = 0; ///< AxisBits
+    bool missingFeedTold = false;
+
+    [[nodiscard]] double toMm(double value) const { return inch ? value * kMmPerInch : value; }
+
+    /// From now on nobody knows where these axes stand.
+    void forget(LetterSet axes) {
+        for (int axis = 0; axis < 3; ++axis) {
+            if (axes.has(static_cast<char>('X' + axis))) {
+                const auto rest = static_cast<std::uint8_t>(~(1U << static_cast<unsigned>(axis)));
+                known &= rest;
+                unknownTold &= rest;
+            }
+        }
+    }
+};
+
+} // namespace proveout

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include "core/nc/execution.h"
+#include "core/nc/handlers.h"
+
+namespace proveout {
+
+namespace {
+
+void setUnits(Execution& execution, const Word& word, bool inch) {
+    if (execution.state.inch == inch)
+        return;
+    execution.state.inch = inch;
+    execution.program.append(UnitsChange{inch}, execution.line);
+    if (execution.block.has('F')) {
+        execution.reporter.tell(nc_message::kFeedInOldUnit, execution.block.word('F'),
+                                {fmt::format("{}{:g}", word.letter, word.value)});
+    }
+}
+
+} // namespace
+
+void setPlaneXy(Execution& execution, const Word& /*word*/) {
+    execution.state.plane = Plane::xy;
+}
+
+void setPlaneZx(Execution& execution, const Word& /*word*/) {
+    execution.state.plane = Plane::zx;
+}
+
+void setPlaneYz(Execution& execution, const Word& /*word*/) {
+    execution.state.plane = Plane::yz;
+}
+
+void setInch(Execution& execution, const Word& word) {
+    setUnits(execution, word, true);
+}
+
+void setMillimetre(Execution& execution, const Word& word) {
+    setUnits(execution, word, false);
+}
+
+void setAbsolute(Execution& execution, const Word& /*word*/) {
+    execution.state.incremental = false;
+}
+
+void setIncremental(Execution& execution, const Word& /*word*/) {
+    execution.state.incremental = true;
+}
+
+void setArcCentreAbsolute(Execution& execution, const Word& /*word*/) {
+    execution.state.arcCentreAbsolute = true;
+}
+
+void setArcCentreIncremental(Execution& execution, const Word& /*word*/) {
+    execution.state.arcCentreAbsolute = false;
+}
+
+void cancelToolLength(Execution& execution, const Word& /*word*/) {
+    execution.program.append(ToolLengthOffset{}, execution.line);
+}
+
+void keepState(Execution& /*execution*/, const Word& /*word*/) {}
+
+} // namespace proveout

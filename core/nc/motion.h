@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A motion: the straight or circular path of the tool control point that one block orders.
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/geometry.h"
+
+namespace proveout {
+
+enum class MotionKind : std::uint8_t { rapid, feed, arc };
+
+/// The plane of an arc; its normal is +Z, +Y, +X.
+enum class Plane : std::uint8_t {
+    xy, ///< G17
+    zx, ///< G18: counter-clockwise is seen from +Y
+    yz, ///< G19
+};
+
+/// One bit an axis; set where the position of that axis is known and not assumed.
+enum AxisBits : std::uint8_t { kAxisX = 1, kAxisY = 2, kAxisZ = 4, kAllAxes = 7 };
+
+/// Program coordinates in mm, of the tip of the cutter. Value type.
+struct Motion {
+    MotionKind kind = MotionKind::rapid;
+    Plane plane = Plane::xy;
+    std::uint8_t startKnown = 0; ///< AxisBits of `start`
+    std::uint8_t endKnown = 0;   ///< AxisBits of `end`
+    bool unverified = false;     ///< stands behind something that was not understood
+    int tool = 0;                ///< number of the tool in the spindle, 0: none
+    std::uint32_t line = 0;      ///< source line, 1-based
+    Vec3 start{0};
+    Vec3 end{0};
+    Vec3 centre{0};          ///< arcs: on the level of the start point
+    double sweep = 0;        ///< arcs: signed angle about the plane's normal, right-handed; may exceed a turn
+    double feedMmPerMin = 0; ///< 0 for rapids and where no feed was given
+    double spindleRpm = 0;   ///< signed: positive clockwise (M3), 0 stopped
+    double orderedRpm = 0;   ///< as S said, also while the spindle is stopped
+
+    /// Whether the whole path is known, so that it may cut.
+    [[nodiscard]] bool known() const { return (startKnown & endKnown) == kAllAxes; }
+};
+
+/// Axis indices (0 x, 1 y, 2 z) of a plane: first and second axis, right-handed about the normal axis.
+struct PlaneAxes {
+    int first;
+    int second;
+    int normal;
+};
+[[nodiscard]] PlaneAxes axes(Plane plane);
+
+/// Distance of the start point from the arc's centre, in its plane.
+[[nodiscard]] double arcRadius(const Motion& motion);
+
+/// The point at `t` in [0, 1]; the radius of an arc whose ends differ goes linearly from one to the other,
+/// and t = 1 gives `end` exactly.
+[[nodiscard]] Vec3 pointAt(const Motion& motion, double t);
+
+/// Length of the path in mm.
+[[nodiscard]] double pathLength(const Motion& motion);
+
+/// The box of the path.
+[[nodiscard]] Box3 bounds(const Motion& motion);
+
+} // namespace proveout

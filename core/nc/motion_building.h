@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What all motion codes do alike: find the target, tell what is missing, append, arrive.
+#pragma once
+
+#include "core/nc/execution.h"
+
+namespace proveout {
+
+/// A motion from where the machine stands to where the axis words of the block send it. An increment from an
+/// unknown place is told.
+[[nodiscard]] Motion motionToTarget(Execution& execution, MotionKind kind);
+
+/// A motion code without axis words only selects the mode; where the place is known it also stands as a
+/// motion of no length, as LinuxCNC lists it.
+[[nodiscard]] bool onlySelectsMode(const Execution& execution);
+
+/// Tells once that there is no feed rate.
+void tellMissingFeed(Execution& execution, const Word& word);
+
+/// Tells that the motion cuts nothing, once an axis until its place becomes known and is lost again.
+void tellUnknownStart(Execution& execution, const Motion& motion, const Word& word);
+
+/// The machine stands at the end of the motion, whether or not it was appended.
+void arrive(MachineState& state, const Motion& motion);
+
+void appendMotion(Execution& execution, Motion motion);
+
+} // namespace proveout

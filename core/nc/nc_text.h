@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "core/base/diagnostic.h"
+
+namespace proveout {
+
+/// An immutable NC text with its line index: a piece table over shared buffers, so that an edited copy shares
+/// what did not change and can be interpreted while the user types on. Value type; copies are cheap and may
+/// be read from any thread. Lines are split as an editor does (LF, CR LF, or a lone CR); a UTF-8 byte order
+/// mark is skipped.
+class NcText {
+public:
+    NcText();
+    explicit NcText(std::string text);
+
+    /// Reads a file. Errors: unreadable; UTF-16; binary content (id "nc-binary", at 1:1).
+    [[nodiscard]] static Result<NcText> load(const std::filesystem::path& file);
+
+    [[nodiscard]] std::size_t size() const;      ///< bytes
+    [[nodiscard]] std::size_t lineCount() const; ///< at least 1
+    /// Line `index` (0-based) without its line end; valid as long as this object or a copy of it.
+    [[nodiscard]] std::string_view line(std::size_t index) const;
+    [[nodiscard]] std::string toString() const;
+
+    /// Whether a UTF-8 byte order mark was skipped.
+    [[nodiscard]] bool hadByteOrderMark() const;
+    /// Index of the first line that ends with a lone CR; lineCount() where there is none. Fast where no line
+    /// does.
+    [[nodiscard]] std::size_t firstLoneCr() const;
+
+    /// A copy in which the bytes [offset, offset + removed) are replaced.
+    [[nodiscard]] NcText replaced(std::size_t offset, std::size_t removed, std::string_view inserted) const;
+
+private:
+    struct State;
+    std::shared_ptr<const State> m_state;
+};
+
+} // namespace proveout

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <string>
+
+#include "core/base/atomic_file.h"
+#include "core/base/text.h"
+#include "core/nc/nc_text.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr std::size_t kSample = 65536; ///< bytes that are looked at
+
+Diagnostics refusal(const char* id, const char* text, const char* hint, std::vector<std::string> arguments,
+                    const std::filesystem::path& file) {
+    Diagnostic diagnostic;
+    diagnostic.unverified = true;
+    diagnostic.id = id;
+    diagnostic.text = text;
+    diagnostic.hint = hint;
+    diagnostic.arguments = std::move(arguments);
+    diagnostic.file = file.string();
+    diagnostic.where = {1, 1, 0};
+    return {std::move(diagnostic)};
+}
+
+/// The name of a UTF-16 or UTF-32 encoding, told by its byte order mark or by where its zero bytes lie.
+const char* wideEncoding(std::string_view text) {
+    if (text.starts_with(std::string_view("\xff\xfe\0\0", 4)) ||
+        text.starts_with(std::string_view("\0\0\xfe\xff", 4)))
+        return "UTF-32";
+    if (text.starts_with("\xff\xfe"))
+        return "UTF-16 LE";
+    if (text.starts_with("\xfe\xff"))
+        return "UTF-16 BE";
+    std::size_t zeros[2] = {0, 0};
+    for (std::size_t i = 0; i < text.size(); ++i)
+        zeros[i % 2] += text[i] == '\0' ? 1 : 0;
+    const std::size_t most = text.size() / 2 - text.size() / 20;
+    if (text.size() >= 8 && zeros[1] >= most && zeros[0] == 0)
+        return "UTF-16 LE";
+    if (text.size() >= 8 && zeros[0] >= most && zeros[1] == 0)
+        return "UTF-16 BE";
+    return nullptr;
+}
+
+/// Codes that old tapes and serial lines leave in a program: tab, line ends, form feed, DC1 to DC4, the
+/// end-of-file byte of DOS.
+bool isTextByte(char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte >= 0x20 || (byte >= 0x09 && byte <= 0x0d) || (byte >= 0x11 && byte <= 0x14) || byte == 0x1a;
+}
+
+bool looksBinary(std::string_view text) {
+    if (text.starts_with("\x89PNG") || text.find('\0') != std::string_view::npos)
+        return true;
+    const auto strange = std::count_if(text.begin(), text.end(), [](char c) { return !isTextByte(c); });
+    return static_cast<std::size_t>(strange) * 50 > text.size();
+}
+
+} // namespace
+
+Result<NcText> NcText::load(const std::filesystem::path& file) {
+    auto bytes = readFile(file);
+    if (!bytes)
+        return tl::unexpected(bytes.error());
+    const std::string_view sample = std::string_view(*bytes).substr(0, kSample);
+    if (const char* encoding = wideEncoding(sample)) {
+        return tl::unexpected(
+            refusal("nc-encoding", PROVEOUT_TEXT("Core", "the file is encoded in {}, not in ASCII or UTF-8"),
+                    PROVEOUT_TEXT("Core", "Save it as plain text (ASCII or UTF-8) and open it again."),
+                    {encoding}, file));
+    }
+    if (looksBinary(sample)) {
+        return tl::unexpected(
+            refusal("nc-binary", PROVEOUT_TEXT("Core", "this is not an NC program: it holds binary data"),
+                    PROVEOUT_TEXT("Core", "Choose the text file that the machine would run."), {}, file));
+    }
+    return NcText(*std::move(bytes));
+}
+
+} // namespace proveout

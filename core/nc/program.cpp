@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/nc/program.h"
+
+#include <algorithm>
+#include <cassert>
+#include <limits>
+#include <utility>
+
+namespace proveout {
+
+namespace {
+
+constexpr std::uint32_t kNoArc = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint8_t kUnverifiedFlag = 1;
+
+} // namespace
+
+Motion Program::motion(std::size_t index) const {
+    const PackedMotion& packed = m_motions[index];
+    Motion motion;
+    motion.kind = static_cast<MotionKind>(packed.kind);
+    motion.startKnown = packed.startKnown;
+    motion.endKnown = packed.endKnown;
+    motion.unverified = (packed.flags & kUnverifiedFlag) != 0;
+    motion.tool = m_states[packed.state].tool;
+    motion.spindleRpm = m_states[packed.state].spindleRpm;
+    motion.orderedRpm = m_states[packed.state].orderedRpm;
+    motion.line = packed.line;
+    motion.start = startOf(index);
+    motion.end = packed.end;
+    motion.feedMmPerMin = static_cast<double>(packed.feedMmPerMin);
+    if (packed.arc != kNoArc) {
+        const PackedArc& arc = m_arcs[packed.arc];
+        motion.plane = arc.plane;
+        motion.centre = arc.centre;
+        motion.sweep = arc.sweep;
+    }
+    return motion;
+}
+
+Vec3 Program::startOf(std::size_t index) const {
+    if (!m_jumps.empty()) {
+        const auto jump = std::lower_bound(m_jumps.begin(), m_jumps.end(), index,
+                                           [](const Jump& j, std::size_t i) { return j.motion < i; });
+        if (jump != m_jumps.end() && jump->motion == index)
+            return jump->start;
+    }
+    return index == 0 ? Vec3(0) : m_motions[index - 1].end;
+}
+
+Program::MotionRange Program::blockMotions(std::size_t index) const {
+    const std::size_t last = index + 1 < m_blocks.size() ? m_blocks[index + 1].firstMotion : m_motions.size();
+    return {m_blocks[index].firstMotion, last};
+}
+
+std::uint32_t Program::blockLine(std::size_t index) const {
+    return m_blocks[index].line;
+}
+
+std::size_t Program::blocksAfterLine(std::uint32_t line) const {
+    const auto behind = [line](const PackedBlock& block) { return block.line > line; };
+    if (m_linesRise) {
+        const auto next = std::partition_point(m_blocks.begin(), m_blocks.end(),
+                                               [&](const PackedBlock& block) { return !behind(block); });
+        return static_cast<std::size_t>(next - m_blocks.begin());
+    }
+    // Where lines are executed again or out of order, the first execution of the line counts.
+    const auto at = std::find_if(m_blocks.begin(), m_blocks.end(),
+                                 [line](const PackedBlock& block) { return block.line == line; });
+    if (at != m_blocks.end())
+        return static_cast<std::size_t>(at - m_blocks.begin()) + 1;
+    const auto next = std::find_if(m_blocks.begin(), m_blocks.end(), behind);
+    return static_cast<std::size_t>(next - m_blocks.begin());
+}
+
+std::size_t Program::firstDifference(const Program& other) const {
+    const std::size_t common = std::min(blockCount(), other.blockCount());
+    for (std::size_t i = 0; i < common; ++i) {
+        if (!sameBlock(i, other))
+            return i;
+    }
+    return common;
+}
+
+bool Program::sameBlock(std::size_t index, const Program& other) const {
+    const MotionRange mine = blockMotions(index);
+    const MotionRange theirs = other.blockMotions(index);
+    if (mine.last - mine.first != theirs.last - theirs.first)
+        return false;
+    for (std::size_t i = 0; i < mine.last - mine.first; ++i) {
+        if (!samePath(mine.first + i, other, theirs.first + i))
+            return false;
+    }
+    return true;
+}
+
+bool Program::samePath(std::size_t index, const Program& other, std::size_t otherIndex) const {
+    const PackedMotion& a = m_motions[index];
+    const PackedMotion& b = other.m_motions[otherIndex];
+    if (a.end != b.end || a.kind != b.kind || a.startKnown != b.startKnown || a.endKnown != b.endKnown ||
+        m_states[a.state].tool != other.m_states[b.state].tool || startOf(index) != other.startOf(otherIndex))
+        return false;
+    if (a.arc == kNoArc || b.arc == kNoArc)
+        return a.arc == b.arc;
+    const PackedArc& arcA = m_arcs[a.arc];
+    const PackedArc& arcB = other.m_arcs[b.arc];
+    return arcA.centre == arcB.centre && arcA.sweep == arcB.sweep && arcA.plane == arcB.plane;
+}
+
+void Program::beginBlock(std::uint32_t line) {
+    m_pendingLine = line;
+    m_blockPending = true;
+}
+
+void Program::append(const Motion& motion) {
+    const auto index = static_cast<std::uint32_t>(m_motions.size());
+    if (m_blockPending) {
+        m_linesRise = m_linesRise && (m_blocks.empty() || m_blocks.back().line <= m_pendingLine);
+        m_blocks.push_back({index, m_pendingLine});
+        m_blockPending = false;
+    }
+    const SpindleState state{motion.tool, motion.spindleRpm, motion.orderedRpm};
+    if (m_states.empty() || m_states.back() != state)
+        m_states.push_back(state);
+    if (motion.start != (m_motions.empty() ? Vec3(0) : m_motions.back().end))
+        m_jumps.push_back({index, motion.start});
+
+    PackedMotion packed{};
+    packed.end = motion.end;
+    packed.feedMmPerMin = static_cast<float>(motion.feedMmPerMin);
+    packed.line = motion.line;
+    packed.arc = kNoArc;
+    packed.state = static_cast<std::uint32_t>(m_states.size() - 1);
+    packed.kind = static_cast<std::uint8_t>(motion.kind);
+    packed.startKnown = motion.startKnown;
+    packed.endKnown = motion.endKnown;
+    packed.flags = motion.unverified ? kUnverifiedFlag : std::uint8_t{0};
+    if (motion.kind == MotionKind::arc) {
+        packed.arc = static_cast<std::uint32_t>(m_arcs.size());
+        m_arcs.push_back({motion.centre, motion.sweep, motion.plane});
+    }
+    static_assert(sizeof(PackedMotion) == kBytesPerMotion);
+    m_motions.push_back(packed);
+    if (motion.known())
+        m_bounds.add(proveout::bounds(motion));
+}
+
+void Program::append(EventData data, std::uint32_t line) {
+    m_events.push_back({static_cast<std::uint32_t>(m_motions.size()), line, data});
+}
+
+void Program::append(Diagnostic diagnostic) {
+    m_unverified = m_unverified || diagnostic.unverified;
+    m_diagnosticMotions.push_back(static_cast<std::uint32_t>(m_motions.size()));
+    m_diagnostics.push_back(std::move(diagnostic));
+}
+
+} // namespace proveout

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What an NC text means: its motions and events in the order of execution, and what had to be told about it.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "core/base/diagnostic.h"
+#include "core/base/geometry.h"
+#include "core/nc/motion.h"
+
+namespace proveout {
+
+enum class Coolant : std::uint8_t { mist, flood };
+enum class StopKind : std::uint8_t { program, optional, palletChange };
+
+struct ToolChange {
+    int tool = 0;
+};
+struct ToolLengthOffset {
+    Vec3 offset{0};
+};
+struct Dwell {
+    double seconds = 0;
+};
+struct CoolantSwitch {
+    Coolant coolant = Coolant::flood;
+    bool on = false;
+};
+struct ProgramStop {
+    StopKind kind = StopKind::program;
+};
+struct ProgramEnd {};
+struct UnitsChange {
+    bool inch = false;
+};
+/// A work offset became active or was changed; `system` is 1 for G54.
+struct WorkOffset {
+    int system = 1;
+    Vec3 offset{0};
+};
+
+using EventData = std::variant<ToolChange, ToolLengthOffset, Dwell, CoolantSwitch, ProgramStop, ProgramEnd,
+                               UnitsChange, WorkOffset>;
+
+/// Something that happens between motions.
+struct Event {
+    std::uint32_t beforeMotion = 0; ///< index of the first motion after it
+    std::uint32_t line = 0;         ///< source line, 1-based
+    EventData data;
+};
+
+/// The result of an interpretation. Built by the interpreter through `append…`, immutable afterwards;
+/// published as shared_ptr<const Program> and read from any thread. Motions are stored packed and handed out
+/// by value.
+class Program {
+public:
+    [[nodiscard]] std::size_t motionCount() const { return m_motions.size(); }
+    [[nodiscard]] Motion motion(std::size_t index) const;
+
+    static constexpr std::size_t kBytesPerMotion = 48; ///< a straight one; an arc has an entry besides
+
+    /// Blocks that move, in the order of execution: the unit of stepping, of the decimation period and of
+    /// `--until N`. One block may order several motions.
+    [[nodiscard]] std::size_t blockCount() const { return m_blocks.size(); }
+    /// The motions [first, last) of block `index`.
+    struct MotionRange {
+        std::size_t first;
+        std::size_t last;
+    };
+    [[nodiscard]] MotionRange blockMotions(std::size_t index) const;
+    [[nodiscard]] std::uint32_t blockLine(std::size_t index) const;
+    /// How many moving blocks have been executed after source line `line`, at its first execution
+    /// (0: none; blockCount() where the line lies behind the last one).
+    [[nodiscard]] std::size_t blocksAfterLine(std::uint32_t line) const;
+
+    [[nodiscard]] const std::vector<Event>& events() const { return m_events; }
+    [[nodiscard]] const Diagnostics& diagnostics() const { return m_diagnostics; }
+    /// Index of the first motion after diagnostic `index` was told.
+    [[nodiscard]] std::size_t motionAfterDiagnostic(std::size_t index) const {
+        return m_diagnosticMotions[index];
+    }
+    /// Whether any diagnostic says that the program cannot be vouched for.
+    [[nodiscard]] bool unverified() const { return m_unverified; }
+    /// Source blocks with at least one word (comments alone do not count).
+    [[nodiscard]] std::size_t sourceBlockCount() const { return m_sourceBlocks; }
+    [[nodiscard]] const Box3& bounds() const { return m_bounds; } ///< of all known motions
+
+    /// Index of the first block that moves otherwise (path, tool, or a different number of motions);
+    /// the smaller block count where one program is the beginning of the other.
+    [[nodiscard]] std::size_t firstDifference(const Program& other) const;
+
+    // For the interpreter, while the program is built.
+    void beginBlock(std::uint32_t line); ///< motions appended from here on belong to one block
+    void append(const Motion& motion);
+    void append(EventData data, std::uint32_t line);
+    void append(Diagnostic diagnostic);
+    void setSourceBlockCount(std::size_t count) { m_sourceBlocks = count; }
+
+private:
+    struct PackedMotion {
+        Vec3 end;
+        float feedMmPerMin;
+        std::uint32_t line;
+        std::uint32_t arc;   ///< index into m_arcs, kNoArc for straight motions
+        std::uint32_t state; ///< index into m_states
+        std::uint8_t kind;
+        std::uint8_t startKnown;
+        std::uint8_t endKnown;
+        std::uint8_t flags;
+    };
+    struct PackedArc {
+        Vec3 centre;
+        double sweep;
+        Plane plane;
+    };
+    /// What changes rarely, shared by many motions.
+    struct SpindleState {
+        int tool;
+        double spindleRpm;
+        double orderedRpm;
+        bool operator==(const SpindleState&) const = default;
+    };
+    struct PackedBlock {
+        std::uint32_t firstMotion;
+        std::uint32_t line;
+    };
+    /// A motion that does not begin where the one before it ended.
+    struct Jump {
+        std::uint32_t motion;
+        Vec3 start;
+    };
+
+    [[nodiscard]] Vec3 startOf(std::size_t index) const;
+    [[nodiscard]] bool sameBlock(std::size_t index, const Program& other) const;
+    [[nodiscard]] bool samePath(std::size_t index, const Program& other, std::size_t otherIndex) const;
+
+    std::vector<PackedMotion> m_motions;
+    std::vector<PackedArc> m_arcs;
+    std::vector<SpindleState> m_states;
+    std::vector<PackedBlock> m_blocks;
+    std::vector<Jump> m_jumps;
+    std::vector<Event> m_events;
+    Diagnostics m_diagnostics;
+    std::vector<std::uint32_t> m_diagnosticMotions;
+    std::size_t m_sourceBlocks = 0;
+    Box3 m_bounds;
+    std::uint32_t m_pendingLine = 0;
+    bool m_blockPending = false;
+    bool m_linesRise = true; ///< no line was executed after a later one
+    bool m_unverified = false;
+};
+
+} // namespace proveout

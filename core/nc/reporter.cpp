@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/nc/reporter.h"
+
+#include <utility>
+
+namespace proveout {
+
+void Reporter::tell(const Message& message, int column, int length, std::vector<std::string> arguments) {
+    m_unverified = m_unverified || message.unverified;
+    if (m_told == m_limit) {
+        ++m_suppressed;
+        m_suppressedUnverified = m_suppressedUnverified || message.unverified;
+        return;
+    }
+    ++m_told;
+    append(message, message.unverified, {m_line, column, length}, std::move(arguments));
+}
+
+void Reporter::tellInAnyCase(const Message& message, int column, int length,
+                             std::vector<std::string> arguments) {
+    m_unverified = m_unverified || message.unverified;
+    append(message, message.unverified, {m_line, column, length}, std::move(arguments));
+}
+
+void Reporter::tellSuppressed() {
+    if (m_suppressed > 0)
+        append(nc_message::kTooManyMessages, m_suppressedUnverified, {m_line, 1, 0},
+               {std::to_string(m_suppressed)});
+}
+
+void Reporter::append(const Message& message, bool unverified, TextRange where,
+                      std::vector<std::string> arguments) {
+    m_program.append(Diagnostic{message.severity, unverified, message.id, message.text, std::move(arguments),
+                                message.hint, m_file, where});
+}
+
+} // namespace proveout

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/nc/block.h"
+#include "core/nc/messages.h"
+#include "core/nc/program.h"
+
+namespace proveout {
+
+/// Hands messages to the program that is being built: the first `limit` of them, then a count. Keeps a
+/// reference to the program. Knows whether anything was told that leaves the rest unverified.
+class Reporter {
+public:
+    Reporter(Program& program, std::string file, std::size_t limit)
+        : m_program(program), m_file(std::move(file)),
+          m_limit(limit > kReserved ? limit - kReserved : limit) {}
+
+    void beginLine(std::uint32_t line) { m_line = static_cast<int>(line); }
+    void tell(const Message& message, int column, int length, std::vector<std::string> arguments = {});
+    void tell(const Message& message, const Word& word, std::vector<std::string> arguments = {}) {
+        tell(message, word.column, word.length, std::move(arguments));
+    }
+    /// For what is told about the whole program, once: is shown whatever the limit.
+    void tellInAnyCase(const Message& message, int column, int length,
+                       std::vector<std::string> arguments = {});
+    /// The last message, where there were more than the limit.
+    void tellSuppressed();
+
+    [[nodiscard]] bool unverified() const { return m_unverified; }
+
+private:
+    void append(const Message& message, bool unverified, TextRange where, std::vector<std::string> arguments);
+
+    static constexpr std::size_t kReserved = 2; ///< places for messages about the whole program
+
+    Program& m_program;
+    std::string m_file;
+    std::size_t m_limit;
+    std::size_t m_told = 0;
+    std::size_t m_suppressed = 0;
+    int m_line = 0;
+    bool m_unverified = false;
+    bool m_suppressedUnverified = false;
+};
+
+} // namespace proveout

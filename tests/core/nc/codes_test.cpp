@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/nc/codes.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <set>
+#include <string_view>
+#include <tuple>
+
+namespace proveout {
+
+TEST(Codes, AreSortedAndFoundByTheirNumber) {
+    const auto before = [](const CodeRow& a, const CodeRow& b) {
+        return std::tie(a.letter, a.tenths) < std::tie(b.letter, b.tenths);
+    };
+    for (std::size_t i = 0; i < codes().size(); ++i) {
+        const CodeRow& row = codes()[i];
+        EXPECT_EQ(findCode(row.letter, row.tenths), &row) << row.letter << row.tenths;
+        EXPECT_FALSE(std::string_view(row.name).empty());
+        EXPECT_TRUE(i == 0 || before(codes()[i - 1], row)) << row.letter << row.tenths;
+    }
+}
+
+TEST(Codes, TakeEffectAtOneStepAGroup) {
+    for (const CodeRow& row : codes()) {
+        EXPECT_EQ(row.supported(), row.step != Step::none) << row.letter << row.tenths;
+        for (const CodeRow& other : codes()) {
+            // Two codes of different groups at one step would overwrite each other in a block.
+            if (row.supported() && other.supported() && row.step == other.step &&
+                row.group != ModalGroup::motionOff && other.group != ModalGroup::motionOff) {
+                EXPECT_EQ(row.group, other.group) << row.name << " / " << other.name;
+            }
+        }
+    }
+}
+
+TEST(Codes, SupportWhatTheFirstPartPromises) {
+    const std::set<int> g{0,   10,  20,  30,  40,  170, 180, 190, 200, 210, 400,
+                          490, 540, 610, 640, 800, 900, 901, 910, 911, 940};
+    const std::set<int> m{0, 10, 20, 30, 40, 50, 60, 70, 80, 90, 300};
+    for (const CodeRow& row : codes())
+        EXPECT_EQ(row.supported(), (row.letter == 'G' ? g : m).contains(row.tenths))
+            << row.letter << row.tenths;
+    for (const int tenths : g)
+        EXPECT_NE(findCode('G', tenths), nullptr) << tenths;
+    for (const int tenths : m)
+        EXPECT_NE(findCode('M', tenths), nullptr) << tenths;
+}
+
+TEST(Codes, AreFoundByWords) {
+    EXPECT_EQ(findCode(Word{'G', 90.1, 1, 5}), findCode('G', 901));
+    EXPECT_EQ(findCode(Word{'G', 38.2, 1, 5}), findCode('G', 382));
+    EXPECT_EQ(findCode(Word{'G', 1.05, 1, 5}), nullptr);
+    EXPECT_EQ(findCode(Word{'G', -1, 1, 5}), nullptr);
+    EXPECT_EQ(findCode(Word{'G', 1e12, 1, 5}), nullptr);
+    EXPECT_EQ(findCode(Word{'X', 1, 1, 5}), nullptr);
+    EXPECT_EQ(findCode('G', 99999), nullptr);
+}
+
+TEST(Codes, ExplainEveryOtherLetter) {
+    std::string letterRow;
+    for (const LetterRow& row : letters())
+        letterRow += row.letter;
+    EXPECT_EQ(letterRow, "ABCDEFHIJKLNOPQRSTUVWXYZ");
+}
+
+} // namespace proveout

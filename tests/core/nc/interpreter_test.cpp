@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What golden cases cannot say: limits, stopping, time, and what is stored beside the records.
+#include "core/nc/interpreter.h"
+
+#include <algorithm>
+#include <atomic>
+#include <chrono>
+#include <gtest/gtest.h>
+#include <stop_token>
+#include <string>
+#include <thread>
+
+namespace proveout {
+
+namespace {
+
+double secondsOf(const std::function<void()>& work) {
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+std::string repeated(const std::string& line, int count) {
+    std::string text;
+    for (int i = 0; i < count; ++i)
+        text += line;
+    return text;
+}
+
+bool has(const Program& program, std::string_view id) {
+    return std::any_of(program.diagnostics().begin(), program.diagnostics().end(),
+                       [&](const Diagnostic& d) { return d.id == id; });
+}
+
+} // namespace
+
+TEST(Interpreter, NamesTheFileAndThePlaceOfEveryMessage) {
+    InterpretOptions options;
+    options.file = "part.ngc";
+    const auto program = interpret(NcText("G0 X0 Y0 Z0\nG1 X1 F100 G68\nM2\n"), options);
+    ASSERT_EQ(program->diagnostics().size(), 1U);
+    const Diagnostic& diagnostic = program->diagnostics().front();
+    EXPECT_EQ(oneLine(diagnostic),
+              "part.ngc:2:12: error: G68 (coordinate rotation) is not supported yet [code-unsupported]");
+    EXPECT_EQ(diagnostic.where, (TextRange{2, 12, 3}));
+    EXPECT_NE(std::string(diagnostic.hint), "");
+    EXPECT_TRUE(program->unverified());
+}
+
+TEST(Interpreter, KnowsNothingOfTheStartUnlessTold) {
+    const NcText text("G1 X1 Y1 F100\n");
+    const auto unknown = interpret(text);
+    EXPECT_EQ(unknown->motion(0).startKnown, 0);
+    EXPECT_EQ(unknown->motion(0).endKnown, kAxisX | kAxisY);
+    EXPECT_FALSE(unknown->motion(0).known());
+    EXPECT_TRUE(unknown->unverified());
+    EXPECT_TRUE(unknown->bounds().empty());
+    EXPECT_EQ(message(unknown->diagnostics().front()),
+              "where X, Y, Z stands is not known, so this motion cuts nothing");
+
+    InterpretOptions assumed;
+    assumed.assumeStartAtZero = true;
+    EXPECT_TRUE(interpret(text, assumed)->motion(0).known());
+    EXPECT_FALSE(interpret(text, assumed)->unverified());
+
+    InterpretOptions given;
+    given.start = Vec3(5, 6, 7);
+    const Motion motion = interpret(text, given)->motion(0);
+    EXPECT_TRUE(motion.known());
+    EXPECT_EQ(motion.start, Vec3(5, 6, 7));
+    EXPECT_EQ(motion.end, Vec3(1, 1, 7));
+}
+
+TEST(Interpreter, ASpindleThatStandsHasItsSpeedAllTheSame) {
+    InterpretOptions options;
+    options.assumeStartAtZero = true;
+    const auto program = interpret(NcText("S500 G1 X1 F10\nM4\nX2\nM2\n"), options);
+    EXPECT_EQ(program->motion(0).spindleRpm, 0);
+    EXPECT_EQ(program->motion(0).orderedRpm, 500);
+    EXPECT_EQ(program->motion(1).spindleRpm, -500);
+}
+
+TEST(Interpreter, CountsTheMessagesBeyondTheLimit) {
+    InterpretOptions options;
+    options.assumeStartAtZero = true;
+    const auto program = interpret(NcText(repeated("G68\n", 250) + "G0 X1\nM2\n"), options);
+    ASSERT_EQ(program->diagnostics().size(), 99U) << "two places are kept for the program as a whole";
+    EXPECT_STREQ(program->diagnostics().back().id, "too-many-messages");
+    EXPECT_EQ(message(program->diagnostics().back()), "152 more messages are not shown");
+    EXPECT_TRUE(program->motion(0).unverified);
+
+    options.maxDiagnostics = 3;
+    const auto hidden = interpret(NcText("G0 X1\n%\nG0 X2\n" + repeated("Q1\n", 9)), options);
+    EXPECT_LE(hidden->diagnostics().size(), 4U);
+    EXPECT_TRUE(has(*hidden, "no-program-end"));
+}
+
+TEST(Interpreter, StopsAtTheLimitOfMotions) {
+    InterpretOptions options;
+    options.assumeStartAtZero = true;
+    options.maxMotions = 10;
+    const auto program = interpret(NcText(repeated("G91 G0 X1\n", 20)), options);
+    EXPECT_EQ(program->motionCount(), 10U);
+    EXPECT_TRUE(has(*program, "too-many-motions"));
+    EXPECT_TRUE(program->unverified());
+}
+
+TEST(Interpreter, AnswersAStopAndSaysSo) {
+    const NcText text(repeated("G91 G1 X0.001 F100\n", 3'000'000));
+    std::stop_source stop;
+    WorkContext context;
+    context.stop = stop.get_token();
+    std::chrono::steady_clock::time_point asked;
+    context.progress = [&](double done) {
+        if (done > 0.1 && !stop.stop_requested()) {
+            asked = std::chrono::steady_clock::now();
+            stop.request_stop();
+        }
+    };
+    const auto program = interpret(text, {}, context);
+    EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - asked).count(), 0.2);
+    EXPECT_TRUE(has(*program, "interpretation-stopped"));
+    EXPECT_TRUE(program->unverified());
+    EXPECT_LT(program->motionCount(), 3'000'000U);
+    EXPECT_GT(program->motionCount(), 0U);
+}
+
+TEST(Interpreter, TellsItsProgressUpToOne) {
+    double last = 0;
+    bool rises = true;
+    WorkContext context;
+    context.progress = [&](double done) {
+        rises = rises && done >= last;
+        last = done;
+    };
+    (void)interpret(NcText(repeated("G0 X1\n", 200'000)), {}, context);
+    EXPECT_TRUE(rises);
+    EXPECT_EQ(last, 1);
+}
+
+TEST(Interpreter, LongLinesTakeNoTime) {
+    struct Case {
+        const char* name;
+        std::string text;
+    };
+    for (const Case& c :
+         {Case{"line of words", repeated("X1 Y2 ", 100'000)},
+          Case{"digits", "G0 X" + std::string(1'000'000, '9')},
+          Case{"comment", "(" + std::string(1'000'000, 'a')}, Case{"blanks", std::string(1'000'000, ' ')},
+          Case{"brackets", "G0 X" + std::string(100'000, '[')}, Case{"comments", repeated("()", 500'000)},
+          Case{"blanks in a number", "G0 X1" + std::string(1'000'000, ' ') + "5"},
+          Case{"CR alone", repeated("G0 X1\r", 100'000)}, Case{"percent", repeated("%\n", 200'000)}}) {
+        const double seconds = secondsOf([&] { (void)interpret(NcText(c.text)); });
+#ifdef NDEBUG
+        EXPECT_LT(seconds, 0.1) << c.name;
+#else
+        EXPECT_LT(seconds, 2) << c.name;
+#endif
+    }
+}
+
+TEST(Interpreter, KeepsTheBytesOfAMotionSmall) {
+    // Ten million lines must fit into a laptop; the figure is that of the packed motion.
+    InterpretOptions options;
+    options.assumeStartAtZero = true;
+    const auto program = interpret(NcText(repeated("G91 G1 X1 Y1 F100\n", 1000)), options);
+    EXPECT_EQ(program->motionCount(), 1000U);
+    EXPECT_LE(Program::kBytesPerMotion, 64U);
+}
+
+TEST(Interpreter, IsAFunctionOfItsInput) {
+    const NcText text("T1 M6\nG0 X0 Y0 Z5\nG1 Z-1 F100\nG3 X10 Y0 R7\nG68\nX5\nM2\n");
+    const auto first = interpret(text);
+    std::shared_ptr<const Program> second;
+    std::thread([&] { second = interpret(text); }).join();
+    EXPECT_EQ(first->firstDifference(*second), first->blockCount());
+    EXPECT_EQ(first->diagnostics().size(), second->diagnostics().size());
+    EXPECT_EQ(first->events().size(), second->events().size());
+}
+
+} // namespace proveout

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whatever the text: an answer in time, with finite numbers and places that exist.
+#include <cmath>
+#include <gtest/gtest.h>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "core/nc/interpreter.h"
+
+namespace proveout {
+
+namespace {
+
+const std::vector<std::string> kPieces{"G0",
+                                       "G1",
+                                       "G2",
+                                       "G3",
+                                       "G4",
+                                       "G17",
+                                       "G18",
+                                       "G19",
+                                       "G20",
+                                       "G21",
+                                       "G28",
+                                       "G53",
+                                       "G80",
+                                       "G81",
+                                       "G90",
+                                       "G91",
+                                       "G90.1",
+                                       "G91.1",
+                                       "M2",
+                                       "M3",
+                                       "M6",
+                                       "M98",
+                                       "T1",
+                                       "S1000",
+                                       "F100",
+                                       "X",
+                                       "Y",
+                                       "Z",
+                                       "I",
+                                       "J",
+                                       "K",
+                                       "R",
+                                       "P",
+                                       "N",
+                                       "O",
+                                       "/",
+                                       "%",
+                                       "(",
+                                       ")",
+                                       ";",
+                                       "#",
+                                       "[",
+                                       "]",
+                                       "-",
+                                       "+",
+                                       ".",
+                                       "1",
+                                       "5.5",
+                                       "-10",
+                                       "1e12",
+                                       "\n",
+                                       "\n",
+                                       "\n",
+                                       "\r",
+                                       "\r\n",
+                                       " ",
+                                       "\t",
+                                       "\x11",
+                                       "\x1a",
+                                       "\xff",
+                                       "\xe2\x88\x92",
+                                       "999999999999",
+                                       "0.000000001",
+                                       "nan",
+                                       "1000000000",
+                                       "o100 sub"};
+
+std::string randomProgram(std::mt19937& random) {
+    std::string text;
+    for (std::size_t n = random() % 120; n > 0; --n) {
+        text += kPieces[random() % kPieces.size()];
+        if (random() % 2 == 0)
+            text +=
+                std::to_string(static_cast<int>(random() % 41) - 20) + (random() % 3 == 0 ? "." : "") + " ";
+    }
+    return text;
+}
+
+/// Programs made of whole words, so that they get as far as the geometry.
+std::string randomMotions(std::mt19937& random) {
+    std::string text = "G0 X0 Y0 Z0 F100\n";
+    for (std::size_t n = random() % 40; n > 0; --n) {
+        const std::vector<std::string> codes{"G0",  "G1",  "G2",  "G3",  "",    "G17",
+                                             "G18", "G19", "G91", "G90", "G20", "G21"};
+        text += codes[random() % codes.size()];
+        for (const char letter : std::string("XYZIJKRP")) {
+            if (random() % 4 == 0)
+                text.append(1, letter).append(std::to_string(static_cast<int>(random() % 21) - 10));
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+bool finite(const Vec3& v) {
+    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
+}
+
+void check(const std::string& text) {
+    const NcText nc(text);
+    const auto program = interpret(nc);
+    EXPECT_LE(program->diagnostics().size(), 101U);
+    for (const Diagnostic& diagnostic : program->diagnostics()) {
+        ASSERT_GE(diagnostic.where.line, 1);
+        ASSERT_LE(static_cast<std::size_t>(diagnostic.where.line), nc.lineCount());
+        const auto size = nc.line(static_cast<std::size_t>(diagnostic.where.line) - 1).size();
+        EXPECT_GE(diagnostic.where.column, 1);
+        EXPECT_LE(static_cast<std::size_t>(diagnostic.where.column + diagnostic.where.length), size + 2)
+            << oneLine(diagnostic);
+        EXPECT_EQ(message(diagnostic).find("{}"), std::string::npos) << diagnostic.id;
+    }
+    for (std::size_t i = 0; i < program->motionCount(); ++i) {
+        const Motion motion = program->motion(i);
+        ASSERT_TRUE(finite(motion.start) && finite(motion.end) && finite(motion.centre));
+        ASSERT_TRUE(std::isfinite(motion.sweep) && std::isfinite(pathLength(motion)));
+        ASSERT_TRUE(finite(pointAt(motion, 0.3)) && finite(bounds(motion).lo) && finite(bounds(motion).hi));
+        if (motion.kind == MotionKind::arc) {
+            EXPECT_GT(arcRadius(motion), 0.001);
+            // The sweep leads to the end: what pointAt() tends to must be what it gives there.
+            const double radius = arcRadius(motion);
+            EXPECT_LT(glm::length(pointAt(motion, 1 - 1e-12) - motion.end), 1e-6 + radius * 1e-9) << text;
+        }
+    }
+}
+
+} // namespace
+
+TEST(Mutation, RandomTextsAreAnswered) {
+    for (unsigned seed = 1; seed <= 20000; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::mt19937 random(seed);
+        ASSERT_NO_FATAL_FAILURE(check(seed % 2 == 0 ? randomProgram(random) : randomMotions(random)));
+        if (HasFailure())
+            return;
+    }
+}
+
+TEST(Mutation, RandomBytesAreAnswered) {
+    for (unsigned seed = 1; seed <= 2000; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::mt19937 random(seed);
+        std::string text(random() % 400, '\0');
+        for (char& c : text)
+            c = static_cast<char>(random());
+        ASSERT_NO_FATAL_FAILURE(check(text));
+        if (HasFailure())
+            return;
+    }
+}
+
+} // namespace proveout

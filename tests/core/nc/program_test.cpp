@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/nc/program.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <string>
+
+#include "core/nc/interpreter.h"
+#include "tests/core/nc/random_arc.h"
+
+namespace proveout {
+
+using test::randomArc;
+using test::uniform;
+
+namespace {
+
+Motion randomMotion(std::mt19937& random, const Vec3& start) {
+    Motion motion;
+    if (random() % 3 == 0) {
+        motion = randomArc(random, 0.01);
+    } else {
+        motion.kind = random() % 2 == 0 ? MotionKind::rapid : MotionKind::feed;
+        motion.start = start;
+        motion.end = Vec3(uniform(random, -9, 9), uniform(random, -9, 9), uniform(random, -9, 9));
+    }
+    motion.startKnown = static_cast<std::uint8_t>(random() % 8);
+    motion.endKnown = static_cast<std::uint8_t>(random() % 8);
+    motion.unverified = random() % 2 == 0;
+    motion.tool = static_cast<int>(random() % 3);
+    motion.line = static_cast<std::uint32_t>(random() % 1000);
+    motion.feedMmPerMin = static_cast<double>(random() % 5000);
+    motion.spindleRpm = static_cast<double>(random() % 3) * -1000;
+    motion.orderedRpm = -motion.spindleRpm;
+    return motion;
+}
+
+void expectSame(const Motion& a, const Motion& b) {
+    EXPECT_EQ(a.kind, b.kind);
+    EXPECT_EQ(a.startKnown, b.startKnown);
+    EXPECT_EQ(a.endKnown, b.endKnown);
+    EXPECT_EQ(a.unverified, b.unverified);
+    EXPECT_EQ(a.tool, b.tool);
+    EXPECT_EQ(a.line, b.line);
+    EXPECT_EQ(a.start, b.start);
+    EXPECT_EQ(a.end, b.end);
+    EXPECT_EQ(a.feedMmPerMin, b.feedMmPerMin);
+    EXPECT_EQ(a.spindleRpm, b.spindleRpm);
+    EXPECT_EQ(a.orderedRpm, b.orderedRpm);
+    if (a.kind == MotionKind::arc) {
+        EXPECT_EQ(a.plane, b.plane);
+        EXPECT_EQ(a.centre, b.centre);
+        EXPECT_EQ(a.sweep, b.sweep);
+    }
+}
+
+std::shared_ptr<const Program> programOf(const std::string& text) {
+    InterpretOptions options;
+    options.assumeStartAtZero = true;
+    return interpret(NcText(text), options);
+}
+
+} // namespace
+
+TEST(Program, GivesBackTheMotionsItWasGiven) {
+    for (unsigned seed = 1; seed <= 50; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::mt19937 random(seed);
+        Program program;
+        std::vector<Motion> motions;
+        Box3 box;
+        Vec3 at(0);
+        for (int i = 0; i < 200; ++i) {
+            if (random() % 10 == 0)
+                at += Vec3(1, 0, 0); // a jump
+            motions.push_back(randomMotion(random, at));
+            at = motions.back().end;
+            program.append(motions.back());
+            if (motions.back().known())
+                box.add(bounds(motions.back()));
+        }
+        ASSERT_EQ(program.motionCount(), motions.size());
+        for (std::size_t i = 0; i < motions.size(); ++i)
+            expectSame(program.motion(i), motions[i]);
+        EXPECT_EQ(program.bounds().lo, box.lo);
+        EXPECT_EQ(program.bounds().hi, box.hi);
+    }
+}
+
+TEST(Program, CountsTheBlocksThatMove) {
+    const auto program = programOf("G21\n(a)\nG0 X1\nG90\nX2\n\nM2\n");
+    ASSERT_EQ(program->blockCount(), 2U);
+    EXPECT_EQ(program->sourceBlockCount(), 5U) << "a comment alone is no block";
+    EXPECT_EQ(program->blockLine(0), 3U);
+    EXPECT_EQ(program->blockLine(1), 5U);
+    EXPECT_EQ(program->blockMotions(1).first, 1U);
+    EXPECT_EQ(program->blockMotions(1).last, 2U);
+    const std::vector<std::size_t> after{0, 0, 0, 1, 1, 2, 2, 2, 2};
+    for (std::uint32_t line = 0; line < after.size(); ++line)
+        EXPECT_EQ(program->blocksAfterLine(line), after[line]) << line;
+}
+
+TEST(Program, TakesTheFirstExecutionOfALine) {
+    Program program;
+    for (const std::uint32_t line : {5U, 2U, 3U, 2U, 3U, 6U}) {
+        program.beginBlock(line);
+        program.append(Motion{});
+    }
+    EXPECT_EQ(program.blocksAfterLine(2), 2U);
+    EXPECT_EQ(program.blocksAfterLine(3), 3U);
+    EXPECT_EQ(program.blocksAfterLine(5), 1U);
+    EXPECT_EQ(program.blocksAfterLine(6), 6U);
+    EXPECT_EQ(program.blocksAfterLine(9), 6U);
+}
+
+TEST(Program, FindsTheFirstBlockThatMovesOtherwise) {
+    const std::string text = "T1 M6\nG0 X1\nG1 Y1 F100\nG2 X2 I.5\nX3 I.5\nT2 M6\nG1 X9\nM2\n";
+    const auto program = programOf(text);
+    const auto differenceTo = [&](const std::string& from, const std::string& to) {
+        std::string changed = text;
+        changed.replace(changed.find(from), from.size(), to);
+        const auto other = programOf(changed);
+        EXPECT_EQ(program->firstDifference(*other), other->firstDifference(*program));
+        return program->firstDifference(*other);
+    };
+    ASSERT_EQ(program->blockCount(), 5U);
+    EXPECT_EQ(program->firstDifference(*programOf(text)), 5U);
+    EXPECT_EQ(differenceTo("G0 X1\n", "G0 X1 (a comment)\n\n"), 5U);
+    EXPECT_EQ(differenceTo("F100", "F200"), 5U) << "the feed moves nothing";
+    EXPECT_EQ(differenceTo("G0 X1", "G0 X1.1"), 0U);
+    EXPECT_EQ(differenceTo("G1 Y1", "G0 Y1"), 1U) << "a rapid cuts, and is a finding";
+    EXPECT_EQ(differenceTo("G2 X2 I.5", "G3 X2 I.5"), 2U);
+    EXPECT_EQ(differenceTo("G2 X2 I.5", "G2 X2 R.501"), 2U) << "the same ends, another arc";
+    EXPECT_EQ(differenceTo("X3 I.5\n", "X3 I.5\nX4 I.5\n"), 4U);
+    EXPECT_EQ(differenceTo("X3 I.5\n", ""), 3U);
+    EXPECT_EQ(differenceTo("T2", "T3"), 4U);
+    EXPECT_EQ(differenceTo("G1 X9\n", ""), 4U);
+}
+
+TEST(Program, KnowsWhenItsStartDiffers) {
+    InterpretOptions there;
+    there.start = Vec3(1, 0, 0);
+    InterpretOptions here;
+    here.start = Vec3(0);
+    const NcText text("G0 X5\nX6\n");
+    EXPECT_EQ(interpret(text, here)->firstDifference(*interpret(text, there)), 0U);
+}
+
+} // namespace proveout
