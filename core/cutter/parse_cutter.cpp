@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads `SHAPE:key=value,…` by the rows of the table of shapes.
+#include <charconv>
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+
+#include "core/base/text.h"
+#include "core/cutter/shapes.h"
+#include "core/cutter/tool_table.h"
+
+namespace proveout {
+
+namespace {
+
+std::string_view trimmed(std::string_view text) {
+    const auto first = text.find_first_not_of(" \t");
+    if (first == std::string_view::npos)
+        return {};
+    return text.substr(first, text.find_last_not_of(" \t") - first + 1);
+}
+
+/// Cuts `text` at the first `separator` and returns what stands before it; `text` keeps the rest.
+std::string_view takeUntil(std::string_view& text, char separator) {
+    const auto at = text.find(separator);
+    const std::string_view head = text.substr(0, at);
+    text = at == std::string_view::npos ? std::string_view{} : text.substr(at + 1);
+    return trimmed(head);
+}
+
+template<class Rows>
+std::string listOf(const Rows& rows) {
+    std::string names;
+    for (const auto& row : rows)
+        names += (names.empty() ? "" : ", ") + std::string(row.key);
+    return names;
+}
+
+/// The keys of a shape with the values that were given for them.
+struct KeyValues {
+    std::vector<ShapeKey> keys;
+    std::vector<std::optional<double>> given;
+
+    explicit KeyValues(const CutterShape& shape) : keys(shape.keys.begin(), shape.keys.end()) {
+        keys.insert(keys.end(), commonShapeKeys().begin(), commonShapeKeys().end());
+        given.resize(keys.size());
+    }
+
+    [[nodiscard]] double value(std::size_t index) const {
+        return given[index].value_or(keys[index].standard);
+    }
+};
+
+Result<double> parseValue(const ShapeKey& key, std::string_view text) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
+        return failure("cutter-value-not-a-number",
+                       PROVEOUT_TEXT("Core", "the value of {}, “{}”, is not a number"),
+                       {key.key, std::string(text)});
+    if (value < key.minimum || value > key.maximum)
+        return failure("cutter-value-out-of-range",
+                       PROVEOUT_TEXT("Core", "{}={} is out of its limits, {} to {} {}"),
+                       {key.key, std::string(text), fmt::format("{}", key.minimum),
+                        fmt::format("{}", key.maximum), key.unit});
+    return value;
+}
+
+Result<void> readAssignment(KeyValues& values, std::string_view assignment) {
+    std::string_view text = assignment;
+    const std::string_view name = takeUntil(text, '=');
+    for (std::size_t i = 0; i < values.keys.size(); ++i) {
+        if (values.keys[i].key != name)
+            continue;
+        if (values.given[i])
+            return failure("cutter-key-twice", PROVEOUT_TEXT("Core", "the key {} is given twice"),
+                           {std::string(name)});
+        auto value = parseValue(values.keys[i], trimmed(text));
+        if (!value)
+            return tl::unexpected(std::move(value.error()));
+        values.given[i] = *value;
+        return {};
+    }
+    return failure("cutter-key-unknown",
+                   PROVEOUT_TEXT("Core", "“{}” is no key of this cutter shape; there are {}"),
+                   {std::string(name), listOf(values.keys)});
+}
+
+Result<KeyValues> readKeys(const CutterShape& shape, std::string_view text) {
+    KeyValues values(shape);
+    while (!text.empty()) {
+        if (auto read = readAssignment(values, takeUntil(text, ',')); !read)
+            return tl::unexpected(std::move(read.error()));
+    }
+    for (std::size_t i = 0; i < values.keys.size(); ++i) {
+        if (values.keys[i].required && !values.given[i])
+            return failure(
+                "cutter-key-missing",
+                PROVEOUT_TEXT("Core", "a cutter of the shape {} needs the key {} ({}, {} to {} {})"),
+                {shape.key, values.keys[i].key, values.keys[i].label,
+                 fmt::format("{}", values.keys[i].minimum), fmt::format("{}", values.keys[i].maximum),
+                 values.keys[i].unit});
+    }
+    return values;
+}
+
+const CutterShape* findShape(std::string_view name) {
+    for (const CutterShape& shape : cutterShapes()) {
+        if (shape.key == name)
+            return &shape;
+    }
+    return nullptr;
+}
+
+} // namespace
+
+Result<Cutter> parseCutter(std::string_view spec) {
+    std::string_view text = trimmed(spec);
+    const std::string_view name = takeUntil(text, ':');
+    const CutterShape* shape = findShape(name);
+    if (shape == nullptr)
+        return failure("cutter-shape-unknown", PROVEOUT_TEXT("Core", "“{}” is no cutter shape; there are {}"),
+                       {std::string(name), listOf(cutterShapes())});
+    const auto values = readKeys(*shape, text);
+    if (!values)
+        return tl::unexpected(values.error());
+
+    const std::size_t own = shape->keys.size();
+    std::vector<double> ownValues(own);
+    for (std::size_t i = 0; i < own; ++i)
+        ownValues[i] = values->value(i);
+    auto pieces = shape->profile(ownValues);
+    if (!pieces)
+        return tl::unexpected(std::move(pieces.error()));
+
+    const double rim = pieces->back().z1;
+    const double radius = pieces->back().r1;
+    if (values->given[own] && *values->given[own] < rim)
+        return failure("flutes-too-short",
+                       PROVEOUT_TEXT("Core", "the flute length l={} is less than the height of the cutter's "
+                                             "profile, {} mm"),
+                       {fmt::format("{}", *values->given[own]), fmt::format("{:.4g}", rim)});
+    const double fluteLength = std::max(values->value(own), rim);
+    const double shankDiameter = values->value(own + 1);
+    return Cutter(std::string(trimmed(spec)), std::move(*pieces), fluteLength,
+                  shankDiameter > 0 ? shankDiameter / 2 : radius, values->value(own + 2));
+}
+
+Result<std::pair<int, Cutter>> parseToolOption(std::string_view option) {
+    std::string_view spec = trimmed(option);
+    std::string_view number = takeUntil(spec, '=');
+    if (!number.empty() && (number.front() == 'T' || number.front() == 't'))
+        number.remove_prefix(1);
+    int tool = 0;
+    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), tool);
+    if (error != std::errc{} || end != number.data() + number.size() || tool < 1)
+        return failure("tool-number",
+                       PROVEOUT_TEXT("Core", "“{}” does not begin with a tool number of 1 or more, as in {}"),
+                       {std::string(option), "1=ball:d=11,l=50"});
+    auto cutter = parseCutter(spec);
+    if (!cutter)
+        return tl::unexpected(std::move(cutter.error()));
+    return std::pair{tool, std::move(*cutter)};
+}
+
+} // namespace proveout

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The table of cutter shapes: one row a shape. Parser, dialogs, help and tests read it.
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/base/diagnostic.h"
+#include "core/cutter/cutter.h"
+
+namespace proveout {
+
+struct ShapeKey {
+    const char* key;   ///< in a spec, e.g. "d"
+    const char* label; ///< for people; marked with PROVEOUT_TEXT
+    const char* unit;  ///< "mm" or "°"
+    double minimum;
+    double maximum;
+    double standard; ///< what a dialog proposes; the value of an optional key that is left out
+    bool required;
+};
+
+struct CutterShape {
+    const char* key;   ///< in a spec, e.g. "ball"
+    const char* label; ///< for people; marked with PROVEOUT_TEXT
+    std::span<const ShapeKey> keys;
+    /// Makes the profile from the values of `keys`, in their order. Errors: values that fit no shape
+    /// together.
+    Result<std::vector<ProfilePiece>> (*profile)(std::span<const double> values);
+};
+
+[[nodiscard]] std::span<const CutterShape> cutterShapes();
+
+/// Keys that every shape takes: flute length `l`, shank diameter `sd`, shank length `sl`.
+[[nodiscard]] std::span<const ShapeKey> commonShapeKeys();
+
+} // namespace proveout
