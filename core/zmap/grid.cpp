@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The grid over a stock, and the memory it asks for; both are computed in double before anything is taken.
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <utility>
+
+#include "core/base/memory.h"
+#include "core/base/text.h"
+#include "core/zmap/zmap.h"
+
+namespace proveout {
+
+namespace {
+
+/// The heights of a map are counted by 32-bit indices where meshes are made of them.
+constexpr double kMostPoints = std::numeric_limits<std::int32_t>::max();
+/// Sizes beyond this are slips of the unit or of the finger, and would eat the digits of a double.
+constexpr double kLargestStock = 1e7;
+/// The corner of a stock, either way; as far as a job file goes.
+constexpr double kFarthestCorner = 1e7;
+/// Neighbouring points of a grid are at least so many steps of a double apart.
+constexpr double kLeastSteps = 16;
+/// The map that is cut and, at worst, as much again for the checkpoints' copies of its tiles.
+constexpr double kMapsHeld = 2;
+/// A tile with its reference count and its place in the array.
+constexpr double kTileBytes = sizeof(Tile) + 64;
+
+double pointsAlong(double length, double spacing) {
+    return std::round(length / spacing) + 1;
+}
+
+double bytesOf(double nx, double ny, double bytesPerPoint = 0) {
+    return std::ceil(nx / Tile::kSize) * std::ceil(ny / Tile::kSize) * kTileBytes * kMapsHeld +
+           nx * ny * bytesPerPoint;
+}
+
+/// The finest spacing, to three digits and rounded upwards, whose map has no more points and bytes than
+/// given.
+double finestSpacing(const StockBox& stock, double mostPoints, double mostBytes, double bytesPerPoint = 0) {
+    const auto fits = [&](double spacing) {
+        const double nx = pointsAlong(stock.width, spacing);
+        const double ny = pointsAlong(stock.depth, spacing);
+        return nx * ny <= mostPoints && bytesOf(nx, ny, bytesPerPoint) <= mostBytes;
+    };
+    double fine = 1e-12;
+    double coarse = std::max(stock.width, stock.depth);
+    for (int step = 0; step < 100; ++step) {
+        const double middle = std::sqrt(fine * coarse);
+        (fits(middle) ? coarse : fine) = middle;
+    }
+    const double digit = std::pow(10.0, std::floor(std::log10(coarse)) - 2);
+    return std::ceil(coarse / digit) * digit;
+}
+
+bool reasonable(double length) {
+    return std::isfinite(length) && length > 0 && length <= kLargestStock;
+}
+
+std::string pointsOf(double nx, double ny) {
+    // Whole numbers while people can read them.
+    constexpr double kReadable = 1e9;
+    return std::max(nx, ny) < kReadable ? fmt::format("{:.0f} × {:.0f}", nx, ny)
+                                        : fmt::format("{:.3g} × {:.3g}", nx, ny);
+}
+
+std::string sizeOf(const StockBox& stock) {
+    return fmt::format("{:g}x{:g}x{:g}", stock.width, stock.depth, stock.height);
+}
+
+/// The largest coordinate of the grid in plan; 1 mm at least, so that no spacing is lost in what is computed
+/// with it either.
+double farthestPoint(const StockBox& stock) {
+    return std::max({1.0, std::abs(stock.corner.x), std::abs(stock.corner.y),
+                     std::abs(stock.corner.x + stock.width), std::abs(stock.corner.y + stock.depth)});
+}
+
+double stepOfDouble(double value) {
+    return std::nextafter(value, std::numeric_limits<double>::infinity()) - value;
+}
+
+} // namespace
+
+Result<void> checkSpacing(double spacing) {
+    if (!std::isfinite(spacing) || spacing <= 0)
+        return failure("grid-spacing-bad",
+                       PROVEOUT_TEXT("Core", "the grid spacing {} mm is not a number above 0"),
+                       {fmt::format("{:g}", spacing)});
+    return {};
+}
+
+Result<Grid> makeGrid(const StockBox& stock, double spacing) {
+    if (!reasonable(stock.width) || !reasonable(stock.depth) || !reasonable(stock.height))
+        return failure("stock-size-bad",
+                       PROVEOUT_TEXT("Core", "the stock {} is not of three sides above 0 and up to {} mm"),
+                       {sizeOf(stock), fmt::format("{:g}", kLargestStock)});
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!(std::abs(stock.corner[axis]) <= kFarthestCorner))
+            return failure(
+                "stock-origin-bad",
+                PROVEOUT_TEXT("Core", "the origin of the stock is not three numbers from -{} to {} mm"),
+                {fmt::format("{:g}", kFarthestCorner), fmt::format("{:g}", kFarthestCorner)});
+    }
+    if (auto fine = checkSpacing(spacing); !fine)
+        return tl::unexpected(std::move(fine.error()));
+    const double nx = pointsAlong(stock.width, spacing);
+    const double ny = pointsAlong(stock.depth, spacing);
+    if (nx < 2 || ny < 2)
+        return failure("grid-too-coarse",
+                       PROVEOUT_TEXT("Core", "the grid spacing {} mm leaves no cell on the stock {}; the "
+                                             "coarsest that does is {} mm"),
+                       {fmt::format("{:g}", spacing), sizeOf(stock),
+                        fmt::format("{:g}", std::min(stock.width, stock.depth))});
+    if (nx * ny > kMostPoints)
+        return failure(
+            "grid-too-fine",
+            PROVEOUT_TEXT("Core", "the grid spacing {} mm makes {} points on the stock {}, {} of "
+                                  "memory; the finest possible is {} mm"),
+            {fmt::format("{:g}", spacing), pointsOf(nx, ny), sizeOf(stock), readableBytes(bytesOf(nx, ny)),
+             fmt::format("{:g}",
+                         finestSpacing(stock, kMostPoints, std::numeric_limits<double>::infinity()))});
+    const double farthest = farthestPoint(stock);
+    if (spacing < kLeastSteps * stepOfDouble(farthest))
+        return failure("grid-lost-in-rounding",
+                       PROVEOUT_TEXT("Core",
+                                     "the grid spacing {} mm is lost in the rounding of coordinates as "
+                                     "large as {} mm"),
+                       {fmt::format("{:g}", spacing), fmt::format("{:g}", farthest)});
+    Grid grid;
+    grid.nx = static_cast<int>(nx);
+    grid.ny = static_cast<int>(ny);
+    grid.hx = stock.width / (grid.nx - 1);
+    grid.hy = stock.depth / (grid.ny - 1);
+    grid.x0 = stock.corner.x;
+    grid.y0 = stock.corner.y;
+    return grid;
+}
+
+double zmapBytes(const Grid& grid) {
+    return bytesOf(grid.nx, grid.ny);
+}
+
+Result<void> checkMemory(const StockBox& stock, const Grid& grid, double availableBytes,
+                         double bytesPerPoint) {
+    const double needed = bytesOf(grid.nx, grid.ny, bytesPerPoint);
+    if (needed <= availableBytes)
+        return {};
+    // Even one tile does not fit: then no spacing can be proposed.
+    if (bytesOf(2, 2, bytesPerPoint) > availableBytes)
+        return failure("memory-too-small",
+                       PROVEOUT_TEXT("Core", "the z-map needs {}, but the machine has only {} left"),
+                       {readableBytes(needed), readableBytes(availableBytes)});
+    return failure("grid-needs-too-much-memory",
+                   PROVEOUT_TEXT("Core",
+                                 "a grid of {} × {} points needs {}, but the machine has only {} left; "
+                                 "the finest spacing that fits is {} mm"),
+                   {fmt::format("{}", grid.nx), fmt::format("{}", grid.ny), readableBytes(needed),
+                    readableBytes(availableBytes),
+                    fmt::format("{:g}", finestSpacing(stock, kMostPoints, availableBytes, bytesPerPoint))});
+}
+
+} // namespace proveout

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+#include "core/base/diagnostic.h"
+#include "core/base/geometry.h"
+
+namespace proveout {
+
+/// A box of stock. `corner` is its lower-left-top corner in program coordinates: least x, least y, top z; mm.
+struct StockBox {
+    Vec3 corner{0};
+    double width = 100; ///< x
+    double depth = 100; ///< y
+    double height = 30; ///< z, downwards from the corner
+
+    [[nodiscard]] double topZ() const { return corner.z; }
+    [[nodiscard]] double floorZ() const { return corner.z - height; }
+    friend bool operator==(const StockBox&, const StockBox&) = default;
+};
+
+/// The grid over a stock: spacing adjusted per axis so that it divides the stock exactly.
+/// nx = round(width / h) + 1, hx = width / (nx - 1), y alike.
+struct Grid {
+    int nx = 2; ///< points along x
+    int ny = 2;
+    double hx = 1; ///< mm
+    double hy = 1;
+    double x0 = 0; ///< program coordinates of point (0, 0)
+    double y0 = 0;
+
+    [[nodiscard]] double x(int i) const { return x0 + hx * i; }
+    [[nodiscard]] double y(int j) const { return y0 + hy * j; }
+    friend bool operator==(const Grid&, const Grid&) = default;
+};
+
+/// Refuses what is no positive and finite spacing.
+[[nodiscard]] Result<void> checkSpacing(double spacing);
+
+/// Errors: sizes or spacing that are not positive and finite, a corner beyond 10 km, a spacing that doubles
+/// of the size of its coordinates cannot hold, less than one cell, more points than an index holds.
+[[nodiscard]] Result<Grid> makeGrid(const StockBox& stock, double spacing);
+
+/// Bytes that a z-map over the grid takes, and with it a simulation with its checkpoints' reserve.
+[[nodiscard]] double zmapBytes(const Grid& grid);
+
+/// Refuses a grid that needs more memory than the machine has; the message tells the figure and the finest
+/// spacing that would fit. `bytesPerPoint`: what else will be made of each point, meshes above all.
+[[nodiscard]] Result<void> checkMemory(const StockBox& stock, const Grid& grid, double availableBytes,
+                                       double bytesPerPoint = 0);
+
+/// "WxDxH" and "X,Y,Z" of the command line.
+[[nodiscard]] Result<Vec3> parseStockSize(std::string_view text);
+[[nodiscard]] Result<Vec3> parsePoint(std::string_view text);
+
+} // namespace proveout

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/zmap/zmap.h"
+
+#include <algorithm>
+
+namespace proveout {
+
+namespace {
+
+/// Points of the tile that lie in the grid are uncut, those outside hold the floor.
+void fillUncut(Tile& tile, const IndexRect& rect, float floor) {
+    tile.heights.fill(floor);
+    for (int j = 0; j < rect.height(); ++j)
+        std::fill_n(&tile.at(0, j), rect.width(), 0.0F);
+    tile.maximum = 0;
+}
+
+} // namespace
+
+ZMap::ZMap(const StockBox& stock, const Grid& grid) : m_stock(stock), m_grid(grid) {
+    const std::size_t count = static_cast<std::size_t>(tilesX()) * static_cast<std::size_t>(tilesY());
+    m_writtenIn.assign(count, m_generation);
+    for (std::size_t index = 0; index < count; ++index) {
+        auto tile = std::make_shared<Tile>();
+        fillUncut(*tile, tileRect(index), floor());
+        m_tiles.push_back(std::move(tile));
+    }
+}
+
+ZMap::ZMap(const ZMapSnapshot& moment)
+    : m_stock(moment.stock()), m_grid(moment.grid()), m_tiles(moment.m_tiles),
+      m_writtenIn(moment.tileCount(), 0) {}
+
+IndexRect ZMap::tileRect(std::size_t index) const {
+    return tileRectOf(m_grid, index);
+}
+
+Tile* ZMap::ownedTile(std::size_t index) {
+    // Every tile was made as a mutable object in this room; const guards what snapshots share.
+    return m_writtenIn[index] == m_generation ? const_cast<Tile*>(m_tiles[index].get()) : nullptr;
+}
+
+Tile& ZMap::tileForWriting(std::size_t index) {
+    if (Tile* owned = ownedTile(index))
+        return *owned;
+    auto copy = std::make_shared<Tile>(*m_tiles[index]);
+    Tile& tile = *copy;
+    adoptTile(index, std::move(copy));
+    return tile;
+}
+
+void ZMap::adoptTile(std::size_t index, std::shared_ptr<Tile> tile) {
+    m_tiles.edit(index) = std::move(tile);
+    m_writtenIn[index] = m_generation;
+}
+
+ZMapSnapshot ZMap::snapshot() const {
+    ++m_generation;
+    return {m_stock, m_grid, m_tiles};
+}
+
+} // namespace proveout
