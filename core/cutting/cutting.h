@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cutting: heights become the minimum of themselves and the lower envelope of the swept cutter.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/base/index_rect.h"
+#include "core/cutter/cutter.h"
+#include "core/nc/motion.h"
+#include "core/zmap/zmap.h"
+
+namespace proveout {
+
+/// What one motion did.
+struct CutRecord {
+    double removedMm3 = 0;   ///< change of the z-map's volume (border points weigh half, corners a quarter)
+    double maxDepth = 0;     ///< largest height removed at a point, mm
+    std::int64_t points = 0; ///< points that became lower
+    IndexRect changed;       ///< the box of these points
+
+    void add(const CutRecord& other);
+};
+
+/// Cuts one motion into the z-map, exact to 1 µm off the cutter's rim, points on the rim included, heights
+/// clamped at the stock's floor. Arcs and helices in all three planes are cut as such. Motions whose path is
+/// not known cut nothing, nor do such that are not finite or longer than 10 km: the interpreter refuses
+/// those. Called by the thread that owns `zmap`; works on tiles in parallel inside; the heights do not depend
+/// on the number of threads nor on the order of motions. The record's volume is summed in the order of tiles
+/// and so is reproducible too.
+[[nodiscard]] CutRecord cut(ZMap& zmap, const Cutter& cutter, const Motion& motion);
+
+/// The lower envelope of the swept cutter over (x, y), absolute z; +infinity where the cutter never comes.
+/// Source of truth of `cut`, in double; one point at a time.
+[[nodiscard]] double envelope(const Cutter& cutter, const Motion& motion, double x, double y);
+
+} // namespace proveout

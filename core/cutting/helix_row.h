@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Helices and spirals about Z, in vector code.
+#pragma once
+
+#include <cstdint>
+
+#include "core/cutting/arc_sweep.h"
+#include "core/cutting/row_points.h"
+
+namespace proveout {
+
+/// Lowers `out` to the envelope of one part of a path about Z over the points `columns` of a row of at
+/// most 64. Returns a bit for each point that it cannot vouch for and has left alone.
+[[nodiscard]] std::uint64_t helixRow(const ConvexProfile& profile, const ArcPath& path, const ArcPart& part,
+                                     const RowPoints& row, Columns columns, float* out);
+
+} // namespace proveout

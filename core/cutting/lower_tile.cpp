@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/cutting/lower_tile.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+#include "core/cutting/vector_clones.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr int kLanes = 8;
+static_assert(Tile::kSize % kLanes == 0);
+/// Refreshing a tile's maximum costs about as much as lowering this many points.
+constexpr std::uint32_t kRefreshAfter = 1024;
+
+using Row = std::array<float, Tile::kSize>;
+
+/// Sums of one tile, lane by lane: the order of additions is fixed, and the compiler may use vectors.
+struct LaneSums {
+    std::array<double, kLanes> removed{};
+    std::array<float, kLanes> depth{};
+    std::array<std::int32_t, kLanes> points{};
+};
+
+/// Whether a point would change; what is on the floor already cannot.
+PROVEOUT_VECTOR_CLONES bool anyLower(const float* envelope, const float* heights, int count, float floor) {
+    std::array<int, kLanes> lower{};
+    for (int k = 0; k < count; k += kLanes) {
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            const auto at = static_cast<std::size_t>(k) + lane;
+            const float cut = envelope[at] < floor ? floor : envelope[at];
+            lower[lane] |= cut < heights[at] ? 1 : 0;
+        }
+    }
+    return std::any_of(lower.begin(), lower.end(), [](int value) { return value != 0; });
+}
+
+/// The minimum of both into `heights`; `removed` is what each point lost.
+PROVEOUT_VECTOR_CLONES void lowerRow(const float* envelope, float* heights, float* removed, int count,
+                                     float floor, LaneSums& sums) {
+    for (int k = 0; k < count; k += kLanes) {
+        for (std::size_t lane = 0; lane < kLanes; ++lane) {
+            const auto at = static_cast<std::size_t>(k) + lane;
+            const float old = heights[at];
+            const float cut = envelope[at] < floor ? floor : envelope[at];
+            const float now = cut < old ? cut : old;
+            const float lost = old - now;
+            heights[at] = now;
+            removed[at] = lost;
+            sums.removed[lane] += static_cast<double>(lost);
+            sums.depth[lane] = lost > sums.depth[lane] ? lost : sums.depth[lane];
+            sums.points[lane] += lost > 0 ? 1 : 0;
+        }
+    }
+}
+
+double total(const LaneSums& sums) {
+    double sum = 0;
+    for (const double lane : sums.removed)
+        sum += lane;
+    return sum;
+}
+
+/// The work on one tile, row by row.
+class TileWork {
+public:
+    TileWork(ZMap& zmap, std::size_t index, const Sweep& sweep)
+        : m_zmap(zmap), m_index(index), m_sweep(sweep), m_grid(zmap.grid()), m_rect(zmap.tileRect(index)),
+          m_floor(zmap.floor()) {
+        m_envelope.fill(kInfinity);
+    }
+
+    TileCut run() {
+        const Box3& reach = m_sweep.reach();
+        const double rows = m_rect.height();
+        const double lo =
+            std::clamp(std::ceil((reach.lo.y - m_grid.y0) / m_grid.hy - 1e-6) - m_rect.j0, 0.0, rows);
+        const double hi =
+            std::clamp(std::floor((reach.hi.y - m_grid.y0) / m_grid.hy + 1e-6) - m_rect.j0 + 1, 0.0, rows);
+        for (int row = static_cast<int>(lo); row < static_cast<int>(hi); ++row)
+            lower(row);
+        finish();
+        return std::move(m_result);
+    }
+
+private:
+    void lower(int row) {
+        const RowPoints points{m_grid.x(m_rect.i0), m_grid.hx, m_grid.y(m_rect.j0 + row), m_rect.width()};
+        const Tile& tile = m_tile != nullptr ? *m_tile : m_zmap.tile(m_index);
+        const Columns columns = m_sweep.row(
+            points, &tile.heights[static_cast<std::size_t>(row * Tile::kSize)], m_envelope.data());
+        if (columns.empty())
+            return;
+        const int begin = columns.begin / kLanes * kLanes;
+        const int end = (columns.end + kLanes - 1) / kLanes * kLanes;
+        lower(row, columns, begin, end);
+        std::fill(m_envelope.begin() + begin, m_envelope.begin() + end, kInfinity);
+    }
+
+    /// Lowers the whole lanes [begin, end) about the columns that were asked.
+    void lower(int row, const Columns& columns, int begin, int end) {
+        const Tile& tile = m_tile != nullptr ? *m_tile : m_zmap.tile(m_index);
+        const auto at = static_cast<std::size_t>(row * Tile::kSize + begin);
+        if (!anyLower(&m_envelope[static_cast<std::size_t>(begin)], &tile.heights[at], end - begin, m_floor))
+            return;
+        acquire();
+        const bool edge = m_rect.j0 + row == 0 || m_rect.j0 + row == m_grid.ny - 1;
+        lowerRow(&m_envelope[static_cast<std::size_t>(begin)], &m_tile->heights[at],
+                 &m_removed[static_cast<std::size_t>(begin)], end - begin, m_floor, edge ? m_edge : m_inner);
+        note(row, columns, edge);
+    }
+
+    void acquire() {
+        if (m_tile != nullptr)
+            return;
+        m_tile = m_zmap.ownedTile(m_index);
+        if (m_tile == nullptr) {
+            m_result.copy = std::make_shared<Tile>(m_zmap.tile(m_index));
+            m_tile = m_result.copy.get();
+        }
+    }
+
+    /// Where points of a row were lowered, and what the first and last column of the map lost.
+    void note(int row, const Columns& columns, bool edge) {
+        int first = columns.begin;
+        while (!(m_removed[static_cast<std::size_t>(first)] > 0))
+            ++first;
+        int last = columns.end;
+        while (!(m_removed[static_cast<std::size_t>(last - 1)] > 0))
+            --last;
+        const int j = m_rect.j0 + row;
+        m_result.record.changed =
+            hull(m_result.record.changed, {m_rect.i0 + first, j, m_rect.i0 + last, j + 1});
+        const double weight = edge ? 0.25 : 0.5;
+        if (first == 0 && m_rect.i0 == 0)
+            m_columnHalves += weight * static_cast<double>(m_removed[0]);
+        if (m_rect.i0 + last == m_grid.nx)
+            m_columnHalves += weight * static_cast<double>(m_removed[static_cast<std::size_t>(last - 1)]);
+    }
+
+    void finish() {
+        if (m_tile == nullptr)
+            return;
+        CutRecord& record = m_result.record;
+        for (const LaneSums* sums : {&m_inner, &m_edge}) {
+            for (std::size_t lane = 0; lane < kLanes; ++lane) {
+                record.points += sums->points[lane];
+                record.maxDepth = std::max(record.maxDepth, static_cast<double>(sums->depth[lane]));
+            }
+        }
+        record.removedMm3 = total(m_inner) + total(m_edge) / 2 - m_columnHalves;
+        m_tile->loweredPoints += static_cast<std::uint32_t>(record.points);
+        if (m_tile->loweredPoints >= kRefreshAfter)
+            m_tile->refreshMaximum();
+    }
+
+    ZMap& m_zmap;
+    std::size_t m_index;
+    const Sweep& m_sweep;
+    const Grid& m_grid;
+    IndexRect m_rect;
+    float m_floor;
+    Tile* m_tile = nullptr;
+    Row m_envelope; ///< +infinity between two rows
+    Row m_removed;
+    LaneSums m_inner;
+    LaneSums m_edge;
+    double m_columnHalves = 0;
+    TileCut m_result;
+};
+
+} // namespace
+
+TileCut lowerTile(ZMap& zmap, std::size_t index, const Sweep& sweep) {
+    return TileWork(zmap, index, sweep).run();
+}
+
+} // namespace proveout

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One sweep into one tile.
+#pragma once
+
+#include <memory>
+
+#include "core/cutting/cutting.h"
+#include "core/cutting/sweep.h"
+#include "core/zmap/zmap.h"
+
+namespace proveout {
+
+/// What a sweep did to a tile. `removedMm3` of the record is the sum of heights, not yet times the cell's
+/// area.
+struct TileCut {
+    CutRecord record;
+    std::shared_ptr<Tile> copy; ///< the lowered tile, where a snapshot shares the old one
+};
+
+/// Lowers tile `index` of the map in place, or a copy of it where it is shared; a tile of which nothing
+/// changes is never copied. Different tiles may be lowered at once.
+[[nodiscard]] TileCut lowerTile(ZMap& zmap, std::size_t index, const Sweep& sweep);
+
+} // namespace proveout

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/cutting/sweep.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "core/cutting/arc_row.h"
+#include "core/cutting/straight_row.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+bool finite(const Vec3& place) {
+    return std::isfinite(place.x) && std::isfinite(place.y) && std::isfinite(place.z);
+}
+
+bool finite(const Motion& motion) {
+    return finite(motion.start) && finite(motion.end) &&
+           (motion.kind != MotionKind::arc || (finite(motion.centre) && std::isfinite(motion.sweep)));
+}
+
+/// How far beyond its rim a cutter cuts, so that a point exactly on the rim is cut whichever way its distance
+/// rounds: a nanometre's thousandth, more where coordinates are so large that a double holds less.
+double rimSlack(const Motion& motion) {
+    double largest = 0;
+    for (int axis = 0; axis < 2; ++axis)
+        largest = std::max({largest, std::abs(motion.start[axis]), std::abs(motion.end[axis])});
+    return 1e-9 + 4 * std::numeric_limits<double>::epsilon() * largest;
+}
+
+/// Nothing that a machine could run is longer; the work on an arc grows with both. The interpreter refuses
+/// such arcs, so this only keeps a caller's slip from becoming an endless loop.
+bool tooLong(const ArcPath& path) {
+    constexpr double kMostRadians = 1e5;
+    constexpr double kMostLength = 1e7; // mm
+    const double radians = std::abs(path.sweep) * (path.end - path.begin);
+    const double radius = std::max(path.radius, path.radius + path.widening);
+    return !(radians <= kMostRadians) || !(radians * radius <= kMostLength) ||
+           !(std::abs(path.climb) <= kMostLength);
+}
+
+} // namespace
+
+Sweep::Sweep(const Cutter& cutter, const Motion& motion, double topZ)
+    : m_origin(motion.start.x, motion.start.y, topZ),
+      m_arc(motion.kind == MotionKind::arc && motion.sweep != 0) {
+    if (!motion.known() || !finite(motion) || !std::isfinite(topZ))
+        return;
+    m_profiles = convexProfiles(cutter, rimSlack(motion));
+    if (m_arc) {
+        m_path = arcPath(motion, m_origin);
+        if (tooLong(m_path)) {
+            m_profiles.clear();
+            return;
+        }
+        m_parts = splitArc(m_path);
+    } else {
+        m_straight = straightPath(motion.start - m_origin, motion.end - m_origin);
+    }
+    double lowestOfProfile = kInfinity;
+    for (const ConvexProfile& profile : m_profiles) {
+        m_rim = std::max(m_rim, profile.rim);
+        lowestOfProfile = std::min(lowestOfProfile, profile.z0);
+    }
+    Box3 box;
+    if (m_arc) {
+        for (const ArcPart& part : m_parts) {
+            box.add(Vec3(part.lo, part.lowestZ));
+            box.add(Vec3(part.hi, part.lowestZ));
+        }
+    } else {
+        box.add(Vec3(m_straight.from, m_straight.lowest()));
+        box.add(Vec3(m_straight.from + m_straight.length * m_straight.along, m_straight.lowest()));
+    }
+    const Vec3 base(m_origin.x, m_origin.y, 0);
+    m_reach.lo = box.lo + base - Vec3(m_rim, m_rim, -lowestOfProfile);
+    m_reach.hi = box.hi + base + Vec3(m_rim, m_rim, lowestOfProfile);
+}
+
+Span Sweep::bandSpan(double y0, double y1) const {
+    if (!m_arc) {
+        // The line within the band, widened by the rim on both sides, bounds the sweep.
+        const double dy = m_straight.length * m_straight.along.y;
+        double t0 = 0;
+        double t1 = 1;
+        if (dy != 0) {
+            const double a = (y0 - m_rim - m_origin.y - m_straight.from.y) / dy;
+            const double b = (y1 + m_rim - m_origin.y - m_straight.from.y) / dy;
+            t0 = std::clamp(std::min(a, b), 0.0, 1.0);
+            t1 = std::clamp(std::max(a, b), 0.0, 1.0);
+        }
+        const double dx = m_straight.length * m_straight.along.x;
+        const double from = m_origin.x + m_straight.from.x;
+        return {from + std::min(t0 * dx, t1 * dx) - m_rim, from + std::max(t0 * dx, t1 * dx) + m_rim};
+    }
+    Span span{kInfinity, -kInfinity};
+    for (const ArcPart& part : m_parts) {
+        if (part.hi.y + m_rim < y0 - m_origin.y || part.lo.y - m_rim > y1 - m_origin.y)
+            continue;
+        span.lo = std::min(span.lo, part.lo.x - m_rim + m_origin.x);
+        span.hi = std::max(span.hi, part.hi.x + m_rim + m_origin.x);
+    }
+    return span;
+}
+
+double Sweep::envelope(double x, double y) const {
+    const Vec2 point = Vec2(x, y) - Vec2(m_origin);
+    double lowest = kInfinity;
+    for (const ConvexProfile& profile : m_profiles)
+        lowest = std::min(lowest, m_arc ? arcEnvelope(profile, m_path, m_parts, point)
+                                        : lowestContact(profile, m_straight, point).z);
+    return lowest;
+}
+
+Columns Sweep::row(const RowPoints& row, const float* heights, float* out) const {
+    const RowPoints local{row.x - m_origin.x, row.step, row.y - m_origin.y, row.count};
+    return m_arc ? arcColumns(local, heights, out) : straightColumns(local, out);
+}
+
+Columns Sweep::straightColumns(const RowPoints& row, float* out) const {
+    const Columns columns = columnsUnder(proveout::rowSpan(m_straight, m_rim, row.y), row);
+    if (!columns.empty()) {
+        for (const ConvexProfile& profile : m_profiles)
+            straightRow(profile, m_straight, row, columns, out);
+    }
+    return columns;
+}
+
+Columns Sweep::arcColumns(const RowPoints& row, const float* heights, float* out) const {
+    Columns asked;
+    for (const ConvexProfile& profile : m_profiles) {
+        const Columns columns = arcRow(profile, m_path, m_parts, m_rim, row, heights, out);
+        if (asked.empty())
+            asked = columns;
+        else if (!columns.empty())
+            asked = {std::min(asked.begin, columns.begin), std::max(asked.end, columns.end)};
+    }
+    return asked;
+}
+
+} // namespace proveout

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// One motion of one cutter, made ready for being asked row by row.
+#pragma once
+
+#include <vector>
+
+#include "core/base/geometry.h"
+#include "core/cutting/arc_sweep.h"
+#include "core/cutting/row_points.h"
+#include "core/cutting/straight_sweep.h"
+#include "core/nc/motion.h"
+
+namespace proveout {
+
+/// The swept volume. Asked in program coordinates over ground and heights relative to `topZ`; inside it works
+/// relative to the motion's start, so that precision does not depend on where the stock lies. Immutable; any
+/// thread.
+class Sweep {
+public:
+    /// Nothing where the path is not known, not finite, or the cutter has no profile. `topZ` becomes height
+    /// 0.
+    Sweep(const Cutter& cutter, const Motion& motion, double topZ);
+
+    [[nodiscard]] bool empty() const { return m_profiles.empty(); }
+    /// The box of all that the cutter may touch.
+    [[nodiscard]] const Box3& reach() const { return m_reach; }
+    /// The lowest height that the cutter reaches anywhere.
+    [[nodiscard]] double lowest() const { return m_reach.lo.z; }
+
+    /// The part of the band y0 <= y <= y1 that may lie under the cutter.
+    [[nodiscard]] Span bandSpan(double y0, double y1) const;
+
+    /// The envelope over one point; +infinity where the cutter never comes.
+    [[nodiscard]] double envelope(double x, double y) const;
+    /// The envelope over a row of points into `out`, which holds +infinity. Returns the points that were
+    /// asked; all others keep their infinity. `heights` are those of the z-map: points that surely stay at
+    /// theirs may be left out.
+    Columns row(const RowPoints& row, const float* heights, float* out) const;
+
+private:
+    void prepareArc(const Motion& motion);
+    [[nodiscard]] Columns straightColumns(const RowPoints& row, float* out) const;
+    [[nodiscard]] Columns arcColumns(const RowPoints& row, const float* heights, float* out) const;
+
+    std::vector<ConvexProfile> m_profiles;
+    Vec3 m_origin{0};
+    bool m_arc = false;
+    StraightPath m_straight;
+    ArcPath m_path;
+    std::vector<ArcPart> m_parts;
+    double m_rim = 0;
+    Box3 m_reach;
+};
+
+} // namespace proveout

@@ -1,0 +1,322 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The properties of cut() that hold for every motion, and its edges.
+#include "core/cutting/cutting.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <limits>
+#include <numbers>
+#include <vector>
+
+#include "tests/core/cutting/oracle.h"
+#include "tests/core/cutting/random_motion.h"
+
+namespace proveout {
+namespace {
+
+const StockBox kStock{{-3, 5, 2}, 80, 70, 12};
+const std::vector<std::string> kShapes = {"flat", "ball", "bull", "cone"};
+
+ZMap freshMap(const StockBox& stock = kStock, double spacing = 0.9) {
+    return {stock, makeGrid(stock, spacing).value()};
+}
+
+std::vector<float> heightsOf(const ZMap& zmap) {
+    const ZMapSnapshot moment = zmap.snapshot();
+    std::vector<float> heights(static_cast<std::size_t>(zmap.grid().nx) *
+                               static_cast<std::size_t>(zmap.grid().ny));
+    moment.read({0, 0, zmap.grid().nx, zmap.grid().ny}, heights);
+    return heights;
+}
+
+/// Every fourth is an arc.
+Motion randomMotion(Random& random, const StockBox& stock) {
+    if (random() % 4 == 0)
+        return randomArc(random, stock, static_cast<Plane>(random() % 3), static_cast<ArcKind>(random() % 4));
+    return randomStraight(random, stock, static_cast<StraightKind>(random() % 5));
+}
+
+struct Job {
+    Cutter cutter;
+    Motion motion;
+};
+
+std::vector<Job> randomJobs(Random& random, int count, const StockBox& stock = kStock) {
+    std::vector<Job> jobs;
+    for (int k = 0; k < count; ++k) {
+        const Cutter cutter = randomCutter(random, kShapes[random() % kShapes.size()]);
+        jobs.push_back({cutter, randomMotion(random, stock)});
+    }
+    return jobs;
+}
+
+TEST(Cut, AgreesWithTheEnvelopeOfSinglePoints) {
+    for (unsigned seed = 1; seed <= 60; ++seed) {
+        Random random(seed);
+        const Job job = randomJobs(random, 1)[0];
+        SCOPED_TRACE(fmt::format("seed {} {}", seed, told(job.cutter, job.motion)));
+        ZMap zmap = freshMap();
+        (void)cut(zmap, job.cutter, job.motion);
+        const ZMapSnapshot moment = zmap.snapshot();
+        double largest = 0;
+        for (int j = 0; j < zmap.grid().ny; ++j) {
+            for (int i = 0; i < zmap.grid().nx; ++i) {
+                const double z =
+                    envelope(job.cutter, job.motion, zmap.grid().x(i), zmap.grid().y(j)) - kStock.topZ();
+                largest =
+                    std::max(largest, std::abs(std::clamp(z, -kStock.height, 0.0) - moment.height(i, j)));
+            }
+        }
+        EXPECT_LE(largest, 2e-5);
+    }
+}
+
+TEST(Cut, NeverRaisesAPointAndIsDoneAfterOnce) {
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+        SCOPED_TRACE(fmt::format("seed {}", seed));
+        Random random(seed);
+        ZMap zmap = freshMap();
+        for (const Job& job : randomJobs(random, 12)) {
+            SCOPED_TRACE(told(job.cutter, job.motion));
+            const std::vector<float> before = heightsOf(zmap);
+            (void)cut(zmap, job.cutter, job.motion);
+            const std::vector<float> after = heightsOf(zmap);
+            for (std::size_t k = 0; k < before.size(); ++k)
+                ASSERT_LE(after[k], before[k]);
+            const CutRecord again = cut(zmap, job.cutter, job.motion);
+            EXPECT_EQ(again.points, 0);
+            EXPECT_EQ(again.removedMm3, 0);
+            EXPECT_TRUE(again.changed.empty());
+        }
+    }
+}
+
+TEST(Cut, DoesNotDependOnTheOrderOfMotions) {
+    for (unsigned seed = 1; seed <= 10; ++seed) {
+        SCOPED_TRACE(fmt::format("seed {}", seed));
+        Random random(seed);
+        std::vector<Job> jobs = randomJobs(random, 20);
+        ZMap first = freshMap();
+        for (const Job& job : jobs)
+            (void)cut(first, job.cutter, job.motion);
+        std::shuffle(jobs.begin(), jobs.end(), random);
+        ZMap second = freshMap();
+        for (const Job& job : jobs)
+            (void)cut(second, job.cutter, job.motion);
+        EXPECT_EQ(heightsOf(first), heightsOf(second));
+    }
+}
+
+/// The part [t0, t1] of a motion.
+Motion partOf(const Motion& motion, double t0, double t1) {
+    Motion part = motion;
+    part.start = oraclePoint(motion, t0);
+    part.end = t1 == 1 ? motion.end : oraclePoint(motion, t1);
+    part.sweep = motion.sweep * (t1 - t0);
+    if (motion.kind == MotionKind::arc) {
+        const int normal = motion.plane == Plane::xy ? 2 : motion.plane == Plane::zx ? 1 : 0;
+        part.centre[normal] = part.start[normal];
+    }
+    return part;
+}
+
+TEST(Cut, SplittingAMotionChangesNothing) {
+    for (unsigned seed = 1; seed <= 60; ++seed) {
+        Random random(seed);
+        const Job job = randomJobs(random, 1)[0];
+        SCOPED_TRACE(fmt::format("seed {} {}", seed, told(job.cutter, job.motion)));
+        ZMap whole = freshMap();
+        (void)cut(whole, job.cutter, job.motion);
+        ZMap split = freshMap();
+        std::vector<double> places = {0, 1};
+        for (int k = 0; k < 5; ++k)
+            places.push_back(uniform(random, 0, 1));
+        std::sort(places.begin(), places.end());
+        for (std::size_t k = 0; k + 1 < places.size(); ++k)
+            (void)cut(split, job.cutter, partOf(job.motion, places[k], places[k + 1]));
+        const std::vector<float> a = heightsOf(whole);
+        const std::vector<float> b = heightsOf(split);
+        for (std::size_t k = 0; k < a.size(); ++k)
+            ASSERT_NEAR(a[k], b[k], 2e-3) << "point " << k;
+    }
+}
+
+TEST(Cut, RecordsWhatTheMapLost) {
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+        SCOPED_TRACE(fmt::format("seed {}", seed));
+        Random random(seed);
+        ZMap zmap = freshMap();
+        for (const Job& job : randomJobs(random, 6)) {
+            SCOPED_TRACE(told(job.cutter, job.motion));
+            const ZMapSnapshot before = zmap.snapshot();
+            const CutRecord record = cut(zmap, job.cutter, job.motion);
+            const ZMapSnapshot after = zmap.snapshot();
+            EXPECT_NEAR(record.removedMm3, before.volume() - after.volume(), 1e-7 * before.volume() / 100);
+            std::int64_t points = 0;
+            double depth = 0;
+            IndexRect changed;
+            for (int j = 0; j < zmap.grid().ny; ++j) {
+                for (int i = 0; i < zmap.grid().nx; ++i) {
+                    const float lost = before.height(i, j) - after.height(i, j);
+                    if (!(lost > 0))
+                        continue;
+                    ++points;
+                    depth = std::max(depth, static_cast<double>(lost));
+                    changed = hull(changed, {i, j, i + 1, j + 1});
+                }
+            }
+            EXPECT_EQ(record.points, points);
+            EXPECT_EQ(record.maxDepth, depth);
+            EXPECT_EQ(record.changed.empty(), changed.empty());
+            if (!changed.empty()) {
+                EXPECT_EQ(record.changed, changed);
+            }
+        }
+    }
+}
+
+TEST(Cut, TouchesNoTileThatItDoesNotChange) {
+    ZMap zmap = freshMap();
+    const Cutter cutter = cutterOf("ball:d=6");
+    const Motion motion = straightMotion({10, 20, -2}, {60, 50, -3});
+    (void)cut(zmap, cutter, motion);
+    const ZMapSnapshot before = zmap.snapshot();
+    (void)cut(zmap, cutter, motion);
+    Motion higher = motion;
+    higher.start.z += 1;
+    higher.end.z += 1;
+    (void)cut(zmap, cutter, higher);
+    const ZMapSnapshot after = zmap.snapshot();
+    for (std::size_t tile = 0; tile < before.tileCount(); ++tile)
+        EXPECT_EQ(before.tile(tile), after.tile(tile));
+}
+
+TEST(Cut, LeavesMomentsAlone) {
+    Random random(3);
+    ZMap zmap = freshMap();
+    std::vector<ZMapSnapshot> moments;
+    std::vector<std::vector<float>> kept;
+    for (const Job& job : randomJobs(random, 30)) {
+        (void)cut(zmap, job.cutter, job.motion);
+        moments.push_back(zmap.snapshot());
+        kept.push_back(heightsOf(zmap));
+    }
+    for (std::size_t k = 0; k < moments.size(); ++k)
+        EXPECT_EQ(heightsOf(ZMap(moments[k])), kept[k]);
+}
+
+TEST(Cut, StopsAtTheFloor) {
+    ZMap zmap = freshMap();
+    const CutRecord record = cut(zmap, cutterOf("flat:d=10"), straightMotion({20, 30, -50}, {40, 30, -50}));
+    EXPECT_EQ(record.maxDepth, 12);
+    const std::vector<float> heights = heightsOf(zmap);
+    EXPECT_EQ(*std::min_element(heights.begin(), heights.end()), -12.0F);
+    const ZMapSnapshot before = zmap.snapshot();
+    EXPECT_EQ(cut(zmap, cutterOf("flat:d=10"), straightMotion({20, 30, -60}, {40, 30, -60})).points, 0);
+    EXPECT_EQ(before.tile(0), zmap.snapshot().tile(0));
+}
+
+TEST(Cut, CutsAPointExactlyOnTheRim) {
+    for (const char* spec : {"flat:d=10", "ball:d=10", "bull:d=10,r=1", "cone:d=10,angle=90"}) {
+        for (const double origin : {0.0, 25.4 * 100, 1e5 + 0.1}) {
+            SCOPED_TRACE(fmt::format("{} at {}", spec, origin));
+            const StockBox stock{{origin, -origin, 0}, 20, 20, 20};
+            ZMap zmap = freshMap(stock, 0.5);
+            const Cutter cutter = cutterOf(spec);
+            const double z = -cutter.rimHeight() - 1;
+            (void)cut(zmap, cutter,
+                      straightMotion({origin + 10, -origin + 10, z}, {origin + 10, -origin + 10, z}));
+            const ZMapSnapshot moment = zmap.snapshot();
+            // The rim runs through the points at 5 mm along the axes, and through those of the triangle
+            // 3-4-5.
+            for (const auto& [i, j] : {std::pair{30, 20}, {10, 20}, {20, 30}, {20, 10}, {26, 28}, {12, 14}})
+                EXPECT_NEAR(moment.height(i, j), -1, 2e-3) << i << "," << j;
+            EXPECT_EQ(moment.height(31, 20), 0.0F);
+        }
+    }
+}
+
+TEST(Cut, IsTheSameAcrossTileBoundaries) {
+    // The same motion over a stock whose grid is shifted by whole cells lands on other places of the tiles.
+    const Cutter cutter = cutterOf("bull:d=9,r=2");
+    const Motion motion = straightMotion({30.3, 28.7, -1}, {47.1, 41.9, -6});
+    const StockBox first{{0, 0, 0}, 90, 80, 12};
+    ZMap a = freshMap(first, 0.5);
+    (void)cut(a, cutter, motion);
+    const ZMapSnapshot whole = a.snapshot();
+    for (const int shift : {1, 31, 32, 33}) {
+        const StockBox moved{{-0.5 * shift, -0.5 * shift, 0}, 90, 80, 12};
+        ZMap b = freshMap(moved, 0.5);
+        (void)cut(b, cutter, motion);
+        const ZMapSnapshot part = b.snapshot();
+        for (int j = 0; j + shift < part.grid().ny; ++j) {
+            for (int i = 0; i + shift < part.grid().nx; ++i)
+                ASSERT_EQ(part.height(i + shift, j + shift), whole.height(i, j)) << i << "," << j;
+        }
+    }
+}
+
+TEST(Cut, IsAsExactFarFromTheOrigin) {
+    for (unsigned seed = 1; seed <= 6; ++seed) {
+        Random random(seed);
+        const StockBox stock{{25.4 * 400, -25.4 * 700, 25.4 * 80}, 24, 18, 30};
+        const Job job = randomJobs(random, 1, stock)[0];
+        SCOPED_TRACE(fmt::format("seed {} {}", seed, told(job.cutter, job.motion)));
+        EXPECT_LE(largestError(job.cutter, job.motion, stock, 1.5, 1000), 1e-4);
+    }
+}
+
+TEST(Cut, CutsNothingWhereThePathIsNotKnown) {
+    for (const bool atStart : {true, false}) {
+        for (const std::uint8_t axis : {kAxisX, kAxisY, kAxisZ}) {
+            Motion motion = straightMotion({10, 20, -2}, {60, 50, -3});
+            std::uint8_t& known = atStart ? motion.startKnown : motion.endKnown;
+            known = static_cast<std::uint8_t>(known & ~axis);
+            ZMap zmap = freshMap();
+            EXPECT_EQ(cut(zmap, cutterOf("ball:d=6"), motion).points, 0);
+            EXPECT_EQ(envelope(cutterOf("ball:d=6"), motion, 20, 30),
+                      std::numeric_limits<double>::infinity());
+        }
+    }
+}
+
+TEST(Cut, SurvivesAnyNumbers) {
+    const std::vector<double> values = {0, 1e-300, 1, -1e9, 1e18, -1e18, 1e300, -1.7e308, NAN, INFINITY};
+    for (unsigned seed = 1; seed <= 400; ++seed) {
+        Random random(seed);
+        SCOPED_TRACE(fmt::format("seed {}", seed));
+        const auto value = [&] {
+            return random() % 3 == 0 ? values[random() % values.size()] : uniform(random, 0, 40);
+        };
+        const auto place = [&] {
+            const double x = value();
+            const double y = value();
+            return Vec3(x, y, value());
+        };
+        Motion motion = straightMotion(place(), place());
+        if (seed % 2 == 0) {
+            motion.kind = MotionKind::arc;
+            motion.plane = static_cast<Plane>(random() % 3);
+            motion.centre = place();
+            motion.sweep = value();
+        }
+        ZMap zmap = freshMap(kStock, 5);
+        (void)cut(zmap, randomCutter(random, kShapes[random() % 4]), motion);
+        for (const float height : heightsOf(zmap))
+            ASSERT_TRUE(height <= 0 && height >= -12);
+    }
+}
+
+TEST(Cut, CutsThroughAStockThatTheMotionPassesFromFarAway) {
+    ZMap zmap = freshMap();
+    (void)cut(zmap, cutterOf("flat:d=10"), straightMotion({-1e6, 40, -3}, {1e6, 40, -3}));
+    const ZMapSnapshot moment = zmap.snapshot();
+    const auto j = static_cast<int>(std::lround((40 - 5) / zmap.grid().hy));
+    for (int i = 0; i < zmap.grid().nx; ++i)
+        EXPECT_EQ(moment.height(i, j), -5.0F);
+}
+
+} // namespace
+} // namespace proveout

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Random cutters and motions over a small stock.
+#pragma once
+
+#include <random>
+#include <string>
+
+#include "core/cutter/cutter.h"
+#include "core/nc/motion.h"
+#include "core/zmap/stock.h"
+
+namespace proveout {
+
+using Random = std::mt19937;
+
+[[nodiscard]] double uniform(Random& random, double lo, double hi);
+
+[[nodiscard]] Cutter cutterOf(const std::string& spec);
+/// A random cutter of the shape "flat", "ball", "bull" or "cone", 2 to 12 mm wide.
+[[nodiscard]] Cutter randomCutter(Random& random, const std::string& shape);
+
+[[nodiscard]] Motion straightMotion(const Vec3& start, const Vec3& end);
+/// `angle` and `radius` are those of the start in the plane; the end follows from the sweep.
+[[nodiscard]] Motion arcMotion(Plane plane, const Vec3& centre, double radius, double angle, double sweep,
+                               double climb, double endRadius);
+
+enum class StraightKind { level, sloped, steep, plunge, still };
+[[nodiscard]] Motion randomStraight(Random& random, const StockBox& stock, StraightKind kind);
+
+enum class ArcKind { level, helix, spiral, turns };
+[[nodiscard]] Motion randomArc(Random& random, const StockBox& stock, Plane plane, ArcKind kind);
+
+/// What to print when a random case fails.
+[[nodiscard]] std::string told(const Cutter& cutter, const Motion& motion);
+
+/// The largest difference of `cut` from the oracle over all points of a fresh map, rim points left out.
+[[nodiscard]] double largestError(const Cutter& cutter, const Motion& motion, const StockBox& stock,
+                                  double spacing, int samples);
+
+} // namespace proveout

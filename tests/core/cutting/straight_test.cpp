@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Straight motions of all shapes and slopes against the brute-force oracle.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include "tests/core/cutting/random_motion.h"
+
+namespace proveout {
+namespace {
+
+/// The promise is 1e-3 mm; float32 heights down to 30 mm leave far less, so that is what is asked.
+constexpr double kAllowed = 2e-5;
+constexpr int kSamples = 300;
+
+using Case = std::tuple<std::string, StraightKind>;
+
+class StraightMotions : public testing::TestWithParam<Case> {};
+
+TEST_P(StraightMotions, AgreeWithTheOracle) {
+    const auto& [shape, kind] = GetParam();
+    const StockBox stock{{-3, 5, 2}, 24, 18, 30};
+    double largest = 0;
+    for (unsigned seed = 1; seed <= 40; ++seed) {
+        Random random(seed);
+        const Cutter cutter = randomCutter(random, shape);
+        const Motion motion = randomStraight(random, stock, kind);
+        SCOPED_TRACE(fmt::format("seed {} {}", seed, told(cutter, motion)));
+        const double error = largestError(cutter, motion, stock, 1.5, kSamples);
+        EXPECT_LE(error, kAllowed);
+        largest = std::max(largest, error);
+    }
+    RecordProperty("largestErrorMm", fmt::format("{:.2e}", largest));
+}
+
+INSTANTIATE_TEST_SUITE_P(ShapesAndSlopes, StraightMotions,
+                         testing::Combine(testing::Values("flat", "ball", "bull", "cone"),
+                                          testing::Values(StraightKind::level, StraightKind::sloped,
+                                                          StraightKind::steep, StraightKind::plunge,
+                                                          StraightKind::still)));
+
+} // namespace
+} // namespace proveout
