@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <mutex>
+#include <utility>
+#include <vector>
+
+#include "core/decimation/region_decimator.h"
+
+namespace proveout {
+
+/// Decimators that wait for work, so that their storage lives as long as the surface (paper §4.1). Any
+/// thread may borrow one; there are never more than were at work at the same time.
+class DecimatorPool {
+public:
+    struct Worker {
+        std::unique_ptr<RegionDecimator> decimator;
+        std::vector<float> heights; ///< samples of the region at work
+    };
+
+    /// A worker borrowed until the end of the scope.
+    class Loan {
+    public:
+        Loan(DecimatorPool& pool, const DecimationMethodRow& method)
+            : m_pool(pool), m_worker(pool.take(method)) {}
+        ~Loan() { m_pool.giveBack(std::move(m_worker)); }
+        Loan(const Loan&) = delete;
+        Loan& operator=(const Loan&) = delete;
+        Worker& operator*() { return *m_worker; }
+
+    private:
+        DecimatorPool& m_pool;
+        std::unique_ptr<Worker> m_worker;
+    };
+
+private:
+    std::unique_ptr<Worker> take(const DecimationMethodRow& method) {
+        {
+            const std::lock_guard lock(m_mutex);
+            if (!m_idle.empty()) {
+                std::unique_ptr<Worker> worker = std::move(m_idle.back());
+                m_idle.pop_back();
+                return worker;
+            }
+        }
+        return std::make_unique<Worker>(Worker{method.create(), {}});
+    }
+    void giveBack(std::unique_ptr<Worker> worker) {
+        const std::lock_guard lock(m_mutex);
+        m_idle.push_back(std::move(worker));
+    }
+
+    std::mutex m_mutex;
+    std::vector<std::unique_ptr<Worker>> m_idle;
+};
+
+} // namespace proveout

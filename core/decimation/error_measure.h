@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <span>
+
+#include "core/decimation/region_mesh.h"
+#include "core/zmap/zmap.h"
+
+namespace proveout {
+
+/// How far the z-map points of a rectangle lie from a triangulated surface over it.
+struct VerticalError {
+    double largest = 0;        ///< mm; infinity where points are not covered at all
+    std::size_t beyond = 0;    ///< points farther than `allowance`
+    std::size_t uncovered = 0; ///< points without a triangle above or below them
+};
+
+/// Measures the vertical distance of every z-map point in `rect` to the triangles, in double; points on
+/// shared edges count once, with the larger distance. Knows nothing of how the triangles came about.
+[[nodiscard]] VerticalError measureVerticalError(const ZMapSnapshot& zmap, const IndexRect& rect,
+                                                 std::span<const LatticeTriangle> triangles,
+                                                 double allowance);
+
+} // namespace proveout

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cassert>
+
+#include "core/decimation/lee_decimator.h"
+#include "core/decimation/region_decimator.h"
+
+namespace proveout {
+
+namespace {
+
+std::unique_ptr<RegionDecimator> createLee() {
+    return std::make_unique<LeeDecimator>();
+}
+
+// In the order of DecimationMethod. The paper's figures stand on regions of 8 × 8 cells and a period of 20.
+constexpr std::array kMethods{
+    DecimationMethodRow{DecimationMethod::lee, false, 8, 20, createLee},
+    DecimationMethodRow{DecimationMethod::global, true, 8, 20, createLee},
+    DecimationMethodRow{DecimationMethod::none, false, 8, 0, nullptr},
+};
+
+} // namespace
+
+std::span<const DecimationMethodRow> decimationMethods() {
+    return kMethods;
+}
+
+const DecimationMethodRow& row(DecimationMethod method) {
+    const DecimationMethodRow& found = kMethods[static_cast<std::size_t>(method)];
+    assert(found.method == method);
+    return found;
+}
+
+} // namespace proveout

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "core/base/field.h"
+#include "core/base/text.h"
+
+namespace proveout {
+
+enum class DecimationMethod : std::uint8_t {
+    lee,    ///< the paper's local decimation, region by region
+    global, ///< the paper's §2.1, the whole map at once, for comparison
+    none,   ///< always the full mesh
+};
+
+enum class BorderRule : std::uint8_t {
+    shared, ///< borders are simplified first, each by its own samples: no crack
+    paper,  ///< each region simplifies its own copy: cracks, for studies only, never exported
+};
+
+enum class RemovalOrder : std::uint8_t { random, sequential };
+
+/// The parameters of the paper (§5: region size, period s, error allowance e) and of the product. Value type.
+struct DecimationParameters {
+    DecimationMethod method = DecimationMethod::lee;
+    int regionCells = 8;     ///< a region is regionCells × regionCells cells
+    int period = 20;         ///< s: every s-th block that moves; -1 once at the start, 0 never
+    double allowance = 0.05; ///< e, mm; 0 means no decimation
+    bool certify = true;     ///< refuse a removal that would leave a z-map point farther than e vertically
+    BorderRule borders = BorderRule::shared;
+    RemovalOrder order = RemovalOrder::random;
+    int seed = 1;
+
+    friend bool operator==(const DecimationParameters&, const DecimationParameters&) = default;
+};
+
+inline constexpr std::array kMethodChoices{
+    Choice{"lee", PROVEOUT_TEXT("Core", "Lee & Lee (local)")},
+    Choice{"global", PROVEOUT_TEXT("Core", "Global")},
+    Choice{"none", PROVEOUT_TEXT("Core", "None (full mesh)")},
+};
+inline constexpr std::array kBorderChoices{
+    Choice{"shared", PROVEOUT_TEXT("Core", "Shared, no cracks")},
+    Choice{"paper", PROVEOUT_TEXT("Core", "Per region, as in the paper")},
+};
+inline constexpr std::array kOrderChoices{
+    Choice{"random", PROVEOUT_TEXT("Core", "Random")},
+    Choice{"sequential", PROVEOUT_TEXT("Core", "Sequential")},
+};
+
+/// Names every field once; see field.h.
+template<class Params, class Visitor>
+void describe(Params& params, Visitor&& visit) {
+    visit(params.method,
+          Field{"method", PROVEOUT_TEXT("Core", "Method"), "",
+                PROVEOUT_TEXT("Core", "How the mesh of a region is decimated."), 0, 0, 0, kMethodChoices});
+    visit(params.regionCells,
+          Field{"region", PROVEOUT_TEXT("Core", "Region size"), "cells",
+                PROVEOUT_TEXT("Core", "Cells along each side of a region; each region has its own mesh."), 2,
+                256, 1});
+    visit(params.period,
+          Field{"period", PROVEOUT_TEXT("Core", "Decimation period"), "blocks",
+                PROVEOUT_TEXT("Core", "Cut regions are decimated again after this many blocks; "
+                                      "-1: once at the start, 0: never."),
+                -1, 1000000, 1});
+    visit(params.allowance,
+          Field{"allowance", PROVEOUT_TEXT("Core", "Error allowance"), "mm",
+                PROVEOUT_TEXT("Core", "Largest vertical error of the decimated surface; 0: no decimation."),
+                0, 10, 0.01});
+    visit(params.certify,
+          Field{"certify", PROVEOUT_TEXT("Core", "Certify"), "",
+                PROVEOUT_TEXT("Core", "Keep every z-map point within the error allowance; "
+                                      "off: the paper to the letter, which gives no bound.")});
+    visit(params.borders, Field{"borders", PROVEOUT_TEXT("Core", "Borders"), "",
+                                PROVEOUT_TEXT("Core", "How the borders between regions are simplified."), 0,
+                                0, 0, kBorderChoices});
+    visit(params.order, Field{"order", PROVEOUT_TEXT("Core", "Removal order"), "",
+                              PROVEOUT_TEXT("Core", "The order in which vertices are tested for removal."), 0,
+                              0, 0, kOrderChoices});
+    visit(params.seed,
+          Field{"seed", PROVEOUT_TEXT("Core", "Random seed"), "",
+                PROVEOUT_TEXT("Core", "Start of the random order; equal seeds give equal meshes."), 0,
+                1000000, 1});
+}
+
+} // namespace proveout

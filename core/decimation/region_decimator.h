@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Decimation of one region: what the methods have in common.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/decimation/parameters.h"
+#include "core/decimation/region_grid.h"
+#include "core/decimation/region_mesh.h"
+
+namespace proveout {
+
+/// The samples of one region. `heights` are (rect.width() × rect.height()) values, row by row, mm.
+struct RegionSamples {
+    IndexRect rect; ///< grid points; global indices decide the diagonals
+    double hx = 1;  ///< mm
+    double hy = 1;
+    std::span<const float> heights;
+};
+
+/// Simplifies one border by its own samples and nothing else: distance to the line through the two neighbours
+/// plus accumulated error within the allowance; with `certify`, also every sample within the allowance of the
+/// polyline, vertically. `step` is the spacing along the border; `seed` decides the random order. Pure
+/// function.
+[[nodiscard]] BorderLine simplifyBorder(std::span<const float> heights, double step, std::uint64_t seed,
+                                        const DecimationParameters& parameters);
+
+/// Decimates regions one after the other, with storage that is allocated once and reused (paper §4.1). One
+/// object a thread.
+class RegionDecimator {
+public:
+    virtual ~RegionDecimator() = default;
+    /// `borders` in the order of kSides; null entries: the method treats that border by itself
+    /// (BorderRule::paper). `seed` decides the random order. The result depends on nothing but the arguments.
+    /// Triangles come as lattice indices of `grid`. Stopped, it returns soon, and what it returns is no mesh.
+    [[nodiscard]] virtual RegionMesh decimate(const RegionGrid& grid, const RegionSamples& samples,
+                                              const std::array<BorderLinePtr, 4>& borders, std::uint64_t seed,
+                                              const DecimationParameters& parameters,
+                                              const std::stop_token& stop = {}) = 0;
+};
+
+/// One row a method; panel, command line and tests read the table.
+struct DecimationMethodRow {
+    DecimationMethod method;
+    bool wholeMap;      ///< works on one region that holds the whole map
+    int standardRegion; ///< cells, used where none is given
+    int standardPeriod;
+    std::unique_ptr<RegionDecimator> (*create)(); ///< null for `none`
+};
+[[nodiscard]] std::span<const DecimationMethodRow> decimationMethods();
+[[nodiscard]] const DecimationMethodRow& row(DecimationMethod method);
+
+} // namespace proveout

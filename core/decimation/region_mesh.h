@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/decimation/region_grid.h"
+
+namespace proveout {
+
+/// A triangle as lattice indices, counter-clockwise seen from +Z. Every vertex of every mesh here is a z-map
+/// point.
+using LatticeTriangle = std::array<std::uint32_t, 3>;
+
+/// The decimated mesh of one region. Immutable once published.
+struct RegionMesh {
+    std::vector<LatticeTriangle> triangles;
+    double largestError = 0; ///< largest vertical distance of a z-map point of the region, mm, measured
+};
+using RegionMeshPtr = std::shared_ptr<const RegionMesh>;
+
+/// The full mesh of a region: the canonical 4-8 triangulation (with global indices, "/" joins (i, j) and
+/// (i+1, j+1) where i + j is even, "\" otherwise). A border that is not null is drawn as its polyline (see
+/// snapToKept); the order of `borders` is that of kSides.
+[[nodiscard]] std::vector<LatticeTriangle> fullRegionMesh(const RegionGrid& grid, std::size_t region,
+                                                          const std::array<BorderLinePtr, 4>& borders = {});
+
+/// How many triangles fullRegionMesh() gives, without building them.
+[[nodiscard]] std::size_t fullRegionFaces(const RegionGrid& grid, std::size_t region,
+                                          const std::array<BorderLinePtr, 4>& borders = {});
+
+} // namespace proveout

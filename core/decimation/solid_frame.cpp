@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/decimation/solid_frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace proveout {
+
+namespace {
+
+/// A gap that is still one after both its ends were rounded to float32.
+double gapAt(double a, double b) {
+    constexpr double kSteps = 4;
+    const double step =
+        std::max(std::abs(a), std::abs(b)) * static_cast<double>(std::numeric_limits<float>::epsilon());
+    return std::max(kPinchGap, kSteps * step);
+}
+
+} // namespace
+
+SolidFrame::SolidFrame(const ZMapSnapshot& zmap)
+    : m_zmap(&zmap), m_gapZ(gapAt(zmap.stock().topZ(), zmap.stock().floorZ())) {
+    const Grid& grid = zmap.grid();
+    m_gapXY = std::max(gapAt(grid.x(0), grid.x(grid.nx - 1)), gapAt(grid.y(0), grid.y(grid.ny - 1)));
+}
+
+Vec3 SolidFrame::top(std::uint32_t lattice) const {
+    const double height = static_cast<double>(m_zmap->height(column(lattice), row(lattice)));
+    return {plan(lattice), m_zmap->stock().topZ() + height};
+}
+
+bool SolidFrame::onFloor(std::uint32_t lattice) const {
+    return top(lattice).z < floorZ() + m_gapZ;
+}
+
+} // namespace proveout

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From lattice to program coordinates, with what a solid needs to know of its floor. Inside the room only.
+#pragma once
+
+#include <cstdint>
+
+#include "core/base/geometry.h"
+#include "core/decimation/solid.h"
+#include "core/zmap/zmap.h"
+
+namespace proveout {
+
+/// Holds a reference to the z-map.
+class SolidFrame {
+public:
+    explicit SolidFrame(const ZMapSnapshot& zmap);
+
+    [[nodiscard]] int nx() const { return m_zmap->grid().nx; }
+    [[nodiscard]] int ny() const { return m_zmap->grid().ny; }
+    [[nodiscard]] std::size_t points() const {
+        return static_cast<std::size_t>(nx()) * static_cast<std::size_t>(ny());
+    }
+    [[nodiscard]] int column(std::uint32_t lattice) const {
+        return static_cast<int>(lattice % static_cast<std::uint32_t>(nx()));
+    }
+    [[nodiscard]] int row(std::uint32_t lattice) const {
+        return static_cast<int>(lattice / static_cast<std::uint32_t>(nx()));
+    }
+    [[nodiscard]] std::uint32_t lattice(int i, int j) const {
+        return static_cast<std::uint32_t>(j) * static_cast<std::uint32_t>(nx()) +
+               static_cast<std::uint32_t>(i);
+    }
+
+    [[nodiscard]] Vec2 plan(std::uint32_t lattice) const {
+        return {m_zmap->grid().x(column(lattice)), m_zmap->grid().y(row(lattice))};
+    }
+    /// The point of the surface over a grid point.
+    [[nodiscard]] Vec3 top(std::uint32_t lattice) const;
+    [[nodiscard]] double floorZ() const { return m_zmap->stock().floorZ(); }
+    /// Whether the surface is so near the floor here that the two could not be told apart.
+    [[nodiscard]] bool onFloor(std::uint32_t lattice) const;
+
+    /// kPinchGap, or more where float32 (which STL has) would not hold that: in height, and in plan.
+    [[nodiscard]] double gapZ() const { return m_gapZ; }
+    [[nodiscard]] double gapXY() const { return m_gapXY; }
+
+private:
+    const ZMapSnapshot* m_zmap;
+    double m_gapZ;
+    double m_gapXY;
+};
+
+} // namespace proveout

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "core/base/work_context.h"
+#include "core/decimation/solid_frame.h"
+
+namespace proveout {
+
+/// closeSolid() where the surface touches the floor: triangles wholly on the floor are holes, and the floor
+/// repeats the triangles that are left. Empty where none is.
+[[nodiscard]] TriangleMesh closeOnFloor(const SolidFrame& frame, std::span<const LatticeTriangle> surface,
+                                        const WorkContext& context);
+
+} // namespace proveout

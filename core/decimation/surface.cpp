@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/decimation/surface.h"
+
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cassert>
+#include <mutex>
+#include <utility>
+
+#include "core/decimation/decimator_pool.h"
+#include "core/decimation/random_order.h"
+
+namespace proveout {
+
+namespace {
+
+// Families of seeds: a border and a region of the same index must not share their random order.
+constexpr std::uint64_t kBorderSeeds = 1;
+constexpr std::uint64_t kRegionSeeds = 2;
+
+int cellsOfRegions(int nx, int ny, const DecimationParameters& parameters) {
+    return row(parameters.method).wholeMap ? std::max(nx, ny) - 1 : parameters.regionCells;
+}
+
+/// Tells a context how many of a number of jobs are done, from whichever thread finished one.
+class Tally {
+public:
+    Tally(const WorkContext& context, std::size_t jobs) : m_context(context), m_jobs(jobs) {}
+    void finished() {
+        if (!m_context.progress)
+            return;
+        const std::lock_guard lock(m_mutex); // the values must rise
+        ++m_done;
+        m_context.tell(static_cast<double>(m_done) / static_cast<double>(m_jobs));
+    }
+
+private:
+    const WorkContext& m_context;
+    std::size_t m_jobs;
+    std::size_t m_done = 0;
+    std::mutex m_mutex;
+};
+
+} // namespace
+
+std::array<BorderLinePtr, 4> SurfaceSnapshot::regionBorders(std::size_t region) const {
+    const std::array<std::size_t, 4> indices = grid.borders(region);
+    return {borders[indices[0]], borders[indices[1]], borders[indices[2]], borders[indices[3]]};
+}
+
+std::vector<LatticeTriangle> SurfaceSnapshot::triangles(std::size_t region) const {
+    const RegionMeshPtr& mesh = meshes[region];
+    return mesh ? mesh->triangles : fullRegionMesh(grid, region, regionBorders(region));
+}
+
+std::vector<LatticeTriangle> SurfaceSnapshot::triangles() const {
+    std::vector<LatticeTriangle> all;
+    all.reserve(faces);
+    for (std::size_t region = 0; region < meshes.size(); ++region) {
+        if (const RegionMeshPtr& mesh = meshes[region]) {
+            all.insert(all.end(), mesh->triangles.begin(), mesh->triangles.end());
+        } else {
+            const std::vector<LatticeTriangle> full = fullRegionMesh(grid, region, regionBorders(region));
+            all.insert(all.end(), full.begin(), full.end());
+        }
+    }
+    return all;
+}
+
+double SurfaceSnapshot::largestError() const {
+    double largest = 0;
+    for (std::size_t region = 0; region < meshes.size(); ++region)
+        if (const RegionMeshPtr& mesh = meshes[region])
+            largest = std::max(largest, mesh->largestError);
+    return largest;
+}
+
+Surface::Surface(int nx, int ny, const DecimationParameters& parameters)
+    : m_parameters(parameters), m_pool(std::make_shared<DecimatorPool>()) {
+    m_state.grid = RegionGrid(nx, ny, cellsOfRegions(nx, ny, parameters));
+    m_state.meshes = PersistentArray<RegionMeshPtr>(m_state.grid.regionCount());
+    m_state.borders = PersistentArray<BorderLinePtr>(m_state.grid.borderCount());
+    m_state.facesFull = 2 * static_cast<std::size_t>(nx - 1) * static_cast<std::size_t>(ny - 1);
+    m_state.faces = m_state.facesFull;
+    m_state.dirtyRegions = m_state.grid.regionCount();
+}
+
+std::size_t Surface::touch(const IndexRect& changed) {
+    const std::size_t before = m_state.dirtyRegions;
+    const IndexRect regions = grid().regionsTouching(changed);
+    for (int ry = regions.j0; ry < regions.j1; ++ry)
+        for (int rx = regions.i0; rx < regions.i1; ++rx)
+            touchRegion(grid().regionAt(rx, ry));
+    return m_state.dirtyRegions - before;
+}
+
+void Surface::touchRegion(std::size_t region) {
+    if (isDirty(region))
+        return;
+    m_state.faces -= m_state.meshes[region]->triangles.size();
+    m_state.meshes.edit(region) = nullptr;
+    m_state.faces += fullRegionFaces(grid(), region, m_state.regionBorders(region));
+    ++m_state.dirtyRegions;
+    for (const std::size_t border : grid().borders(region))
+        releaseBorderIfUnused(border);
+}
+
+std::size_t Surface::decimateDirty(const ZMapSnapshot& moment, const WorkContext& context) {
+    return m_state.dirtyRegions == 0 ? 0 : decimateRegions(dirtyList(), moment, context);
+}
+
+std::size_t Surface::decimateRegions(std::span<const std::size_t> regions, const ZMapSnapshot& moment,
+                                     const WorkContext& context) {
+    assert(moment.grid().nx == grid().nx() && moment.grid().ny == grid().ny());
+    const bool decimates = row(m_parameters.method).create != nullptr && m_parameters.allowance > 0;
+    if (!decimates || regions.empty() || context.stopped())
+        return 0;
+    // Borders first: each by its own samples, so that both its regions find the same polyline.
+    if (m_parameters.borders == BorderRule::shared)
+        drawMissingBorders(regions, moment);
+
+    std::vector<RegionMeshPtr> meshes(regions.size());
+    Tally tally(context, regions.size());
+    tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t k) {
+        if (context.stopped())
+            return;
+        RegionMeshPtr mesh = decimated(regions[k], moment, context.stop);
+        if (context.stopped())
+            return; // perhaps in the middle of the region
+        meshes[k] = std::move(mesh);
+        tally.finished();
+    });
+
+    std::size_t done = 0;
+    for (std::size_t k = 0; k < regions.size(); ++k) {
+        if (meshes[k]) {
+            publish(regions[k], std::move(meshes[k]));
+            ++done;
+        }
+    }
+    if (done < regions.size()) // stopped: no border stays drawn between two dirty regions
+        for (const std::size_t region : regions)
+            for (const std::size_t border : grid().borders(region))
+                releaseBorderIfUnused(border);
+    return done;
+}
+
+std::vector<std::size_t> Surface::dirtyList() const {
+    std::vector<std::size_t> regions;
+    regions.reserve(m_state.dirtyRegions);
+    for (std::size_t region = 0; region < grid().regionCount(); ++region)
+        if (isDirty(region))
+            regions.push_back(region);
+    return regions;
+}
+
+void Surface::drawMissingBorders(std::span<const std::size_t> regions, const ZMapSnapshot& moment) {
+    std::vector<std::size_t> missing;
+    for (const std::size_t region : regions)
+        for (const std::size_t border : grid().borders(region))
+            if (!m_state.borders[border])
+                missing.push_back(border);
+    std::sort(missing.begin(), missing.end());
+    missing.erase(std::unique(missing.begin(), missing.end()), missing.end());
+
+    std::vector<BorderLinePtr> lines(missing.size());
+    tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t k) {
+        const IndexRect rect = grid().borderPoints(missing[k]);
+        const bool alongX = rect.height() == 1 && rect.width() > 1;
+        std::vector<float> heights(static_cast<std::size_t>(rect.width() * rect.height()));
+        moment.read(rect, heights);
+        const std::uint64_t seed = mixSeed(m_parameters.seed, kBorderSeeds, missing[k]);
+        const double step = alongX ? moment.grid().hx : moment.grid().hy;
+        lines[k] = std::make_shared<const BorderLine>(simplifyBorder(heights, step, seed, m_parameters));
+    });
+    for (std::size_t k = 0; k < missing.size(); ++k)
+        drawBorder(missing[k], std::move(lines[k]));
+}
+
+RegionMeshPtr Surface::decimated(std::size_t region, const ZMapSnapshot& moment,
+                                 const std::stop_token& stop) const {
+    DecimatorPool::Loan worker(*m_pool, row(m_parameters.method));
+    RegionDecimator& decimator = *(*worker).decimator;
+    std::vector<float>& heights = (*worker).heights;
+    const IndexRect rect = grid().points(region);
+    heights.resize(static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height()));
+    moment.read(rect, heights);
+    const RegionSamples samples{rect, moment.grid().hx, moment.grid().hy, heights};
+    return std::make_shared<const RegionMesh>(
+        decimator.decimate(grid(), samples, m_state.regionBorders(region),
+                           mixSeed(m_parameters.seed, kRegionSeeds, region), m_parameters, stop));
+}
+
+void Surface::publish(std::size_t region, RegionMeshPtr mesh) {
+    m_state.faces -= fullRegionFaces(grid(), region, m_state.regionBorders(region));
+    m_state.faces += mesh->triangles.size();
+    m_state.meshes.edit(region) = std::move(mesh);
+    --m_state.dirtyRegions;
+}
+
+// The two functions below are called only while all regions at the border are dirty: each of them then shows
+// one triangle less per point that the polyline drops.
+void Surface::drawBorder(std::size_t border, BorderLinePtr line) {
+    m_state.borders.edit(border) = std::move(line);
+    m_state.faces -= facesHidden(border);
+}
+
+void Surface::releaseBorderIfUnused(std::size_t border) {
+    if (!m_state.borders[border])
+        return;
+    for (const std::size_t region : grid().sharers(border))
+        if (region != RegionGrid::kNoRegion && !isDirty(region))
+            return;
+    m_state.faces += facesHidden(border);
+    m_state.borders.edit(border) = nullptr;
+}
+
+std::size_t Surface::facesHidden(std::size_t border) const {
+    const IndexRect rect = grid().borderPoints(border);
+    const auto points = static_cast<std::size_t>(rect.width() * rect.height());
+    const std::size_t sharers = grid().sharers(border)[1] == RegionGrid::kNoRegion ? 1 : 2;
+    return (points - m_state.borders[border]->kept.size()) * sharers;
+}
+
+} // namespace proveout

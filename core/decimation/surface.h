@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The shown surface: which regions are drawn from the z-map and which have a decimated mesh (paper §3).
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <memory>
+#include <vector>
+
+#include "core/base/persistent_array.h"
+#include "core/base/work_context.h"
+#include "core/decimation/region_decimator.h"
+#include "core/zmap/zmap.h"
+
+namespace proveout {
+
+class DecimatorPool;
+
+/// One immutable moment of the surface; any thread. Equal pointers of two moments mean equal meshes.
+struct SurfaceSnapshot {
+    RegionGrid grid;
+    PersistentArray<RegionMeshPtr> meshes;  ///< per region; null: drawn from the z-map
+    PersistentArray<BorderLinePtr> borders; ///< per border; null: drawn with all its points
+    std::size_t faces = 0;                  ///< triangles shown
+    std::size_t facesFull = 0;              ///< triangles without decimation
+    std::size_t dirtyRegions = 0;           ///< regions drawn from the z-map
+
+    [[nodiscard]] std::array<BorderLinePtr, 4> regionBorders(std::size_t region) const;
+    /// The triangles that a region shows in this moment.
+    [[nodiscard]] std::vector<LatticeTriangle> triangles(std::size_t region) const;
+    /// The triangles of all regions, in the order of the regions.
+    [[nodiscard]] std::vector<LatticeTriangle> triangles() const;
+    /// The largest measured error of the regions that are decimated, mm.
+    [[nodiscard]] double largestError() const;
+};
+
+/// The surface that follows a z-map. Owned by one thread. A border is drawn as its polyline while at least
+/// one of its regions is decimated, so that no crack opens at any moment; corners stay.
+class Surface {
+public:
+    Surface() = default;
+    /// All regions drawn from the z-map.
+    Surface(int nx, int ny, const DecimationParameters& parameters);
+
+    [[nodiscard]] const RegionGrid& grid() const { return m_state.grid; }
+    [[nodiscard]] const DecimationParameters& parameters() const { return m_parameters; }
+
+    /// Paper §3, step 2: regions with a point in `changed` are drawn from the z-map from now on. Returns how
+    /// many were decimated before.
+    std::size_t touch(const IndexRect& changed);
+    /// The same for one region.
+    void touchRegion(std::size_t region);
+    [[nodiscard]] bool isDirty(std::size_t region) const { return m_state.meshes[region] == nullptr; }
+    [[nodiscard]] std::size_t dirtyRegions() const { return m_state.dirtyRegions; }
+    [[nodiscard]] std::size_t faces() const { return m_state.faces; }
+    [[nodiscard]] std::size_t facesFull() const { return m_state.facesFull; }
+
+    /// Paper §3, step 4: decimates every dirty region of `moment` (in parallel), borders first. Does nothing
+    /// for method none or an allowance of 0. Returns how many regions were decimated. A stopped context
+    /// leaves those that were not reached dirty.
+    std::size_t decimateDirty(const ZMapSnapshot& moment, const WorkContext& context = {});
+
+    /// The same for some dirty regions, ascending; the others stay as they are.
+    std::size_t decimateRegions(std::span<const std::size_t> regions, const ZMapSnapshot& moment,
+                                const WorkContext& context = {});
+
+    [[nodiscard]] SurfaceSnapshot snapshot() const { return m_state; }
+
+private:
+    [[nodiscard]] std::vector<std::size_t> dirtyList() const;
+    void drawMissingBorders(std::span<const std::size_t> regions, const ZMapSnapshot& moment);
+    [[nodiscard]] RegionMeshPtr decimated(std::size_t region, const ZMapSnapshot& moment,
+                                          const std::stop_token& stop) const;
+    void publish(std::size_t region, RegionMeshPtr mesh);
+    void drawBorder(std::size_t border, BorderLinePtr line);
+    void releaseBorderIfUnused(std::size_t border);
+    [[nodiscard]] std::size_t facesHidden(std::size_t border) const;
+
+    DecimationParameters m_parameters;
+    SurfaceSnapshot m_state;
+    std::shared_ptr<DecimatorPool> m_pool; ///< copies of a surface borrow from the same pool
+};
+
+} // namespace proveout

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// "Data storage for winged edge data is allocated in the first step, and then used repeatedly" (paper §4.1).
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <new>
+
+#include "core/decimation/lee_decimator.h"
+#include "tests/core/decimation/maps.h"
+
+namespace {
+std::atomic<std::size_t> allocations{0};
+} // namespace
+
+// Were one of them inlined and the other not, GCC would take them for a mismatched pair.
+[[gnu::noinline]] void* operator new(std::size_t size) {
+    ++allocations;
+    if (void* memory = std::malloc(size == 0 ? 1 : size))
+        return memory;
+    throw std::bad_alloc();
+}
+[[gnu::noinline]] void operator delete(void* memory) noexcept {
+    std::free(memory);
+}
+[[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
+    std::free(memory);
+}
+
+namespace proveout {
+namespace {
+
+TEST(LeeDecimator, allocatesNothingPerRegionButTheTrianglesItGives) {
+    const RegionGrid grid(65, 65, 64);
+    const IndexRect rect = grid.points(0);
+    LeeDecimator decimator;
+    std::vector<test::Heights> maps;
+    for (const auto& kind : test::mapKinds())
+        maps.push_back(kind.make(65, 65, 0.5, 4));
+    // The first region of each kind lets the storage grow.
+    for (const test::Heights& heights : maps)
+        (void)decimator.decimate(grid, {rect, 0.5, 0.5, heights}, {}, 1, {});
+#ifndef NDEBUG
+    GTEST_SKIP() << "OpenMesh's assertions allocate";
+#endif
+    for (const test::Heights& heights : maps) {
+        const std::size_t before = allocations;
+        const RegionMesh mesh = decimator.decimate(grid, {rect, 0.5, 0.5, heights}, {}, 1, {});
+        EXPECT_EQ(allocations - before, 1U);
+        EXPECT_FALSE(mesh.triangles.empty());
+    }
+}
+
+} // namespace
+} // namespace proveout

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Height fields for the tests of decimation.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/zmap/zmap.h"
+
+namespace proveout::test {
+
+/// Heights, mm, at the points of a grid of nx × ny points, row by row.
+using Heights = std::vector<float>;
+
+struct MapKind {
+    std::string name;
+    std::function<Heights(int nx, int ny, double spacing, std::uint32_t seed)> make;
+};
+
+/// Flat, random terrain, walls and steps, spheres, noise.
+std::span<const MapKind> mapKinds();
+const MapKind& mapKind(const std::string& name);
+
+/// A z-map with these heights; they must lie in [-100, 0].
+ZMapSnapshot zmapOf(int nx, int ny, double spacing, const Heights& heights);
+
+} // namespace proveout::test
