@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/block_cutter.h"
+
+namespace proveout {
+
+namespace {
+
+/// A motion that ends where a cut ended may find points lower by what two exact cuts may differ: 1 µm each.
+constexpr double kNothingRemoved = 2e-3;
+
+void judge(const CutRecord& record, const Motion& motion, const Cutter& cutter, std::size_t block,
+           FindingLog& findings) {
+    if (motion.kind == MotionKind::rapid && record.maxDepth > kNothingRemoved)
+        findings.add(block, FindingKind::rapidCuts, record.maxDepth);
+    if (cutter.fluteLength() > 0 && record.maxDepth > cutter.fluteLength() + kNothingRemoved)
+        findings.add(block, FindingKind::depthBeyondFlutes, record.maxDepth);
+}
+
+/// Whether the cutter may stand over the stock in plan: an axis that is not known may be anywhere.
+bool mayMeetInPlan(const StockBox& stock, const Motion& motion, double radius) {
+    const auto within = [&](int axis, AxisBits bit, double from, double length) {
+        return (motion.endKnown & bit) == 0 ||
+               (motion.end[axis] > from - radius && motion.end[axis] < from + length + radius);
+    };
+    return within(0, kAxisX, stock.corner.x, stock.width) && within(1, kAxisY, stock.corner.y, stock.depth);
+}
+
+/// Whether the cutter, standing still at the end of the motion, would be in the stock that is left.
+bool standsInStock(const ZMap& zmap, const Cutter& cutter, const Motion& motion) {
+    ZMap trial(zmap.snapshot());
+    Motion standing = motion;
+    standing.start = motion.end;
+    standing.startKnown = kAllAxes;
+    return cut(trial, cutter, standing).maxDepth > kNothingRemoved;
+}
+
+/// The path of a rapid from an unknown position is unknown too, so it cuts nothing. Most programs begin so,
+/// with a move to a safe height; one that ends in the stock must not pass for checked.
+void judgeUnknownRapid(const ZMap& zmap, const Cutter& cutter, const Motion& motion, std::size_t block,
+                       FindingLog& findings) {
+    const double below = zmap.stock().topZ() - motion.end.z;
+    if ((motion.endKnown & kAxisZ) == 0 || below <= kNothingRemoved ||
+        !mayMeetInPlan(zmap.stock(), motion, cutter.radius()))
+        return;
+    if (motion.endKnown != kAllAxes || standsInStock(zmap, cutter, motion))
+        findings.add(block, FindingKind::rapidUnchecked, below);
+}
+
+void judgeMissing(const Motion& motion, int tool, std::size_t block, FindingLog& findings) {
+    if (tool != 0)
+        findings.add(block, FindingKind::toolUndefined, tool);
+    else if (motion.kind != MotionKind::rapid)
+        findings.add(block, FindingKind::noTool, 0);
+}
+
+} // namespace
+
+CutRecord cutBlock(ZMap& zmap, const Program& program, std::size_t block, const Setup& setup,
+                   const ToolChoice& tools, FindingLog* findings) {
+    CutRecord sum;
+    const auto motions = program.blockMotions(block);
+    for (std::size_t index = motions.first; index < motions.last; ++index) {
+        const Motion motion = program.motion(index);
+        const int tool = tools.tool(motion.tool);
+        const Cutter* cutter = setup.tools.find(tool);
+        if (cutter == nullptr) {
+            if (findings != nullptr)
+                judgeMissing(motion, tool, block, *findings);
+            continue;
+        }
+        const CutRecord record = cut(zmap, *cutter, motion);
+        if (findings != nullptr && motion.kind == MotionKind::rapid && !motion.known())
+            judgeUnknownRapid(zmap, *cutter, motion, block, *findings);
+        if (findings != nullptr)
+            judge(record, motion, *cutter, block, *findings);
+        sum.add(record);
+    }
+    return sum;
+}
+
+} // namespace proveout

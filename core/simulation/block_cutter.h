@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+#include "core/cutting/cutting.h"
+#include "core/nc/program.h"
+#include "core/simulation/finding_log.h"
+#include "core/simulation/setup.h"
+#include "core/simulation/tool_choice.h"
+#include "core/zmap/zmap.h"
+
+namespace proveout {
+
+/// Cuts all motions of block `block` (0-based), each with its own tool; motions without a cutter cut nothing.
+/// What is found goes to `findings`, unless it is null. Called by the thread that owns `zmap`.
+[[nodiscard]] CutRecord cutBlock(ZMap& zmap, const Program& program, std::size_t block, const Setup& setup,
+                                 const ToolChoice& tools, FindingLog* findings);
+
+} // namespace proveout

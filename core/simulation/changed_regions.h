@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/decimation/region_grid.h"
+#include "core/zmap/zmap.h"
+
+namespace proveout {
+
+/// Whether the z-map has the heights of an earlier moment in a rectangle of points. Tiles that both share are
+/// not looked into.
+[[nodiscard]] bool sameHeights(const ZMap& zmap, const ZMapSnapshot& moment, const IndexRect& rect);
+
+/// The regions, ascending, whose heights differ between two moments of one grid. Only regions in tiles that
+/// the moments do not share are compared.
+[[nodiscard]] std::vector<std::size_t> differingRegions(const ZMapSnapshot& a, const ZMapSnapshot& b,
+                                                        const RegionGrid& grid);
+
+} // namespace proveout

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <mutex>
+#include <optional>
+#include <stop_token>
+
+#include "core/simulation/simulation_thread.h"
+
+namespace proveout {
+
+/// Commands on their way to the simulation thread, and the wish to stop what it is doing. A command replaces
+/// the one before it where it says all that that one said; every command stops the work under way. Any thread
+/// may post; one thread takes.
+class CommandQueue {
+public:
+    using Time = std::chrono::steady_clock::time_point;
+
+    void post(SimulationCommand command);
+    /// Stops the work under way; nothing where there is none.
+    void cancel();
+    /// Stops the work and ends every wait, now and later.
+    void close();
+    /// The frame with this number is on the screen.
+    void frameShown(std::uint64_t sequence);
+
+    [[nodiscard]] bool closed() const;
+    [[nodiscard]] bool hasCommand() const;
+    /// The next command, if there is one.
+    [[nodiscard]] std::optional<SimulationCommand> take();
+
+    /// The token of a work that begins now; it is stopped from the start where a command waits. `patient`
+    /// work is not stopped by seeks and steps: it is what lets a picture appear under a storm of them.
+    [[nodiscard]] std::stop_token beginWork(bool patient);
+    /// True where the work was cancelled.
+    bool endWork();
+
+    void wait();
+    void waitUntil(Time time);
+    /// Until frame `sequence` was shown.
+    void waitForShown(std::uint64_t sequence);
+
+private:
+    [[nodiscard]] bool awake() const { return m_closed || !m_commands.empty(); }
+
+    mutable std::mutex m_mutex;
+    std::condition_variable m_changed;
+    std::deque<SimulationCommand> m_commands;
+    std::stop_source m_work;
+    std::uint64_t m_shown = 0;
+    bool m_working = false;
+    bool m_patient = false;
+    bool m_cancelled = false;
+    bool m_closed = false;
+};
+
+} // namespace proveout

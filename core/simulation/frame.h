@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+
+#include "core/base/diagnostic.h"
+#include "core/base/persistent_array.h"
+#include "core/decimation/surface.h"
+#include "core/nc/program.h"
+#include "core/simulation/setup.h"
+#include "core/simulation/statistics.h"
+#include "core/zmap/zmap.h"
+
+namespace proveout {
+
+/// Everything a viewer shows of one moment of a simulation. Immutable, published as shared_ptr<const Frame>,
+/// any thread. Tiles, meshes and borders that did not change are the same pointers as in the frame before.
+struct Frame {
+    std::uint64_t generation = 0; ///< of the load command this frame belongs to
+    std::uint64_t sequence = 0;   ///< rises by one with each frame published
+    std::size_t block = 0;        ///< blocks executed so far: 0 … program->blockCount()
+    std::shared_ptr<const Program> program;
+    std::shared_ptr<const Setup> setup;
+    DecimationParameters parameters;
+    ZMapSnapshot zmap;
+    SurfaceSnapshot surface;
+    PersistentArray<BlockStatistics>
+        statistics;       ///< row k: block k+1; may reach beyond `block` after a seek back
+    Diagnostics findings; ///< of the simulation, in the order of their blocks
+    Vec3 cutterPosition{0};
+    bool cutterKnown = false;
+    int tool = 0;
+    double removedMm3 = 0; ///< since the uncut stock
+    bool playing = false;
+};
+using FramePtr = std::shared_ptr<const Frame>;
+
+} // namespace proveout

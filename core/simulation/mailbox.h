@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <mutex>
+#include <optional>
+#include <utility>
+
+namespace proveout {
+
+/// A place for one value that crosses threads; putting a value replaces the one that nobody took.
+template<class T>
+class Mailbox {
+public:
+    void put(T value) {
+        const std::scoped_lock lock(m_mutex);
+        m_value = std::move(value);
+    }
+    [[nodiscard]] std::optional<T> take() {
+        const std::scoped_lock lock(m_mutex);
+        return std::exchange(m_value, std::nullopt);
+    }
+
+private:
+    std::mutex m_mutex;
+    std::optional<T> m_value;
+};
+
+} // namespace proveout

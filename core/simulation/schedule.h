@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "core/decimation/parameters.h"
+
+namespace proveout {
+
+/// When the dirty regions are decimated (paper §3, step 4): after every s-th executed block that moves. The
+/// schedule is logical: it knows block counts and no clock. Value type.
+class Schedule {
+public:
+    explicit Schedule(const DecimationParameters& parameters)
+        : m_period(decimates(parameters) ? parameters.period : 0) {}
+
+    /// Whether anything is ever decimated with these parameters.
+    [[nodiscard]] bool decimates() const { return m_period != 0; }
+    /// Whether the dirty regions are decimated when `block` blocks have been executed.
+    [[nodiscard]] bool isMoment(std::size_t block) const { return lastMoment(block) == block; }
+    /// The newest moment at or before `block`; none where nothing is decimated.
+    [[nodiscard]] std::optional<std::size_t> lastMoment(std::size_t block) const {
+        if (m_period == 0)
+            return std::nullopt;
+        if (m_period < 0)
+            return 0;
+        return block - block % static_cast<std::size_t>(m_period);
+    }
+
+private:
+    static bool decimates(const DecimationParameters& parameters) {
+        return parameters.method != DecimationMethod::none && parameters.allowance > 0;
+    }
+
+    int m_period; ///< 0: never, negative: once at the start
+};
+
+} // namespace proveout

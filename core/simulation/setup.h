@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include "core/base/geometry.h"
+#include "core/cutter/tool_table.h"
+#include "core/zmap/stock.h"
+
+namespace proveout {
+
+/// What stands on the machine before the program runs. Value type.
+struct Setup {
+    StockBox stock;
+    double spacing = 1; ///< wanted grid spacing, mm
+    ToolTable tools;
+    std::optional<Vec3> start; ///< position of the cutter before the first block, if it is known
+    bool blockDelete = false;  ///< skip blocks that begin with "/"
+
+    friend bool operator==(const Setup&, const Setup&) = default;
+};
+
+} // namespace proveout

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The simulator: blocks in, z-map, surface and records out (paper §3).
+#pragma once
+
+#include <cstddef>
+#include <memory>
+
+#include "core/base/work_context.h"
+#include "core/simulation/frame.h"
+
+namespace proveout {
+
+/// Runs one program on one stock. Owned by one thread. The state after block n depends on program, set-up and
+/// parameters only, never on how one got there: z-map bit for bit, and the surface by the logical schedule
+/// (at every s-th block that moves the dirty regions are decimated).
+class Simulation {
+public:
+    /// Takes the memory (asked for first) and decimates the uncut stock (paper §3, step 1). A stopped context
+    /// leaves the surface unsettled. Errors: stock, grid, memory, parameters out of range.
+    [[nodiscard]] static Result<std::unique_ptr<Simulation>> create(std::shared_ptr<const Program> program,
+                                                                    std::shared_ptr<const Setup> setup,
+                                                                    const DecimationParameters& parameters,
+                                                                    const WorkContext& context = {});
+    ~Simulation();
+    Simulation(const Simulation&) = delete;
+    Simulation& operator=(const Simulation&) = delete;
+
+    [[nodiscard]] std::size_t position() const; ///< blocks executed
+    [[nodiscard]] std::size_t blockCount() const;
+    [[nodiscard]] bool atEnd() const { return position() == blockCount(); }
+
+    /// Whether the surface is where the schedule has it; false only after a stopped context.
+    [[nodiscard]] bool settled() const;
+
+    /// Executes the next block; nothing at the end. A stopped context may leave the surface unsettled, or do
+    /// nothing where it was so.
+    void step(const WorkContext& context = {});
+    /// Goes to the state after block `block` (clamped), from a checkpoint where that is nearer. Blocks that
+    /// were never executed run through the whole schedule, so that their statistics are true. A stopped
+    /// context ends at another valid block, or leaves the surface unsettled: regions are drawn from the z-map
+    /// until the next call, `seek(position())` at the latest, decimates them.
+    void seek(std::size_t block, const WorkContext& context = {});
+    /// The surface as the schedule would have it with other parameters, at the same block. Statistics so far
+    /// stay, but for the row of this block. Parameters out of range are ignored.
+    void setParameters(const DecimationParameters& parameters, const WorkContext& context = {});
+    /// Goes on with an edited program: everything before the first block that differs is kept; the position
+    /// stays, or becomes the last block kept, whichever is smaller. A stopped context may leave the surface
+    /// unsettled.
+    void replaceProgram(std::shared_ptr<const Program> program, const WorkContext& context = {});
+    /// Bytes for checkpoints; the oldest detail is thinned out beyond them.
+    void setCheckpointBudget(std::size_t bytes);
+
+    /// The surface of this moment with every region decimated, whatever the schedule (for export). Does not
+    /// change the simulation.
+    [[nodiscard]] SurfaceSnapshot decimatedNow(const WorkContext& context = {}) const;
+    [[nodiscard]] ZMapSnapshot zmap() const;
+    /// Wall time spent so far, replays included.
+    struct Effort {
+        double allocateSeconds = 0;
+        double cutSeconds = 0;
+        double decimationSeconds = 0;
+    };
+    [[nodiscard]] Effort effort() const;
+    /// A frame of this moment; generation and sequence are left 0.
+    [[nodiscard]] Frame frame() const;
+
+private:
+    struct State;
+    explicit Simulation(std::unique_ptr<State> state);
+    std::unique_ptr<State> m_state;
+};
+
+} // namespace proveout

@@ -1,0 +1,275 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/simulation_thread.h"
+
+#include <algorithm>
+#include <chrono>
+#include <exception>
+#include <new>
+#include <optional>
+#include <thread>
+#include <utility>
+
+#include "core/base/text.h"
+#include "core/simulation/command_queue.h"
+#include "core/simulation/mailbox.h"
+#include "core/simulation/playback_clock.h"
+#include "core/simulation/simulation.h"
+
+namespace proveout {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// Playback looks for commands at least this often.
+constexpr std::chrono::milliseconds kSlice{10};
+/// Shorter work is not worth a progress bar.
+constexpr std::chrono::milliseconds kQuietWork{50};
+constexpr std::chrono::milliseconds kBetweenTellings{30};
+
+template<class... Handlers>
+struct Overloaded : Handlers... {
+    using Handlers::operator()...;
+};
+template<class... Handlers>
+Overloaded(Handlers...) -> Overloaded<Handlers...>;
+
+/// Tells of long work only, not too often, and of its end.
+class ProgressTeller {
+public:
+    explicit ProgressTeller(const std::function<void(double)>& listener) : m_listener(listener) {}
+    ProgressTeller(const ProgressTeller&) = delete;
+    ProgressTeller& operator=(const ProgressTeller&) = delete;
+    ~ProgressTeller() {
+        if (m_told)
+            m_listener(1.0);
+    }
+    void tell(double done) {
+        const auto now = Clock::now();
+        if (!m_listener || now < m_next || done >= 1)
+            return;
+        m_listener(done);
+        m_told = true;
+        m_next = now + kBetweenTellings;
+    }
+
+private:
+    const std::function<void(double)>& m_listener;
+    Clock::time_point m_next = Clock::now() + kQuietWork;
+    bool m_told = false;
+};
+
+/// A token that is stopped: what is asked for is noted, and the work for it follows when no command waits.
+std::stop_token stopped() {
+    std::stop_source source;
+    source.request_stop();
+    return source.get_token();
+}
+
+Diagnostics broken(const char* id, const char* text, std::vector<std::string> arguments) {
+    return std::move(failure(id, text, std::move(arguments)).value());
+}
+
+} // namespace
+
+struct SimulationThread::State {
+    explicit State(SimulationListener theListener) : listener(std::move(theListener)) {}
+
+    SimulationListener listener;
+    CommandQueue queue;
+    Mailbox<FramePtr> mailbox;
+
+    // From here on: the simulation thread alone.
+    std::unique_ptr<Simulation> simulation;
+    std::optional<std::size_t> goal; ///< a block that was asked for and is not reached yet
+    PlaybackClock clock;
+    bool playing = false;
+    bool everyBlock = false;
+    bool resting = false; ///< cancelled: nothing is taken up again before the next command
+    bool patient = false; ///< the work before was cut short
+    std::uint64_t generation = 0;
+    std::uint64_t sequence = 0;
+
+    std::jthread thread; ///< last, so that it ends before what it uses
+
+    void run() {
+        while (!queue.closed()) {
+            try {
+                turn();
+            } catch (const std::bad_alloc&) {
+                fail(broken("out-of-memory",
+                            PROVEOUT_TEXT("Core", "The simulation needs more memory than there is."), {}));
+            } catch (const std::exception& exception) {
+                fail(broken("internal-error", PROVEOUT_TEXT("Core", "The simulation had to stop: {}."),
+                            {exception.what()}));
+            }
+        }
+    }
+
+    void turn() {
+        if (auto command = queue.take())
+            execute(std::move(*command));
+        else if (simulation && !resting && (goal || !simulation->settled()))
+            work();
+        else if (simulation && playing)
+            playSlice();
+        else
+            queue.wait();
+    }
+
+    void fail(Diagnostics diagnostics) {
+        simulation.reset();
+        goal.reset();
+        playing = false;
+        if (listener.failed)
+            listener.failed(std::move(diagnostics));
+    }
+
+    void publish() {
+        auto frame = std::make_shared<Frame>(simulation->frame());
+        frame->generation = generation;
+        frame->sequence = ++sequence;
+        frame->playing = playing;
+        mailbox.put(std::move(frame));
+        if (listener.frameReady)
+            listener.frameReady();
+    }
+
+    // --- commands: they note what is wanted and return at once
+
+    void execute(SimulationCommand command) {
+        resting = false;
+        if (auto* load = std::get_if<LoadCommand>(&command)) {
+            take(std::move(*load));
+            return;
+        }
+        if (!simulation)
+            return;
+        std::visit(Overloaded{[](const LoadCommand&) {}, [this](auto other) { take(std::move(other)); }},
+                   std::move(command));
+    }
+
+    void take(LoadCommand&& load) {
+        simulation.reset(); // its memory is needed for the next
+        goal.reset();
+        playing = false;
+        generation = load.generation;
+        auto created = Simulation::create(std::move(load.program), std::move(load.setup), load.parameters,
+                                          {stopped(), {}});
+        if (!created) {
+            fail(std::move(created.error()));
+            return;
+        }
+        simulation = std::move(*created);
+        publish();
+    }
+
+    void take(EditCommand&& edit) {
+        generation = edit.generation;
+        simulation->replaceProgram(std::move(edit.program), {stopped(), {}});
+        publish();
+    }
+
+    void take(ParametersCommand&& command) {
+        simulation->setParameters(command.parameters, {stopped(), {}});
+        // Where there is nothing to decimate there is no work, and yet another picture.
+        if (simulation->settled())
+            publish();
+    }
+
+    void take(PlayCommand&& play) {
+        playing = true;
+        everyBlock = play.everyBlock;
+        clock.start(goal.value_or(simulation->position()), play.blocksPerSecond, Clock::now());
+    }
+
+    void take(PauseCommand&&) {
+        playing = false;
+        goal.reset();
+        publish();
+    }
+
+    void take(SeekCommand&& seek) { goal = std::min(seek.block, simulation->blockCount()); }
+
+    void take(StepCommand&& step) {
+        playing = false;
+        const auto from = static_cast<std::ptrdiff_t>(goal.value_or(simulation->position()));
+        const auto last = static_cast<std::ptrdiff_t>(simulation->blockCount());
+        goal = static_cast<std::size_t>(std::clamp(step.blocks, -from, last - from) +
+                                        from); // the sum itself might overflow
+    }
+
+    // --- long work: any command stops it, and it is taken up again
+
+    void work() {
+        bool cut = false;
+        {
+            ProgressTeller teller(listener.progress);
+            const WorkContext context{queue.beginWork(patient),
+                                      [&teller](double done) { teller.tell(done); }};
+            const std::size_t wanted =
+                std::min(goal.value_or(simulation->position()), simulation->blockCount());
+            simulation->seek(wanted, context);
+            cut = context.stopped();
+            if (simulation->position() == wanted)
+                goal.reset();
+        }
+        patient = cut;
+        if (queue.endWork()) {
+            goal.reset();
+            playing = false;
+            resting = true;
+        }
+        clock.start(simulation->position(), clock.blocksPerSecond(), Clock::now());
+        publish();
+    }
+
+    void playSlice() {
+        const auto begin = Clock::now();
+        const std::size_t due = everyBlock ? simulation->position() + 1 : clock.due(begin);
+        const WorkContext context{queue.beginWork(false), {}};
+        while (simulation->position() < due && !simulation->atEnd() && !context.stopped() &&
+               Clock::now() - begin < kSlice)
+            simulation->step(context);
+        (void)queue.endWork();
+
+        const auto now = Clock::now();
+        if (simulation->position() < due)
+            clock.start(simulation->position(), clock.blocksPerSecond(), now);
+        if (simulation->atEnd())
+            playing = false;
+        publish();
+        if (!playing)
+            return;
+        if (everyBlock)
+            queue.waitForShown(sequence);
+        queue.waitUntil(clock.next(simulation->position(), now));
+    }
+};
+
+SimulationThread::SimulationThread(SimulationListener listener)
+    : m_state(std::make_unique<State>(std::move(listener))) {
+    m_state->thread = std::jthread([state = m_state.get()] { state->run(); });
+}
+
+SimulationThread::~SimulationThread() {
+    m_state->queue.close();
+}
+
+void SimulationThread::post(SimulationCommand command) {
+    m_state->queue.post(std::move(command));
+}
+
+void SimulationThread::cancel() {
+    m_state->queue.cancel();
+}
+
+FramePtr SimulationThread::takeFrame() {
+    return m_state->mailbox.take().value_or(nullptr);
+}
+
+void SimulationThread::frameShown(std::uint64_t sequence) {
+    m_state->queue.frameShown(sequence);
+}
+
+} // namespace proveout

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The worker thread of the simulation: commands in as values, immutable frames out.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <variant>
+
+#include "core/simulation/frame.h"
+
+namespace proveout {
+
+/// A new program and set-up; the position goes to 0. Older frames are stale from now on.
+struct LoadCommand {
+    std::shared_ptr<const Program> program;
+    std::shared_ptr<const Setup> setup;
+    DecimationParameters parameters;
+    std::uint64_t generation = 0;
+};
+/// An edited program for the same set-up: goes on from the first changed block (Simulation::replaceProgram).
+struct EditCommand {
+    std::shared_ptr<const Program> program;
+    std::uint64_t generation = 0;
+};
+struct ParametersCommand {
+    DecimationParameters parameters;
+};
+struct PlayCommand {
+    double blocksPerSecond = 50; ///< infinity: as fast as possible
+    bool everyBlock = false;     ///< paper mode: one frame a block, the next block after frameShown()
+};
+struct PauseCommand {};
+struct SeekCommand {
+    std::size_t block = 0;
+};
+/// Relative to the position when the command is executed, so that quick key presses add up.
+struct StepCommand {
+    std::ptrdiff_t blocks = 1;
+};
+using SimulationCommand = std::variant<LoadCommand, EditCommand, ParametersCommand, PlayCommand, PauseCommand,
+                                       SeekCommand, StepCommand>;
+
+/// What the thread tells; called on the simulation thread, must return at once (post to your own event loop).
+struct SimulationListener {
+    std::function<void()> frameReady;        ///< a newer frame lies in the mailbox
+    std::function<void(double)> progress;    ///< of long work, in [0, 1]; 1 ends it
+    std::function<void(Diagnostics)> failed; ///< a load that could not be carried out
+};
+
+/// Owns the simulation and its thread. Methods may be called from one other thread and never wait for work.
+/// Every command stops the work under way; afterwards the work goes on where it is still wanted. A newer seek
+/// or load takes the place of an older one, a pause gives a seek up, a step pauses playback, playback goes on
+/// from the block of a seek.
+class SimulationThread {
+public:
+    explicit SimulationThread(SimulationListener listener);
+    ~SimulationThread(); ///< stops the work and joins
+    SimulationThread(const SimulationThread&) = delete;
+    SimulationThread& operator=(const SimulationThread&) = delete;
+
+    void post(SimulationCommand command);
+    /// Stops long work under way (a seek, a load) within 200 ms and pauses; the state stays valid, and
+    /// nothing is taken up again before the next command.
+    void cancel();
+    /// The newest frame that was not taken yet, or null.
+    [[nodiscard]] FramePtr takeFrame();
+    /// Paper mode: the frame with this sequence number is on the screen.
+    void frameShown(std::uint64_t sequence);
+
+private:
+    struct State;
+    std::unique_ptr<State> m_state;
+};
+
+} // namespace proveout

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace proveout {
+
+/// What is known of one block that moves, after it was executed.
+struct BlockStatistics {
+    std::uint32_t facesShown = 0;       ///< triangles of the surface after the block
+    std::uint32_t facesFull = 0;        ///< triangles without decimation
+    std::uint32_t regionsDirty = 0;     ///< regions drawn from the z-map after the block
+    std::uint32_t regionsDecimated = 0; ///< regions decimated at the end of the block
+    float cutSeconds = 0;
+    float decimationSeconds = 0;
+    float removedMm3 = 0;
+    float maxDepth = 0; ///< largest height removed at a point, mm
+};
+
+/// What is known of one frame that was drawn; it stands for the blocks (firstBlock, lastBlock].
+struct FrameStatistics {
+    std::uint32_t firstBlock = 0;
+    std::uint32_t lastBlock = 0;
+    float cutSeconds = 0;
+    float decimationSeconds = 0;
+    float uploadSeconds = 0;
+    float drawSeconds = 0;
+};
+
+} // namespace proveout

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/checkpoints.h"
+
+#include <gtest/gtest.h>
+#include <set>
+
+namespace proveout {
+namespace {
+
+constexpr int kTiles = 16; // 4 × 4
+
+ZMap wideMap() {
+    const StockBox stock{Vec3(0), 255, 255, 10};
+    return {stock, makeGrid(stock, 1).value()};
+}
+
+/// Changes one tile and takes the moment.
+Checkpoint next(ZMap& zmap, std::size_t block) {
+    zmap.tileForWriting(block % kTiles).at(0, 0) = -static_cast<float>(block);
+    return {block, zmap.snapshot(), 0, static_cast<double>(block), 0};
+}
+
+TEST(Checkpoints, CountEachTileOnce) {
+    ZMap zmap = wideMap();
+    Checkpoints checkpoints;
+    checkpoints.restart({0, zmap.snapshot(), 0, 0, 0});
+    const std::size_t uncut = checkpoints.bytes();
+    EXPECT_GE(uncut, kTiles * sizeof(Tile));
+    for (std::size_t block = 1; block <= 10; ++block)
+        checkpoints.add(next(zmap, block));
+    const std::size_t pointers = kTiles * sizeof(std::shared_ptr<const Tile>);
+    EXPECT_EQ(checkpoints.bytes(), uncut + 10 * (sizeof(Tile) + pointers));
+}
+
+TEST(Checkpoints, StayWithinTheirBudgetAndFindTheNearest) {
+    ZMap zmap = wideMap();
+    Checkpoints checkpoints;
+    checkpoints.setBudget(200 * sizeof(Tile));
+    checkpoints.restart({0, zmap.snapshot(), 0, 0, 0});
+    for (std::size_t block = 1; block <= 500; ++block) {
+        checkpoints.add(next(zmap, block));
+        ASSERT_LE(checkpoints.bytes(), 200 * sizeof(Tile));
+        ASSERT_EQ(checkpoints.before(0).block, 0U);
+    }
+    EXPECT_GT(checkpoints.size(), 10U);
+    std::size_t widest = 0;
+    for (std::size_t block = 0; block <= 500; ++block) {
+        ASSERT_LE(checkpoints.before(block).block, block);
+        widest = std::max(widest, block - checkpoints.before(block).block);
+    }
+    EXPECT_LT(widest, 3 * 500 / checkpoints.size()); // thinned evenly, not cut off at one end
+}
+
+TEST(Checkpoints, AreForgottenBehindAnEdit) {
+    ZMap zmap = wideMap();
+    Checkpoints checkpoints;
+    checkpoints.restart({0, zmap.snapshot(), 0, 0, 0});
+    const std::size_t uncut = checkpoints.bytes();
+    for (std::size_t block = 10; block <= 50; block += 10)
+        checkpoints.add(next(zmap, block));
+    checkpoints.truncate(25);
+    EXPECT_EQ(checkpoints.before(1000).block, 20U);
+    checkpoints.truncate(0);
+    EXPECT_EQ(checkpoints.size(), 1U);
+    EXPECT_EQ(checkpoints.bytes(), uncut);
+}
+
+} // namespace
+} // namespace proveout

@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <random>
+#include <sstream>
+#include <vector>
+
+#include "tests/core/simulation/moments.h"
+#include "tests/core/simulation/programs.h"
+
+namespace proveout {
+namespace {
+
+std::vector<std::string> linesOf(const std::string& text) {
+    std::vector<std::string> lines;
+    std::istringstream in(text);
+    for (std::string line; std::getline(in, line);)
+        lines.push_back(line);
+    return lines;
+}
+
+std::string joined(const std::vector<std::string>& lines) {
+    std::string text;
+    for (const auto& line : lines)
+        text += line + "\n";
+    return text;
+}
+
+/// Replaces, removes or adds a line behind the head of the program.
+std::string edited(const std::string& text, std::mt19937& random) {
+    auto lines = linesOf(text);
+    const auto at = static_cast<std::ptrdiff_t>(4 + random() % (lines.size() - 5));
+    switch (random() % 4) {
+    case 0:
+        lines[static_cast<std::size_t>(at)] = "G1 X20 Y15 Z-5 F500";
+        break;
+    case 1:
+        lines.erase(lines.begin() + at);
+        break;
+    case 2:
+        lines.insert(lines.begin() + at, "G1 X10 Y25 Z-6 F500");
+        break;
+    default:
+        lines.insert(lines.begin() + at, "(a remark changes no block)");
+    }
+    return joined(lines);
+}
+
+std::string sentences(const Diagnostics& diagnostics) {
+    std::string text;
+    for (const auto& diagnostic : diagnostics)
+        text += oneLine(diagnostic) + "\n";
+    return text;
+}
+
+TEST(Edit, GoesOnLikeAFreshRun) {
+    const std::uint32_t seed = std::random_device{}();
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937 random(seed);
+    std::string text = randomProgram(random(), 80);
+    const auto setup = smallSetup();
+    const auto simulation = startedSimulation(programOf(text), setup, {});
+    for (int edit = 0; edit < 25; ++edit) {
+        SCOPED_TRACE(testing::Message() << "edit " << edit);
+        simulation->seek(random() % (simulation->blockCount() + 1));
+        const std::size_t before = simulation->position();
+        const auto old = programOf(text);
+        text = edited(text, random);
+        const auto program = programOf(text);
+        simulation->replaceProgram(program);
+
+        const auto fresh = straightRun(program, setup, {});
+        ASSERT_EQ(simulation->position(), std::min(before, old->firstDifference(*program)));
+        ASSERT_EQ(difference(simulation->frame(), fresh[simulation->position()]), "");
+        simulation->seek(simulation->blockCount());
+        const Frame frame = simulation->frame();
+        ASSERT_EQ(difference(frame, fresh.back()), "");
+        EXPECT_EQ(sentences(frame.findings), sentences(fresh.back().findings));
+        ASSERT_EQ(frame.statistics.size(), fresh.back().statistics.size());
+        for (std::size_t row = 0; row < frame.statistics.size(); ++row) {
+            EXPECT_EQ(frame.statistics[row].facesShown, fresh.back().statistics[row].facesShown)
+                << "row " << row;
+            EXPECT_EQ(frame.statistics[row].regionsDirty, fresh.back().statistics[row].regionsDirty)
+                << "row " << row;
+            EXPECT_EQ(frame.statistics[row].removedMm3, fresh.back().statistics[row].removedMm3)
+                << "row " << row;
+        }
+    }
+}
+
+TEST(Edit, BehindThePositionKeepsThePosition) {
+    const auto simulation =
+        startedSimulation(programOf("T1 M6\nG0 X5 Y5 Z5\nG1 Z-2 F100\nX30\nY20\n"), smallSetup(), {});
+    simulation->seek(2);
+    simulation->replaceProgram(programOf("T1 M6\nG0 X5 Y5 Z5\nG1 Z-2 F100\nX30\nY10\nX5\n"));
+    EXPECT_EQ(simulation->position(), 2U);
+    EXPECT_EQ(simulation->blockCount(), 5U);
+}
+
+TEST(Edit, ThatSelectsAToolStartsAnew) {
+    const auto setup = smallSetup();
+    const auto simulation = startedSimulation(programOf("G0 X5 Y5 Z5\nG1 Z-2 F100\nX30\n"), setup, {});
+    simulation->seek(3);
+    EXPECT_GT(simulation->frame().removedMm3, 0);
+    // The first blocks read the same, but nothing assumes a tool for them any more.
+    const auto program = programOf("G0 X5 Y5 Z5\nG1 Z-2 F100\nX30\nT2 M6\nG1 Y20\n");
+    simulation->replaceProgram(program);
+    simulation->seek(3);
+    EXPECT_EQ(simulation->frame().removedMm3, 0);
+}
+
+} // namespace
+} // namespace proveout

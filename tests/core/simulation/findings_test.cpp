@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/core/simulation/moments.h"
+#include "tests/core/simulation/programs.h"
+
+namespace proveout {
+namespace {
+
+using testing::HasSubstr;
+
+Diagnostics findingsOf(const std::string& text, const std::shared_ptr<const Setup>& setup = smallSetup()) {
+    const auto simulation = startedSimulation(programOf(text), setup, {});
+    simulation->seek(simulation->blockCount());
+    return simulation->frame().findings;
+}
+
+const Diagnostic* find(const Diagnostics& diagnostics, const std::string& id) {
+    const auto found = std::ranges::find_if(diagnostics, [&](const Diagnostic& d) { return d.id == id; });
+    return found == diagnostics.end() ? nullptr : &*found;
+}
+
+TEST(Findings, NoneInASoundProgram) {
+    EXPECT_TRUE(findingsOf("T1 M6\nG0 X5 Y5 Z5\nG1 Z-2 F100\nX30 Y20\nG3 I-3\nG0 Z5\nX0 Y0\nM30\n").empty());
+}
+
+TEST(Findings, RapidThatCutsIsAFaultWithItsDepth) {
+    const auto findings = findingsOf("T1 M6\nG0 X5 Y5 Z5\nZ-3\nX30\nG0 Z5\n");
+    const auto* found = find(findings, "rapid-cuts");
+    ASSERT_NE(found, nullptr);
+    EXPECT_EQ(found->severity, Severity::fault);
+    EXPECT_EQ(found->where.line, 3);
+    EXPECT_THAT(message(*found), HasSubstr("3.000 mm"));
+    EXPECT_EQ(std::ranges::count_if(findings, [](const Diagnostic& d) { return d.where.line == 5; }), 0)
+        << "a retract from where the cut ended removes nothing";
+}
+
+TEST(Findings, RapidAlongAStockFaceOrACutWallIsNone) {
+    const auto setup = setupWithTool(1, "flat:d=4,l=20");
+    EXPECT_TRUE(findingsOf("T1 M6\nG0 X5 Y5 Z0\nX30\nG1 Z-4 F100\nX10\nG0 X30\nZ0\nX0 Y0\n", setup).empty());
+}
+
+TEST(Findings, RapidFromAnUnknownPositionIntoTheStockIsUnverified) {
+    const auto findings = findingsOf("T1 M6\nG0 Z-8\nG0 X10 Y5\n");
+    ASSERT_EQ(findings.size(), 2U);
+    for (std::size_t index = 0; index < 2; ++index) {
+        EXPECT_STREQ(findings[index].id, "rapid-unchecked");
+        EXPECT_TRUE(findings[index].unverified);
+        EXPECT_EQ(findings[index].where.line, static_cast<int>(index) + 2);
+        EXPECT_THAT(message(findings[index]), HasSubstr("8.000 mm below"));
+    }
+}
+
+TEST(Findings, RapidFromAnUnknownPositionThatEndsClearOfTheStockIsNone) {
+    for (const char* start : {"G0 Z0", "G0 X10 Y5", "G0 X10 Y5 Z1", "G0 X-2.1 Y5 Z-8", "G0 X42.1\nG0 Z-8"})
+        EXPECT_TRUE(findingsOf(fmt::format("T1 M6\n{}\n", start)).empty()) << start;
+}
+
+TEST(Findings, RapidFromAnUnknownPositionIsMeasuredAgainstTheStockThatIsLeft) {
+    const std::string pocket = "T1 M6\nG0 X20 Y15 Z5\nG1 Z-8 F100\nG28\n";
+    EXPECT_EQ(find(findingsOf(pocket + "G0 X20 Y15 Z-7\n"), "rapid-unchecked"), nullptr);
+    EXPECT_NE(find(findingsOf(pocket + "G0 X10 Y15 Z-7\n"), "rapid-unchecked"), nullptr);
+}
+
+TEST(Findings, TellLargeToolNumbersExactly) {
+    const auto findings = findingsOf("T16777217 M6\nG0 X5 Y5 Z5\n");
+    ASSERT_EQ(findings.size(), 1U);
+    EXPECT_THAT(message(findings[0]), HasSubstr("T16777217;"));
+}
+
+TEST(Findings, UndefinedToolCutsNothingAndIsUnverified) {
+    const auto simulation =
+        startedSimulation(programOf("T7 M6\nG0 X5 Y5 Z5\nG1 Z-2 F100\nX30\n"), smallSetup(), {});
+    simulation->seek(3);
+    const Frame frame = simulation->frame();
+    EXPECT_EQ(frame.removedMm3, 0);
+    EXPECT_EQ(frame.tool, 7);
+    ASSERT_EQ(frame.findings.size(), 1U) << "told once, where the tool is missed first";
+    const auto* found = find(frame.findings, "tool-undefined");
+    ASSERT_NE(found, nullptr);
+    EXPECT_TRUE(found->unverified);
+    EXPECT_EQ(found->severity, Severity::error);
+    EXPECT_EQ(found->where.line, 2);
+    EXPECT_THAT(message(*found), HasSubstr("T7"));
+}
+
+TEST(Findings, CuttingWithoutAToolIsUnverified) {
+    const auto setup = setupWithTool(2, "flat:d=4,l=20"); // two tools: nothing can be assumed
+    const auto findings = findingsOf("G0 X5 Y5 Z5\nG1 Z-2 F100\nX30\n", setup);
+    ASSERT_EQ(findings.size(), 1U);
+    EXPECT_STREQ(findings[0].id, "no-tool");
+    EXPECT_TRUE(findings[0].unverified);
+    EXPECT_EQ(findings[0].where.line, 2);
+}
+
+TEST(Findings, TheOnlyToolIsAssumedWithANote) {
+    const auto simulation = startedSimulation(programOf("G0 X5 Y5 Z5\nG1 Z-2 F100\nX30\n"), smallSetup(), {});
+    simulation->seek(3);
+    const Frame frame = simulation->frame();
+    EXPECT_GT(frame.removedMm3, 0);
+    EXPECT_EQ(frame.tool, 1);
+    ASSERT_EQ(frame.findings.size(), 1U);
+    EXPECT_STREQ(frame.findings[0].id, "tool-assumed");
+    EXPECT_EQ(frame.findings[0].severity, Severity::note);
+    EXPECT_FALSE(frame.findings[0].unverified);
+}
+
+TEST(Findings, DepthBeyondTheFlutesIsAFault) {
+    const auto setup = setupWithTool(1, "flat:d=4,l=3");
+    const auto findings = findingsOf("T1 M6\nG0 X5 Y5 Z5\nG1 Z-3 F100\nX10\nZ-6.5\nG0 Z5\n", setup);
+    ASSERT_EQ(findings.size(), 1U) << "3 mm at once is as long as the flutes";
+    EXPECT_STREQ(findings[0].id, "depth-beyond-flutes");
+    EXPECT_EQ(findings[0].severity, Severity::fault);
+    EXPECT_EQ(findings[0].where.line, 5);
+}
+
+/// `count` rapids that each remove material.
+std::string manyRapids(int count) {
+    std::string text = "T1 M6\nG0 X0 Y0 Z5\n";
+    for (int block = 0; block < count; ++block)
+        text += fmt::format("G0 X{} Y{} Z{}\n", block % 38, block % 27, -0.1 * block / 8);
+    return text;
+}
+
+TEST(Findings, AreBoundedAndTheLastTellsTheRest) {
+    const auto program = programOf(manyRapids(400));
+    const auto straight = straightRun(program, smallSetup(), {});
+    std::size_t cutting = 0;
+    for (std::size_t row = 0; row < straight.back().statistics.size(); ++row)
+        cutting += straight.back().statistics[row].maxDepth > 2e-3F ? 1 : 0;
+    const auto& findings = straight.back().findings;
+    ASSERT_GT(cutting, 150U);
+    ASSERT_EQ(findings.size(), 101U);
+    EXPECT_STREQ(findings.back().id, "more-findings");
+    EXPECT_EQ(findings.back().arguments.front(), std::to_string(cutting - 100));
+    EXPECT_EQ(findings.back().severity, Severity::fault) << "as severe as the worst of the rest";
+    EXPECT_FALSE(findings.back().unverified);
+}
+
+TEST(Findings, OfAMissingToolAreToldAgainAfterAnEdit) {
+    const auto simulation =
+        startedSimulation(programOf("T7 M6\nG0 X5 Y5 Z5\nG1 Z-2 F100\n"), smallSetup(), {});
+    simulation->seek(2);
+    simulation->replaceProgram(programOf("T7 M6\nG0 X6 Y5 Z5\nG1 Z-2 F100\n"));
+    EXPECT_TRUE(simulation->frame().findings.empty());
+    simulation->seek(2);
+    EXPECT_EQ(simulation->frame().findings.size(), 1U);
+}
+
+TEST(Findings, FollowTheirLineThroughAnEdit) {
+    const auto simulation = startedSimulation(programOf("T1 M6\nG0 X5 Y5 Z5\nZ-3\n"), smallSetup(), {});
+    simulation->seek(2);
+    ASSERT_EQ(simulation->frame().findings.at(0).where.line, 3);
+    simulation->replaceProgram(programOf("(head)\n(of two lines)\nT1 M6\nG0 X5 Y5 Z5\nZ-3\n"));
+    EXPECT_EQ(simulation->position(), 2U);
+    EXPECT_EQ(simulation->frame().findings.at(0).where.line, 5);
+}
+
+} // namespace
+} // namespace proveout

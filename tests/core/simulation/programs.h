@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <string>
+
+#include "core/nc/program.h"
+#include "core/simulation/setup.h"
+
+namespace proveout {
+
+/// Interprets a text; the start position is unknown, as on a machine.
+[[nodiscard]] std::shared_ptr<const Program> programOf(const std::string& text);
+
+/// A program of `blocks` moving blocks over a 40 × 30 mm stock: slanted, level and plunging feeds, arcs and
+/// retracts by G0, cutting down to -8 mm. Equal seeds give equal programs.
+[[nodiscard]] std::string randomProgram(std::uint_fast32_t seed, int blocks);
+
+/// A 40 × 30 × 10 mm stock with its corner at the origin, and T1, a 4 mm ball-end mill.
+[[nodiscard]] std::shared_ptr<const Setup> smallSetup(double spacing = 0.5);
+
+/// The same with another cutter, added or in place of T1.
+[[nodiscard]] std::shared_ptr<const Setup> setupWithTool(int number, const std::string& spec);
+
+} // namespace proveout

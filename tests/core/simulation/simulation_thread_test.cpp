@@ -1,0 +1,320 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/simulation_thread.h"
+
+#include <atomic>
+#include <chrono>
+#include <cmath>
+#include <condition_variable>
+#include <gtest/gtest.h>
+#include <limits>
+#include <mutex>
+#include <random>
+#include <thread>
+
+#include "tests/core/simulation/moments.h"
+#include "tests/core/simulation/programs.h"
+
+namespace proveout {
+namespace {
+
+using namespace std::chrono_literals;
+using Clock = std::chrono::steady_clock;
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr auto kPatience = 30s; // far more than a loaded machine needs; only a failure waits so long
+
+// What is promised; a sanitized build is some ten times slower.
+#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
+constexpr auto kCancelLimit = 2000ms;
+#else
+constexpr auto kCancelLimit = 200ms;
+#endif
+
+/// A thread with a listener that lets a test wait for frames.
+class Listening {
+public:
+    Listening()
+        : m_thread({[this] { wake(); },
+                    [this](double done) {
+                        const std::scoped_lock lock(m_mutex);
+                        m_progress = done;
+                    },
+                    [this](Diagnostics diagnostics) {
+                        const std::scoped_lock lock(m_mutex);
+                        m_failure = std::move(diagnostics);
+                        m_changed.notify_all();
+                    }}) {}
+
+    SimulationThread& thread() { return m_thread; }
+
+    /// The first frame that fulfils `wanted`; null where none came in time.
+    template<class Wanted>
+    FramePtr waitFor(Wanted wanted) {
+        const auto end = Clock::now() + kPatience;
+        std::unique_lock lock(m_mutex);
+        while (Clock::now() < end) {
+            if (auto frame = m_thread.takeFrame()) {
+                m_last = frame;
+                m_thread.frameShown(frame->sequence);
+            }
+            if (m_last && wanted(*m_last))
+                return m_last;
+            m_changed.wait_for(lock, 20ms);
+        }
+        return nullptr;
+    }
+    FramePtr waitForBlock(std::size_t block) {
+        return waitFor([block](const Frame& frame) {
+            return frame.block == block && (frame.surface.dirtyRegions == 0 || block % 20 != 0);
+        });
+    }
+    Diagnostics waitForFailure() {
+        std::unique_lock lock(m_mutex);
+        m_changed.wait_for(lock, kPatience, [this] { return !m_failure.empty(); });
+        return m_failure;
+    }
+    void forget() { m_last.reset(); }
+
+private:
+    void wake() {
+        const std::scoped_lock lock(m_mutex);
+        m_changed.notify_all();
+    }
+
+    std::mutex m_mutex;
+    std::condition_variable m_changed;
+    Diagnostics m_failure;
+    double m_progress = 0;
+    FramePtr m_last;
+    SimulationThread m_thread; // last: it ends before what its listener uses
+};
+
+TEST(SimulationThread, LoadsSeeksAndSteps) {
+    const auto program = programOf(randomProgram(21, 100));
+    const auto straight = straightRun(program, smallSetup(), {});
+    Listening listening;
+    auto& thread = listening.thread();
+    thread.post(LoadCommand{program, smallSetup(), {}, 5});
+    const auto first = listening.waitForBlock(0);
+    ASSERT_NE(first, nullptr);
+    EXPECT_EQ(first->generation, 5U);
+    EXPECT_EQ(difference(*first, straight[0]), "");
+
+    thread.post(SeekCommand{60});
+    const auto second = listening.waitForBlock(60);
+    ASSERT_NE(second, nullptr);
+    EXPECT_EQ(difference(*second, straight[60]), "");
+    EXPECT_GT(second->sequence, first->sequence);
+
+    for (int press = 0; press < 5; ++press)
+        thread.post(StepCommand{-1});
+    const auto third = listening.waitForBlock(55);
+    ASSERT_NE(third, nullptr) << "quick key presses add up";
+    EXPECT_EQ(difference(*third, straight[55]), "");
+    thread.post(StepCommand{std::numeric_limits<std::ptrdiff_t>::max()});
+    EXPECT_NE(listening.waitForBlock(100), nullptr);
+    thread.post(StepCommand{std::numeric_limits<std::ptrdiff_t>::min()});
+    EXPECT_NE(listening.waitForBlock(0), nullptr);
+}
+
+TEST(SimulationThread, PlaysToTheEndAndStops) {
+    const auto program = programOf(randomProgram(22, 200));
+    const auto straight = straightRun(program, smallSetup(), {});
+    Listening listening;
+    auto& thread = listening.thread();
+    thread.post(LoadCommand{program, smallSetup(), {}, 1});
+    thread.post(PlayCommand{kInfinity, false});
+    const auto end =
+        listening.waitFor([](const Frame& frame) { return frame.block == 200 && !frame.playing; });
+    ASSERT_NE(end, nullptr);
+    EXPECT_EQ(difference(*end, straight[200]), "");
+}
+
+TEST(SimulationThread, PlaysByTheWallClock) {
+    Listening listening;
+    auto& thread = listening.thread();
+    thread.post(LoadCommand{programOf(randomProgram(23, 400)), smallSetup(), {}, 1});
+    ASSERT_NE(listening.waitForBlock(0), nullptr);
+    const auto start = Clock::now();
+    thread.post(PlayCommand{200, false});
+    const auto frame = listening.waitFor([](const Frame& shown) { return shown.block >= 60; });
+    ASSERT_NE(frame, nullptr);
+    // 60 blocks at 200 a second take 0.3 s at least; how much longer, the machine decides.
+    EXPECT_GE(Clock::now() - start, 290ms);
+}
+
+TEST(SimulationThread, PaperModeShowsEveryBlock) {
+    Listening listening;
+    auto& thread = listening.thread();
+    thread.post(LoadCommand{programOf(randomProgram(24, 50)), smallSetup(), {}, 1});
+    ASSERT_NE(listening.waitForBlock(0), nullptr);
+    thread.post(PlayCommand{kInfinity, true});
+    std::vector<std::size_t> blocks;
+    const auto end = listening.waitFor([&blocks](const Frame& frame) {
+        if (blocks.empty() || blocks.back() != frame.block)
+            blocks.push_back(frame.block);
+        return frame.block == 50;
+    });
+    ASSERT_NE(end, nullptr);
+    for (std::size_t k = 1; k < blocks.size(); ++k)
+        EXPECT_EQ(blocks[k], blocks[k - 1] + 1);
+    EXPECT_EQ(blocks.size(), 51U);
+}
+
+TEST(SimulationThread, PaperModeAnswersCommandsWhileNobodyDraws) {
+    Listening listening;
+    auto& thread = listening.thread();
+    thread.post(LoadCommand{programOf(randomProgram(24, 50)), smallSetup(), {}, 1});
+    ASSERT_NE(listening.waitForBlock(0), nullptr);
+    thread.post(PlayCommand{kInfinity, true});
+    std::this_thread::sleep_for(50ms); // no frame is shown meanwhile
+    thread.post(PauseCommand{});
+    const auto paused =
+        listening.waitFor([](const Frame& frame) { return frame.block > 0 && !frame.playing; });
+    ASSERT_NE(paused, nullptr);
+    EXPECT_EQ(paused->block, 1U);
+}
+
+TEST(SimulationThread, PauseHoldsThePosition) {
+    Listening listening;
+    auto& thread = listening.thread();
+    thread.post(LoadCommand{programOf(randomProgram(25, 3000)), smallSetup(), {}, 1});
+    thread.post(PlayCommand{500, false});
+    ASSERT_NE(listening.waitFor([](const Frame& frame) { return frame.block > 10; }), nullptr);
+    thread.post(PauseCommand{});
+    const auto paused =
+        listening.waitFor([](const Frame& frame) { return !frame.playing && frame.block > 0; });
+    ASSERT_NE(paused, nullptr);
+    std::this_thread::sleep_for(100ms);
+    const auto later = thread.takeFrame();
+    EXPECT_TRUE(later == nullptr || later->block == paused->block);
+}
+
+TEST(SimulationThread, AppliesEditsAndParametersInOrder) {
+    const auto before = programOf(randomProgram(26, 60));
+    const auto after = programOf(randomProgram(27, 60));
+    DecimationParameters coarse;
+    coarse.allowance = 0.4;
+    const auto straight = straightRun(after, smallSetup(), coarse);
+    Listening listening;
+    auto& thread = listening.thread();
+    thread.post(LoadCommand{before, smallSetup(), {}, 1});
+    thread.post(SeekCommand{50});
+    thread.post(ParametersCommand{coarse});
+    thread.post(EditCommand{after, 2});
+    thread.post(SeekCommand{60});
+    const auto frame = listening.waitFor([](const Frame& shown) {
+        return shown.generation == 2 && shown.block == 60 && shown.surface.dirtyRegions == 0;
+    });
+    ASSERT_NE(frame, nullptr);
+    EXPECT_EQ(difference(*frame, straight[60]), "");
+}
+
+TEST(SimulationThread, TellsWhyALoadFailed) {
+    auto setup = std::make_shared<proveout::Setup>(*smallSetup());
+    setup->stock.width = 1e9;
+    setup->spacing = 1e-3;
+    Listening listening;
+    listening.thread().post(LoadCommand{programOf(randomProgram(28, 10)), setup, {}, 1});
+    EXPECT_FALSE(listening.waitForFailure().empty());
+    // Commands without a simulation are harmless, and the next load works.
+    listening.thread().post(SeekCommand{3});
+    listening.thread().post(LoadCommand{programOf(randomProgram(28, 10)), smallSetup(), {}, 2});
+    EXPECT_NE(listening.waitFor([](const Frame& frame) { return frame.generation == 2; }), nullptr);
+}
+
+TEST(SimulationThread, AnswersACancelOfLongWorkSoon) {
+    Listening listening;
+    auto& thread = listening.thread();
+    thread.post(LoadCommand{programOf(randomProgram(29, 20'000)), smallSetup(0.1), {}, 1});
+    ASSERT_NE(listening.waitFor([](const Frame& shown) { return shown.surface.dirtyRegions == 0; }), nullptr);
+    thread.post(SeekCommand{20'000});
+    std::this_thread::sleep_for(100ms);
+    listening.forget();
+    const auto asked = Clock::now();
+    thread.cancel();
+    const auto frame = listening.waitFor([](const Frame&) { return true; });
+    ASSERT_NE(frame, nullptr);
+    EXPECT_LT(frame->block, 20'000U);
+    EXPECT_LT(Clock::now() - asked, kCancelLimit);
+    std::this_thread::sleep_for(50ms);
+    const auto later = thread.takeFrame();
+    EXPECT_TRUE(later == nullptr || later->block == frame->block) << "cancelled work is not taken up again";
+}
+
+/// Random commands from another thread for some seconds, then the state must be what the last ones ask for.
+TEST(SimulationThread, SurvivesAStormOfCommands) {
+    const std::uint32_t seed = std::random_device{}();
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937 random(seed);
+    const std::vector<std::shared_ptr<const Program>> programs{programOf(randomProgram(31, 150)),
+                                                               programOf(randomProgram(32, 150)),
+                                                               programOf(randomProgram(33, 90))};
+    DecimationParameters parameters;
+    Listening listening;
+    auto& thread = listening.thread();
+    thread.post(LoadCommand{programs[0], smallSetup(), parameters, 1});
+    std::uint64_t generation = 1;
+    const auto end = Clock::now() + 4s;
+    while (Clock::now() < end) {
+        switch (random() % 11) {
+        case 0:
+            thread.post(LoadCommand{programs[random() % 3], smallSetup(), parameters, ++generation});
+            break;
+        case 1:
+            thread.post(EditCommand{programs[random() % 3], ++generation});
+            break;
+        case 2:
+            parameters.allowance = 0.01 * static_cast<double>(random() % 20);
+            parameters.period = static_cast<int>(random() % 30) - 1;
+            thread.post(ParametersCommand{parameters});
+            break;
+        case 3:
+            thread.post(PlayCommand{random() % 2 == 0 ? kInfinity : 300.0, random() % 3 == 0});
+            break;
+        case 4:
+            thread.post(PauseCommand{});
+            break;
+        case 5:
+            thread.cancel();
+            break;
+        case 6:
+        case 7:
+            thread.post(StepCommand{static_cast<std::ptrdiff_t>(random() % 9) - 4});
+            break;
+        default:
+            thread.post(SeekCommand{random() % 160});
+        }
+        if (const auto frame = thread.takeFrame()) {
+            ASSERT_LE(frame->block, frame->program->blockCount());
+            ASSERT_GE(frame->statistics.size(), frame->block);
+            thread.frameShown(frame->sequence);
+        }
+        std::this_thread::sleep_for(std::chrono::microseconds(random() % 3000));
+    }
+    parameters = {};
+    const auto& last = programs[1];
+    thread.post(PauseCommand{});
+    thread.post(ParametersCommand{parameters});
+    thread.post(EditCommand{last, ++generation});
+    thread.post(SeekCommand{123});
+    const auto straight = straightRun(last, smallSetup(), parameters);
+    const auto frame = listening.waitFor([&](const Frame& shown) {
+        return shown.generation == generation && shown.block == 123 &&
+               difference(shown, straight[123]).empty();
+    });
+    ASSERT_NE(frame, nullptr);
+    EXPECT_EQ(frame->parameters, parameters);
+}
+
+TEST(SimulationThread, EndsInTheMiddleOfWork) {
+    for (int round = 0; round < 5; ++round) {
+        Listening listening;
+        listening.thread().post(LoadCommand{programOf(randomProgram(40, 5000)), smallSetup(0.2), {}, 1});
+        listening.thread().post(SeekCommand{5000});
+        std::this_thread::sleep_for(std::chrono::milliseconds(10 * round));
+    }
+}
+
+} // namespace
+} // namespace proveout

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Work that was stopped leaves a state that later work completes to what it would have been.
+#include <gtest/gtest.h>
+#include <random>
+#include <thread>
+
+#include "tests/core/simulation/moments.h"
+#include "tests/core/simulation/programs.h"
+
+namespace proveout {
+namespace {
+
+WorkContext stoppedContext() {
+    std::stop_source source;
+    source.request_stop();
+    return {source.get_token(), {}};
+}
+
+TEST(Stop, AtOnceLeavesAValidState) {
+    const auto program = programOf(randomProgram(8, 60));
+    auto created = Simulation::create(program, smallSetup(), {}, stoppedContext());
+    ASSERT_TRUE(created);
+    Simulation& simulation = **created;
+    EXPECT_FALSE(simulation.settled());
+    EXPECT_EQ(simulation.frame().surface.faces, simulation.frame().surface.facesFull);
+    simulation.seek(30, stoppedContext());
+    EXPECT_EQ(simulation.position(), 0U);
+    simulation.seek(0);
+    EXPECT_TRUE(simulation.settled());
+    EXPECT_EQ(simulation.frame().surface.dirtyRegions, 0U);
+}
+
+TEST(Stop, AnywhereIsCompletedLater) {
+    const std::uint32_t seed = std::random_device{}();
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937 random(seed);
+    const auto program = programOf(randomProgram(random(), 120));
+    const auto setup = smallSetup();
+    DecimationParameters fine;
+    fine.period = 10;
+    DecimationParameters coarse = fine;
+    coarse.allowance = 0.2;
+    const auto straight = straightRun(program, setup, fine);
+    const auto straightCoarse = straightRun(program, setup, coarse);
+    const auto simulation = startedSimulation(program, setup, fine);
+    bool isFine = true;
+    for (int round = 0; round < 150; ++round) {
+        SCOPED_TRACE(testing::Message() << "round " << round);
+        std::stop_source source;
+        const WorkContext context{source.get_token(), {}};
+        std::jthread stopper([&source, delay = std::chrono::microseconds(random() % 3000)] {
+            std::this_thread::sleep_for(delay);
+            source.request_stop();
+        });
+        if (random() % 3 == 0) {
+            isFine = !isFine;
+            simulation->setParameters(isFine ? fine : coarse, context);
+        } else {
+            simulation->seek(random() % (program->blockCount() + 1), context);
+        }
+        stopper.join();
+        ASSERT_TRUE(sameZMap(simulation->zmap(), straight[simulation->position()].zmap));
+        if (random() % 2 == 0) {
+            simulation->seek(simulation->position());
+            ASSERT_TRUE(simulation->settled());
+            const auto& wanted = (isFine ? straight : straightCoarse)[simulation->position()];
+            ASSERT_EQ(difference(simulation->frame(), wanted), "");
+        }
+    }
+    // Rows of stopped blocks must not tell of surfaces that never were.
+    if (!isFine)
+        simulation->setParameters(fine);
+    const auto fresh = startedSimulation(program, setup, fine);
+    simulation->seek(0);
+    while (!simulation->atEnd())
+        simulation->step();
+    fresh->seek(program->blockCount());
+    const auto rows = simulation->frame().statistics;
+    const auto wanted = fresh->frame().statistics;
+    ASSERT_EQ(rows.size(), wanted.size());
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        EXPECT_EQ(rows[row].facesShown, wanted[row].facesShown) << "row " << row;
+        EXPECT_EQ(rows[row].regionsDecimated, wanted[row].regionsDecimated) << "row " << row;
+    }
+}
+
+TEST(Stop, RowsOfAnInterruptedRunAreTrue) {
+    const std::uint32_t seed = std::random_device{}();
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937 random(seed);
+    const auto program = programOf(randomProgram(random(), 100));
+    DecimationParameters parameters;
+    parameters.period = 3;
+    const auto wanted = straightRun(program, smallSetup(), parameters).back().statistics;
+    const auto simulation = startedSimulation(program, smallSetup(), parameters);
+    while (!simulation->atEnd()) {
+        std::stop_source source;
+        std::jthread stopper([&source, delay = std::chrono::microseconds(random() % 2000)] {
+            std::this_thread::sleep_for(delay);
+            source.request_stop();
+        });
+        simulation->seek(program->blockCount(), {source.get_token(), {}});
+        stopper.join();
+        if (random() % 4 == 0) // away from a block whose decimation may not have ended
+            simulation->seek(random() % (simulation->position() + 1));
+    }
+    simulation->seek(simulation->position());
+    const auto rows = simulation->frame().statistics;
+    ASSERT_EQ(rows.size(), wanted.size());
+    for (std::size_t row = 0; row < rows.size(); ++row) {
+        EXPECT_EQ(rows[row].facesShown, wanted[row].facesShown) << "row " << row;
+        EXPECT_EQ(rows[row].regionsDirty, wanted[row].regionsDirty) << "row " << row;
+        EXPECT_EQ(rows[row].regionsDecimated, wanted[row].regionsDecimated) << "row " << row;
+    }
+}
+
+} // namespace
+} // namespace proveout
