@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The table of file formats: one row a format, with its reader and writer. Command line, dialogs and tests
+// read it; adding a format is one row and its functions.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string_view>
+#include <variant>
+
+#include "core/base/diagnostic.h"
+#include "core/base/work_context.h"
+#include "core/decimation/solid.h"
+#include "core/formats/job_file.h"
+#include "core/formats/npy.h"
+#include "core/formats/stl.h"
+
+namespace proveout {
+
+/// A null function: the format is not read, or not written.
+struct MeshFormat {
+    Result<TriangleMesh> (*read)(const std::filesystem::path& file);
+    Result<WrittenFile> (*write)(const std::filesystem::path& file, const TriangleMesh& mesh,
+                                 const WorkContext& context);
+};
+struct HeightsFormat {
+    Result<NpyArray> (*read)(const std::filesystem::path& file);
+    Result<void> (*write)(const std::filesystem::path& file, const NpyArray& heights);
+};
+struct JobFormat {
+    Result<Job> (*read)(const std::filesystem::path& file);
+    Result<void> (*write)(const std::filesystem::path& file, const Job& job);
+};
+
+struct FileFormat {
+    const char* key;                         ///< on the command line, e.g. "stl"
+    const char* label;                       ///< for people; marked with PROVEOUT_TEXT
+    std::span<const char* const> extensions; ///< with the dot, lower case; the first is proposed
+    const char* holds;                       ///< for people; marked with PROVEOUT_TEXT
+    std::variant<MeshFormat, HeightsFormat, JobFormat> handlers;
+
+    [[nodiscard]] bool reads() const;
+    [[nodiscard]] bool writes() const;
+};
+
+[[nodiscard]] std::span<const FileFormat> fileFormats();
+
+/// The row with this key, or null.
+[[nodiscard]] const FileFormat* findFormat(std::string_view key);
+
+} // namespace proveout

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/job_file.h"
+
+#include <charconv>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <system_error>
+#include <type_traits>
+#include <utility>
+
+#include "core/base/atomic_file.h"
+#include "core/base/text.h"
+#include "core/formats/job_json.h"
+
+namespace proveout {
+
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::ordered_json;
+
+constexpr int kSchema = 1;
+constexpr std::uint64_t kSizeLimit = 16'000'000; ///< bytes; a job has a few hundred
+constexpr int kDepthLimit = 32;
+constexpr int kLargestToolNumber = 99'999'999;
+
+constexpr JsonRange kSize{0, 1e6, true};  ///< mm, of a stock or a grid
+constexpr JsonRange kPosition{-1e7, 1e7}; ///< mm
+
+void readStock(JsonFields job, StockBox& stock) {
+    job.require({"stock"});
+    if (!job.has("stock"))
+        return;
+    JsonFields fields = job.object("stock");
+    fields.require({"width", "depth", "height"});
+    fields.read("corner", stock.corner, kPosition);
+    fields.read("width", stock.width, kSize);
+    fields.read("depth", stock.depth, kSize);
+    fields.read("height", stock.height, kSize);
+}
+
+void readTools(JsonFields tools, ToolTable& table) {
+    tools.eachString([&](const std::string& key, const std::string& spec) {
+        int number = -1;
+        const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), number);
+        if (error != std::errc() || end != key.data() + key.size() || number < 0 ||
+            number > kLargestToolNumber) {
+            tools.fail(key, PROVEOUT_TEXT("Core", "\"{}\" is no tool number."), {});
+            return;
+        }
+        if (auto cutter = parseCutter(spec))
+            table.set(number, std::move(*cutter));
+        else
+            tools.fail(key, PROVEOUT_TEXT("Core", "The field \"{}\" is no cutter: {}"),
+                       {message(cutter.error().front())});
+    });
+}
+
+void readParameters(JsonFields fields, DecimationParameters& parameters) {
+    describe(parameters, [&fields](auto& value, const Field& field) {
+        using Value = std::remove_cvref_t<decltype(value)>;
+        if constexpr (std::is_enum_v<Value>) {
+            auto index = static_cast<std::size_t>(value);
+            fields.read(field.key, index, field.choices);
+            value = static_cast<Value>(index);
+        } else if constexpr (std::is_same_v<Value, bool>) {
+            fields.read(field.key, value);
+        } else {
+            fields.read(field.key, value, JsonRange{field.minimum, field.maximum});
+        }
+    });
+}
+
+ordered_json writeParameters(const DecimationParameters& parameters) {
+    ordered_json out = ordered_json::object();
+    describe(parameters, [&out](const auto& value, const Field& field) {
+        if constexpr (std::is_enum_v<std::remove_cvref_t<decltype(value)>>)
+            out[field.key] = field.choices[static_cast<std::size_t>(value)].key;
+        else
+            out[field.key] = value;
+    });
+    return out;
+}
+
+/// The schema comes first: what else a newer file holds cannot be judged.
+Result<void> checkSchema(const nlohmann::json& json) {
+    const auto found = json.is_object() ? json.find("proveout") : json.end();
+    if (!json.is_object() || found == json.end())
+        return failure("not-a-job",
+                       PROVEOUT_TEXT("Core", "This is not a Proveout job: the field \"proveout\" with "
+                                             "the number of its format is missing."));
+    if (!found->is_number_integer() || found->get<double>() < 1)
+        return failure("job-field",
+                       PROVEOUT_TEXT("Core", "The field \"{}\" must be the number of the format."),
+                       {"proveout"});
+    if (found->get<double>() > kSchema)
+        return failure("job-newer",
+                       PROVEOUT_TEXT("Core",
+                                     "The job was written by a newer Proveout (format {}); this one reads "
+                                     "up to format {}."),
+                       {found->dump(), std::to_string(kSchema)});
+    return {};
+}
+
+fs::path absolutePath(const fs::path& path) {
+    std::error_code error;
+    auto absolute = fs::weakly_canonical(fs::absolute(path, error), error);
+    return error ? path : absolute;
+}
+
+Result<Job> parse(std::string_view text, const fs::path& file) {
+    const auto json = parseJson(text, kDepthLimit);
+    if (!json)
+        return tl::unexpected(json.error());
+    if (auto schema = checkSchema(*json); !schema)
+        return tl::unexpected(std::move(schema.error()));
+    Diagnostics errors;
+    JsonFields fields(*json, "", errors);
+    Job job;
+    std::string program;
+    fields.require({"program"});
+    fields.read("program", program);
+    if (fields.has("program") && program.empty() && errors.empty())
+        fields.fail("program", PROVEOUT_TEXT("Core", "The field \"{}\" must name a file."), {});
+    readStock(fields, job.setup.stock);
+    fields.read("grid", job.setup.spacing, kSize);
+    readTools(fields.object("tools"), job.setup.tools);
+    if (fields.has("start")) {
+        Vec3 start(0);
+        fields.read("start", start, kPosition);
+        job.setup.start = start;
+    }
+    fields.read("blockDelete", job.setup.blockDelete);
+    readParameters(fields.object("decimation"), job.parameters);
+    if (!errors.empty())
+        return tl::unexpected(std::move(errors));
+    job.program = absolutePath(absolutePath(file).parent_path() / fs::path(program));
+    return job;
+}
+
+ordered_json toJson(const Vec3& point) {
+    return ordered_json::array({point.x, point.y, point.z});
+}
+
+ordered_json toJson(const Job& job, const fs::path& file) {
+    const auto& setup = job.setup;
+    ordered_json out;
+    out["proveout"] = kSchema;
+    out["program"] = absolutePath(job.program).lexically_proximate(absolutePath(file).parent_path()).string();
+    out["stock"] = {{"corner", toJson(setup.stock.corner)},
+                    {"width", setup.stock.width},
+                    {"depth", setup.stock.depth},
+                    {"height", setup.stock.height}};
+    out["grid"] = setup.spacing;
+    out["tools"] = ordered_json::object();
+    for (const auto& [number, cutter] : setup.tools.tools())
+        out["tools"][std::to_string(number)] = cutter.spec();
+    if (setup.start)
+        out["start"] = toJson(*setup.start);
+    out["blockDelete"] = setup.blockDelete;
+    out["decimation"] = writeParameters(job.parameters);
+    return out;
+}
+
+} // namespace
+
+Result<Job> readJob(const fs::path& file) {
+    const auto text = readFile(file, kSizeLimit);
+    if (!text)
+        return tl::unexpected(text.error());
+    auto job = parse(*text, file);
+    if (!job) {
+        for (auto& diagnostic : job.error())
+            diagnostic.file = file.string();
+    }
+    return job;
+}
+
+Result<void> writeJob(const fs::path& file, const Job& job) {
+    std::string text;
+    try {
+        text = toJson(job, file).dump(2) + "\n";
+    } catch (
+        const nlohmann::json::type_error&) { // dump() knows no other way to refuse bytes that are no UTF-8
+        return failure(
+            "job-not-utf8",
+            PROVEOUT_TEXT("Core", "The name of the program is not UTF-8, which JSON needs; rename it."), {},
+            file.string());
+    }
+    return writeFile(file, text);
+}
+
+} // namespace proveout

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include "core/base/diagnostic.h"
+#include "core/decimation/parameters.h"
+#include "core/simulation/setup.h"
+
+namespace proveout {
+
+/// A job: a program with everything it needs to run. `.proveout`, JSON with a schema number.
+struct Job {
+    std::filesystem::path program; ///< absolute once loaded; stored relative to the job file where it can be
+    Setup setup;
+    DecimationParameters parameters;
+};
+
+/// Reads a job; the program itself is not opened. Errors name the JSON path of the field (e.g. "stock.width")
+/// and what is allowed there, all of them at once; syntax errors have line and column. Unknown fields are
+/// ignored with no message, a newer schema is refused, and so are files larger or nested deeper than any job.
+[[nodiscard]] Result<Job> readJob(const std::filesystem::path& file);
+
+/// Writes a job atomically. Errors: the file cannot be written, or the program's name is not UTF-8.
+[[nodiscard]] Result<void> writeJob(const std::filesystem::path& file, const Job& job);
+
+} // namespace proveout

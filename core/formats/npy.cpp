@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/npy.h"
+
+#include <algorithm>
+#include <bit>
+#include <cassert>
+#include <cmath>
+#include <cstring>
+#include <fmt/format.h>
+#include <limits>
+#include <string_view>
+#include <utility>
+
+#include "core/base/atomic_file.h"
+#include "core/base/memory.h"
+#include "core/base/text.h"
+#include "core/formats/npy_header.h"
+
+namespace proveout {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "NPY values are copied as they lie in memory");
+
+std::string shapeText(const std::vector<std::uint64_t>& shape) {
+    return fmt::format("({}{})", fmt::join(shape, ", "), shape.size() == 1 ? "," : "");
+}
+
+/// What of the header this program can use, and how many values there must be.
+Result<std::size_t> checkHeader(const NpyHeader& header, std::size_t bytes) {
+    if (header.type != "<f4" && header.type != "<f8")
+        return failure("npy-type",
+                       PROVEOUT_TEXT("Core",
+                                     "The NPY file holds values of type \"{}\"; little-endian float32 "
+                                     "(\"<f4\") or float64 (\"<f8\") is needed."),
+                       {header.type});
+    if (header.fortranOrder)
+        return failure("npy-order",
+                       PROVEOUT_TEXT("Core", "The NPY file is in Fortran order; C order is needed."));
+    const auto& shape = header.shape;
+    if (shape.size() != 2 || shape[0] == 0 || shape[1] == 0)
+        return failure("npy-shape",
+                       PROVEOUT_TEXT("Core",
+                                     "The NPY file has the shape {}; two dimensions (rows, columns) are "
+                                     "needed."),
+                       {shapeText(shape)});
+    const std::size_t size = header.type == "<f4" ? sizeof(float) : sizeof(double);
+    const std::size_t present = (bytes - header.dataStart) / size;
+    // In double: the product of two hostile numbers may not fit 64 bits.
+    const double wanted = static_cast<double>(shape[0]) * static_cast<double>(shape[1]);
+    if (wanted > static_cast<double>(present))
+        return failure(
+            "npy-cut-off", PROVEOUT_TEXT("Core", "The NPY file announces {} values ({}) and has {}."),
+            {shapeText(shape), readableBytes(wanted * static_cast<double>(size)), std::to_string(present)});
+    if (std::max(shape[0], shape[1]) > static_cast<std::uint64_t>(std::numeric_limits<int>::max()))
+        return failure("npy-shape",
+                       PROVEOUT_TEXT("Core", "The NPY file has the shape {}; that is too large."),
+                       {shapeText(shape)});
+    return static_cast<std::size_t>(shape[0] * shape[1]);
+}
+
+template<class Value>
+void copyValues(const char* from, std::vector<double>& values) {
+    for (double& value : values) {
+        Value raw;
+        std::memcpy(&raw, from, sizeof raw);
+        value = static_cast<double>(raw);
+        from += sizeof raw;
+    }
+}
+
+Result<void> checkValues(const NpyArray& array) {
+    const auto wrong = std::find_if(array.values.begin(), array.values.end(), [](double value) {
+        return !(std::abs(value) <= static_cast<double>(std::numeric_limits<float>::max()));
+    });
+    if (wrong == array.values.end())
+        return {};
+    const auto index = wrong - array.values.begin();
+    return failure("npy-value",
+                   PROVEOUT_TEXT("Core",
+                                 "The value in row {}, column {} (counted from 0) is {}; heights must be "
+                                 "finite and fit float32."),
+                   {std::to_string(index / array.columns), std::to_string(index % array.columns),
+                    fmt::format("{}", *wrong)});
+}
+
+Result<NpyArray> parse(std::string_view bytes) {
+    const auto header = readNpyHeader(bytes);
+    if (!header)
+        return tl::unexpected(header.error());
+    const auto count = checkHeader(*header, bytes.size());
+    if (!count)
+        return tl::unexpected(count.error());
+    NpyArray array;
+    array.rows = static_cast<int>(header->shape[0]);
+    array.columns = static_cast<int>(header->shape[1]);
+    array.values.resize(*count);
+    if (header->type == "<f4")
+        copyValues<float>(bytes.data() + header->dataStart, array.values);
+    else
+        copyValues<double>(bytes.data() + header->dataStart, array.values);
+    if (auto good = checkValues(array); !good)
+        return tl::unexpected(std::move(good.error()));
+    return array;
+}
+
+} // namespace
+
+Result<NpyArray> readNpy(const std::filesystem::path& file) {
+    const auto bytes = readFile(file);
+    if (!bytes)
+        return tl::unexpected(bytes.error());
+    auto array = parse(*bytes);
+    if (!array) {
+        for (auto& diagnostic : array.error())
+            diagnostic.file = file.string();
+    }
+    return array;
+}
+
+Result<void> writeNpy(const std::filesystem::path& file, const NpyArray& array) {
+    assert(array.values.size() ==
+           static_cast<std::size_t>(array.rows) * static_cast<std::size_t>(array.columns));
+    AtomicFile out(file);
+    out.write(npyHeader(array.rows, array.columns));
+    std::vector<float> row(static_cast<std::size_t>(array.columns));
+    for (auto from = array.values.begin(); from != array.values.end(); from += array.columns) {
+        std::transform(from, from + array.columns, row.begin(),
+                       [](double value) { return static_cast<float>(value); });
+        out.write(row.data(), row.size() * sizeof(float));
+    }
+    return out.commit();
+}
+
+} // namespace proveout

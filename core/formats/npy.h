@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "core/base/diagnostic.h"
+
+namespace proveout {
+
+/// A two-dimensional array of NumPy: shape (rows, columns), C order.
+struct NpyArray {
+    int rows = 0;
+    int columns = 0;
+    std::vector<double> values;
+};
+
+/// Reads little-endian float32 or float64, C order, two dimensions, format versions 1 to 3; anything else is
+/// an error that names it. Every value must be finite and within float32, for these arrays are heights.
+[[nodiscard]] Result<NpyArray> readNpy(const std::filesystem::path& file);
+
+/// Writes float32, atomically. `values` must be rows × columns.
+[[nodiscard]] Result<void> writeNpy(const std::filesystem::path& file, const NpyArray& array);
+
+} // namespace proveout

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the two encodings of STL are read into before vertices are joined.
+#pragma once
+
+#include <array>
+#include <string_view>
+#include <vector>
+
+#include "core/base/diagnostic.h"
+
+namespace proveout {
+
+/// A facet as the file has it: its normal and its three corners.
+using StlFacet = std::array<std::array<float, 3>, 4>;
+
+struct StlFacets {
+    std::vector<StlFacet> facets;
+    Diagnostics warnings;
+};
+
+/// Reads the text of an ASCII STL, several solids in a row included. Key words may have any case. Errors have
+/// line and column; a missing `endsolid` is a warning.
+[[nodiscard]] Result<StlFacets> readAsciiFacets(std::string_view text);
+
+} // namespace proveout

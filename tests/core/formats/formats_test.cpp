@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/formats.h"
+
+#include <gtest/gtest.h>
+#include <set>
+#include <string>
+
+#include "tests/core/temporary_folder.h"
+
+namespace proveout {
+namespace {
+
+TEST(Formats, RowsAreWhole) {
+    std::set<std::string> keys;
+    for (const FileFormat& row : fileFormats()) {
+        EXPECT_TRUE(keys.insert(row.key).second) << "twice: " << row.key;
+        EXPECT_EQ(findFormat(row.key), &row);
+        EXPECT_TRUE(row.reads() || row.writes()) << row.key;
+        EXPECT_NE(std::string(row.label), "");
+        EXPECT_NE(std::string(row.holds), "");
+        ASSERT_FALSE(row.extensions.empty());
+        for (const char* extension : row.extensions)
+            EXPECT_EQ(extension[0], '.');
+    }
+    EXPECT_EQ(findFormat("no such format"), nullptr);
+}
+
+/// Every format that is read and written holds what was put into it.
+TEST(Formats, MeshFormatsReadWhatTheyWrite) {
+    const TemporaryFolder folder;
+    const TriangleMesh tetrahedron{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}},
+                                   {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+    for (const FileFormat& row : fileFormats()) {
+        const auto* format = std::get_if<MeshFormat>(&row.handlers);
+        if (format == nullptr || !row.reads() || !row.writes())
+            continue;
+        const auto file = folder / (std::string(row.key) + row.extensions.front());
+        ASSERT_TRUE(format->write(file, tetrahedron, {})) << row.key;
+        const auto back = format->read(file);
+        ASSERT_TRUE(back) << row.key;
+        EXPECT_EQ(back->vertices.size(), 4U) << row.key;
+        EXPECT_EQ(back->triangles.size(), 4U) << row.key;
+    }
+}
+
+} // namespace
+} // namespace proveout

@@ -1,0 +1,265 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/job_file.h"
+
+#include <filesystem>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <random>
+
+#include "core/base/atomic_file.h"
+#include "tests/core/formats/random_bytes.h"
+#include "tests/core/temporary_folder.h"
+
+namespace proveout {
+namespace {
+
+using testing::HasSubstr;
+namespace fs = std::filesystem;
+
+const std::string kWhole = R"({
+  "proveout": 1,
+  "program": "core-insert.nc",
+  "stock": {"corner": [-70, -50.5, 2], "width": 140, "depth": 101, "height": 50},
+  "grid": 0.5,
+  "tools": {"1": "ball:d=11,l=50", "12": "flat:d=6"},
+  "start": [0, 0, 50],
+  "blockDelete": true,
+  "decimation": {"method": "global", "region": 16, "period": -1, "allowance": 0.02, "certify": false,
+                 "borders": "paper", "order": "sequential", "seed": 7}
+})";
+
+class JobFile : public testing::Test {
+protected:
+    Result<Job> read(const std::string& text) {
+        m_folder.put("a.proveout", text);
+        return readJob(m_folder / "a.proveout");
+    }
+    /// All that is told, "LINE:COLUMN sentence [id]" a line; empty where the job was read.
+    std::string told(const std::string& text) {
+        const auto job = read(text);
+        std::string out;
+        if (job)
+            return out;
+        for (const Diagnostic& error : job.error()) {
+            EXPECT_EQ(error.file, (m_folder / "a.proveout").string());
+            out += std::to_string(error.where.line) + ":" + std::to_string(error.where.column) + " " +
+                   message(error) + " [" + error.id + "]\n";
+        }
+        return out;
+    }
+    /// kWhole with the first `from` replaced.
+    static std::string with(const std::string& from, const std::string& to) {
+        std::string text = kWhole;
+        const auto at = text.find(from);
+        EXPECT_NE(at, std::string::npos) << from;
+        return text.replace(at, from.size(), to);
+    }
+
+    TemporaryFolder m_folder;
+};
+
+TEST_F(JobFile, ReadsEveryField) {
+    const auto job = read(kWhole);
+    ASSERT_TRUE(job) << oneLine(job.error().front());
+    EXPECT_EQ(job->program, fs::canonical(m_folder.path()) / "core-insert.nc");
+    EXPECT_EQ(job->setup.stock, (StockBox{{-70, -50.5, 2}, 140, 101, 50}));
+    EXPECT_EQ(job->setup.spacing, 0.5);
+    ASSERT_EQ(job->setup.tools.tools().size(), 2U);
+    EXPECT_EQ(job->setup.tools.find(1)->radius(), 5.5);
+    EXPECT_EQ(job->setup.tools.find(12)->spec(), "flat:d=6");
+    ASSERT_TRUE(job->setup.start);
+    EXPECT_EQ(*job->setup.start, Vec3(0, 0, 50));
+    EXPECT_TRUE(job->setup.blockDelete);
+    EXPECT_EQ(job->parameters, (DecimationParameters{DecimationMethod::global, 16, -1, 0.02, false,
+                                                     BorderRule::paper, RemovalOrder::sequential, 7}));
+}
+
+TEST_F(JobFile, OptionalFieldsHaveTheirDefaults) {
+    const auto job = read(R"({"proveout": 1, "program": "a.nc", "from the future": [[]],
+                              "stock": {"width": 1, "depth": 2, "height": 3, "colour": "red"}})");
+    ASSERT_TRUE(job) << oneLine(job.error().front());
+    EXPECT_EQ(job->setup.stock, (StockBox{{0, 0, 0}, 1, 2, 3}));
+    EXPECT_EQ(job->setup.spacing, 1);
+    EXPECT_TRUE(job->setup.tools.tools().empty());
+    EXPECT_FALSE(job->setup.start);
+    EXPECT_FALSE(job->setup.blockDelete);
+    EXPECT_EQ(job->parameters, DecimationParameters());
+}
+
+TEST_F(JobFile, ErrorsNameTheFieldAndWhatIsAllowed) {
+    EXPECT_EQ(told(with("140", "-1")),
+              "0:0 The field \"stock.width\" must be a number above 0 and at most 1000000. [job-field]\n");
+    EXPECT_THAT(told(with("140", "0")), HasSubstr("\"stock.width\""));
+    EXPECT_THAT(told(with("140", "\"140\"")), HasSubstr("\"stock.width\" must be a number"));
+    EXPECT_THAT(told(with("140", "1e7")), HasSubstr("\"stock.width\""));
+    EXPECT_THAT(told(with("-50.5", "null")), HasSubstr("\"stock.corner[1]\" must be a number from"));
+    EXPECT_THAT(told(with("[0, 0, 50]", "[0, 0]")), HasSubstr("\"start\" must be three numbers [x, y, z]."));
+    EXPECT_THAT(told(with("\"grid\": 0.5", "\"grid\": 0")), HasSubstr("\"grid\""));
+    EXPECT_THAT(told(with("16", "1")), HasSubstr("\"decimation.region\" must be a number from 2 to 256."));
+    EXPECT_THAT(told(with("16", "16.5")), HasSubstr("\"decimation.region\" must be a whole number."));
+    EXPECT_THAT(told(with("16", "1e300")), HasSubstr("\"decimation.region\""));
+    EXPECT_THAT(told(with("\"global\"", "\"best\"")),
+                HasSubstr("\"decimation.method\" must be one of \"lee\", \"global\", \"none\"."));
+    EXPECT_THAT(told(with("\"global\"", "3")), HasSubstr("\"decimation.method\" must be one of"));
+    EXPECT_THAT(told(with("false", "0")), HasSubstr("\"decimation.certify\" must be true or false."));
+    EXPECT_THAT(told(with("flat:d=6", "flat:d=-6")), HasSubstr("\"tools.12\" is no cutter: "));
+    EXPECT_THAT(told(with("\"12\"", "\"T12\"")), HasSubstr("\"tools.T12\" is no tool number."));
+    EXPECT_THAT(told(with("\"12\"", "\"-1\"")), HasSubstr("\"tools.-1\" is no tool number."));
+    EXPECT_THAT(told(with("\"12\"", "\"99999999999\"")), HasSubstr("is no tool number."));
+    EXPECT_THAT(told(with("\"flat:d=6\"", "6")), HasSubstr("\"tools.12\" must be a text."));
+    EXPECT_THAT(told(with("core-insert.nc", "")), HasSubstr("\"program\" must name a file."));
+    EXPECT_THAT(told(with("core-insert.nc", "a\\u0000b")), HasSubstr("\"program\" must be a text."));
+    EXPECT_THAT(told(with("\"stock\"", "\"stack\"")), HasSubstr("\"stock\" is missing."));
+    EXPECT_THAT(told(with("\"height\"", "\"hight\"")), HasSubstr("\"stock.height\" is missing."));
+}
+
+TEST_F(JobFile, AllWrongFieldsAreToldAtOnce) {
+    EXPECT_EQ(told(R"({"proveout": 1, "stock": 5, "grid": -1, "decimation": []})"),
+              "0:0 The field \"program\" is missing. [job-field]\n"
+              "0:0 The field \"stock\" must be an object { }. [job-field]\n"
+              "0:0 The field \"stock.width\" is missing. [job-field]\n"
+              "0:0 The field \"stock.depth\" is missing. [job-field]\n"
+              "0:0 The field \"stock.height\" is missing. [job-field]\n"
+              "0:0 The field \"grid\" must be a number above 0 and at most 1000000. [job-field]\n"
+              "0:0 The field \"decimation\" must be an object { }. [job-field]\n");
+}
+
+TEST_F(JobFile, SyntaxErrorsHaveLineAndColumn) {
+    EXPECT_EQ(told("{\n  \"proveout\": 1,\n  \"grid\": x\n}"),
+              "3:11 This is not valid JSON. [json-syntax]\n");
+    EXPECT_THAT(told("{\n  \"grid\": 1e999\n}"), HasSubstr("2:"));
+    EXPECT_THAT(told(""), HasSubstr("1:1 This is not valid JSON."));
+    EXPECT_THAT(told("{\"a\": \"\xff\"}"), HasSubstr("1:8 This is not valid JSON."));
+    EXPECT_THAT(told(kWhole + "x"), HasSubstr("[json-syntax]"));
+}
+
+TEST_F(JobFile, OtherJsonAndNewerJobsAreRefusedPolitely) {
+    for (const char* other : {"{}", "[]", "5", "null", "\"text\"", "{\"grid\": 1}"})
+        EXPECT_THAT(told(other), HasSubstr("[not-a-job]")) << other;
+    EXPECT_EQ(told(R"({"proveout": 2, "everything": "else may differ"})"),
+              "0:0 The job was written by a newer Proveout (format 2); this one reads up to format 1. "
+              "[job-newer]\n");
+    EXPECT_THAT(told(R"({"proveout": 18446744073709551615})"), HasSubstr("[job-newer]"));
+    for (const char* schema : {"0", "-1", "1.5", "\"1\"", "null"})
+        EXPECT_THAT(told(std::string("{\"proveout\": ") + schema + "}"), HasSubstr("\"proveout\"")) << schema;
+}
+
+TEST_F(JobFile, HostileSizesAreRefused) {
+    const std::string deep(1'000'000, '[');
+    EXPECT_THAT(told(deep), HasSubstr("[json-depth]"));
+    EXPECT_THAT(told("{\"proveout\": 1, \"x\": " + deep), HasSubstr("deeper than 32 levels"));
+    std::string objects;
+    for (int i = 0; i < 100'000; ++i)
+        objects += "{\"a\":";
+    EXPECT_THAT(told(objects), HasSubstr("[json-depth]"));
+    EXPECT_THAT(told("{\"proveout\": 1, \"x\": \"" + std::string(17'000'000, 'x') + "\"}"),
+                HasSubstr("[file-too-large]"));
+}
+
+TEST_F(JobFile, TellsFilesThatCannotBeRead) {
+    EXPECT_STREQ(readJob(m_folder / "missing.proveout").error().front().id, "file-unreadable");
+    EXPECT_STREQ(readJob(m_folder.path()).error().front().id, "file-not-regular");
+}
+
+Job randomJob(std::mt19937& random, const fs::path& folder) {
+    std::uniform_real_distribution<double> real(0.001, 5000);
+    Job job;
+    job.program = folder / "deep" / "prögram \"1\".nc";
+    job.setup.stock = {
+        {real(random) - 2500, -real(random), real(random)}, real(random), real(random), real(random)};
+    job.setup.spacing = real(random);
+    job.setup.tools.set(static_cast<int>(random() % 1000), parseCutter("ball:d=11,l=50").value());
+    job.setup.tools.set(0, parseCutter("flat:d=6.35").value());
+    if (random() % 2 == 0)
+        job.setup.start = Vec3(real(random), -real(random), 0.1);
+    job.setup.blockDelete = random() % 2 == 0;
+    auto& parameters = job.parameters;
+    parameters.method = static_cast<DecimationMethod>(random() % kMethodChoices.size());
+    parameters.regionCells = 2 + static_cast<int>(random() % 255);
+    parameters.period = static_cast<int>(random() % 100) - 1;
+    parameters.allowance = real(random) / 1000;
+    parameters.certify = random() % 2 == 0;
+    parameters.borders = static_cast<BorderRule>(random() % kBorderChoices.size());
+    parameters.order = static_cast<RemovalOrder>(random() % kOrderChoices.size());
+    parameters.seed = static_cast<int>(random() % 1000);
+    return job;
+}
+
+TEST_F(JobFile, ReadsWhatItWrites) {
+    const unsigned seed = std::random_device{}();
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    const fs::path folder = fs::canonical(m_folder.path());
+    for (int round = 0; round < 200; ++round) {
+        const Job job = randomJob(random, folder);
+        ASSERT_TRUE(writeJob(folder / "jobs.proveout", job));
+        const auto back = readJob(folder / "jobs.proveout");
+        ASSERT_TRUE(back) << oneLine(back.error().front());
+        EXPECT_EQ(back->program, job.program);
+        EXPECT_EQ(back->setup, job.setup) << "every double comes back bit for bit";
+        EXPECT_EQ(back->parameters, job.parameters);
+    }
+}
+
+TEST_F(JobFile, AJobMovesWithItsProgram) {
+    const fs::path folder = fs::canonical(m_folder.path());
+    fs::create_directories(folder / "old/jobs");
+    Job job = read(kWhole).value();
+    job.program = folder / "old/nc/part.nc";
+    ASSERT_TRUE(writeJob(folder / "old/jobs/a.proveout", job));
+    EXPECT_THAT(readFile(folder / "old/jobs/a.proveout").value(),
+                HasSubstr("\"program\": \"../nc/part.nc\""));
+    fs::rename(folder / "old", folder / "new");
+    EXPECT_EQ(readJob(folder / "new/jobs/a.proveout")->program, folder / "new/nc/part.nc");
+
+    job.program = "/elsewhere/part.nc";
+    ASSERT_TRUE(writeJob(folder / "a.proveout", job));
+    EXPECT_EQ(readJob(folder / "a.proveout")->program, "/elsewhere/part.nc");
+}
+
+TEST_F(JobFile, HasTheLayoutThatOthersWrite) {
+    Job job = read(kWhole).value();
+    job.program = m_folder / "core-insert.nc";
+    ASSERT_TRUE(writeJob(m_folder / "b.proveout", job));
+    std::string text = readFile(m_folder / "b.proveout").value();
+    std::erase_if(text, [](char c) { return c == ' ' || c == '\n'; });
+    EXPECT_EQ(text,
+              R"({"proveout":1,"program":"core-insert.nc","stock":{"corner":[-70.0,-50.5,2.0],"width":140.0,)"
+              R"("depth":101.0,"height":50.0},"grid":0.5,"tools":{"1":"ball:d=11,l=50","12":"flat:d=6"},)"
+              R"("start":[0.0,0.0,50.0],"blockDelete":true,"decimation":{"method":"global","region":16,)"
+              R"("period":-1,"allowance":0.02,"certify":false,"borders":"paper","order":"sequential",)"
+              R"("seed":7}})");
+}
+
+TEST_F(JobFile, AProgramNameThatIsNotUtf8IsTold) {
+    Job job = read(kWhole).value();
+    job.program = m_folder / "\xff\xfe.nc";
+    const auto result = writeJob(m_folder / "b.proveout", job);
+    ASSERT_FALSE(result);
+    EXPECT_STREQ(result.error().front().id, "job-not-utf8");
+}
+
+/// One bit flipped, or the end missing: the job is refused, or what was read keeps to the limits of its
+/// fields.
+TEST_F(JobFile, SurvivesDamage) {
+    const unsigned seed = std::random_device{}();
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    int readable = 0;
+    for (int round = 0; round < 1000; ++round) {
+        const auto job = read(damaged(kWhole, random));
+        if (!job) {
+            ASSERT_FALSE(job.error().empty());
+            continue;
+        }
+        ++readable;
+        EXPECT_GT(job->setup.stock.width, 0);
+        EXPECT_GT(job->setup.spacing, 0);
+        EXPECT_GE(job->parameters.regionCells, 2);
+        EXPECT_LE(job->parameters.regionCells, 256);
+    }
+    EXPECT_LT(readable, 1000);
+}
+
+} // namespace
+} // namespace proveout

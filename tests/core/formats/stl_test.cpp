@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/stl.h"
+
+#include <algorithm>
+#include <chrono>
+#include <clocale>
+#include <cmath>
+#include <cstring>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <iostream>
+#include <limits>
+#include <random>
+
+#include "core/base/atomic_file.h"
+#include "tests/core/temporary_folder.h"
+
+namespace proveout {
+namespace {
+
+using testing::HasSubstr;
+
+TriangleMesh tetrahedron(double size = 1, const Vec3& corner = Vec3(0)) {
+    return {{corner, corner + Vec3(size, 0, 0), corner + Vec3(0, size, 0), corner + Vec3(0, 0, size)},
+            {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+}
+
+/// A soup of `count` triangles over few vertices, coordinates as odd as they come.
+TriangleMesh randomSoup(std::size_t count, unsigned seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> coordinate(-300, 300);
+    TriangleMesh mesh;
+    for (std::size_t i = 0; i < count / 2 + 3; ++i)
+        mesh.vertices.emplace_back(coordinate(random), coordinate(random), coordinate(random));
+    while (mesh.triangles.size() < count) {
+        const auto pick = [&] { return static_cast<std::uint32_t>(random() % mesh.vertices.size()); };
+        const std::array<std::uint32_t, 3> triangle{pick(), pick(), pick()};
+        if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0])
+            mesh.triangles.push_back(triangle);
+    }
+    return mesh;
+}
+
+/// Through memory on purpose: g++ 12 at -O2 drops a pair of vectorised conversions to float and back.
+double inFloat(double value) {
+    const volatile float rounded = static_cast<float>(value);
+    return static_cast<double>(rounded);
+}
+
+Vec3 inFloat(const Vec3& point) {
+    return {inFloat(point.x), inFloat(point.y), inFloat(point.z)};
+}
+
+/// Corner by corner: the file holds the triangles in their order.
+void expectSameTriangles(const TriangleMesh& got, const TriangleMesh& wanted) {
+    ASSERT_EQ(got.triangles.size(), wanted.triangles.size());
+    for (std::size_t t = 0; t < got.triangles.size(); ++t)
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            ASSERT_EQ(got.vertices[got.triangles[t][corner]],
+                      inFloat(wanted.vertices[wanted.triangles[t][corner]]));
+}
+
+class Stl : public testing::TestWithParam<StlEncoding> {
+protected:
+    TemporaryFolder m_folder;
+};
+
+INSTANTIATE_TEST_SUITE_P(Encodings, Stl, testing::Values(StlEncoding::binary, StlEncoding::ascii),
+                         [](const auto& encoding) {
+                             return encoding.param == StlEncoding::binary ? "binary" : "ascii";
+                         });
+
+TEST_P(Stl, ReadsWhatItWrites) {
+    const auto mesh = randomSoup(20'000, 1); // more than one batch
+    const auto written = writeStl(m_folder / "a.stl", mesh, GetParam());
+    ASSERT_TRUE(written);
+    EXPECT_EQ(written->triangles, 20'000U);
+    EXPECT_EQ(written->bytes, std::filesystem::file_size(m_folder / "a.stl"));
+    const auto back = readStlContents(m_folder / "a.stl");
+    ASSERT_TRUE(back);
+    EXPECT_EQ(back->encoding, GetParam());
+    EXPECT_TRUE(back->warnings.empty()) << oneLine(back->warnings.front());
+    expectSameTriangles(back->mesh, mesh);
+}
+
+TEST_P(Stl, WeldsByExactCoordinates) {
+    TriangleMesh mesh = tetrahedron();
+    mesh.vertices[0].x = -0.0; // equal to 0 though its bits differ
+    for (std::uint32_t i = 0; i < 3; ++i) {
+        mesh.vertices.push_back(mesh.vertices[mesh.triangles[3][i]]);
+        mesh.triangles[3][i] = 4 + i; // the last face with vertices of its own
+    }
+    mesh.vertices[4].x = 0.0;
+    ASSERT_TRUE(writeStl(m_folder / "a.stl", mesh, GetParam()));
+    EXPECT_EQ(readStl(m_folder / "a.stl")->vertices.size(), 4U);
+}
+
+TEST_P(Stl, ACancelledExportLeavesTheOldFileAndNoOther) {
+    ASSERT_TRUE(writeFile(m_folder / "a.stl", "old"));
+    std::stop_source stop;
+    WorkContext context;
+    context.stop = stop.get_token();
+    context.progress = [&stop](double done) {
+        if (done > 0.3)
+            stop.request_stop();
+    };
+    const auto result = writeStl(m_folder / "a.stl", randomSoup(50'000, 2), GetParam(), context);
+    ASSERT_FALSE(result);
+    EXPECT_STREQ(result.error().front().id, "cancelled");
+    EXPECT_EQ(readFile(m_folder / "a.stl").value(), "old");
+    EXPECT_EQ(m_folder.entries(), 1U);
+}
+
+TEST_P(Stl, ProgressRisesToOne) {
+    std::vector<double> told;
+    WorkContext context;
+    context.progress = [&told](double done) { told.push_back(done); };
+    ASSERT_TRUE(writeStl(m_folder / "a.stl", randomSoup(30'000, 3), GetParam(), context));
+    EXPECT_GT(told.size(), 3U);
+    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+    EXPECT_EQ(told.back(), 1);
+}
+
+TEST_P(Stl, RefusesWhatTheFormatCannotHold) {
+    const auto idOf = [this](const TriangleMesh& mesh) {
+        const auto result = writeStl(m_folder / "a.stl", mesh, GetParam());
+        return result ? std::string("written") : std::string(result.error().front().id);
+    };
+    EXPECT_EQ(idOf({}), "nothing-left");
+    for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity(), 1e39, -1e39}) {
+        for (int axis = 0; axis < 3; ++axis) {
+            auto mesh = tetrahedron();
+            mesh.vertices[2][axis] = bad;
+            EXPECT_EQ(idOf(mesh), "stl-coordinate") << bad << " on axis " << axis;
+        }
+    }
+    EXPECT_EQ(m_folder.entries(), 0U);
+}
+
+TEST_P(Stl, RefusesMeshesThatRoundingCollapses) {
+    const auto written = writeStl(m_folder / "a.stl", tetrahedron(0.01, Vec3(1e6, 0, 0)), GetParam());
+    ASSERT_FALSE(written);
+    EXPECT_STREQ(written.error().front().id, "stl-too-coarse");
+    EXPECT_EQ(written.error().front().arguments.front(), "2"); // the two faces with the edge along x
+    EXPECT_EQ(m_folder.entries(), 0U);
+}
+
+TEST_P(Stl, TellsAFolderThatIsNotThere) {
+    const auto result = writeStl(m_folder / "no/a.stl", tetrahedron(), GetParam());
+    ASSERT_FALSE(result);
+    EXPECT_THAT(oneLine(result.error().front()), HasSubstr("no/a.stl: error: The file cannot be written"));
+}
+
+TEST(StlBinary, HasTheBytesOfTheFormat) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(writeStl(folder / "a.stl", tetrahedron(2), StlEncoding::binary));
+    const auto bytes = readFile(folder / "a.stl").value();
+    ASSERT_EQ(bytes.size(), 84U + 4 * 50);
+    EXPECT_FALSE(bytes.starts_with("solid"));
+    std::uint32_t count = 0;
+    std::memcpy(&count, bytes.data() + 80, 4);
+    EXPECT_EQ(count, 4U);
+    std::array<float, 12> first{};
+    std::memcpy(first.data(), bytes.data() + 84, sizeof first);
+    EXPECT_THAT(first, testing::ElementsAre(0, 0, -1, 0, 0, 0, 0, 2, 0, 2, 0, 0))
+        << "normal outwards, then corners";
+    EXPECT_EQ(bytes.substr(84 + 48, 2), std::string(2, '\0'));
+}
+
+TEST(StlAscii, HasADecimalPointInEveryLocale) {
+    const TemporaryFolder folder;
+    const std::string old = std::setlocale(LC_ALL, nullptr);
+    const char* comma = nullptr;
+    for (const char* wanted : {"de_DE.UTF-8", "de_DE.utf8", "fr_FR.UTF-8", "de_DE"})
+        comma = comma != nullptr ? comma : std::setlocale(LC_ALL, wanted);
+    const auto written = writeStl(folder / "a.stl", tetrahedron(0.1), StlEncoding::ascii);
+    const auto back = readStl(folder / "a.stl");
+    std::setlocale(LC_ALL, old.c_str());
+    ASSERT_TRUE(written);
+    EXPECT_EQ(readFile(folder / "a.stl").value().substr(0, 99), "solid proveout\n"
+                                                                "facet normal 0 0 -1\n"
+                                                                " outer loop\n"
+                                                                "  vertex 0 0 0\n"
+                                                                "  vertex 0 0.1 0\n"
+                                                                "  vertex 0.1 0 0\n"
+                                                                " en");
+    ASSERT_TRUE(back);
+    expectSameTriangles(*back, tetrahedron(0.1));
+    if (comma == nullptr)
+        GTEST_SKIP() << "no locale with a decimal comma is installed; checked in \"C\" only";
+}
+
+/// Reported, and far from the figure that would make an export felt.
+TEST(StlBinary, WritesMillionsOfTrianglesASecond) {
+    const TemporaryFolder folder;
+    const auto mesh = randomSoup(1'000'000, 4);
+    const auto start = std::chrono::steady_clock::now();
+    ASSERT_TRUE(writeStl(folder / "a.stl", mesh, StlEncoding::binary));
+    const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+    const auto readStart = std::chrono::steady_clock::now();
+    ASSERT_TRUE(readStl(folder / "a.stl"));
+    const std::chrono::duration<double> readSeconds = std::chrono::steady_clock::now() - readStart;
+    std::cout << "binary STL: " << 1 / seconds.count() << " M triangles/s written, "
+              << 1 / readSeconds.count() << " read\n";
+    RecordProperty("writtenMillionPerSecond", std::to_string(1 / seconds.count()));
+    EXPECT_LT(seconds.count(), 5) << "two orders slower than measured at rest";
+}
+
+} // namespace
+} // namespace proveout
