@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <random>
+#include <string>
+
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "ui/document.h"
+#include "ui/editor/editor_panel.h"
+#include "ui/editor/nc_editor.h"
+#include "ui/editor/nc_highlighter.h"
+#include "ui/session.h"
+
+namespace proveout {
+namespace {
+
+/// One letter a byte: . plain, c comment, G code, ? unknown code, x coordinate, f machine, n label.
+std::string styles(std::string_view line) {
+    std::string letters = styleLine(line);
+    for (char& style : letters)
+        style = ".cG?xfn"[static_cast<std::size_t>(style)];
+    return letters;
+}
+
+Document documentOf(std::string text) {
+    Document document;
+    document.utf8 = isUtf8(text);
+    document.lineEnd = mostFrequentLineEnd(text);
+    document.text = NcText(std::move(text));
+    return document;
+}
+
+} // namespace
+
+class EditorTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void coloursByTheCodesTable_data() {
+        QTest::addColumn<QByteArray>("line");
+        QTest::addColumn<QByteArray>("expected");
+        QTest::newRow("words") << QByteArray("N10 G1 X-1.5 F100") << QByteArray("nnn.GG.xxxxx.ffff");
+        QTest::newRow("no blanks") << QByteArray("g01x10y2") << QByteArray("GGGxxxxx");
+        QTest::newRow("unknown code") << QByteArray("G999 X1") << QByteArray("????.xx");
+        QTest::newRow("comment") << QByteArray("G0 (G1) X1") << QByteArray("GG.cccc.xx");
+        QTest::newRow("rest of line") << QByteArray("M5 ; G1") << QByteArray("GG.cccc");
+        QTest::newRow("unclosed") << QByteArray("(abc") << QByteArray("cccc");
+        QTest::newRow("labels") << QByteArray("/ % O5") << QByteArray("n.n.nn");
+    }
+    void coloursByTheCodesTable() {
+        QFETCH(QByteArray, line);
+        QFETCH(QByteArray, expected);
+        QCOMPARE(QByteArray::fromStdString(styles(line.toStdString())), expected);
+    }
+
+    void anyBytesGetAStyleEach() {
+        std::mt19937 random(1);
+        for (int round = 0; round < 2000; ++round) {
+            std::string line(random() % 60, ' ');
+            for (char& c : line)
+                c = static_cast<char>(random());
+            QCOMPARE(styleLine(line).size(), line.size());
+        }
+    }
+
+    void editsReachTheSessionAsBytes() {
+        Session session;
+        session.newFile();
+        EditorPanel panel(session);
+        NcEditor& editor = panel.editor();
+        // What the editor shows and what the session holds stay one, through typing, pasting, undo and redo.
+        std::mt19937 random(7);
+        const QStringList pieces{"G1 X10\n", "é", "(комментарий)", " ", "\n", "M30", "🙂"};
+        for (int step = 0; step < 400; ++step) {
+            const int length = editor.length();
+            switch (random() % 5) {
+            case 0:
+            case 1: {
+                int line = 0;
+                int index = 0;
+                editor.lineIndexFromPosition(
+                    length == 0 ? 0 : static_cast<int>(random() % static_cast<unsigned>(length)), &line,
+                    &index);
+                editor.setCursorPosition(line, index);
+                editor.insert(pieces[static_cast<int>(random() % static_cast<unsigned>(pieces.size()))]);
+                break;
+            }
+            case 2:
+                editor.undo();
+                break;
+            case 3:
+                editor.redo();
+                break;
+            default:
+                editor.setSelection(0, 0, 1, 1);
+                editor.removeSelectedText();
+            }
+            QCOMPARE(QByteArray::fromStdString(session.document().text.toString()), editor.text().toUtf8());
+        }
+    }
+
+    void keepsBytesThatAreNotUtf8() {
+        NcEditor editor;
+        std::string edits;
+        connect(&editor, &NcEditor::edited, &editor,
+                [&](std::size_t offset, std::size_t removed, std::string_view inserted) {
+                    edits +=
+                        std::to_string(offset) + '-' + std::to_string(removed) + '+' + std::string(inserted);
+                });
+        const std::string text = "(M\xFChle)\r\nG0 X1\r\n";
+        editor.load(documentOf(text));
+        QVERIFY(edits.empty()); // loading is no edit
+        QCOMPARE(editor.lines(), 3);
+        editor.setCursorPosition(1, 0);
+        editor.insert(QStringLiteral("\u00e9"));
+        QCOMPARE(edits, std::string("9-0+\xE9")); // one byte, as in the rest of the file
+    }
+
+    void knowsWhenTheTextIsSaved() {
+        NcEditor editor;
+        editor.load(documentOf("G0\n"));
+        QList<bool> states;
+        connect(&editor, &NcEditor::savedStateChanged, &editor, [&](bool modified) { states << modified; });
+        editor.insert(QStringLiteral("G1"));
+        editor.undo();
+        QCOMPARE(states, (QList<bool>{true, false}));
+    }
+
+    void playbackNeverMovesTheCaret() {
+        NcEditor editor;
+        editor.resize(300, 200);
+        std::string text;
+        for (int i = 0; i < 1000; ++i)
+            text += "G1 X" + std::to_string(i) + "\n";
+        editor.load(documentOf(text));
+        editor.goTo(5, 1);
+        for (int line = 1; line < 1000; line += 7) {
+            editor.showCurrentLine(line, true);
+            const long first = editor.SendScintilla(QsciScintilla::SCI_GETFIRSTVISIBLELINE);
+            const long shown = editor.SendScintilla(QsciScintilla::SCI_LINESONSCREEN);
+            QVERIFY(first <= line - 1 && line - 1 < first + shown);
+            QCOMPARE(editor.caretLine(), 5);
+            QCOMPARE(editor.markerFindNext(0, 1 << 1), line - 1); // one line is marked, this one
+        }
+    }
+
+    void choosingALineIsToldTypingIsNot() {
+        NcEditor editor;
+        editor.load(documentOf("G0\nG1\nG2\n"));
+        QList<int> chosen;
+        connect(&editor, &NcEditor::lineChosen, &editor, [&](int line) { chosen << line; });
+        QTest::keyClick(&editor, Qt::Key_Down);
+        QTest::keyClick(&editor, Qt::Key_Down);
+        QCOMPARE(chosen, (QList<int>{2, 3}));
+        QTest::keyClick(&editor, Qt::Key_Return);
+        QTest::keyClicks(&editor, QStringLiteral("X1"));
+        QCOMPARE(chosen.size(), 2);
+        QCOMPARE(editor.caretLine(), 4);
+    }
+
+    void findsAndReplaces() {
+        NcEditor editor;
+        editor.load(documentOf("X1\nx1\nX2 X1\n"));
+        QVERIFY(editor.findMatch(QStringLiteral("X1"), true));
+        QCOMPARE(editor.caretLine(), 1);
+        QVERIFY(editor.findMatch(QStringLiteral("X1"), true));
+        QCOMPARE(editor.caretLine(), 2);
+        QVERIFY(!editor.findMatch(QStringLiteral("Z"), true));
+        QCOMPARE(editor.replaceAll(QStringLiteral("X1"), QStringLiteral("X11")), 3);
+        QCOMPARE(editor.text(), QStringLiteral("X11\nX11\nX2 X11\n"));
+        editor.undo(); // one step
+        QCOMPARE(editor.text(), QStringLiteral("X1\nx1\nX2 X1\n"));
+    }
+
+    void largeTextsAreReadOnly() {
+        QTemporaryDir folder;
+        const QString path = folder.filePath("large.nc");
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(QByteArray("G1 X10 Y20 Z30 F1000\n").repeated(600'000));
+        file.close();
+        Session session;
+        EditorPanel panel(session);
+        QVERIFY(session.openFile(path));
+        QVERIFY(session.document().readOnly);
+        QVERIFY(panel.editor().isReadOnly());
+        QCOMPARE(panel.editor().lines(), 600'001);
+    }
+};
+
+} // namespace proveout
+
+QTEST_MAIN(proveout::EditorTest)
+#include "editor_test.moc"

@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <random>
+#include <set>
+
+#include <QApplication>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QWheelEvent>
+
+#include "ui/plots/parameter_trace.h"
+#include "ui/plots/plot_changes.h"
+#include "ui/plots/plot_csv.h"
+#include "ui/plots/plots_panel.h"
+
+using namespace proveout;
+
+namespace {
+
+BlockStatistics randomBlock(std::mt19937& random) {
+    BlockStatistics row;
+    row.facesFull = 500000;
+    row.facesShown = static_cast<std::uint32_t>(random() % 500000);
+    row.removedMm3 = static_cast<float>(random() % 1000) / 8;
+    return row;
+}
+
+FrameStatistics randomFrame(std::mt19937& random, std::uint32_t block) {
+    const auto time = [&] { return static_cast<float>(random() % 64) / 1024; };
+    return {block - 1, block, time(), time(), time(), time()};
+}
+
+const PlotSpec& plot(const char* id) {
+    const auto rows = plotCatalogue();
+    return *std::ranges::find_if(rows, [&](const PlotSpec& spec) { return std::string_view(spec.id) == id; });
+}
+
+void compare(const PlotView& view, const PlotInput& input) {
+    QCOMPARE(view.rows(), rowCount(view.spec(), input));
+    for (std::size_t row = 0; row < view.rows(); ++row)
+        for (std::size_t series = 0; series < view.spec().series.size(); ++series)
+            QVERIFY(std::abs(view.value(series, row) - view.spec().y(input, row, series)) < 1e-9 * 1e6);
+}
+
+} // namespace
+
+class PlotsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void catalogueRowsAreComplete();
+    void historyFindsTheFirstRowThatDiffers();
+    void historyKeepsFramesUntilTheirBlocksArePlayedAnew();
+    void parameterChangesAreMarkedWhereTheyMeet();
+    void viewsHoldWhatTheStatisticsSay();
+    void stackedCurvesStandOnEachOther();
+    void csvHoldsEveryValue();
+    void clickSeeksAndDragDoesNot();
+    void followingKeepsTheBlockInSight();
+    void hoverReadsTheNearestRow();
+    void restylesWithThePalette();
+    void manyRowsCostLittle();
+    void panelShowsARunAndExportsIt();
+};
+
+void PlotsTest::catalogueRowsAreComplete() {
+    std::set<std::string> ids;
+    for (const PlotSpec& spec : plotCatalogue()) {
+        QVERIFY(ids.insert(spec.id).second);
+        QVERIFY(*spec.title != '\0' && *spec.xLabel != '\0' && *spec.yLabel != '\0');
+        std::set<std::pair<int, int>> looks;
+        for (const PlotSeries& series : spec.series) // Told apart without colour.
+            QVERIFY(looks.insert({static_cast<int>(series.pen), static_cast<int>(series.fill)}).second);
+    }
+    QVERIFY(ids.contains("faces") && ids.contains("frame-time"));
+}
+
+void PlotsTest::historyFindsTheFirstRowThatDiffers() {
+    std::mt19937 random(5);
+    PersistentArray<BlockStatistics> blocks;
+    std::vector<FrameStatistics> frames;
+    PlotHistory history;
+    QVERIFY(!history.update(blocks, frames, true).any);
+    for (int k = 0; k < 700; ++k)
+        blocks.push_back(randomBlock(random));
+    auto changes = history.update(blocks, frames, true);
+    QVERIFY(changes.any && changes.firstBlock == 0);
+    blocks.push_back(randomBlock(random));
+    frames.push_back(randomFrame(random, 701));
+    changes = history.update(blocks, frames, true);
+    QVERIFY(changes.any && changes.firstBlock == 700 && changes.firstFrame == 0);
+    QVERIFY(!history.update(blocks, frames, true).any);
+    blocks.edit(300).cutSeconds += 1;
+    changes = history.update(blocks, frames, true);
+    QVERIFY(changes.any && changes.firstBlock == 300 && changes.firstFrame == 1);
+    blocks.truncate(10);
+    frames.clear();
+    history.forgetFrames();
+    changes = history.update(blocks, frames, true);
+    QVERIFY(changes.any && changes.firstBlock == 10 && changes.firstFrame == 0);
+}
+
+void PlotsTest::historyKeepsFramesUntilTheirBlocksArePlayedAnew() {
+    const PersistentArray<BlockStatistics> blocks;
+    PlotHistory history;
+    const auto lastBlocks = [&] {
+        std::vector<std::uint32_t> last;
+        for (const FrameStatistics& frame : history.frames())
+            last.push_back(frame.lastBlock);
+        return last;
+    };
+    using Blocks = std::vector<std::uint32_t>;
+    static_cast<void>(history.update(blocks, {{0, 5}, {5, 10}, {10, 12}, {12, 20}}, true));
+    QVERIFY(!history.update(blocks, {}, false).any); // Home
+    QCOMPARE(lastBlocks(), (Blocks{5, 10, 12, 20}));
+    QVERIFY(!history.update(blocks, {{0, 12}}, false).any); // a scrub over what was measured
+    const auto played = history.update(blocks, {{0, 12}, {12, 14}}, true);
+    QVERIFY(played.any && played.firstFrame == 3);
+    QCOMPARE(lastBlocks(), (Blocks{5, 10, 12, 14}));
+    QCOMPARE(history.update(blocks, {{0, 7}}, true).firstFrame, std::size_t{0});
+    QCOMPARE(lastBlocks(), (Blocks{7, 12, 14}));
+    static_cast<void>(history.update(blocks, {{0, 7}, {7, 40}}, false)); // beyond all that was measured
+    QCOMPARE(lastBlocks(), (Blocks{7, 40}));
+    history.forgetFrames();
+    QVERIFY(history.update(blocks, {}, false).any);
+    QVERIFY(lastBlocks().empty());
+}
+
+void PlotsTest::parameterChangesAreMarkedWhereTheyMeet() {
+    using Blocks = std::vector<std::size_t>;
+    DecimationParameters first;
+    DecimationParameters second;
+    second.allowance *= 2;
+    ParameterTrace trace;
+    trace.update(first, 0, 100, 100);
+    QVERIFY(trace.changes().empty());
+    trace.update(second, 100, 100, 100); // changed at rest: no row is of it yet
+    QVERIFY(trace.changes().empty());
+    trace.update(second, 100, 130, 130);
+    QCOMPARE(trace.changes(), Blocks{100});
+    trace.update(second, 40, 60, 130); // after a seek back, played anew from 40 on
+    QCOMPARE(trace.changes(), (Blocks{40, 60, 100}));
+    trace.update(second, 60, 120, 130);
+    QCOMPARE(trace.changes(), Blocks{40});
+    trace.update(first, 40, 130, 130); // undone
+    QVERIFY(trace.changes().empty());
+    trace.update(second, 0, 0, 0); // a load
+    trace.update(second, 0, 10, 10);
+    QVERIFY(trace.changes().empty());
+
+    PlotView view(plot("faces"));
+    view.setParameterChanges({40, 60});
+    view.setParameterChanges({40});
+    QCOMPARE(view.itemCount(), 3); // with the current block and the hint
+}
+
+void PlotsTest::viewsHoldWhatTheStatisticsSay() {
+    std::mt19937 random(11);
+    PersistentArray<BlockStatistics> blocks;
+    std::vector<FrameStatistics> frames;
+    std::vector<FrameStatistics> measured; // one a block; a seek back takes none away
+    PlotHistory history;
+    PlotView faces(plot("faces"));
+    PlotView times(plot("frame-time"));
+    for (int round = 0; round < 60; ++round) {
+        const std::size_t keep = random() % 4 == 0 ? random() % (blocks.size() + 1) : blocks.size();
+        blocks.truncate(keep);
+        frames.resize(std::min(frames.size(), keep));
+        for (std::size_t k = random() % 20; k > 0; --k) {
+            blocks.push_back(randomBlock(random));
+            frames.push_back(randomFrame(random, static_cast<std::uint32_t>(frames.size() + 1)));
+            measured.resize(std::max(measured.size(), frames.size()));
+            measured[frames.size() - 1] = frames.back();
+        }
+        const auto changes = history.update(blocks, frames, true);
+        const PlotInput input{history.blocks(), history.frames()};
+        faces.setRows(input, changes.firstBlock);
+        times.setRows(input, changes.firstFrame);
+        compare(faces, {blocks, frames});
+        compare(times, {blocks, measured});
+    }
+}
+
+void PlotsTest::stackedCurvesStandOnEachOther() {
+    const PersistentArray<BlockStatistics> blocks;
+    const std::vector<FrameStatistics> frames{{0, 1, 0.001f, 0.002f, 0.003f, 0.004f}};
+    PlotView times(plot("frame-time"));
+    times.setRows({blocks, frames}, 0);
+    const double tops[] = {1, 3, 6, 10};
+    for (int series = 0; series < 4; ++series)
+        QVERIFY(std::abs(times.graph(series)->data()->constBegin()->value - tops[series]) < 1e-5);
+}
+
+void PlotsTest::csvHoldsEveryValue() {
+    PersistentArray<BlockStatistics> blocks;
+    blocks.push_back({1200, 39200, 3, 1, 0.001f, 0, 12.5f, 1});
+    blocks.push_back({980, 39200, 0, 4, 0.001f, 0, 0, 1});
+    const std::vector<FrameStatistics> frames{{0, 2, 0.0005f, 0.25f, 0, 0.0125f}};
+    QCOMPARE(plotCsv(plot("faces"), {blocks, frames}),
+             std::string("block,facesFull,facesShown\n1,39200,1200\n2,39200,980\n"));
+    QCOMPARE(plotCsv(plot("removed-volume"), {blocks, frames}),
+             std::string("block,removedMm3\n1,12.5\n2,0\n"));
+    QCOMPARE(plotCsv(plot("frame-time"), {blocks, frames}),
+             std::string("block,cutMs,decimationMs,uploadMs,drawMs\n2,0.500000024,250,0,12.5000002\n"));
+}
+
+void PlotsTest::clickSeeksAndDragDoesNot() {
+    PlotView view(plot("faces"));
+    view.resize(600, 220);
+    view.setBlock(0, 1000);
+    view.replot();
+    QSignalSpy clicked(&view, &PlotView::blockClicked);
+    const QPoint at(static_cast<int>(view.xAxis->coordToPixel(400)), 100);
+    QTest::mouseClick(&view, Qt::LeftButton, {}, at);
+    QCOMPARE(clicked.size(), 1);
+    QVERIFY(std::abs(static_cast<double>(clicked[0][0].value<std::size_t>()) - 400) < 3);
+    QTest::mousePress(&view, Qt::LeftButton, {}, at);
+    QTest::mouseMove(&view, at - QPoint(80, 0));
+    QTest::mouseRelease(&view, Qt::LeftButton, {}, at - QPoint(80, 0));
+    QCOMPARE(clicked.size(), 1);
+    QVERIFY(!view.following());
+    QVERIFY(view.xAxis->range().lower > 0);
+    QTest::mouseDClick(&view, Qt::LeftButton, {}, at);
+    QVERIFY(view.following());
+    QCOMPARE(view.xAxis->range().lower, 0.0);
+}
+
+void PlotsTest::followingKeepsTheBlockInSight() {
+    PlotView view(plot("faces"));
+    view.resize(600, 220);
+    view.setBlock(0, 10000);
+    view.replot();
+    const QPointF at(300, 100);
+    const double under = view.xAxis->pixelToCoord(at.x());
+    QWheelEvent event(at, at, {}, {0, 960}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+    QApplication::sendEvent(&view, &event);
+    QVERIFY(std::abs(view.xAxis->coordToPixel(under) - at.x()) < 1);
+    view.setFollowing(true);
+    for (const std::size_t block : {std::size_t{50}, std::size_t{6000}, std::size_t{10000}}) {
+        view.setBlock(block, 10000);
+        QVERIFY(view.xAxis->range().contains(static_cast<double>(block)));
+    }
+}
+
+void PlotsTest::hoverReadsTheNearestRow() {
+    PersistentArray<BlockStatistics> blocks;
+    for (std::uint32_t k = 1; k <= 100; ++k)
+        blocks.push_back({k, 200, 0, 0, 0, 0, 0, 0});
+    PlotView view(plot("faces"));
+    view.resize(600, 220);
+    QVERIFY(view.valuesAt(300).isEmpty());
+    QVERIFY(!view.yAxis->tickLabels()); // figures of nothing
+    view.setRows({blocks, {}}, 0);
+    view.setBlock(100, 100);
+    view.replot();
+    const QString text = view.valuesAt(view.xAxis->coordToPixel(42.3));
+    QVERIFY2(text.contains(QStringLiteral("42")) && text.contains(QStringLiteral("200")), qPrintable(text));
+}
+
+void PlotsTest::restylesWithThePalette() {
+    PlotView view(plot("faces"));
+    view.resize(300, 150);
+    QPalette palette;
+    for (const QColor& ground : {QColor(Qt::black), QColor(Qt::white)}) {
+        const QColor ink = ground == QColor(Qt::black) ? Qt::white : Qt::black;
+        palette.setColor(QPalette::Window, ground);
+        palette.setColor(QPalette::WindowText, ink);
+        palette.setColor(QPalette::Base, ground);
+        palette.setColor(QPalette::Text, ink);
+        view.setPalette(palette);
+        view.replot();
+        QCOMPARE(view.toPixmap().toImage().pixelColor(1, 1), ground);
+        QCOMPARE(view.xAxis->tickLabelColor(), ink);
+    }
+}
+
+void PlotsTest::manyRowsCostLittle() {
+    std::mt19937 random(3);
+    PersistentArray<BlockStatistics> blocks;
+    const std::vector<FrameStatistics> frames;
+    // The paper's sawtooth: faces grow for a period of 20 blocks and fall.
+    const auto addBlock = [&] {
+        BlockStatistics row = randomBlock(random);
+        row.facesShown = static_cast<std::uint32_t>(40000 + 900 * (blocks.size() % 20) + random() % 500);
+        blocks.push_back(row);
+    };
+    for (int k = 0; k < 100000; ++k)
+        addBlock();
+    PlotHistory history;
+    PlotView view(plot("faces"));
+    view.resize(700, 300);
+    view.setRows({blocks, frames}, history.update(blocks, frames, true).firstBlock);
+    double least = 1;
+    for (int tick = 0; tick < 20; ++tick) {
+        for (int k = 0; k < 10; ++k)
+            addBlock();
+        const std::clock_t start = std::clock(); // Of the processor: neighbours do not count.
+        view.setRows({blocks, frames}, history.update(blocks, frames, true).firstBlock);
+        view.setBlock(blocks.size(), blocks.size());
+        view.replot();
+        least = std::min(least, static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC);
+    }
+    QVERIFY2(least < 0.005, qPrintable(QString::number(least * 1e3)));
+}
+
+void PlotsTest::panelShowsARunAndExportsIt() {
+    Session session;
+    PlotsPanel panel(session);
+    panel.resize(900, 260);
+    panel.show();
+    QVERIFY(session.openFile(QStringLiteral(PROVEOUT_SOURCE_DIR "/resources/samples/core-insert.proveout")));
+    QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, 10000);
+    session.seek(120);
+    QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{120}, 10000);
+    const FramePtr frame = session.frame();
+    QVERIFY(frame->statistics.size() >= 120);
+    PlotView& faces = *panel.views().front();
+    QTRY_VERIFY(faces.rows() >= 120);
+    for (std::size_t row = 0; row < 120; ++row) {
+        QCOMPARE(faces.value(0, row), static_cast<double>(frame->statistics[row].facesFull));
+        QCOMPARE(faces.value(1, row), static_cast<double>(frame->statistics[row].facesShown));
+    }
+    QTemporaryDir folder;
+    QVERIFY(panel.exportTo(faces, folder.filePath(QStringLiteral("faces.csv"))));
+    QFile csv(folder.filePath(QStringLiteral("faces.csv")));
+    QVERIFY(csv.open(QIODevice::ReadOnly));
+    QCOMPARE(csv.readLine(), QByteArray("block,facesFull,facesShown\n"));
+    QCOMPARE(csv.readLine(), QStringLiteral("1,%1,%2\n")
+                                 .arg(frame->statistics[0].facesFull)
+                                 .arg(frame->statistics[0].facesShown)
+                                 .toLatin1());
+    QVERIFY(panel.exportTo(faces, folder.filePath(QStringLiteral("faces.png"))));
+    QVERIFY(QImage(folder.filePath(QStringLiteral("faces.png"))).width() >= faces.width());
+    QVERIFY(panel.exportTo(faces, folder.filePath(QStringLiteral("faces.svg"))));
+    QFile svg(folder.filePath(QStringLiteral("faces.svg")));
+    QVERIFY(svg.open(QIODevice::ReadOnly) && svg.readAll().contains("<svg"));
+    // A folder that is not there is told, not shown in a dialog.
+    QVERIFY(!panel.exportTo(faces, folder.filePath(QStringLiteral("missing/faces.csv"))));
+    QVERIFY(!session.problems().empty());
+    emit faces.blockClicked(60);
+    QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{60}, 10000);
+}
+
+QTEST_MAIN(PlotsTest)
+#include "plots_test.moc"

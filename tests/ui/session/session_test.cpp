@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The hub alone, without a window: what a panel can rely on.
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <string>
+
+#include <QDir>
+#include <QFile>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/cutter/cutter.h"
+#include "core/formats/stl.h"
+#include "ui/diagnostic_text.h"
+#include "ui/file_paths.h"
+#include "ui/playback_commands.h"
+#include "ui/program_index.h"
+#include "ui/session.h"
+
+namespace proveout {
+namespace {
+
+constexpr int kPatience = 20'000;
+const QString kSample = QStringLiteral(PROVEOUT_SOURCE_DIR "/resources/samples/core-insert.proveout");
+
+bool hasProblem(const Session& session, const char* id) {
+    return std::any_of(session.problems().begin(), session.problems().end(),
+                       [&](const Diagnostic& problem) { return std::string(problem.id) == id; });
+}
+
+QString write(const QTemporaryDir& folder, const QString& name, const QByteArray& bytes) {
+    const QString path = folder.filePath(name);
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
+        qFatal("cannot write the test's own file");
+    return path;
+}
+
+QByteArray bytesOf(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+const QByteArray kSquare =
+    "G21 G90 G17 T1 M6\nS1000 M3\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX10\nY10\nX0\nY0\nG0 Z5\nM30\n";
+
+/// The largest difference of the heights of two moments of one grid.
+double heightDifference(const ZMapSnapshot& a, const ZMapSnapshot& b) {
+    double largest = 0;
+    for (int j = 0; j < a.grid().ny; ++j)
+        for (int i = 0; i < a.grid().nx; ++i)
+            largest = std::max(largest, std::abs(static_cast<double>(a.height(i, j)) - b.height(i, j)));
+    return largest;
+}
+
+} // namespace
+
+class SessionTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void opensTheSampleJob() {
+        Session session;
+        QVERIFY(session.openFile(kSample));
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
+        QCOMPARE(session.blockCount(), std::size_t{255});
+        QCOMPARE(session.block(), std::size_t{0});
+        QCOMPARE(session.setup().stock.width, 140.0);
+        QVERIFY(session.setup().tools.find(1) != nullptr);
+        QVERIFY(!session.modified());
+    }
+
+    void seeksStepsAndPlaysToTheEnd() {
+        Session session;
+        QVERIFY(session.openFile(kSample));
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
+        session.seek(100);
+        QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{100}, kPatience);
+        for (int i = 0; i < 5; ++i)
+            session.step(1); // quick presses add up
+        QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{105}, kPatience);
+        session.step(-10);
+        QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{95}, kPatience);
+        session.setSpeed(std::numeric_limits<double>::infinity());
+        session.play();
+        QVERIFY(session.playback().playing);
+        QTRY_VERIFY_WITH_TIMEOUT(!session.playback().playing, kPatience);
+        QCOMPARE(session.block(), session.blockCount());
+        session.play(); // at the end it begins anew
+        QTRY_VERIFY_WITH_TIMEOUT(session.block() < session.blockCount(), kPatience);
+    }
+
+    void paperModeDrawsEveryBlock() {
+        Session session;
+        QVERIFY(session.openFile(kSample));
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
+        connect(&session, &Session::tick, this, [&](const FramePtr& frame) {
+            if (frame)
+                session.reportDrawn(frame->sequence, 0.001, 0.002);
+        });
+        session.setSpeed(std::numeric_limits<double>::infinity(), true);
+        session.seek(0);
+        session.play();
+        QTRY_VERIFY_WITH_TIMEOUT(session.block() >= 20, kPatience);
+        session.pause();
+        const std::vector<FrameStatistics>& rows = session.frameStatistics();
+        QVERIFY(rows.size() >= 20);
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            QCOMPARE(rows[i].lastBlock, rows[i].firstBlock + 1); // each row stands for one block
+            QCOMPARE(rows[i].firstBlock, static_cast<std::uint32_t>(i));
+        }
+    }
+
+    void anEditGoesOnFromTheFirstChangedBlock() {
+        QTemporaryDir folder;
+        Session session;
+        QVERIFY(session.openFile(write(folder, "square.nc", kSquare)));
+        Setup setup = session.setup();
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
+        setup = session.setup();
+        setup.tools.set(1, parseCutter("flat:d=4,l=20").value());
+        QVERIFY(session.setSetup(setup).has_value());
+        session.seek(session.blockCount());
+        QTRY_COMPARE_WITH_TIMEOUT(session.block(), session.blockCount(), kPatience);
+        const ZMapSnapshot before = session.frame()->zmap;
+        const auto oldProgram = session.program();
+
+        const std::string text = session.document().text.toString();
+        const std::size_t place = text.find("Z-1");
+        session.applyEdit(place, 3, "Z-2");
+        QTRY_VERIFY_WITH_TIMEOUT(session.program() != oldProgram, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame()->program == session.program() &&
+                                     session.block() == session.blockCount(),
+                                 kPatience);
+        QVERIFY(std::abs(heightDifference(before, session.frame()->zmap) - 1.0) < 1e-5);
+
+        // The same as when the edited file is opened afresh.
+        QByteArray edited = kSquare;
+        edited.replace("Z-1", "Z-2");
+        Session fresh;
+        QVERIFY(fresh.openFile(write(folder, "edited.nc", edited)));
+        QTRY_VERIFY_WITH_TIMEOUT(fresh.frame() != nullptr, kPatience);
+        QVERIFY(fresh.setSetup(session.setup()).has_value());
+        fresh.seek(fresh.blockCount());
+        QTRY_COMPARE_WITH_TIMEOUT(fresh.block(), fresh.blockCount(), kPatience);
+        QCOMPARE(heightDifference(fresh.frame()->zmap, session.frame()->zmap), 0.0);
+    }
+
+    void aChangedAllowanceChangesTheFaces() {
+        Session session;
+        QVERIFY(session.openFile(kSample));
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
+        session.seek(200);
+        QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{200}, kPatience);
+        const std::size_t before = session.frame()->surface.faces;
+        DecimationParameters parameters = session.parameters();
+        parameters.allowance = 0.5;
+        session.setParameters(parameters);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            session.frame()->parameters == parameters && session.frame()->surface.faces < before, kPatience);
+        QCOMPARE(session.block(), std::size_t{200});
+        QVERIFY(session.frame()->surface.largestError() <= 0.5);
+        QVERIFY(session.modified()); // the job holds the parameters
+    }
+
+    void exportsWhatTheFrameShows() {
+        QTemporaryDir folder;
+        Session session;
+        QVERIFY(session.openFile(kSample));
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
+        session.seek(120);
+        QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{120}, kPatience);
+        const QString file = folder.filePath("part.stl");
+        QSignalSpy exported(&session, &Session::exported);
+        session.exportStl(file, {});
+        QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, kPatience);
+        const Result<TriangleMesh> mesh = readStl(toPath(file));
+        QVERIFY(mesh.has_value());
+        QCOMPARE(std::uint64_t{mesh->triangles.size()}, session.lastExport()->triangles);
+        QCOMPARE(static_cast<qint64>(session.lastExport()->bytes), QFileInfo(file).size());
+        double volume = 0; // closed and oriented: the divergence theorem gives the stock that is left
+        for (const auto& t : mesh->triangles)
+            volume +=
+                glm::dot(mesh->vertices[t[0]], glm::cross(mesh->vertices[t[1]], mesh->vertices[t[2]])) / 6;
+        const double left = session.frame()->zmap.volume();
+        QVERIFY2(std::abs(volume - left) < 0.01 * left, qPrintable(QString("%1 %2").arg(volume).arg(left)));
+    }
+
+    void anUnwritablePathIsAMessage() {
+        Session session;
+        QVERIFY(session.openFile(kSample));
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
+        session.exportStl(QStringLiteral("/nonexistent/folder/part.stl"), {});
+        QTRY_VERIFY_WITH_TIMEOUT(!session.problems().empty() && !session.work(), kPatience);
+        QVERIFY(!session.lastExport());
+    }
+
+    void savesBytesAsTheyWere() {
+        QTemporaryDir folder;
+        const QByteArray bytes =
+            "\xEF\xBB\xBFG21\r\n(M\xFChle \xE9)\r\nG0 X1\r\n\r\nM30"; // mark, Latin-1, no last line end
+        const QString file = write(folder, "latin.nc", bytes);
+        Session session;
+        QVERIFY(session.openFile(file));
+        QVERIFY(!session.document().utf8);
+        QCOMPARE(session.document().lineEnd, LineEnd::crLf);
+        session.applyEdit(0, 0, "(a)\r\n");
+        session.setTextModified(true);
+        QVERIFY(session.save());
+        QByteArray expected = bytes;
+        expected.insert(3, "(a)\r\n");
+        QCOMPARE(bytesOf(file), expected);
+        QVERIFY(!session.modified());
+    }
+
+    void badInputIsToldAndLeavesTheDocument() {
+        QTemporaryDir folder;
+        Session session;
+        QVERIFY(session.openFile(write(folder, "good.nc", kSquare)));
+        QVERIFY(!session.openFile(folder.filePath("missing.nc")));
+        QVERIFY(!session.problems().empty());
+        QVERIFY(!session.openFile(write(folder, "binary.nc", QByteArray(1000, '\0'))));
+        QVERIFY(hasProblem(session, "nc-binary"));
+        QVERIFY(!session.openFile(write(folder, "broken.proveout", "{\"schema\": ")));
+        QVERIFY(!session.problems().empty());
+        QVERIFY(!session.openFile(folder.path()));
+        QCOMPARE(QFileInfo(toQString(session.document().path)).fileName(), QString("good.nc"));
+    }
+
+    void aGridThatIsTooLargeIsRefused() {
+        Session session;
+        QVERIFY(session.openFile(kSample));
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
+        Setup setup = session.setup();
+        setup.spacing = 0.0005;
+        const Result<void> done = session.setSetup(setup);
+        QVERIFY(!done.has_value());
+        QCOMPARE(session.setup().spacing, 1.0);
+        setup.stock.width = -1;
+        QVERIFY(!session.setSetup(setup).has_value());
+    }
+
+    void programsWithoutToolsOrMotionsAreTold() {
+        QTemporaryDir folder;
+        Session session;
+        QVERIFY(session.openFile(write(folder, "empty.nc", "%\n(nothing)\n%\n")));
+        QTRY_VERIFY_WITH_TIMEOUT(!session.problems().empty(), kPatience);
+        QCOMPARE(session.blockCount(), std::size_t{0});
+        QVERIFY(session.openFile(write(folder, "square.nc", kSquare)));
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
+        session.seek(session.blockCount());
+        QTRY_VERIFY_WITH_TIMEOUT(!session.frame()->findings.empty(), kPatience); // T1 is not defined
+    }
+
+    void noticesChangesOnTheDiskAlsoAfterARename() {
+        QTemporaryDir folder;
+        const QString file = write(folder, "watched.nc", kSquare);
+        Session session;
+        QVERIFY(session.openFile(file));
+        QSignalSpy changed(&session, &Session::fileChangedOnDisk);
+        for (int round = 1; round <= 2; ++round) {
+            const QString next = write(folder, "next.nc", kSquare + QByteArray(round, '\n'));
+            std::filesystem::rename(toPath(next), toPath(file)); // as editors save
+            QTRY_COMPARE_WITH_TIMEOUT(changed.count(), round, kPatience);
+        }
+        session.reload();
+        QCOMPARE(QByteArray::fromStdString(session.document().text.toString()), kSquare + "\n\n");
+        session.applyEdit(0, 0, "(mine)\n");
+        session.setTextModified(true);
+        QVERIFY(session.save()); // our own save is no change by somebody else
+        QTest::qWait(600);
+        QCOMPARE(changed.count(), 2);
+    }
+
+    void fitsTheStockToTheProgram() {
+        QTemporaryDir folder;
+        Session session;
+        QVERIFY(session.openFile(write(folder, "square.nc", kSquare)));
+        QTRY_VERIFY_WITH_TIMEOUT(session.program() != nullptr, kPatience);
+        const StockBox stock = session.setup().stock;
+        QCOMPARE(stock.corner, Vec3(-5, -5, 0)); // no cutter is known: 5 mm around
+        QCOMPARE(stock.width, 20.0);
+        QCOMPARE(stock.height, 6.0); // 1 mm of cut and 5 mm below it
+        const std::vector<ToolChangeMark> marks = toolChangeMarks(*session.program());
+        QCOMPARE(marks.size(), std::size_t{1});
+        QCOMPARE(marks.front().block, std::size_t{0});
+    }
+
+    void aNewProgramInheritsNothing() {
+        QTemporaryDir folder;
+        Session session;
+        QVERIFY(session.openFile(write(folder, "first.nc", kSquare)));
+        Setup setup = session.setup();
+        setup.tools.set(1, parseCutter("ball:d=10,l=30").value());
+        QVERIFY(session.setSetup(setup));
+        DecimationParameters parameters;
+        parameters.allowance = 0.3;
+        session.setParameters(parameters);
+        QVERIFY(session.openFile(write(folder, "second.nc", kSquare)));
+        QVERIFY(session.setup().tools.tools().empty());
+        QCOMPARE(session.parameters().allowance, DecimationParameters{}.allowance);
+    }
+
+    void aFailedOpenIsToldWithItsFile() {
+        QTemporaryDir folder;
+        Session session;
+        QVERIFY(session.openFile(write(folder, "square.nc", kSquare)));
+        QSignalSpy troubled(&session, &Session::troubled);
+        QVERIFY(!session.openFile(write(folder, "picture.nc", QByteArray(64, '\0'))));
+        QCOMPARE(troubled.count(), 1);
+        const Diagnostic& problem = session.problems().front();
+        QCOMPARE(problem.where.line, 0); // it is not about a line of the program that stays open
+        QVERIFY2(sentence(problem).startsWith(QLatin1String("picture.nc: ")), qPrintable(sentence(problem)));
+    }
+
+    void speedsGoUpAndDown() {
+        QCOMPARE(neighbourSpeed(kUnitBlocksPerSecond, 1), 2 * kUnitBlocksPerSecond);
+        QCOMPARE(neighbourSpeed(kUnitBlocksPerSecond, -1), 0.5 * kUnitBlocksPerSecond);
+        QVERIFY(std::isinf(neighbourSpeed(1e9, 1)));
+        QCOMPARE(neighbourSpeed(speeds().front(), -1), speeds().front());
+    }
+};
+
+} // namespace proveout
+
+QTEST_MAIN(proveout::SessionTest)
+#include "session_test.moc"

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include <QSignalSpy>
+#include <QTest>
+
+#include "ui/timeline/timeline_scale.h"
+
+namespace proveout {
+
+class TimelineTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyBlockIsReachable() {
+        TimelineScale scale;
+        scale.resize(800, scale.sizeHint().height());
+        for (const std::size_t blocks : {1U, 2U, 255U, 700U}) {
+            scale.setBlockCount(blocks);
+            for (std::size_t block = 0; block <= blocks; ++block)
+                QCOMPARE(scale.blockAt(scale.positionOf(block)), block);
+        }
+        scale.setBlockCount(10'273);
+        QCOMPARE(scale.blockAt(-5), std::size_t{0});
+        QCOMPARE(scale.blockAt(900), std::size_t{10'273});
+    }
+
+    void scrubbingTellsTheBlockUnderTheMouse() {
+        TimelineScale scale;
+        scale.resize(800, scale.sizeHint().height());
+        scale.setBlockCount(255);
+        QList<std::size_t> blocks;
+        connect(&scale, &TimelineScale::scrubbed, &scale, [&](std::size_t block) { blocks << block; });
+        const auto place = [&](std::size_t block) {
+            return QPoint(static_cast<int>(std::lround(scale.positionOf(block))), 12);
+        };
+        QTest::mousePress(&scale, Qt::LeftButton, {}, place(100));
+        scale.setBlock(3); // a frame of before the drag does not pull the head away
+        QTest::mouseMove(&scale, place(200));
+        QTest::mouseRelease(&scale, Qt::LeftButton, {}, place(200));
+        QCOMPARE(blocks.front(), std::size_t{100});
+        QCOMPARE(blocks.back(), std::size_t{200});
+        QTest::mouseMove(&scale, place(50)); // without a button
+        QCOMPARE(blocks.back(), std::size_t{200});
+    }
+
+    void anEmptyRangeDoesNothing() {
+        TimelineScale scale;
+        scale.resize(300, scale.sizeHint().height());
+        QSignalSpy scrubbed(&scale, &TimelineScale::scrubbed);
+        QTest::mouseClick(&scale, Qt::LeftButton, {}, QPoint(150, 12));
+        QCOMPARE(scrubbed.count(), 0);
+        scale.setMarks({{0, true, Severity::note}});
+        QVERIFY(!scale.grab().isNull());
+    }
+};
+
+} // namespace proveout
+
+QTEST_MAIN(proveout::TimelineTest)
+#include "timeline_test.moc"

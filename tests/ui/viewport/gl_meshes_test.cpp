@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the renderer builds before anything goes to the graphics side.
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <random>
+#include <set>
+
+#include <QTest>
+
+#include "tests/ui/viewport/frame_builder.h"
+#include "ui/gl/cutter_mesh.h"
+#include "ui/gl/path_lines.h"
+#include "ui/gl/slot_allocator.h"
+#include "ui/gl/wall_buffer.h"
+
+using namespace proveout;
+
+class GlMeshesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void slotsNeverOverlap();
+    void cutterIsClosedAndToScale_data();
+    void cutterIsClosedAndToScale();
+    void wallsCloseTheSurface();
+    void pathFollowsTheMotions();
+};
+
+void GlMeshesTest::slotsNeverOverlap() {
+    std::mt19937 random(4711);
+    SlotAllocator allocator;
+    std::map<std::uint32_t, SlotAllocator::Slot> taken; // by offset
+    for (int step = 0; step < 20000; ++step) {
+        if (!taken.empty() && random() % 2 == 0) {
+            auto victim = taken.begin();
+            std::advance(victim, random() % taken.size());
+            allocator.free(victim->second);
+            taken.erase(victim);
+            continue;
+        }
+        const auto count = 1 + static_cast<std::uint32_t>(random() % 300);
+        const SlotAllocator::Slot slot = allocator.allocate(count);
+        QVERIFY(slot.capacity >= count && slot.offset + slot.capacity <= allocator.extent());
+        const auto next = taken.lower_bound(slot.offset);
+        QVERIFY(next == taken.end() || slot.offset + slot.capacity <= next->second.offset);
+        QVERIFY(next == taken.begin() ||
+                std::prev(next)->second.offset + std::prev(next)->second.capacity <= slot.offset);
+        taken.emplace(slot.offset, slot);
+    }
+    QVERIFY(allocator.extent() < 20000u * 64u); // Freed places are used again.
+}
+
+void GlMeshesTest::cutterIsClosedAndToScale_data() {
+    QTest::addColumn<QString>("spec");
+    for (const char* spec :
+         {"ball:d=11,l=50", "flat:d=6,l=20", "bull:d=10,r=2,l=30", "cone:d=12,angle=90,l=25"})
+        QTest::newRow(spec) << QString::fromLatin1(spec);
+}
+
+void GlMeshesTest::cutterIsClosedAndToScale() {
+    QFETCH(QString, spec);
+    const Cutter cutter = parseCutter(spec.toStdString()).value();
+    const std::vector<CutterVertex> mesh = cutterMesh(cutter);
+    using Point = std::array<long, 3>;
+    const auto rounded = [](const glm::vec3& p) {
+        return Point{std::lround(p.x * 1e4), std::lround(p.y * 1e4), std::lround(p.z * 1e4)};
+    };
+    std::map<std::pair<Point, Point>, int> edges;
+    double volume = 0;
+    for (std::size_t k = 0; k < mesh.size(); k += 3) {
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            ++edges[{rounded(mesh[k + corner].position), rounded(mesh[k + (corner + 1) % 3].position)}];
+        volume += glm::dot(glm::dvec3(mesh[k].position),
+                           glm::cross(glm::dvec3(mesh[k + 1].position), glm::dvec3(mesh[k + 2].position))) /
+                  6;
+    }
+    for (const auto& [edge, count] : edges)
+        QCOMPARE(edges[std::pair(edge.second, edge.first)], count);
+    QVERIFY(volume > 0); // Outside is outside.
+    // The fluted part lies on the profile.
+    for (const CutterVertex& vertex : mesh) {
+        const double r = std::hypot(vertex.position.x, vertex.position.y);
+        if (vertex.part < 0.5f && r < cutter.radius() * 0.999)
+            QVERIFY(std::abs(vertex.position.z - cutter.height(r)) < 1e-3);
+        QVERIFY(vertex.part > 0.5f || r <= cutter.radius() * 1.0001);
+    }
+}
+
+void GlMeshesTest::wallsCloseTheSurface() {
+    // Top, walls and underside together: every edge has its opposite, whatever is decimated.
+    FrameBuilder builder({{0, 0, 0}, 33, 21, 10}, 1);
+    builder.cutAll([](double x, double y) { return -3 + std::sin(x * 0.3) + std::cos(y * 0.5); });
+    builder.decimate();
+    builder.cut({0, 0, 12, 9}, [](double x, double) { return -5 - 0.1 * x; });
+    const FramePtr frame = builder.frame();
+    QVERIFY(frame->surface.dirtyRegions > 0 && frame->surface.dirtyRegions < frame->surface.meshes.size());
+
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        ++edges[{a, b}];
+        ++edges[{b, c}];
+        ++edges[{c, a}];
+    };
+    for (const LatticeTriangle& triangle : frame->surface.triangles())
+        add(triangle[0], triangle[1], triangle[2]);
+    for (const auto& face : wallMesh(frame->surface).faces)
+        for (std::size_t k = 0; k < face.size(); k += 3)
+            add(face[k], face[k + 1], face[k + 2]);
+    for (const auto& [edge, count] : edges) {
+        QCOMPARE(count, 1);
+        QCOMPARE((edges.contains({edge.second, edge.first})), true);
+    }
+}
+
+void GlMeshesTest::pathFollowsTheMotions() {
+    Program program;
+    Motion feed;
+    feed.kind = MotionKind::feed;
+    feed.startKnown = feed.endKnown = kAllAxes;
+    feed.end = {10, 0, 0};
+    Motion arc = feed;
+    arc.kind = MotionKind::arc;
+    arc.start = feed.end;
+    arc.centre = {10, 5, 0};
+    arc.end = {10, 10, 0};
+    arc.sweep = std::numbers::pi;
+    Motion unknown = feed;
+    unknown.endKnown = kAxisX;
+    for (const Motion& motion : {feed, arc, unknown}) {
+        program.beginBlock(1);
+        program.append(motion);
+    }
+    const PathLines lines = pathLines(program, 0, 99);
+    QCOMPARE(lines.blockFirst.size(), std::size_t{4});
+    QCOMPARE(lines.verticesBefore(0), std::size_t{0});
+    QCOMPARE(lines.verticesBefore(1), std::size_t{2});
+    QCOMPARE(lines.verticesBefore(3), lines.vertices.size()); // What is not known is not drawn.
+    for (std::size_t k = 2; k < lines.vertices.size(); ++k) {
+        const Vec3 at = lines.origin + Vec3(lines.vertices[k].position);
+        QVERIFY(std::abs(glm::distance(at, arc.centre) - 5) < 0.001);
+        if (k % 2 == 1) {
+            const Vec3 middle = lines.origin + 0.5 * (Vec3(lines.vertices[k - 1].position) +
+                                                      Vec3(lines.vertices[k].position));
+            QVERIFY(glm::distance(middle, arc.centre) > 5 - 0.021);
+        }
+    }
+    const PathLines later = pathLines(program, 1, 2);
+    QCOMPARE(later.verticesBefore(1), std::size_t{0});
+    QCOMPARE(later.verticesBefore(2), later.vertices.size());
+}
+
+QTEST_APPLESS_MAIN(GlMeshesTest)
+#include "gl_meshes_test.moc"

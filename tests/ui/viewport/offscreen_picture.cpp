@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/viewport/offscreen_picture.h"
+
+#include <QOpenGLFramebufferObject>
+
+namespace proveout {
+
+OffscreenPicture::OffscreenPicture() {
+    if (!probeGl().usable)
+        return;
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    m_context.setFormat(format);
+    m_surface.setFormat(format);
+    m_surface.create();
+    if (m_context.create() && m_context.makeCurrent(&m_surface))
+        m_renderer = SceneRenderer::create();
+}
+
+OffscreenPicture::~OffscreenPicture() {
+    if (m_renderer == nullptr)
+        return;
+    m_context.makeCurrent(&m_surface);
+    m_renderer->release();
+    m_renderer.reset();
+    m_context.doneCurrent();
+}
+
+QImage OffscreenPicture::draw(const FramePtr& frame, const View& view, const SceneOptions& options) {
+    m_context.makeCurrent(&m_surface); // A test may hold two of them.
+    QOpenGLFramebufferObject target(view.pixels.x, view.pixels.y, QOpenGLFramebufferObject::Depth);
+    target.bind();
+    m_uploaded = m_renderer->upload(frame);
+    m_renderer->draw(view, options);
+    return target.toImage().convertToFormat(QImage::Format_RGB32);
+}
+
+} // namespace proveout

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The core speaks English with marked strings; here they become the user's language.
+#pragma once
+
+#include <QString>
+
+#include "core/base/diagnostic.h"
+
+namespace proveout {
+
+/// A string that the core marked with PROVEOUT_TEXT, translated.
+[[nodiscard]] QString coreText(const char* text);
+/// The sentence of a diagnostic, translated, its arguments filled in.
+[[nodiscard]] QString sentence(const Diagnostic& diagnostic);
+/// What to do about it, translated; may be empty.
+[[nodiscard]] QString hint(const Diagnostic& diagnostic);
+/// "Error", "Warning", …
+[[nodiscard]] QString severityName(Severity severity);
+
+} // namespace proveout

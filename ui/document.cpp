@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/document.h"
+
+#include <fstream>
+#include <string_view>
+
+#include "core/base/atomic_file.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+
+bool startsWithByteOrderMark(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::string head(kByteOrderMark.size(), '\0');
+    stream.read(head.data(), static_cast<std::streamsize>(head.size()));
+    return stream && head == kByteOrderMark;
+}
+
+/// Bytes of the UTF-8 sequence at the start of `bytes`, 0 where there is none.
+std::size_t sequenceLength(std::string_view bytes) {
+    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
+    const unsigned char first = byte(0);
+    if (first < 0x80)
+        return 1;
+    const std::size_t length = first >= 0xF0 && first <= 0xF4   ? 4
+                               : first >= 0xE0 && first <= 0xEF ? 3
+                               : first >= 0xC2 && first <= 0xDF ? 2
+                                                                : 0;
+    if (length == 0 || bytes.size() < length)
+        return 0;
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((byte(i) & 0xC0) != 0x80)
+            return 0;
+    }
+    return length;
+}
+
+} // namespace
+
+bool isUtf8(std::string_view bytes) {
+    while (!bytes.empty()) {
+        const std::size_t length = sequenceLength(bytes);
+        if (length == 0)
+            return false;
+        bytes.remove_prefix(length);
+    }
+    return true;
+}
+
+LineEnd mostFrequentLineEnd(std::string_view text) {
+    std::size_t lf = 0;
+    std::size_t crLf = 0;
+    std::size_t cr = 0;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        if (text[i] == '\n') {
+            ++lf;
+        } else if (text[i] == '\r') {
+            const bool pair = i + 1 < text.size() && text[i + 1] == '\n';
+            ++(pair ? crLf : cr);
+            i += pair ? 1 : 0;
+        }
+    }
+    if (crLf > lf && crLf >= cr)
+        return LineEnd::crLf;
+    return cr > lf ? LineEnd::cr : LineEnd::lf;
+}
+
+Result<Document> loadDocument(const std::filesystem::path& file) {
+    Result<NcText> text = NcText::load(file);
+    if (!text)
+        return tl::unexpected(std::move(text.error()));
+    Document document;
+    document.path = file;
+    document.text = std::move(*text);
+    document.byteOrderMark = startsWithByteOrderMark(file);
+    document.readOnly = document.text.size() > kEditableBytes;
+    const std::string bytes = document.text.toString();
+    document.utf8 = isUtf8(bytes);
+    document.lineEnd = mostFrequentLineEnd(bytes);
+    return document;
+}
+
+Result<void> saveDocument(const Document& document, const std::filesystem::path& file) {
+    AtomicFile out(file);
+    if (document.byteOrderMark)
+        out.write(kByteOrderMark);
+    out.write(document.text.toString());
+    return out.commit();
+}
+
+} // namespace proveout

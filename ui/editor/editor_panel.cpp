@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/editor/editor_panel.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+
+#include <QEvent>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include "ui/editor/file_changed_bar.h"
+#include "ui/editor/find_bar.h"
+#include "ui/editor/nc_editor.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr const char* kContext = "EditCommands";
+
+} // namespace
+
+const std::array<Command<EditorPanel>, 14> EditorPanel::kCommands{{
+    {"edit-undo", QT_TRANSLATE_NOOP("EditCommands", "&Undo"),
+     QT_TRANSLATE_NOOP("EditCommands", "Take back the last change of the text"), "undo", "Ctrl+Z",
+     Reach::focus, [](EditorPanel& panel) { panel.m_editor->undo(); }},
+    {"edit-redo", QT_TRANSLATE_NOOP("EditCommands", "&Redo"),
+     QT_TRANSLATE_NOOP("EditCommands", "Make the change again that was taken back"), "redo",
+     "Ctrl+Shift+Z; Ctrl+Y", Reach::focus, [](EditorPanel& panel) { panel.m_editor->redo(); }},
+    separator<EditorPanel>(),
+    {"edit-cut", QT_TRANSLATE_NOOP("EditCommands", "Cu&t"),
+     QT_TRANSLATE_NOOP("EditCommands", "Move the selected text to the clipboard"), "", "Ctrl+X", Reach::focus,
+     [](EditorPanel& panel) { panel.m_editor->cut(); }},
+    {"edit-copy", QT_TRANSLATE_NOOP("EditCommands", "&Copy"),
+     QT_TRANSLATE_NOOP("EditCommands", "Copy the selected text to the clipboard"), "", "Ctrl+C", Reach::focus,
+     [](EditorPanel& panel) { panel.m_editor->copy(); }},
+    {"edit-paste", QT_TRANSLATE_NOOP("EditCommands", "&Paste"),
+     QT_TRANSLATE_NOOP("EditCommands", "Insert the text of the clipboard"), "", "Ctrl+V", Reach::focus,
+     [](EditorPanel& panel) { panel.m_editor->paste(); }},
+    {"edit-delete", QT_TRANSLATE_NOOP("EditCommands", "&Delete"),
+     QT_TRANSLATE_NOOP("EditCommands", "Delete the selected text"), "", "", Reach::focus,
+     [](EditorPanel& panel) { panel.m_editor->removeSelectedText(); }},
+    {"edit-select-all", QT_TRANSLATE_NOOP("EditCommands", "Select &All"),
+     QT_TRANSLATE_NOOP("EditCommands", "Select the whole text"), "", "Ctrl+A", Reach::focus,
+     [](EditorPanel& panel) { panel.m_editor->selectAll(); }},
+    separator<EditorPanel>(),
+    {"edit-find", QT_TRANSLATE_NOOP("EditCommands", "&Find…"),
+     QT_TRANSLATE_NOOP("EditCommands", "Find text in the NC program"), "find", "Ctrl+F", Reach::window,
+     [](EditorPanel& panel) { panel.m_find->open(false); }},
+    {"edit-replace", QT_TRANSLATE_NOOP("EditCommands", "R&eplace…"),
+     QT_TRANSLATE_NOOP("EditCommands", "Find text in the NC program and replace it"), "", "Ctrl+H",
+     Reach::window, [](EditorPanel& panel) { panel.m_find->open(true); }},
+    {"edit-find-next", QT_TRANSLATE_NOOP("EditCommands", "Find &Next"),
+     QT_TRANSLATE_NOOP("EditCommands", "Go to the next match"), "", "F3", Reach::window,
+     [](EditorPanel& panel) { panel.m_find->find(true); }},
+    {"edit-find-previous", QT_TRANSLATE_NOOP("EditCommands", "Find Pre&vious"),
+     QT_TRANSLATE_NOOP("EditCommands", "Go to the previous match"), "", "Shift+F3", Reach::window,
+     [](EditorPanel& panel) { panel.m_find->find(false); }},
+    {"edit-run-to-caret", QT_TRANSLATE_NOOP("EditCommands", "Run to Caret &Line"),
+     QT_TRANSLATE_NOOP("EditCommands", "Show the stock after the line that the caret is on"), "",
+     "Ctrl+Return", Reach::focus,
+     [](EditorPanel& panel) {
+         panel.m_session.seekToLine(static_cast<std::uint32_t>(panel.m_editor->caretLine()));
+     }},
+}};
+
+EditorPanel::EditorPanel(Session& session, QWidget* parent)
+    : QWidget(parent), m_session(session), m_editor(new NcEditor(this)), m_find(new FindBar(*m_editor, this)),
+      m_changed(new FileChangedBar(this)), m_readOnly(new QLabel(this)),
+      m_commands(*this, kContext, kCommands, this) {
+    for (QAction* action : m_commands.all()) {
+        addAction(action);
+        m_editor->addAction(action); // its context menu
+    }
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_changed);
+    layout->addWidget(m_readOnly);
+    layout->addWidget(m_editor, 1);
+    layout->addWidget(m_find);
+    m_readOnly->setContentsMargins(8, 4, 8, 4);
+    m_readOnly->setWordWrap(true);
+    m_editor->setFrameShape(QFrame::NoFrame);
+    setFocusProxy(m_editor);
+
+    connect(m_editor, &NcEditor::edited, &session, &Session::applyEdit);
+    connect(m_editor, &NcEditor::savedStateChanged, &session, &Session::setTextModified);
+    connect(m_editor, &NcEditor::lineChosen, &session,
+            [&session](int line) { session.seekToLine(static_cast<std::uint32_t>(line)); });
+    connect(m_editor, &QsciScintilla::selectionChanged, this, &EditorPanel::updateActions);
+    connect(m_editor, &QsciScintilla::textChanged, this, &EditorPanel::updateActions);
+    connect(&session, &Session::textReplaced, this, &EditorPanel::loadText);
+    connect(&session, &Session::documentChanged, this, [this] {
+        if (!m_session.document().modified)
+            m_editor->markSaved();
+    });
+    connect(&session, &Session::problemsChanged, this, &EditorPanel::showProblems);
+    connect(&session, &Session::tick, this, &EditorPanel::showFrame);
+    connect(&session, &Session::lineRequested, this,
+            [this](std::uint32_t line, int column) { m_editor->goTo(static_cast<int>(line), column); });
+    connect(&session, &Session::fileChangedOnDisk, m_changed, &QWidget::show);
+    connect(m_changed, &FileChangedBar::reloadWanted, &session, &Session::reload);
+    connect(m_changed, &FileChangedBar::keepWanted, &session, &Session::keepMine);
+    retranslate();
+    loadText();
+}
+
+void EditorPanel::retranslate() {
+    m_commands.retranslate();
+    m_editor->setAccessibleName(tr("NC program"));
+    m_readOnly->setText(tr("Shown read-only, because the file is larger than 10 MB."));
+}
+
+void EditorPanel::loadText() {
+    m_editor->load(m_session.document());
+    m_readOnly->setVisible(m_session.document().readOnly);
+    m_changed->hide();
+    updateActions();
+}
+
+void EditorPanel::updateActions() {
+    const bool editable = !m_editor->isReadOnly();
+    const bool selected = m_editor->hasSelectedText();
+    m_commands.find("edit-undo")->setEnabled(editable && m_editor->isUndoAvailable());
+    m_commands.find("edit-redo")->setEnabled(editable && m_editor->isRedoAvailable());
+    m_commands.find("edit-cut")->setEnabled(editable && selected);
+    m_commands.find("edit-copy")->setEnabled(selected);
+    m_commands.find("edit-paste")->setEnabled(editable);
+    m_commands.find("edit-delete")->setEnabled(editable && selected);
+    m_commands.find("edit-replace")->setEnabled(editable);
+}
+
+void EditorPanel::showFrame(const FramePtr& frame) {
+    if (!frame || frame->block == 0 || frame->program != m_session.program()) {
+        m_editor->showCurrentLine(0, false);
+        return;
+    }
+    // While the user works in the text, it does not scroll away under the hands.
+    const bool follow = !m_editor->hasFocus() || m_session.playback().playing;
+    m_editor->showCurrentLine(static_cast<int>(frame->program->blockLine(frame->block - 1)), follow);
+}
+
+void EditorPanel::showProblems() {
+    Diagnostics here;
+    std::copy_if(m_session.problems().begin(), m_session.problems().end(), std::back_inserter(here),
+                 [this](const Diagnostic& problem) { return m_session.isInText(problem); });
+    m_editor->showProblems(here);
+}
+
+void EditorPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace proveout

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include <QWidget>
+
+#include "ui/command_table.h"
+#include "ui/session.h"
+
+class QLabel;
+
+namespace proveout {
+
+class FileChangedBar;
+class FindBar;
+class NcEditor;
+
+/// The NC program: text, find bar, and the bar that tells of changes on the disk. Its actions() are the Edit
+/// menu.
+class EditorPanel final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit EditorPanel(Session& session, QWidget* parent = nullptr);
+    [[nodiscard]] NcEditor& editor() { return *m_editor; }
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    static const std::array<Command<EditorPanel>, 14> kCommands;
+
+    void retranslate();
+    void loadText();
+    void showFrame(const FramePtr& frame);
+    void showProblems();
+    void updateActions();
+
+    Session& m_session;
+    NcEditor* m_editor;
+    FindBar* m_find;
+    FileChangedBar* m_changed;
+    QLabel* m_readOnly;
+    CommandActions<EditorPanel> m_commands;
+};
+
+} // namespace proveout

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/editor/find_bar.h"
+
+#include <QEvent>
+#include <QGridLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QStyle>
+#include <QToolButton>
+
+#include "ui/editor/nc_editor.h"
+
+namespace proveout {
+
+namespace {
+
+QToolButton* button(QWidget* parent, Qt::ArrowType arrow = Qt::NoArrow) {
+    auto* made = new QToolButton(parent);
+    made->setAutoRaise(true);
+    made->setFocusPolicy(Qt::TabFocus);
+    made->setArrowType(arrow);
+    return made;
+}
+
+} // namespace
+
+FindBar::FindBar(NcEditor& editor, QWidget* parent)
+    : QWidget(parent), m_editor(editor), m_text(new QLineEdit(this)), m_replacement(new QLineEdit(this)),
+      m_previous(button(this, Qt::UpArrow)), m_next(button(this, Qt::DownArrow)), m_replace(button(this)),
+      m_replaceAll(button(this)), m_close(button(this)), m_result(new QLabel(this)) {
+    auto* layout = new QGridLayout(this);
+    layout->setContentsMargins(4, 4, 4, 4);
+    layout->setSpacing(4);
+    layout->addWidget(m_text, 0, 0);
+    layout->addWidget(m_previous, 0, 1);
+    layout->addWidget(m_next, 0, 2);
+    layout->addWidget(m_close, 0, 3);
+    layout->addWidget(m_replacement, 1, 0);
+    layout->addWidget(m_replace, 1, 1);
+    layout->addWidget(m_replaceAll, 1, 2, 1, 2);
+    layout->addWidget(m_result, 2, 0, 1, 4);
+    m_text->setClearButtonEnabled(true);
+    m_close->setIcon(style()->standardIcon(QStyle::SP_TitleBarCloseButton));
+    connect(m_text, &QLineEdit::returnPressed, this, [this] { find(true); });
+    connect(m_next, &QToolButton::clicked, this, [this] { find(true); });
+    connect(m_previous, &QToolButton::clicked, this, [this] { find(false); });
+    connect(m_replacement, &QLineEdit::returnPressed, this, &FindBar::replaceOne);
+    connect(m_replace, &QToolButton::clicked, this, &FindBar::replaceOne);
+    connect(m_replaceAll, &QToolButton::clicked, this, &FindBar::replaceAll);
+    connect(m_close, &QToolButton::clicked, this, &FindBar::close);
+    retranslate();
+    hide();
+}
+
+void FindBar::retranslate() {
+    m_text->setPlaceholderText(tr("Find"));
+    m_text->setAccessibleName(tr("Find"));
+    m_replacement->setPlaceholderText(tr("Replace with"));
+    m_replacement->setAccessibleName(tr("Replace with"));
+    m_previous->setToolTip(tr("Previous match (Shift+F3)"));
+    m_previous->setAccessibleName(tr("Previous match"));
+    m_next->setToolTip(tr("Next match (F3)"));
+    m_next->setAccessibleName(tr("Next match"));
+    m_replace->setText(tr("Replace"));
+    m_replaceAll->setText(tr("All"));
+    m_replaceAll->setToolTip(tr("Replace all matches"));
+    m_close->setToolTip(tr("Close (Esc)"));
+    m_close->setAccessibleName(tr("Close"));
+}
+
+void FindBar::open(bool withReplace) {
+    for (QWidget* widget : {static_cast<QWidget*>(m_replacement), static_cast<QWidget*>(m_replace),
+                            static_cast<QWidget*>(m_replaceAll)})
+        widget->setVisible(withReplace && !m_editor.isReadOnly());
+    m_result->hide();
+    if (m_editor.hasSelectedText() && !m_editor.selectedText().contains(u'\n'))
+        m_text->setText(m_editor.selectedText());
+    show();
+    m_text->selectAll();
+    m_text->setFocus();
+}
+
+void FindBar::find(bool forward) {
+    const bool found = m_editor.findMatch(m_text->text(), forward);
+    m_result->setText(tr("Not found."));
+    m_result->setVisible(!found && !m_text->text().isEmpty());
+}
+
+void FindBar::replaceOne() {
+    if (m_editor.selectedText().compare(m_text->text(), Qt::CaseInsensitive) == 0)
+        m_editor.replaceSelection(m_replacement->text());
+    find(true);
+}
+
+void FindBar::replaceAll() {
+    const int count = m_editor.replaceAll(m_text->text(), m_replacement->text());
+    m_result->setText(tr("%n replaced.", nullptr, count));
+    m_result->show();
+}
+
+void FindBar::close() {
+    hide();
+    m_editor.setFocus();
+}
+
+void FindBar::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape)
+        close();
+    else
+        QWidget::keyPressEvent(event);
+}
+
+void FindBar::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace proveout

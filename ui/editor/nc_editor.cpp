@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/editor/nc_editor.h"
+
+#include <algorithm>
+
+#include <QApplication>
+#include <QContextMenuEvent>
+#include <QHelpEvent>
+#include <QMenu>
+#include <QMimeData>
+#include <QToolTip>
+
+#include "ui/diagnostic_text.h"
+#include "ui/theme.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr int kNumberMargin = 0;
+constexpr int kMarkMargin = 1;
+constexpr int kMarkMarginWidth = 14;
+constexpr int kCurrentArrow = 1;
+constexpr int kCurrentBackground = 2;
+constexpr int kProblemMark = 3;
+constexpr int kErrorSquiggle = 8; // 0 … 7 belong to lexers
+constexpr int kWarningSquiggle = 9;
+constexpr std::size_t kMostSquiggles = 1000;
+constexpr double kCurrentTint = 0.22;
+
+/// `share` of `b` in `a`; opaque, because a translucent marker is not drawn behind styled text.
+QColor mixed(const QColor& a, const QColor& b, double share) {
+    const auto mix = [share](int x, int y) { return static_cast<int>(x + share * (y - x)); };
+    return {mix(a.red(), b.red()), mix(a.green(), b.green()), mix(a.blue(), b.blue())};
+}
+
+unsigned long asWord(std::size_t value) {
+    return static_cast<unsigned long>(value);
+}
+
+int scintillaLineEnd(LineEnd lineEnd) {
+    switch (lineEnd) {
+    case LineEnd::lf:
+        return QsciScintilla::SC_EOL_LF;
+    case LineEnd::crLf:
+        return QsciScintilla::SC_EOL_CRLF;
+    case LineEnd::cr:
+        return QsciScintilla::SC_EOL_CR;
+    }
+    return QsciScintilla::SC_EOL_LF;
+}
+
+} // namespace
+
+NcEditor::NcEditor(QWidget* parent) : QsciScintilla(parent), m_highlighter(this) {
+    setLexer(&m_highlighter);
+    setUpMargins();
+    setWrapMode(WrapNone);
+    setTabWidth(4);
+    setScrollWidthTracking(true);
+    setScrollWidth(1);
+    SendScintilla(SCI_SETCARETLINEVISIBLEALWAYS, 1UL);
+    SendScintilla(SCI_SETMODEVENTMASK, static_cast<unsigned long>(SC_MOD_INSERTTEXT | SC_MOD_DELETETEXT));
+    connect(this, &QsciScintillaBase::SCN_MODIFIED, this,
+            [this](int position, int type, const char* text, int length) {
+                onModified(position, type, text, length);
+            });
+    connect(this, &QsciScintilla::modificationChanged, this, [this](bool modified) {
+        if (!m_loading)
+            emit savedStateChanged(modified);
+    });
+    adoptPalette();
+}
+
+void NcEditor::setUpMargins() {
+    setMarginType(kNumberMargin, NumberMargin);
+    setMarginMarkerMask(kNumberMargin, 0); // a marker that a margin claims does not colour its line
+    setMarginType(kMarkMargin, SymbolMargin);
+    setMarginWidth(kMarkMargin, kMarkMarginWidth);
+    setMarginMarkerMask(kMarkMargin, (1 << kCurrentArrow) | (1 << kProblemMark));
+    markerDefine(RightTriangle, kCurrentArrow);
+    markerDefine(Background, kCurrentBackground);
+    markerDefine(Circle, kProblemMark);
+    indicatorDefine(SquiggleIndicator, kErrorSquiggle);
+    indicatorDefine(SquiggleIndicator, kWarningSquiggle);
+}
+
+void NcEditor::adoptPalette() {
+    const QPalette colors = QApplication::palette();
+    const MeaningColors meaning = meaningColors(colors);
+    m_highlighter.adoptPalette();
+    setLexer(&m_highlighter); // copies the colours into Scintilla's styles
+    setPaper(colors.color(QPalette::Base));
+    setCaretForegroundColor(colors.color(QPalette::Text));
+    setCaretLineBackgroundColor(colors.color(QPalette::AlternateBase));
+    setCaretLineVisible(true);
+    setSelectionBackgroundColor(colors.color(QPalette::Highlight));
+    setSelectionForegroundColor(colors.color(QPalette::HighlightedText));
+    setMarginsBackgroundColor(colors.color(QPalette::Window));
+    setMarginsForegroundColor(colors.color(QPalette::PlaceholderText));
+    setMarkerBackgroundColor(mixed(colors.color(QPalette::Base), meaning.accent, kCurrentTint),
+                             kCurrentBackground);
+    setMarkerBackgroundColor(meaning.accent, kCurrentArrow);
+    setMarkerForegroundColor(meaning.accent, kCurrentArrow);
+    setMarkerBackgroundColor(meaning.error, kProblemMark);
+    setMarkerForegroundColor(meaning.error, kProblemMark);
+    setIndicatorForegroundColor(meaning.error, kErrorSquiggle);
+    setIndicatorForegroundColor(meaning.warning, kWarningSquiggle);
+}
+
+void NcEditor::load(const Document& document) {
+    const std::string bytes = document.text.toString();
+    m_loading = true;
+    setReadOnly(false);
+    SendScintilla(SCI_SETUNDOCOLLECTION, 0UL);
+    SendScintilla(SCI_CLEARALL);
+    setUtf8(document.utf8);
+    SendScintilla(SCI_SETEOLMODE, static_cast<unsigned long>(scintillaLineEnd(document.lineEnd)));
+    SendScintilla(SCI_ALLOCATE, asWord(bytes.size() + 1));
+    SendScintilla(SCI_ADDTEXT, asWord(bytes.size()), bytes.data());
+    SendScintilla(SCI_SETUNDOCOLLECTION, 1UL);
+    SendScintilla(SCI_EMPTYUNDOBUFFER);
+    SendScintilla(SCI_SETSAVEPOINT);
+    SendScintilla(SCI_GOTOPOS, 0UL);
+    setReadOnly(document.readOnly);
+    m_loading = false;
+    m_currentLine = 0;
+    m_problems.clear();
+    setMarginWidth(kNumberMargin,
+                   QString(qMax(4, static_cast<int>(QString::number(lines()).size()) + 1), u'0'));
+}
+
+void NcEditor::markSaved() {
+    SendScintilla(SCI_SETSAVEPOINT);
+}
+
+void NcEditor::onModified(int position, int type, const char* text, int length) {
+    if (m_loading)
+        return;
+    m_edited = true;
+    const auto offset = static_cast<std::size_t>(position);
+    const auto size = static_cast<std::size_t>(length);
+    if ((type & SC_MOD_INSERTTEXT) != 0)
+        emit edited(offset, 0, std::string_view(text, size));
+    else if ((type & SC_MOD_DELETETEXT) != 0)
+        emit edited(offset, size, {});
+}
+
+void NcEditor::showCurrentLine(int line, bool follow) {
+    if (line == m_currentLine)
+        return;
+    m_currentLine = line;
+    markerDeleteAll(kCurrentArrow);
+    markerDeleteAll(kCurrentBackground);
+    if (line <= 0)
+        return;
+    markerAdd(line - 1, kCurrentArrow);
+    markerAdd(line - 1, kCurrentBackground);
+    if (follow)
+        revealLine(line);
+}
+
+void NcEditor::revealLine(int line) {
+    const long first = SendScintilla(SCI_GETFIRSTVISIBLELINE);
+    const long shown = SendScintilla(SCI_LINESONSCREEN);
+    if (line - 1 >= first && line - 1 < first + shown - 1)
+        return;
+    SendScintilla(SCI_SETFIRSTVISIBLELINE, static_cast<unsigned long>(std::max(0L, line - 1 - shown / 3)));
+}
+
+std::pair<long, long> NcEditor::rangeOf(const Diagnostic& problem) const {
+    const auto line = static_cast<unsigned long>(problem.where.line - 1);
+    const long begin = SendScintilla(SCI_POSITIONFROMLINE, line);
+    const long end = SendScintilla(SCI_GETLINEENDPOSITION, line);
+    const long from = std::min(end, begin + std::max(0, problem.where.column - 1));
+    const long length = problem.where.length > 0 ? problem.where.length : end - from;
+    // A message about the end of a line still needs something to be seen under.
+    const long to = std::min(end, from + length);
+    return to > from ? std::pair(from, to) : std::pair(begin, end);
+}
+
+void NcEditor::showProblems(const Diagnostics& problems) {
+    m_problems.clear();
+    markerDeleteAll(kProblemMark);
+    for (const int squiggle : {kErrorSquiggle, kWarningSquiggle}) {
+        SendScintilla(SCI_SETINDICATORCURRENT, static_cast<unsigned long>(squiggle));
+        SendScintilla(SCI_INDICATORCLEARRANGE, 0UL, SendScintilla(SCI_GETLENGTH));
+    }
+    for (const Diagnostic& problem : problems) {
+        if (problem.where.line <= 0 || problem.where.line > lines() || m_problems.size() == kMostSquiggles)
+            continue;
+        m_problems.push_back(problem);
+        const bool serious = problem.severity >= Severity::error;
+        const auto [from, to] = rangeOf(problem);
+        SendScintilla(SCI_SETINDICATORCURRENT,
+                      static_cast<unsigned long>(serious ? kErrorSquiggle : kWarningSquiggle));
+        SendScintilla(SCI_INDICATORFILLRANGE, static_cast<unsigned long>(from), to - from);
+        if (serious)
+            markerAdd(problem.where.line - 1, kProblemMark);
+    }
+}
+
+bool NcEditor::showProblemTip(QPoint place, QPoint globalPlace) {
+    const long position =
+        SendScintilla(SCI_POSITIONFROMPOINTCLOSE, static_cast<unsigned long>(place.x()), place.y());
+    QStringList sentences;
+    for (const Diagnostic& problem : m_problems) {
+        const auto [from, to] = rangeOf(problem);
+        if (position < from || position > to)
+            continue;
+        sentences << severityName(problem.severity) + QStringLiteral(": ") + sentence(problem);
+        if (!hint(problem).isEmpty())
+            sentences << hint(problem);
+    }
+    if (position < 0 || sentences.isEmpty()) {
+        QToolTip::hideText();
+        return false;
+    }
+    // Plain text: the sentences hold words of the user's file.
+    QToolTip::showText(globalPlace,
+                       sentences.join(u'\n').toHtmlEscaped().replace(u'\n', QStringLiteral("<br>")), this);
+    return true;
+}
+
+void NcEditor::goTo(int line, int column) {
+    const int index = std::clamp(line - 1, 0, std::max(0, lines() - 1));
+    const long begin = SendScintilla(SCI_POSITIONFROMLINE, static_cast<unsigned long>(index));
+    const long end = SendScintilla(SCI_GETLINEENDPOSITION, static_cast<unsigned long>(index));
+    SendScintilla(SCI_GOTOPOS, static_cast<unsigned long>(std::min(end, begin + std::max(0, column - 1))));
+    revealLine(index + 1);
+}
+
+int NcEditor::caretLine() const {
+    const long position = SendScintilla(SCI_GETCURRENTPOS);
+    return static_cast<int>(SendScintilla(SCI_LINEFROMPOSITION, static_cast<unsigned long>(position))) + 1;
+}
+
+bool NcEditor::findMatch(const QString& text, bool forward) {
+    int line = -1;
+    int index = -1;
+    if (!forward) {
+        int lineTo = 0;
+        int indexTo = 0;
+        getSelection(&line, &index, &lineTo, &indexTo); // search from the start of the selection backwards
+    }
+    return !text.isEmpty() && findFirst(text, false, false, false, true, forward, line, index);
+}
+
+void NcEditor::replaceSelection(const QString& text) {
+    if (hasSelectedText())
+        replaceSelectedText(text);
+}
+
+int NcEditor::replaceAll(const QString& text, const QString& replacement) {
+    if (text.isEmpty() || isReadOnly())
+        return 0;
+    int count = 0;
+    beginUndoAction();
+    // Without wrapping, so that a replacement that holds the text is not found again.
+    bool found = findFirst(text, false, false, false, false, true, 0, 0);
+    while (found) {
+        replace(replacement);
+        ++count;
+        found = QsciScintilla::findNext();
+    }
+    endUndoAction();
+    return count;
+}
+
+bool NcEditor::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        return showProblemTip(viewport()->mapFrom(this, help->pos()), help->globalPos());
+    }
+    return QsciScintilla::event(event);
+}
+
+void NcEditor::mouseReleaseEvent(QMouseEvent* event) {
+    QsciScintilla::mouseReleaseEvent(event);
+    if (event->button() == Qt::LeftButton && !hasSelectedText())
+        emit lineChosen(caretLine());
+}
+
+void NcEditor::keyPressEvent(QKeyEvent* event) {
+    const int before = caretLine();
+    m_edited = false;
+    QsciScintilla::keyPressEvent(event);
+    if (!m_edited && caretLine() != before)
+        emit lineChosen(caretLine());
+}
+
+void NcEditor::contextMenuEvent(QContextMenuEvent* event) {
+    QMenu menu(this);
+    menu.addActions(actions());
+    menu.exec(event->globalPos());
+}
+
+void NcEditor::changeEvent(QEvent* event) {
+    QsciScintilla::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::ApplicationPaletteChange)
+        adoptPalette();
+}
+
+bool NcEditor::canInsertFromMimeData(const QMimeData* source) const {
+    return !source->hasUrls() && QsciScintilla::canInsertFromMimeData(source);
+}
+
+} // namespace proveout

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include <Qsci/qsciscintilla.h>
+
+#include "core/base/diagnostic.h"
+#include "ui/document.h"
+#include "ui/editor/nc_highlighter.h"
+
+namespace proveout {
+
+/// The text of an NC program as bytes, with line numbers, the current block and squiggles under problems.
+/// Playback moves a marker and the first visible line, never the caret.
+class NcEditor final : public QsciScintilla {
+    Q_OBJECT
+
+public:
+    explicit NcEditor(QWidget* parent = nullptr);
+
+    /// Shows a document from its first line; the undo history begins anew.
+    void load(const Document& document);
+    /// From now on "not modified" means the present text.
+    void markSaved();
+    /// Marks the line (1-based, 0: none) of the block that was executed last, and shows it where `follow`.
+    void showCurrentLine(int line, bool follow);
+    void showProblems(const Diagnostics& problems);
+    /// Puts the caret on a place (1-based) and shows it.
+    void goTo(int line, int column);
+    [[nodiscard]] int caretLine() const; ///< 1-based
+    /// Selects the next place of `text` after (or before) the selection, round the end. False: there is none.
+    bool findMatch(const QString& text, bool forward);
+    void replaceSelection(const QString& text);
+    /// Replaces all places of `text` as one step of undo; tells how many there were.
+    int replaceAll(const QString& text, const QString& replacement);
+
+signals:
+    /// The user replaced `removed` bytes at `offset`.
+    void edited(std::size_t offset, std::size_t removed, std::string_view inserted);
+    void savedStateChanged(bool modified);
+    /// The user moved the caret to another line (1-based) without editing.
+    void lineChosen(int line);
+
+protected:
+    bool event(QEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
+    void changeEvent(QEvent* event) override;
+    /// Files are dropped on the window, not into the text.
+    [[nodiscard]] bool canInsertFromMimeData(const QMimeData* source) const override;
+
+private:
+    void setUpMargins();
+    void adoptPalette();
+    void onModified(int position, int type, const char* text, int length);
+    bool showProblemTip(QPoint place, QPoint globalPlace);
+    [[nodiscard]] std::pair<long, long> rangeOf(const Diagnostic& problem) const;
+    void revealLine(int line);
+
+    NcHighlighter m_highlighter;
+    Diagnostics m_problems;
+    bool m_loading = false;
+    bool m_edited = false; ///< since the key that is being handled went down
+    int m_currentLine = 0;
+};
+
+} // namespace proveout

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include <Qsci/qscilexercustom.h>
+
+namespace proveout {
+
+/// The styles of NC text, as Scintilla's style numbers.
+enum class NcStyle : char {
+    plain,
+    comment,
+    code,        ///< a G or M word that is carried out
+    unknownCode, ///< a G or M word that is not
+    coordinate,  ///< axis, arc and other words with a value
+    machine,     ///< F, S, T
+    label,       ///< N, O, %, block delete
+};
+inline constexpr int kNcStyleCount = 7;
+
+/// The style of every byte of one line; comments do not cross lines.
+[[nodiscard]] std::string styleLine(std::string_view line);
+
+/// Colours the NC text by words. Set it before a text is loaded: Scintilla then styles only what it shows.
+class NcHighlighter final : public QsciLexerCustom {
+    Q_OBJECT
+
+public:
+    explicit NcHighlighter(QObject* parent = nullptr);
+
+    [[nodiscard]] const char* language() const override;
+    [[nodiscard]] QString description(int style) const override;
+    void styleText(int start, int end) override;
+    /// Takes the colours of the application's palette.
+    void adoptPalette();
+};
+
+} // namespace proveout

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/export_job.h"
+
+#include <exception>
+#include <utility>
+#include <vector>
+
+#include <QMetaObject>
+
+#include "core/base/text.h"
+#include "core/decimation/solid.h"
+#include "core/decimation/surface.h"
+#include "ui/file_paths.h"
+
+namespace proveout {
+
+namespace {
+
+/// Decimation takes most of the time; the shares of the whole in which each step ends.
+constexpr double kDecimated = 0.6;
+constexpr double kClosed = 0.8;
+
+WorkContext part(const WorkContext& whole, double from, double to) {
+    return {whole.stop, [whole, from, to](double done) { whole.tell(from + (to - from) * done); }};
+}
+
+std::vector<LatticeTriangle> surfaceTriangles(const Frame& frame, const ExportOptions& options,
+                                              const WorkContext& context, double& largestError) {
+    DecimationParameters parameters = frame.parameters;
+    parameters.borders = BorderRule::shared;
+    if (!options.decimated)
+        parameters.method = DecimationMethod::none;
+    const Grid& grid = frame.zmap.grid();
+    Surface surface(grid.nx, grid.ny, parameters);
+    surface.decimateDirty(frame.zmap, context);
+    const SurfaceSnapshot moment = surface.snapshot();
+    largestError = moment.largestError();
+    return moment.triangles();
+}
+
+tl::unexpected<Diagnostics> cancelled() {
+    return failure("cancelled", PROVEOUT_TEXT("Core", "The export was cancelled."));
+}
+
+} // namespace
+
+Result<ExportSummary> exportFrame(const Frame& frame, const QString& file, const ExportOptions& options,
+                                  const WorkContext& context) {
+    ExportSummary summary;
+    summary.file = file;
+    const std::vector<LatticeTriangle> triangles =
+        surfaceTriangles(frame, options, part(context, 0, kDecimated), summary.largestErrorMm);
+    if (context.stopped())
+        return cancelled();
+    const TriangleMesh solid = closeSolid(frame.zmap, triangles, part(context, kDecimated, kClosed));
+    if (context.stopped())
+        return cancelled();
+    if (solid.triangles.empty())
+        return failure("nothing-left", PROVEOUT_TEXT("Core", "Nothing of the stock is left to export."));
+    const Result<WrittenFile> written =
+        writeStl(toPath(file), solid, options.encoding, part(context, kClosed, 1));
+    if (!written)
+        return tl::unexpected(written.error());
+    summary.triangles = written->triangles;
+    summary.bytes = written->bytes;
+    return summary;
+}
+
+ExportJob::ExportJob(QObject* parent) : QObject(parent) {}
+
+ExportJob::~ExportJob() = default; // jthread stops and joins
+
+void ExportJob::start(FramePtr frame, const QString& file, const ExportOptions& options,
+                      std::function<void(Result<ExportSummary>)> done) {
+    const std::uint64_t generation = ++m_generation;
+    const auto tell = [this](double fraction) {
+        QMetaObject::invokeMethod(
+            this, [this, fraction] { emit progressed(fraction); }, Qt::QueuedConnection);
+    };
+    const auto report = [this, generation, done = std::move(done)](const Result<ExportSummary>& result) {
+        QMetaObject::invokeMethod(
+            this,
+            [this, generation, done, result] {
+                if (generation == m_generation)
+                    done(result);
+            },
+            Qt::QueuedConnection);
+    };
+    m_thread =
+        std::jthread([frame = std::move(frame), file, options, tell, report](const std::stop_token& stop) {
+            try {
+                report(exportFrame(*frame, file, options, {stop, tell}));
+            } catch (const std::exception& problem) {
+                report(failure("export-failed", PROVEOUT_TEXT("Core", "The export failed: {}."),
+                               {problem.what()}));
+            }
+        });
+}
+
+void ExportJob::cancel() {
+    m_thread.request_stop();
+}
+
+} // namespace proveout

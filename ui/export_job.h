@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// STL export in the background.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <thread>
+
+#include <QObject>
+#include <QString>
+
+#include "core/base/diagnostic.h"
+#include "core/base/work_context.h"
+#include "core/formats/stl.h"
+#include "core/simulation/frame.h"
+
+namespace proveout {
+
+struct ExportOptions {
+    bool decimated = true; ///< every region decimated, whatever the period; false: the full mesh
+    StlEncoding encoding = StlEncoding::binary;
+};
+
+struct ExportSummary {
+    QString file;
+    std::uint64_t triangles = 0;
+    std::uint64_t bytes = 0;
+    double largestErrorMm = 0; ///< of the decimated surface, measured; 0 for the full mesh
+};
+
+/// Writes the stock of a frame: the surface, closed by walls and a floor. Any thread. Borders between regions
+/// are always the shared ones, because the paper's own leave cracks. Errors: nothing left of the stock, an
+/// unwritable file, cancelled.
+[[nodiscard]] Result<ExportSummary> exportFrame(const Frame& frame, const QString& file,
+                                                const ExportOptions& options, const WorkContext& context);
+
+/// Runs one export at a time on its own thread; a new one cancels the one under way.
+class ExportJob : public QObject {
+    Q_OBJECT
+
+public:
+    explicit ExportJob(QObject* parent = nullptr);
+    ~ExportJob() override;
+
+    /// `done` is called on the thread that owns this object.
+    void start(FramePtr frame, const QString& file, const ExportOptions& options,
+               std::function<void(Result<ExportSummary>)> done);
+    void cancel();
+
+signals:
+    void progressed(double done);
+
+private:
+    std::uint64_t m_generation = 0; ///< of the newest export; older ones report to nobody
+    std::jthread m_thread;
+};
+
+} // namespace proveout

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/file_flow.h"
+
+#include <QDir>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QUrl>
+
+#include "ui/file_paths.h"
+#include "ui/resource_paths.h"
+
+namespace proveout {
+
+FileFlow::FileFlow(Session& session, QWidget& window)
+    : QObject(&window), m_session(session), m_window(window) {}
+
+QString FileFlow::startFolder() const {
+    const QString file =
+        m_session.jobFile().isEmpty() ? toQString(m_session.document().path) : m_session.jobFile();
+    if (!file.isEmpty() && !isSample(file))
+        return QFileInfo(file).absolutePath();
+    return m_recent.files().isEmpty() ? QDir::homePath() : QFileInfo(m_recent.files().front()).absolutePath();
+}
+
+bool FileFlow::open(const QString& file) {
+    if (!mayDiscard() || !m_session.openFile(QFileInfo(file).absoluteFilePath()))
+        return false;
+    m_recent.add(file);
+    return true;
+}
+
+void FileFlow::openByDialog() {
+    const QString file = QFileDialog::getOpenFileName(
+        &m_window, tr("Open"), startFolder(),
+        tr("NC programs and jobs (*.nc *.ngc *.cnc *.tap *.gcode *.iso *.min *.mpf *.eia *.txt *.proveout)") +
+            QStringLiteral(";;") + tr("All files (*)"));
+    if (!file.isEmpty())
+        open(file);
+}
+
+void FileFlow::newFile() {
+    if (mayDiscard())
+        m_session.newFile();
+}
+
+bool FileFlow::save() {
+    const Document& document = m_session.document();
+    if (document.path.empty() || (document.modified && isSample(toQString(document.path))))
+        return saveAs();
+    const bool needsJobFile = m_session.jobFile().isEmpty() || isSample(m_session.jobFile());
+    if (!document.modified && m_session.modified() && needsJobFile)
+        return saveJobAs(); // only the setup was changed, and it has no file of its own yet
+    return m_session.save();
+}
+
+bool FileFlow::saveAs() {
+    QString proposal = toQString(m_session.document().path);
+    if (proposal.isEmpty())
+        proposal = QDir(startFolder()).filePath(QStringLiteral("program.nc"));
+    else if (isSample(proposal))
+        proposal = QDir(startFolder()).filePath(QFileInfo(proposal).fileName());
+    const QString file =
+        QFileDialog::getSaveFileName(&m_window, tr("Save NC Program As"), proposal, tr("All files (*)"));
+    if (file.isEmpty() || !m_session.saveAs(file))
+        return false;
+    if (isSample(m_session.jobFile()))
+        m_session.detachJob();
+    m_recent.add(file);
+    return true;
+}
+
+bool FileFlow::saveJobAs() {
+    if (m_session.document().path.empty() && !saveAs())
+        return false; // a job names its program
+    QString proposal = m_session.jobFile();
+    if (proposal.isEmpty() || isSample(proposal)) {
+        const QFileInfo program(toQString(m_session.document().path));
+        const QDir folder = isSample(program.filePath()) ? QDir(startFolder()) : program.dir();
+        proposal = folder.filePath(program.completeBaseName() + QStringLiteral(".proveout"));
+    }
+    QString file = QFileDialog::getSaveFileName(&m_window, tr("Save Job As"), proposal,
+                                                tr("Proveout jobs (*.proveout)"));
+    if (file.isEmpty())
+        return false;
+    if (QFileInfo(file).suffix().isEmpty())
+        file += QStringLiteral(".proveout");
+    if (!m_session.saveJobAs(file))
+        return false;
+    m_recent.add(file);
+    return true;
+}
+
+void FileFlow::exportByDialog(bool decimated) {
+    const QString binary = tr("Binary STL (*.stl)");
+    const QString ascii = tr("ASCII STL (*.stl)");
+    const QFileInfo program(toQString(m_session.document().path));
+    const QString stem =
+        program.completeBaseName().isEmpty() ? QStringLiteral("part") : program.completeBaseName();
+    QString chosen;
+    QString file = QFileDialog::getSaveFileName(
+        &m_window, decimated ? tr("Export Decimated STL") : tr("Export Full-Resolution STL"),
+        QDir(startFolder()).filePath(stem + QStringLiteral(".stl")), binary + QStringLiteral(";;") + ascii,
+        &chosen);
+    if (file.isEmpty())
+        return;
+    if (QFileInfo(file).suffix().isEmpty())
+        file += QStringLiteral(".stl");
+    m_session.exportStl(file, {decimated, chosen == ascii ? StlEncoding::ascii : StlEncoding::binary});
+}
+
+bool FileFlow::mayDiscard() {
+    if (!m_session.modified())
+        return true;
+    QMessageBox question(QMessageBox::Warning, tr("Unsaved changes"),
+                         tr("The program or its setup has changes that are not saved."),
+                         QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
+    question.setInformativeText(tr("Save them?"));
+    question.setDefaultButton(QMessageBox::Save);
+    const int answer = question.exec();
+    if (answer == QMessageBox::Save)
+        return save() && (!m_session.modified() || saveJobAs());
+    return answer == QMessageBox::Discard;
+}
+
+void FileFlow::fillRecentMenu(QMenu& menu) {
+    menu.clear();
+    for (const QString& file : m_recent.files()) {
+        const bool exists = QFileInfo::exists(file);
+        QString text = QDir::toNativeSeparators(file);
+        text.replace(u'&', QStringLiteral("&&"));
+        QAction* action = menu.addAction(exists ? text : tr("%1 (missing)").arg(text));
+        action->setEnabled(exists);
+        connect(action, &QAction::triggered, this, [this, file] { open(file); });
+    }
+    if (!m_recent.files().isEmpty())
+        menu.addSeparator();
+    QAction* clear = menu.addAction(tr("Clear List"));
+    clear->setEnabled(!m_recent.files().isEmpty());
+    connect(clear, &QAction::triggered, this, [this] { m_recent.clear(); });
+}
+
+QString FileFlow::droppedFile(const QMimeData& data, QString& reason) {
+    const QList<QUrl> urls = data.urls();
+    if (urls.size() != 1 || !urls.front().isLocalFile()) {
+        reason = tr("Drop one file of this computer.");
+        return {};
+    }
+    const QFileInfo file(urls.front().toLocalFile());
+    if (file.isDir()) {
+        reason = tr("A folder cannot be opened; drop an NC program or a job.");
+        return {};
+    }
+    if (file.suffix().compare(QLatin1String("stl"), Qt::CaseInsensitive) == 0) {
+        reason = tr("A mesh cannot be opened; drop an NC program or a job.");
+        return {};
+    }
+    return file.absoluteFilePath();
+}
+
+} // namespace proveout

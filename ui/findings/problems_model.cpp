@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/findings/problems_model.h"
+
+#include "ui/diagnostic_text.h"
+#include "ui/icons.h"
+
+namespace proveout {
+
+void ProblemsModel::setProblems(const Diagnostics& problems) {
+    beginResetModel();
+    m_problems = problems;
+    endResetModel();
+}
+
+int ProblemsModel::rowCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : static_cast<int>(m_problems.size());
+}
+
+int ProblemsModel::columnCount(const QModelIndex& parent) const {
+    return parent.isValid() ? 0 : kColumnCount;
+}
+
+QString ProblemsModel::text(const Diagnostic& problem, int column) {
+    switch (column) {
+    case kSeverity:
+        return severityName(problem.severity);
+    case kLine:
+        return problem.where.line > 0 ? QString::number(problem.where.line) : QString();
+    case kSentence:
+        return sentence(problem);
+    case kHint:
+        return hint(problem);
+    case kId:
+        return QLatin1String(problem.id);
+    default:
+        return {};
+    }
+}
+
+QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
+    const Diagnostic& shown = problem(index.row());
+    if (role == Qt::DisplayRole || role == Qt::ToolTipRole)
+        return text(shown, index.column());
+    if (role == Qt::DecorationRole && index.column() == kSeverity)
+        return icon(QLatin1String(name(shown.severity))); // a shape for each, so that colour is not needed
+    if (role == Qt::TextAlignmentRole && index.column() == kLine)
+        return QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter);
+    return {};
+}
+
+QVariant ProblemsModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+        return {};
+    switch (section) {
+    case kSeverity:
+        return tr("Severity");
+    case kLine:
+        return tr("Line");
+    case kSentence:
+        return tr("Problem");
+    case kHint:
+        return tr("What to do");
+    case kId:
+        return tr("Id");
+    default:
+        return {};
+    }
+}
+
+} // namespace proveout

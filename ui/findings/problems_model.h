@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAbstractTableModel>
+
+#include "core/base/diagnostic.h"
+
+namespace proveout {
+
+/// One row a message. UI thread.
+class ProblemsModel final : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Column { kSeverity, kLine, kSentence, kHint, kId, kColumnCount };
+
+    using QAbstractTableModel::QAbstractTableModel;
+    void setProblems(const Diagnostics& problems);
+    [[nodiscard]] const Diagnostic& problem(int row) const {
+        return m_problems[static_cast<std::size_t>(row)];
+    }
+
+    [[nodiscard]] int rowCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] int columnCount(const QModelIndex& parent = {}) const override;
+    [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    [[nodiscard]] static QString text(const Diagnostic& problem, int column);
+    Diagnostics m_problems;
+};
+
+} // namespace proveout

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/gl/gl_functions.h"
+
+#include <QCoreApplication>
+#include <QGuiApplication>
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+#include <QOpenGLVersionFunctionsFactory>
+
+namespace proveout {
+
+Gl* currentGl() {
+    QOpenGLContext* context = QOpenGLContext::currentContext();
+    if (context == nullptr || context->isOpenGLES() || context->format().version() < std::pair{3, 3})
+        return nullptr;
+    auto* gl = QOpenGLVersionFunctionsFactory::get<Gl>(context);
+    return gl != nullptr && gl->initializeOpenGLFunctions() ? gl : nullptr;
+}
+
+bool isSoftwareRenderer(const QString& renderer) {
+    for (const char* name : {"llvmpipe", "softpipe", "SwiftShader", "Software Rasterizer", "GDI Generic"})
+        if (renderer.contains(QLatin1String(name), Qt::CaseInsensitive))
+            return true;
+    return false;
+}
+
+namespace {
+GlSupport unusable(const char* reason) {
+    return {false, false, {}, QCoreApplication::translate("Viewport", reason)};
+}
+} // namespace
+
+GlSupport probeGl() {
+    // These platforms hand out contexts, but a QOpenGLWidget has nothing to draw on there and may crash.
+    for (const char* platform : {"offscreen", "minimal", "vnc", "linuxfb"})
+        if (QGuiApplication::platformName() == QLatin1String(platform))
+            return unusable(
+                QT_TRANSLATE_NOOP("Viewport", "This display has no OpenGL; the 3D view is switched off."));
+    QOpenGLContext context;
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    context.setFormat(format);
+    QOffscreenSurface surface;
+    surface.setFormat(format);
+    surface.create();
+    if (!context.create() || !context.makeCurrent(&surface))
+        return unusable(QT_TRANSLATE_NOOP(
+            "Viewport", "No OpenGL context could be created; the 3D view is switched off."));
+    GlSupport support;
+    if (Gl* gl = currentGl()) {
+        support.usable = true;
+        support.renderer = QString::fromLatin1(reinterpret_cast<const char*>(gl->glGetString(GL_RENDERER)));
+        support.software = isSoftwareRenderer(support.renderer);
+    } else {
+        support = unusable(QT_TRANSLATE_NOOP(
+            "Viewport", "The graphics driver offers less than OpenGL 3.3; the 3D view is switched off."));
+    }
+    context.doneCurrent();
+    return support;
+}
+
+} // namespace proveout

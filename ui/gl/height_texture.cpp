@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/gl/height_texture.h"
+
+#include <algorithm>
+
+namespace proveout {
+
+bool HeightTexture::fits(Gl& gl, const Grid& grid) {
+    GLint limit = 0;
+    gl.glGetIntegerv(GL_MAX_TEXTURE_SIZE, &limit);
+    return grid.nx <= limit && grid.ny <= limit;
+}
+
+void HeightTexture::allocate(Gl& gl, const Grid& grid) {
+    if (m_texture == 0)
+        gl.glGenTextures(1, &m_texture);
+    gl.glBindTexture(GL_TEXTURE_2D, m_texture);
+    gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, grid.nx, grid.ny, 0, GL_RED, GL_FLOAT, nullptr);
+    // Vertices fetch points; shading reads between them.
+    gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+    gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+    gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+    gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+    gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+}
+
+void HeightTexture::upload(Gl& gl, const ZMapSnapshot& moment, std::size_t index) {
+    const IndexRect rect = moment.tileRect(index);
+    const Tile& tile = *moment.tile(index);
+    gl.glTexSubImage2D(GL_TEXTURE_2D, 0, rect.i0, rect.j0, rect.width(), rect.height(), GL_RED, GL_FLOAT,
+                       tile.heights.data());
+    float lowest = 0;
+    for (int j = 0; j < rect.height(); ++j) {
+        const float* row = tile.heights.data() + static_cast<std::ptrdiff_t>(j) * Tile::kSize;
+        lowest = std::min(lowest, *std::min_element(row, row + rect.width()));
+    }
+    const bool onFloor = lowest <= moment.floor();
+    if (onFloor != m_onFloor[index])
+        m_tilesOnFloor = onFloor ? m_tilesOnFloor + 1 : m_tilesOnFloor - 1;
+    m_onFloor[index] = onFloor;
+}
+
+std::size_t HeightTexture::update(Gl& gl, const ZMapSnapshot& moment) {
+    const bool anew = m_texture == 0 || m_moment.tileCount() == 0 || !(moment.grid() == m_moment.grid()) ||
+                      moment.floor() != m_moment.floor();
+    if (anew) {
+        allocate(gl, moment.grid());
+        m_onFloor.assign(moment.tileCount(), false);
+        m_tilesOnFloor = 0;
+    } else {
+        gl.glBindTexture(GL_TEXTURE_2D, m_texture);
+    }
+    std::size_t uploaded = 0;
+    gl.glPixelStorei(GL_UNPACK_ROW_LENGTH, Tile::kSize);
+    for (std::size_t index = 0; index < moment.tileCount(); ++index) {
+        if (!anew && moment.tile(index) == m_moment.tile(index))
+            continue;
+        upload(gl, moment, index);
+        ++uploaded;
+    }
+    gl.glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
+    m_moment = moment;
+    return uploaded;
+}
+
+void HeightTexture::release(Gl& gl) {
+    if (m_texture != 0)
+        gl.glDeleteTextures(1, &m_texture);
+    m_texture = 0;
+    m_moment = {};
+}
+
+} // namespace proveout

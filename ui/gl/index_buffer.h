@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "ui/gl/gl_functions.h"
+#include "ui/gl/slot_allocator.h"
+
+namespace proveout {
+
+/// A buffer of indices on the graphics side with places for many lists; it grows and keeps what it holds.
+/// All methods need the same context to be current.
+class IndexBuffer {
+public:
+    using Slot = SlotAllocator::Slot;
+
+    IndexBuffer() = default;
+    IndexBuffer(const IndexBuffer&) = delete;
+    IndexBuffer& operator=(const IndexBuffer&) = delete;
+
+    /// Writes a list (not empty) into `slot`, or into a new place where it does not fit there.
+    [[nodiscard]] Slot write(Gl& gl, Slot slot, std::span<const std::uint32_t> indices);
+    void free(Slot slot) { m_slots.free(slot); }
+    void clear() { m_slots.clear(); }
+    void release(Gl& gl);
+
+    [[nodiscard]] GLuint id() const { return m_buffer; }
+
+private:
+    void reserve(Gl& gl, std::uint32_t count);
+
+    SlotAllocator m_slots;
+    GLuint m_buffer = 0;
+    std::uint32_t m_capacity = 0;
+};
+
+} // namespace proveout

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/gl/path_renderer.h"
+
+#include <algorithm>
+
+namespace proveout {
+namespace {
+constexpr float kDoneOpacity = 0.45f;
+constexpr float kAheadOpacity = 0.95f;
+constexpr float kWidth = 1.6f;       // pixels of the user interface
+constexpr float kDashPixels = 11.0f; // a dash and its gap
+} // namespace
+
+void PathRenderer::setPosition(std::shared_ptr<const Program> program, std::size_t block) {
+    m_path = std::move(program);
+    m_block = block;
+}
+
+void PathRenderer::prepare(Gl& gl, bool whole) {
+    whole = whole && m_path->blockCount() <= kMostWholeBlocks;
+    const std::size_t first = whole || m_block < kBlocksBehind ? 0 : m_block - kBlocksBehind;
+    const std::size_t last =
+        whole ? m_path->blockCount() : std::min(m_block + kBlocksAhead, m_path->blockCount());
+    if (m_shownPath == m_path && m_shownFirst == first && m_shownLast == last)
+        return;
+    m_lines = pathLines(*m_path, first, last);
+    m_vertices.write(gl, m_lines.vertices.data(), m_lines.vertices.size(), {3, 1, 1});
+    m_lines.vertices = {};
+    m_shownPath = m_path;
+    m_shownFirst = first;
+    m_shownLast = last;
+}
+
+void PathRenderer::drawRun(Gl& gl, const SceneOptions& options, std::size_t first, std::size_t last,
+                           float opacity) {
+    m_program.set(gl, "colours[0]", glm::vec4(options.colours.rapid, opacity));
+    m_program.set(gl, "colours[1]", glm::vec4(options.colours.feed, opacity));
+    m_program.set(gl, "colours[2]", glm::vec4(options.colours.arc, opacity));
+    m_vertices.draw(gl, GL_LINES, first, last - first);
+}
+
+void PathRenderer::draw(Gl& gl, const StockView& view, const SceneOptions& options, const Vec3& stockOrigin) {
+    if (m_path == nullptr || options.path == PathShown::none)
+        return;
+    prepare(gl, options.path == PathShown::whole);
+    m_program.bind(gl);
+    setView(gl, m_program, view);
+    m_program.set(gl, "shift", glm::vec3(m_lines.origin - stockOrigin));
+    m_program.set(gl, "width", kWidth * view.pixelRatio);
+    m_program.set(gl, "pixelsPerMm", view.pixelsPerMm);
+    m_program.set(gl, "dashes", glm::vec3(kDashPixels * view.pixelRatio, 0, 0));
+    gl.glEnable(GL_BLEND);
+    // The picture stays opaque: the window system blends a QOpenGLWidget by its alpha.
+    gl.glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ONE, GL_ONE_MINUS_SRC_ALPHA);
+    gl.glDepthMask(GL_FALSE);
+    gl.glDisable(GL_CULL_FACE);
+    const std::size_t done = m_lines.verticesBefore(m_block);
+    drawRun(gl, options, 0, done, kDoneOpacity);
+    drawRun(gl, options, done, m_vertices.size(), kAheadOpacity);
+    gl.glEnable(GL_CULL_FACE);
+    gl.glDepthMask(GL_TRUE);
+    gl.glDisable(GL_BLEND);
+}
+
+void PathRenderer::release(Gl& gl) {
+    m_vertices.release(gl);
+    m_shownPath.reset();
+}
+
+} // namespace proveout

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "ui/gl/path_lines.h"
+#include "ui/gl/scene_light.h"
+#include "ui/gl/scene_options.h"
+#include "ui/gl/vertex_buffer.h"
+
+namespace proveout {
+
+/// Draws the toolpath. All methods need the same context to be current.
+class PathRenderer {
+public:
+    /// Near the cutter means: this many blocks behind and ahead of it.
+    static constexpr std::size_t kBlocksBehind = 80;
+    static constexpr std::size_t kBlocksAhead = 160;
+    /// Programs with more blocks than this show the path near the cutter only.
+    static constexpr std::size_t kMostWholeBlocks = 1'000'000;
+
+    PathRenderer() : m_program({"line.vert", "line.geom", {"line.frag"}, {}}) {}
+
+    [[nodiscard]] bool valid() const { return m_program.valid(); }
+    /// The program that is run, and how many of its blocks have been executed.
+    void setPosition(std::shared_ptr<const Program> program, std::size_t block);
+    /// `stockOrigin`: program coordinates of the origin of stock coordinates.
+    void draw(Gl& gl, const StockView& view, const SceneOptions& options, const Vec3& stockOrigin);
+    void release(Gl& gl);
+
+private:
+    void prepare(Gl& gl, bool whole);
+    void drawRun(Gl& gl, const SceneOptions& options, std::size_t first, std::size_t last, float opacity);
+
+    ShaderProgram m_program;
+    VertexBuffer m_vertices;
+    std::shared_ptr<const Program> m_path;
+    std::size_t m_block = 0;
+    PathLines m_lines;
+    std::shared_ptr<const Program> m_shownPath;
+    std::size_t m_shownFirst = 0;
+    std::size_t m_shownLast = 0;
+};
+
+} // namespace proveout

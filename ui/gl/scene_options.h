@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+#include <glm/glm.hpp>
+
+namespace proveout {
+
+enum class PathShown : std::uint8_t { none, nearCutter, whole };
+enum class CutterShown : std::uint8_t { hidden, seeThrough, solid };
+
+/// The colours of a scene, linear in the screen's values, 0 … 1.
+struct SceneColours {
+    glm::vec3 backdropTop;
+    glm::vec3 backdropBottom;
+    glm::vec3 rawStock{0.50f, 0.53f, 0.57f}; ///< skin that no cutter has touched
+    glm::vec3 cutStock{0.78f, 0.79f, 0.80f};
+    glm::vec3 wire{0.09f, 0.11f, 0.14f};
+    glm::vec3 regionLine{0.02f, 0.20f, 0.42f};
+    glm::vec3 flute{0.93f, 0.72f, 0.34f};
+    glm::vec3 shank{0.72f, 0.74f, 0.77f};
+    /// Orange and blue of Okabe and Ito: told apart with every common colour blindness, and in grey.
+    glm::vec3 dirty{1.0f, 0.62f, 0.05f};
+    glm::vec3 decimated{0.0f, 0.45f, 0.80f};
+    glm::vec3 rapid;
+    glm::vec3 feed;
+    glm::vec3 arc;
+};
+
+[[nodiscard]] inline SceneColours lightColours() {
+    SceneColours colours;
+    colours.backdropTop = {0.93f, 0.95f, 0.97f};
+    colours.backdropBottom = {0.70f, 0.75f, 0.80f};
+    colours.rapid = {0.80f, 0.33f, 0.0f};
+    colours.feed = {0.0f, 0.36f, 0.68f};
+    colours.arc = {0.0f, 0.47f, 0.35f};
+    return colours;
+}
+
+[[nodiscard]] inline SceneColours darkColours() {
+    SceneColours colours;
+    colours.backdropTop = {0.22f, 0.25f, 0.29f};
+    colours.backdropBottom = {0.08f, 0.09f, 0.11f};
+    colours.rapid = {0.95f, 0.60f, 0.10f};
+    colours.feed = {0.25f, 0.65f, 0.98f};
+    colours.arc = {0.10f, 0.78f, 0.58f};
+    return colours;
+}
+
+/// What of a scene is drawn, and how. Value type.
+struct SceneOptions {
+    bool wireframe = false; ///< triangles and region borders
+    bool tint = false;      ///< regions drawn from the z-map against decimated ones
+    PathShown path = PathShown::nearCutter;
+    CutterShown cutter = CutterShown::solid;
+    SceneColours colours = lightColours();
+};
+
+} // namespace proveout

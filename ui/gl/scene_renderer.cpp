@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/gl/scene_renderer.h"
+
+namespace proveout {
+
+std::unique_ptr<SceneRenderer> SceneRenderer::create() {
+    Gl* gl = currentGl();
+    if (gl == nullptr)
+        return nullptr;
+    std::unique_ptr<SceneRenderer> renderer(new SceneRenderer(*gl));
+    const bool valid = renderer->m_backdrop.valid() && renderer->m_surface.valid() &&
+                       renderer->m_cutter.valid() && renderer->m_path.valid();
+    return valid ? std::move(renderer) : nullptr;
+}
+
+SceneRenderer::SceneRenderer(Gl& gl)
+    : m_gl(gl), m_backdrop({"backdrop.vert", nullptr, {"backdrop.frag"}, {}}) {
+    m_gl.glGenVertexArrays(1, &m_emptyArray);
+}
+
+UploadCounts SceneRenderer::upload(const FramePtr& frame) {
+    m_frame = frame;
+    if (frame == nullptr)
+        return {};
+    m_path.setPosition(frame->program, frame->block);
+    m_cutter.setCutter(m_gl,
+                       frame->cutterKnown && frame->setup ? frame->setup->tools.find(frame->tool) : nullptr);
+    m_gridFits = HeightTexture::fits(m_gl, frame->zmap.grid());
+    return m_gridFits && frame->zmap.tileCount() > 0 ? m_surface.upload(m_gl, *frame) : UploadCounts{};
+}
+
+void SceneRenderer::drawBackdrop(const SceneOptions& options) {
+    m_gl.glDisable(GL_DEPTH_TEST);
+    m_gl.glDepthMask(GL_FALSE);
+    m_backdrop.bind(m_gl);
+    m_backdrop.set(m_gl, "topColour", options.colours.backdropTop);
+    m_backdrop.set(m_gl, "bottomColour", options.colours.backdropBottom);
+    m_gl.glDrawArrays(GL_TRIANGLES, 0, 3);
+    m_gl.glDepthMask(GL_TRUE);
+}
+
+void SceneRenderer::draw(const View& view, const SceneOptions& options) {
+    m_gl.glViewport(0, 0, view.pixels.x, view.pixels.y);
+    m_gl.glDisable(GL_BLEND);
+    m_gl.glDisable(GL_SCISSOR_TEST);
+    m_gl.glClear(GL_DEPTH_BUFFER_BIT);
+    m_gl.glBindVertexArray(m_emptyArray);
+    m_gl.glDisable(GL_CULL_FACE);
+    drawBackdrop(options);
+    if (m_frame != nullptr) {
+        m_gl.glEnable(GL_DEPTH_TEST);
+        m_gl.glDepthFunc(GL_LESS);
+        m_gl.glEnable(GL_CULL_FACE);
+        const Grid& grid = m_frame->zmap.grid();
+        const Vec3 origin(grid.x0, grid.y0, m_frame->zmap.stock().floorZ());
+        const StockView stockView(view, origin);
+        if (m_gridFits && m_frame->zmap.tileCount() > 0)
+            m_surface.draw(m_gl, stockView, options);
+        m_gl.glBindVertexArray(0);
+        m_path.draw(m_gl, stockView, options, origin);
+        m_cutter.draw(m_gl, stockView, options, glm::vec3(m_frame->cutterPosition - origin));
+        m_gl.glDisable(GL_CULL_FACE);
+        m_gl.glDisable(GL_DEPTH_TEST);
+    }
+    m_gl.glBindVertexArray(0);
+    m_gl.glBindBuffer(GL_ARRAY_BUFFER, 0);
+    m_gl.glUseProgram(0);
+}
+
+void SceneRenderer::copyPicture(GLuint from, GLuint to, const glm::ivec2& pixels) {
+    m_gl.glBindFramebuffer(GL_READ_FRAMEBUFFER, from);
+    m_gl.glBindFramebuffer(GL_DRAW_FRAMEBUFFER, to);
+    m_gl.glBlitFramebuffer(0, 0, pixels.x, pixels.y, 0, 0, pixels.x, pixels.y, GL_COLOR_BUFFER_BIT,
+                           GL_NEAREST);
+    m_gl.glBindFramebuffer(GL_FRAMEBUFFER, to);
+}
+
+void SceneRenderer::finish() {
+    m_gl.glFinish();
+}
+
+void SceneRenderer::release() {
+    m_surface.release(m_gl);
+    m_cutter.release(m_gl);
+    m_path.release(m_gl);
+    if (m_emptyArray != 0)
+        m_gl.glDeleteVertexArrays(1, &m_emptyArray);
+    m_emptyArray = 0;
+}
+
+} // namespace proveout

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Draws one frame of a simulation with OpenGL 3.3 into the framebuffer that is bound. Knows no widget, so
+// that the window, studies and tests draw the same picture.
+#pragma once
+
+#include <memory>
+
+#include "ui/gl/cutter_renderer.h"
+#include "ui/gl/path_renderer.h"
+#include "ui/gl/surface_renderer.h"
+
+namespace proveout {
+
+/// All methods, construction and release() need the same context to be current.
+class SceneRenderer {
+public:
+    /// Null where there is no OpenGL 3.3 or the driver refuses a shader.
+    [[nodiscard]] static std::unique_ptr<SceneRenderer> create();
+    SceneRenderer(const SceneRenderer&) = delete;
+    SceneRenderer& operator=(const SceneRenderer&) = delete;
+
+    /// Brings what differs from the frame before to the graphics side. A grid beyond the driver's limit draws
+    /// no stock: gridFits() tells.
+    UploadCounts upload(const FramePtr& frame);
+    /// Draws the uploaded frame, or the backdrop alone. Sets viewport, depth and culling; leaves blending and
+    /// depth test off and no program bound, as QPainter wants it.
+    void draw(const View& view, const SceneOptions& options);
+    /// Copies a picture of that size from one framebuffer to another, several samples a pixel into one.
+    void copyPicture(GLuint from, GLuint to, const glm::ivec2& pixels);
+    /// Waits until everything asked for so far is done (for measuring).
+    void finish();
+    /// Frees what lies on the graphics side.
+    void release();
+
+    [[nodiscard]] bool gridFits() const { return m_gridFits; }
+    [[nodiscard]] std::size_t triangles(SurfaceBuffer::Part part) const { return m_surface.triangles(part); }
+
+private:
+    explicit SceneRenderer(Gl& gl);
+    void drawBackdrop(const SceneOptions& options);
+
+    Gl& m_gl;
+    ShaderProgram m_backdrop;
+    SurfaceRenderer m_surface;
+    CutterRenderer m_cutter;
+    PathRenderer m_path;
+    GLuint m_emptyArray = 0; ///< vertices are made from their index alone
+    FramePtr m_frame;
+    bool m_gridFits = true;
+};
+
+} // namespace proveout

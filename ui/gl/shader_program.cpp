@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/gl/shader_program.h"
+
+#include <QFile>
+
+// A linker drops the resources of a static library unless someone asks for them; the macro must stand outside
+// of namespaces.
+static void keepShaders() {
+    Q_INIT_RESOURCE(shaders);
+}
+
+namespace proveout {
+namespace {
+
+QByteArray preamble(const ShaderFiles& files) {
+    QByteArray text = "#version 330 core\n";
+    for (const char* name : files.defines)
+        text += QByteArray("#define ") + name + "\n";
+    return text;
+}
+
+QByteArray source(const char* name) {
+    keepShaders();
+    QFile file(QStringLiteral(":/shaders/") + QLatin1String(name));
+    return file.open(QIODevice::ReadOnly) ? file.readAll() + "\n" : QByteArray();
+}
+
+} // namespace
+
+ShaderProgram::ShaderProgram(const ShaderFiles& files) {
+    const QByteArray head = preamble(files);
+    QByteArray fragment = head;
+    for (const char* name : files.fragment)
+        fragment += source(name);
+    m_valid = m_program.addShaderFromSourceCode(QOpenGLShader::Vertex, head + source(files.vertex)) &&
+              (files.geometry == nullptr ||
+               m_program.addShaderFromSourceCode(QOpenGLShader::Geometry, head + source(files.geometry))) &&
+              m_program.addShaderFromSourceCode(QOpenGLShader::Fragment, fragment) && m_program.link();
+    if (!m_valid)
+        qCritical("Shader %s: %s", files.vertex, qPrintable(m_program.log()));
+}
+
+} // namespace proveout

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <map>
+#include <tuple>
+#include <vector>
+
+#include "core/decimation/surface.h"
+#include "ui/gl/index_buffer.h"
+
+namespace proveout {
+
+/// The triangles of a surface on the graphics side, as indices into the lattice. A decimated region has an
+/// own list, written again only when its mesh is another pointer. A region drawn from the z-map with full
+/// borders costs nothing: all of one size share one pattern, moved to its place by the base vertex. Where
+/// such a region meets a decimated one, it has an own list that meets the polyline. All methods need the same
+/// context to be current.
+class SurfaceBuffer {
+public:
+    struct Uploaded {
+        std::size_t lists = 0;
+        std::size_t indices = 0;
+    };
+    enum class Part : std::uint8_t { fromZMap, decimated };
+
+    [[nodiscard]] Uploaded update(Gl& gl, const SurfaceSnapshot& surface);
+    /// Draws the triangles of one part with the bound program; a vertex array must be bound.
+    void draw(Gl& gl, Part part);
+    [[nodiscard]] std::size_t triangles(Part part) const {
+        return m_triangles[static_cast<std::size_t>(part)];
+    }
+    void release(Gl& gl);
+
+private:
+    struct Region {
+        RegionMeshPtr mesh;
+        std::array<BorderLinePtr, 4> borders; ///< of a region drawn from the z-map only
+        IndexBuffer::Slot slot;
+        std::uint32_t count = 0; ///< indices in the slot; 0: drawn with a pattern
+        bool known = false;
+    };
+    struct Pattern {
+        IndexBuffer::Slot slot;
+        std::uint32_t count = 0;
+    };
+    struct DrawList {
+        std::vector<GLsizei> counts;
+        std::vector<const void*> offsets;
+        std::vector<GLint> baseVertices;
+
+        void clear();
+        void add(std::uint32_t offset, std::uint32_t count, std::uint32_t baseVertex);
+    };
+
+    void writeList(Gl& gl, Region& region, const std::vector<LatticeTriangle>& triangles, Uploaded& uploaded);
+    const Pattern& pattern(Gl& gl, const IndexRect& points, Uploaded& uploaded);
+    void collect(Gl& gl, Uploaded& uploaded);
+
+    RegionGrid m_grid;
+    std::vector<Region> m_regions;
+    IndexBuffer m_indices;
+    std::map<std::tuple<int, int, int>, Pattern> m_patterns; ///< by width, height, parity of the first point
+    std::array<DrawList, 2> m_lists;
+    std::array<std::size_t, 2> m_triangles{};
+};
+
+} // namespace proveout

@@ -1,0 +1,375 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window.h"
+
+#include <tuple>
+#include <utility>
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QActionGroup>
+#include <QApplication>
+#include <QCloseEvent>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QDragEnterEvent>
+#include <QFileInfo>
+#include <QKeyEvent>
+#include <QMenuBar>
+#include <QSettings>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QToolButton>
+
+#include "ui/about.h"
+#include "ui/diagnostic_text.h"
+#include "ui/editor/editor_panel.h"
+#include "ui/file_paths.h"
+#include "ui/findings/problems_panel.h"
+#include "ui/main_window_tables.h"
+#include "ui/plots/plots_panel.h"
+#include "ui/resource_paths.h"
+#include "ui/start_page.h"
+#include "ui/status_line.h"
+#include "ui/timeline/timeline_panel.h"
+#include "ui/viewport/viewport.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr int kLayoutVersion = 1; // raise it when docks change: older layouts are then left alone
+const QString kGeometryKey = QStringLiteral("window/geometry");
+const QString kStateKey = QStringLiteral("window/state");
+constexpr QSize kFirstSize{1280, 800};
+constexpr int kToolBarIcon = 20;
+constexpr int kTuningWidth = 280;
+constexpr int kMessageTime = 8000;       // ms
+constexpr std::size_t kProblemsDock = 4; // in the order of docks()
+
+QList<QAction*> listOf(const std::vector<QAction*>& actions) {
+    return {actions.begin(), actions.end()};
+}
+
+} // namespace
+
+MainWindow::MainWindow(Session& session, Appearance& appearance)
+    : m_session(session), m_appearance(appearance), m_files(new FileFlow(session, *this)),
+      m_playback(new PlaybackCommands(session, this)), m_status(new StatusLine(session, *statusBar())),
+      m_centre(new QStackedWidget(this)), m_startPage(new StartPage(appearance, m_files->recent(), this)),
+      m_fileCommands(*this, kFileContext, fileCommands(), this),
+      m_meshCommands(*this, kMeshContext, meshCommands(), this),
+      m_windowCommands(*this, kWindowContext, windowCommands(), this),
+      m_helpCommands(*this, kHelpContext, helpCommands(), this) {
+    setObjectName(QStringLiteral("main-window"));
+    setWindowIcon(QIcon(QStringLiteral(":/icons/proveout.svg")));
+    setAcceptDrops(true);
+    setDockNestingEnabled(true);
+    makePanels();
+    makeDocks();
+    makeMenus();
+    makeToolBar();
+    connect(&session, &Session::documentChanged, this, &MainWindow::showDocument);
+    connect(&session, &Session::problemsChanged, this, &MainWindow::titleDocks);
+    connect(&session, &Session::troubled, this, &MainWindow::showProblems);
+    connect(m_startPage, &StartPage::openWanted, m_files, &FileFlow::openByDialog);
+    connect(m_startPage, &StartPage::newWanted, m_files, &FileFlow::newFile);
+    connect(m_startPage, &StartPage::fileWanted, m_files, &FileFlow::open);
+    retranslate();
+    restore();
+    showDocument();
+    qApp->installEventFilter(this);
+}
+
+void MainWindow::makePanels() {
+    m_viewport = createViewport(m_session, this);
+    m_editor = new EditorPanel(m_session, this);
+    m_plots = new PlotsPanel(m_session, this);
+    m_problems = new ProblemsPanel(m_session, this);
+    m_timeline = new TimelinePanel(m_session, *m_playback, this);
+    for (QAction* action : m_playback->actions().all()) {
+        if (!action->isSeparator())
+            m_viewport->addAction(action); // the same keys act in both
+    }
+    m_centre->addWidget(m_startPage);
+    m_centre->addWidget(m_viewport);
+    setCentralWidget(m_centre);
+}
+
+void MainWindow::makeDocks() {
+    for (const Dock& row : docks()) {
+        auto* dock = new QDockWidget(this);
+        dock->setObjectName(QLatin1String(row.id));
+        dock->setWidget(row.make(*this));
+        if (!row.titleBar)
+            dock->setTitleBarWidget(new QWidget(dock));
+        QAction* toggle = dock->toggleViewAction();
+        toggle->setObjectName(QStringLiteral("show-") + QLatin1String(row.id));
+        toggle->setIcon(icon(QLatin1String(row.icon)));
+        toggle->setShortcut(QKeySequence(QLatin1String(row.keys)));
+        m_docks.push_back(dock);
+    }
+}
+
+void MainWindow::arrangeDocks() {
+    const auto [program, setup, tuning, plots, problems, timeline] =
+        std::tuple(m_docks[0], m_docks[1], m_docks[2], m_docks[3], m_docks[4], m_docks[5]);
+    setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+    setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
+    addDockWidget(Qt::LeftDockWidgetArea, program);
+    tabifyDockWidget(program, setup);
+    addDockWidget(Qt::RightDockWidgetArea, tuning);
+    addDockWidget(Qt::BottomDockWidgetArea, plots);
+    splitDockWidget(plots, timeline, Qt::Vertical);
+    tabifyDockWidget(plots, problems);
+    for (QDockWidget* dock : m_docks) {
+        dock->setFloating(false);
+        dock->show();
+    }
+    program->raise();
+    plots->raise();
+    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
+    resizeDocks({program, tuning}, {width() * 22 / 100, kTuningWidth}, Qt::Horizontal);
+    resizeDocks({plots, timeline}, {height() * 24 / 100, timeline->sizeHint().height()}, Qt::Vertical);
+}
+
+QMenu* MainWindow::addMenu(const char* title, const QList<QAction*>& actions) {
+    QMenu* menu = menuBar()->addMenu(QString());
+    menu->addActions(actions);
+    menu->setToolTipsVisible(true);
+    m_menus.emplace_back(menu, title);
+    return menu;
+}
+
+void MainWindow::makeMenus() {
+    QMenu* file = addMenu(QT_TRANSLATE_NOOP("Menus", "&File"), listOf(m_fileCommands.all()));
+    m_recentMenu = new QMenu(this);
+    file->insertMenu(m_fileCommands.all()[2], m_recentMenu);
+    m_menus.emplace_back(m_recentMenu, QT_TRANSLATE_NOOP("Menus", "Open &Recent"));
+    connect(m_recentMenu, &QMenu::aboutToShow, this, [this] { m_files->fillRecentMenu(*m_recentMenu); });
+
+    QMenu* edit = addMenu(QT_TRANSLATE_NOOP("Menus", "&Edit"), m_editor->actions());
+    edit->addSeparator();
+    edit->addActions(m_problems->actions());
+
+    QList<QAction*> viewActions = m_viewport->actions();
+    for (QAction* action : m_playback->actions().all())
+        viewActions.removeAll(action);
+    QMenu* view = addMenu(QT_TRANSLATE_NOOP("Menus", "&View"), viewActions);
+    if (!m_plots->actions().isEmpty()) {
+        view->addSeparator();
+        QMenu* plots = view->addMenu(QString());
+        plots->addActions(m_plots->actions());
+        m_menus.emplace_back(plots, QT_TRANSLATE_NOOP("Menus", "P&lots"));
+    }
+    addMenu(QT_TRANSLATE_NOOP("Menus", "&Simulate"), listOf(m_playback->actions().all()));
+    addMenu(QT_TRANSLATE_NOOP("Menus", "&Mesh"), listOf(m_meshCommands.all()));
+
+    QMenu* window = addMenu(QT_TRANSLATE_NOOP("Menus", "&Window"), {});
+    for (QDockWidget* dock : m_docks)
+        window->addAction(dock->toggleViewAction());
+    window->addSeparator();
+    m_themeMenu = window->addMenu(icon(QStringLiteral("theme")), QString());
+    m_languageMenu = window->addMenu(icon(QStringLiteral("language")), QString());
+    m_menus.emplace_back(m_themeMenu, QT_TRANSLATE_NOOP("Menus", "&Theme"));
+    m_menus.emplace_back(m_languageMenu, QT_TRANSLATE_NOOP("Menus", "&Language"));
+    window->addSeparator();
+    window->addActions(listOf(m_windowCommands.all()));
+
+    QMenu* help = addMenu(QT_TRANSLATE_NOOP("Menus", "&Help"), listOf(m_helpCommands.all()));
+    m_samplesMenu = new QMenu(this);
+    help->insertMenu(m_helpCommands.find("help-about"), m_samplesMenu);
+    help->insertSeparator(m_helpCommands.find("help-about"));
+    m_menus.emplace_back(m_samplesMenu, QT_TRANSLATE_NOOP("Menus", "Open Sa&mple"));
+}
+
+void MainWindow::makeToolBar() {
+    m_toolBar = addToolBar(QString());
+    m_toolBar->setObjectName(QStringLiteral("tool-bar"));
+    m_toolBar->setMovable(false);
+    m_toolBar->setIconSize({kToolBarIcon, kToolBarIcon});
+    for (const char* id : toolBarIds()) {
+        if (*id == '\0')
+            m_toolBar->addSeparator();
+        else if (QAction* command = action(QLatin1String(id)))
+            m_toolBar->addAction(command); // the 3D view has none where OpenGL is not to be had
+    }
+    for (QToolButton* button : m_toolBar->findChildren<QToolButton*>())
+        button->setFocusPolicy(Qt::TabFocus);
+}
+
+void MainWindow::fillChoices() {
+    const auto fill = [this](QMenu* menu, const QList<QPair<QString, QString>>& choices,
+                             const QString& present, const std::function<void(const QString&)>& choose) {
+        menu->clear();
+        auto* group = new QActionGroup(menu);
+        for (const auto& [key, text] : choices) {
+            QAction* action = menu->addAction(text);
+            action->setCheckable(true);
+            action->setChecked(key == present);
+            group->addAction(action);
+            // Queued, because a change of language fills this menu again.
+            connect(
+                action, &QAction::triggered, this, [choose, key = key] { choose(key); },
+                Qt::QueuedConnection);
+        }
+    };
+    fill(m_themeMenu,
+         {{themeKey(Theme::system), tr("As the &System")},
+          {themeKey(Theme::light), tr("&Light")},
+          {themeKey(Theme::dark), tr("&Dark")}},
+         themeKey(m_appearance.theme()),
+         [this](const QString& key) { m_appearance.setTheme(themeFromKey(key)); });
+    QList<QPair<QString, QString>> all;
+    for (const Language& language : languages())
+        all.append({language.code, language.name});
+    fill(m_languageMenu, all, m_appearance.language(),
+         [this](const QString& code) { m_appearance.setLanguage(code); });
+}
+
+void MainWindow::fillSamples() {
+    m_samplesMenu->clear();
+    for (const SampleJob& sample : sampleJobs())
+        connect(m_samplesMenu->addAction(sample.name), &QAction::triggered, this,
+                [this, file = sample.file] { m_files->open(file); });
+}
+
+void MainWindow::retranslate() {
+    for (const auto& [menu, title] : m_menus)
+        menu->setTitle(QCoreApplication::translate(kMenuContext, title));
+    titleDocks();
+    for (CommandActions<MainWindow>* commands :
+         {&m_fileCommands, &m_meshCommands, &m_windowCommands, &m_helpCommands})
+        commands->retranslate();
+    m_playback->retranslate();
+    m_status->retranslate();
+    m_toolBar->setWindowTitle(tr("Tool bar"));
+    m_toolBar->toggleViewAction()->setVisible(false); // it stays
+    fillChoices();
+    fillSamples();
+    showDocument();
+}
+
+void MainWindow::titleDocks() {
+    for (std::size_t i = 0; i < m_docks.size(); ++i)
+        m_docks[i]->setWindowTitle(QCoreApplication::translate(kDockContext, docks()[i].title));
+    if (const std::size_t count = m_session.problems().size(); count > 0) {
+        QDockWidget* dock = m_docks[kProblemsDock];
+        dock->setWindowTitle(QStringLiteral("%1 (%2)").arg(dock->windowTitle()).arg(count));
+    }
+}
+
+void MainWindow::showProblems() {
+    QDockWidget* dock = m_docks[kProblemsDock];
+    dock->show();
+    dock->raise();
+    if (!m_session.problems().empty())
+        statusBar()->showMessage(sentence(m_session.problems().front()), kMessageTime);
+}
+
+void MainWindow::restore() {
+    const QSettings settings;
+    if (!restoreGeometry(settings.value(kGeometryKey).toByteArray()))
+        resize(kFirstSize);
+    arrangeDocks();
+    m_layoutKept = restoreState(settings.value(kStateKey).toByteArray(), kLayoutVersion);
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+    QMainWindow::showEvent(event);
+    // Docks take their sizes only once the window has its own.
+    if (!std::exchange(m_layoutKept, true))
+        arrangeDocks();
+}
+
+void MainWindow::resetLayout() {
+    arrangeDocks();
+}
+
+void MainWindow::toggleFullScreen() {
+    setWindowState(windowState() ^ Qt::WindowFullScreen);
+}
+
+void MainWindow::showStartPage() {
+    m_centre->setCurrentWidget(m_startPage);
+}
+
+void MainWindow::showTuning() {
+    QDockWidget* dock = m_docks[2];
+    dock->show();
+    dock->raise();
+    dock->widget()->setFocus();
+}
+
+void MainWindow::showAbout() {
+    proveout::showAbout(*this);
+}
+
+void MainWindow::showShortcuts() {
+    showShortcutList(*this, *menuBar());
+}
+
+void MainWindow::showDocument() {
+    m_centre->setCurrentWidget(m_session.hasDocument() ? m_viewport : static_cast<QWidget*>(m_startPage));
+    if (!m_session.hasDocument()) {
+        setWindowTitle(QStringLiteral("Proveout"));
+        return;
+    }
+    const QString path = toQString(m_session.document().path);
+    QString name = path.isEmpty() ? tr("untitled") : QFileInfo(path).fileName();
+    if (!m_session.jobFile().isEmpty())
+        name += QStringLiteral(" (%1)").arg(QFileInfo(m_session.jobFile()).fileName());
+    setWindowTitle(QStringLiteral("%1[*] – Proveout").arg(name));
+    setWindowModified(m_session.modified());
+}
+
+QAction* MainWindow::action(const QString& id) const {
+    return id.isEmpty() ? nullptr : findChild<QAction*>(id);
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    if (!m_files->mayDiscard()) {
+        event->ignore();
+        return;
+    }
+    QSettings settings;
+    settings.setValue(kGeometryKey, saveGeometry());
+    settings.setValue(kStateKey, saveState(kLayoutVersion));
+    event->accept();
+}
+
+void MainWindow::changeEvent(QEvent* event) {
+    QMainWindow::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    if (event->type() == QEvent::PaletteChange)
+        fillChoices();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    QString reason;
+    if (!FileFlow::droppedFile(*event->mimeData(), reason).isEmpty())
+        event->acceptProposedAction();
+    else
+        statusBar()->showMessage(reason, 5000);
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    QString reason;
+    const QString file = FileFlow::droppedFile(*event->mimeData(), reason);
+    if (!file.isEmpty())
+        m_files->open(file);
+}
+
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+    // Space plays from anywhere, but controls that are worked by Space keep it.
+    if (event->type() == QEvent::ShortcutOverride && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Space &&
+        (qobject_cast<QAbstractButton*>(watched) != nullptr || qobject_cast<QComboBox*>(watched) != nullptr ||
+         qobject_cast<QAbstractItemView*>(watched) != nullptr)) {
+        event->accept();
+        return true;
+    }
+    return QMainWindow::eventFilter(watched, event);
+}
+
+} // namespace proveout

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/main_window_tables.h"
+
+#include <array>
+
+#include <QApplication>
+
+#include "ui/editor/editor_panel.h"
+#include "ui/findings/problems_panel.h"
+#include "ui/plots/plots_panel.h"
+#include "ui/setup/setup_panel.h"
+#include "ui/timeline/timeline_panel.h"
+#include "ui/tuning/tuning_panel.h"
+
+namespace proveout {
+
+const std::vector<MainWindow::Dock>& MainWindow::docks() {
+    static const std::vector<Dock> kDocks{
+        {"dock-program", QT_TRANSLATE_NOOP("Docks", "NC Program"), "path", "Ctrl+1", true,
+         [](MainWindow& window) -> QWidget* { return window.m_editor; }},
+        {"dock-setup", QT_TRANSLATE_NOOP("Docks", "Setup"), "stock", "Ctrl+2", true,
+         [](MainWindow& window) -> QWidget* { return new SetupPanel(window.m_session, &window); }},
+        {"dock-tuning", QT_TRANSLATE_NOOP("Docks", "Tuning"), "tuning", "Ctrl+3", true,
+         [](MainWindow& window) -> QWidget* { return new TuningPanel(window.m_session, &window); }},
+        {"dock-plots", QT_TRANSLATE_NOOP("Docks", "Plots"), "plots", "Ctrl+4", true,
+         [](MainWindow& window) -> QWidget* { return window.m_plots; }},
+        {"dock-problems", QT_TRANSLATE_NOOP("Docks", "Problems"), "problems", "Ctrl+5", true,
+         [](MainWindow& window) -> QWidget* { return window.m_problems; }},
+        {"dock-timeline", QT_TRANSLATE_NOOP("Docks", "Timeline"), "play", "Ctrl+6", false,
+         [](MainWindow& window) -> QWidget* { return window.m_timeline; }},
+    };
+    return kDocks;
+}
+
+std::span<const char* const> MainWindow::toolBarIds() {
+    static constexpr std::array kIds{
+        "file-new",       "file-open", "file-save",   "",           "edit-undo",  "edit-redo",
+        "edit-find",      "",          "to-start",    "play",       "to-end",     "",
+        "view-fit",       "view-iso",  "view-top",    "view-front", "view-right", "",
+        "view-wireframe", "view-tint", "view-legend", "path-near",  "",           "export-stl"};
+    return kIds;
+}
+
+std::span<const Command<MainWindow>> MainWindow::fileCommands() {
+    static const std::array<Command<MainWindow>, 8> kCommands{{
+        {"file-new", QT_TRANSLATE_NOOP("FileCommands", "&New"),
+         QT_TRANSLATE_NOOP("FileCommands", "Begin an empty NC program"), "new", "Ctrl+N", Reach::window,
+         [](MainWindow& window) { window.files().newFile(); }},
+        {"file-open", QT_TRANSLATE_NOOP("FileCommands", "&Open…"),
+         QT_TRANSLATE_NOOP("FileCommands", "Open an NC program or a job"), "open", "Ctrl+O", Reach::window,
+         [](MainWindow& window) { window.files().openByDialog(); }},
+        separator<MainWindow>(),
+        {"file-save", QT_TRANSLATE_NOOP("FileCommands", "&Save"),
+         QT_TRANSLATE_NOOP("FileCommands", "Save the NC program, and its job where it has one"), "save",
+         "Ctrl+S", Reach::window, [](MainWindow& window) { window.files().save(); }},
+        {"file-save-as", QT_TRANSLATE_NOOP("FileCommands", "Save &As…"),
+         QT_TRANSLATE_NOOP("FileCommands", "Save the NC program under another name"), "", "Ctrl+Shift+S",
+         Reach::window, [](MainWindow& window) { window.files().saveAs(); }},
+        {"file-save-job-as", QT_TRANSLATE_NOOP("FileCommands", "Save &Job As…"),
+         QT_TRANSLATE_NOOP("FileCommands", "Save stock, tools and parameters with the name of the program"),
+         "", "", Reach::window, [](MainWindow& window) { window.files().saveJobAs(); }},
+        separator<MainWindow>(),
+        {"file-quit", QT_TRANSLATE_NOOP("FileCommands", "&Quit"),
+         QT_TRANSLATE_NOOP("FileCommands", "Close Proveout"), "", "Ctrl+Q", Reach::window,
+         [](MainWindow& window) { window.close(); }},
+    }};
+    return kCommands;
+}
+
+std::span<const Command<MainWindow>> MainWindow::meshCommands() {
+    static const std::array<Command<MainWindow>, 5> kCommands{{
+        {"export-stl", QT_TRANSLATE_NOOP("MeshCommands", "&Export STL…"),
+         QT_TRANSLATE_NOOP("MeshCommands", "Write the decimated stock as a closed solid"), "export", "Ctrl+E",
+         Reach::window, [](MainWindow& window) { window.files().exportByDialog(true); }},
+        {"export-full-stl", QT_TRANSLATE_NOOP("MeshCommands", "Export &Full-Resolution STL…"),
+         QT_TRANSLATE_NOOP("MeshCommands", "Write the stock with every point of the z-map"), "",
+         "Ctrl+Shift+E", Reach::window, [](MainWindow& window) { window.files().exportByDialog(false); }},
+        separator<MainWindow>(),
+        {"tune", QT_TRANSLATE_NOOP("MeshCommands", "&Tune Decimation"),
+         QT_TRANSLATE_NOOP("MeshCommands", "Show the parameters of decimation"), "tuning", "", Reach::window,
+         [](MainWindow& window) { window.showTuning(); }},
+        {"default-parameters", QT_TRANSLATE_NOOP("MeshCommands", "&Default Parameters"),
+         QT_TRANSLATE_NOOP("MeshCommands", "Bring all parameters of decimation back to their defaults"), "",
+         "", Reach::window, [](MainWindow& window) { window.session().setParameters({}); }},
+    }};
+    return kCommands;
+}
+
+std::span<const Command<MainWindow>> MainWindow::windowCommands() {
+    static const std::array<Command<MainWindow>, 2> kCommands{{
+        {"full-screen", QT_TRANSLATE_NOOP("WindowCommands", "&Full Screen"),
+         QT_TRANSLATE_NOOP("WindowCommands", "Fill the screen with the window, or leave it"), "", "F11",
+         Reach::window, [](MainWindow& window) { window.toggleFullScreen(); }},
+        {"reset-layout", QT_TRANSLATE_NOOP("WindowCommands", "&Reset Layout"),
+         QT_TRANSLATE_NOOP("WindowCommands", "Put all panels back to where they were at first"), "", "",
+         Reach::window, [](MainWindow& window) { window.resetLayout(); }},
+    }};
+    return kCommands;
+}
+
+std::span<const Command<MainWindow>> MainWindow::helpCommands() {
+    static const std::array<Command<MainWindow>, 4> kCommands{{
+        {"help-keys", QT_TRANSLATE_NOOP("HelpCommands", "&Keys and Mouse"),
+         QT_TRANSLATE_NOOP("HelpCommands", "List all keys of the program"), "help", "F1", Reach::window,
+         [](MainWindow& window) { window.showShortcuts(); }},
+        {"help-start-page", QT_TRANSLATE_NOOP("HelpCommands", "&Start Page"),
+         QT_TRANSLATE_NOOP("HelpCommands", "Show samples and recent files"), "", "", Reach::window,
+         [](MainWindow& window) { window.showStartPage(); }},
+        {"help-about", QT_TRANSLATE_NOOP("HelpCommands", "&About Proveout"),
+         QT_TRANSLATE_NOOP("HelpCommands", "Version, licence and the paper"), "", "", Reach::window,
+         [](MainWindow& window) { window.showAbout(); }},
+        {"help-about-qt", QT_TRANSLATE_NOOP("HelpCommands", "About &Qt"),
+         QT_TRANSLATE_NOOP("HelpCommands", "About the library of the user interface"), "", "", Reach::window,
+         [](MainWindow&) { QApplication::aboutQt(); }},
+    }};
+    return kCommands;
+}
+
+} // namespace proveout

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plots/plot_catalogue.h"
+
+#include <array>
+
+#include <QtGlobal>
+
+namespace proveout {
+namespace {
+
+double blockNumber(const PlotInput&, std::size_t row) {
+    return static_cast<double>(row + 1);
+}
+
+double lastBlock(const PlotInput& input, std::size_t row) {
+    return input.frames[row].lastBlock;
+}
+
+// The paper's Fig. 10: faces grow with every cut and fall with every decimation.
+constexpr std::array kFaces{
+    PlotSeries{"facesFull", QT_TRANSLATE_NOOP("Plots", "Without decimation"), 1, Qt::DashLine,
+               Qt::SolidPattern},
+    PlotSeries{"facesShown", QT_TRANSLATE_NOOP("Plots", "Shown"), 0, Qt::SolidLine, Qt::NoBrush},
+};
+
+double faces(const PlotInput& input, std::size_t row, std::size_t series) {
+    const BlockStatistics& block = input.blocks[row];
+    return series == 0 ? block.facesFull : block.facesShown;
+}
+
+// The paper's Fig. 11: where the time of a picture goes.
+constexpr std::array kTimes{
+    PlotSeries{"cutMs", QT_TRANSLATE_NOOP("Plots", "Cutting"), 0, Qt::SolidLine, Qt::SolidPattern},
+    PlotSeries{"decimationMs", QT_TRANSLATE_NOOP("Plots", "Decimation"), 2, Qt::SolidLine, Qt::BDiagPattern},
+    PlotSeries{"uploadMs", QT_TRANSLATE_NOOP("Plots", "Upload"), 3, Qt::SolidLine, Qt::FDiagPattern},
+    PlotSeries{"drawMs", QT_TRANSLATE_NOOP("Plots", "Drawing"), 1, Qt::SolidLine, Qt::Dense5Pattern},
+};
+
+double milliseconds(const PlotInput& input, std::size_t row, std::size_t series) {
+    const FrameStatistics& frame = input.frames[row];
+    const std::array seconds{frame.cutSeconds, frame.decimationSeconds, frame.uploadSeconds,
+                             frame.drawSeconds};
+    return 1e3 * double{seconds.at(series)};
+}
+
+constexpr std::array kVolume{
+    PlotSeries{"removedMm3", QT_TRANSLATE_NOOP("Plots", "Removed"), 4, Qt::SolidLine, Qt::SolidPattern},
+};
+
+double volume(const PlotInput& input, std::size_t row, std::size_t) {
+    return double{input.blocks[row].removedMm3};
+}
+
+const std::array<PlotSpec, 3> kPlots{{
+    {"faces", QT_TRANSLATE_NOOP("Plots", "Faces"), QT_TRANSLATE_NOOP("Plots", "Block"),
+     QT_TRANSLATE_NOOP("Plots", "Triangles"), PlotRows::blocks, false, kFaces, blockNumber, faces},
+    {"frame-time", QT_TRANSLATE_NOOP("Plots", "Time per Frame"), QT_TRANSLATE_NOOP("Plots", "Block"),
+     QT_TRANSLATE_NOOP("Plots", "Time (ms)"), PlotRows::frames, true, kTimes, lastBlock, milliseconds},
+    {"removed-volume", QT_TRANSLATE_NOOP("Plots", "Removed Volume"), QT_TRANSLATE_NOOP("Plots", "Block"),
+     QT_TRANSLATE_NOOP("Plots", "Volume (mm³)"), PlotRows::blocks, false, kVolume, blockNumber, volume},
+}};
+
+} // namespace
+
+std::span<const PlotSpec> plotCatalogue() {
+    return kPlots;
+}
+
+std::size_t rowCount(const PlotSpec& plot, const PlotInput& input) {
+    return plot.rows == PlotRows::blocks ? input.blocks.size() : input.frames.size();
+}
+
+} // namespace proveout

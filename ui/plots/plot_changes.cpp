@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plots/plot_changes.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace proveout {
+namespace {
+
+bool same(const BlockStatistics& a, const BlockStatistics& b) {
+    return a.facesShown == b.facesShown && a.facesFull == b.facesFull && a.regionsDirty == b.regionsDirty &&
+           a.regionsDecimated == b.regionsDecimated && a.cutSeconds == b.cutSeconds &&
+           a.decimationSeconds == b.decimationSeconds && a.removedMm3 == b.removedMm3 &&
+           a.maxDepth == b.maxDepth;
+}
+
+bool same(const FrameStatistics& a, const FrameStatistics& b) {
+    return a.firstBlock == b.firstBlock && a.lastBlock == b.lastBlock && a.cutSeconds == b.cutSeconds &&
+           a.decimationSeconds == b.decimationSeconds && a.uploadSeconds == b.uploadSeconds &&
+           a.drawSeconds == b.drawSeconds;
+}
+
+template<class Rows>
+std::size_t firstDifference(const Rows& a, const Rows& b) {
+    const std::size_t common = std::min(a.size(), b.size());
+    std::size_t row = 0;
+    while (row < common && same(a[row], b[row]))
+        ++row;
+    return row;
+}
+
+} // namespace
+
+PlotHistory::Changes PlotHistory::update(const PersistentArray<BlockStatistics>& blocks,
+                                         const std::vector<FrameStatistics>& frames, bool playing) {
+    Changes changes;
+    changes.firstBlock = firstDifference(blocks, m_blocks);
+    changes.any = changes.firstBlock < std::max(blocks.size(), m_blocks.size());
+    m_blocks = blocks;
+
+    changes.any = changes.any || m_forgotten;
+    changes.firstFrame = std::exchange(m_forgotten, false) ? 0 : m_frames.size();
+    const std::size_t known = firstDifference(frames, m_session);
+    m_session.resize(known);
+    m_session.insert(m_session.end(), frames.begin() + static_cast<std::ptrdiff_t>(known), frames.end());
+    for (std::size_t row = known; row < frames.size(); ++row)
+        take(frames[row], playing, changes);
+    return changes;
+}
+
+void PlotHistory::take(const FrameStatistics& row, bool playing, Changes& changes) {
+    if (!playing && !m_frames.empty() && row.lastBlock <= m_frames.back().lastBlock)
+        return; // A seek to blocks that were measured before.
+    // Rows ascend and do not overlap: those that share a block with the new one make room.
+    const auto from = std::ranges::upper_bound(m_frames, row.firstBlock, {}, &FrameStatistics::lastBlock);
+    auto to = from;
+    while (to != m_frames.end() && to->firstBlock < row.lastBlock)
+        ++to;
+    const auto place = m_frames.insert(m_frames.erase(from, to), row);
+    changes.firstFrame = std::min(changes.firstFrame, static_cast<std::size_t>(place - m_frames.begin()));
+    changes.any = true;
+}
+
+void PlotHistory::forgetFrames() {
+    m_forgotten = m_forgotten || !m_frames.empty();
+    m_frames.clear();
+    m_session.clear();
+}
+
+} // namespace proveout

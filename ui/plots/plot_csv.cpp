@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plots/plot_csv.h"
+
+#include <array>
+#include <charconv>
+
+namespace proveout {
+namespace {
+
+void append(std::string& text, double value) {
+    std::array<char, 32> digits{};
+    // Values come from floats and counts: nine digits give each of them back.
+    const auto end =
+        std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 9);
+    text.append(digits.data(), end.ptr);
+}
+
+} // namespace
+
+std::string plotCsv(const PlotSpec& plot, const PlotInput& input) {
+    std::string text = "block";
+    for (const PlotSeries& series : plot.series)
+        text.append(",").append(series.key);
+    text += '\n';
+    for (std::size_t row = 0; row < rowCount(plot, input); ++row) {
+        append(text, plot.x(input, row));
+        for (std::size_t series = 0; series < plot.series.size(); ++series) {
+            text += ',';
+            append(text, plot.y(input, row, series));
+        }
+        text += '\n';
+    }
+    return text;
+}
+
+} // namespace proveout

@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plots/plot_view.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include <QApplication>
+#include <QBuffer>
+#include <QSvgGenerator>
+#include <QToolTip>
+
+#include "ui/theme.h"
+
+namespace proveout {
+namespace {
+
+constexpr double kZoomPerStep = 0.8;
+constexpr double kNearPixels = 4;
+constexpr std::size_t kMostSmoothRows = 20000;
+constexpr double kAheadOfBlock = 0.06; ///< of a followed span, free to the right of the current block
+
+QString translated(const char* text) {
+    return QCoreApplication::translate("Plots", text);
+}
+
+/// Okabe and Ito's colours, a little darker or lighter than theirs where the background asks for contrast.
+QColor seriesColour(int index, bool dark) {
+    static const std::array kLight{QColor(0x00, 0x5F, 0xA3), QColor(0x6B, 0x72, 0x7B),
+                                   QColor(0xB8, 0x4A, 0x00), QColor(0x00, 0x7A, 0x5A),
+                                   QColor(0x9C, 0x3F, 0x78)};
+    static const std::array kDark{QColor(0x56, 0xB4, 0xE9), QColor(0x9A, 0xA3, 0xAD),
+                                  QColor(0xF0, 0x8A, 0x35), QColor(0x2F, 0xC7, 0x9B),
+                                  QColor(0xE0, 0x92, 0xC2)};
+    const auto at = static_cast<std::size_t>(index) % kLight.size();
+    return dark ? kDark[at] : kLight[at];
+}
+
+/// One string for a number of any size, in the user's way of writing.
+QString number(double value) {
+    const QLocale locale;
+    if (value == std::floor(value) && std::abs(value) < 1e15)
+        return locale.toString(static_cast<qlonglong>(value));
+    return locale.toString(value, 'f', std::abs(value) < 10 ? 3 : 1);
+}
+
+} // namespace
+
+PlotView::PlotView(const PlotSpec& spec, QWidget* parent)
+    : QCustomPlot(parent), m_spec(spec), m_mark(new QCPItemStraightLine(this)),
+      m_hint(new QCPItemText(this)) {
+    setObjectName(QLatin1String(spec.id));
+    setMouseTracking(true);
+    setMinimumSize(220, 110);
+    setNoAntialiasingOnDrag(true);
+    setPlottingHint(QCP::phFastPolylines, true);
+    setNotAntialiasedElements(QCP::aeFills);
+    for (QCPAxis* axis : {xAxis, yAxis}) {
+        axis->setNumberFormat(QStringLiteral("g"));
+        axis->setNumberPrecision(7);
+        axis->ticker()->setTickCount(5);
+    }
+    yAxis->setPadding(4);
+    m_hint->position->setType(QCPItemPosition::ptAxisRectRatio);
+    m_hint->position->setCoords(0.5, 0.5);
+    legend->setVisible(true);
+    // Beside the curves: in a low dock it would cover them.
+    axisRect()->insetLayout()->take(legend);
+    // The empty row below takes the rest of the height, which would else spread the legend's rows.
+    auto* side = new QCPLayoutGrid;
+    side->addElement(0, 0, legend);
+    side->addElement(1, 0, new QCPLayoutElement(this));
+    side->setRowStretchFactor(0, 1e-3);
+    side->setRowSpacing(0);
+    plotLayout()->addElement(0, 1, side);
+    plotLayout()->setColumnStretchFactor(1, 1e-3);
+    plotLayout()->setColumnSpacing(0);
+    legend->setMargins({2, 0, 4, 0});
+    addCurves();
+    setTexts();
+    style();
+    setBlock(0, 0);
+}
+
+void PlotView::addCurves() {
+    for (std::size_t index = 0; index < m_spec.series.size(); ++index) {
+        QCPGraph* curve = addGraph();
+        curve->setAdaptiveSampling(true);
+        if (m_spec.stacked && index > 0)
+            curve->setChannelFillGraph(graph(static_cast<int>(index) - 1));
+    }
+}
+
+void PlotView::setTexts() {
+    xAxis->setLabel(translated(m_spec.xLabel));
+    yAxis->setLabel(translated(m_spec.yLabel));
+    for (std::size_t index = 0; index < m_spec.series.size(); ++index)
+        graph(static_cast<int>(index))->setName(translated(m_spec.series[index].label));
+    m_hint->setText(tr("Play to measure"));
+    setAccessibleName(translated(m_spec.title));
+    setLocale(QLocale());
+}
+
+void PlotView::style() {
+    const bool dark = isDark(palette());
+    const QColor text = palette().color(QPalette::Text);
+    const QColor ground = palette().color(QPalette::Base);
+    QColor grid = text;
+    grid.setAlphaF(0.12f);
+    QColor axisColour = text;
+    axisColour.setAlphaF(0.55f);
+    setBackground(ground);
+    for (QCPAxis* axis : {xAxis, yAxis}) {
+        for (const auto set : {&QCPAxis::setBasePen, &QCPAxis::setTickPen, &QCPAxis::setSubTickPen})
+            (axis->*set)(QPen(axisColour, 1));
+        axis->setLabelColor(text);
+        axis->setTickLabelColor(text);
+        axis->setLabelFont(font());
+        axis->setTickLabelFont(font());
+        axis->grid()->setPen(QPen(grid, 1));
+        axis->grid()->setZeroLinePen(QPen(grid, 1));
+    }
+    QColor plate = ground;
+    plate.setAlphaF(0.8f);
+    legend->setBrush(plate);
+    legend->setBorderPen(Qt::NoPen);
+    legend->setTextColor(text);
+    legend->setFont(font());
+    legend->setRowSpacing(-2);
+    styleChanges();
+    m_hint->setColor(axisColour);
+    m_hint->setFont(font());
+    m_mark->setPen(QPen(meaningColors(palette()).accent, 1.5));
+    for (std::size_t index = 0; index < m_spec.series.size(); ++index) {
+        const PlotSeries& series = m_spec.series[index];
+        const QColor colour = seriesColour(series.colour, dark);
+        QCPGraph* curve = graph(static_cast<int>(index));
+        // One pixel wide: anything wider goes through Qt's stroker, which takes minutes for a jagged curve.
+        curve->setPen(QPen(colour, 1, series.pen));
+        QColor fill = colour;
+        fill.setAlphaF(series.fill == Qt::SolidPattern ? 0.22f : 0.75f);
+        curve->setBrush(series.fill == Qt::NoBrush ? QBrush(Qt::NoBrush) : QBrush(fill, series.fill));
+    }
+}
+
+void PlotView::setRows(const PlotInput& input, std::size_t first) {
+    const auto from = static_cast<int>(first);
+    const std::size_t count = rowCount(m_spec, input);
+    // A curve of more rows than pixels is a band: smoothing its edges shows nothing and doubles its cost.
+    setNotAntialiasedElement(QCP::aePlottables, count > kMostSmoothRows);
+    const auto added = static_cast<int>(count - std::min(first, count));
+    std::vector<double> below(static_cast<std::size_t>(added), 0.0);
+    for (std::size_t index = 0; index < m_spec.series.size(); ++index) {
+        QVector<QCPGraphData> rows;
+        rows.reserve(added);
+        for (std::size_t row = first; row < count; ++row) {
+            double y = m_spec.y(input, row, index);
+            if (m_spec.stacked)
+                y = below[row - first] += y;
+            rows.append({m_spec.x(input, row), y});
+        }
+        const auto rowsShown = graph(static_cast<int>(index))->data();
+        if (from < rowsShown->size()) {
+            if (from == 0)
+                rowsShown->clear();
+            else
+                rowsShown->removeAfter((rowsShown->constBegin() + from - 1)->key);
+        }
+        rowsShown->add(rows, true);
+    }
+}
+
+double PlotView::value(std::size_t series, std::size_t row) const {
+    const auto at = [&](std::size_t index) {
+        return (graph(static_cast<int>(index))->data()->constBegin() + static_cast<std::ptrdiff_t>(row))
+            ->value;
+    };
+    return m_spec.stacked && series > 0 ? at(series) - at(series - 1) : at(series);
+}
+
+// --- what is seen
+
+void PlotView::setFollowing(bool following) {
+    if (following == m_following)
+        return;
+    m_following = following;
+    emit followingChanged(following);
+}
+
+void PlotView::showAll() {
+    m_span = 0;
+    setFollowing(true);
+    setBlock(m_block, m_blockCount);
+}
+
+void PlotView::setBlock(std::size_t block, std::size_t blockCount) {
+    m_block = block;
+    m_blockCount = blockCount;
+    const auto x = static_cast<double>(block);
+    m_mark->point1->setCoords(x, 0);
+    m_mark->point2->setCoords(x, 1);
+    fitAxes();
+    // Queued and without a repaint of its own, so that all plots and the 3D view share one composition.
+    replot(rpQueuedRefresh);
+}
+
+void PlotView::setParameterChanges(const std::vector<std::size_t>& blocks) {
+    while (m_changes.size() > blocks.size()) {
+        removeItem(m_changes.back());
+        m_changes.pop_back();
+    }
+    const bool added = m_changes.size() < blocks.size();
+    while (m_changes.size() < blocks.size())
+        m_changes.push_back(new QCPItemStraightLine(this));
+    for (std::size_t k = 0; k < blocks.size(); ++k) {
+        m_changes[k]->point1->setCoords(static_cast<double>(blocks[k]), 0);
+        m_changes[k]->point2->setCoords(static_cast<double>(blocks[k]), 1);
+    }
+    if (added)
+        styleChanges();
+}
+
+void PlotView::styleChanges() {
+    QColor colour = palette().color(QPalette::Text);
+    colour.setAlphaF(0.7f);
+    for (QCPItemStraightLine* line : m_changes)
+        line->setPen(QPen(colour, 1, Qt::DashLine));
+}
+
+void PlotView::fitAxes() {
+    if (m_following) {
+        double end = std::max(1.0, static_cast<double>(m_blockCount));
+        double begin = 0;
+        if (m_span > 0 && m_span < end) {
+            end = std::min(end, static_cast<double>(m_block) + kAheadOfBlock * m_span);
+            begin = std::max(0.0, end - m_span);
+            end = begin + m_span;
+        }
+        xAxis->setRange(begin, end);
+    }
+    double highest = 0;
+    for (int index = 0; index < graphCount(); ++index) {
+        bool found = false;
+        const QCPRange range = graph(index)->getValueRange(found, QCP::sdBoth, xAxis->range());
+        if (found)
+            highest = std::max(highest, range.upper);
+    }
+    yAxis->setRange(0, highest > 0 ? highest * 1.06 : 1);
+    const bool measured = rows() > 0;
+    m_hint->setVisible(!measured);
+    yAxis->setTickLabels(measured); // else they would be figures of nothing
+}
+
+QString PlotView::valuesAt(double pixelX) const {
+    const auto rowsShown = graph(0)->data();
+    if (rowsShown->isEmpty())
+        return {};
+    const double wanted = xAxis->pixelToCoord(pixelX);
+    auto nearest = rowsShown->findBegin(wanted, true);
+    if (const auto next = nearest + 1;
+        next != rowsShown->constEnd() && std::abs(next->key - wanted) < std::abs(nearest->key - wanted))
+        ++nearest;
+    const auto row = static_cast<std::size_t>(nearest - rowsShown->constBegin());
+    QString text = QStringLiteral("%1 %2").arg(translated(m_spec.xLabel), number(nearest->key));
+    for (std::size_t index = 0; index < m_spec.series.size(); ++index)
+        text +=
+            QStringLiteral("\n%1: %2").arg(translated(m_spec.series[index].label), number(value(index, row)));
+    if (std::ranges::any_of(m_changes, [&](const QCPItemStraightLine* line) {
+            return std::abs(line->point1->pixelPosition().x() - pixelX) < kNearPixels;
+        }))
+        text += u'\n' + tr("Parameters changed here");
+    return text;
+}
+
+// --- the user's gestures
+
+void PlotView::mousePressEvent(QMouseEvent* event) {
+    m_dragged = false;
+    m_pressed = event->position();
+}
+
+void PlotView::mouseMoveEvent(QMouseEvent* event) {
+    if ((event->buttons() & Qt::LeftButton) == 0) {
+        // A tool tip is a window of its own: showing it does not compose the main window again.
+        QToolTip::showText(event->globalPosition().toPoint(), valuesAt(event->position().x()), this);
+        return;
+    }
+    if (!m_dragged && (event->position() - m_pressed).manhattanLength() < QApplication::startDragDistance())
+        return;
+    m_dragged = true;
+    setFollowing(false);
+    const double moved = xAxis->pixelToCoord(m_pressed.x()) - xAxis->pixelToCoord(event->position().x());
+    m_pressed = event->position();
+    xAxis->moveRange(moved);
+    setBlock(m_block, m_blockCount);
+}
+
+void PlotView::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() != Qt::LeftButton || m_dragged || !axisRect()->rect().contains(event->pos()))
+        return;
+    const double block = std::round(xAxis->pixelToCoord(event->position().x()));
+    emit blockClicked(static_cast<std::size_t>(std::clamp(block, 0.0, static_cast<double>(m_blockCount))));
+}
+
+void PlotView::mouseDoubleClickEvent(QMouseEvent*) {
+    m_dragged = true; // The release that follows is no click.
+    showAll();
+}
+
+void PlotView::wheelEvent(QWheelEvent* event) {
+    const double steps = event->angleDelta().y() / 120.0;
+    const double whole = std::max(1.0, static_cast<double>(m_blockCount));
+    xAxis->scaleRange(std::pow(kZoomPerStep, steps), xAxis->pixelToCoord(event->position().x()));
+    if (xAxis->range().size() >= whole) {
+        showAll();
+    } else {
+        m_span = std::max(xAxis->range().size(), 5.0);
+        // The place under the pointer stays; following goes on with this span when it is asked for.
+        setFollowing(false);
+        setBlock(m_block, m_blockCount);
+    }
+    event->accept();
+}
+
+void PlotView::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
+        style();
+        replot(rpQueuedRefresh);
+    } else if (event->type() == QEvent::LanguageChange) {
+        setTexts();
+        replot(rpQueuedRefresh);
+    }
+    QCustomPlot::changeEvent(event);
+}
+
+// --- pictures
+
+QByteArray PlotView::png(double scale) {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    toPixmap(width(), height(), scale).save(&buffer, "PNG");
+    return bytes;
+}
+
+QByteArray PlotView::svg() {
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    QSvgGenerator generator;
+    generator.setOutputDevice(&buffer);
+    generator.setSize(size());
+    generator.setViewBox(rect());
+    generator.setTitle(translated(m_spec.title));
+    QCPPainter painter;
+    painter.begin(&generator);
+    toPainter(&painter, width(), height());
+    painter.end();
+    return bytes;
+}
+
+} // namespace proveout

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <qcustomplot.h>
+
+#include "ui/plots/plot_catalogue.h"
+
+namespace proveout {
+
+/// One plot of the catalogue. Thread: UI. Data is appended row by row; setBlock() repaints at the next
+/// chance.
+class PlotView : public QCustomPlot {
+    Q_OBJECT
+
+public:
+    explicit PlotView(const PlotSpec& spec, QWidget* parent = nullptr);
+
+    [[nodiscard]] const PlotSpec& spec() const { return m_spec; }
+    /// Drops the rows from `first` on and takes those of `input` in their place.
+    void setRows(const PlotInput& input, std::size_t first);
+    /// Draws a dashed line at each of these blocks, at the next setBlock().
+    void setParameterChanges(const std::vector<std::size_t>& blocks);
+    /// Marks the current block, moves the axes where they follow, and repaints.
+    void setBlock(std::size_t block, std::size_t blockCount);
+
+    [[nodiscard]] bool following() const { return m_following; }
+    void setFollowing(bool following);
+    /// All blocks, following.
+    void showAll();
+
+    /// What is told about the row nearest to a pixel; empty where there is none.
+    [[nodiscard]] QString valuesAt(double pixelX) const;
+    /// The value of one curve at a row, as drawn (stacked plots: without those below).
+    [[nodiscard]] double value(std::size_t series, std::size_t row) const;
+    [[nodiscard]] std::size_t rows() const { return static_cast<std::size_t>(graph(0)->dataCount()); }
+
+    [[nodiscard]] QByteArray png(double scale);
+    [[nodiscard]] QByteArray svg();
+
+signals:
+    void blockClicked(std::size_t block);
+    void followingChanged(bool following);
+
+protected:
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void addCurves();
+    void style();
+    void setTexts();
+    void fitAxes();
+    void styleChanges();
+
+    const PlotSpec& m_spec;
+    QCPItemStraightLine* m_mark;
+    QCPItemText* m_hint;                         ///< in place of curves, before there is anything to show
+    std::vector<QCPItemStraightLine*> m_changes; ///< owned by the plot
+    std::size_t m_block = 0;
+    std::size_t m_blockCount = 0;
+    bool m_following = true;
+    double m_span = 0; ///< blocks shown; 0: all
+    bool m_dragged = false;
+    QPointF m_pressed;
+};
+
+} // namespace proveout

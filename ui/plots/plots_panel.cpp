@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/plots/plots_panel.h"
+
+#include <QClipboard>
+#include <QFileDialog>
+#include <QGuiApplication>
+#include <QMenu>
+#include <QSplitter>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+#include "core/base/atomic_file.h"
+#include "ui/plots/plot_csv.h"
+
+namespace proveout {
+namespace {
+
+constexpr std::size_t kShownAtFirst = 2; ///< the paper's two figures
+constexpr double kPngScale = 2;
+
+} // namespace
+
+PlotsPanel::PlotsPanel(Session& session, QWidget* parent)
+    : QWidget(parent), m_session(session), m_bar(new QToolBar(this)),
+      m_splitter(new QSplitter(Qt::Horizontal, this)), m_follow(new QAction(this)) {
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_bar);
+    layout->addWidget(m_splitter, 1);
+    m_splitter->setChildrenCollapsible(false);
+
+    for (const PlotSpec& spec : plotCatalogue())
+        addView(spec, m_views.size() < kShownAtFirst);
+    m_bar->addSeparator();
+    m_follow->setCheckable(true);
+    m_follow->setChecked(true);
+    m_bar->addAction(m_follow);
+    addActions(m_bar->actions()); // The main window lists them in its menus.
+    connect(m_follow, &QAction::triggered, this, [this](bool on) {
+        for (PlotView* view : m_views) {
+            view->setFollowing(on);
+            view->setBlock(m_block, m_blockCount);
+        }
+    });
+    setTexts();
+    connect(&session, &Session::tick, this, &PlotsPanel::refresh);
+}
+
+void PlotsPanel::addView(const PlotSpec& spec, bool shown) {
+    auto* view = new PlotView(spec, m_splitter);
+    view->setVisible(shown);
+    view->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(view, &PlotView::blockClicked, &m_session, &Session::seek);
+    connect(view, &PlotView::followingChanged, this,
+            [this] { m_follow->setChecked(std::ranges::all_of(m_views, &PlotView::following)); });
+    connect(view, &QWidget::customContextMenuRequested, this,
+            [this, view](const QPoint& position) { openMenu(*view, position); });
+    m_splitter->addWidget(view);
+    m_views.push_back(view);
+
+    QAction* action = m_bar->addAction(QString());
+    action->setCheckable(true);
+    action->setChecked(shown);
+    action->setObjectName(QStringLiteral("plot-") + QLatin1String(spec.id));
+    connect(action, &QAction::toggled, view, [this, view](bool on) {
+        view->setVisible(on);
+        view->setBlock(m_block, m_blockCount);
+    });
+    m_shown.push_back(action);
+}
+
+void PlotsPanel::setTexts() {
+    setAccessibleName(tr("Plots"));
+    for (std::size_t index = 0; index < m_views.size(); ++index) {
+        const QString title = QCoreApplication::translate("Plots", m_views[index]->spec().title);
+        m_shown[index]->setText(title);
+        m_shown[index]->setToolTip(tr("Show or hide the plot \"%1\"").arg(title));
+    }
+    m_follow->setText(tr("Follow"));
+    m_follow->setToolTip(tr("Keep the current block in the picture; dragging a plot stops it"));
+}
+
+void PlotsPanel::refresh() {
+    if (!isVisible())
+        return; // Caught up with when it is shown.
+    static const PersistentArray<BlockStatistics> kNone;
+    const FramePtr& frame = m_session.frame();
+    if (const std::uint64_t generation = frame ? frame->generation : 0; generation != m_generation) {
+        m_generation = generation;
+        m_history.forgetFrames();
+    }
+    const PlotHistory::Changes changes = m_history.update(
+        frame ? frame->statistics : kNone, m_session.frameStatistics(), m_session.playback().playing);
+    const bool moved = m_block != m_session.block() || m_blockCount != m_session.blockCount();
+    if (!changes.any && !moved)
+        return;
+    m_block = m_session.block();
+    m_blockCount = m_session.blockCount();
+    const PlotInput input{m_history.blocks(), m_history.frames()};
+    m_trace.update(frame ? frame->parameters : m_session.parameters(), changes.firstBlock, m_block,
+                   m_history.blocks().size());
+    const std::vector<std::size_t> parameterChanges = m_trace.changes();
+    for (PlotView* view : m_views) {
+        view->setParameterChanges(parameterChanges);
+        view->setRows(input, view->spec().rows == PlotRows::blocks ? changes.firstBlock : changes.firstFrame);
+        if (view->isVisible())
+            view->setBlock(m_block, m_blockCount);
+    }
+}
+
+QString PlotsPanel::csv(const PlotView& view) const {
+    return QString::fromStdString(plotCsv(view.spec(), {m_history.blocks(), m_history.frames()}));
+}
+
+bool PlotsPanel::exportTo(PlotView& view, const QString& file) {
+    QByteArray bytes;
+    if (file.endsWith(QLatin1String(".png"), Qt::CaseInsensitive))
+        bytes = view.png(kPngScale);
+    else if (file.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive))
+        bytes = view.svg();
+    else
+        bytes = csv(view).toUtf8();
+    const auto written =
+        writeFile(QFile::encodeName(file).toStdString(),
+                  std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
+    if (!written)
+        m_session.tell(written.error());
+    return written.has_value();
+}
+
+void PlotsPanel::askAndExport(PlotView& view, const QString& filter, const QString& ending) {
+    QString file =
+        QFileDialog::getSaveFileName(this, tr("Export Plot"), QLatin1String(view.spec().id) + ending, filter);
+    if (file.isEmpty())
+        return;
+    if (!file.endsWith(ending, Qt::CaseInsensitive))
+        file += ending;
+    exportTo(view, file);
+}
+
+void PlotsPanel::openMenu(PlotView& view, const QPoint& position) {
+    QMenu menu(this);
+    menu.addAction(tr("Export as &CSV…"),
+                   [&] { askAndExport(view, tr("CSV (*.csv)"), QStringLiteral(".csv")); });
+    menu.addAction(tr("Export as &PNG…"),
+                   [&] { askAndExport(view, tr("PNG (*.png)"), QStringLiteral(".png")); });
+    menu.addAction(tr("Export as &SVG…"),
+                   [&] { askAndExport(view, tr("SVG (*.svg)"), QStringLiteral(".svg")); });
+    menu.addAction(tr("C&opy Data as CSV"), [&] { QGuiApplication::clipboard()->setText(csv(view)); });
+    menu.addSeparator();
+    menu.addAction(tr("Show &All Blocks"), [&] { view.showAll(); });
+    menu.exec(view.mapToGlobal(position));
+}
+
+void PlotsPanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    refresh();
+}
+
+void PlotsPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange)
+        setTexts();
+    QWidget::changeEvent(event);
+}
+
+} // namespace proveout

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <QAction>
+#include <QWidget>
+
+#include "ui/plots/parameter_trace.h"
+#include "ui/plots/plot_changes.h"
+#include "ui/plots/plot_view.h"
+#include "ui/session.h"
+
+class QSplitter;
+class QToolBar;
+
+namespace proveout {
+
+/// The plots of the catalogue side by side, live; a button shows or hides each. Clicking a plot seeks.
+/// Thread: UI.
+class PlotsPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PlotsPanel(Session& session, QWidget* parent = nullptr);
+
+    /// In the order of plotCatalogue().
+    [[nodiscard]] const std::vector<PlotView*>& views() const { return m_views; }
+    [[nodiscard]] QString csv(const PlotView& view) const;
+    /// Writes by the name's ending: .csv, .png or .svg. What went wrong is told to the session.
+    bool exportTo(PlotView& view, const QString& file);
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void refresh();
+    void addView(const PlotSpec& spec, bool shown);
+    void setTexts();
+    void openMenu(PlotView& view, const QPoint& position);
+    void askAndExport(PlotView& view, const QString& filter, const QString& ending);
+
+    Session& m_session;
+    PlotHistory m_history;
+    ParameterTrace m_trace;
+    std::uint64_t m_generation = 0; ///< of the frame that m_history was updated with
+    QToolBar* m_bar;
+    QSplitter* m_splitter;
+    QAction* m_follow;
+    std::vector<PlotView*> m_views;
+    std::vector<QAction*> m_shown; ///< one a view
+    std::size_t m_block = 0;
+    std::size_t m_blockCount = 0;
+};
+
+} // namespace proveout

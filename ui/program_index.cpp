@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/program_index.h"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <variant>
+
+namespace proveout {
+
+namespace {
+
+constexpr double kFloorBelowCut = 5;
+constexpr double kSideWithoutTool = 5; ///< margin while no cutter is known
+constexpr double kSmallestSide = 5;
+constexpr double kFinestSpacing = 0.01;
+constexpr double kPointsAlongSide = 400;
+
+double largestRadius(const Program& program, const ToolTable& tools) {
+    double radius = 0;
+    for (const int number : usedTools(program)) {
+        if (const Cutter* cutter = tools.find(number))
+            radius = std::max(radius, cutter->radius());
+    }
+    return radius;
+}
+
+} // namespace
+
+std::size_t blockOfMotion(const Program& program, std::size_t motion) {
+    std::size_t low = 0;
+    std::size_t high = program.blockCount();
+    while (low < high) {
+        const std::size_t middle = (low + high) / 2;
+        if (program.blockMotions(middle).last <= motion)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low;
+}
+
+std::vector<ToolChangeMark> toolChangeMarks(const Program& program) {
+    std::vector<ToolChangeMark> marks;
+    for (const Event& event : program.events()) {
+        if (const auto* change = std::get_if<ToolChange>(&event.data))
+            marks.push_back({blockOfMotion(program, event.beforeMotion), change->tool});
+    }
+    return marks;
+}
+
+std::vector<int> usedTools(const Program& program) {
+    std::set<int> tools;
+    for (std::size_t i = 0; i < program.motionCount(); ++i) {
+        const Motion motion = program.motion(i);
+        if (motion.kind != MotionKind::rapid && motion.tool > 0)
+            tools.insert(motion.tool);
+    }
+    return {tools.begin(), tools.end()};
+}
+
+Box3 cuttingBounds(const Program& program) {
+    Box3 box;
+    for (std::size_t i = 0; i < program.motionCount(); ++i) {
+        const Motion motion = program.motion(i);
+        if (motion.kind != MotionKind::rapid && motion.known())
+            box.add(bounds(motion));
+    }
+    return box;
+}
+
+StockBox fittedStock(const Program& program, const Setup& present) {
+    const Box3 box = cuttingBounds(program);
+    if (box.empty())
+        return present.stock;
+    const double radius = largestRadius(program, present.tools);
+    const double margin = radius > 0 ? radius : kSideWithoutTool;
+    const double top = box.lo.z < 0 ? 0 : std::ceil(box.hi.z);
+    StockBox stock;
+    stock.corner = {std::floor(box.lo.x - margin), std::floor(box.lo.y - margin), top};
+    stock.width = std::max(kSmallestSide, std::ceil(box.hi.x + margin) - stock.corner.x);
+    stock.depth = std::max(kSmallestSide, std::ceil(box.hi.y + margin) - stock.corner.y);
+    stock.height = std::max(1.0, std::ceil(top - box.lo.z + kFloorBelowCut));
+    return stock;
+}
+
+double fittedSpacing(const StockBox& stock) {
+    const double wanted = std::max(stock.width, stock.depth) / kPointsAlongSide;
+    const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
+    for (const double step : {1.0, 2.0, 5.0}) {
+        if (step * decade >= wanted)
+            return std::max(step * decade, kFinestSpacing);
+    }
+    return 10 * decade;
+}
+
+} // namespace proveout

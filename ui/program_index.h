@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Questions that several panels ask about a program.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/base/geometry.h"
+#include "core/nc/program.h"
+#include "core/simulation/setup.h"
+
+namespace proveout {
+
+struct ToolChangeMark {
+    std::size_t block = 0; ///< blocks executed before the change
+    int tool = 0;
+};
+
+/// The tool changes of a program, ascending by block.
+[[nodiscard]] std::vector<ToolChangeMark> toolChangeMarks(const Program& program);
+
+/// The index of the block that holds motion `motion`; blockCount() for one behind the last.
+[[nodiscard]] std::size_t blockOfMotion(const Program& program, std::size_t motion);
+
+/// Numbers of the tools that cut, ascending, each once.
+[[nodiscard]] std::vector<int> usedTools(const Program& program);
+
+/// The box of all motions that cut by intention (feeds and arcs, no rapids) and are wholly known.
+[[nodiscard]] Box3 cuttingBounds(const Program& program);
+
+/// The stock that holds the cutting motions of a program: the cutter's radius wider than they are, 5 mm
+/// deeper than the deepest of them, its top at Z0 where something is cut below it, else at the highest of
+/// them. Rounded outwards to whole mm. `present` where nothing is cut.
+[[nodiscard]] StockBox fittedStock(const Program& program, const Setup& present);
+
+/// A spacing of the series 1, 2, 5 that gives the longer side of a stock a few hundred grid points.
+[[nodiscard]] double fittedSpacing(const StockBox& stock);
+
+} // namespace proveout

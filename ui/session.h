@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The hub of the workstation: panels talk to it, never to each other.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QString>
+#include <QTimer>
+
+#include "core/base/diagnostic.h"
+#include "core/decimation/parameters.h"
+#include "core/nc/program.h"
+#include "core/simulation/frame.h"
+#include "core/simulation/setup.h"
+#include "core/simulation/simulation_thread.h"
+#include "core/simulation/statistics.h"
+#include "ui/document.h"
+#include "ui/export_job.h"
+#include "ui/file_watch.h"
+#include "ui/program_source.h"
+#include "ui/repaint_tick.h"
+
+namespace proveout {
+
+/// How the program is played. Value type.
+struct Playback {
+    bool playing = false;
+    double blocksPerSecond = 50; ///< infinity: as fast as possible
+    bool everyBlock = false;     ///< paper mode: every block is drawn before the next one is cut
+
+    friend bool operator==(const Playback&, const Playback&) = default;
+};
+
+/// Speeds are told to people as multiples of this many blocks a second.
+inline constexpr double kUnitBlocksPerSecond = 50;
+
+/// Long work under way that can be cancelled. Value type.
+struct Work {
+    QString label;
+    double done = 0; ///< in [0, 1]
+};
+
+/// Holds one document with its setup, parameters, program, playback and newest frame, and owns the threads
+/// that interpret, simulate and export. Thread: the UI thread, all of it; no call waits for work.
+/// Repainting: panels that show the simulation repaint in `tick` and nowhere else while it plays, because
+/// any repaint in a window with a QOpenGLWidget composes the whole window again.
+class Session : public QObject {
+    Q_OBJECT
+
+public:
+    explicit Session(QObject* parent = nullptr);
+    ~Session() override;
+
+    /// False until a file was opened or a new one begun: the start page is shown then.
+    [[nodiscard]] bool hasDocument() const { return m_hasDocument; }
+    [[nodiscard]] const Document& document() const { return m_document; }
+    /// The job file that setup and parameters came from or were saved to; empty where there is none.
+    [[nodiscard]] const QString& jobFile() const { return m_jobFile; }
+    /// Whether text, or setup and parameters of a job, hold changes that are not on the disk.
+    [[nodiscard]] bool modified() const { return m_document.modified || m_jobModified; }
+
+    [[nodiscard]] const Setup& setup() const { return *m_setup; }
+    [[nodiscard]] const DecimationParameters& parameters() const { return m_parameters; }
+    /// The newest interpretation; null before the first one. May be ahead of frame()->program.
+    [[nodiscard]] const std::shared_ptr<const Program>& program() const { return m_program; }
+    /// The newest frame; null before the first one and while a load is under way.
+    [[nodiscard]] const FramePtr& frame() const { return m_frame; }
+    [[nodiscard]] std::size_t blockCount() const { return m_program ? m_program->blockCount() : 0; }
+    /// Blocks executed in the newest frame: 0 … blockCount().
+    [[nodiscard]] std::size_t block() const { return m_frame ? m_frame->block : 0; }
+    [[nodiscard]] const Playback& playback() const { return m_playback; }
+    /// One row per frame that was drawn, ascending by lastBlock; rows beyond a seek back are dropped when the
+    /// blocks are drawn anew.
+    [[nodiscard]] const std::vector<FrameStatistics>& frameStatistics() const { return m_frameStatistics; }
+    /// Messages about files, then those of the program, then those of the simulation.
+    [[nodiscard]] const Diagnostics& problems() const { return m_problems; }
+    /// Whether the place of a problem is one of the open text (and not of a job file, say).
+    [[nodiscard]] bool isInText(const Diagnostic& problem) const;
+    [[nodiscard]] const std::optional<Work>& work() const { return m_work; }
+    /// What the last export wrote; empty before the first one.
+    [[nodiscard]] const std::optional<ExportSummary>& lastExport() const { return m_lastExport; }
+
+    /// Who draws a frame calls this afterwards, in paintGL or in place of it: appends a row of
+    /// frameStatistics() and, in paper mode, lets the next block be cut. Frames drawn again count once.
+    void reportDrawn(std::uint64_t sequence, double uploadSeconds, double drawSeconds);
+    /// Asks for a tick outside playback, e.g. after a colour was changed in a panel.
+    void requestTick() { m_tick.request(); }
+
+    /// Opens an NC program or a `.proveout` job. What went wrong stands in problems(); the open document then
+    /// stays as it was. Unsaved changes are the caller's to ask about.
+    bool openFile(const QString& file);
+    void newFile();
+    /// Writes text and job to where they came from. False where that failed or where there is no path yet.
+    bool save();
+    bool saveAs(const QString& file);
+    bool saveJobAs(const QString& file);
+    /// Setup and parameters stay, but no longer belong to a job file.
+    void detachJob();
+    /// Reads the text again from the disk.
+    void reload();
+    /// Leaves the text as it is although the file has changed; it counts as modified.
+    void keepMine();
+
+    /// The user replaced the bytes [offset, offset + removed) of the text. Interprets anew in the background.
+    void applyEdit(std::size_t offset, std::size_t removed, std::string_view inserted);
+    /// The editor's undo reached or left the saved text.
+    void setTextModified(bool modified);
+
+    void play();
+    void pause();
+    void togglePlay();
+    void step(std::ptrdiff_t blocks);     ///< pauses
+    void seek(std::size_t block);         ///< goes on playing where it played
+    void stepToToolChange(int direction); ///< -1: the previous one, +1: the next one; pauses
+    void seekToLine(std::uint32_t line);  ///< the state after source line `line`, 1-based
+    void setSpeed(double blocksPerSecond, bool everyBlock = false);
+
+    void setParameters(const DecimationParameters& parameters);
+    /// Errors (stock, grid, memory) are told by the result and change nothing.
+    Result<void> setSetup(const Setup& setup);
+    /// The stock that holds the program's motions, its top at their highest cut; the present one where there
+    /// is no motion.
+    [[nodiscard]] StockBox stockFittedToProgram() const;
+
+    /// Writes the stock of the newest frame in the background; work() tells how far it is.
+    void exportStl(const QString& file, const ExportOptions& options);
+    void cancelWork();
+    /// Adds a message that is about no part of the program, e.g. a dropped file that cannot be used.
+    void tell(const Diagnostics& messages);
+    void clearMessages();
+
+signals:
+    /// Another document, or the same one under another name or with another modified state.
+    void documentChanged();
+    /// The text was replaced as a whole (opened, reloaded): views load it anew.
+    void textReplaced();
+    void programChanged();
+    void setupChanged();
+    void parametersChanged();
+    void playbackChanged();
+    void problemsChanged();
+    /// What was asked for could not be done; why stands in problems().
+    void troubled();
+    void workChanged();
+    void exported(const ExportSummary& summary);
+    /// The file of the document is no longer what was read or written.
+    void fileChangedOnDisk();
+    /// Someone asks to see a source line (1-based): the editor goes there.
+    void lineRequested(std::uint32_t line, int column);
+    /// The one coalesced repaint: the newest frame, null where there is none. At most 30 times a second, less
+    /// often where painting takes long.
+    void tick(const FramePtr& frame);
+
+private:
+    bool openProgram(const QString& file);
+    bool openJob(const QString& file);
+    void adopt(Document document, QString jobFile);
+    bool writeDocument(const QString& file);
+    bool writeJob(const QString& file);
+    void watchedFileChanged();
+    [[nodiscard]] std::string nameForMessages() const;
+    void interpret();
+    void programReady(const std::shared_ptr<const Program>& program);
+    void continueWithEdit();
+    void load();
+    void simulationProgressed(double done);
+    void simulationFailed(const Diagnostics& errors);
+    void takeFrame();
+    void onTick();
+    void updatePlaying();
+    void refreshProblems();
+    void setWork(std::optional<Work> work);
+    void exportDone(const Result<ExportSummary>& result);
+
+    Document m_document;
+    bool m_hasDocument = false;
+    QString m_jobFile;
+    bool m_jobModified = false;
+    bool m_keptMine = false; ///< the file on the disk is somebody else's: saving is due whatever undo says
+    bool m_fitStock = false; ///< the next program decides the stock
+    std::shared_ptr<const Setup> m_setup = std::make_shared<const Setup>();
+    DecimationParameters m_parameters;
+    Playback m_playback;
+
+    std::shared_ptr<const Program> m_program;
+    std::shared_ptr<const Setup> m_loadedSetup; ///< what the simulation runs on; null: nothing loaded
+    std::uint64_t m_generation = 0;
+    FramePtr m_frame;
+
+    std::vector<FrameStatistics> m_frameStatistics;
+    std::size_t m_drawnBlock = 0;
+    std::uint64_t m_drawnSequence = 0;
+    QTimer m_paperWatchdog; ///< lets paper mode go on while nobody draws (a minimised window)
+
+    Diagnostics m_messages;         ///< about files and jobs
+    Diagnostics m_simulationErrors; ///< of the last load
+    Diagnostics m_problems;
+    std::size_t m_shownFindings = 0; ///< findings of the frame that stand in m_problems
+    bool m_exporting = false;
+    std::optional<Work> m_work;
+    std::optional<ExportSummary> m_lastExport;
+
+    FileWatch m_watch;
+    RepaintTick m_tick;
+    QTimer m_editPause; ///< typing is interpreted after a short rest
+    ExportJob m_export;
+    ProgramSource m_source;
+    std::unique_ptr<SimulationThread> m_simulation; ///< last: its thread ends before what it posts to
+};
+
+} // namespace proveout

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/setup/setup_panel.h"
+
+#include <QCheckBox>
+#include <QEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "core/base/memory.h"
+#include "ui/diagnostic_text.h"
+#include "ui/icons.h"
+#include "ui/program_index.h"
+#include "ui/setup/stock_form.h"
+#include "ui/setup/tool_table_editor.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr int kRestMs = 250;
+constexpr int kScrollBar = 16;
+
+QLabel* title(QWidget* parent) {
+    auto* label = new QLabel(parent);
+    QFont bold = label->font();
+    bold.setBold(true);
+    label->setFont(bold);
+    return label;
+}
+
+QLabel* wrapped(QWidget* parent) {
+    auto* label = new QLabel(parent);
+    label->setWordWrap(true);
+    label->setMinimumWidth(1); // it wraps at any width; its own wish would widen the panel
+    return label;
+}
+
+std::vector<int> missingTools(const Session& session) {
+    std::vector<int> missing;
+    if (session.program()) {
+        for (const int number : usedTools(*session.program())) {
+            if (session.setup().tools.find(number) == nullptr)
+                missing.push_back(number);
+        }
+    }
+    return missing;
+}
+
+} // namespace
+
+SetupPanel::SetupPanel(Session& session, QWidget* parent)
+    : QWidget(parent), m_session(session), m_stockTitle(title(this)), m_stock(new StockForm(this)),
+      m_fit(new QPushButton(this)), m_memory(wrapped(this)), m_problem(wrapped(this)),
+      m_toolsTitle(title(this)), m_tools(new ToolTableEditor(this)), m_missing(wrapped(this)),
+      m_define(new QPushButton(this)), m_blockDelete(new QCheckBox(this)) {
+    build();
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(kRestMs);
+    connect(&m_rest, &QTimer::timeout, this, &SetupPanel::apply);
+    connect(m_stock, &StockForm::edited, &m_rest, qOverload<>(&QTimer::start));
+    connect(m_tools, &ToolTableEditor::edited, &m_rest, qOverload<>(&QTimer::start));
+    connect(m_blockDelete, &QCheckBox::toggled, &m_rest, qOverload<>(&QTimer::start));
+    connect(m_fit, &QPushButton::clicked, this, &SetupPanel::fitToProgram);
+    connect(m_define, &QPushButton::clicked, this, &SetupPanel::defineMissingTools);
+    connect(&session, &Session::setupChanged, this, &SetupPanel::showSetup);
+    connect(&session, &Session::programChanged, this, &SetupPanel::showMissingTools);
+    retranslate();
+    showSetup();
+}
+
+void SetupPanel::build() {
+    auto* content = new QWidget;
+    m_content = content;
+    auto* layout = new QVBoxLayout(content);
+    for (QWidget* widget :
+         {static_cast<QWidget*>(m_stockTitle), static_cast<QWidget*>(m_stock), static_cast<QWidget*>(m_fit),
+          static_cast<QWidget*>(m_memory), static_cast<QWidget*>(m_problem)})
+        layout->addWidget(widget);
+    layout->addSpacing(10);
+    for (QWidget* widget : {static_cast<QWidget*>(m_toolsTitle), static_cast<QWidget*>(m_missing),
+                            static_cast<QWidget*>(m_define), static_cast<QWidget*>(m_tools),
+                            static_cast<QWidget*>(m_blockDelete)})
+        layout->addWidget(widget);
+    layout->addStretch(1);
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(content);
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->addWidget(scroll);
+    m_problem->hide();
+}
+
+void SetupPanel::showSetup() {
+    m_rest.stop();
+    m_stock->show(m_session.setup());
+    m_tools->show(m_session.setup().tools);
+    const QSignalBlocker quiet(m_blockDelete);
+    m_blockDelete->setChecked(m_session.setup().blockDelete);
+    m_problem->hide();
+    showMemory(m_session.setup());
+    showMissingTools();
+}
+
+void SetupPanel::showMissingTools() {
+    const std::vector<int> missing = missingTools(m_session);
+    QStringList names;
+    for (const int number : missing)
+        names << QStringLiteral("T%1").arg(number);
+    m_missing->setText(
+        tr("Used by the program, but not in the table: %1").arg(names.join(QStringLiteral(", "))));
+    m_missing->setVisible(!missing.empty());
+    m_define->setVisible(!missing.empty());
+    m_fit->setEnabled(m_session.blockCount() > 0);
+}
+
+void SetupPanel::showMemory(const Setup& setup) {
+    const Result<Grid> grid = makeGrid(setup.stock, setup.spacing);
+    if (!grid) {
+        m_memory->clear();
+        return;
+    }
+    m_memory->setText(tr("%1 × %2 points, %3 × %4 mm apart; needs about %5")
+                          .arg(locale().toString(grid->nx), locale().toString(grid->ny),
+                               locale().toString(grid->hx, 'g', 5), locale().toString(grid->hy, 'g', 5),
+                               QString::fromStdString(readableBytes(zmapBytes(*grid)))));
+}
+
+void SetupPanel::apply() {
+    Setup setup = m_session.setup();
+    m_stock->put(setup);
+    setup.tools = m_tools->tools();
+    setup.blockDelete = m_blockDelete->isChecked();
+    showMemory(setup);
+    const Result<void> done = m_session.setSetup(setup);
+    m_problem->setVisible(!done);
+    if (!done)
+        m_problem->setText(sentence(done.error().front()) + u' ' + hint(done.error().front()));
+}
+
+void SetupPanel::fitToProgram() {
+    Setup setup = m_session.setup();
+    setup.stock = m_session.stockFittedToProgram();
+    m_stock->show(setup);
+    apply();
+}
+
+void SetupPanel::defineMissingTools() {
+    for (const int number : missingTools(m_session))
+        m_tools->add(number);
+    apply();
+}
+
+void SetupPanel::retranslate() {
+    m_stockTitle->setText(tr("Stock and grid"));
+    m_fit->setText(tr("Fit to program"));
+    m_fit->setToolTip(tr("Make the stock just large enough for all cutting motions"));
+    m_toolsTitle->setText(tr("Tools"));
+    m_define->setText(tr("Add them with standard sizes"));
+    m_define->setToolTip(tr("Add these tools; then give them the sizes of your cutters"));
+    m_blockDelete->setText(tr("Skip blocks that begin with /"));
+    m_blockDelete->setToolTip(tr("Block delete, as the switch on the control"));
+    showMissingTools();
+    showMemory(m_session.setup());
+    // Without a horizontal scroll bar nothing may be wider than the panel.
+    setMinimumWidth(m_content->minimumSizeHint().width() + kScrollBar);
+}
+
+void SetupPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace proveout

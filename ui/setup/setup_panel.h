@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+#include "ui/session.h"
+
+class QCheckBox;
+class QLabel;
+class QPushButton;
+
+namespace proveout {
+
+class StockForm;
+class ToolTableEditor;
+
+/// What stands on the machine before the program runs: stock, grid, tools.
+class SetupPanel final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SetupPanel(Session& session, QWidget* parent = nullptr);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void build();
+    void retranslate();
+    void showSetup();
+    void showMissingTools();
+    void showMemory(const Setup& setup);
+    void apply();
+    void fitToProgram();
+    void defineMissingTools();
+
+    Session& m_session;
+    QWidget* m_content = nullptr;
+    QLabel* m_stockTitle;
+    StockForm* m_stock;
+    QPushButton* m_fit;
+    QLabel* m_memory;
+    QLabel* m_problem;
+    QLabel* m_toolsTitle;
+    ToolTableEditor* m_tools;
+    QLabel* m_missing;
+    QPushButton* m_define;
+    QCheckBox* m_blockDelete;
+    QTimer m_rest;
+};
+
+} // namespace proveout

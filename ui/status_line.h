@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include <QObject>
+
+#include "ui/session.h"
+
+class QLabel;
+class QProgressBar;
+class QStatusBar;
+class QToolButton;
+
+namespace proveout {
+
+/// What the status bar tells: position, feed, speed, tool, block, faces; and long work with a Cancel button.
+/// The fields have fixed widths, so that nothing jumps while numbers change.
+class StatusLine final : public QObject {
+    Q_OBJECT
+
+public:
+    StatusLine(Session& session, QStatusBar& bar);
+    void retranslate();
+
+private:
+    enum Field { kX, kY, kZ, kFeed, kSpindle, kTool, kBlock, kFaces, kFieldCount };
+
+    void onTick(const FramePtr& frame);
+    void showFrame(const FramePtr& frame);
+    void showWork();
+    void fitFeedField();
+    void fitBlockField();
+    void set(Field field, const QString& text);
+
+    Session& m_session;
+    QStatusBar& m_bar;
+    std::array<QLabel*, kFieldCount> m_fields{};
+    QLabel* m_workLabel;
+    QProgressBar* m_progress;
+    QToolButton* m_cancel;
+};
+
+} // namespace proveout

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "ui/playback_commands.h"
+#include "ui/session.h"
+
+class QComboBox;
+class QHBoxLayout;
+class QLabel;
+
+namespace proveout {
+
+class TimelineScale;
+
+/// Transport buttons, the range of all blocks, and the speed.
+class TimelinePanel final : public QWidget {
+    Q_OBJECT
+
+public:
+    /// `commands` outlives the panel; their keys act here too.
+    TimelinePanel(Session& session, const PlaybackCommands& commands, QWidget* parent = nullptr);
+    [[nodiscard]] TimelineScale& scale() { return *m_scale; }
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void addTransport(QHBoxLayout& layout, const PlaybackCommands& commands);
+    void retranslate();
+    void fillSpeeds();
+    void showSpeed();
+    void chooseSpeed(int index);
+    void showProgram();
+    void showFrame(const FramePtr& frame);
+    void showTip(std::size_t block, QPoint globalPlace);
+
+    Session& m_session;
+    TimelineScale* m_scale;
+    QLabel* m_position;
+    QLabel* m_speedLabel;
+    QComboBox* m_speed;
+};
+
+} // namespace proveout

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/timeline/timeline_scale.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <QHelpEvent>
+#include <QLocale>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QPainterPath>
+#include <QWheelEvent>
+
+#include "ui/theme.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr double kMargin = 10;      // room for half of the head
+constexpr double kTrackTop = 9;     // the marks stand above
+constexpr double kTrackHeight = 10; // the numbers stand below
+constexpr double kHeadWidth = 11;
+constexpr int kHeight = 42;
+constexpr int kLabelEveryPixels = 90;
+constexpr int kWheelNotch = 120;
+constexpr std::ptrdiff_t kFastFactor = 5;
+
+/// The smallest step of the series 1, 2, 5 that is at least `wanted`.
+std::size_t roundStep(double wanted) {
+    const double decade = std::pow(10.0, std::floor(std::log10(std::max(1.0, wanted))));
+    for (const double step : {1.0, 2.0, 5.0}) {
+        if (step * decade >= wanted)
+            return static_cast<std::size_t>(step * decade);
+    }
+    return static_cast<std::size_t>(10 * decade);
+}
+
+} // namespace
+
+TimelineScale::TimelineScale(QWidget* parent) : QWidget(parent) {
+    setFocusPolicy(Qt::StrongFocus);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+    setCursor(Qt::PointingHandCursor);
+}
+
+QSize TimelineScale::sizeHint() const {
+    return {400, kHeight};
+}
+
+QSize TimelineScale::minimumSizeHint() const {
+    return {120, kHeight};
+}
+
+void TimelineScale::setBlockCount(std::size_t blocks) {
+    if (blocks == m_blocks)
+        return;
+    m_blocks = blocks;
+    m_block = std::min(m_block, blocks);
+    update();
+}
+
+void TimelineScale::setBlock(std::size_t block) {
+    if (!m_dragging)
+        moveHead(block);
+}
+
+void TimelineScale::moveHead(std::size_t block) {
+    block = std::min(block, m_blocks);
+    if (block == m_block)
+        return;
+    m_block = block;
+    update();
+}
+
+void TimelineScale::setMarks(std::vector<TimelineMark> marks) {
+    m_marks = std::move(marks);
+    update();
+}
+
+double TimelineScale::positionOf(std::size_t block) const {
+    const double length = width() - 2 * kMargin;
+    return m_blocks == 0 ? kMargin
+                         : kMargin + length * static_cast<double>(block) / static_cast<double>(m_blocks);
+}
+
+std::size_t TimelineScale::blockAt(double x) const {
+    const double length = std::max(1.0, width() - 2 * kMargin);
+    const double fraction = std::clamp((x - kMargin) / length, 0.0, 1.0);
+    return static_cast<std::size_t>(std::lround(fraction * static_cast<double>(m_blocks)));
+}
+
+void TimelineScale::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    paintRuler(painter);
+    paintMarks(painter);
+    paintHead(painter);
+}
+
+void TimelineScale::paintRuler(QPainter& painter) const {
+    const QRectF track(kMargin, kTrackTop, width() - 2 * kMargin, kTrackHeight);
+    QRectF done = track;
+    done.setRight(positionOf(m_block));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(palette().color(QPalette::Mid));
+    painter.drawRoundedRect(track, 3, 3);
+    painter.setBrush(meaningColors(palette()).accent);
+    painter.drawRoundedRect(done, 3, 3);
+    if (m_blocks == 0)
+        return;
+    QFont small = font();
+    small.setPointSizeF(small.pointSizeF() * 0.85);
+    painter.setFont(small);
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    const double labels = std::max(1.0, track.width() / kLabelEveryPixels);
+    const std::size_t step = roundStep(static_cast<double>(m_blocks) / labels);
+    for (std::size_t block = 0; block <= m_blocks; block += step) {
+        const double x = positionOf(block);
+        painter.drawLine(QPointF(x, track.bottom() + 1), QPointF(x, track.bottom() + 4));
+        const QString text = locale().toString(static_cast<qulonglong>(block));
+        const double textWidth = painter.fontMetrics().horizontalAdvance(text);
+        const double left = std::clamp(x - textWidth / 2, 0.0, std::max(0.0, width() - textWidth));
+        painter.drawText(QPointF(left, track.bottom() + 5 + painter.fontMetrics().ascent()), text);
+    }
+}
+
+void TimelineScale::paintMarks(QPainter& painter) const {
+    const MeaningColors colors = meaningColors(palette());
+    painter.setPen(Qt::NoPen);
+    double last = -10;
+    for (const TimelineMark& mark : m_marks) {
+        const double x = positionOf(mark.block);
+        if (!mark.toolChange && x - last < 1)
+            continue; // thousands of problems on one pixel are drawn once
+        last = mark.toolChange ? last : x;
+        painter.setBrush(mark.toolChange ? colors.toolChange : severityColor(colors, mark.severity));
+        QPolygonF shape; // a tool change is a triangle, a problem a diamond: shapes tell them apart too
+        if (mark.toolChange)
+            shape << QPointF(x - 4, 1) << QPointF(x + 4, 1) << QPointF(x, 8);
+        else
+            shape << QPointF(x, 0) << QPointF(x + 3.5, 4) << QPointF(x, 8) << QPointF(x - 3.5, 4);
+        painter.drawPolygon(shape);
+    }
+}
+
+void TimelineScale::paintHead(QPainter& painter) const {
+    const double x = positionOf(m_block);
+    const QRectF head(x - kHeadWidth / 2, kTrackTop - 3, kHeadWidth, kTrackHeight + 6);
+    const bool focused = hasFocus();
+    painter.setPen(QPen(meaningColors(palette()).accent, focused ? 2.5 : 1.5));
+    painter.setBrush(palette().color(QPalette::Base));
+    painter.drawRoundedRect(head, 3, 3);
+}
+
+bool TimelineScale::event(QEvent* event) {
+    if (event->type() == QEvent::ToolTip) {
+        const auto* help = static_cast<QHelpEvent*>(event);
+        emit tipWanted(blockAt(help->pos().x()), help->globalPos());
+        return true;
+    }
+    return QWidget::event(event);
+}
+
+void TimelineScale::scrub(double x) {
+    const std::size_t block = blockAt(x);
+    moveHead(block);
+    emit scrubbed(block);
+}
+
+void TimelineScale::mousePressEvent(QMouseEvent* event) {
+    m_dragging = event->button() == Qt::LeftButton && m_blocks > 0;
+    if (m_dragging)
+        scrub(event->position().x());
+}
+
+void TimelineScale::mouseMoveEvent(QMouseEvent* event) {
+    if (m_dragging)
+        scrub(event->position().x());
+}
+
+void TimelineScale::mouseReleaseEvent(QMouseEvent*) {
+    m_dragging = false;
+}
+
+void TimelineScale::wheelEvent(QWheelEvent* event) {
+    const std::ptrdiff_t notches = -(event->angleDelta().y() + event->angleDelta().x()) / kWheelNotch;
+    const bool fast = (event->modifiers() & (Qt::ShiftModifier | Qt::ControlModifier)) != 0;
+    if (notches != 0)
+        emit stepped(fast ? notches * kFastFactor : notches);
+    event->accept();
+}
+
+} // namespace proveout

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <vector>
+
+#include <QWidget>
+
+#include "core/base/diagnostic.h"
+
+namespace proveout {
+
+/// A tick on the scale: something happened after `block` executed blocks.
+struct TimelineMark {
+    std::size_t block = 0;
+    bool toolChange = false; ///< else a problem of `severity`
+    Severity severity = Severity::note;
+};
+
+/// The range of all blocks with the play head; scrubbing moves the head. Knows blocks only, no session.
+class TimelineScale final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit TimelineScale(QWidget* parent = nullptr);
+
+    void setBlockCount(std::size_t blocks);
+    /// Moves the head; while the user drags it, it stays under the mouse.
+    void setBlock(std::size_t block);
+    void setMarks(std::vector<TimelineMark> marks);
+
+    [[nodiscard]] std::size_t blockAt(double x) const;
+    [[nodiscard]] double positionOf(std::size_t block) const;
+    [[nodiscard]] QSize sizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override;
+
+signals:
+    /// The user dragged or clicked the head to a place.
+    void scrubbed(std::size_t block);
+    /// Wheel: so many blocks on (negative: back).
+    void stepped(std::ptrdiff_t blocks);
+    /// What the tool tip says about a block is asked from who knows the program.
+    void tipWanted(std::size_t block, QPoint globalPlace);
+
+protected:
+    bool event(QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+
+private:
+    void paintRuler(QPainter& painter) const;
+    void paintMarks(QPainter& painter) const;
+    void paintHead(QPainter& painter) const;
+    void scrub(double x);
+    void moveHead(std::size_t block);
+
+    std::size_t m_blocks = 0;
+    std::size_t m_block = 0;
+    bool m_dragging = false;
+    std::vector<TimelineMark> m_marks;
+};
+
+} // namespace proveout

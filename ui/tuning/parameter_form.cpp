@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tuning/parameter_form.h"
+
+#include <cmath>
+#include <map>
+#include <string_view>
+#include <type_traits>
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QToolButton>
+
+#include "ui/diagnostic_text.h"
+#include "ui/icons.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr int kDecimals = 3;
+constexpr int kShortestChoice = 8; // characters; a longer one is shown whole in the list
+
+/// The units that are words; the core hands them out unmarked.
+[[maybe_unused]] constexpr const char* kUnitWords[] = {QT_TRANSLATE_NOOP("Core", "cells"),
+                                                       QT_TRANSLATE_NOOP("Core", "blocks")};
+
+QString suffix(const Field& field) {
+    return *field.unit == '\0' ? QString() : u' ' + coreText(field.unit);
+}
+
+} // namespace
+
+template<class T>
+QWidget* ParameterForm::makeEditor(Row& row) {
+    if constexpr (std::is_same_v<T, bool>)
+        return makeSwitch(row);
+    if constexpr (std::is_integral_v<T>)
+        return makeInteger(row);
+    return makeNumber(row);
+}
+
+template<class T>
+void ParameterForm::addRow(T& place, const Field& field) {
+    Row row;
+    row.field = field;
+    row.value = [&place] { return static_cast<double>(place); };
+    row.setValue = [&place](double value) {
+        if constexpr (std::is_enum_v<T>)
+            place = static_cast<T>(static_cast<int>(value));
+        else
+            place = static_cast<T>(value);
+    };
+    row.editor = field.choices.empty() ? makeEditor<T>(row) : makeChoices(row);
+    m_rows.push_back(std::move(row));
+}
+
+ParameterForm::ParameterForm(QWidget* parent) : QWidget(parent) {
+    describe(m_values, [this](auto& place, const Field& field) { addRow(place, field); });
+    std::map<std::string_view, double> standards;
+    const DecimationParameters standard;
+    describe(standard, [&](const auto& value, const Field& field) {
+        standards[field.key] = static_cast<double>(value);
+    });
+    auto* layout = new QGridLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setColumnStretch(1, 1);
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        m_rows[i].standard = standards[m_rows[i].field.key];
+        place(m_rows[i], *layout, static_cast<int>(i));
+    }
+    retranslate();
+}
+
+QWidget* ParameterForm::makeChoices(Row& row) {
+    auto* box = new QComboBox(this);
+    for (const Choice& choice : row.field.choices)
+        box->addItem(QString(), QLatin1String(choice.key));
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(kShortestChoice);
+    const std::size_t index = m_rows.size();
+    connect(box, &QComboBox::activated, this, [this, index](int chosen) { change(index, chosen); });
+    row.show = [box](double value) { box->setCurrentIndex(static_cast<int>(value)); };
+    return box;
+}
+
+QWidget* ParameterForm::makeSwitch(Row& row) {
+    auto* box = new QCheckBox(this);
+    const std::size_t index = m_rows.size();
+    connect(box, &QCheckBox::toggled, this, [this, index](bool on) { change(index, on ? 1 : 0); });
+    row.show = [box](double value) { box->setChecked(value != 0); };
+    return box;
+}
+
+QWidget* ParameterForm::makeInteger(Row& row) {
+    auto* box = new QSpinBox(this);
+    box->setRange(static_cast<int>(row.field.minimum), static_cast<int>(row.field.maximum));
+    box->setSingleStep(static_cast<int>(row.field.step));
+    box->setKeyboardTracking(false);
+    const std::size_t index = m_rows.size();
+    connect(box, &QSpinBox::valueChanged, this, [this, index](int value) { change(index, value); });
+    row.show = [box](double value) { box->setValue(static_cast<int>(value)); };
+    return box;
+}
+
+QWidget* ParameterForm::makeNumber(Row& row) {
+    auto* box = new QDoubleSpinBox(this);
+    box->setDecimals(kDecimals);
+    box->setRange(row.field.minimum, row.field.maximum);
+    box->setSingleStep(row.field.step);
+    box->setKeyboardTracking(false);
+    const std::size_t index = m_rows.size();
+    connect(box, &QDoubleSpinBox::valueChanged, this, [this, index](double value) { change(index, value); });
+    row.show = [box](double value) { box->setValue(value); };
+    return box;
+}
+
+void ParameterForm::place(Row& row, QGridLayout& layout, int line) {
+    row.label = new QLabel(this);
+    row.label->setBuddy(row.editor);
+    row.editor->setObjectName(QLatin1String(row.field.key));
+    row.reset = new QToolButton(this);
+    row.reset->setAutoRaise(true);
+    row.reset->setIcon(icon(QStringLiteral("undo")));
+    QSizePolicy policy = row.reset->sizePolicy();
+    policy.setRetainSizeWhenHidden(true); // the column keeps its width
+    row.reset->setSizePolicy(policy);
+    connect(row.reset, &QToolButton::clicked, this,
+            [this, index = static_cast<std::size_t>(line)] { change(index, m_rows[index].standard); });
+    layout.addWidget(row.label, line, 0);
+    layout.addWidget(row.editor, line, 1);
+    layout.addWidget(row.reset, line, 2);
+}
+
+void ParameterForm::addRow(QLabel* label, QWidget* editor) {
+    auto& grid = static_cast<QGridLayout&>(*layout());
+    const int line = grid.rowCount();
+    grid.addWidget(label, line, 0);
+    grid.addWidget(editor, line, 1);
+}
+
+void ParameterForm::setValues(const DecimationParameters& values) {
+    m_values = values;
+    for (const Row& row : m_rows)
+        showRow(row);
+}
+
+void ParameterForm::showRow(const Row& row) {
+    const QSignalBlocker quiet(row.editor);
+    row.show(row.value());
+    row.reset->setVisible(row.value() != row.standard);
+}
+
+void ParameterForm::change(std::size_t row, double value) {
+    m_rows[row].setValue(value);
+    showRow(m_rows[row]);
+    emit edited(m_values);
+}
+
+QString ParameterForm::valueText(const Row& row, double value) const {
+    if (!row.field.choices.empty())
+        return coreText(row.field.choices[static_cast<std::size_t>(value)].label);
+    if (qobject_cast<QCheckBox*>(row.editor) != nullptr)
+        return value != 0 ? tr("on") : tr("off");
+    return locale().toString(value, 'g', 7) + suffix(row.field);
+}
+
+QString ParameterForm::tip(const Row& row) const {
+    QString text = coreText(row.field.help);
+    if (qobject_cast<QAbstractSpinBox*>(row.editor) != nullptr) {
+        text += u'\n' + tr("Range: %1 to %2", "of a parameter, with units")
+                            .arg(valueText(row, row.field.minimum), valueText(row, row.field.maximum));
+    }
+    return text + u'\n' + tr("Default: %1").arg(valueText(row, row.standard));
+}
+
+void ParameterForm::retranslate() {
+    for (const Row& row : m_rows) {
+        row.label->setText(coreText(row.field.label));
+        row.label->setToolTip(tip(row));
+        row.editor->setToolTip(tip(row));
+        row.editor->setAccessibleName(coreText(row.field.label));
+        row.reset->setToolTip(tr("Back to the default: %1").arg(valueText(row, row.standard)));
+        row.reset->setAccessibleName(tr("Reset %1").arg(coreText(row.field.label)));
+        if (auto* box = qobject_cast<QComboBox*>(row.editor)) {
+            for (int i = 0; i < box->count(); ++i)
+                box->setItemText(i, coreText(row.field.choices[static_cast<std::size_t>(i)].label));
+        }
+        if (auto* integer = qobject_cast<QSpinBox*>(row.editor))
+            integer->setSuffix(suffix(row.field));
+        if (auto* number = qobject_cast<QDoubleSpinBox*>(row.editor))
+            number->setSuffix(suffix(row.field));
+        showRow(row);
+    }
+}
+
+void ParameterForm::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace proveout

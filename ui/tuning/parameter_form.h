@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include <QWidget>
+
+#include "core/base/field.h"
+#include "core/decimation/parameters.h"
+
+class QGridLayout;
+class QLabel;
+class QToolButton;
+
+namespace proveout {
+
+/// One row per field of DecimationParameters, made from describe(): label, editor with unit and range, and a
+/// button that brings the default back. Text that is no number never leaves an editor.
+class ParameterForm final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ParameterForm(QWidget* parent = nullptr);
+
+    [[nodiscard]] const DecimationParameters& values() const { return m_values; }
+    /// Puts a row that is no field of the struct under the others.
+    void addRow(QLabel* label, QWidget* editor);
+    /// Shows other values; emits nothing.
+    void setValues(const DecimationParameters& values);
+
+signals:
+    void edited(const DecimationParameters& values);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    /// One field; its value passes as a double, whatever its type.
+    struct Row {
+        Field field;
+        double standard = 0;
+        std::function<double()> value;        ///< in m_values
+        std::function<void(double)> setValue; ///< in m_values
+        std::function<void(double)> show;     ///< in the editor
+        QLabel* label = nullptr;
+        QWidget* editor = nullptr;
+        QToolButton* reset = nullptr;
+    };
+
+    template<class T>
+    void addRow(T& place, const Field& field);
+    QWidget* makeChoices(Row& row);
+    template<class T>
+    QWidget* makeEditor(Row& row); ///< for a value that is no choice
+    QWidget* makeSwitch(Row& row);
+    QWidget* makeInteger(Row& row);
+    QWidget* makeNumber(Row& row);
+    void place(Row& row, QGridLayout& layout, int line);
+    void change(std::size_t row, double value);
+    void showRow(const Row& row);
+    void retranslate();
+    [[nodiscard]] QString valueText(const Row& row, double value) const;
+    [[nodiscard]] QString tip(const Row& row) const;
+
+    DecimationParameters m_values;
+    std::vector<Row> m_rows;
+};
+
+} // namespace proveout

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tuning/tuning_panel.h"
+
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QScrollArea>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "ui/diagnostic_text.h"
+#include "ui/icons.h"
+#include "ui/theme.h"
+#include "ui/tuning/parameter_form.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr int kRestMs = 150;
+constexpr int kIconSize = 16;
+constexpr int kFrame = 36; // margins and the vertical scroll bar
+constexpr double kFinestGrid = 0.001;
+constexpr double kCoarsestGrid = 1000;
+
+QLabel* wrapped(QWidget* parent) {
+    auto* label = new QLabel(parent);
+    label->setWordWrap(true);
+    label->setMinimumWidth(1); // it wraps at any width; its own wish would widen the panel
+    return label;
+}
+
+} // namespace
+
+TuningPanel::TuningPanel(Session& session, QWidget* parent)
+    : QWidget(parent), m_session(session), m_form(new ParameterForm(this)), m_gridLabel(new QLabel(this)),
+      m_grid(new QDoubleSpinBox(this)), m_problemIcon(new QLabel(this)), m_problem(wrapped(this)),
+      m_effectTitle(new QLabel(this)), m_faces(wrapped(this)), m_error(wrapped(this)),
+      m_regions(wrapped(this)) {
+    auto* content = new QWidget;
+    auto* layout = new QVBoxLayout(content);
+    m_gridLabel->setBuddy(m_grid);
+    m_form->addRow(m_gridLabel, m_grid);
+    layout->addWidget(m_form);
+    auto* problem = new QHBoxLayout;
+    problem->addWidget(m_problemIcon, 0, Qt::AlignTop);
+    problem->addWidget(m_problem, 1);
+    layout->addLayout(problem);
+    layout->addSpacing(8);
+    QFont bold = font();
+    bold.setBold(true);
+    m_effectTitle->setFont(bold);
+    for (QLabel* label : {m_effectTitle, m_faces, m_error, m_regions})
+        layout->addWidget(label);
+    layout->addStretch(1);
+
+    auto* scroll = new QScrollArea(this);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setWidget(content);
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    outer->addWidget(scroll);
+    // Without a horizontal scroll bar nothing may be wider than the panel; the sentences wrap.
+    setMinimumWidth(m_form->minimumSizeHint().width() + kFrame);
+
+    m_grid->setObjectName(QStringLiteral("grid"));
+    m_grid->setDecimals(3);
+    m_grid->setRange(kFinestGrid, kCoarsestGrid);
+    m_grid->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    m_grid->setKeyboardTracking(false);
+    showProblem({});
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(kRestMs);
+    connect(&m_rest, &QTimer::timeout, &session, [this] {
+        m_session.setParameters(m_form->values());
+        applyGrid();
+    });
+    connect(m_form, &ParameterForm::edited, &m_rest, qOverload<>(&QTimer::start));
+    connect(m_grid, &QDoubleSpinBox::valueChanged, &m_rest, qOverload<>(&QTimer::start));
+    const auto showParameters = [this] { m_form->setValues(m_session.parameters()); };
+    const auto showSetup = [this] {
+        showGrid();
+        showProblem({});
+    };
+    connect(&session, &Session::parametersChanged, this, showParameters);
+    connect(&session, &Session::setupChanged, this, showSetup);
+    connect(&session, &Session::tick, this, &TuningPanel::showEffect);
+    retranslate();
+    showParameters();
+    showSetup();
+}
+
+void TuningPanel::applyGrid() {
+    Setup setup = m_session.setup();
+    setup.spacing = m_grid->value();
+    const bool same = qFuzzyCompare(m_session.setup().spacing, setup.spacing);
+    const Result<void> done = same ? Result<void>() : m_session.setSetup(setup);
+    showProblem(done ? QString() : sentence(done.error().front()));
+    if (!done)
+        showGrid(); // the spacing that the stock has, as all other panels tell it
+}
+
+void TuningPanel::showGrid() {
+    const QSignalBlocker quiet(m_grid);
+    m_grid->setValue(m_session.setup().spacing);
+}
+
+void TuningPanel::showProblem(const QString& text) {
+    m_problem->setText(text);
+    m_problem->setVisible(!text.isEmpty());
+    m_problemIcon->setVisible(!text.isEmpty());
+    colourProblem();
+}
+
+void TuningPanel::colourProblem() {
+    QPalette colours = palette();
+    colours.setColor(QPalette::WindowText, meaningColors(colours).error);
+    m_problem->setPalette(colours);
+    m_problemIcon->setPixmap(icon(QLatin1String(name(Severity::error))).pixmap(kIconSize));
+}
+
+void TuningPanel::showEffect(const FramePtr& frame) {
+    if (!frame) {
+        m_faces->setText(tr("Open a program to see it."));
+        m_error->clear();
+        m_regions->clear();
+        return;
+    }
+    const SurfaceSnapshot& surface = frame->surface;
+    const double share = surface.facesFull == 0 ? 0
+                                                : 100.0 * static_cast<double>(surface.faces) /
+                                                      static_cast<double>(surface.facesFull);
+    m_faces->setText(tr("Faces shown: %1 of %2 (%3 %)")
+                         .arg(locale().toString(static_cast<qulonglong>(surface.faces)),
+                              locale().toString(static_cast<qulonglong>(surface.facesFull)),
+                              locale().toString(share, 'f', 1)));
+    m_regions->setText(tr("Regions drawn from the z-map: %1 of %2")
+                           .arg(locale().toString(static_cast<qulonglong>(surface.dirtyRegions)),
+                                locale().toString(static_cast<qulonglong>(surface.grid.regionCount()))));
+    const QString error = locale().toString(surface.largestError(), 'f', 4);
+    const QString allowance = locale().toString(frame->parameters.allowance);
+    m_error->setText(frame->parameters.certify
+                         ? tr("Largest error: %1 mm, within the allowance of %2 mm").arg(error, allowance)
+                         : tr("Largest error: %1 mm beside an allowance of %2 mm, which is not a bound while "
+                              "Certify is off")
+                               .arg(error, allowance));
+}
+
+void TuningPanel::retranslate() {
+    m_gridLabel->setText(tr("Grid spacing"));
+    m_grid->setSuffix(tr(" mm"));
+    m_grid->setAccessibleName(tr("Grid spacing"));
+    m_grid->setToolTip(
+        tr("Wanted distance of the points of the z-map; finer shows more and takes longer. The "
+           "simulation starts anew.\nRange: %1 to %2 mm\nDefault: %3 mm")
+            .arg(locale().toString(kFinestGrid), locale().toString(kCoarsestGrid),
+                 locale().toString(Setup().spacing)));
+    m_effectTitle->setText(tr("Measured effect"));
+    showEffect(m_session.frame());
+}
+
+void TuningPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    if (event->type() == QEvent::PaletteChange)
+        colourProblem();
+}
+
+} // namespace proveout

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+#include "ui/session.h"
+
+class QDoubleSpinBox;
+class QLabel;
+
+namespace proveout {
+
+class ParameterForm;
+
+/// The parameters of decimation and the grid, changed while the program plays, with their measured effect.
+class TuningPanel final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit TuningPanel(Session& session, QWidget* parent = nullptr);
+    [[nodiscard]] ParameterForm& form() { return *m_form; }
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void retranslate();
+    void applyGrid();
+    void showGrid();
+    /// An empty one hides the line.
+    void showProblem(const QString& text);
+    void colourProblem();
+    void showEffect(const FramePtr& frame);
+
+    Session& m_session;
+    ParameterForm* m_form;
+    QLabel* m_gridLabel;
+    QDoubleSpinBox* m_grid;
+    QLabel* m_problemIcon;
+    QLabel* m_problem;
+    QLabel* m_effectTitle;
+    QLabel* m_faces;
+    QLabel* m_error;
+    QLabel* m_regions;
+    QTimer m_rest; ///< changes are applied after a short rest
+};
+
+} // namespace proveout

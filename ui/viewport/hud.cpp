@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/viewport/hud.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include <QCoreApplication>
+#include <QLocale>
+
+namespace proveout {
+namespace {
+
+constexpr int kMargin = 14;
+constexpr int kSwatch = 26;
+constexpr int kPadding = 9;
+
+QColor colour(const glm::vec3& c) {
+    return QColor::fromRgbF(c.r, c.g, c.b);
+}
+
+QString text(const char* source) {
+    return QCoreApplication::translate("Viewport", source);
+}
+
+enum class Mark : std::uint8_t { none, line, dashes, area };
+
+struct Entry {
+    Mark mark;
+    QColor colour;
+    QString text;
+    double width = 2;
+    bool onMetal = false; ///< a line that is dark because it lies on the stock
+};
+
+/// About what the stock looks like in the light.
+constexpr QColor kMetal(0xB8, 0xBC, 0xC4);
+
+std::vector<Entry> entries(const SceneOptions& options, const LegendFigures& figures) {
+    const SceneColours& colours = options.colours;
+    const QLocale locale;
+    const auto count = [&](std::size_t n) { return locale.toString(static_cast<qulonglong>(n)); };
+    std::vector<Entry> rows;
+    rows.push_back({Mark::none,
+                    {},
+                    text(QT_TRANSLATE_NOOP("Viewport", "%1 of %2 triangles"))
+                        .arg(count(figures.faces), count(figures.facesFull))});
+    if (options.path != PathShown::none) {
+        rows.push_back({Mark::dashes, colour(colours.rapid), text(QT_TRANSLATE_NOOP("Viewport", "Rapid"))});
+        rows.push_back({Mark::line, colour(colours.feed), text(QT_TRANSLATE_NOOP("Viewport", "Feed"))});
+        rows.push_back({Mark::line, colour(colours.arc), text(QT_TRANSLATE_NOOP("Viewport", "Arc"))});
+    }
+    if (options.tint) {
+        rows.push_back({Mark::area, colour(colours.dirty),
+                        text(QT_TRANSLATE_NOOP("Viewport", "Drawn from the z-map: %1 regions"))
+                            .arg(count(figures.dirtyRegions))});
+        rows.push_back({Mark::area, colour(colours.decimated),
+                        text(QT_TRANSLATE_NOOP("Viewport", "Decimated: %1 regions"))
+                            .arg(count(figures.regions - figures.dirtyRegions))});
+    }
+    if (options.wireframe) {
+        rows.push_back({Mark::line, colour(colours.regionLine),
+                        text(QT_TRANSLATE_NOOP("Viewport", "Region border")), 3, true});
+        rows.push_back({Mark::line, colour(colours.wire),
+                        text(QT_TRANSLATE_NOOP("Viewport", "Triangle edge")), 1, true});
+    }
+    return rows;
+}
+
+void paintMark(QPainter& painter, const QRect& box, const Entry& entry) {
+    if (entry.mark == Mark::area) {
+        painter.fillRect(box.adjusted(0, box.height() / 5, 0, -box.height() / 5), entry.colour);
+        return;
+    }
+    if (entry.onMetal)
+        painter.fillRect(box.adjusted(0, box.height() / 5, 0, -box.height() / 5), kMetal);
+    QPen pen(entry.colour, entry.width);
+    pen.setCapStyle(Qt::FlatCap);
+    if (entry.mark == Mark::dashes)
+        pen.setDashPattern({3, 2});
+    painter.setPen(pen);
+    const double y = box.center().y() + 0.5;
+    painter.drawLine(QPointF(box.left(), y), QPointF(box.right(), y));
+}
+
+void paintPlate(QPainter& painter, const QRect& box, const QPalette& palette) {
+    QColor plate = palette.color(QPalette::Base);
+    plate.setAlphaF(0.82f);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(plate);
+    painter.drawRoundedRect(box, 5, 5);
+    painter.setBrush(Qt::NoBrush);
+}
+
+} // namespace
+
+void paintAxes(QPainter& painter, const QRect& area, const View& view, const QColor& textColour) {
+    constexpr double kLength = 34;
+    struct Axis {
+        const char* name;
+        glm::dvec3 direction;
+        QColor colour;
+    };
+    std::array axes{Axis{"X", {1, 0, 0}, QColor(0xD5, 0x3E, 0x2A)},
+                    Axis{"Y", {0, 1, 0}, QColor(0x2E, 0x9E, 0x4F)},
+                    Axis{"Z", {0, 0, 1}, QColor(0x2F, 0x7F, 0xE0)}};
+    // The farthest one first.
+    std::ranges::sort(axes, {}, [&](const Axis& axis) { return glm::dot(axis.direction, view.back); });
+    const QPointF origin(area.left() + kMargin + 44, area.bottom() - kMargin - 44);
+    for (const Axis& axis : axes) {
+        const QPointF along(glm::dot(axis.direction, view.right), -glm::dot(axis.direction, view.up));
+        painter.setPen(QPen(axis.colour, 3, Qt::SolidLine, Qt::RoundCap));
+        painter.drawLine(origin, origin + along * kLength);
+        const QRectF letter(origin + along * (kLength + 11) - QPointF(10, 10), QSizeF(20, 20));
+        painter.setPen(textColour);
+        painter.drawText(letter, Qt::AlignCenter, QLatin1String(axis.name));
+    }
+}
+
+void paintLegend(QPainter& painter, const QRect& area, const SceneOptions& options,
+                 const LegendFigures& figures, const QPalette& palette) {
+    const std::vector<Entry> rows = entries(options, figures);
+    const QFontMetrics metrics = painter.fontMetrics();
+    const int line = metrics.height() + 5;
+    int width = 0;
+    for (const Entry& row : rows)
+        width =
+            std::max(width, metrics.horizontalAdvance(row.text) + (row.mark == Mark::none ? 0 : kSwatch + 8));
+    const QRect plate(area.left() + kMargin, area.top() + kMargin, width + 2 * kPadding,
+                      line * static_cast<int>(rows.size()) + 2 * kPadding - 5);
+    paintPlate(painter, plate, palette);
+    int y = plate.top() + kPadding;
+    for (const Entry& row : rows) {
+        int x = plate.left() + kPadding;
+        if (row.mark != Mark::none) {
+            paintMark(painter, {x, y, kSwatch, metrics.height()}, row);
+            x += kSwatch + 8;
+        }
+        painter.setPen(palette.color(QPalette::Text));
+        painter.drawText(x, y + metrics.ascent(), row.text);
+        y += line;
+    }
+}
+
+void paintNotice(QPainter& painter, const QRect& area, const QString& sentence, const QPalette& palette) {
+    const QRect inner = area.adjusted(4 * kMargin, 0, -4 * kMargin, 0);
+    const QRect words =
+        painter.fontMetrics().boundingRect(inner, Qt::AlignCenter | Qt::TextWordWrap, sentence);
+    paintPlate(painter, words.adjusted(-kPadding, -kPadding, kPadding, kPadding), palette);
+    painter.setPen(palette.color(QPalette::Text));
+    painter.drawText(inner, Qt::AlignCenter | Qt::TextWordWrap, sentence);
+}
+
+} // namespace proveout

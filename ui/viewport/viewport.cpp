@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/viewport/viewport.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include <QElapsedTimer>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QOpenGLFramebufferObject>
+#include <QOpenGLPaintDevice>
+#include <QPainter>
+#include <QWheelEvent>
+
+#include "ui/theme.h"
+#include "ui/viewport/hud.h"
+#include "ui/viewport/surface_pick.h"
+#include "ui/viewport/viewport_commands.h"
+
+namespace proveout {
+namespace {
+
+constexpr double kZoomPerStep = 0.85;         ///< of a wheel, 120 units of angle
+constexpr double kFewestCellsShown = 4;       ///< of the grid, across the picture's height
+constexpr double kSmallestShareOfView = 0.05; ///< of the stock in the picture's height
+constexpr double kKeyOrbitPixels = 40;
+constexpr int kRestMilliseconds = 250;
+/// A smoothed picture in software takes about this many times as long as a plain one …
+constexpr double kSmoothCost = 4;
+/// … and must not hold up the window longer than this.
+constexpr double kLongestSmoothSeconds = 0.25;
+
+double seconds(const QElapsedTimer& timer) {
+    return static_cast<double>(timer.nsecsElapsed()) * 1e-9;
+}
+
+} // namespace
+
+Viewport::Viewport(Session& session, const GlSupport& support, QWidget* parent)
+    : QOpenGLWidget(parent), m_session(session), m_support(support) {
+    QSurfaceFormat format;
+    format.setVersion(3, 3);
+    format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setDepthBufferSize(24);
+    // Four samples a pixel triple the cost of a picture in software; there, only pictures at rest are
+    // smoothed.
+    format.setSamples(support.software ? 0 : 4);
+    setFormat(format);
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(160, 120);
+
+    m_commands =
+        std::make_unique<CommandActions<Viewport>>(*this, kViewportCommandContext, viewportCommands(), this);
+    for (QAction* action : m_commands->all()) {
+        action->setCheckable(isOn(*this, action->objectName().toStdString()).has_value());
+        addAction(action);
+        // A click flips the tick by itself; what is on decides.
+        connect(action, &QAction::triggered, this, &Viewport::followOptions);
+    }
+    setAccessibleName(tr("3D view"));
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(kRestMilliseconds);
+    connect(&m_rest, &QTimer::timeout, this, [this] {
+        m_smooth = true;
+        update();
+    });
+    connect(&session, &Session::tick, this, &Viewport::setFrame);
+    followPalette();
+    followOptions();
+    setFrame(session.frame());
+}
+
+Viewport::~Viewport() {
+    // The base class destroys the context after our members are gone: it must not call us then.
+    if (context() != nullptr)
+        disconnect(context(), nullptr, this, nullptr);
+    makeCurrent();
+    releaseGl();
+    doneCurrent();
+}
+
+void Viewport::setFrame(const FramePtr& frame) {
+    if (frame == m_frame)
+        return;
+    m_frame = frame;
+    // Another stock comes into the picture as a whole; the same one cut further leaves the view alone.
+    if (frame != nullptr && !(m_fitted && frame->zmap.stock() == m_fittedStock)) {
+        m_fitted = true;
+        m_fittedStock = frame->zmap.stock();
+        fit();
+    }
+    if (frame != nullptr && frame->zmap.tileCount() > 0)
+        limitZoom();
+    repaintSoon();
+}
+
+void Viewport::moved() {
+    leaveTheSolid();
+    m_fits = false;
+    repaintSoon();
+}
+
+void Viewport::limitZoom() {
+    const ZMapSnapshot& zmap = m_frame->zmap;
+    const StockBox& stock = zmap.stock();
+    const double radius = 0.5 * std::hypot(stock.width, stock.depth, stock.height);
+    const double cells = kFewestCellsShown * std::max(zmap.grid().hx, zmap.grid().hy);
+    m_camera.limitZoom(0.5 * std::min(cells, radius), radius / kSmallestShareOfView);
+}
+
+void Viewport::leaveTheSolid() {
+    // An eye in the solid would see its inner sides, which are not there: it backs off.
+    constexpr double kStep = 1.1;
+    constexpr int kMostSteps = 100;
+    if (m_frame == nullptr || !m_camera.perspective())
+        return;
+    for (int step = 0; step < kMostSteps && isInStock(m_frame->zmap, m_camera.eye()); ++step)
+        m_camera.zoom(kStep, m_camera.target());
+}
+
+void Viewport::repaintSoon() {
+    m_smooth = false;
+    m_rest.stop();
+    update();
+}
+
+void Viewport::setOptions(const SceneOptions& options) {
+    const SceneColours colours = m_options.colours;
+    m_options = options;
+    m_options.colours = colours;
+    followOptions();
+}
+
+void Viewport::setLegendShown(bool shown) {
+    m_legend = shown;
+    followOptions();
+}
+
+void Viewport::followOptions() {
+    for (QAction* action : m_commands->all())
+        if (const auto on = isOn(*this, action->objectName().toStdString()))
+            action->setChecked(*on);
+    repaintSoon();
+}
+
+void Viewport::followPalette() {
+    m_options.colours = isDark(palette()) ? darkColours() : lightColours();
+    repaintSoon();
+}
+
+void Viewport::setStandardView(StandardView view) {
+    m_camera.setStandardView(view);
+    fit();
+}
+
+void Viewport::setPerspective(bool perspective) {
+    m_camera.setPerspective(perspective);
+    leaveTheSolid();
+    followOptions();
+}
+
+void Viewport::fit() {
+    setPicture();
+    Box3 box;
+    if (m_frame != nullptr && m_frame->zmap.tileCount() > 0) {
+        const StockBox& stock = m_frame->zmap.stock();
+        box.add(Vec3(stock.corner.x, stock.corner.y, stock.floorZ()));
+        box.add(Vec3(stock.corner.x + stock.width, stock.corner.y + stock.depth, stock.topZ()));
+    } else if (m_session.program() != nullptr) {
+        box = m_session.program()->bounds();
+    }
+    m_camera.fit(box);
+    m_fits = true;
+    repaintSoon();
+}
+
+void Viewport::setPicture() {
+    const double ratio = devicePixelRatioF();
+    m_camera.setPicture(static_cast<int>(std::lround(width() * ratio)),
+                        static_cast<int>(std::lround(height() * ratio)), ratio);
+}
+
+Box3 Viewport::sceneBox() const {
+    Box3 box;
+    if (m_frame == nullptr)
+        return box;
+    const StockBox& stock = m_frame->zmap.stock();
+    box.add(Vec3(stock.corner.x, stock.corner.y, stock.floorZ()));
+    box.add(Vec3(stock.corner.x + stock.width, stock.corner.y + stock.depth, stock.topZ()));
+    if (m_frame->program != nullptr && m_options.path != PathShown::none)
+        box.add(m_frame->program->bounds());
+    const Cutter* cutter =
+        m_frame->cutterKnown && m_frame->setup ? m_frame->setup->tools.find(m_frame->tool) : nullptr;
+    if (cutter != nullptr) {
+        const double radius = std::max(cutter->radius(), cutter->shankRadius());
+        const double length =
+            2 * std::max(cutter->fluteLength(), cutter->rimHeight()) + cutter->shankLength();
+        box.add(m_frame->cutterPosition - Vec3(radius, radius, 0));
+        box.add(m_frame->cutterPosition + Vec3(radius, radius, length));
+    }
+    return box;
+}
+
+// --- drawing
+
+void Viewport::initializeGL() {
+    // The context goes when the widget moves to another window or the driver resets it; a new one comes with
+    // another call of this function.
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
+        makeCurrent();
+        releaseGl();
+        doneCurrent();
+    });
+    m_renderer = SceneRenderer::create();
+}
+
+void Viewport::releaseGl() {
+    m_smoothTarget.reset();
+    if (m_renderer != nullptr)
+        m_renderer->release();
+    m_renderer.reset();
+}
+
+void Viewport::resizeGL(int, int) {
+    setPicture();
+    if (m_fits)
+        fit();
+    m_smooth = false;
+}
+
+void Viewport::paintGL() {
+    setPicture();
+    const View view = m_camera.view(sceneBox());
+    if (m_renderer != nullptr) {
+        QElapsedTimer timer;
+        timer.start();
+        m_uploaded = m_renderer->upload(m_frame);
+        // Waiting for the end costs nothing at 30 pictures a second and makes the figures honest.
+        m_renderer->finish();
+        const double uploadSeconds = seconds(timer);
+        timer.restart();
+        drawScene(view);
+        m_renderer->finish();
+        const double drawSeconds = seconds(timer);
+        if (!m_smooth)
+            m_plainSeconds = drawSeconds;
+        if (m_frame != nullptr)
+            m_session.reportDrawn(m_frame->sequence, uploadSeconds, drawSeconds);
+    }
+    paintOverlay(view);
+    const bool worthIt = m_support.software && kSmoothCost * m_plainSeconds < kLongestSmoothSeconds;
+    if (worthIt && !m_smooth && m_frame != nullptr && !m_frame->playing)
+        m_rest.start();
+}
+
+void Viewport::drawScene(const View& view) {
+    if (m_smooth)
+        drawSmooth(view);
+    else
+        m_renderer->draw(view, m_options);
+}
+
+void Viewport::drawSmooth(const View& view) {
+    const QSize size(view.pixels.x, view.pixels.y);
+    if (m_smoothTarget == nullptr || m_smoothTarget->size() != size) {
+        QOpenGLFramebufferObjectFormat format;
+        format.setAttachment(QOpenGLFramebufferObject::Depth);
+        format.setSamples(4);
+        m_smoothTarget = std::make_unique<QOpenGLFramebufferObject>(size, format);
+    }
+    m_smoothTarget->bind();
+    m_renderer->draw(view, m_options);
+    m_renderer->copyPicture(m_smoothTarget->handle(), defaultFramebufferObject(), view.pixels);
+}
+
+void Viewport::paintOverlay(const View& view) {
+    // Not the widget itself: while a window is grabbed, a painter on a widget draws elsewhere.
+    QOpenGLPaintDevice device(QSize(view.pixels.x, view.pixels.y));
+    device.setDevicePixelRatio(view.pixelRatio);
+    QPainter painter(&device);
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setFont(font());
+    if (m_renderer == nullptr) {
+        painter.fillRect(rect(), palette().window());
+        paintNotice(painter, rect(), tr("The graphics driver refused a shader; the log has its words."),
+                    palette());
+        return;
+    }
+    paintAxes(painter, rect(), view, palette().color(QPalette::WindowText));
+    if (m_frame == nullptr)
+        return;
+    if (!m_renderer->gridFits())
+        paintNotice(
+            painter, rect(),
+            tr("The grid has more points along a side than the graphics driver can take; the stock is "
+               "not drawn. A wider grid spacing brings it back."),
+            palette());
+    if (m_legend)
+        paintLegend(painter, rect(), m_options,
+                    {m_frame->surface.faces, m_frame->surface.facesFull, m_frame->surface.meshes.size(),
+                     m_frame->surface.dirtyRegions},
+                    palette());
+}
+
+// --- the user's gestures
+
+Vec3 Viewport::under(const QPointF& position) const {
+    const QPointF pixel = position * devicePixelRatioF();
+    if (m_frame != nullptr)
+        if (const auto hit = pickStock(m_frame->zmap, m_camera.ray(pixel.x(), pixel.y())))
+            return *hit;
+    return m_camera.atTargetDepth(pixel.x(), pixel.y());
+}
+
+void Viewport::mousePressEvent(QMouseEvent* event) {
+    m_gesture = gestureFor(event->button(), event->modifiers());
+    m_last = event->position();
+}
+
+void Viewport::mouseMoveEvent(QMouseEvent* event) {
+    if (m_gesture == Gesture::none)
+        return;
+    const QPointF drag = (event->position() - m_last) * devicePixelRatioF();
+    m_last = event->position();
+    if (m_gesture == Gesture::orbit)
+        m_camera.orbit(drag.x(), drag.y());
+    else
+        m_camera.pan(drag.x(), drag.y());
+    moved();
+}
+
+void Viewport::mouseReleaseEvent(QMouseEvent*) {
+    m_gesture = Gesture::none;
+}
+
+void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
+    if (event->button() != Qt::MiddleButton)
+        return;
+    m_camera.setTarget(under(event->position()));
+    moved();
+}
+
+void Viewport::wheelEvent(QWheelEvent* event) {
+    const double steps = event->angleDelta().y() / 120.0;
+    if (steps != 0) {
+        m_camera.zoom(std::pow(kZoomPerStep, steps), under(event->position()));
+        moved();
+    }
+    event->accept();
+}
+
+void Viewport::keyPressEvent(QKeyEvent* event) {
+    const bool turn = (event->modifiers() & Qt::AltModifier) != 0;
+    const double dx = (event->key() == Qt::Key_Right) - (event->key() == Qt::Key_Left);
+    const double dy = (event->key() == Qt::Key_Down) - (event->key() == Qt::Key_Up);
+    if (!turn || (dx == 0 && dy == 0)) {
+        QOpenGLWidget::keyPressEvent(event);
+        return;
+    }
+    m_camera.orbit(dx * kKeyOrbitPixels, dy * kKeyOrbitPixels);
+    moved();
+}
+
+void Viewport::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::PaletteChange) {
+        followPalette();
+    } else if (event->type() == QEvent::LanguageChange) {
+        setAccessibleName(tr("3D view"));
+        m_commands->retranslate();
+        repaintSoon();
+    }
+    QOpenGLWidget::changeEvent(event);
+}
+
+} // namespace proveout

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The stock in 3D: a widget round ui/gl's scene renderer.
+#pragma once
+
+#include <memory>
+
+#include <QOpenGLWidget>
+#include <QTimer>
+
+#include "ui/command_table.h"
+#include "ui/gl/gl_functions.h"
+#include "ui/gl/scene_renderer.h"
+#include "ui/session.h"
+#include "ui/viewport/camera.h"
+#include "ui/viewport/navigation.h"
+
+class QOpenGLFramebufferObject;
+
+namespace proveout {
+
+/// The 3D view of a session, with its commands as actions() of the widget; where OpenGL is not to be had, a
+/// plain message that stands for it: the rest of the window works on. Owned by `parent`. Thread: UI.
+[[nodiscard]] QWidget* createViewport(Session& session, QWidget* parent = nullptr);
+/// The same with a given answer of probeGl().
+[[nodiscard]] QWidget* createViewport(Session& session, const GlSupport& support, QWidget* parent);
+
+/// Repaints in the session's tick and on the user's gestures only, and tells the session what uploading and
+/// drawing took.
+class Viewport : public QOpenGLWidget {
+    Q_OBJECT
+
+public:
+    Viewport(Session& session, const GlSupport& support, QWidget* parent = nullptr);
+    ~Viewport() override;
+
+    [[nodiscard]] const Camera& camera() const { return m_camera; }
+    [[nodiscard]] const SceneOptions& options() const { return m_options; }
+    /// Takes everything but the colours, which follow the palette.
+    void setOptions(const SceneOptions& options);
+    [[nodiscard]] bool legendShown() const { return m_legend; }
+    void setLegendShown(bool shown);
+
+    void setStandardView(StandardView view);
+    void setPerspective(bool perspective);
+    /// The stock into the picture; the toolpath where there is no stock.
+    void fit();
+    /// Uploads of the last picture.
+    [[nodiscard]] const UploadCounts& uploaded() const { return m_uploaded; }
+
+protected:
+    void initializeGL() override;
+    void paintGL() override;
+    void resizeGL(int width, int height) override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void setFrame(const FramePtr& frame);
+    void releaseGl();
+    void followPalette();
+    void followOptions();
+    void setPicture();
+    void moved();
+    void limitZoom();
+    void leaveTheSolid();
+    void repaintSoon();
+    [[nodiscard]] Vec3 under(const QPointF& position) const;
+    [[nodiscard]] Box3 sceneBox() const;
+    void drawScene(const View& view);
+    void drawSmooth(const View& view);
+    void paintOverlay(const View& view);
+
+    Session& m_session;
+    GlSupport m_support;
+    Camera m_camera;
+    SceneOptions m_options;
+    bool m_legend = true;
+    FramePtr m_frame;
+    StockBox m_fittedStock;
+    bool m_fitted = false; ///< m_fittedStock is the one that was fitted
+    bool m_fits = false;   ///< the view is as fit() left it: another size of the widget fits again
+
+    Gesture m_gesture = Gesture::none;
+    QPointF m_last;
+
+    std::unique_ptr<SceneRenderer> m_renderer;
+    std::unique_ptr<QOpenGLFramebufferObject> m_smoothTarget;
+    UploadCounts m_uploaded;
+    QTimer m_rest;         ///< the picture has not changed for a moment
+    bool m_smooth = false; ///< draw with smoothed edges, although software takes long for it
+    double m_plainSeconds = 0;
+
+    std::unique_ptr<CommandActions<Viewport>> m_commands;
+};
+
+} // namespace proveout

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/viewport/viewport_commands.h"
+
+#include <array>
+
+namespace proveout {
+namespace {
+
+template<StandardView View>
+void look(Viewport& viewport) {
+    viewport.setStandardView(View);
+}
+
+template<auto Member>
+void toggle(Viewport& viewport) {
+    SceneOptions options = viewport.options();
+    options.*Member = !(options.*Member);
+    viewport.setOptions(options);
+}
+
+template<auto Member, auto Value, auto Other>
+void alternate(Viewport& viewport) {
+    SceneOptions options = viewport.options();
+    options.*Member = options.*Member == Value ? Other : Value;
+    viewport.setOptions(options);
+}
+
+template<auto Member, auto Value>
+void choose(Viewport& viewport) {
+    SceneOptions options = viewport.options();
+    options.*Member = Value;
+    viewport.setOptions(options);
+}
+
+constexpr auto kFocus = Reach::focus;
+
+const std::array<Command<Viewport>, 20> kCommands{{
+    {"view-fit", QT_TRANSLATE_NOOP("ViewportCommands", "&Fit"),
+     QT_TRANSLATE_NOOP("ViewportCommands", "Show the whole stock"), "fit", "F", kFocus,
+     [](Viewport& viewport) { viewport.fit(); }},
+    {"view-iso", QT_TRANSLATE_NOOP("ViewportCommands", "&Isometric"),
+     QT_TRANSLATE_NOOP("ViewportCommands", "Look from the right, front and above"), "iso", "0", kFocus,
+     look<StandardView::iso>},
+    {"view-top", QT_TRANSLATE_NOOP("ViewportCommands", "&Top"),
+     QT_TRANSLATE_NOOP("ViewportCommands", "Look along -Z"), "top", "1", kFocus, look<StandardView::top>},
+    {"view-bottom", QT_TRANSLATE_NOOP("ViewportCommands", "&Bottom"),
+     QT_TRANSLATE_NOOP("ViewportCommands", "Look along +Z"), "bottom", "2", kFocus,
+     look<StandardView::bottom>},
+    {"view-front", QT_TRANSLATE_NOOP("ViewportCommands", "F&ront"),
+     QT_TRANSLATE_NOOP("ViewportCommands", "Look along +Y"), "front", "3", kFocus, look<StandardView::front>},
+    {"view-back", QT_TRANSLATE_NOOP("ViewportCommands", "Bac&k"),
+     QT_TRANSLATE_NOOP("ViewportCommands", "Look along -Y"), "back", "4", kFocus, look<StandardView::back>},
+    {"view-left", QT_TRANSLATE_NOOP("ViewportCommands", "&Left"),
+     QT_TRANSLATE_NOOP("ViewportCommands", "Look along +X"), "left", "5", kFocus, look<StandardView::left>},
+    {"view-right", QT_TRANSLATE_NOOP("ViewportCommands", "Ri&ght"),
+     QT_TRANSLATE_NOOP("ViewportCommands", "Look along -X"), "right", "6", kFocus, look<StandardView::right>},
+    separator<Viewport>(),
+    {"view-perspective", QT_TRANSLATE_NOOP("ViewportCommands", "&Perspective"),
+     QT_TRANSLATE_NOOP("ViewportCommands", "Perspective or parallel projection"), "perspective", "P", kFocus,
+     [](Viewport& viewport) { viewport.setPerspective(!viewport.camera().perspective()); }},
+    {"view-wireframe", QT_TRANSLATE_NOOP("ViewportCommands", "&Wireframe"),
+     QT_TRANSLATE_NOOP("ViewportCommands", "Show the triangles and the borders of the regions"), "wireframe",
+     "W", kFocus, toggle<&SceneOptions::wireframe>},
+    {"view-tint", QT_TRANSLATE_NOOP("ViewportCommands", "Tint R&egions"),
+     QT_TRANSLATE_NOOP("ViewportCommands", "Tell regions drawn from the z-map from decimated ones"), "tint",
+     "T", kFocus, toggle<&SceneOptions::tint>},
+    {"view-legend", QT_TRANSLATE_NOOP("ViewportCommands", "Lege&nd"),
+     QT_TRANSLATE_NOOP("ViewportCommands", "Show what the colours and lines mean"), "legend", "L", kFocus,
+     [](Viewport& viewport) { viewport.setLegendShown(!viewport.legendShown()); }},
+    separator<Viewport>(),
+    {"path-none", QT_TRANSLATE_NOOP("ViewportCommands", "Hide Toolpat&h"),
+     QT_TRANSLATE_NOOP("ViewportCommands", "Draw no toolpath"), "", "", kFocus,
+     choose<&SceneOptions::path, PathShown::none>},
+    {"path-near", QT_TRANSLATE_NOOP("ViewportCommands", "Toolpath Near the &Cutter"),
+     QT_TRANSLATE_NOOP("ViewportCommands", "Draw the toolpath of the blocks just behind and ahead"), "path",
+     "", kFocus, choose<&SceneOptions::path, PathShown::nearCutter>},
+    {"path-whole", QT_TRANSLATE_NOOP("ViewportCommands", "Wh&ole Toolpath"),
+     QT_TRANSLATE_NOOP("ViewportCommands", "Draw the toolpath of the whole program"), "", "", kFocus,
+     choose<&SceneOptions::path, PathShown::whole>},
+    separator<Viewport>(),
+    {"cutter-see-through", QT_TRANSLATE_NOOP("ViewportCommands", "See-Through C&utter"),
+     QT_TRANSLATE_NOOP("ViewportCommands", "Let the stock show through the cutter"), "cutter", "", kFocus,
+     alternate<&SceneOptions::cutter, CutterShown::seeThrough, CutterShown::solid>},
+    {"cutter-hidden", QT_TRANSLATE_NOOP("ViewportCommands", "Hi&de Cutter"),
+     QT_TRANSLATE_NOOP("ViewportCommands", "Draw no cutter"), "", "", kFocus,
+     alternate<&SceneOptions::cutter, CutterShown::hidden, CutterShown::solid>},
+}};
+
+/// The commands that are on or off.
+struct Switch {
+    const char* id;
+    bool (*on)(const Viewport&);
+};
+
+template<auto Member, auto Value>
+bool has(const Viewport& viewport) {
+    return viewport.options().*Member == Value;
+}
+
+const std::array<Switch, 9> kSwitches{{
+    {"view-perspective", [](const Viewport& viewport) { return viewport.camera().perspective(); }},
+    {"view-wireframe", has<&SceneOptions::wireframe, true>},
+    {"view-tint", has<&SceneOptions::tint, true>},
+    {"view-legend", [](const Viewport& viewport) { return viewport.legendShown(); }},
+    {"path-none", has<&SceneOptions::path, PathShown::none>},
+    {"path-near", has<&SceneOptions::path, PathShown::nearCutter>},
+    {"path-whole", has<&SceneOptions::path, PathShown::whole>},
+    {"cutter-see-through", has<&SceneOptions::cutter, CutterShown::seeThrough>},
+    {"cutter-hidden", has<&SceneOptions::cutter, CutterShown::hidden>},
+}};
+
+} // namespace
+
+std::span<const Command<Viewport>> viewportCommands() {
+    return kCommands;
+}
+
+std::optional<bool> isOn(const Viewport& viewport, std::string_view id) {
+    for (const Switch& row : kSwitches)
+        if (id == row.id)
+            return row.on(viewport);
+    return std::nullopt;
+}
+
+} // namespace proveout

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QLabel>
+
+#include "ui/viewport/viewport.h"
+
+namespace proveout {
+namespace {
+
+/// Stands for the 3D view where there is no OpenGL. The session still hears of frames, so that paper mode
+/// goes on.
+class ViewportMessage : public QLabel {
+public:
+    ViewportMessage(Session& session, const QString& reason, QWidget* parent) : QLabel(reason, parent) {
+        setAlignment(Qt::AlignCenter);
+        setWordWrap(true);
+        setTextInteractionFlags(Qt::TextSelectableByMouse);
+        setMinimumSize(160, 120);
+        connect(&session, &Session::tick, this, [&session](const FramePtr& frame) {
+            if (frame != nullptr)
+                session.reportDrawn(frame->sequence, 0, 0);
+        });
+    }
+};
+
+} // namespace
+
+QWidget* createViewport(Session& session, const GlSupport& support, QWidget* parent) {
+    if (!support.usable)
+        return new ViewportMessage(session, support.reason, parent);
+    return new Viewport(session, support, parent);
+}
+
+QWidget* createViewport(Session& session, QWidget* parent) {
+    return createViewport(session, probeGl(), parent);
+}
+
+} // namespace proveout
