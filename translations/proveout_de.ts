@@ -1,0 +1,3125 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>About</name>
+    <message>
+        <source>Proves out three-axis milling programs before they touch metal.</source>
+        <translation>Fährt dreiachsige Fräsprogramme ein, bevor sie Metall berühren.</translation>
+    </message>
+    <message>
+        <source>The shown surface is decimated locally, by the method of Lee and Lee, while it is cut.</source>
+        <translation>Die gezeigte Fläche wird während des Fräsens örtlich dezimiert, nach dem Verfahren von Lee und Lee.</translation>
+    </message>
+    <message>
+        <source>Free software under the GNU General Public License, version 3 or later. It comes with no warranty; nothing here replaces care at the machine.</source>
+        <translation>Freie Software unter der GNU General Public License, Version 3 oder später. Ohne Gewähr; nichts hier ersetzt die Sorgfalt an der Maschine.</translation>
+    </message>
+    <message>
+        <source>About Proveout</source>
+        <translation>Über Proveout</translation>
+    </message>
+    <message>
+        <source>Keys and Mouse</source>
+        <translation>Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>Orbit</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Left button</source>
+        <translation>Linke Taste</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Middle button, or Shift and left button</source>
+        <translation>Mittlere Taste oder Umschalt und linke Taste</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoomen</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Rad</translation>
+    </message>
+</context>
+<context>
+    <name>Core</name>
+    <message>
+        <source>The file cannot be read: {}.</source>
+        <translation>Die Datei lässt sich nicht lesen: {}.</translation>
+    </message>
+    <message>
+        <source>The file cannot be written ({} needed): {}.</source>
+        <translation>Die Datei lässt sich nicht schreiben ({} nötig): {}.</translation>
+    </message>
+    <message>
+        <source>This is not a regular file.</source>
+        <translation>Das ist keine gewöhnliche Datei.</translation>
+    </message>
+    <message>
+        <source>The file has {}; the limit is {}.</source>
+        <translation>Die Datei hat {}; erlaubt sind {}.</translation>
+    </message>
+    <message>
+        <source>the value of {}, “{}”, is not a number</source>
+        <translation>der Wert von {}, „{}“, ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>{}={} is out of its limits, {} to {} {}</source>
+        <translation>{}={} liegt außerhalb der Grenzen {} bis {} {}</translation>
+    </message>
+    <message>
+        <source>the key {} is given twice</source>
+        <translation>der Schlüssel {} ist doppelt angegeben</translation>
+    </message>
+    <message>
+        <source>“{}” is no key of this cutter shape; there are {}</source>
+        <translation>„{}“ ist kein Schlüssel dieser Fräserform; es gibt {}</translation>
+    </message>
+    <message>
+        <source>a cutter of the shape {} needs the key {} ({}, {} to {} {})</source>
+        <translation>ein Fräser der Form {} braucht den Schlüssel {} ({}, {} bis {} {})</translation>
+    </message>
+    <message>
+        <source>“{}” is no cutter shape; there are {}</source>
+        <translation>„{}“ ist keine Fräserform; es gibt {}</translation>
+    </message>
+    <message>
+        <source>the flute length l={} is less than the height of the cutter&apos;s profile, {} mm</source>
+        <translation>die Schneidenlänge l={} ist kleiner als die Höhe des Fräserprofils, {} mm</translation>
+    </message>
+    <message>
+        <source>“{}” does not begin with a tool number of 1 or more, as in {}</source>
+        <translation>„{}“ beginnt nicht mit einer Werkzeugnummer ab 1 wie in {}</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>Durchmesser</translation>
+    </message>
+    <message>
+        <source>Corner radius</source>
+        <translation>Eckenradius</translation>
+    </message>
+    <message>
+        <source>Included angle</source>
+        <translation>Spitzenwinkel</translation>
+    </message>
+    <message>
+        <source>Diameter of the flat tip</source>
+        <translation>Durchmesser der flachen Spitze</translation>
+    </message>
+    <message>
+        <source>Flute length</source>
+        <translation>Schneidenlänge</translation>
+    </message>
+    <message>
+        <source>Shank diameter (0: as the cutter)</source>
+        <translation>Schaftdurchmesser (0: wie der Fräser)</translation>
+    </message>
+    <message>
+        <source>Shank length</source>
+        <translation>Schaftlänge</translation>
+    </message>
+    <message>
+        <source>the corner radius r={} is larger than half the diameter, {} mm</source>
+        <translation>der Eckenradius r={} ist größer als der halbe Durchmesser, {} mm</translation>
+    </message>
+    <message>
+        <source>the flat tip tip={} is not smaller than the diameter, {} mm</source>
+        <translation>die flache Spitze tip={} ist nicht kleiner als der Durchmesser, {} mm</translation>
+    </message>
+    <message>
+        <source>Flat end mill</source>
+        <translation>Schaftfräser</translation>
+    </message>
+    <message>
+        <source>Ball-end mill</source>
+        <translation>Kugelfräser</translation>
+    </message>
+    <message>
+        <source>Bull-nose mill</source>
+        <translation>Torusfräser</translation>
+    </message>
+    <message>
+        <source>Cone or V cutter</source>
+        <translation>Kegel- oder V-Fräser</translation>
+    </message>
+    <message>
+        <source>A tool needs a number, a whole one from 1 on.</source>
+        <translation>Ein Werkzeug braucht eine Nummer, eine ganze Zahl ab 1.</translation>
+    </message>
+    <message>
+        <source>Tool {} stands in the table twice.</source>
+        <translation>Werkzeug {} steht zweimal in der Tabelle.</translation>
+    </message>
+    <message>
+        <source>Tool {} needs a cutter, e.g. cutter = &quot;ball:d=11,l=50&quot;.</source>
+        <translation>Werkzeug {} braucht einen Fräser, z. B. cutter = &quot;ball:d=11,l=50&quot;.</translation>
+    </message>
+    <message>
+        <source>The file holds no [[tool]] tables.</source>
+        <translation>Die Datei enthält keine Tabellen [[tool]].</translation>
+    </message>
+    <message>
+        <source>A tool must be a table: [[tool]].</source>
+        <translation>Ein Werkzeug muss eine Tabelle sein: [[tool]].</translation>
+    </message>
+    <message>
+        <source>The tool table cannot be read: {}.</source>
+        <translation>Die Werkzeugtabelle lässt sich nicht lesen: {}.</translation>
+    </message>
+    <message>
+        <source>Lee &amp; Lee (local)</source>
+        <translation>Lee &amp; Lee (lokal)</translation>
+    </message>
+    <message>
+        <source>Global</source>
+        <translation>Global</translation>
+    </message>
+    <message>
+        <source>None (full mesh)</source>
+        <translation>Keine (volles Netz)</translation>
+    </message>
+    <message>
+        <source>Shared, no cracks</source>
+        <translation>Gemeinsam, ohne Risse</translation>
+    </message>
+    <message>
+        <source>Per region, as in the paper</source>
+        <translation>Je Region, wie im Aufsatz</translation>
+    </message>
+    <message>
+        <source>Random</source>
+        <translation>Zufällig</translation>
+    </message>
+    <message>
+        <source>Sequential</source>
+        <translation>Der Reihe nach</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>How the mesh of a region is decimated.</source>
+        <translation>Wie das Netz einer Region dezimiert wird.</translation>
+    </message>
+    <message>
+        <source>Region size</source>
+        <translation>Regionsgröße</translation>
+    </message>
+    <message>
+        <source>Cells along each side of a region; each region has its own mesh.</source>
+        <translation>Zellen je Seite einer Region; jede Region hat ihr eigenes Netz.</translation>
+    </message>
+    <message>
+        <source>Decimation period</source>
+        <translation>Dezimierungsperiode</translation>
+    </message>
+    <message>
+        <source>Cut regions are decimated again after this many blocks; -1: once at the start, 0: never.</source>
+        <translation>Gefräste Regionen werden nach so vielen Sätzen neu dezimiert; -1: einmal zu Beginn, 0: nie.</translation>
+    </message>
+    <message>
+        <source>Error allowance</source>
+        <translation>Zulässiger Fehler</translation>
+    </message>
+    <message>
+        <source>Largest vertical error of the decimated surface; 0: no decimation.</source>
+        <translation>Größter senkrechter Fehler der dezimierten Fläche; 0: keine Dezimierung.</translation>
+    </message>
+    <message>
+        <source>Certify</source>
+        <translation>Zertifizieren</translation>
+    </message>
+    <message>
+        <source>Keep every z-map point within the error allowance; off: the paper to the letter, which gives no bound.</source>
+        <translation>Hält jeden Punkt der Z-Map innerhalb des zulässigen Fehlers; aus: der Aufsatz wörtlich, ohne Schranke.</translation>
+    </message>
+    <message>
+        <source>Borders</source>
+        <translation>Ränder</translation>
+    </message>
+    <message>
+        <source>How the borders between regions are simplified.</source>
+        <translation>Wie die Ränder zwischen den Regionen vereinfacht werden.</translation>
+    </message>
+    <message>
+        <source>Removal order</source>
+        <translation>Reihenfolge</translation>
+    </message>
+    <message>
+        <source>The order in which vertices are tested for removal.</source>
+        <translation>Die Reihenfolge, in der Ecken auf Entfernbarkeit geprüft werden.</translation>
+    </message>
+    <message>
+        <source>Random seed</source>
+        <translation>Startwert</translation>
+    </message>
+    <message>
+        <source>Start of the random order; equal seeds give equal meshes.</source>
+        <translation>Beginn der Zufallsfolge; gleiche Startwerte ergeben gleiche Netze.</translation>
+    </message>
+    <message>
+        <source>STL, binary</source>
+        <translation>STL, binär</translation>
+    </message>
+    <message>
+        <source>a closed triangle mesh of the stock</source>
+        <translation>ein geschlossenes Dreiecksnetz des Rohteils</translation>
+    </message>
+    <message>
+        <source>STL, ASCII</source>
+        <translation>STL, ASCII</translation>
+    </message>
+    <message>
+        <source>NumPy array</source>
+        <translation>NumPy-Feld</translation>
+    </message>
+    <message>
+        <source>the heights of a z-map, row 0 at the smallest y</source>
+        <translation>die Höhen einer Z-Map, Zeile 0 beim kleinsten y</translation>
+    </message>
+    <message>
+        <source>Proveout job</source>
+        <translation>Proveout-Auftrag</translation>
+    </message>
+    <message>
+        <source>a program with its stock, tools and parameters</source>
+        <translation>ein Programm mit Rohteil, Werkzeugen und Parametern</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is no tool number.</source>
+        <translation>„{}“ ist keine Werkzeugnummer.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; is no cutter: {}</source>
+        <translation>Das Feld „{}“ ist kein Fräser: {}</translation>
+    </message>
+    <message>
+        <source>This is not a Proveout job: the field &quot;proveout&quot; with the number of its format is missing.</source>
+        <translation>Das ist kein Proveout-Auftrag: Das Feld „proveout“ mit der Nummer des Formats fehlt.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; must be the number of the format.</source>
+        <translation>Das Feld „{}“ muss die Nummer des Formats sein.</translation>
+    </message>
+    <message>
+        <source>The job was written by a newer Proveout (format {}); this one reads up to format {}.</source>
+        <translation>Der Auftrag stammt von einem neueren Proveout (Format {}); dieses liest bis Format {}.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; must name a file.</source>
+        <translation>Das Feld „{}“ muss eine Datei nennen.</translation>
+    </message>
+    <message>
+        <source>The name of the program is not UTF-8, which JSON needs; rename it.</source>
+        <translation>Der Name des Programms ist nicht in UTF-8, wie JSON es verlangt; bitte umbenennen.</translation>
+    </message>
+    <message>
+        <source>The brackets are nested deeper than {} levels.</source>
+        <translation>Die Klammern sind tiefer als {} Ebenen geschachtelt.</translation>
+    </message>
+    <message>
+        <source>This is not valid JSON.</source>
+        <translation>Das ist kein gültiges JSON.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; is missing.</source>
+        <translation>Das Feld „{}“ fehlt.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; must be a number above {} and at most {}.</source>
+        <translation>Das Feld „{}“ muss eine Zahl über {} und höchstens {} sein.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; must be a number from {} to {}.</source>
+        <translation>Das Feld „{}“ muss eine Zahl von {} bis {} sein.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; must be a text.</source>
+        <translation>Das Feld „{}“ muss ein Text sein.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; must be a whole number.</source>
+        <translation>Das Feld „{}“ muss eine ganze Zahl sein.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; must be true or false.</source>
+        <translation>Das Feld „{}“ muss true oder false sein.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; must be three numbers [x, y, z].</source>
+        <translation>Das Feld „{}“ muss aus drei Zahlen [x, y, z] bestehen.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; must be one of {}.</source>
+        <translation>Das Feld „{}“ muss eines von {} sein.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; must be an object { }.</source>
+        <translation>Das Feld „{}“ muss ein Objekt { } sein.</translation>
+    </message>
+    <message>
+        <source>The NPY file holds values of type &quot;{}&quot;; little-endian float32 (&quot;&lt;f4&quot;) or float64 (&quot;&lt;f8&quot;) is needed.</source>
+        <translation>Die NPY-Datei enthält Werte vom Typ „{}“; nötig ist float32 („&lt;f4“) oder float64 („&lt;f8“), little-endian.</translation>
+    </message>
+    <message>
+        <source>The NPY file is in Fortran order; C order is needed.</source>
+        <translation>Die NPY-Datei ist in Fortran-Reihenfolge; nötig ist C-Reihenfolge.</translation>
+    </message>
+    <message>
+        <source>The NPY file has the shape {}; two dimensions (rows, columns) are needed.</source>
+        <translation>Die NPY-Datei hat die Form {}; nötig sind zwei Dimensionen (Zeilen, Spalten).</translation>
+    </message>
+    <message>
+        <source>The NPY file announces {} values ({}) and has {}.</source>
+        <translation>Die NPY-Datei kündigt {} Werte an ({}) und hat {}.</translation>
+    </message>
+    <message>
+        <source>The NPY file has the shape {}; that is too large.</source>
+        <translation>Die NPY-Datei hat die Form {}; das ist zu groß.</translation>
+    </message>
+    <message>
+        <source>The value in row {}, column {} (counted from 0) is {}; heights must be finite and fit float32.</source>
+        <translation>Der Wert in Zeile {}, Spalte {} (ab 0 gezählt) ist {}; Höhen müssen endlich sein und in float32 passen.</translation>
+    </message>
+    <message>
+        <source>The header of the NPY file cannot be read at byte {}.</source>
+        <translation>Der Kopf der NPY-Datei ist bei Byte {} nicht lesbar.</translation>
+    </message>
+    <message>
+        <source>This is not an NPY file.</source>
+        <translation>Das ist keine NPY-Datei.</translation>
+    </message>
+    <message>
+        <source>The NPY file has format version {}; versions 1 to 3 are known.</source>
+        <translation>Die NPY-Datei hat die Formatversion {}; bekannt sind 1 bis 3.</translation>
+    </message>
+    <message>
+        <source>The NPY file ends at byte {}, within its header of {} bytes.</source>
+        <translation>Die NPY-Datei endet bei Byte {}, innerhalb ihres Kopfes von {} Bytes.</translation>
+    </message>
+    <message>
+        <source>The file ends where &quot;{}&quot; should stand.</source>
+        <translation>Die Datei endet, wo „{}“ stehen sollte.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; stands where &quot;{}&quot; should.</source>
+        <translation>„{}“ steht, wo „{}“ stehen sollte.</translation>
+    </message>
+    <message>
+        <source>The file ends without &quot;endsolid&quot;; it may have been cut off.</source>
+        <translation>Die Datei endet ohne „endsolid“; vielleicht wurde sie abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>The file announces {} facets and ends at byte {}, after {}.</source>
+        <translation>Die Datei kündigt {} Facetten an und endet bei Byte {}, nach {}.</translation>
+    </message>
+    <message>
+        <source>The {} facets announced were read; {} bytes follow them from byte {}.</source>
+        <translation>Die angekündigten {} Facetten wurden gelesen; ab Byte {3} folgen noch {2} Bytes.</translation>
+    </message>
+    <message>
+        <source>This is not an STL file.</source>
+        <translation>Das ist keine STL-Datei.</translation>
+    </message>
+    <message>
+        <source>This is not an STL file: it ends at byte {}, within the header.</source>
+        <translation>Das ist keine STL-Datei: Sie endet bei Byte {}, innerhalb des Kopfes.</translation>
+    </message>
+    <message>
+        <source>{} of {} facets have a coordinate that is no finite number; they were left out.</source>
+        <translation>{} von {} Facetten haben eine Koordinate, die keine endliche Zahl ist; sie wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{} of {} facets have no area; they were left out.</source>
+        <translation>{} von {} Facetten haben keine Fläche; sie wurden ausgelassen.</translation>
+    </message>
+    <message>
+        <source>{} of {} facets have a normal against their winding; the winding counts.</source>
+        <translation>Bei {} von {} Facetten widerspricht die Normale dem Umlaufsinn; es gilt der Umlaufsinn.</translation>
+    </message>
+    <message>
+        <source>The mesh lies {} mm from the origin, where an STL file holds steps of {} mm only.</source>
+        <translation>Das Netz liegt {} mm vom Ursprung; dort löst eine STL-Datei nur noch {} mm auf.</translation>
+    </message>
+    <message>
+        <source>The mesh is {} × {} × {} mm: hardly a part.</source>
+        <translation>Das Netz misst {} × {} × {} mm: kaum ein Werkstück.</translation>
+    </message>
+    <message>
+        <source>The file holds no facet that could be used ({} read, {} not finite, {} without area).</source>
+        <translation>Die Datei enthält keine brauchbare Facette ({} gelesen, {} nicht endlich, {} ohne Fläche).</translation>
+    </message>
+    <message>
+        <source>Nothing of the stock is left, so there is no mesh to write.</source>
+        <translation>Vom Rohteil ist nichts übrig, also gibt es kein Netz zu schreiben.</translation>
+    </message>
+    <message>
+        <source>The mesh has {} triangles; an STL file holds 4294967295.</source>
+        <translation>Das Netz hat {} Dreiecke; eine STL-Datei fasst 4294967295.</translation>
+    </message>
+    <message>
+        <source>A vertex lies at {}, {}, {}: STL cannot hold that.</source>
+        <translation>Eine Ecke liegt bei {}, {}, {}: Das kann STL nicht darstellen.</translation>
+    </message>
+    <message>
+        <source>Cancelled; no file was written.</source>
+        <translation>Abgebrochen; es wurde keine Datei geschrieben.</translation>
+    </message>
+    <message>
+        <source>rapid motion</source>
+        <translation>Eilgang</translation>
+    </message>
+    <message>
+        <source>straight feed</source>
+        <translation>Gerade im Vorschub</translation>
+    </message>
+    <message>
+        <source>clockwise arc</source>
+        <translation>Kreisbogen im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>counter-clockwise arc</source>
+        <translation>Kreisbogen gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>dwell</source>
+        <translation>Verweilzeit</translation>
+    </message>
+    <message>
+        <source>cubic spline</source>
+        <translation>kubischer Spline</translation>
+    </message>
+    <message>
+        <source>quadratic spline</source>
+        <translation>quadratischer Spline</translation>
+    </message>
+    <message>
+        <source>NURBS block</source>
+        <translation>NURBS-Satz</translation>
+    </message>
+    <message>
+        <source>end of NURBS block</source>
+        <translation>Ende des NURBS-Satzes</translation>
+    </message>
+    <message>
+        <source>lathe diameter mode</source>
+        <translation>Durchmesserprogrammierung (Drehen)</translation>
+    </message>
+    <message>
+        <source>lathe radius mode</source>
+        <translation>Radiusprogrammierung (Drehen)</translation>
+    </message>
+    <message>
+        <source>exact stop in one block</source>
+        <translation>Genauhalt in einem Satz</translation>
+    </message>
+    <message>
+        <source>set offsets</source>
+        <translation>Verschiebungen setzen</translation>
+    </message>
+    <message>
+        <source>clockwise circular pocket</source>
+        <translation>Kreistasche im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>counter-clockwise circular pocket</source>
+        <translation>Kreistasche gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>polar coordinates off</source>
+        <translation>Polarkoordinaten aus</translation>
+    </message>
+    <message>
+        <source>polar coordinates on</source>
+        <translation>Polarkoordinaten ein</translation>
+    </message>
+    <message>
+        <source>XY plane</source>
+        <translation>XY-Ebene</translation>
+    </message>
+    <message>
+        <source>UV plane</source>
+        <translation>UV-Ebene</translation>
+    </message>
+    <message>
+        <source>ZX plane</source>
+        <translation>ZX-Ebene</translation>
+    </message>
+    <message>
+        <source>WU plane</source>
+        <translation>WU-Ebene</translation>
+    </message>
+    <message>
+        <source>YZ plane</source>
+        <translation>YZ-Ebene</translation>
+    </message>
+    <message>
+        <source>VW plane</source>
+        <translation>VW-Ebene</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>millimetre</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>go to reference position</source>
+        <translation>Referenzpunkt anfahren</translation>
+    </message>
+    <message>
+        <source>store reference position</source>
+        <translation>Referenzpunkt speichern</translation>
+    </message>
+    <message>
+        <source>go to second reference position</source>
+        <translation>zweiten Referenzpunkt anfahren</translation>
+    </message>
+    <message>
+        <source>store second reference position</source>
+        <translation>zweiten Referenzpunkt speichern</translation>
+    </message>
+    <message>
+        <source>skip motion (probe)</source>
+        <translation>Bewegung mit Abbruch (Messen)</translation>
+    </message>
+    <message>
+        <source>spindle-synchronised motion</source>
+        <translation>spindelsynchrone Bewegung</translation>
+    </message>
+    <message>
+        <source>rigid tapping</source>
+        <translation>Gewindebohren ohne Ausgleichsfutter</translation>
+    </message>
+    <message>
+        <source>probe toward the part, error on failure</source>
+        <translation>zum Werkstück tasten, Fehler ohne Kontakt</translation>
+    </message>
+    <message>
+        <source>probe toward the part</source>
+        <translation>zum Werkstück tasten</translation>
+    </message>
+    <message>
+        <source>probe away from the part, error on failure</source>
+        <translation>vom Werkstück weg tasten, Fehler ohne Lösen</translation>
+    </message>
+    <message>
+        <source>probe away from the part</source>
+        <translation>vom Werkstück weg tasten</translation>
+    </message>
+    <message>
+        <source>cutter compensation off</source>
+        <translation>Fräserradiuskorrektur aus</translation>
+    </message>
+    <message>
+        <source>cutter compensation left</source>
+        <translation>Fräserradiuskorrektur links</translation>
+    </message>
+    <message>
+        <source>dynamic cutter compensation left</source>
+        <translation>Fräserradiuskorrektur links, Durchmesser im Satz</translation>
+    </message>
+    <message>
+        <source>cutter compensation right</source>
+        <translation>Fräserradiuskorrektur rechts</translation>
+    </message>
+    <message>
+        <source>dynamic cutter compensation right</source>
+        <translation>Fräserradiuskorrektur rechts, Durchmesser im Satz</translation>
+    </message>
+    <message>
+        <source>tool length offset</source>
+        <translation>Werkzeuglängenkorrektur</translation>
+    </message>
+    <message>
+        <source>dynamic tool length offset</source>
+        <translation>Werkzeuglängenkorrektur, Werte im Satz</translation>
+    </message>
+    <message>
+        <source>additional tool length offset</source>
+        <translation>zusätzliche Werkzeuglängenkorrektur</translation>
+    </message>
+    <message>
+        <source>negative tool length offset</source>
+        <translation>negative Werkzeuglängenkorrektur</translation>
+    </message>
+    <message>
+        <source>tool length offset off</source>
+        <translation>Werkzeuglängenkorrektur aus</translation>
+    </message>
+    <message>
+        <source>scaling off</source>
+        <translation>Skalierung aus</translation>
+    </message>
+    <message>
+        <source>mirroring off</source>
+        <translation>Spiegelung aus</translation>
+    </message>
+    <message>
+        <source>scaling</source>
+        <translation>Skalierung</translation>
+    </message>
+    <message>
+        <source>mirroring</source>
+        <translation>Spiegelung</translation>
+    </message>
+    <message>
+        <source>local coordinate shift</source>
+        <translation>lokale Nullpunktverschiebung</translation>
+    </message>
+    <message>
+        <source>machine coordinates</source>
+        <translation>Maschinenkoordinaten</translation>
+    </message>
+    <message>
+        <source>work offset 1</source>
+        <translation>Nullpunktverschiebung 1</translation>
+    </message>
+    <message>
+        <source>additional work offset</source>
+        <translation>zusätzliche Nullpunktverschiebung</translation>
+    </message>
+    <message>
+        <source>work offset 2</source>
+        <translation>Nullpunktverschiebung 2</translation>
+    </message>
+    <message>
+        <source>work offset 3</source>
+        <translation>Nullpunktverschiebung 3</translation>
+    </message>
+    <message>
+        <source>work offset 4</source>
+        <translation>Nullpunktverschiebung 4</translation>
+    </message>
+    <message>
+        <source>work offset 5</source>
+        <translation>Nullpunktverschiebung 5</translation>
+    </message>
+    <message>
+        <source>work offset 6</source>
+        <translation>Nullpunktverschiebung 6</translation>
+    </message>
+    <message>
+        <source>work offset 7</source>
+        <translation>Nullpunktverschiebung 7</translation>
+    </message>
+    <message>
+        <source>work offset 8</source>
+        <translation>Nullpunktverschiebung 8</translation>
+    </message>
+    <message>
+        <source>work offset 9</source>
+        <translation>Nullpunktverschiebung 9</translation>
+    </message>
+    <message>
+        <source>exact path</source>
+        <translation>genaue Bahn</translation>
+    </message>
+    <message>
+        <source>exact stop</source>
+        <translation>Genauhalt</translation>
+    </message>
+    <message>
+        <source>path blending</source>
+        <translation>Bahnüberschleifen</translation>
+    </message>
+    <message>
+        <source>macro call</source>
+        <translation>Makroaufruf</translation>
+    </message>
+    <message>
+        <source>modal macro call</source>
+        <translation>modaler Makroaufruf</translation>
+    </message>
+    <message>
+        <source>modal macro call off</source>
+        <translation>modaler Makroaufruf aus</translation>
+    </message>
+    <message>
+        <source>coordinate rotation</source>
+        <translation>Koordinatendrehung</translation>
+    </message>
+    <message>
+        <source>coordinate rotation off</source>
+        <translation>Koordinatendrehung aus</translation>
+    </message>
+    <message>
+        <source>finishing cycle or bolt circle</source>
+        <translation>Schlichtzyklus oder Lochkreis</translation>
+    </message>
+    <message>
+        <source>roughing cycle or bolt arc</source>
+        <translation>Schruppzyklus oder Lochbogen</translation>
+    </message>
+    <message>
+        <source>facing cycle or bolt line</source>
+        <translation>Planzyklus oder Lochreihe</translation>
+    </message>
+    <message>
+        <source>chip-breaking drilling cycle</source>
+        <translation>Bohrzyklus mit Spanbruch</translation>
+    </message>
+    <message>
+        <source>left-hand tapping cycle</source>
+        <translation>Gewindebohrzyklus, Linksgewinde</translation>
+    </message>
+    <message>
+        <source>threading or fine boring cycle</source>
+        <translation>Gewinde- oder Feinbohrzyklus</translation>
+    </message>
+    <message>
+        <source>motion mode off</source>
+        <translation>Bewegungsart aus</translation>
+    </message>
+    <message>
+        <source>drilling cycle</source>
+        <translation>Bohrzyklus</translation>
+    </message>
+    <message>
+        <source>drilling cycle with dwell</source>
+        <translation>Bohrzyklus mit Verweilzeit</translation>
+    </message>
+    <message>
+        <source>deep-hole drilling cycle</source>
+        <translation>Tieflochbohrzyklus</translation>
+    </message>
+    <message>
+        <source>right-hand tapping cycle</source>
+        <translation>Gewindebohrzyklus, Rechtsgewinde</translation>
+    </message>
+    <message>
+        <source>boring cycle, feed out</source>
+        <translation>Ausdrehzyklus, Rückzug im Vorschub</translation>
+    </message>
+    <message>
+        <source>boring cycle, stop and rapid out</source>
+        <translation>Ausdrehzyklus, Halt und Rückzug im Eilgang</translation>
+    </message>
+    <message>
+        <source>back boring cycle</source>
+        <translation>Rückwärtssenkzyklus</translation>
+    </message>
+    <message>
+        <source>boring cycle, manual out</source>
+        <translation>Ausdrehzyklus, Rückzug von Hand</translation>
+    </message>
+    <message>
+        <source>boring cycle with dwell</source>
+        <translation>Ausdrehzyklus mit Verweilzeit</translation>
+    </message>
+    <message>
+        <source>absolute distances</source>
+        <translation>absolute Maße</translation>
+    </message>
+    <message>
+        <source>absolute arc centres</source>
+        <translation>absolute Kreismittelpunkte</translation>
+    </message>
+    <message>
+        <source>incremental distances</source>
+        <translation>Kettenmaße</translation>
+    </message>
+    <message>
+        <source>incremental arc centres</source>
+        <translation>inkrementale Kreismittelpunkte</translation>
+    </message>
+    <message>
+        <source>coordinate shift</source>
+        <translation>Koordinatenverschiebung</translation>
+    </message>
+    <message>
+        <source>coordinate shift off, cleared</source>
+        <translation>Koordinatenverschiebung aus und gelöscht</translation>
+    </message>
+    <message>
+        <source>coordinate shift off</source>
+        <translation>Koordinatenverschiebung aus</translation>
+    </message>
+    <message>
+        <source>coordinate shift restored</source>
+        <translation>Koordinatenverschiebung wieder ein</translation>
+    </message>
+    <message>
+        <source>inverse time feed</source>
+        <translation>zeitreziproker Vorschub</translation>
+    </message>
+    <message>
+        <source>feed per minute</source>
+        <translation>Vorschub je Minute</translation>
+    </message>
+    <message>
+        <source>feed per revolution</source>
+        <translation>Vorschub je Umdrehung</translation>
+    </message>
+    <message>
+        <source>constant surface speed</source>
+        <translation>konstante Schnittgeschwindigkeit</translation>
+    </message>
+    <message>
+        <source>constant spindle speed</source>
+        <translation>konstante Drehzahl</translation>
+    </message>
+    <message>
+        <source>cycles retract to the initial level</source>
+        <translation>Zyklen fahren auf die Ausgangsebene zurück</translation>
+    </message>
+    <message>
+        <source>cycles retract to the R level</source>
+        <translation>Zyklen fahren auf die R-Ebene zurück</translation>
+    </message>
+    <message>
+        <source>program stop</source>
+        <translation>Programmhalt</translation>
+    </message>
+    <message>
+        <source>optional stop</source>
+        <translation>wahlweiser Halt</translation>
+    </message>
+    <message>
+        <source>end of program</source>
+        <translation>Programmende</translation>
+    </message>
+    <message>
+        <source>spindle clockwise</source>
+        <translation>Spindel im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>spindle counter-clockwise</source>
+        <translation>Spindel gegen den Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>spindle stop</source>
+        <translation>Spindelhalt</translation>
+    </message>
+    <message>
+        <source>tool change</source>
+        <translation>Werkzeugwechsel</translation>
+    </message>
+    <message>
+        <source>mist coolant on</source>
+        <translation>Sprühkühlung ein</translation>
+    </message>
+    <message>
+        <source>flood coolant on</source>
+        <translation>Kühlmittel ein</translation>
+    </message>
+    <message>
+        <source>coolant off</source>
+        <translation>Kühlmittel aus</translation>
+    </message>
+    <message>
+        <source>spindle orientation</source>
+        <translation>Spindelorientierung</translation>
+    </message>
+    <message>
+        <source>end of program, rewind</source>
+        <translation>Programmende mit Rücksprung</translation>
+    </message>
+    <message>
+        <source>overrides on</source>
+        <translation>Override ein</translation>
+    </message>
+    <message>
+        <source>overrides off</source>
+        <translation>Override aus</translation>
+    </message>
+    <message>
+        <source>feed override</source>
+        <translation>Vorschub-Override</translation>
+    </message>
+    <message>
+        <source>spindle override</source>
+        <translation>Spindel-Override</translation>
+    </message>
+    <message>
+        <source>adaptive feed</source>
+        <translation>adaptiver Vorschub</translation>
+    </message>
+    <message>
+        <source>feed stop</source>
+        <translation>Vorschubhalt</translation>
+    </message>
+    <message>
+        <source>pallet change</source>
+        <translation>Palettenwechsel</translation>
+    </message>
+    <message>
+        <source>set the tool number</source>
+        <translation>Werkzeugnummer setzen</translation>
+    </message>
+    <message>
+        <source>digital output on, synchronised</source>
+        <translation>Digitalausgang ein, bahnsynchron</translation>
+    </message>
+    <message>
+        <source>digital output off, synchronised</source>
+        <translation>Digitalausgang aus, bahnsynchron</translation>
+    </message>
+    <message>
+        <source>digital output on</source>
+        <translation>Digitalausgang ein</translation>
+    </message>
+    <message>
+        <source>digital output off</source>
+        <translation>Digitalausgang aus</translation>
+    </message>
+    <message>
+        <source>wait for an input</source>
+        <translation>auf einen Eingang warten</translation>
+    </message>
+    <message>
+        <source>analog output, synchronised</source>
+        <translation>Analogausgang, bahnsynchron</translation>
+    </message>
+    <message>
+        <source>analog output</source>
+        <translation>Analogausgang</translation>
+    </message>
+    <message>
+        <source>save modal state</source>
+        <translation>modalen Zustand sichern</translation>
+    </message>
+    <message>
+        <source>discard modal state</source>
+        <translation>modalen Zustand verwerfen</translation>
+    </message>
+    <message>
+        <source>restore modal state</source>
+        <translation>modalen Zustand wiederherstellen</translation>
+    </message>
+    <message>
+        <source>save modal state, restored at the end</source>
+        <translation>modalen Zustand sichern, am Ende wiederherstellen</translation>
+    </message>
+    <message>
+        <source>local subprogram call</source>
+        <translation>Aufruf eines lokalen Unterprogramms</translation>
+    </message>
+    <message>
+        <source>subprogram call</source>
+        <translation>Unterprogrammaufruf</translation>
+    </message>
+    <message>
+        <source>end of subprogram</source>
+        <translation>Ende des Unterprogramms</translation>
+    </message>
+    <message>
+        <source>rotary axis about X</source>
+        <translation>Drehachse um X</translation>
+    </message>
+    <message>
+        <source>rotary axis about Y</source>
+        <translation>Drehachse um Y</translation>
+    </message>
+    <message>
+        <source>rotary axis about Z</source>
+        <translation>Drehachse um Z</translation>
+    </message>
+    <message>
+        <source>cutter compensation number</source>
+        <translation>Nummer der Radiuskorrektur</translation>
+    </message>
+    <message>
+        <source>parameter of a code</source>
+        <translation>Parameter eines Befehls</translation>
+    </message>
+    <message>
+        <source>feed rate</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>tool length offset number</source>
+        <translation>Nummer der Längenkorrektur</translation>
+    </message>
+    <message>
+        <source>arc centre in X</source>
+        <translation>Kreismittelpunkt in X</translation>
+    </message>
+    <message>
+        <source>arc centre in Y</source>
+        <translation>Kreismittelpunkt in Y</translation>
+    </message>
+    <message>
+        <source>arc centre in Z</source>
+        <translation>Kreismittelpunkt in Z</translation>
+    </message>
+    <message>
+        <source>repeats</source>
+        <translation>Wiederholungen</translation>
+    </message>
+    <message>
+        <source>block number</source>
+        <translation>Satznummer</translation>
+    </message>
+    <message>
+        <source>program number</source>
+        <translation>Programmnummer</translation>
+    </message>
+    <message>
+        <source>dwell in seconds, turns of an arc, or a parameter</source>
+        <translation>Verweilzeit in Sekunden, Umläufe eines Kreises oder ein Parameter</translation>
+    </message>
+    <message>
+        <source>arc radius, or a retract level</source>
+        <translation>Kreisradius oder Rückzugsebene</translation>
+    </message>
+    <message>
+        <source>spindle speed in revolutions per minute</source>
+        <translation>Spindeldrehzahl in Umdrehungen je Minute</translation>
+    </message>
+    <message>
+        <source>tool number</source>
+        <translation>Werkzeugnummer</translation>
+    </message>
+    <message>
+        <source>second axis along X</source>
+        <translation>zweite Achse längs X</translation>
+    </message>
+    <message>
+        <source>second axis along Y</source>
+        <translation>zweite Achse längs Y</translation>
+    </message>
+    <message>
+        <source>second axis along Z</source>
+        <translation>zweite Achse längs Z</translation>
+    </message>
+    <message>
+        <source>X coordinate</source>
+        <translation>X-Koordinate</translation>
+    </message>
+    <message>
+        <source>Y coordinate</source>
+        <translation>Y-Koordinate</translation>
+    </message>
+    <message>
+        <source>Z coordinate</source>
+        <translation>Z-Koordinate</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; has no meaning here</source>
+        <translation>„{}“ hat hier keine Bedeutung</translation>
+    </message>
+    <message>
+        <source>Remove the character, or put the text into a comment: ( … ).</source>
+        <translation>Entfernen Sie das Zeichen, oder setzen Sie den Text in einen Kommentar: ( … ).</translation>
+    </message>
+    <message>
+        <source>the word {} has no number</source>
+        <translation>das Wort {} hat keine Zahl</translation>
+    </message>
+    <message>
+        <source>Write the number behind the letter, for example X10.5.</source>
+        <translation>Schreiben Sie die Zahl hinter den Buchstaben, zum Beispiel X10.5.</translation>
+    </message>
+    <message>
+        <source>the number of {} has two signs</source>
+        <translation>die Zahl von {} hat zwei Vorzeichen</translation>
+    </message>
+    <message>
+        <source>Controls read this differently; write one sign.</source>
+        <translation>Steuerungen lesen das verschieden; schreiben Sie ein Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>the number of {} has two decimal points</source>
+        <translation>die Zahl von {} hat zwei Dezimalpunkte</translation>
+    </message>
+    <message>
+        <source>Keep one point.</source>
+        <translation>Lassen Sie einen Punkt stehen.</translation>
+    </message>
+    <message>
+        <source>the number of {} is out of range: larger than 1e12</source>
+        <translation>die Zahl von {} ist zu groß: über 1e12</translation>
+    </message>
+    <message>
+        <source>Check the number.</source>
+        <translation>Prüfen Sie die Zahl.</translation>
+    </message>
+    <message>
+        <source>parameters and expressions are not supported yet: {}</source>
+        <translation>Parameter und Ausdrücke werden noch nicht unterstützt: {}</translation>
+    </message>
+    <message>
+        <source>Replace it by its value, or let the CAM system write plain numbers.</source>
+        <translation>Setzen Sie den Wert ein, oder lassen Sie das CAM-System reine Zahlen schreiben.</translation>
+    </message>
+    <message>
+        <source>subprograms, loops and branches are not supported yet: {}</source>
+        <translation>Unterprogramme, Schleifen und Verzweigungen werden noch nicht unterstützt: {}</translation>
+    </message>
+    <message>
+        <source>Let the CAM system write the motions out.</source>
+        <translation>Lassen Sie das CAM-System die Bewegungen ausschreiben.</translation>
+    </message>
+    <message>
+        <source>the comment is not closed</source>
+        <translation>der Kommentar ist nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>Close it with &quot;)&quot; in the same line.</source>
+        <translation>Schließen Sie ihn mit „)“ in derselben Zeile.</translation>
+    </message>
+    <message>
+        <source>a comment stands within a comment</source>
+        <translation>ein Kommentar steht in einem Kommentar</translation>
+    </message>
+    <message>
+        <source>Controls end it at different brackets; use no &quot;(&quot; within a comment.</source>
+        <translation>Steuerungen beenden ihn an verschiedenen Klammern; verwenden Sie kein „(“ in einem Kommentar.</translation>
+    </message>
+    <message>
+        <source>the block has two {} words</source>
+        <translation>der Satz hat zwei Wörter {}</translation>
+    </message>
+    <message>
+        <source>Keep one of them, or make two blocks.</source>
+        <translation>Behalten Sie eines davon, oder machen Sie zwei Sätze daraus.</translation>
+    </message>
+    <message>
+        <source>the block has too many G and M words</source>
+        <translation>der Satz hat zu viele G- und M-Wörter</translation>
+    </message>
+    <message>
+        <source>Make several blocks of it.</source>
+        <translation>Machen Sie mehrere Sätze daraus.</translation>
+    </message>
+    <message>
+        <source>the N word does not begin the block</source>
+        <translation>das N-Wort steht nicht am Anfang des Satzes</translation>
+    </message>
+    <message>
+        <source>Write it first, or put it on a line of its own.</source>
+        <translation>Schreiben Sie es zuerst oder in eine eigene Zeile.</translation>
+    </message>
+    <message>
+        <source>the block number is negative</source>
+        <translation>die Satznummer ist negativ</translation>
+    </message>
+    <message>
+        <source>Use N with digits only.</source>
+        <translation>Verwenden Sie N nur mit Ziffern.</translation>
+    </message>
+    <message>
+        <source>&quot;%&quot; marks the begin and the end of a tape and stands on a line of its own</source>
+        <translation>„%“ bezeichnet Anfang und Ende eines Lochstreifens und steht in einer eigenen Zeile</translation>
+    </message>
+    <message>
+        <source>Move the rest to another line.</source>
+        <translation>Setzen Sie den Rest in eine andere Zeile.</translation>
+    </message>
+    <message>
+        <source>the program ends with &quot;%&quot; but does not begin with it</source>
+        <translation>das Programm endet mit „%“, beginnt aber nicht damit</translation>
+    </message>
+    <message>
+        <source>LinuxCNC refuses this; write &quot;%&quot; on the first line too, or on none.</source>
+        <translation>LinuxCNC lehnt das ab; schreiben Sie „%“ auch in die erste Zeile oder gar nicht.</translation>
+    </message>
+    <message>
+        <source>&quot;%&quot; stands in the middle of the program</source>
+        <translation>„%“ steht mitten im Programm</translation>
+    </message>
+    <message>
+        <source>Controls skip what is before it, or what is behind it; keep one program in a file.</source>
+        <translation>Steuerungen überspringen, was davor oder was dahinter steht; halten Sie ein Programm je Datei.</translation>
+    </message>
+    <message>
+        <source>the text behind the second &quot;%&quot; is not run</source>
+        <translation>der Text hinter dem zweiten „%“ wird nicht ausgeführt</translation>
+    </message>
+    <message>
+        <source>the blocks behind the end of the program are not run</source>
+        <translation>die Sätze hinter dem Programmende werden nicht ausgeführt</translation>
+    </message>
+    <message>
+        <source>the program has no end: M2, M30 or a pair of &quot;%&quot;</source>
+        <translation>das Programm hat kein Ende: M2, M30 oder ein Paar „%“</translation>
+    </message>
+    <message>
+        <source>Add M30 as the last block.</source>
+        <translation>Fügen Sie M30 als letzten Satz an.</translation>
+    </message>
+    <message>
+        <source>the program has no motion</source>
+        <translation>das Programm hat keine Bewegung</translation>
+    </message>
+    <message>
+        <source>Check that this is the right file and that it is complete.</source>
+        <translation>Prüfen Sie, ob das die richtige Datei ist und ob sie vollständig ist.</translation>
+    </message>
+    <message>
+        <source>control codes of a tape or a serial line were skipped</source>
+        <translation>Steuerzeichen eines Lochstreifens oder einer seriellen Leitung wurden übersprungen</translation>
+    </message>
+    <message>
+        <source>Harmless here; save the file as plain text to be rid of them.</source>
+        <translation>Hier harmlos; als reiner Text gespeichert ist die Datei frei davon.</translation>
+    </message>
+    <message>
+        <source>the file begins with a byte order mark, which controls refuse</source>
+        <translation>die Datei beginnt mit einer Bytereihenfolge-Marke (BOM), die Steuerungen ablehnen</translation>
+    </message>
+    <message>
+        <source>Save it as UTF-8 without the mark, or as ASCII.</source>
+        <translation>Speichern Sie sie als UTF-8 ohne BOM oder als ASCII.</translation>
+    </message>
+    <message>
+        <source>the line ends with CR alone, which LinuxCNC takes for no line end</source>
+        <translation>die Zeile endet mit CR allein, was LinuxCNC nicht als Zeilenende liest</translation>
+    </message>
+    <message>
+        <source>Save the file with LF or CR LF line ends.</source>
+        <translation>Speichern Sie die Datei mit den Zeilenenden LF oder CR LF.</translation>
+    </message>
+    <message>
+        <source>the line has {} characters; LinuxCNC refuses more than 252</source>
+        <translation>die Zeile hat {} Zeichen; LinuxCNC lehnt mehr als 252 ab</translation>
+    </message>
+    <message>
+        <source>Split the line.</source>
+        <translation>Teilen Sie die Zeile.</translation>
+    </message>
+    <message>
+        <source>the block number has more digits than controls can hold</source>
+        <translation>die Satznummer hat mehr Stellen, als Steuerungen fassen</translation>
+    </message>
+    <message>
+        <source>It is a label only; number the blocks anew.</source>
+        <translation>Sie ist nur eine Marke; nummerieren Sie die Sätze neu.</translation>
+    </message>
+    <message>
+        <source>the program has more than {} motions; interpretation ends here</source>
+        <translation>das Programm hat mehr als {} Bewegungen; die Interpretation endet hier</translation>
+    </message>
+    <message>
+        <source>Raise the limit, or split the program.</source>
+        <translation>Erhöhen Sie die Grenze, oder teilen Sie das Programm.</translation>
+    </message>
+    <message>
+        <source>{} more messages are not shown</source>
+        <translation>{} weitere Meldungen werden nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>interpretation was stopped before this line</source>
+        <translation>die Interpretation wurde vor dieser Zeile abgebrochen</translation>
+    </message>
+    <message>
+        <source>{} is not known</source>
+        <translation>{} ist unbekannt</translation>
+    </message>
+    <message>
+        <source>Without its effect nothing behind it can be vouched for.</source>
+        <translation>Ohne seine Wirkung ist alles dahinter ungewiss.</translation>
+    </message>
+    <message>
+        <source>{} ({}) is not supported yet</source>
+        <translation>{} ({}) wird noch nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>{} and {} exclude each other in one block</source>
+        <translation>{} und {} schließen einander in einem Satz aus</translation>
+    </message>
+    <message>
+        <source>Keep one of them, or make two blocks; this block is skipped.</source>
+        <translation>Behalten Sie eines davon, oder machen Sie zwei Sätze daraus; dieser Satz wird übersprungen.</translation>
+    </message>
+    <message>
+        <source>the block has more than four M words</source>
+        <translation>der Satz hat mehr als vier M-Wörter</translation>
+    </message>
+    <message>
+        <source>Make several blocks of it; this block is skipped.</source>
+        <translation>Machen Sie mehrere Sätze daraus; dieser Satz wird übersprungen.</translation>
+    </message>
+    <message>
+        <source>the axis {} does not exist on a three-axis machine</source>
+        <translation>die Achse {} gibt es an einer Dreiachsmaschine nicht</translation>
+    </message>
+    <message>
+        <source>The motion is shown without it.</source>
+        <translation>Die Bewegung wird ohne sie gezeigt.</translation>
+    </message>
+    <message>
+        <source>no code of this block uses the word {}</source>
+        <translation>kein Befehl dieses Satzes verwendet das Wort {}</translation>
+    </message>
+    <message>
+        <source>Remove it, or add the code that it belongs to; this block is skipped.</source>
+        <translation>Entfernen Sie es, oder ergänzen Sie den Befehl dazu; dieser Satz wird übersprungen.</translation>
+    </message>
+    <message>
+        <source>no motion code is in force for the word {}</source>
+        <translation>für das Wort {} ist kein Bewegungsbefehl wirksam</translation>
+    </message>
+    <message>
+        <source>Write G0, G1, G2 or G3 into the block; this block is skipped.</source>
+        <translation>Schreiben Sie G0, G1, G2 oder G3 in den Satz; dieser Satz wird übersprungen.</translation>
+    </message>
+    <message>
+        <source>G80 cannot move the axis {}</source>
+        <translation>G80 kann die Achse {} nicht bewegen</translation>
+    </message>
+    <message>
+        <source>Controls differ here; move in a block of its own. This block is skipped.</source>
+        <translation>Steuerungen sind hier verschieden; fahren Sie in einem eigenen Satz. Dieser Satz wird übersprungen.</translation>
+    </message>
+    <message>
+        <source>{} needs the word {}</source>
+        <translation>{} braucht das Wort {}</translation>
+    </message>
+    <message>
+        <source>Add it; the code has no effect without it.</source>
+        <translation>Ergänzen Sie es; ohne es hat der Befehl keine Wirkung.</translation>
+    </message>
+    <message>
+        <source>the number of {} must not be negative</source>
+        <translation>die Zahl von {} darf nicht negativ sein</translation>
+    </message>
+    <message>
+        <source>The word is ignored.</source>
+        <translation>Das Wort wird nicht beachtet.</translation>
+    </message>
+    <message>
+        <source>the number of {} must be a whole number from {} to {}</source>
+        <translation>die Zahl von {} muss eine ganze Zahl von {} bis {} sein</translation>
+    </message>
+    <message>
+        <source>the feed is read in the unit that was in force before {}</source>
+        <translation>der Vorschub wird in der Einheit gelesen, die vor {} galt</translation>
+    </message>
+    <message>
+        <source>LinuxCNC reads F first; switch the unit in a block before.</source>
+        <translation>LinuxCNC liest F zuerst; schalten Sie die Einheit in einem Satz davor um.</translation>
+    </message>
+    <message>
+        <source>M6 changes the tool, but none is selected</source>
+        <translation>M6 wechselt das Werkzeug, aber es ist keines gewählt</translation>
+    </message>
+    <message>
+        <source>Write the T word into the block or before it.</source>
+        <translation>Schreiben Sie das T-Wort in den Satz oder davor.</translation>
+    </message>
+    <message>
+        <source>a cutting motion without a feed rate</source>
+        <translation>eine Vorschubbewegung ohne Vorschub</translation>
+    </message>
+    <message>
+        <source>Give F in this block or before it; there is no default.</source>
+        <translation>Geben Sie F in diesem Satz oder davor an; es gibt keinen Vorgabewert.</translation>
+    </message>
+    <message>
+        <source>where {} stands is not known, so this motion cuts nothing</source>
+        <translation>wo {} steht, ist nicht bekannt; diese Bewegung fräst daher nichts</translation>
+    </message>
+    <message>
+        <source>Position all axes with G0 before the first cut.</source>
+        <translation>Positionieren Sie alle Achsen mit G0 vor dem ersten Schnitt.</translation>
+    </message>
+    <message>
+        <source>{} moves by a distance from a place that is not known</source>
+        <translation>{} fährt um eine Strecke von einem unbekannten Ort aus</translation>
+    </message>
+    <message>
+        <source>Position the axis in G90 first.</source>
+        <translation>Positionieren Sie die Achse zuerst in G90.</translation>
+    </message>
+    <message>
+        <source>the arc has neither a centre nor a radius</source>
+        <translation>der Kreisbogen hat weder Mittelpunkt noch Radius</translation>
+    </message>
+    <message>
+        <source>Give the centre with {} and {}, or the radius with R.</source>
+        <translation>Geben Sie den Mittelpunkt mit {} und {} oder den Radius mit R an.</translation>
+    </message>
+    <message>
+        <source>an absolute centre (G90.1) needs both {} and {}</source>
+        <translation>ein absoluter Mittelpunkt (G90.1) braucht {} und {}</translation>
+    </message>
+    <message>
+        <source>Add the missing word, or use G91.1.</source>
+        <translation>Ergänzen Sie das fehlende Wort, oder verwenden Sie G91.1.</translation>
+    </message>
+    <message>
+        <source>the arc has both a centre and a radius</source>
+        <translation>der Kreisbogen hat Mittelpunkt und Radius zugleich</translation>
+    </message>
+    <message>
+        <source>Controls differ in which one they take; keep one.</source>
+        <translation>Steuerungen nehmen verschiedene davon; behalten Sie eines.</translation>
+    </message>
+    <message>
+        <source>the word {} does not belong to an arc in the plane of {}</source>
+        <translation>das Wort {} gehört nicht zu einem Kreisbogen in der Ebene von {}</translation>
+    </message>
+    <message>
+        <source>Remove the word, or select the plane that was meant.</source>
+        <translation>Entfernen Sie das Wort, oder wählen Sie die gemeinte Ebene.</translation>
+    </message>
+    <message>
+        <source>the arc has no radius: {} mm</source>
+        <translation>der Kreisbogen hat keinen Radius: {} mm</translation>
+    </message>
+    <message>
+        <source>The centre lies on the start or the end point.</source>
+        <translation>Der Mittelpunkt liegt auf dem Anfangs- oder dem Endpunkt.</translation>
+    </message>
+    <message>
+        <source>the arc does not fit: radius {} mm at its start, {} mm at its end, {} mm apart</source>
+        <translation>der Kreisbogen passt nicht: Radius {} mm am Anfang, {} mm am Ende, {} mm Unterschied</translation>
+    </message>
+    <message>
+        <source>Check the centre: I J K count from the start point, after G90.1 from the origin.</source>
+        <translation>Prüfen Sie den Mittelpunkt: I J K zählen vom Anfangspunkt, nach G90.1 vom Nullpunkt.</translation>
+    </message>
+    <message>
+        <source>an arc with R cannot end where it begins</source>
+        <translation>ein Kreisbogen mit R kann nicht an seinem Anfang enden</translation>
+    </message>
+    <message>
+        <source>Give a full circle its centre, or make two arcs of it.</source>
+        <translation>Geben Sie dem Vollkreis seinen Mittelpunkt, oder machen Sie zwei Bögen daraus.</translation>
+    </message>
+    <message>
+        <source>the radius {} mm is too small: the end lies {} mm from the start, {} mm more than 2 R</source>
+        <translation>der Radius {} mm ist zu klein: Das Ende liegt {} mm vom Anfang, {} mm mehr als 2 R</translation>
+    </message>
+    <message>
+        <source>Check R and the end point.</source>
+        <translation>Prüfen Sie R und den Endpunkt.</translation>
+    </message>
+    <message>
+        <source>the radius of the arc is {} mm, beyond what can be computed exactly</source>
+        <translation>der Radius des Bogens ist {} mm, mehr als sich genau rechnen lässt</translation>
+    </message>
+    <message>
+        <source>Check the centre; use G1 for a straight line.</source>
+        <translation>Prüfen Sie den Mittelpunkt; nehmen Sie G1 für eine Gerade.</translation>
+    </message>
+    <message>
+        <source>P must be a whole number of turns from 1 to {}</source>
+        <translation>P muss eine ganze Zahl von Umläufen von 1 bis {} sein</translation>
+    </message>
+    <message>
+        <source>Check the P word.</source>
+        <translation>Prüfen Sie das P-Wort.</translation>
+    </message>
+    <message>
+        <source>the file is encoded in {}, not in ASCII or UTF-8</source>
+        <translation>die Datei ist in {} kodiert, nicht in ASCII oder UTF-8</translation>
+    </message>
+    <message>
+        <source>Save it as plain text (ASCII or UTF-8) and open it again.</source>
+        <translation>Speichern Sie sie als reinen Text (ASCII oder UTF-8), und öffnen Sie sie erneut.</translation>
+    </message>
+    <message>
+        <source>this is not an NC program: it holds binary data</source>
+        <translation>das ist kein NC-Programm: Es enthält Binärdaten</translation>
+    </message>
+    <message>
+        <source>Choose the text file that the machine would run.</source>
+        <translation>Wählen Sie die Textdatei, die die Maschine ausführen würde.</translation>
+    </message>
+    <message>
+        <source>The rapid motion removes material, {} mm deep.</source>
+        <translation>Der Eilgang trägt Material ab, {} mm tief.</translation>
+    </message>
+    <message>
+        <source>Retract above the stock before the rapid, or cut with G1.</source>
+        <translation>Fahren Sie vor dem Eilgang über das Rohteil frei, oder fräsen Sie mit G1.</translation>
+    </message>
+    <message>
+        <source>The cut is {} mm deep, beyond the length of the flutes.</source>
+        <translation>Der Schnitt ist {} mm tief, tiefer als die Schneidenlänge.</translation>
+    </message>
+    <message>
+        <source>Cut in shallower passes, or choose a tool with longer flutes.</source>
+        <translation>Fräsen Sie in flacheren Zustellungen, oder wählen Sie ein Werkzeug mit längeren Schneiden.</translation>
+    </message>
+    <message>
+        <source>No cutter is defined for tool T{}; its motions cut nothing.</source>
+        <translation>Für Werkzeug T{} ist kein Fräser festgelegt; seine Bewegungen fräsen nichts.</translation>
+    </message>
+    <message>
+        <source>Add the tool to the tool table.</source>
+        <translation>Nehmen Sie das Werkzeug in die Werkzeugtabelle auf.</translation>
+    </message>
+    <message>
+        <source>The program cuts with no tool in the spindle.</source>
+        <translation>Das Programm fräst ohne Werkzeug in der Spindel.</translation>
+    </message>
+    <message>
+        <source>Select a tool with T and M6 before the first cut.</source>
+        <translation>Wählen Sie vor dem ersten Schnitt ein Werkzeug mit T und M6.</translation>
+    </message>
+    <message>
+        <source>The program never selects a tool; tool T{} is used.</source>
+        <translation>Das Programm wählt nie ein Werkzeug; Werkzeug T{} wird verwendet.</translation>
+    </message>
+    <message>
+        <source>{} more findings of the simulation are not shown.</source>
+        <translation>{} weitere Befunde der Simulation werden nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>The parameter &quot;{}&quot; is {}; it must lie in {} … {}.</source>
+        <translation>Der Parameter „{}“ ist {}; er muss in {} … {} liegen.</translation>
+    </message>
+    <message>
+        <source>The simulation needs more memory than there is.</source>
+        <translation>Die Simulation braucht mehr Speicher, als vorhanden ist.</translation>
+    </message>
+    <message>
+        <source>The simulation had to stop: {}.</source>
+        <translation>Die Simulation musste anhalten: {}.</translation>
+    </message>
+    <message>
+        <source>the stock {} is not of three sides above 0 and up to {} mm</source>
+        <translation>das Rohteil {} hat nicht drei Seiten über 0 und bis {} mm</translation>
+    </message>
+    <message>
+        <source>the grid spacing {} mm is not a number above 0</source>
+        <translation>die Rasterweite {} mm ist keine Zahl über 0</translation>
+    </message>
+    <message>
+        <source>the grid spacing {} mm leaves no cell on the stock {}; the coarsest that does is {} mm</source>
+        <translation>die Rasterweite {} mm lässt keine Zelle auf dem Rohteil {}; die gröbste mögliche ist {} mm</translation>
+    </message>
+    <message>
+        <source>the grid spacing {} mm makes {} points on the stock {}, {} of memory; the finest possible is {} mm</source>
+        <translation>die Rasterweite {} mm ergibt {} Punkte auf dem Rohteil {}, {} Speicher; die feinste mögliche ist {} mm</translation>
+    </message>
+    <message>
+        <source>the z-map needs {}, but the machine has only {} left</source>
+        <translation>die Z-Map braucht {}, aber der Rechner hat nur noch {}</translation>
+    </message>
+    <message>
+        <source>a grid of {} × {} points needs {}, but the machine has only {} left; the finest spacing that fits is {} mm</source>
+        <translation>ein Raster von {} × {} Punkten braucht {}, aber der Rechner hat nur noch {}; die feinste passende Rasterweite ist {} mm</translation>
+    </message>
+    <message>
+        <source>“{}” is not a stock size of the form WxDxH in mm, as in {}</source>
+        <translation>„{}“ ist keine Rohteilgröße der Form BxTxH in mm wie in {}</translation>
+    </message>
+    <message>
+        <source>every side of the stock must be more than 0 mm, not “{}”</source>
+        <translation>jede Seite des Rohteils muss größer als 0 mm sein, nicht „{}“</translation>
+    </message>
+    <message>
+        <source>“{}” is not a point of the form X,Y,Z in mm</source>
+        <translation>„{}“ ist kein Punkt der Form X,Y,Z in mm</translation>
+    </message>
+    <message>
+        <source>The export was cancelled.</source>
+        <translation>Der Export wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Nothing of the stock is left to export.</source>
+        <translation>Vom Rohteil ist nichts zum Exportieren übrig.</translation>
+    </message>
+    <message>
+        <source>The export failed: {}.</source>
+        <translation>Der Export ist fehlgeschlagen: {}.</translation>
+    </message>
+    <message>
+        <source>There is no stock to export yet.</source>
+        <translation>Es gibt noch kein Rohteil zum Exportieren.</translation>
+    </message>
+    <message>
+        <source>cells</source>
+        <translation>Zellen</translation>
+    </message>
+    <message>
+        <source>blocks</source>
+        <translation>Sätze</translation>
+    </message>
+    <message>
+        <source>The coordinates of an STL file are too coarse for this mesh so far from the origin: {} triangles would collapse.</source>
+        <translation>Die Koordinaten einer STL-Datei sind für dieses Netz so weit vom Nullpunkt zu grob: {} Dreiecke fielen zusammen.</translation>
+    </message>
+    <message>
+        <source>The rapid motion comes from an unknown position and ends {} mm below the top of the stock; what it cuts is not known.</source>
+        <translation>Der Eilgang kommt von einer unbekannten Position und endet {} mm unter der Oberseite des Rohteils; was er schneidet, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The file cannot be written: {}.</source>
+        <translation>Die Datei kann nicht geschrieben werden: {}.</translation>
+    </message>
+    <message>
+        <source>the origin of the stock is not three numbers from -{} to {} mm</source>
+        <translation>der Ursprung des Rohteils besteht nicht aus drei Zahlen von -{} bis {} mm</translation>
+    </message>
+    <message>
+        <source>the grid spacing {} mm is lost in the rounding of coordinates as large as {} mm</source>
+        <translation>die Rasterweite {} mm geht im Runden so großer Koordinaten wie {} mm verloren</translation>
+    </message>
+</context>
+<context>
+    <name>Docks</name>
+    <message>
+        <source>NC Program</source>
+        <translation>NC-Programm</translation>
+    </message>
+    <message>
+        <source>Setup</source>
+        <translation>Einrichtung</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>Abstimmung</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+</context>
+<context>
+    <name>EditCommands</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>Take back the last change of the text</source>
+        <translation>Die letzte Änderung am Text zurücknehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Make the change again that was taken back</source>
+        <translation>Die zurückgenommene Änderung wiederholen</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>&amp;Ausschneiden</translation>
+    </message>
+    <message>
+        <source>Move the selected text to the clipboard</source>
+        <translation>Den gewählten Text in die Zwischenablage verschieben</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>&amp;Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the selected text to the clipboard</source>
+        <translation>Den gewählten Text in die Zwischenablage kopieren</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>&amp;Einfügen</translation>
+    </message>
+    <message>
+        <source>Insert the text of the clipboard</source>
+        <translation>Den Text der Zwischenablage einfügen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>&amp;Löschen</translation>
+    </message>
+    <message>
+        <source>Delete the selected text</source>
+        <translation>Den gewählten Text löschen</translation>
+    </message>
+    <message>
+        <source>Select &amp;All</source>
+        <translation>Alles &amp;markieren</translation>
+    </message>
+    <message>
+        <source>Select the whole text</source>
+        <translation>Den ganzen Text markieren</translation>
+    </message>
+    <message>
+        <source>&amp;Find…</source>
+        <translation>&amp;Suchen …</translation>
+    </message>
+    <message>
+        <source>Find text in the NC program</source>
+        <translation>Text im NC-Programm suchen</translation>
+    </message>
+    <message>
+        <source>R&amp;eplace…</source>
+        <translation>E&amp;rsetzen …</translation>
+    </message>
+    <message>
+        <source>Find text in the NC program and replace it</source>
+        <translation>Text im NC-Programm suchen und ersetzen</translation>
+    </message>
+    <message>
+        <source>Find &amp;Next</source>
+        <translation>&amp;Weitersuchen</translation>
+    </message>
+    <message>
+        <source>Go to the next match</source>
+        <translation>Zum nächsten Treffer gehen</translation>
+    </message>
+    <message>
+        <source>Find Pre&amp;vious</source>
+        <translation>&amp;Vorheriger Treffer</translation>
+    </message>
+    <message>
+        <source>Go to the previous match</source>
+        <translation>Zum vorherigen Treffer gehen</translation>
+    </message>
+    <message>
+        <source>Run to Caret &amp;Line</source>
+        <translation>Bis zur &amp;Zeile der Schreibmarke</translation>
+    </message>
+    <message>
+        <source>Show the stock after the line that the caret is on</source>
+        <translation>Das Rohteil nach der Zeile der Schreibmarke zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>EditorPanel</name>
+    <message>
+        <source>NC program</source>
+        <translation>NC-Programm</translation>
+    </message>
+    <message>
+        <source>Shown read-only, because the file is larger than 10 MB.</source>
+        <translation>Nur zum Lesen gezeigt, da die Datei größer als 10 MB ist.</translation>
+    </message>
+</context>
+<context>
+    <name>FileChangedBar</name>
+    <message>
+        <source>The file was changed on the disk.</source>
+        <translation>Die Datei wurde auf dem Datenträger geändert.</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>Neu laden</translation>
+    </message>
+    <message>
+        <source>Read the file again; changes made here are lost</source>
+        <translation>Die Datei neu lesen; hier gemachte Änderungen gehen verloren</translation>
+    </message>
+    <message>
+        <source>Keep mine</source>
+        <translation>Meine behalten</translation>
+    </message>
+    <message>
+        <source>Go on with the text of this window</source>
+        <translation>Mit dem Text dieses Fensters weiterarbeiten</translation>
+    </message>
+</context>
+<context>
+    <name>FileCommands</name>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Neu</translation>
+    </message>
+    <message>
+        <source>Begin an empty NC program</source>
+        <translation>Ein leeres NC-Programm beginnen</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Open an NC program or a job</source>
+        <translation>Ein NC-Programm oder einen Auftrag öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save the NC program, and its job where it has one</source>
+        <translation>Das NC-Programm speichern, und seinen Auftrag, wo es einen hat</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>Speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>Save the NC program under another name</source>
+        <translation>Das NC-Programm unter anderem Namen speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;Job As…</source>
+        <translation>Auf&amp;trag speichern unter …</translation>
+    </message>
+    <message>
+        <source>Save stock, tools and parameters with the name of the program</source>
+        <translation>Rohteil, Werkzeuge und Parameter mit dem Namen des Programms speichern</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>Close Proveout</source>
+        <translation>Proveout schließen</translation>
+    </message>
+</context>
+<context>
+    <name>FileFlow</name>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>NC programs and jobs (*.nc *.ngc *.cnc *.tap *.gcode *.iso *.min *.mpf *.eia *.txt *.proveout)</source>
+        <translation>NC-Programme und Aufträge (*.nc *.ngc *.cnc *.tap *.gcode *.iso *.min *.mpf *.eia *.txt *.proveout)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Save NC Program As</source>
+        <translation>NC-Programm speichern unter</translation>
+    </message>
+    <message>
+        <source>Save Job As</source>
+        <translation>Auftrag speichern unter</translation>
+    </message>
+    <message>
+        <source>Proveout jobs (*.proveout)</source>
+        <translation>Proveout-Aufträge (*.proveout)</translation>
+    </message>
+    <message>
+        <source>Binary STL (*.stl)</source>
+        <translation>Binäres STL (*.stl)</translation>
+    </message>
+    <message>
+        <source>ASCII STL (*.stl)</source>
+        <translation>ASCII-STL (*.stl)</translation>
+    </message>
+    <message>
+        <source>Export Decimated STL</source>
+        <translation>Dezimiertes STL exportieren</translation>
+    </message>
+    <message>
+        <source>Export Full-Resolution STL</source>
+        <translation>STL in voller Auflösung exportieren</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Nicht gespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>The program or its setup has changes that are not saved.</source>
+        <translation>Das Programm oder seine Einrichtung hat nicht gespeicherte Änderungen.</translation>
+    </message>
+    <message>
+        <source>Save them?</source>
+        <translation>Speichern?</translation>
+    </message>
+    <message>
+        <source>%1 (missing)</source>
+        <translation>%1 (fehlt)</translation>
+    </message>
+    <message>
+        <source>Clear List</source>
+        <translation>Liste leeren</translation>
+    </message>
+    <message>
+        <source>Drop one file of this computer.</source>
+        <translation>Legen Sie eine Datei dieses Rechners ab.</translation>
+    </message>
+    <message>
+        <source>A folder cannot be opened; drop an NC program or a job.</source>
+        <translation>Ein Ordner lässt sich nicht öffnen; legen Sie ein NC-Programm oder einen Auftrag ab.</translation>
+    </message>
+    <message>
+        <source>A mesh cannot be opened; drop an NC program or a job.</source>
+        <translation>Ein Netz lässt sich nicht öffnen; legen Sie ein NC-Programm oder einen Auftrag ab.</translation>
+    </message>
+</context>
+<context>
+    <name>FindBar</name>
+    <message>
+        <source>Find</source>
+        <translation>Suchen</translation>
+    </message>
+    <message>
+        <source>Replace with</source>
+        <translation>Ersetzen durch</translation>
+    </message>
+    <message>
+        <source>Previous match (Shift+F3)</source>
+        <translation>Vorheriger Treffer (Umschalt+F3)</translation>
+    </message>
+    <message>
+        <source>Previous match</source>
+        <translation>Vorheriger Treffer</translation>
+    </message>
+    <message>
+        <source>Next match (F3)</source>
+        <translation>Nächster Treffer (F3)</translation>
+    </message>
+    <message>
+        <source>Next match</source>
+        <translation>Nächster Treffer</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>Ersetzen</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>Replace all matches</source>
+        <translation>Alle Treffer ersetzen</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Not found.</source>
+        <translation>Nicht gefunden.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n replaced.</source>
+        <translation>
+            <numerusform>%n Stelle ersetzt.</numerusform>
+            <numerusform>%n Stellen ersetzt.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>HelpCommands</name>
+    <message>
+        <source>&amp;Keys and Mouse</source>
+        <translation>&amp;Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>List all keys of the program</source>
+        <translation>Alle Tasten des Programms auflisten</translation>
+    </message>
+    <message>
+        <source>&amp;Start Page</source>
+        <translation>&amp;Startseite</translation>
+    </message>
+    <message>
+        <source>Show samples and recent files</source>
+        <translation>Beispiele und zuletzt geöffnete Dateien zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;About Proveout</source>
+        <translation>Ü&amp;ber Proveout</translation>
+    </message>
+    <message>
+        <source>Version, licence and the paper</source>
+        <translation>Version, Lizenz und der Aufsatz</translation>
+    </message>
+    <message>
+        <source>About &amp;Qt</source>
+        <translation>Über &amp;Qt</translation>
+    </message>
+    <message>
+        <source>About the library of the user interface</source>
+        <translation>Über die Bibliothek der Oberfläche</translation>
+    </message>
+</context>
+<context>
+    <name>MainWindow</name>
+    <message>
+        <source>As the &amp;System</source>
+        <translation>Wie das &amp;System</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>&amp;Hell</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>&amp;Dunkel</translation>
+    </message>
+    <message>
+        <source>Tool bar</source>
+        <translation>Werkzeugleiste</translation>
+    </message>
+    <message>
+        <source>untitled</source>
+        <translation>unbenannt</translation>
+    </message>
+</context>
+<context>
+    <name>Menus</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>P&amp;lots</source>
+        <translation>Dia&amp;gramme</translation>
+    </message>
+    <message>
+        <source>&amp;Simulate</source>
+        <translation>&amp;Simulation</translation>
+    </message>
+    <message>
+        <source>&amp;Mesh</source>
+        <translation>&amp;Netz</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>&amp;Fenster</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Farbschema</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>Open Sa&amp;mple</source>
+        <translation>&amp;Beispiel öffnen</translation>
+    </message>
+</context>
+<context>
+    <name>MeshCommands</name>
+    <message>
+        <source>&amp;Export STL…</source>
+        <translation>STL &amp;exportieren …</translation>
+    </message>
+    <message>
+        <source>Write the decimated stock as a closed solid</source>
+        <translation>Das dezimierte Rohteil als geschlossenen Körper schreiben</translation>
+    </message>
+    <message>
+        <source>Export &amp;Full-Resolution STL…</source>
+        <translation>STL in &amp;voller Auflösung exportieren …</translation>
+    </message>
+    <message>
+        <source>Write the stock with every point of the z-map</source>
+        <translation>Das Rohteil mit jedem Punkt der Z-Map schreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Tune Decimation</source>
+        <translation>Dezimierung &amp;abstimmen</translation>
+    </message>
+    <message>
+        <source>Show the parameters of decimation</source>
+        <translation>Die Parameter der Dezimierung zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Default Parameters</source>
+        <translation>&amp;Standardparameter</translation>
+    </message>
+    <message>
+        <source>Bring all parameters of decimation back to their defaults</source>
+        <translation>Alle Parameter der Dezimierung auf ihre Vorgaben zurücksetzen</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterForm</name>
+    <message>
+        <source>on</source>
+        <translation>ein</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>Range: %1 to %2</source>
+        <comment>of a parameter, with units</comment>
+        <translation>Bereich: %1 bis %2</translation>
+    </message>
+    <message>
+        <source>Default: %1</source>
+        <translation>Vorgabe: %1</translation>
+    </message>
+    <message>
+        <source>Back to the default: %1</source>
+        <translation>Zurück zur Vorgabe: %1</translation>
+    </message>
+    <message>
+        <source>Reset %1</source>
+        <translation>%1 zurücksetzen</translation>
+    </message>
+</context>
+<context>
+    <name>PlotView</name>
+    <message>
+        <source>Play to measure</source>
+        <translation>Zum Messen abspielen</translation>
+    </message>
+    <message>
+        <source>Parameters changed here</source>
+        <translation>Hier wurden Parameter geändert</translation>
+    </message>
+</context>
+<context>
+    <name>Plots</name>
+    <message>
+        <source>Without decimation</source>
+        <translation>Ohne Dezimierung</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>Gezeigt</translation>
+    </message>
+    <message>
+        <source>Cutting</source>
+        <translation>Fräsen</translation>
+    </message>
+    <message>
+        <source>Decimation</source>
+        <translation>Dezimierung</translation>
+    </message>
+    <message>
+        <source>Upload</source>
+        <translation>Übertragen</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>Abgetragen</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Block</source>
+        <translation>Satz</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Time per Frame</source>
+        <translation>Zeit je Bild</translation>
+    </message>
+    <message>
+        <source>Time (ms)</source>
+        <translation>Zeit (ms)</translation>
+    </message>
+    <message>
+        <source>Removed Volume</source>
+        <translation>Abgetragenes Volumen</translation>
+    </message>
+    <message>
+        <source>Volume (mm³)</source>
+        <translation>Volumen (mm³)</translation>
+    </message>
+</context>
+<context>
+    <name>PlotsPanel</name>
+    <message>
+        <source>Plots</source>
+        <translation>Diagramme</translation>
+    </message>
+    <message>
+        <source>Show or hide the plot &quot;%1&quot;</source>
+        <translation>Das Diagramm „%1“ ein- oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>Mitlaufen</translation>
+    </message>
+    <message>
+        <source>Keep the current block in the picture; dragging a plot stops it</source>
+        <translation>Den aktuellen Satz im Bild halten; Ziehen eines Diagramms beendet dies</translation>
+    </message>
+    <message>
+        <source>Export Plot</source>
+        <translation>Diagramm exportieren</translation>
+    </message>
+    <message>
+        <source>Export as &amp;CSV…</source>
+        <translation>Als &amp;CSV exportieren …</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Export as &amp;PNG…</source>
+        <translation>Als &amp;PNG exportieren …</translation>
+    </message>
+    <message>
+        <source>PNG (*.png)</source>
+        <translation>PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>Export as &amp;SVG…</source>
+        <translation>Als &amp;SVG exportieren …</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg)</source>
+        <translation>SVG (*.svg)</translation>
+    </message>
+    <message>
+        <source>C&amp;opy Data as CSV</source>
+        <translation>Daten als CSV &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>Show &amp;All Blocks</source>
+        <translation>&amp;Alle Sätze zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>ProblemCommands</name>
+    <message>
+        <source>&amp;Next Problem</source>
+        <translation>&amp;Nächstes Problem</translation>
+    </message>
+    <message>
+        <source>Go to the line of the next problem</source>
+        <translation>Zur Zeile des nächsten Problems gehen</translation>
+    </message>
+    <message>
+        <source>&amp;Previous Problem</source>
+        <translation>&amp;Vorheriges Problem</translation>
+    </message>
+    <message>
+        <source>Go to the line of the previous problem</source>
+        <translation>Zur Zeile des vorherigen Problems gehen</translation>
+    </message>
+</context>
+<context>
+    <name>ProblemsModel</name>
+    <message>
+        <source>Severity</source>
+        <translation>Schwere</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>Problem</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>Abhilfe</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>Kennung</translation>
+    </message>
+</context>
+<context>
+    <name>ProblemsPanel</name>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>No problems found.</source>
+        <translation>Keine Probleme gefunden.</translation>
+    </message>
+</context>
+<context>
+    <name>Samples</name>
+    <message>
+        <source>Core insert</source>
+        <translation>Kerneinsatz</translation>
+    </message>
+    <message>
+        <source>Mouse case</source>
+        <translation>Mausgehäuse</translation>
+    </message>
+</context>
+<context>
+    <name>Session</name>
+    <message>
+        <source>Exporting STL</source>
+        <translation>STL-Export</translation>
+    </message>
+    <message>
+        <source>untitled</source>
+        <translation>unbenannt</translation>
+    </message>
+    <message>
+        <source>Simulating</source>
+        <translation>Simulation läuft</translation>
+    </message>
+</context>
+<context>
+    <name>SetupPanel</name>
+    <message>
+        <source>Used by the program, but not in the table: %1</source>
+        <translation>Vom Programm verwendet, aber nicht in der Tabelle: %1</translation>
+    </message>
+    <message>
+        <source>%1 × %2 points, %3 × %4 mm apart; needs about %5</source>
+        <translation>%1 × %2 Punkte im Abstand von %3 × %4 mm; braucht etwa %5</translation>
+    </message>
+    <message>
+        <source>Stock and grid</source>
+        <translation>Rohteil und Raster</translation>
+    </message>
+    <message>
+        <source>Fit to program</source>
+        <translation>An Programm anpassen</translation>
+    </message>
+    <message>
+        <source>Make the stock just large enough for all cutting motions</source>
+        <translation>Das Rohteil gerade groß genug für alle Vorschubbewegungen machen</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Add them with standard sizes</source>
+        <translation>Mit Standardmaßen aufnehmen</translation>
+    </message>
+    <message>
+        <source>Add these tools; then give them the sizes of your cutters</source>
+        <translation>Diese Werkzeuge aufnehmen; geben Sie ihnen dann die Maße Ihrer Fräser</translation>
+    </message>
+    <message>
+        <source>Skip blocks that begin with /</source>
+        <translation>Sätze überspringen, die mit / beginnen</translation>
+    </message>
+    <message>
+        <source>Block delete, as the switch on the control</source>
+        <translation>Sätze ausblenden, wie der Schalter an der Steuerung</translation>
+    </message>
+</context>
+<context>
+    <name>Severity</name>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>Warnung</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>Störung</translation>
+    </message>
+</context>
+<context>
+    <name>SimulateCommands</name>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Abspielen</translation>
+    </message>
+    <message>
+        <source>Play or pause the program</source>
+        <translation>Das Programm abspielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>Play from Sta&amp;rt</source>
+        <translation>Von An&amp;fang abspielen</translation>
+    </message>
+    <message>
+        <source>Go to the uncut stock and play</source>
+        <translation>Zum ungefrästen Rohteil gehen und abspielen</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>&amp;Stopp</translation>
+    </message>
+    <message>
+        <source>Stop and go back to the uncut stock</source>
+        <translation>Anhalten und zum ungefrästen Rohteil zurückgehen</translation>
+    </message>
+    <message>
+        <source>To St&amp;art</source>
+        <translation>Zum A&amp;nfang</translation>
+    </message>
+    <message>
+        <source>Go to the uncut stock</source>
+        <translation>Zum ungefrästen Rohteil gehen</translation>
+    </message>
+    <message>
+        <source>Step &amp;Back</source>
+        <translation>Satz &amp;zurück</translation>
+    </message>
+    <message>
+        <source>Go back by one block</source>
+        <translation>Einen Satz zurückgehen</translation>
+    </message>
+    <message>
+        <source>Step &amp;Forward</source>
+        <translation>Satz &amp;vor</translation>
+    </message>
+    <message>
+        <source>Execute the next block</source>
+        <translation>Den nächsten Satz ausführen</translation>
+    </message>
+    <message>
+        <source>To &amp;End</source>
+        <translation>Zum &amp;Ende</translation>
+    </message>
+    <message>
+        <source>Go to the end of the program</source>
+        <translation>Zum Ende des Programms gehen</translation>
+    </message>
+    <message>
+        <source>Back by 10 Blocks</source>
+        <translation>10 Sätze zurück</translation>
+    </message>
+    <message>
+        <source>Go back by 10 blocks</source>
+        <translation>10 Sätze zurückgehen</translation>
+    </message>
+    <message>
+        <source>Forward by 10 Blocks</source>
+        <translation>10 Sätze vor</translation>
+    </message>
+    <message>
+        <source>Execute the next 10 blocks</source>
+        <translation>Die nächsten 10 Sätze ausführen</translation>
+    </message>
+    <message>
+        <source>Previous &amp;Tool Change</source>
+        <translation>Vorheriger &amp;Werkzeugwechsel</translation>
+    </message>
+    <message>
+        <source>Go back to the last tool change</source>
+        <translation>Zum letzten Werkzeugwechsel zurückgehen</translation>
+    </message>
+    <message>
+        <source>Next T&amp;ool Change</source>
+        <translation>Nächster Werkzeugwe&amp;chsel</translation>
+    </message>
+    <message>
+        <source>Go on to the next tool change</source>
+        <translation>Zum nächsten Werkzeugwechsel weitergehen</translation>
+    </message>
+    <message>
+        <source>S&amp;lower</source>
+        <translation>&amp;Langsamer</translation>
+    </message>
+    <message>
+        <source>Play slower</source>
+        <translation>Langsamer abspielen</translation>
+    </message>
+    <message>
+        <source>Fa&amp;ster</source>
+        <translation>Schn&amp;eller</translation>
+    </message>
+    <message>
+        <source>Play faster</source>
+        <translation>Schneller abspielen</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+</context>
+<context>
+    <name>StartPage</name>
+    <message>
+        <source>%1 (missing)</source>
+        <translation>%1 (fehlt)</translation>
+    </message>
+    <message>
+        <source>See what an NC program cuts before the machine does.</source>
+        <translation>Sehen, was ein NC-Programm fräst, bevor es die Maschine tut.</translation>
+    </message>
+    <message>
+        <source>Open File…</source>
+        <translation>Datei öffnen …</translation>
+    </message>
+    <message>
+        <source>Open an NC program or a job</source>
+        <translation>Ein NC-Programm oder einen Auftrag öffnen</translation>
+    </message>
+    <message>
+        <source>New Program</source>
+        <translation>Neues Programm</translation>
+    </message>
+    <message>
+        <source>Begin an empty NC program</source>
+        <translation>Ein leeres NC-Programm beginnen</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Or drop a file anywhere on this window.</source>
+        <translation>Oder legen Sie eine Datei irgendwo auf diesem Fenster ab.</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Language of the program</source>
+        <translation>Sprache des Programms</translation>
+    </message>
+</context>
+<context>
+    <name>StatusLine</name>
+    <message>
+        <source>Wrote %1: %2 triangles, %3</source>
+        <translation>%1 geschrieben: %2 Dreiecke, %3</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop this work</source>
+        <translation>Diese Arbeit abbrechen</translation>
+    </message>
+    <message>
+        <source>Position X of the tip of the cutter, mm</source>
+        <translation>Position X der Fräserspitze, mm</translation>
+    </message>
+    <message>
+        <source>Position Y of the tip of the cutter, mm</source>
+        <translation>Position Y der Fräserspitze, mm</translation>
+    </message>
+    <message>
+        <source>Position Z of the tip of the cutter, mm</source>
+        <translation>Position Z der Fräserspitze, mm</translation>
+    </message>
+    <message>
+        <source>Feed, mm/min</source>
+        <translation>Vorschub, mm/min</translation>
+    </message>
+    <message>
+        <source>Spindle speed, 1/min</source>
+        <translation>Spindeldrehzahl, 1/min</translation>
+    </message>
+    <message>
+        <source>Tool in the spindle</source>
+        <translation>Werkzeug in der Spindel</translation>
+    </message>
+    <message>
+        <source>Blocks executed of those that move</source>
+        <translation>Ausgeführte Sätze von denen, die sich bewegen</translation>
+    </message>
+    <message>
+        <source>Triangles shown</source>
+        <translation>Gezeigte Dreiecke</translation>
+    </message>
+    <message>
+        <source>Block %1 / %2</source>
+        <translation>Satz %1 / %2</translation>
+    </message>
+    <message>
+        <source>Faces %1</source>
+        <translation>Dreiecke %1</translation>
+    </message>
+    <message>
+        <source>F rapid</source>
+        <translation>F Eilgang</translation>
+    </message>
+</context>
+<context>
+    <name>StockForm</name>
+    <message>
+        <source>Width X</source>
+        <translation>Breite X</translation>
+    </message>
+    <message>
+        <source>Size of the stock along X.</source>
+        <translation>Größe des Rohteils längs X.</translation>
+    </message>
+    <message>
+        <source>Depth Y</source>
+        <translation>Tiefe Y</translation>
+    </message>
+    <message>
+        <source>Size of the stock along Y.</source>
+        <translation>Größe des Rohteils längs Y.</translation>
+    </message>
+    <message>
+        <source>Height Z</source>
+        <translation>Höhe Z</translation>
+    </message>
+    <message>
+        <source>Size of the stock along Z, from its top downwards.</source>
+        <translation>Größe des Rohteils längs Z, von der Oberseite nach unten.</translation>
+    </message>
+    <message>
+        <source>Left edge X</source>
+        <translation>Linke Kante X</translation>
+    </message>
+    <message>
+        <source>Program coordinate of the stock&apos;s least X.</source>
+        <translation>Programmkoordinate des kleinsten X des Rohteils.</translation>
+    </message>
+    <message>
+        <source>Front edge Y</source>
+        <translation>Vordere Kante Y</translation>
+    </message>
+    <message>
+        <source>Program coordinate of the stock&apos;s least Y.</source>
+        <translation>Programmkoordinate des kleinsten Y des Rohteils.</translation>
+    </message>
+    <message>
+        <source>Top Z</source>
+        <translation>Oberseite Z</translation>
+    </message>
+    <message>
+        <source>Program coordinate of the stock&apos;s top.</source>
+        <translation>Programmkoordinate der Oberseite des Rohteils.</translation>
+    </message>
+    <message>
+        <source>Grid spacing</source>
+        <translation>Rasterweite</translation>
+    </message>
+    <message>
+        <source>Wanted distance of the points of the z-map; it is adjusted so that it divides the stock exactly.</source>
+        <translation>Gewünschter Abstand der Punkte der Z-Map; er wird so angepasst, dass er das Rohteil genau teilt.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>%1
+Range: %2 to %3 mm
+Default: %4 mm</source>
+        <translation>%1
+Bereich: %2 bis %3 mm
+Vorgabe: %4 mm</translation>
+    </message>
+</context>
+<context>
+    <name>TimelinePanel</name>
+    <message>
+        <source>Timeline</source>
+        <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Drag to see the stock after any block; wheel or arrow keys: one block, with Shift: more</source>
+        <translation>Ziehen zeigt das Rohteil nach jedem Satz; Rad oder Pfeiltasten: ein Satz, mit Umschalt: mehr</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>Geschwindigkeit</translation>
+    </message>
+    <message>
+        <source>Playing speed; 1× is %1 blocks a second</source>
+        <translation>Abspielgeschwindigkeit; 1× sind %1 Sätze je Sekunde</translation>
+    </message>
+    <message>
+        <source>Blocks executed / blocks that move</source>
+        <translation>Ausgeführte Sätze / Sätze mit Bewegung</translation>
+    </message>
+    <message>
+        <source>As fast as possible</source>
+        <translation>So schnell wie möglich</translation>
+    </message>
+    <message>
+        <source>Every block (paper mode)</source>
+        <translation>Jeder Satz (wie im Aufsatz)</translation>
+    </message>
+    <message>
+        <source>Each block is drawn before the next one is cut</source>
+        <translation>Jeder Satz wird gezeichnet, bevor der nächste gefräst wird</translation>
+    </message>
+    <message>
+        <source>Block %1 · line %2 · tool T%3</source>
+        <translation>Satz %1 · Zeile %2 · Werkzeug T%3</translation>
+    </message>
+    <message>
+        <source>There is a problem on this line.</source>
+        <translation>In dieser Zeile gibt es ein Problem.</translation>
+    </message>
+    <message>
+        <source>%1× (%2 blocks/s)</source>
+        <translation>%1× (%2 Sätze/s)</translation>
+    </message>
+</context>
+<context>
+    <name>ToolForm</name>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>The profile of the cutter</source>
+        <translation>Das Profil des Fräsers</translation>
+    </message>
+    <message>
+        <source>%1
+Range: %2 to %3 %4
+Default: %5 %4</source>
+        <translation>%1
+Bereich: %2 bis %3 %4
+Vorgabe: %5 %4</translation>
+    </message>
+</context>
+<context>
+    <name>ToolTableEditor</name>
+    <message>
+        <source>T%1 is already in the table.</source>
+        <translation>T%1 steht schon in der Tabelle.</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Cutter</source>
+        <translation>Fräser</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>Werkzeuge</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a tool with the next free number</source>
+        <translation>Ein Werkzeug mit der nächsten freien Nummer aufnehmen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the selected tool</source>
+        <translation>Das gewählte Werkzeug entfernen</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>Nummer</translation>
+    </message>
+    <message>
+        <source>The T word that calls this tool (no unit)
+Range: 0 to %1
+Default: the next free number</source>
+        <translation>Das T-Wort, das dieses Werkzeug ruft (ohne Einheit)
+Bereich: 0 bis %1
+Vorgabe: die nächste freie Nummer</translation>
+    </message>
+    <message>
+        <source>Tool number</source>
+        <translation>Werkzeugnummer</translation>
+    </message>
+</context>
+<context>
+    <name>TuningPanel</name>
+    <message>
+        <source>Open a program to see it.</source>
+        <translation>Öffnen Sie ein Programm, um es zu sehen.</translation>
+    </message>
+    <message>
+        <source>Faces shown: %1 of %2 (%3 %)</source>
+        <translation>Gezeigte Dreiecke: %1 von %2 (%3 %)</translation>
+    </message>
+    <message>
+        <source>Regions drawn from the z-map: %1 of %2</source>
+        <translation>Aus der Z-Map gezeichnete Regionen: %1 von %2</translation>
+    </message>
+    <message>
+        <source>Largest error: %1 mm, within the allowance of %2 mm</source>
+        <translation>Größter Fehler: %1 mm, innerhalb der zulässigen %2 mm</translation>
+    </message>
+    <message>
+        <source>Largest error: %1 mm beside an allowance of %2 mm, which is not a bound while Certify is off</source>
+        <translation>Größter Fehler: %1 mm neben zulässigen %2 mm, die ohne Zertifizieren keine Schranke sind</translation>
+    </message>
+    <message>
+        <source>Grid spacing</source>
+        <translation>Rasterweite</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Wanted distance of the points of the z-map; finer shows more and takes longer. The simulation starts anew.
+Range: %1 to %2 mm
+Default: %3 mm</source>
+        <translation>Gewünschter Abstand der Punkte der Z-Map; feiner zeigt mehr und dauert länger. Die Simulation beginnt neu.
+Bereich: %1 bis %2 mm
+Vorgabe: %3 mm</translation>
+    </message>
+    <message>
+        <source>Measured effect</source>
+        <translation>Gemessene Wirkung</translation>
+    </message>
+</context>
+<context>
+    <name>Viewport</name>
+    <message>
+        <source>This display has no OpenGL; the 3D view is switched off.</source>
+        <translation>Diese Anzeige hat kein OpenGL; die 3D-Ansicht ist abgeschaltet.</translation>
+    </message>
+    <message>
+        <source>No OpenGL context could be created; the 3D view is switched off.</source>
+        <translation>Es ließ sich kein OpenGL-Kontext anlegen; die 3D-Ansicht ist abgeschaltet.</translation>
+    </message>
+    <message>
+        <source>The graphics driver offers less than OpenGL 3.3; the 3D view is switched off.</source>
+        <translation>Der Grafiktreiber bietet weniger als OpenGL 3.3; die 3D-Ansicht ist abgeschaltet.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 triangles</source>
+        <translation>%1 von %2 Dreiecken</translation>
+    </message>
+    <message>
+        <source>Rapid</source>
+        <translation>Eilgang</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>Arc</source>
+        <translation>Kreisbogen</translation>
+    </message>
+    <message>
+        <source>Drawn from the z-map: %1 regions</source>
+        <translation>Aus der Z-Map gezeichnet: %1 Regionen</translation>
+    </message>
+    <message>
+        <source>Decimated: %1 regions</source>
+        <translation>Dezimiert: %1 Regionen</translation>
+    </message>
+    <message>
+        <source>Region border</source>
+        <translation>Regionsrand</translation>
+    </message>
+    <message>
+        <source>Triangle edge</source>
+        <translation>Dreieckskante</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>The graphics driver refused a shader; the log has its words.</source>
+        <translation>Der Grafiktreiber hat einen Shader abgelehnt; das Protokoll nennt den Grund.</translation>
+    </message>
+    <message>
+        <source>The grid has more points along a side than the graphics driver can take; the stock is not drawn. A wider grid spacing brings it back.</source>
+        <translation>Das Raster hat auf einer Seite mehr Punkte, als der Grafiktreiber fasst; das Rohteil wird nicht gezeichnet. Eine größere Rasterweite bringt es zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>ViewportCommands</name>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>&amp;Einpassen</translation>
+    </message>
+    <message>
+        <source>Show the whole stock</source>
+        <translation>Das ganze Rohteil zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Isometric</source>
+        <translation>&amp;Isometrisch</translation>
+    </message>
+    <message>
+        <source>Look from the right, front and above</source>
+        <translation>Von rechts vorn oben blicken</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>&amp;Oben</translation>
+    </message>
+    <message>
+        <source>Look along -Z</source>
+        <translation>Längs -Z blicken</translation>
+    </message>
+    <message>
+        <source>&amp;Bottom</source>
+        <translation>&amp;Unten</translation>
+    </message>
+    <message>
+        <source>Look along +Z</source>
+        <translation>Längs +Z blicken</translation>
+    </message>
+    <message>
+        <source>F&amp;ront</source>
+        <translation>&amp;Vorn</translation>
+    </message>
+    <message>
+        <source>Look along +Y</source>
+        <translation>Längs +Y blicken</translation>
+    </message>
+    <message>
+        <source>Bac&amp;k</source>
+        <translation>&amp;Hinten</translation>
+    </message>
+    <message>
+        <source>Look along -Y</source>
+        <translation>Längs -Y blicken</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>&amp;Links</translation>
+    </message>
+    <message>
+        <source>Look along +X</source>
+        <translation>Längs +X blicken</translation>
+    </message>
+    <message>
+        <source>Ri&amp;ght</source>
+        <translation>&amp;Rechts</translation>
+    </message>
+    <message>
+        <source>Look along -X</source>
+        <translation>Längs -X blicken</translation>
+    </message>
+    <message>
+        <source>&amp;Perspective</source>
+        <translation>&amp;Perspektive</translation>
+    </message>
+    <message>
+        <source>Perspective or parallel projection</source>
+        <translation>Perspektive oder Parallelprojektion</translation>
+    </message>
+    <message>
+        <source>&amp;Wireframe</source>
+        <translation>&amp;Drahtgitter</translation>
+    </message>
+    <message>
+        <source>Show the triangles and the borders of the regions</source>
+        <translation>Die Dreiecke und die Ränder der Regionen zeigen</translation>
+    </message>
+    <message>
+        <source>Tint R&amp;egions</source>
+        <translation>Re&amp;gionen färben</translation>
+    </message>
+    <message>
+        <source>Tell regions drawn from the z-map from decimated ones</source>
+        <translation>Aus der Z-Map gezeichnete Regionen von dezimierten unterscheiden</translation>
+    </message>
+    <message>
+        <source>Lege&amp;nd</source>
+        <translation>Legen&amp;de</translation>
+    </message>
+    <message>
+        <source>Show what the colours and lines mean</source>
+        <translation>Zeigen, was Farben und Linien bedeuten</translation>
+    </message>
+    <message>
+        <source>Hide Toolpat&amp;h</source>
+        <translation>&amp;Werkzeugweg ausblenden</translation>
+    </message>
+    <message>
+        <source>Draw no toolpath</source>
+        <translation>Keinen Werkzeugweg zeichnen</translation>
+    </message>
+    <message>
+        <source>Toolpath Near the &amp;Cutter</source>
+        <translation>Werkzeugweg nahe dem &amp;Fräser</translation>
+    </message>
+    <message>
+        <source>Draw the toolpath of the blocks just behind and ahead</source>
+        <translation>Den Werkzeugweg der Sätze kurz davor und danach zeichnen</translation>
+    </message>
+    <message>
+        <source>Wh&amp;ole Toolpath</source>
+        <translation>&amp;Ganzer Werkzeugweg</translation>
+    </message>
+    <message>
+        <source>Draw the toolpath of the whole program</source>
+        <translation>Den Werkzeugweg des ganzen Programms zeichnen</translation>
+    </message>
+    <message>
+        <source>See-Through C&amp;utter</source>
+        <translation>Durchsi&amp;chtiger Fräser</translation>
+    </message>
+    <message>
+        <source>Let the stock show through the cutter</source>
+        <translation>Das Rohteil durch den Fräser scheinen lassen</translation>
+    </message>
+    <message>
+        <source>Hi&amp;de Cutter</source>
+        <translation>Fräser ausb&amp;lenden</translation>
+    </message>
+    <message>
+        <source>Draw no cutter</source>
+        <translation>Keinen Fräser zeichnen</translation>
+    </message>
+</context>
+<context>
+    <name>WindowCommands</name>
+    <message>
+        <source>&amp;Full Screen</source>
+        <translation>&amp;Vollbild</translation>
+    </message>
+    <message>
+        <source>Fill the screen with the window, or leave it</source>
+        <translation>Den Bildschirm mit dem Fenster füllen oder dies verlassen</translation>
+    </message>
+    <message>
+        <source>&amp;Reset Layout</source>
+        <translation>&amp;Anordnung zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Put all panels back to where they were at first</source>
+        <translation>Alle Bereiche an ihren anfänglichen Platz zurückstellen</translation>
+    </message>
+</context>
+</TS>

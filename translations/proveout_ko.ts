@@ -1,0 +1,3124 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="ko" sourcelanguage="en">
+<context>
+    <name>About</name>
+    <message>
+        <source>Proves out three-axis milling programs before they touch metal.</source>
+        <translation>3축 밀링 프로그램을 실제 가공 전에 검증합니다.</translation>
+    </message>
+    <message>
+        <source>The shown surface is decimated locally, by the method of Lee and Lee, while it is cut.</source>
+        <translation>표시되는 곡면은 절삭되는 동안 Lee와 Lee의 방법으로 국소적으로 간략화됩니다.</translation>
+    </message>
+    <message>
+        <source>Free software under the GNU General Public License, version 3 or later. It comes with no warranty; nothing here replaces care at the machine.</source>
+        <translation>GNU 일반 공중 사용 허가서 버전 3 이상의 자유 소프트웨어입니다. 어떠한 보증도 없으며 기계 앞에서의 주의를 대신하지 못합니다.</translation>
+    </message>
+    <message>
+        <source>About Proveout</source>
+        <translation>Proveout 정보</translation>
+    </message>
+    <message>
+        <source>Keys and Mouse</source>
+        <translation>키와 마우스</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>명령</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>키</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>3D 보기</translation>
+    </message>
+    <message>
+        <source>Orbit</source>
+        <translation>회전</translation>
+    </message>
+    <message>
+        <source>Left button</source>
+        <translation>왼쪽 버튼</translation>
+    </message>
+    <message>
+        <source>Pan</source>
+        <translation>이동</translation>
+    </message>
+    <message>
+        <source>Middle button, or Shift and left button</source>
+        <translation>가운데 버튼 또는 Shift+왼쪽 버튼</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>확대/축소</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>휠</translation>
+    </message>
+</context>
+<context>
+    <name>Core</name>
+    <message>
+        <source>The file cannot be read: {}.</source>
+        <translation>파일을 읽을 수 없습니다: {}.</translation>
+    </message>
+    <message>
+        <source>The file cannot be written ({} needed): {}.</source>
+        <translation>파일을 쓸 수 없습니다({} 필요): {}.</translation>
+    </message>
+    <message>
+        <source>This is not a regular file.</source>
+        <translation>일반 파일이 아닙니다.</translation>
+    </message>
+    <message>
+        <source>The file has {}; the limit is {}.</source>
+        <translation>파일 크기가 {}입니다. 한도는 {}입니다.</translation>
+    </message>
+    <message>
+        <source>the value of {}, “{}”, is not a number</source>
+        <translation>{}의 값 “{}”은(는) 숫자가 아닙니다</translation>
+    </message>
+    <message>
+        <source>{}={} is out of its limits, {} to {} {}</source>
+        <translation>{}={}은(는) 허용 범위 {}~{} {}를 벗어납니다</translation>
+    </message>
+    <message>
+        <source>the key {} is given twice</source>
+        <translation>키 {}이(가) 두 번 지정되었습니다</translation>
+    </message>
+    <message>
+        <source>“{}” is no key of this cutter shape; there are {}</source>
+        <translation>“{}”은(는) 이 공구 형상의 키가 아닙니다. 사용할 수 있는 키: {}</translation>
+    </message>
+    <message>
+        <source>a cutter of the shape {} needs the key {} ({}, {} to {} {})</source>
+        <translation>{} 형상의 공구에는 키 {}이(가) 필요합니다({}, {}~{} {})</translation>
+    </message>
+    <message>
+        <source>“{}” is no cutter shape; there are {}</source>
+        <translation>“{}”은(는) 공구 형상이 아닙니다. 사용할 수 있는 형상: {}</translation>
+    </message>
+    <message>
+        <source>the flute length l={} is less than the height of the cutter&apos;s profile, {} mm</source>
+        <translation>날 길이 l={}이(가) 공구 윤곽의 높이 {} mm보다 짧습니다</translation>
+    </message>
+    <message>
+        <source>“{}” does not begin with a tool number of 1 or more, as in {}</source>
+        <translation>“{}”이(가) {}처럼 1 이상의 공구 번호로 시작하지 않습니다</translation>
+    </message>
+    <message>
+        <source>Diameter</source>
+        <translation>지름</translation>
+    </message>
+    <message>
+        <source>Corner radius</source>
+        <translation>코너 반경</translation>
+    </message>
+    <message>
+        <source>Included angle</source>
+        <translation>선단각</translation>
+    </message>
+    <message>
+        <source>Diameter of the flat tip</source>
+        <translation>평평한 선단의 지름</translation>
+    </message>
+    <message>
+        <source>Flute length</source>
+        <translation>날 길이</translation>
+    </message>
+    <message>
+        <source>Shank diameter (0: as the cutter)</source>
+        <translation>생크 지름(0: 공구 지름과 같음)</translation>
+    </message>
+    <message>
+        <source>Shank length</source>
+        <translation>생크 길이</translation>
+    </message>
+    <message>
+        <source>the corner radius r={} is larger than half the diameter, {} mm</source>
+        <translation>코너 반경 r={}이(가) 지름의 절반 {} mm보다 큽니다</translation>
+    </message>
+    <message>
+        <source>the flat tip tip={} is not smaller than the diameter, {} mm</source>
+        <translation>평평한 선단 tip={}이(가) 지름 {} mm보다 작지 않습니다</translation>
+    </message>
+    <message>
+        <source>Flat end mill</source>
+        <translation>평 엔드밀</translation>
+    </message>
+    <message>
+        <source>Ball-end mill</source>
+        <translation>볼 엔드밀</translation>
+    </message>
+    <message>
+        <source>Bull-nose mill</source>
+        <translation>불노즈 엔드밀</translation>
+    </message>
+    <message>
+        <source>Cone or V cutter</source>
+        <translation>원추형 또는 V형 커터</translation>
+    </message>
+    <message>
+        <source>A tool needs a number, a whole one from 1 on.</source>
+        <translation>공구에는 1 이상의 정수 번호가 필요합니다.</translation>
+    </message>
+    <message>
+        <source>Tool {} stands in the table twice.</source>
+        <translation>공구 {}이(가) 테이블에 두 번 있습니다.</translation>
+    </message>
+    <message>
+        <source>Tool {} needs a cutter, e.g. cutter = &quot;ball:d=11,l=50&quot;.</source>
+        <translation>공구 {}에는 커터가 필요합니다. 예: cutter = &quot;ball:d=11,l=50&quot;.</translation>
+    </message>
+    <message>
+        <source>The file holds no [[tool]] tables.</source>
+        <translation>파일에 [[tool]] 테이블이 없습니다.</translation>
+    </message>
+    <message>
+        <source>A tool must be a table: [[tool]].</source>
+        <translation>공구는 [[tool]] 테이블이어야 합니다.</translation>
+    </message>
+    <message>
+        <source>The tool table cannot be read: {}.</source>
+        <translation>공구 테이블을 읽을 수 없습니다: {}.</translation>
+    </message>
+    <message>
+        <source>Lee &amp; Lee (local)</source>
+        <translation>Lee &amp; Lee(국소)</translation>
+    </message>
+    <message>
+        <source>Global</source>
+        <translation>전역</translation>
+    </message>
+    <message>
+        <source>None (full mesh)</source>
+        <translation>없음(전체 메시)</translation>
+    </message>
+    <message>
+        <source>Shared, no cracks</source>
+        <translation>공유, 균열 없음</translation>
+    </message>
+    <message>
+        <source>Per region, as in the paper</source>
+        <translation>영역별(논문과 같음)</translation>
+    </message>
+    <message>
+        <source>Random</source>
+        <translation>무작위</translation>
+    </message>
+    <message>
+        <source>Sequential</source>
+        <translation>순차</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>방법</translation>
+    </message>
+    <message>
+        <source>How the mesh of a region is decimated.</source>
+        <translation>영역의 메시를 간략화하는 방법입니다.</translation>
+    </message>
+    <message>
+        <source>Region size</source>
+        <translation>영역 크기</translation>
+    </message>
+    <message>
+        <source>Cells along each side of a region; each region has its own mesh.</source>
+        <translation>영역 한 변의 셀 수입니다. 영역마다 자체 메시를 가집니다.</translation>
+    </message>
+    <message>
+        <source>Decimation period</source>
+        <translation>간략화 주기</translation>
+    </message>
+    <message>
+        <source>Cut regions are decimated again after this many blocks; -1: once at the start, 0: never.</source>
+        <translation>절삭된 영역을 이 블록 수마다 다시 간략화합니다. -1: 시작할 때 한 번, 0: 하지 않음.</translation>
+    </message>
+    <message>
+        <source>Error allowance</source>
+        <translation>허용 오차</translation>
+    </message>
+    <message>
+        <source>Largest vertical error of the decimated surface; 0: no decimation.</source>
+        <translation>간략화된 곡면의 최대 수직 오차입니다. 0: 간략화하지 않음.</translation>
+    </message>
+    <message>
+        <source>Certify</source>
+        <translation>오차 보증</translation>
+    </message>
+    <message>
+        <source>Keep every z-map point within the error allowance; off: the paper to the letter, which gives no bound.</source>
+        <translation>모든 Z맵 점을 허용 오차 안에 유지합니다. 끄면 논문 그대로이며 오차 한계를 보장하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Borders</source>
+        <translation>경계</translation>
+    </message>
+    <message>
+        <source>How the borders between regions are simplified.</source>
+        <translation>영역 사이의 경계를 단순화하는 방법입니다.</translation>
+    </message>
+    <message>
+        <source>Removal order</source>
+        <translation>제거 순서</translation>
+    </message>
+    <message>
+        <source>The order in which vertices are tested for removal.</source>
+        <translation>정점의 제거 가능 여부를 검사하는 순서입니다.</translation>
+    </message>
+    <message>
+        <source>Random seed</source>
+        <translation>난수 시드</translation>
+    </message>
+    <message>
+        <source>Start of the random order; equal seeds give equal meshes.</source>
+        <translation>무작위 순서의 시작값입니다. 시드가 같으면 메시도 같습니다.</translation>
+    </message>
+    <message>
+        <source>STL, binary</source>
+        <translation>STL, 이진</translation>
+    </message>
+    <message>
+        <source>a closed triangle mesh of the stock</source>
+        <translation>소재의 닫힌 삼각형 메시</translation>
+    </message>
+    <message>
+        <source>STL, ASCII</source>
+        <translation>STL, ASCII</translation>
+    </message>
+    <message>
+        <source>NumPy array</source>
+        <translation>NumPy 배열</translation>
+    </message>
+    <message>
+        <source>the heights of a z-map, row 0 at the smallest y</source>
+        <translation>Z맵의 높이, 0행은 가장 작은 y</translation>
+    </message>
+    <message>
+        <source>Proveout job</source>
+        <translation>Proveout 작업</translation>
+    </message>
+    <message>
+        <source>a program with its stock, tools and parameters</source>
+        <translation>소재, 공구, 매개변수를 포함한 프로그램</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is no tool number.</source>
+        <translation>&quot;{}&quot;은(는) 공구 번호가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; is no cutter: {}</source>
+        <translation>&quot;{}&quot; 필드는 공구가 아닙니다: {}</translation>
+    </message>
+    <message>
+        <source>This is not a Proveout job: the field &quot;proveout&quot; with the number of its format is missing.</source>
+        <translation>Proveout 작업 파일이 아닙니다. 형식 번호가 있는 &quot;proveout&quot; 필드가 없습니다.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; must be the number of the format.</source>
+        <translation>&quot;{}&quot; 필드는 형식 번호여야 합니다.</translation>
+    </message>
+    <message>
+        <source>The job was written by a newer Proveout (format {}); this one reads up to format {}.</source>
+        <translation>더 새로운 Proveout(형식 {})에서 만든 작업입니다. 이 버전은 형식 {}까지 읽습니다.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; must name a file.</source>
+        <translation>&quot;{}&quot; 필드에는 파일 이름이 있어야 합니다.</translation>
+    </message>
+    <message>
+        <source>The name of the program is not UTF-8, which JSON needs; rename it.</source>
+        <translation>프로그램 이름이 JSON에 필요한 UTF-8이 아닙니다. 이름을 바꾸십시오.</translation>
+    </message>
+    <message>
+        <source>The brackets are nested deeper than {} levels.</source>
+        <translation>괄호가 {}단계보다 깊게 중첩되어 있습니다.</translation>
+    </message>
+    <message>
+        <source>This is not valid JSON.</source>
+        <translation>올바른 JSON이 아닙니다.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; is missing.</source>
+        <translation>&quot;{}&quot; 필드가 없습니다.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; must be a number above {} and at most {}.</source>
+        <translation>&quot;{}&quot; 필드는 {}보다 크고 {} 이하인 숫자여야 합니다.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; must be a number from {} to {}.</source>
+        <translation>&quot;{}&quot; 필드는 {}에서 {} 사이의 숫자여야 합니다.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; must be a text.</source>
+        <translation>&quot;{}&quot; 필드는 문자열이어야 합니다.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; must be a whole number.</source>
+        <translation>&quot;{}&quot; 필드는 정수여야 합니다.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; must be true or false.</source>
+        <translation>&quot;{}&quot; 필드는 true 또는 false여야 합니다.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; must be three numbers [x, y, z].</source>
+        <translation>&quot;{}&quot; 필드는 세 숫자 [x, y, z]여야 합니다.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; must be one of {}.</source>
+        <translation>&quot;{}&quot; 필드는 다음 중 하나여야 합니다: {}.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; must be an object { }.</source>
+        <translation>&quot;{}&quot; 필드는 객체 { }여야 합니다.</translation>
+    </message>
+    <message>
+        <source>The NPY file holds values of type &quot;{}&quot;; little-endian float32 (&quot;&lt;f4&quot;) or float64 (&quot;&lt;f8&quot;) is needed.</source>
+        <translation>NPY 파일의 값 형식이 &quot;{}&quot;입니다. 리틀 엔디언 float32(&quot;&lt;f4&quot;) 또는 float64(&quot;&lt;f8&quot;)가 필요합니다.</translation>
+    </message>
+    <message>
+        <source>The NPY file is in Fortran order; C order is needed.</source>
+        <translation>NPY 파일이 Fortran 순서입니다. C 순서가 필요합니다.</translation>
+    </message>
+    <message>
+        <source>The NPY file has the shape {}; two dimensions (rows, columns) are needed.</source>
+        <translation>NPY 파일의 형상이 {}입니다. 2차원(행, 열)이어야 합니다.</translation>
+    </message>
+    <message>
+        <source>The NPY file announces {} values ({}) and has {}.</source>
+        <translation>NPY 파일에 {}개의 값({})이 있어야 하지만 {}입니다.</translation>
+    </message>
+    <message>
+        <source>The NPY file has the shape {}; that is too large.</source>
+        <translation>NPY 파일의 형상이 {}로 너무 큽니다.</translation>
+    </message>
+    <message>
+        <source>The value in row {}, column {} (counted from 0) is {}; heights must be finite and fit float32.</source>
+        <translation>{}행 {}열(0부터 셈)의 값이 {}입니다. 높이는 유한하고 float32 범위 안이어야 합니다.</translation>
+    </message>
+    <message>
+        <source>The header of the NPY file cannot be read at byte {}.</source>
+        <translation>NPY 파일의 헤더를 {}바이트 위치에서 읽을 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>This is not an NPY file.</source>
+        <translation>NPY 파일이 아닙니다.</translation>
+    </message>
+    <message>
+        <source>The NPY file has format version {}; versions 1 to 3 are known.</source>
+        <translation>NPY 파일의 형식 버전이 {}입니다. 지원하는 버전은 1~3입니다.</translation>
+    </message>
+    <message>
+        <source>The NPY file ends at byte {}, within its header of {} bytes.</source>
+        <translation>NPY 파일이 {}바이트에서 끝나며 이는 {}바이트 헤더의 중간입니다.</translation>
+    </message>
+    <message>
+        <source>The file ends where &quot;{}&quot; should stand.</source>
+        <translation>&quot;{}&quot;이(가) 있어야 할 곳에서 파일이 끝납니다.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; stands where &quot;{}&quot; should.</source>
+        <translation>&quot;{2}&quot;이(가) 있어야 할 곳에 &quot;{1}&quot;이(가) 있습니다.</translation>
+    </message>
+    <message>
+        <source>The file ends without &quot;endsolid&quot;; it may have been cut off.</source>
+        <translation>파일이 &quot;endsolid&quot; 없이 끝납니다. 잘렸을 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>The file announces {} facets and ends at byte {}, after {}.</source>
+        <translation>파일에 {}개의 면이 있어야 하지만 {}바이트, {} 뒤에서 끝납니다.</translation>
+    </message>
+    <message>
+        <source>The {} facets announced were read; {} bytes follow them from byte {}.</source>
+        <translation>예고된 {}개의 면을 읽었으며, {3}바이트 위치부터 {2}바이트가 더 있습니다.</translation>
+    </message>
+    <message>
+        <source>This is not an STL file.</source>
+        <translation>STL 파일이 아닙니다.</translation>
+    </message>
+    <message>
+        <source>This is not an STL file: it ends at byte {}, within the header.</source>
+        <translation>STL 파일이 아닙니다. 헤더 안인 {}바이트에서 끝납니다.</translation>
+    </message>
+    <message>
+        <source>{} of {} facets have a coordinate that is no finite number; they were left out.</source>
+        <translation>{2}개의 면 중 {1}개에 유한하지 않은 좌표가 있어 제외했습니다.</translation>
+    </message>
+    <message>
+        <source>{} of {} facets have no area; they were left out.</source>
+        <translation>{2}개의 면 중 {1}개는 면적이 없어 제외했습니다.</translation>
+    </message>
+    <message>
+        <source>{} of {} facets have a normal against their winding; the winding counts.</source>
+        <translation>{2}개의 면 중 {1}개의 법선이 정점 순서와 반대입니다. 정점 순서를 따릅니다.</translation>
+    </message>
+    <message>
+        <source>The mesh lies {} mm from the origin, where an STL file holds steps of {} mm only.</source>
+        <translation>메시가 원점에서 {} mm 떨어져 있어 STL 파일의 분해능이 {} mm에 그칩니다.</translation>
+    </message>
+    <message>
+        <source>The mesh is {} × {} × {} mm: hardly a part.</source>
+        <translation>메시 크기가 {} × {} × {} mm입니다. 부품으로 보기 어렵습니다.</translation>
+    </message>
+    <message>
+        <source>The file holds no facet that could be used ({} read, {} not finite, {} without area).</source>
+        <translation>파일에 쓸 수 있는 면이 없습니다({}개 읽음, {}개 유한하지 않음, {}개 면적 없음).</translation>
+    </message>
+    <message>
+        <source>Nothing of the stock is left, so there is no mesh to write.</source>
+        <translation>소재가 남아 있지 않아 기록할 메시가 없습니다.</translation>
+    </message>
+    <message>
+        <source>The mesh has {} triangles; an STL file holds 4294967295.</source>
+        <translation>메시의 삼각형이 {}개입니다. STL 파일은 4294967295개까지 담습니다.</translation>
+    </message>
+    <message>
+        <source>A vertex lies at {}, {}, {}: STL cannot hold that.</source>
+        <translation>정점이 {}, {}, {}에 있어 STL로 나타낼 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Cancelled; no file was written.</source>
+        <translation>취소되었습니다. 파일을 쓰지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>rapid motion</source>
+        <translation>급속 이송</translation>
+    </message>
+    <message>
+        <source>straight feed</source>
+        <translation>직선 절삭 이송</translation>
+    </message>
+    <message>
+        <source>clockwise arc</source>
+        <translation>시계 방향 원호</translation>
+    </message>
+    <message>
+        <source>counter-clockwise arc</source>
+        <translation>반시계 방향 원호</translation>
+    </message>
+    <message>
+        <source>dwell</source>
+        <translation>드웰</translation>
+    </message>
+    <message>
+        <source>cubic spline</source>
+        <translation>3차 스플라인</translation>
+    </message>
+    <message>
+        <source>quadratic spline</source>
+        <translation>2차 스플라인</translation>
+    </message>
+    <message>
+        <source>NURBS block</source>
+        <translation>NURBS 블록</translation>
+    </message>
+    <message>
+        <source>end of NURBS block</source>
+        <translation>NURBS 블록 끝</translation>
+    </message>
+    <message>
+        <source>lathe diameter mode</source>
+        <translation>선반 지름 모드</translation>
+    </message>
+    <message>
+        <source>lathe radius mode</source>
+        <translation>선반 반경 모드</translation>
+    </message>
+    <message>
+        <source>exact stop in one block</source>
+        <translation>한 블록 정위치 정지</translation>
+    </message>
+    <message>
+        <source>set offsets</source>
+        <translation>오프셋 설정</translation>
+    </message>
+    <message>
+        <source>clockwise circular pocket</source>
+        <translation>시계 방향 원형 포켓</translation>
+    </message>
+    <message>
+        <source>counter-clockwise circular pocket</source>
+        <translation>반시계 방향 원형 포켓</translation>
+    </message>
+    <message>
+        <source>polar coordinates off</source>
+        <translation>극좌표 해제</translation>
+    </message>
+    <message>
+        <source>polar coordinates on</source>
+        <translation>극좌표 지정</translation>
+    </message>
+    <message>
+        <source>XY plane</source>
+        <translation>XY 평면</translation>
+    </message>
+    <message>
+        <source>UV plane</source>
+        <translation>UV 평면</translation>
+    </message>
+    <message>
+        <source>ZX plane</source>
+        <translation>ZX 평면</translation>
+    </message>
+    <message>
+        <source>WU plane</source>
+        <translation>WU 평면</translation>
+    </message>
+    <message>
+        <source>YZ plane</source>
+        <translation>YZ 평면</translation>
+    </message>
+    <message>
+        <source>VW plane</source>
+        <translation>VW 평면</translation>
+    </message>
+    <message>
+        <source>inch</source>
+        <translation>인치</translation>
+    </message>
+    <message>
+        <source>millimetre</source>
+        <translation>밀리미터</translation>
+    </message>
+    <message>
+        <source>go to reference position</source>
+        <translation>기준점 복귀</translation>
+    </message>
+    <message>
+        <source>store reference position</source>
+        <translation>기준점 저장</translation>
+    </message>
+    <message>
+        <source>go to second reference position</source>
+        <translation>제2 기준점 복귀</translation>
+    </message>
+    <message>
+        <source>store second reference position</source>
+        <translation>제2 기준점 저장</translation>
+    </message>
+    <message>
+        <source>skip motion (probe)</source>
+        <translation>스킵 이송(측정)</translation>
+    </message>
+    <message>
+        <source>spindle-synchronised motion</source>
+        <translation>주축 동기 이송</translation>
+    </message>
+    <message>
+        <source>rigid tapping</source>
+        <translation>리지드 탭핑</translation>
+    </message>
+    <message>
+        <source>probe toward the part, error on failure</source>
+        <translation>공작물 쪽으로 측정, 실패 시 오류</translation>
+    </message>
+    <message>
+        <source>probe toward the part</source>
+        <translation>공작물 쪽으로 측정</translation>
+    </message>
+    <message>
+        <source>probe away from the part, error on failure</source>
+        <translation>공작물에서 멀어지며 측정, 실패 시 오류</translation>
+    </message>
+    <message>
+        <source>probe away from the part</source>
+        <translation>공작물에서 멀어지며 측정</translation>
+    </message>
+    <message>
+        <source>cutter compensation off</source>
+        <translation>공구경 보정 취소</translation>
+    </message>
+    <message>
+        <source>cutter compensation left</source>
+        <translation>공구경 보정 왼쪽</translation>
+    </message>
+    <message>
+        <source>dynamic cutter compensation left</source>
+        <translation>동적 공구경 보정 왼쪽</translation>
+    </message>
+    <message>
+        <source>cutter compensation right</source>
+        <translation>공구경 보정 오른쪽</translation>
+    </message>
+    <message>
+        <source>dynamic cutter compensation right</source>
+        <translation>동적 공구경 보정 오른쪽</translation>
+    </message>
+    <message>
+        <source>tool length offset</source>
+        <translation>공구 길이 보정</translation>
+    </message>
+    <message>
+        <source>dynamic tool length offset</source>
+        <translation>동적 공구 길이 보정</translation>
+    </message>
+    <message>
+        <source>additional tool length offset</source>
+        <translation>추가 공구 길이 보정</translation>
+    </message>
+    <message>
+        <source>negative tool length offset</source>
+        <translation>음의 공구 길이 보정</translation>
+    </message>
+    <message>
+        <source>tool length offset off</source>
+        <translation>공구 길이 보정 취소</translation>
+    </message>
+    <message>
+        <source>scaling off</source>
+        <translation>스케일링 취소</translation>
+    </message>
+    <message>
+        <source>mirroring off</source>
+        <translation>미러 취소</translation>
+    </message>
+    <message>
+        <source>scaling</source>
+        <translation>스케일링</translation>
+    </message>
+    <message>
+        <source>mirroring</source>
+        <translation>미러</translation>
+    </message>
+    <message>
+        <source>local coordinate shift</source>
+        <translation>로컬 좌표계 설정</translation>
+    </message>
+    <message>
+        <source>machine coordinates</source>
+        <translation>기계 좌표계</translation>
+    </message>
+    <message>
+        <source>work offset 1</source>
+        <translation>공작물 좌표계 1</translation>
+    </message>
+    <message>
+        <source>additional work offset</source>
+        <translation>추가 공작물 좌표계</translation>
+    </message>
+    <message>
+        <source>work offset 2</source>
+        <translation>공작물 좌표계 2</translation>
+    </message>
+    <message>
+        <source>work offset 3</source>
+        <translation>공작물 좌표계 3</translation>
+    </message>
+    <message>
+        <source>work offset 4</source>
+        <translation>공작물 좌표계 4</translation>
+    </message>
+    <message>
+        <source>work offset 5</source>
+        <translation>공작물 좌표계 5</translation>
+    </message>
+    <message>
+        <source>work offset 6</source>
+        <translation>공작물 좌표계 6</translation>
+    </message>
+    <message>
+        <source>work offset 7</source>
+        <translation>공작물 좌표계 7</translation>
+    </message>
+    <message>
+        <source>work offset 8</source>
+        <translation>공작물 좌표계 8</translation>
+    </message>
+    <message>
+        <source>work offset 9</source>
+        <translation>공작물 좌표계 9</translation>
+    </message>
+    <message>
+        <source>exact path</source>
+        <translation>정확한 경로</translation>
+    </message>
+    <message>
+        <source>exact stop</source>
+        <translation>정위치 정지</translation>
+    </message>
+    <message>
+        <source>path blending</source>
+        <translation>경로 블렌딩</translation>
+    </message>
+    <message>
+        <source>macro call</source>
+        <translation>매크로 호출</translation>
+    </message>
+    <message>
+        <source>modal macro call</source>
+        <translation>모달 매크로 호출</translation>
+    </message>
+    <message>
+        <source>modal macro call off</source>
+        <translation>모달 매크로 호출 취소</translation>
+    </message>
+    <message>
+        <source>coordinate rotation</source>
+        <translation>좌표 회전</translation>
+    </message>
+    <message>
+        <source>coordinate rotation off</source>
+        <translation>좌표 회전 취소</translation>
+    </message>
+    <message>
+        <source>finishing cycle or bolt circle</source>
+        <translation>정삭 사이클 또는 볼트 원</translation>
+    </message>
+    <message>
+        <source>roughing cycle or bolt arc</source>
+        <translation>황삭 사이클 또는 볼트 원호</translation>
+    </message>
+    <message>
+        <source>facing cycle or bolt line</source>
+        <translation>단면 사이클 또는 볼트 직선</translation>
+    </message>
+    <message>
+        <source>chip-breaking drilling cycle</source>
+        <translation>칩 절단 드릴링 사이클</translation>
+    </message>
+    <message>
+        <source>left-hand tapping cycle</source>
+        <translation>왼나사 탭핑 사이클</translation>
+    </message>
+    <message>
+        <source>threading or fine boring cycle</source>
+        <translation>나사 절삭 또는 정밀 보링 사이클</translation>
+    </message>
+    <message>
+        <source>motion mode off</source>
+        <translation>이송 모드 취소</translation>
+    </message>
+    <message>
+        <source>drilling cycle</source>
+        <translation>드릴링 사이클</translation>
+    </message>
+    <message>
+        <source>drilling cycle with dwell</source>
+        <translation>드웰 드릴링 사이클</translation>
+    </message>
+    <message>
+        <source>deep-hole drilling cycle</source>
+        <translation>심공 드릴링 사이클</translation>
+    </message>
+    <message>
+        <source>right-hand tapping cycle</source>
+        <translation>오른나사 탭핑 사이클</translation>
+    </message>
+    <message>
+        <source>boring cycle, feed out</source>
+        <translation>보링 사이클, 절삭 이송 복귀</translation>
+    </message>
+    <message>
+        <source>boring cycle, stop and rapid out</source>
+        <translation>보링 사이클, 정지 후 급속 복귀</translation>
+    </message>
+    <message>
+        <source>back boring cycle</source>
+        <translation>백 보링 사이클</translation>
+    </message>
+    <message>
+        <source>boring cycle, manual out</source>
+        <translation>보링 사이클, 수동 복귀</translation>
+    </message>
+    <message>
+        <source>boring cycle with dwell</source>
+        <translation>드웰 보링 사이클</translation>
+    </message>
+    <message>
+        <source>absolute distances</source>
+        <translation>절대 지령</translation>
+    </message>
+    <message>
+        <source>absolute arc centres</source>
+        <translation>절대 원호 중심</translation>
+    </message>
+    <message>
+        <source>incremental distances</source>
+        <translation>증분 지령</translation>
+    </message>
+    <message>
+        <source>incremental arc centres</source>
+        <translation>증분 원호 중심</translation>
+    </message>
+    <message>
+        <source>coordinate shift</source>
+        <translation>좌표계 이동</translation>
+    </message>
+    <message>
+        <source>coordinate shift off, cleared</source>
+        <translation>좌표계 이동 해제 및 삭제</translation>
+    </message>
+    <message>
+        <source>coordinate shift off</source>
+        <translation>좌표계 이동 해제</translation>
+    </message>
+    <message>
+        <source>coordinate shift restored</source>
+        <translation>좌표계 이동 복원</translation>
+    </message>
+    <message>
+        <source>inverse time feed</source>
+        <translation>역시간 이송</translation>
+    </message>
+    <message>
+        <source>feed per minute</source>
+        <translation>분당 이송</translation>
+    </message>
+    <message>
+        <source>feed per revolution</source>
+        <translation>회전당 이송</translation>
+    </message>
+    <message>
+        <source>constant surface speed</source>
+        <translation>주속 일정 제어</translation>
+    </message>
+    <message>
+        <source>constant spindle speed</source>
+        <translation>회전수 일정 제어</translation>
+    </message>
+    <message>
+        <source>cycles retract to the initial level</source>
+        <translation>사이클 후 초기점 복귀</translation>
+    </message>
+    <message>
+        <source>cycles retract to the R level</source>
+        <translation>사이클 후 R점 복귀</translation>
+    </message>
+    <message>
+        <source>program stop</source>
+        <translation>프로그램 정지</translation>
+    </message>
+    <message>
+        <source>optional stop</source>
+        <translation>선택 정지</translation>
+    </message>
+    <message>
+        <source>end of program</source>
+        <translation>프로그램 종료</translation>
+    </message>
+    <message>
+        <source>spindle clockwise</source>
+        <translation>주축 정회전</translation>
+    </message>
+    <message>
+        <source>spindle counter-clockwise</source>
+        <translation>주축 역회전</translation>
+    </message>
+    <message>
+        <source>spindle stop</source>
+        <translation>주축 정지</translation>
+    </message>
+    <message>
+        <source>tool change</source>
+        <translation>공구 교환</translation>
+    </message>
+    <message>
+        <source>mist coolant on</source>
+        <translation>미스트 절삭유 켜기</translation>
+    </message>
+    <message>
+        <source>flood coolant on</source>
+        <translation>절삭유 켜기</translation>
+    </message>
+    <message>
+        <source>coolant off</source>
+        <translation>절삭유 끄기</translation>
+    </message>
+    <message>
+        <source>spindle orientation</source>
+        <translation>주축 정위치</translation>
+    </message>
+    <message>
+        <source>end of program, rewind</source>
+        <translation>프로그램 종료, 되감기</translation>
+    </message>
+    <message>
+        <source>overrides on</source>
+        <translation>오버라이드 유효</translation>
+    </message>
+    <message>
+        <source>overrides off</source>
+        <translation>오버라이드 무효</translation>
+    </message>
+    <message>
+        <source>feed override</source>
+        <translation>이송 오버라이드</translation>
+    </message>
+    <message>
+        <source>spindle override</source>
+        <translation>주축 오버라이드</translation>
+    </message>
+    <message>
+        <source>adaptive feed</source>
+        <translation>적응 이송</translation>
+    </message>
+    <message>
+        <source>feed stop</source>
+        <translation>이송 정지</translation>
+    </message>
+    <message>
+        <source>pallet change</source>
+        <translation>팔레트 교환</translation>
+    </message>
+    <message>
+        <source>set the tool number</source>
+        <translation>공구 번호 설정</translation>
+    </message>
+    <message>
+        <source>digital output on, synchronised</source>
+        <translation>디지털 출력 켜기, 동기</translation>
+    </message>
+    <message>
+        <source>digital output off, synchronised</source>
+        <translation>디지털 출력 끄기, 동기</translation>
+    </message>
+    <message>
+        <source>digital output on</source>
+        <translation>디지털 출력 켜기</translation>
+    </message>
+    <message>
+        <source>digital output off</source>
+        <translation>디지털 출력 끄기</translation>
+    </message>
+    <message>
+        <source>wait for an input</source>
+        <translation>입력 대기</translation>
+    </message>
+    <message>
+        <source>analog output, synchronised</source>
+        <translation>아날로그 출력, 동기</translation>
+    </message>
+    <message>
+        <source>analog output</source>
+        <translation>아날로그 출력</translation>
+    </message>
+    <message>
+        <source>save modal state</source>
+        <translation>모달 상태 저장</translation>
+    </message>
+    <message>
+        <source>discard modal state</source>
+        <translation>모달 상태 폐기</translation>
+    </message>
+    <message>
+        <source>restore modal state</source>
+        <translation>모달 상태 복원</translation>
+    </message>
+    <message>
+        <source>save modal state, restored at the end</source>
+        <translation>모달 상태 저장, 끝에서 복원</translation>
+    </message>
+    <message>
+        <source>local subprogram call</source>
+        <translation>로컬 부프로그램 호출</translation>
+    </message>
+    <message>
+        <source>subprogram call</source>
+        <translation>부프로그램 호출</translation>
+    </message>
+    <message>
+        <source>end of subprogram</source>
+        <translation>부프로그램 끝</translation>
+    </message>
+    <message>
+        <source>rotary axis about X</source>
+        <translation>X축 회전축</translation>
+    </message>
+    <message>
+        <source>rotary axis about Y</source>
+        <translation>Y축 회전축</translation>
+    </message>
+    <message>
+        <source>rotary axis about Z</source>
+        <translation>Z축 회전축</translation>
+    </message>
+    <message>
+        <source>cutter compensation number</source>
+        <translation>공구경 보정 번호</translation>
+    </message>
+    <message>
+        <source>parameter of a code</source>
+        <translation>코드의 매개변수</translation>
+    </message>
+    <message>
+        <source>feed rate</source>
+        <translation>이송 속도</translation>
+    </message>
+    <message>
+        <source>tool length offset number</source>
+        <translation>공구 길이 보정 번호</translation>
+    </message>
+    <message>
+        <source>arc centre in X</source>
+        <translation>X 방향 원호 중심</translation>
+    </message>
+    <message>
+        <source>arc centre in Y</source>
+        <translation>Y 방향 원호 중심</translation>
+    </message>
+    <message>
+        <source>arc centre in Z</source>
+        <translation>Z 방향 원호 중심</translation>
+    </message>
+    <message>
+        <source>repeats</source>
+        <translation>반복 횟수</translation>
+    </message>
+    <message>
+        <source>block number</source>
+        <translation>블록 번호</translation>
+    </message>
+    <message>
+        <source>program number</source>
+        <translation>프로그램 번호</translation>
+    </message>
+    <message>
+        <source>dwell in seconds, turns of an arc, or a parameter</source>
+        <translation>드웰 시간(초), 원호 회전수 또는 매개변수</translation>
+    </message>
+    <message>
+        <source>arc radius, or a retract level</source>
+        <translation>원호 반경 또는 복귀 높이</translation>
+    </message>
+    <message>
+        <source>spindle speed in revolutions per minute</source>
+        <translation>분당 주축 회전수</translation>
+    </message>
+    <message>
+        <source>tool number</source>
+        <translation>공구 번호</translation>
+    </message>
+    <message>
+        <source>second axis along X</source>
+        <translation>X 방향 제2축</translation>
+    </message>
+    <message>
+        <source>second axis along Y</source>
+        <translation>Y 방향 제2축</translation>
+    </message>
+    <message>
+        <source>second axis along Z</source>
+        <translation>Z 방향 제2축</translation>
+    </message>
+    <message>
+        <source>X coordinate</source>
+        <translation>X 좌표</translation>
+    </message>
+    <message>
+        <source>Y coordinate</source>
+        <translation>Y 좌표</translation>
+    </message>
+    <message>
+        <source>Z coordinate</source>
+        <translation>Z 좌표</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; has no meaning here</source>
+        <translation>&quot;{}&quot;은(는) 여기서 의미가 없습니다</translation>
+    </message>
+    <message>
+        <source>Remove the character, or put the text into a comment: ( … ).</source>
+        <translation>문자를 지우거나 텍스트를 주석 ( … ) 안에 넣으십시오.</translation>
+    </message>
+    <message>
+        <source>the word {} has no number</source>
+        <translation>{} 워드에 숫자가 없습니다</translation>
+    </message>
+    <message>
+        <source>Write the number behind the letter, for example X10.5.</source>
+        <translation>문자 뒤에 숫자를 쓰십시오. 예: X10.5.</translation>
+    </message>
+    <message>
+        <source>the number of {} has two signs</source>
+        <translation>{}의 숫자에 부호가 두 개 있습니다</translation>
+    </message>
+    <message>
+        <source>Controls read this differently; write one sign.</source>
+        <translation>제어기마다 다르게 읽습니다. 부호를 하나만 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>the number of {} has two decimal points</source>
+        <translation>{}의 숫자에 소수점이 두 개 있습니다</translation>
+    </message>
+    <message>
+        <source>Keep one point.</source>
+        <translation>소수점을 하나만 남기십시오.</translation>
+    </message>
+    <message>
+        <source>the number of {} is out of range: larger than 1e12</source>
+        <translation>{}의 숫자가 범위를 벗어납니다(1e12 초과)</translation>
+    </message>
+    <message>
+        <source>Check the number.</source>
+        <translation>숫자를 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>parameters and expressions are not supported yet: {}</source>
+        <translation>매개변수와 수식은 아직 지원하지 않습니다: {}</translation>
+    </message>
+    <message>
+        <source>Replace it by its value, or let the CAM system write plain numbers.</source>
+        <translation>값으로 바꾸거나 CAM 시스템에서 숫자로 출력하십시오.</translation>
+    </message>
+    <message>
+        <source>subprograms, loops and branches are not supported yet: {}</source>
+        <translation>부프로그램, 반복, 분기는 아직 지원하지 않습니다: {}</translation>
+    </message>
+    <message>
+        <source>Let the CAM system write the motions out.</source>
+        <translation>CAM 시스템에서 이송을 모두 풀어 출력하십시오.</translation>
+    </message>
+    <message>
+        <source>the comment is not closed</source>
+        <translation>주석이 닫히지 않았습니다</translation>
+    </message>
+    <message>
+        <source>Close it with &quot;)&quot; in the same line.</source>
+        <translation>같은 줄에서 &quot;)&quot;로 닫으십시오.</translation>
+    </message>
+    <message>
+        <source>a comment stands within a comment</source>
+        <translation>주석 안에 주석이 있습니다</translation>
+    </message>
+    <message>
+        <source>Controls end it at different brackets; use no &quot;(&quot; within a comment.</source>
+        <translation>제어기마다 끝내는 괄호가 다릅니다. 주석 안에 &quot;(&quot;를 쓰지 마십시오.</translation>
+    </message>
+    <message>
+        <source>the block has two {} words</source>
+        <translation>블록에 {} 워드가 두 개 있습니다</translation>
+    </message>
+    <message>
+        <source>Keep one of them, or make two blocks.</source>
+        <translation>하나만 남기거나 두 블록으로 나누십시오.</translation>
+    </message>
+    <message>
+        <source>the block has too many G and M words</source>
+        <translation>블록에 G 및 M 워드가 너무 많습니다</translation>
+    </message>
+    <message>
+        <source>Make several blocks of it.</source>
+        <translation>여러 블록으로 나누십시오.</translation>
+    </message>
+    <message>
+        <source>the N word does not begin the block</source>
+        <translation>N 워드가 블록의 처음에 있지 않습니다</translation>
+    </message>
+    <message>
+        <source>Write it first, or put it on a line of its own.</source>
+        <translation>맨 앞에 쓰거나 별도의 줄에 두십시오.</translation>
+    </message>
+    <message>
+        <source>the block number is negative</source>
+        <translation>블록 번호가 음수입니다</translation>
+    </message>
+    <message>
+        <source>Use N with digits only.</source>
+        <translation>N 뒤에는 숫자만 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>&quot;%&quot; marks the begin and the end of a tape and stands on a line of its own</source>
+        <translation>&quot;%&quot;는 테이프의 시작과 끝을 나타내며 별도의 줄에 있어야 합니다</translation>
+    </message>
+    <message>
+        <source>Move the rest to another line.</source>
+        <translation>나머지를 다른 줄로 옮기십시오.</translation>
+    </message>
+    <message>
+        <source>the program ends with &quot;%&quot; but does not begin with it</source>
+        <translation>프로그램이 &quot;%&quot;로 끝나지만 &quot;%&quot;로 시작하지 않습니다</translation>
+    </message>
+    <message>
+        <source>LinuxCNC refuses this; write &quot;%&quot; on the first line too, or on none.</source>
+        <translation>LinuxCNC는 이를 거부합니다. 첫 줄에도 &quot;%&quot;를 쓰거나 모두 빼십시오.</translation>
+    </message>
+    <message>
+        <source>&quot;%&quot; stands in the middle of the program</source>
+        <translation>&quot;%&quot;가 프로그램 중간에 있습니다</translation>
+    </message>
+    <message>
+        <source>Controls skip what is before it, or what is behind it; keep one program in a file.</source>
+        <translation>제어기에 따라 앞이나 뒤를 건너뜁니다. 파일 하나에 프로그램 하나만 두십시오.</translation>
+    </message>
+    <message>
+        <source>the text behind the second &quot;%&quot; is not run</source>
+        <translation>두 번째 &quot;%&quot; 뒤의 텍스트는 실행되지 않습니다</translation>
+    </message>
+    <message>
+        <source>the blocks behind the end of the program are not run</source>
+        <translation>프로그램 종료 뒤의 블록은 실행되지 않습니다</translation>
+    </message>
+    <message>
+        <source>the program has no end: M2, M30 or a pair of &quot;%&quot;</source>
+        <translation>프로그램에 종료(M2, M30 또는 &quot;%&quot; 쌍)가 없습니다</translation>
+    </message>
+    <message>
+        <source>Add M30 as the last block.</source>
+        <translation>마지막 블록에 M30을 추가하십시오.</translation>
+    </message>
+    <message>
+        <source>the program has no motion</source>
+        <translation>프로그램에 이송이 없습니다</translation>
+    </message>
+    <message>
+        <source>Check that this is the right file and that it is complete.</source>
+        <translation>올바른 파일인지, 온전한지 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>control codes of a tape or a serial line were skipped</source>
+        <translation>테이프 또는 시리얼 통신의 제어 문자를 건너뛰었습니다</translation>
+    </message>
+    <message>
+        <source>Harmless here; save the file as plain text to be rid of them.</source>
+        <translation>여기서는 문제가 없습니다. 일반 텍스트로 저장하면 없어집니다.</translation>
+    </message>
+    <message>
+        <source>the file begins with a byte order mark, which controls refuse</source>
+        <translation>파일이 제어기가 거부하는 바이트 순서 표시(BOM)로 시작합니다</translation>
+    </message>
+    <message>
+        <source>Save it as UTF-8 without the mark, or as ASCII.</source>
+        <translation>BOM 없는 UTF-8 또는 ASCII로 저장하십시오.</translation>
+    </message>
+    <message>
+        <source>the line ends with CR alone, which LinuxCNC takes for no line end</source>
+        <translation>줄이 CR만으로 끝나며 LinuxCNC는 이를 줄 끝으로 보지 않습니다</translation>
+    </message>
+    <message>
+        <source>Save the file with LF or CR LF line ends.</source>
+        <translation>LF 또는 CR LF 줄 끝으로 파일을 저장하십시오.</translation>
+    </message>
+    <message>
+        <source>the line has {} characters; LinuxCNC refuses more than 252</source>
+        <translation>줄이 {}자입니다. LinuxCNC는 252자를 넘으면 거부합니다</translation>
+    </message>
+    <message>
+        <source>Split the line.</source>
+        <translation>줄을 나누십시오.</translation>
+    </message>
+    <message>
+        <source>the block number has more digits than controls can hold</source>
+        <translation>블록 번호의 자릿수가 제어기의 한도를 넘습니다</translation>
+    </message>
+    <message>
+        <source>It is a label only; number the blocks anew.</source>
+        <translation>표시일 뿐입니다. 블록 번호를 다시 매기십시오.</translation>
+    </message>
+    <message>
+        <source>the program has more than {} motions; interpretation ends here</source>
+        <translation>프로그램의 이송이 {}개를 넘어 여기서 해석을 끝냅니다</translation>
+    </message>
+    <message>
+        <source>Raise the limit, or split the program.</source>
+        <translation>한도를 늘리거나 프로그램을 나누십시오.</translation>
+    </message>
+    <message>
+        <source>{} more messages are not shown</source>
+        <translation>메시지 {}건을 더 표시하지 않습니다</translation>
+    </message>
+    <message>
+        <source>interpretation was stopped before this line</source>
+        <translation>이 줄 앞에서 해석이 중단되었습니다</translation>
+    </message>
+    <message>
+        <source>{} is not known</source>
+        <translation>{}은(는) 알 수 없는 코드입니다</translation>
+    </message>
+    <message>
+        <source>Without its effect nothing behind it can be vouched for.</source>
+        <translation>이 코드의 효과 없이는 뒤의 내용을 보증할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>{} ({}) is not supported yet</source>
+        <translation>{}({})은(는) 아직 지원하지 않습니다</translation>
+    </message>
+    <message>
+        <source>{} and {} exclude each other in one block</source>
+        <translation>한 블록에서 {}와(과) {}를 함께 쓸 수 없습니다</translation>
+    </message>
+    <message>
+        <source>Keep one of them, or make two blocks; this block is skipped.</source>
+        <translation>하나만 남기거나 두 블록으로 나누십시오. 이 블록은 건너뜁니다.</translation>
+    </message>
+    <message>
+        <source>the block has more than four M words</source>
+        <translation>블록에 M 워드가 네 개를 넘습니다</translation>
+    </message>
+    <message>
+        <source>Make several blocks of it; this block is skipped.</source>
+        <translation>여러 블록으로 나누십시오. 이 블록은 건너뜁니다.</translation>
+    </message>
+    <message>
+        <source>the axis {} does not exist on a three-axis machine</source>
+        <translation>{} 축은 3축 기계에 없습니다</translation>
+    </message>
+    <message>
+        <source>The motion is shown without it.</source>
+        <translation>이 축 없이 이송을 표시합니다.</translation>
+    </message>
+    <message>
+        <source>no code of this block uses the word {}</source>
+        <translation>이 블록에는 {} 워드를 쓰는 코드가 없습니다</translation>
+    </message>
+    <message>
+        <source>Remove it, or add the code that it belongs to; this block is skipped.</source>
+        <translation>지우거나 해당 코드를 추가하십시오. 이 블록은 건너뜁니다.</translation>
+    </message>
+    <message>
+        <source>no motion code is in force for the word {}</source>
+        <translation>{} 워드에 대해 유효한 이송 코드가 없습니다</translation>
+    </message>
+    <message>
+        <source>Write G0, G1, G2 or G3 into the block; this block is skipped.</source>
+        <translation>블록에 G0, G1, G2 또는 G3을 쓰십시오. 이 블록은 건너뜁니다.</translation>
+    </message>
+    <message>
+        <source>G80 cannot move the axis {}</source>
+        <translation>G80으로는 {} 축을 움직일 수 없습니다</translation>
+    </message>
+    <message>
+        <source>Controls differ here; move in a block of its own. This block is skipped.</source>
+        <translation>제어기마다 다릅니다. 별도의 블록에서 이송하십시오. 이 블록은 건너뜁니다.</translation>
+    </message>
+    <message>
+        <source>{} needs the word {}</source>
+        <translation>{}에는 {} 워드가 필요합니다</translation>
+    </message>
+    <message>
+        <source>Add it; the code has no effect without it.</source>
+        <translation>추가하십시오. 없으면 코드가 효과를 내지 않습니다.</translation>
+    </message>
+    <message>
+        <source>the number of {} must not be negative</source>
+        <translation>{}의 숫자는 음수일 수 없습니다</translation>
+    </message>
+    <message>
+        <source>The word is ignored.</source>
+        <translation>이 워드는 무시됩니다.</translation>
+    </message>
+    <message>
+        <source>the number of {} must be a whole number from {} to {}</source>
+        <translation>{}의 숫자는 {}에서 {} 사이의 정수여야 합니다</translation>
+    </message>
+    <message>
+        <source>the feed is read in the unit that was in force before {}</source>
+        <translation>이송 속도는 {} 이전에 유효하던 단위로 읽습니다</translation>
+    </message>
+    <message>
+        <source>LinuxCNC reads F first; switch the unit in a block before.</source>
+        <translation>LinuxCNC는 F를 먼저 읽습니다. 앞 블록에서 단위를 바꾸십시오.</translation>
+    </message>
+    <message>
+        <source>M6 changes the tool, but none is selected</source>
+        <translation>M6으로 공구를 교환하지만 선택된 공구가 없습니다</translation>
+    </message>
+    <message>
+        <source>Write the T word into the block or before it.</source>
+        <translation>이 블록이나 그 앞에 T 워드를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>a cutting motion without a feed rate</source>
+        <translation>이송 속도가 없는 절삭 이송입니다</translation>
+    </message>
+    <message>
+        <source>Give F in this block or before it; there is no default.</source>
+        <translation>이 블록이나 그 앞에 F를 지정하십시오. 기본값은 없습니다.</translation>
+    </message>
+    <message>
+        <source>where {} stands is not known, so this motion cuts nothing</source>
+        <translation>{}의 위치를 알 수 없어 이 이송은 아무것도 절삭하지 않습니다</translation>
+    </message>
+    <message>
+        <source>Position all axes with G0 before the first cut.</source>
+        <translation>첫 절삭 전에 G0으로 모든 축의 위치를 정하십시오.</translation>
+    </message>
+    <message>
+        <source>{} moves by a distance from a place that is not known</source>
+        <translation>{}이(가) 알 수 없는 위치에서 증분 이송합니다</translation>
+    </message>
+    <message>
+        <source>Position the axis in G90 first.</source>
+        <translation>먼저 G90으로 축의 위치를 정하십시오.</translation>
+    </message>
+    <message>
+        <source>the arc has neither a centre nor a radius</source>
+        <translation>원호에 중심도 반경도 없습니다</translation>
+    </message>
+    <message>
+        <source>Give the centre with {} and {}, or the radius with R.</source>
+        <translation>{}와(과) {}로 중심을 지정하거나 R로 반경을 지정하십시오.</translation>
+    </message>
+    <message>
+        <source>an absolute centre (G90.1) needs both {} and {}</source>
+        <translation>절대 중심(G90.1)에는 {}와(과) {}가 모두 필요합니다</translation>
+    </message>
+    <message>
+        <source>Add the missing word, or use G91.1.</source>
+        <translation>빠진 워드를 추가하거나 G91.1을 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>the arc has both a centre and a radius</source>
+        <translation>원호에 중심과 반경이 모두 있습니다</translation>
+    </message>
+    <message>
+        <source>Controls differ in which one they take; keep one.</source>
+        <translation>제어기마다 쓰는 값이 다릅니다. 하나만 남기십시오.</translation>
+    </message>
+    <message>
+        <source>the word {} does not belong to an arc in the plane of {}</source>
+        <translation>{} 워드는 {} 평면의 원호에 속하지 않습니다</translation>
+    </message>
+    <message>
+        <source>Remove the word, or select the plane that was meant.</source>
+        <translation>워드를 지우거나 의도한 평면을 선택하십시오.</translation>
+    </message>
+    <message>
+        <source>the arc has no radius: {} mm</source>
+        <translation>원호에 반경이 없습니다: {} mm</translation>
+    </message>
+    <message>
+        <source>The centre lies on the start or the end point.</source>
+        <translation>중심이 시작점 또는 끝점에 있습니다.</translation>
+    </message>
+    <message>
+        <source>the arc does not fit: radius {} mm at its start, {} mm at its end, {} mm apart</source>
+        <translation>원호가 맞지 않습니다: 시작 반경 {} mm, 끝 반경 {} mm, 차이 {} mm</translation>
+    </message>
+    <message>
+        <source>Check the centre: I J K count from the start point, after G90.1 from the origin.</source>
+        <translation>중심을 확인하십시오. I J K는 시작점 기준이며 G90.1 뒤에는 원점 기준입니다.</translation>
+    </message>
+    <message>
+        <source>an arc with R cannot end where it begins</source>
+        <translation>R을 쓰는 원호는 시작점에서 끝날 수 없습니다</translation>
+    </message>
+    <message>
+        <source>Give a full circle its centre, or make two arcs of it.</source>
+        <translation>전체 원에는 중심을 지정하거나 두 원호로 나누십시오.</translation>
+    </message>
+    <message>
+        <source>the radius {} mm is too small: the end lies {} mm from the start, {} mm more than 2 R</source>
+        <translation>반경 {} mm가 너무 작습니다: 끝점이 시작점에서 {} mm 떨어져 2 R보다 {} mm 깁니다</translation>
+    </message>
+    <message>
+        <source>Check R and the end point.</source>
+        <translation>R과 끝점을 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>the radius of the arc is {} mm, beyond what can be computed exactly</source>
+        <translation>원호의 반경이 {} mm로 정확히 계산할 수 있는 범위를 넘습니다</translation>
+    </message>
+    <message>
+        <source>Check the centre; use G1 for a straight line.</source>
+        <translation>중심을 확인하십시오. 직선에는 G1을 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>P must be a whole number of turns from 1 to {}</source>
+        <translation>P는 1에서 {} 사이의 정수 회전수여야 합니다</translation>
+    </message>
+    <message>
+        <source>Check the P word.</source>
+        <translation>P 워드를 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>the file is encoded in {}, not in ASCII or UTF-8</source>
+        <translation>파일의 인코딩이 ASCII나 UTF-8이 아니라 {}입니다</translation>
+    </message>
+    <message>
+        <source>Save it as plain text (ASCII or UTF-8) and open it again.</source>
+        <translation>일반 텍스트(ASCII 또는 UTF-8)로 저장한 뒤 다시 여십시오.</translation>
+    </message>
+    <message>
+        <source>this is not an NC program: it holds binary data</source>
+        <translation>NC 프로그램이 아닙니다. 이진 데이터가 들어 있습니다</translation>
+    </message>
+    <message>
+        <source>Choose the text file that the machine would run.</source>
+        <translation>기계에서 실행할 텍스트 파일을 선택하십시오.</translation>
+    </message>
+    <message>
+        <source>The rapid motion removes material, {} mm deep.</source>
+        <translation>급속 이송이 소재를 {} mm 깊이로 절삭합니다.</translation>
+    </message>
+    <message>
+        <source>Retract above the stock before the rapid, or cut with G1.</source>
+        <translation>급속 이송 전에 소재 위로 후퇴하거나 G1으로 절삭하십시오.</translation>
+    </message>
+    <message>
+        <source>The cut is {} mm deep, beyond the length of the flutes.</source>
+        <translation>절삭 깊이가 {} mm로 날 길이를 넘습니다.</translation>
+    </message>
+    <message>
+        <source>Cut in shallower passes, or choose a tool with longer flutes.</source>
+        <translation>절삭 깊이를 줄이거나 날이 더 긴 공구를 선택하십시오.</translation>
+    </message>
+    <message>
+        <source>No cutter is defined for tool T{}; its motions cut nothing.</source>
+        <translation>공구 T{}의 형상이 정의되지 않아 이 공구의 이송은 아무것도 절삭하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Add the tool to the tool table.</source>
+        <translation>공구 테이블에 공구를 추가하십시오.</translation>
+    </message>
+    <message>
+        <source>The program cuts with no tool in the spindle.</source>
+        <translation>주축에 공구가 없는 상태로 절삭합니다.</translation>
+    </message>
+    <message>
+        <source>Select a tool with T and M6 before the first cut.</source>
+        <translation>첫 절삭 전에 T와 M6으로 공구를 선택하십시오.</translation>
+    </message>
+    <message>
+        <source>The program never selects a tool; tool T{} is used.</source>
+        <translation>프로그램에서 공구를 선택하지 않아 공구 T{}를 사용합니다.</translation>
+    </message>
+    <message>
+        <source>{} more findings of the simulation are not shown.</source>
+        <translation>시뮬레이션 결과 {}건을 더 표시하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The parameter &quot;{}&quot; is {}; it must lie in {} … {}.</source>
+        <translation>매개변수 &quot;{}&quot;이(가) {}입니다. {} … {} 범위여야 합니다.</translation>
+    </message>
+    <message>
+        <source>The simulation needs more memory than there is.</source>
+        <translation>시뮬레이션에 필요한 메모리가 부족합니다.</translation>
+    </message>
+    <message>
+        <source>The simulation had to stop: {}.</source>
+        <translation>시뮬레이션을 중단해야 했습니다: {}.</translation>
+    </message>
+    <message>
+        <source>the stock {} is not of three sides above 0 and up to {} mm</source>
+        <translation>소재 {}의 세 변은 0보다 크고 {} mm 이하여야 합니다</translation>
+    </message>
+    <message>
+        <source>the grid spacing {} mm is not a number above 0</source>
+        <translation>격자 간격 {} mm는 0보다 큰 숫자가 아닙니다</translation>
+    </message>
+    <message>
+        <source>the grid spacing {} mm leaves no cell on the stock {}; the coarsest that does is {} mm</source>
+        <translation>격자 간격 {} mm로는 소재 {}에 셀이 없습니다. 가능한 가장 큰 간격은 {} mm입니다</translation>
+    </message>
+    <message>
+        <source>the grid spacing {} mm makes {} points on the stock {}, {} of memory; the finest possible is {} mm</source>
+        <translation>격자 간격 {} mm로는 점 {}개(소재 {}, 메모리 {})가 됩니다. 가능한 가장 작은 간격은 {} mm입니다</translation>
+    </message>
+    <message>
+        <source>the z-map needs {}, but the machine has only {} left</source>
+        <translation>Z맵에 {}가 필요하지만 남은 메모리는 {}뿐입니다</translation>
+    </message>
+    <message>
+        <source>a grid of {} × {} points needs {}, but the machine has only {} left; the finest spacing that fits is {} mm</source>
+        <translation>{} × {}점의 격자에는 {}가 필요하지만 남은 메모리는 {}뿐입니다. 맞는 가장 작은 간격은 {} mm입니다</translation>
+    </message>
+    <message>
+        <source>“{}” is not a stock size of the form WxDxH in mm, as in {}</source>
+        <translation>“{}”은(는) {}처럼 WxDxH 형식의 소재 크기(mm)가 아닙니다</translation>
+    </message>
+    <message>
+        <source>every side of the stock must be more than 0 mm, not “{}”</source>
+        <translation>소재의 모든 변은 0 mm보다 커야 하며 “{}”일 수 없습니다</translation>
+    </message>
+    <message>
+        <source>“{}” is not a point of the form X,Y,Z in mm</source>
+        <translation>“{}”은(는) X,Y,Z 형식의 점(mm)이 아닙니다</translation>
+    </message>
+    <message>
+        <source>The export was cancelled.</source>
+        <translation>내보내기가 취소되었습니다.</translation>
+    </message>
+    <message>
+        <source>Nothing of the stock is left to export.</source>
+        <translation>내보낼 소재가 남아 있지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The export failed: {}.</source>
+        <translation>내보내지 못했습니다: {}.</translation>
+    </message>
+    <message>
+        <source>There is no stock to export yet.</source>
+        <translation>아직 내보낼 소재가 없습니다.</translation>
+    </message>
+    <message>
+        <source>cells</source>
+        <translation>셀</translation>
+    </message>
+    <message>
+        <source>blocks</source>
+        <translation>블록</translation>
+    </message>
+    <message>
+        <source>The coordinates of an STL file are too coarse for this mesh so far from the origin: {} triangles would collapse.</source>
+        <translation>원점에서 이렇게 먼 메시에는 STL 파일의 좌표가 너무 거칩니다. 삼각형 {}개가 뭉개집니다.</translation>
+    </message>
+    <message>
+        <source>The rapid motion comes from an unknown position and ends {} mm below the top of the stock; what it cuts is not known.</source>
+        <translation>급속 이송이 알 수 없는 위치에서 시작하여 소재 윗면보다 {} mm 아래에서 끝납니다. 무엇을 절삭하는지 알 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>The file cannot be written: {}.</source>
+        <translation>파일을 쓸 수 없습니다: {}.</translation>
+    </message>
+    <message>
+        <source>the origin of the stock is not three numbers from -{} to {} mm</source>
+        <translation>소재 원점이 -{}에서 {} mm 사이의 숫자 세 개가 아닙니다</translation>
+    </message>
+    <message>
+        <source>the grid spacing {} mm is lost in the rounding of coordinates as large as {} mm</source>
+        <translation>격자 간격 {} mm은 {} mm만큼 큰 좌표의 반올림에서 사라집니다</translation>
+    </message>
+</context>
+<context>
+    <name>Docks</name>
+    <message>
+        <source>NC Program</source>
+        <translation>NC 프로그램</translation>
+    </message>
+    <message>
+        <source>Setup</source>
+        <translation>셋업</translation>
+    </message>
+    <message>
+        <source>Tuning</source>
+        <translation>조정</translation>
+    </message>
+    <message>
+        <source>Plots</source>
+        <translation>그래프</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>문제</translation>
+    </message>
+    <message>
+        <source>Timeline</source>
+        <translation>타임라인</translation>
+    </message>
+</context>
+<context>
+    <name>EditCommands</name>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>실행 취소(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Take back the last change of the text</source>
+        <translation>텍스트의 마지막 변경을 되돌립니다</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>다시 실행(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Make the change again that was taken back</source>
+        <translation>되돌린 변경을 다시 적용합니다</translation>
+    </message>
+    <message>
+        <source>Cu&amp;t</source>
+        <translation>잘라내기(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Move the selected text to the clipboard</source>
+        <translation>선택한 텍스트를 클립보드로 옮깁니다</translation>
+    </message>
+    <message>
+        <source>&amp;Copy</source>
+        <translation>복사(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Copy the selected text to the clipboard</source>
+        <translation>선택한 텍스트를 클립보드에 복사합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Paste</source>
+        <translation>붙여넣기(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Insert the text of the clipboard</source>
+        <translation>클립보드의 텍스트를 넣습니다</translation>
+    </message>
+    <message>
+        <source>&amp;Delete</source>
+        <translation>삭제(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Delete the selected text</source>
+        <translation>선택한 텍스트를 지웁니다</translation>
+    </message>
+    <message>
+        <source>Select &amp;All</source>
+        <translation>모두 선택(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Select the whole text</source>
+        <translation>텍스트 전체를 선택합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Find…</source>
+        <translation>찾기(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Find text in the NC program</source>
+        <translation>NC 프로그램에서 텍스트를 찾습니다</translation>
+    </message>
+    <message>
+        <source>R&amp;eplace…</source>
+        <translation>바꾸기(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Find text in the NC program and replace it</source>
+        <translation>NC 프로그램에서 텍스트를 찾아 바꿉니다</translation>
+    </message>
+    <message>
+        <source>Find &amp;Next</source>
+        <translation>다음 찾기(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Go to the next match</source>
+        <translation>다음 일치 항목으로 이동합니다</translation>
+    </message>
+    <message>
+        <source>Find Pre&amp;vious</source>
+        <translation>이전 찾기(&amp;V)</translation>
+    </message>
+    <message>
+        <source>Go to the previous match</source>
+        <translation>이전 일치 항목으로 이동합니다</translation>
+    </message>
+    <message>
+        <source>Run to Caret &amp;Line</source>
+        <translation>커서 줄까지 실행(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Show the stock after the line that the caret is on</source>
+        <translation>커서가 있는 줄까지 가공한 소재를 표시합니다</translation>
+    </message>
+</context>
+<context>
+    <name>EditorPanel</name>
+    <message>
+        <source>NC program</source>
+        <translation>NC 프로그램</translation>
+    </message>
+    <message>
+        <source>Shown read-only, because the file is larger than 10 MB.</source>
+        <translation>파일이 10 MB보다 커서 읽기 전용으로 표시합니다.</translation>
+    </message>
+</context>
+<context>
+    <name>FileChangedBar</name>
+    <message>
+        <source>The file was changed on the disk.</source>
+        <translation>디스크에서 파일이 변경되었습니다.</translation>
+    </message>
+    <message>
+        <source>Reload</source>
+        <translation>다시 읽기</translation>
+    </message>
+    <message>
+        <source>Read the file again; changes made here are lost</source>
+        <translation>파일을 다시 읽습니다. 여기서 변경한 내용은 없어집니다</translation>
+    </message>
+    <message>
+        <source>Keep mine</source>
+        <translation>내 것 유지</translation>
+    </message>
+    <message>
+        <source>Go on with the text of this window</source>
+        <translation>이 창의 텍스트로 계속합니다</translation>
+    </message>
+</context>
+<context>
+    <name>FileCommands</name>
+    <message>
+        <source>&amp;New</source>
+        <translation>새로 만들기(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Begin an empty NC program</source>
+        <translation>빈 NC 프로그램을 시작합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>열기(&amp;O)…</translation>
+    </message>
+    <message>
+        <source>Open an NC program or a job</source>
+        <translation>NC 프로그램이나 작업을 엽니다</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>저장(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Save the NC program, and its job where it has one</source>
+        <translation>NC 프로그램과, 있으면 그 작업을 저장합니다</translation>
+    </message>
+    <message>
+        <source>Save &amp;As…</source>
+        <translation>다른 이름으로 저장(&amp;A)…</translation>
+    </message>
+    <message>
+        <source>Save the NC program under another name</source>
+        <translation>NC 프로그램을 다른 이름으로 저장합니다</translation>
+    </message>
+    <message>
+        <source>Save &amp;Job As…</source>
+        <translation>작업을 다른 이름으로 저장(&amp;J)…</translation>
+    </message>
+    <message>
+        <source>Save stock, tools and parameters with the name of the program</source>
+        <translation>소재, 공구, 매개변수를 프로그램 이름과 함께 저장합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>끝내기(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>Close Proveout</source>
+        <translation>Proveout을 닫습니다</translation>
+    </message>
+</context>
+<context>
+    <name>FileFlow</name>
+    <message>
+        <source>Open</source>
+        <translation>열기</translation>
+    </message>
+    <message>
+        <source>NC programs and jobs (*.nc *.ngc *.cnc *.tap *.gcode *.iso *.min *.mpf *.eia *.txt *.proveout)</source>
+        <translation>NC 프로그램과 작업 (*.nc *.ngc *.cnc *.tap *.gcode *.iso *.min *.mpf *.eia *.txt *.proveout)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>모든 파일 (*)</translation>
+    </message>
+    <message>
+        <source>Save NC Program As</source>
+        <translation>NC 프로그램을 다른 이름으로 저장</translation>
+    </message>
+    <message>
+        <source>Save Job As</source>
+        <translation>작업을 다른 이름으로 저장</translation>
+    </message>
+    <message>
+        <source>Proveout jobs (*.proveout)</source>
+        <translation>Proveout 작업 (*.proveout)</translation>
+    </message>
+    <message>
+        <source>Binary STL (*.stl)</source>
+        <translation>이진 STL (*.stl)</translation>
+    </message>
+    <message>
+        <source>ASCII STL (*.stl)</source>
+        <translation>ASCII STL (*.stl)</translation>
+    </message>
+    <message>
+        <source>Export Decimated STL</source>
+        <translation>간략화된 STL 내보내기</translation>
+    </message>
+    <message>
+        <source>Export Full-Resolution STL</source>
+        <translation>전체 해상도 STL 내보내기</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>저장하지 않은 변경</translation>
+    </message>
+    <message>
+        <source>The program or its setup has changes that are not saved.</source>
+        <translation>프로그램 또는 셋업에 저장하지 않은 변경이 있습니다.</translation>
+    </message>
+    <message>
+        <source>Save them?</source>
+        <translation>저장하시겠습니까?</translation>
+    </message>
+    <message>
+        <source>%1 (missing)</source>
+        <translation>%1(없음)</translation>
+    </message>
+    <message>
+        <source>Clear List</source>
+        <translation>목록 지우기</translation>
+    </message>
+    <message>
+        <source>Drop one file of this computer.</source>
+        <translation>이 컴퓨터의 파일 하나를 끌어다 놓으십시오.</translation>
+    </message>
+    <message>
+        <source>A folder cannot be opened; drop an NC program or a job.</source>
+        <translation>폴더는 열 수 없습니다. NC 프로그램이나 작업을 끌어다 놓으십시오.</translation>
+    </message>
+    <message>
+        <source>A mesh cannot be opened; drop an NC program or a job.</source>
+        <translation>메시는 열 수 없습니다. NC 프로그램이나 작업을 끌어다 놓으십시오.</translation>
+    </message>
+</context>
+<context>
+    <name>FindBar</name>
+    <message>
+        <source>Find</source>
+        <translation>찾기</translation>
+    </message>
+    <message>
+        <source>Replace with</source>
+        <translation>바꿀 내용</translation>
+    </message>
+    <message>
+        <source>Previous match (Shift+F3)</source>
+        <translation>이전 일치 항목(Shift+F3)</translation>
+    </message>
+    <message>
+        <source>Previous match</source>
+        <translation>이전 일치 항목</translation>
+    </message>
+    <message>
+        <source>Next match (F3)</source>
+        <translation>다음 일치 항목(F3)</translation>
+    </message>
+    <message>
+        <source>Next match</source>
+        <translation>다음 일치 항목</translation>
+    </message>
+    <message>
+        <source>Replace</source>
+        <translation>바꾸기</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>모두</translation>
+    </message>
+    <message>
+        <source>Replace all matches</source>
+        <translation>일치 항목을 모두 바꿉니다</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>닫기(Esc)</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>닫기</translation>
+    </message>
+    <message>
+        <source>Not found.</source>
+        <translation>찾지 못했습니다.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n replaced.</source>
+        <translation>
+            <numerusform>%n개를 바꾸었습니다.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>HelpCommands</name>
+    <message>
+        <source>&amp;Keys and Mouse</source>
+        <translation>키와 마우스(&amp;K)</translation>
+    </message>
+    <message>
+        <source>List all keys of the program</source>
+        <translation>프로그램의 모든 단축키를 나열합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Start Page</source>
+        <translation>시작 페이지(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Show samples and recent files</source>
+        <translation>예제와 최근 파일을 표시합니다</translation>
+    </message>
+    <message>
+        <source>&amp;About Proveout</source>
+        <translation>Proveout 정보(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Version, licence and the paper</source>
+        <translation>버전, 라이선스, 논문</translation>
+    </message>
+    <message>
+        <source>About &amp;Qt</source>
+        <translation>Qt 정보(&amp;Q)</translation>
+    </message>
+    <message>
+        <source>About the library of the user interface</source>
+        <translation>사용자 인터페이스 라이브러리 정보</translation>
+    </message>
+</context>
+<context>
+    <name>MainWindow</name>
+    <message>
+        <source>As the &amp;System</source>
+        <translation>시스템 설정(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>밝게(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>어둡게(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Tool bar</source>
+        <translation>도구 모음</translation>
+    </message>
+    <message>
+        <source>untitled</source>
+        <translation>제목 없음</translation>
+    </message>
+</context>
+<context>
+    <name>Menus</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>파일(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Open &amp;Recent</source>
+        <translation>최근 파일 열기(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>편집(&amp;E)</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>보기(&amp;V)</translation>
+    </message>
+    <message>
+        <source>P&amp;lots</source>
+        <translation>그래프(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Simulate</source>
+        <translation>시뮬레이션(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Mesh</source>
+        <translation>메시(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Window</source>
+        <translation>창(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>테마(&amp;T)</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>언어(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>도움말(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Open Sa&amp;mple</source>
+        <translation>예제 열기(&amp;M)</translation>
+    </message>
+</context>
+<context>
+    <name>MeshCommands</name>
+    <message>
+        <source>&amp;Export STL…</source>
+        <translation>STL 내보내기(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Write the decimated stock as a closed solid</source>
+        <translation>간략화된 소재를 닫힌 솔리드로 저장합니다</translation>
+    </message>
+    <message>
+        <source>Export &amp;Full-Resolution STL…</source>
+        <translation>전체 해상도 STL 내보내기(&amp;F)…</translation>
+    </message>
+    <message>
+        <source>Write the stock with every point of the z-map</source>
+        <translation>Z맵의 모든 점으로 소재를 저장합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Tune Decimation</source>
+        <translation>간략화 조정(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Show the parameters of decimation</source>
+        <translation>간략화 매개변수를 표시합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Default Parameters</source>
+        <translation>기본 매개변수(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Bring all parameters of decimation back to their defaults</source>
+        <translation>간략화 매개변수를 모두 기본값으로 되돌립니다</translation>
+    </message>
+</context>
+<context>
+    <name>ParameterForm</name>
+    <message>
+        <source>on</source>
+        <translation>켬</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>끔</translation>
+    </message>
+    <message>
+        <source>Range: %1 to %2</source>
+        <comment>of a parameter, with units</comment>
+        <translation>범위: %1~%2</translation>
+    </message>
+    <message>
+        <source>Default: %1</source>
+        <translation>기본값: %1</translation>
+    </message>
+    <message>
+        <source>Back to the default: %1</source>
+        <translation>기본값으로 되돌리기: %1</translation>
+    </message>
+    <message>
+        <source>Reset %1</source>
+        <translation>%1 초기화</translation>
+    </message>
+</context>
+<context>
+    <name>PlotView</name>
+    <message>
+        <source>Play to measure</source>
+        <translation>재생하면 측정됩니다</translation>
+    </message>
+    <message>
+        <source>Parameters changed here</source>
+        <translation>여기서 매개변수가 바뀌었습니다</translation>
+    </message>
+</context>
+<context>
+    <name>Plots</name>
+    <message>
+        <source>Without decimation</source>
+        <translation>간략화 안 함</translation>
+    </message>
+    <message>
+        <source>Shown</source>
+        <translation>표시됨</translation>
+    </message>
+    <message>
+        <source>Cutting</source>
+        <translation>절삭</translation>
+    </message>
+    <message>
+        <source>Decimation</source>
+        <translation>간략화</translation>
+    </message>
+    <message>
+        <source>Upload</source>
+        <translation>전송</translation>
+    </message>
+    <message>
+        <source>Drawing</source>
+        <translation>그리기</translation>
+    </message>
+    <message>
+        <source>Removed</source>
+        <translation>제거됨</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>면</translation>
+    </message>
+    <message>
+        <source>Block</source>
+        <translation>블록</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>삼각형</translation>
+    </message>
+    <message>
+        <source>Time per Frame</source>
+        <translation>프레임당 시간</translation>
+    </message>
+    <message>
+        <source>Time (ms)</source>
+        <translation>시간(ms)</translation>
+    </message>
+    <message>
+        <source>Removed Volume</source>
+        <translation>제거 체적</translation>
+    </message>
+    <message>
+        <source>Volume (mm³)</source>
+        <translation>체적(mm³)</translation>
+    </message>
+</context>
+<context>
+    <name>PlotsPanel</name>
+    <message>
+        <source>Plots</source>
+        <translation>그래프</translation>
+    </message>
+    <message>
+        <source>Show or hide the plot &quot;%1&quot;</source>
+        <translation>&quot;%1&quot; 그래프를 표시하거나 숨깁니다</translation>
+    </message>
+    <message>
+        <source>Follow</source>
+        <translation>따라가기</translation>
+    </message>
+    <message>
+        <source>Keep the current block in the picture; dragging a plot stops it</source>
+        <translation>현재 블록이 보이도록 유지합니다. 그래프를 끌면 멈춥니다</translation>
+    </message>
+    <message>
+        <source>Export Plot</source>
+        <translation>그래프 내보내기</translation>
+    </message>
+    <message>
+        <source>Export as &amp;CSV…</source>
+        <translation>CSV로 내보내기(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>CSV (*.csv)</source>
+        <translation>CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Export as &amp;PNG…</source>
+        <translation>PNG로 내보내기(&amp;P)…</translation>
+    </message>
+    <message>
+        <source>PNG (*.png)</source>
+        <translation>PNG (*.png)</translation>
+    </message>
+    <message>
+        <source>Export as &amp;SVG…</source>
+        <translation>SVG로 내보내기(&amp;S)…</translation>
+    </message>
+    <message>
+        <source>SVG (*.svg)</source>
+        <translation>SVG (*.svg)</translation>
+    </message>
+    <message>
+        <source>C&amp;opy Data as CSV</source>
+        <translation>데이터를 CSV로 복사(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Show &amp;All Blocks</source>
+        <translation>모든 블록 표시(&amp;A)</translation>
+    </message>
+</context>
+<context>
+    <name>ProblemCommands</name>
+    <message>
+        <source>&amp;Next Problem</source>
+        <translation>다음 문제(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Go to the line of the next problem</source>
+        <translation>다음 문제가 있는 줄로 이동합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Previous Problem</source>
+        <translation>이전 문제(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Go to the line of the previous problem</source>
+        <translation>이전 문제가 있는 줄로 이동합니다</translation>
+    </message>
+</context>
+<context>
+    <name>ProblemsModel</name>
+    <message>
+        <source>Severity</source>
+        <translation>심각도</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>줄</translation>
+    </message>
+    <message>
+        <source>Problem</source>
+        <translation>문제</translation>
+    </message>
+    <message>
+        <source>What to do</source>
+        <translation>조치</translation>
+    </message>
+    <message>
+        <source>Id</source>
+        <translation>식별자</translation>
+    </message>
+</context>
+<context>
+    <name>ProblemsPanel</name>
+    <message>
+        <source>Problems</source>
+        <translation>문제</translation>
+    </message>
+    <message>
+        <source>No problems found.</source>
+        <translation>문제가 없습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>Samples</name>
+    <message>
+        <source>Core insert</source>
+        <translation>코어 인서트</translation>
+    </message>
+    <message>
+        <source>Mouse case</source>
+        <translation>마우스 케이스</translation>
+    </message>
+</context>
+<context>
+    <name>Session</name>
+    <message>
+        <source>Exporting STL</source>
+        <translation>STL 내보내는 중</translation>
+    </message>
+    <message>
+        <source>untitled</source>
+        <translation>제목 없음</translation>
+    </message>
+    <message>
+        <source>Simulating</source>
+        <translation>시뮬레이션 중</translation>
+    </message>
+</context>
+<context>
+    <name>SetupPanel</name>
+    <message>
+        <source>Used by the program, but not in the table: %1</source>
+        <translation>프로그램에서 사용하지만 테이블에 없음: %1</translation>
+    </message>
+    <message>
+        <source>%1 × %2 points, %3 × %4 mm apart; needs about %5</source>
+        <translation>%1 × %2점, 간격 %3 × %4 mm, 약 %5 필요</translation>
+    </message>
+    <message>
+        <source>Stock and grid</source>
+        <translation>소재와 격자</translation>
+    </message>
+    <message>
+        <source>Fit to program</source>
+        <translation>프로그램에 맞춤</translation>
+    </message>
+    <message>
+        <source>Make the stock just large enough for all cutting motions</source>
+        <translation>모든 절삭 이송에 맞는 최소 크기로 소재를 정합니다</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>공구</translation>
+    </message>
+    <message>
+        <source>Add them with standard sizes</source>
+        <translation>표준 크기로 추가</translation>
+    </message>
+    <message>
+        <source>Add these tools; then give them the sizes of your cutters</source>
+        <translation>이 공구들을 추가합니다. 그다음 실제 공구의 치수를 입력하십시오</translation>
+    </message>
+    <message>
+        <source>Skip blocks that begin with /</source>
+        <translation>/로 시작하는 블록 건너뛰기</translation>
+    </message>
+    <message>
+        <source>Block delete, as the switch on the control</source>
+        <translation>제어기의 블록 스킵 스위치와 같습니다</translation>
+    </message>
+</context>
+<context>
+    <name>Severity</name>
+    <message>
+        <source>Note</source>
+        <translation>참고</translation>
+    </message>
+    <message>
+        <source>Warning</source>
+        <translation>경고</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>오류</translation>
+    </message>
+    <message>
+        <source>Fault</source>
+        <translation>결함</translation>
+    </message>
+</context>
+<context>
+    <name>SimulateCommands</name>
+    <message>
+        <source>&amp;Play</source>
+        <translation>재생(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Play or pause the program</source>
+        <translation>프로그램을 재생하거나 일시 정지합니다</translation>
+    </message>
+    <message>
+        <source>Play from Sta&amp;rt</source>
+        <translation>처음부터 재생(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Go to the uncut stock and play</source>
+        <translation>가공 전 소재로 돌아가 재생합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>정지(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Stop and go back to the uncut stock</source>
+        <translation>정지하고 가공 전 소재로 돌아갑니다</translation>
+    </message>
+    <message>
+        <source>To St&amp;art</source>
+        <translation>처음으로(&amp;A)</translation>
+    </message>
+    <message>
+        <source>Go to the uncut stock</source>
+        <translation>가공 전 소재로 이동합니다</translation>
+    </message>
+    <message>
+        <source>Step &amp;Back</source>
+        <translation>한 블록 뒤로(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Go back by one block</source>
+        <translation>한 블록 뒤로 갑니다</translation>
+    </message>
+    <message>
+        <source>Step &amp;Forward</source>
+        <translation>한 블록 앞으로(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Execute the next block</source>
+        <translation>다음 블록을 실행합니다</translation>
+    </message>
+    <message>
+        <source>To &amp;End</source>
+        <translation>끝으로(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Go to the end of the program</source>
+        <translation>프로그램 끝으로 이동합니다</translation>
+    </message>
+    <message>
+        <source>Back by 10 Blocks</source>
+        <translation>10블록 뒤로</translation>
+    </message>
+    <message>
+        <source>Go back by 10 blocks</source>
+        <translation>10블록 뒤로 갑니다</translation>
+    </message>
+    <message>
+        <source>Forward by 10 Blocks</source>
+        <translation>10블록 앞으로</translation>
+    </message>
+    <message>
+        <source>Execute the next 10 blocks</source>
+        <translation>다음 10블록을 실행합니다</translation>
+    </message>
+    <message>
+        <source>Previous &amp;Tool Change</source>
+        <translation>이전 공구 교환(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Go back to the last tool change</source>
+        <translation>직전 공구 교환으로 돌아갑니다</translation>
+    </message>
+    <message>
+        <source>Next T&amp;ool Change</source>
+        <translation>다음 공구 교환(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Go on to the next tool change</source>
+        <translation>다음 공구 교환으로 이동합니다</translation>
+    </message>
+    <message>
+        <source>S&amp;lower</source>
+        <translation>느리게(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Play slower</source>
+        <translation>느리게 재생합니다</translation>
+    </message>
+    <message>
+        <source>Fa&amp;ster</source>
+        <translation>빠르게(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Play faster</source>
+        <translation>빠르게 재생합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>일시 정지(&amp;P)</translation>
+    </message>
+</context>
+<context>
+    <name>StartPage</name>
+    <message>
+        <source>%1 (missing)</source>
+        <translation>%1(없음)</translation>
+    </message>
+    <message>
+        <source>See what an NC program cuts before the machine does.</source>
+        <translation>기계보다 먼저 NC 프로그램의 절삭 결과를 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>Open File…</source>
+        <translation>파일 열기…</translation>
+    </message>
+    <message>
+        <source>Open an NC program or a job</source>
+        <translation>NC 프로그램이나 작업을 엽니다</translation>
+    </message>
+    <message>
+        <source>New Program</source>
+        <translation>새 프로그램</translation>
+    </message>
+    <message>
+        <source>Begin an empty NC program</source>
+        <translation>빈 NC 프로그램을 시작합니다</translation>
+    </message>
+    <message>
+        <source>Samples</source>
+        <translation>예제</translation>
+    </message>
+    <message>
+        <source>Recent files</source>
+        <translation>최근 파일</translation>
+    </message>
+    <message>
+        <source>Or drop a file anywhere on this window.</source>
+        <translation>또는 이 창의 아무 곳에나 파일을 끌어다 놓으십시오.</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>언어</translation>
+    </message>
+    <message>
+        <source>Language of the program</source>
+        <translation>프로그램 언어</translation>
+    </message>
+</context>
+<context>
+    <name>StatusLine</name>
+    <message>
+        <source>Wrote %1: %2 triangles, %3</source>
+        <translation>%1 저장됨: 삼각형 %2개, %3</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>취소</translation>
+    </message>
+    <message>
+        <source>Stop this work</source>
+        <translation>이 작업을 중단합니다</translation>
+    </message>
+    <message>
+        <source>Position X of the tip of the cutter, mm</source>
+        <translation>공구 끝의 X 위치, mm</translation>
+    </message>
+    <message>
+        <source>Position Y of the tip of the cutter, mm</source>
+        <translation>공구 끝의 Y 위치, mm</translation>
+    </message>
+    <message>
+        <source>Position Z of the tip of the cutter, mm</source>
+        <translation>공구 끝의 Z 위치, mm</translation>
+    </message>
+    <message>
+        <source>Feed, mm/min</source>
+        <translation>이송 속도, mm/min</translation>
+    </message>
+    <message>
+        <source>Spindle speed, 1/min</source>
+        <translation>주축 회전수, 1/min</translation>
+    </message>
+    <message>
+        <source>Tool in the spindle</source>
+        <translation>주축의 공구</translation>
+    </message>
+    <message>
+        <source>Blocks executed of those that move</source>
+        <translation>이송 블록 중 실행한 블록</translation>
+    </message>
+    <message>
+        <source>Triangles shown</source>
+        <translation>표시된 삼각형</translation>
+    </message>
+    <message>
+        <source>Block %1 / %2</source>
+        <translation>블록 %1 / %2</translation>
+    </message>
+    <message>
+        <source>Faces %1</source>
+        <translation>면 %1</translation>
+    </message>
+    <message>
+        <source>F rapid</source>
+        <translation>F 급속</translation>
+    </message>
+</context>
+<context>
+    <name>StockForm</name>
+    <message>
+        <source>Width X</source>
+        <translation>폭 X</translation>
+    </message>
+    <message>
+        <source>Size of the stock along X.</source>
+        <translation>소재의 X 방향 크기입니다.</translation>
+    </message>
+    <message>
+        <source>Depth Y</source>
+        <translation>깊이 Y</translation>
+    </message>
+    <message>
+        <source>Size of the stock along Y.</source>
+        <translation>소재의 Y 방향 크기입니다.</translation>
+    </message>
+    <message>
+        <source>Height Z</source>
+        <translation>높이 Z</translation>
+    </message>
+    <message>
+        <source>Size of the stock along Z, from its top downwards.</source>
+        <translation>윗면에서 아래로 잰 소재의 Z 방향 크기입니다.</translation>
+    </message>
+    <message>
+        <source>Left edge X</source>
+        <translation>왼쪽 모서리 X</translation>
+    </message>
+    <message>
+        <source>Program coordinate of the stock&apos;s least X.</source>
+        <translation>소재의 최소 X의 프로그램 좌표입니다.</translation>
+    </message>
+    <message>
+        <source>Front edge Y</source>
+        <translation>앞쪽 모서리 Y</translation>
+    </message>
+    <message>
+        <source>Program coordinate of the stock&apos;s least Y.</source>
+        <translation>소재의 최소 Y의 프로그램 좌표입니다.</translation>
+    </message>
+    <message>
+        <source>Top Z</source>
+        <translation>윗면 Z</translation>
+    </message>
+    <message>
+        <source>Program coordinate of the stock&apos;s top.</source>
+        <translation>소재 윗면의 프로그램 좌표입니다.</translation>
+    </message>
+    <message>
+        <source>Grid spacing</source>
+        <translation>격자 간격</translation>
+    </message>
+    <message>
+        <source>Wanted distance of the points of the z-map; it is adjusted so that it divides the stock exactly.</source>
+        <translation>원하는 Z맵 점 간격입니다. 소재를 정확히 나누도록 조정됩니다.</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>%1
+Range: %2 to %3 mm
+Default: %4 mm</source>
+        <translation>%1
+범위: %2~%3 mm
+기본값: %4 mm</translation>
+    </message>
+</context>
+<context>
+    <name>TimelinePanel</name>
+    <message>
+        <source>Timeline</source>
+        <translation>타임라인</translation>
+    </message>
+    <message>
+        <source>Drag to see the stock after any block; wheel or arrow keys: one block, with Shift: more</source>
+        <translation>끌어서 임의 블록 뒤의 소재를 봅니다. 휠 또는 화살표 키: 한 블록, Shift와 함께: 여러 블록</translation>
+    </message>
+    <message>
+        <source>Speed</source>
+        <translation>속도</translation>
+    </message>
+    <message>
+        <source>Playing speed; 1× is %1 blocks a second</source>
+        <translation>재생 속도입니다. 1×는 초당 %1블록입니다</translation>
+    </message>
+    <message>
+        <source>Blocks executed / blocks that move</source>
+        <translation>실행한 블록 / 이송 블록</translation>
+    </message>
+    <message>
+        <source>As fast as possible</source>
+        <translation>가능한 한 빠르게</translation>
+    </message>
+    <message>
+        <source>Every block (paper mode)</source>
+        <translation>모든 블록(논문 모드)</translation>
+    </message>
+    <message>
+        <source>Each block is drawn before the next one is cut</source>
+        <translation>다음 블록을 절삭하기 전에 각 블록을 그립니다</translation>
+    </message>
+    <message>
+        <source>Block %1 · line %2 · tool T%3</source>
+        <translation>블록 %1 · 줄 %2 · 공구 T%3</translation>
+    </message>
+    <message>
+        <source>There is a problem on this line.</source>
+        <translation>이 줄에 문제가 있습니다.</translation>
+    </message>
+    <message>
+        <source>%1× (%2 blocks/s)</source>
+        <translation>%1× (%2블록/s)</translation>
+    </message>
+</context>
+<context>
+    <name>ToolForm</name>
+    <message>
+        <source>Shape</source>
+        <translation>형상</translation>
+    </message>
+    <message>
+        <source>The profile of the cutter</source>
+        <translation>공구의 윤곽</translation>
+    </message>
+    <message>
+        <source>%1
+Range: %2 to %3 %4
+Default: %5 %4</source>
+        <translation>%1
+범위: %2~%3 %4
+기본값: %5 %4</translation>
+    </message>
+</context>
+<context>
+    <name>ToolTableEditor</name>
+    <message>
+        <source>T%1 is already in the table.</source>
+        <translation>T%1은(는) 이미 테이블에 있습니다.</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>공구</translation>
+    </message>
+    <message>
+        <source>Cutter</source>
+        <translation>커터</translation>
+    </message>
+    <message>
+        <source>Tools</source>
+        <translation>공구</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>추가</translation>
+    </message>
+    <message>
+        <source>Add a tool with the next free number</source>
+        <translation>다음 빈 번호로 공구를 추가합니다</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>제거</translation>
+    </message>
+    <message>
+        <source>Remove the selected tool</source>
+        <translation>선택한 공구를 제거합니다</translation>
+    </message>
+    <message>
+        <source>Number</source>
+        <translation>번호</translation>
+    </message>
+    <message>
+        <source>The T word that calls this tool (no unit)
+Range: 0 to %1
+Default: the next free number</source>
+        <translation>이 공구를 부르는 T 워드(단위 없음)
+범위: 0~%1
+기본값: 다음 빈 번호</translation>
+    </message>
+    <message>
+        <source>Tool number</source>
+        <translation>공구 번호</translation>
+    </message>
+</context>
+<context>
+    <name>TuningPanel</name>
+    <message>
+        <source>Open a program to see it.</source>
+        <translation>프로그램을 열면 표시됩니다.</translation>
+    </message>
+    <message>
+        <source>Faces shown: %1 of %2 (%3 %)</source>
+        <translation>표시된 면: %2개 중 %1개(%3 %)</translation>
+    </message>
+    <message>
+        <source>Regions drawn from the z-map: %1 of %2</source>
+        <translation>Z맵으로 그린 영역: %2개 중 %1개</translation>
+    </message>
+    <message>
+        <source>Largest error: %1 mm, within the allowance of %2 mm</source>
+        <translation>최대 오차: %1 mm, 허용 오차 %2 mm 이내</translation>
+    </message>
+    <message>
+        <source>Largest error: %1 mm beside an allowance of %2 mm, which is not a bound while Certify is off</source>
+        <translation>최대 오차: %1 mm. 오차 보증이 꺼져 있어 허용 오차 %2 mm가 한계로 보장되지 않습니다</translation>
+    </message>
+    <message>
+        <source>Grid spacing</source>
+        <translation>격자 간격</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Wanted distance of the points of the z-map; finer shows more and takes longer. The simulation starts anew.
+Range: %1 to %2 mm
+Default: %3 mm</source>
+        <translation>원하는 Z맵 점 간격입니다. 작을수록 자세하고 오래 걸립니다. 시뮬레이션을 새로 시작합니다.
+범위: %1~%2 mm
+기본값: %3 mm</translation>
+    </message>
+    <message>
+        <source>Measured effect</source>
+        <translation>측정된 효과</translation>
+    </message>
+</context>
+<context>
+    <name>Viewport</name>
+    <message>
+        <source>This display has no OpenGL; the 3D view is switched off.</source>
+        <translation>이 화면에서는 OpenGL을 쓸 수 없어 3D 보기를 껐습니다.</translation>
+    </message>
+    <message>
+        <source>No OpenGL context could be created; the 3D view is switched off.</source>
+        <translation>OpenGL 컨텍스트를 만들 수 없어 3D 보기를 껐습니다.</translation>
+    </message>
+    <message>
+        <source>The graphics driver offers less than OpenGL 3.3; the 3D view is switched off.</source>
+        <translation>그래픽 드라이버가 OpenGL 3.3을 지원하지 않아 3D 보기를 껐습니다.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 triangles</source>
+        <translation>삼각형 %2개 중 %1개</translation>
+    </message>
+    <message>
+        <source>Rapid</source>
+        <translation>급속 이송</translation>
+    </message>
+    <message>
+        <source>Feed</source>
+        <translation>절삭 이송</translation>
+    </message>
+    <message>
+        <source>Arc</source>
+        <translation>원호</translation>
+    </message>
+    <message>
+        <source>Drawn from the z-map: %1 regions</source>
+        <translation>Z맵으로 그림: 영역 %1개</translation>
+    </message>
+    <message>
+        <source>Decimated: %1 regions</source>
+        <translation>간략화됨: 영역 %1개</translation>
+    </message>
+    <message>
+        <source>Region border</source>
+        <translation>영역 경계</translation>
+    </message>
+    <message>
+        <source>Triangle edge</source>
+        <translation>삼각형 모서리</translation>
+    </message>
+    <message>
+        <source>3D view</source>
+        <translation>3D 보기</translation>
+    </message>
+    <message>
+        <source>The graphics driver refused a shader; the log has its words.</source>
+        <translation>그래픽 드라이버가 셰이더를 거부했습니다. 로그에서 내용을 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>The grid has more points along a side than the graphics driver can take; the stock is not drawn. A wider grid spacing brings it back.</source>
+        <translation>격자 한 변의 점이 그래픽 드라이버의 한도를 넘어 소재를 그리지 않습니다. 격자 간격을 넓히면 다시 표시됩니다.</translation>
+    </message>
+</context>
+<context>
+    <name>ViewportCommands</name>
+    <message>
+        <source>&amp;Fit</source>
+        <translation>화면 맞춤(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Show the whole stock</source>
+        <translation>소재 전체를 표시합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Isometric</source>
+        <translation>등각(&amp;I)</translation>
+    </message>
+    <message>
+        <source>Look from the right, front and above</source>
+        <translation>오른쪽 앞 위에서 봅니다</translation>
+    </message>
+    <message>
+        <source>&amp;Top</source>
+        <translation>위(&amp;T)</translation>
+    </message>
+    <message>
+        <source>Look along -Z</source>
+        <translation>-Z 방향으로 봅니다</translation>
+    </message>
+    <message>
+        <source>&amp;Bottom</source>
+        <translation>아래(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Look along +Z</source>
+        <translation>+Z 방향으로 봅니다</translation>
+    </message>
+    <message>
+        <source>F&amp;ront</source>
+        <translation>앞(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Look along +Y</source>
+        <translation>+Y 방향으로 봅니다</translation>
+    </message>
+    <message>
+        <source>Bac&amp;k</source>
+        <translation>뒤(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Look along -Y</source>
+        <translation>-Y 방향으로 봅니다</translation>
+    </message>
+    <message>
+        <source>&amp;Left</source>
+        <translation>왼쪽(&amp;L)</translation>
+    </message>
+    <message>
+        <source>Look along +X</source>
+        <translation>+X 방향으로 봅니다</translation>
+    </message>
+    <message>
+        <source>Ri&amp;ght</source>
+        <translation>오른쪽(&amp;G)</translation>
+    </message>
+    <message>
+        <source>Look along -X</source>
+        <translation>-X 방향으로 봅니다</translation>
+    </message>
+    <message>
+        <source>&amp;Perspective</source>
+        <translation>원근(&amp;P)</translation>
+    </message>
+    <message>
+        <source>Perspective or parallel projection</source>
+        <translation>원근 또는 평행 투영</translation>
+    </message>
+    <message>
+        <source>&amp;Wireframe</source>
+        <translation>와이어프레임(&amp;W)</translation>
+    </message>
+    <message>
+        <source>Show the triangles and the borders of the regions</source>
+        <translation>삼각형과 영역 경계를 표시합니다</translation>
+    </message>
+    <message>
+        <source>Tint R&amp;egions</source>
+        <translation>영역 색 구분(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Tell regions drawn from the z-map from decimated ones</source>
+        <translation>Z맵으로 그린 영역과 간략화된 영역을 구별합니다</translation>
+    </message>
+    <message>
+        <source>Lege&amp;nd</source>
+        <translation>범례(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Show what the colours and lines mean</source>
+        <translation>색과 선의 의미를 표시합니다</translation>
+    </message>
+    <message>
+        <source>Hide Toolpat&amp;h</source>
+        <translation>공구 경로 숨기기(&amp;H)</translation>
+    </message>
+    <message>
+        <source>Draw no toolpath</source>
+        <translation>공구 경로를 그리지 않습니다</translation>
+    </message>
+    <message>
+        <source>Toolpath Near the &amp;Cutter</source>
+        <translation>커터 주변 공구 경로(&amp;C)</translation>
+    </message>
+    <message>
+        <source>Draw the toolpath of the blocks just behind and ahead</source>
+        <translation>바로 앞뒤 블록의 공구 경로를 그립니다</translation>
+    </message>
+    <message>
+        <source>Wh&amp;ole Toolpath</source>
+        <translation>전체 공구 경로(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Draw the toolpath of the whole program</source>
+        <translation>프로그램 전체의 공구 경로를 그립니다</translation>
+    </message>
+    <message>
+        <source>See-Through C&amp;utter</source>
+        <translation>반투명 커터(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Let the stock show through the cutter</source>
+        <translation>커터를 통해 소재가 보이게 합니다</translation>
+    </message>
+    <message>
+        <source>Hi&amp;de Cutter</source>
+        <translation>커터 숨기기(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Draw no cutter</source>
+        <translation>커터를 그리지 않습니다</translation>
+    </message>
+</context>
+<context>
+    <name>WindowCommands</name>
+    <message>
+        <source>&amp;Full Screen</source>
+        <translation>전체 화면(&amp;F)</translation>
+    </message>
+    <message>
+        <source>Fill the screen with the window, or leave it</source>
+        <translation>창을 화면 전체에 채우거나 되돌립니다</translation>
+    </message>
+    <message>
+        <source>&amp;Reset Layout</source>
+        <translation>배치 초기화(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Put all panels back to where they were at first</source>
+        <translation>모든 패널을 처음 위치로 되돌립니다</translation>
+    </message>
+</context>
+</TS>
