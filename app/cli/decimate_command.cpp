@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// decimate: decimation alone, on a given z-map.
+#include <fmt/core.h>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "app/cli/command.h"
+#include "app/cli/decimation_options.h"
+#include "app/cli/measured_surface.h"
+#include "app/cli/mesh_memory.h"
+#include "app/cli/option_error.h"
+#include "app/cli/outputs.h"
+#include "app/cli/report.h"
+#include "app/cli/stop_watch.h"
+#include "app/cli/thread_limit.h"
+#include "app/cli/zmap_file.h"
+#include "core/decimation/solid.h"
+#include "core/formats/stl.h"
+
+namespace proveout::cli {
+
+namespace {
+
+struct DecimateOptions {
+    std::string zmap;
+    double spacing = 0;
+    std::string origin = "0,0";
+    std::optional<double> floor;
+    DecimationOptions decimation;
+    ThreadLimit threads;
+    std::string stl;
+    bool asciiStl = false;
+    bool json = false;
+};
+
+Result<void> writeSolid(const DecimateOptions& options, const ZMapSnapshot& zmap,
+                        const SurfaceSnapshot& surface) {
+    const TriangleMesh solid = closeSolid(zmap, surface.triangles());
+    const auto encoding = options.asciiStl ? StlEncoding::ascii : StlEncoding::binary;
+    auto written = writeStl(options.stl, solid, encoding);
+    if (!written)
+        return tl::unexpected(std::move(written.error()));
+    return {};
+}
+
+/// The map, once all that can be refused without decimating has been.
+Result<ZMapSnapshot> prepare(const DecimateOptions& options, const DecimationParameters& parameters) {
+    const bool stl = !options.stl.empty();
+    if (auto distinct = checkOutputs({options.zmap}, {options.stl}); !distinct)
+        return tl::unexpected(std::move(distinct.error()));
+    if (auto crackFree = checkExportable(parameters); stl && !crackFree)
+        return tl::unexpected(std::move(crackFree.error()));
+    const auto origin = parsePoint(options.origin + ",0");
+    if (!origin)
+        return aboutOption(
+            "--origin",
+            failure("point-form", "“{}” is not a point of the form X,Y in mm", {options.origin}).value());
+    return readZMap(options.zmap, options.spacing, Vec2(*origin), options.floor,
+                    meshBytesPerPoint(parameters, false, stl));
+}
+
+ExitCode run(const DecimateOptions& options) {
+    Report report(options.zmap);
+    DecimationParameters parameters;
+    options.decimation.apply(parameters, true);
+    const auto zmap = prepare(options, parameters);
+    if (!zmap) {
+        report.addFatal(zmap.error());
+        if (options.json)
+            printJson({{"findings", report.findings()}, {"unverified", report.unverified()}});
+        return report.exitCode();
+    }
+    const StopWatch watch;
+    Surface surface(zmap->grid().nx, zmap->grid().ny, parameters);
+    (void)surface.decimateDirty(*zmap);
+    const double seconds = watch.seconds();
+    const SurfaceSnapshot result = surface.snapshot();
+    const MeasuredSurface measured = measure(result, *zmap, parameters, !options.stl.empty());
+    if (!options.stl.empty())
+        if (auto written = writeSolid(options, *zmap, result); !written)
+            report.addFatal(std::move(written.error()));
+
+    if (options.json)
+        printJson({{"facesIn", result.facesFull},
+                   {"facesOut", result.faces},
+                   {"seconds", seconds},
+                   {"largestErrorMm", measured.largestErrorMm},
+                   {"errorLevel", measured.level},
+                   {"regions", result.grid.regionCount()},
+                   {"method", kMethodChoices[static_cast<std::size_t>(parameters.method)].key},
+                   {"findings", report.findings()},
+                   {"unverified", report.unverified()}});
+    else
+        fmt::print("{} of {} triangles, largest vertical error {:.6f} mm, {:.3f} s\n", result.faces,
+                   result.facesFull, measured.largestErrorMm, seconds);
+    return report.exitCode();
+}
+
+} // namespace
+
+void addDecimateCommand(CLI::App& app, ExitCode& exitCode) {
+    auto* command = app.add_subcommand("decimate", "Decimate a given z-map");
+    auto options = std::make_shared<DecimateOptions>();
+    command->add_option("ZMAP", options->zmap, "Z-map: NPY, absolute heights, row 0 at the least y")
+        ->required();
+    command->add_option("--grid", options->spacing, "Grid spacing, mm")->type_name("H")->required();
+    command->add_option("--origin", options->origin, "Position of row 0, column 0, mm (0,0)")
+        ->type_name("X,Y");
+    command->add_option("--floor", options->floor, "Floor of the stock, mm (5 below the least height)")
+        ->type_name("Z");
+    options->decimation.addTo(*command);
+    options->threads.addTo(*command);
+    command->add_option("--stl", options->stl, "Write the solid (STL)")->type_name("F.stl");
+    command->add_flag("--ascii", options->asciiStl, "Write STL as text");
+    command->add_flag("--json", options->json, "Print one JSON object");
+    command->callback([options, &exitCode] {
+        options->threads.apply();
+        exitCode = run(*options);
+    });
+}
+
+} // namespace proveout::cli

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/decimation_options.h"
+
+#include <algorithm>
+#include <charconv>
+#include <fmt/format.h>
+#include <iterator>
+#include <type_traits>
+#include <vector>
+
+#include "core/decimation/region_decimator.h"
+
+namespace proveout::cli {
+
+namespace {
+
+template<class Value>
+void set(Value& target, const std::string& text, const Field& field) {
+    if constexpr (std::is_enum_v<Value>) {
+        const auto choice =
+            std::ranges::find_if(field.choices, [&](const Choice& row) { return text == row.key; });
+        target = static_cast<Value>(std::distance(field.choices.begin(), choice));
+    } else if constexpr (std::is_same_v<Value, bool>) {
+        target = text == "true";
+    } else {
+        std::from_chars(text.data(), text.data() + text.size(), target);
+    }
+}
+
+std::vector<std::string> keys(const Field& field) {
+    std::vector<std::string> out;
+    for (const Choice& choice : field.choices)
+        out.emplace_back(choice.key);
+    return out;
+}
+
+/// The whole text is a number of the field's type and range; without this, "8x" would pass as 8.
+template<class Value>
+CLI::Validator numberOf(const Field& field) {
+    return CLI::Validator(
+        [minimum = field.minimum, maximum = field.maximum](const std::string& text) -> std::string {
+            Value value{};
+            const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+            const bool inRange =
+                static_cast<double>(value) >= minimum && static_cast<double>(value) <= maximum;
+            if (error == std::errc{} && end == text.data() + text.size() && inRange)
+                return {};
+            return fmt::format("{} is not {} in {} … {}", text,
+                               std::is_integral_v<Value> ? "a whole number" : "a number", minimum, maximum);
+        },
+        fmt::format("{} … {}", field.minimum, field.maximum));
+}
+
+} // namespace
+
+void DecimationOptions::addTo(CLI::App& command) {
+    const DecimationParameters standard;
+    describe(standard, [&](const auto& value, const Field& field) {
+        using Value = std::remove_cvref_t<decltype(value)>;
+        const std::string key = field.key;
+        const auto keep = [this, key](const std::string& text) { m_given[key] = text; };
+        CLI::Option* option = nullptr;
+        if constexpr (std::is_same_v<Value, bool>) {
+            option = command.add_flag_callback(
+                "--no-" + key, [keep] { keep("false"); }, field.help);
+        } else {
+            option = command.add_option_function<std::string>("--" + key, keep, field.help);
+            if constexpr (std::is_enum_v<Value>)
+                option->check(CLI::IsMember(keys(field)));
+            else
+                option->check(numberOf<Value>(field))->type_name(field.unit);
+        }
+        option->group("Decimation");
+    });
+}
+
+void DecimationOptions::apply(DecimationParameters& parameters, bool standards) const {
+    const DecimationMethod before = parameters.method;
+    describe(parameters, [this](auto& value, const Field& field) {
+        if (const auto found = m_given.find(field.key); found != m_given.end())
+            set(value, found->second, field);
+    });
+    if (!standards && parameters.method == before)
+        return;
+    if (!given("region"))
+        parameters.regionCells = row(parameters.method).standardRegion;
+    if (!given("period"))
+        parameters.period = row(parameters.method).standardPeriod;
+}
+
+} // namespace proveout::cli

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// interpret: what a program means, as JSON Lines.
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "app/cli/command.h"
+#include "app/cli/option_error.h"
+#include "app/cli/report.h"
+#include "app/cli/setup_options.h"
+#include "core/cutter/tool_file.h"
+#include "core/formats/nc_motion.h"
+#include "core/nc/interpreter.h"
+
+namespace proveout::cli {
+
+namespace {
+
+struct InterpretCommandOptions {
+    std::string program;
+    std::string toolsFile;
+    std::string start;
+    bool blockDelete = false;
+};
+
+/// Tools that the program changes to and the table does not hold.
+Diagnostics missingTools(const Program& program, const ToolTable& tools) {
+    Diagnostics out;
+    for (const Event& event : program.events()) {
+        const auto* change = std::get_if<ToolChange>(&event.data);
+        if (change == nullptr || change->tool == 0 || tools.find(change->tool) != nullptr)
+            continue;
+        Diagnostic diagnostic;
+        diagnostic.unverified = true;
+        diagnostic.id = "tool-undefined";
+        diagnostic.text = "Tool T{} is not in the tool table.";
+        diagnostic.arguments = {std::to_string(change->tool)};
+        diagnostic.where = {static_cast<int>(event.line), 1, 0};
+        out.push_back(std::move(diagnostic));
+    }
+    return out;
+}
+
+ExitCode run(const InterpretCommandOptions& options) {
+    Report report(options.program);
+    const auto fail = [&report](Diagnostics diagnostics) {
+        report.addFatal(std::move(diagnostics));
+        return report.exitCode();
+    };
+    InterpretOptions interpreting;
+    interpreting.file = options.program;
+    interpreting.blockDelete = options.blockDelete;
+    interpreting.assumeStartAtZero = options.start.empty();
+    if (!options.start.empty()) {
+        auto start = parsePoint(options.start);
+        if (!start)
+            return fail(aboutOption("--start", std::move(start.error())).value());
+        interpreting.start = *start;
+    }
+    std::optional<ToolTable> tools;
+    if (!options.toolsFile.empty()) {
+        auto read = readToolFile(options.toolsFile);
+        if (!read)
+            return fail(std::move(read.error()));
+        tools = std::move(*read);
+    }
+    auto text = NcText::load(options.program);
+    if (!text)
+        return fail(std::move(text.error()));
+
+    const auto program = interpret(*text, interpreting);
+    NcMotionMeta meta;
+    meta.by = "proveout-cli " PROVEOUT_VERSION;
+    meta.file = std::filesystem::path(options.program).filename().string();
+    meta.blockDelete = options.blockDelete;
+    meta.start = interpreting.start;
+    writeNcMotion(std::cout, *program, *text, meta);
+    std::cout.flush();
+    report.add(program->diagnostics());
+    if (tools)
+        report.add(missingTools(*program, *tools));
+    if (program->unverified() || program->motionCount() == 0)
+        report.markUnverified();
+    return report.exitCode();
+}
+
+} // namespace
+
+void addInterpretCommand(CLI::App& app, ExitCode& exitCode) {
+    auto* command = app.add_subcommand("interpret", "Print motions and events as JSON Lines (nc-motion/1)");
+    auto options = std::make_shared<InterpretCommandOptions>();
+    command->add_option("PROG", options->program, "NC program")->required();
+    addDialectOption(*command);
+    command->add_option("--tools", options->toolsFile, "Tool table (TOML)")->type_name("FILE");
+    command->add_option("--start", options->start, "Position before the first block, mm (0,0,0, assumed)")
+        ->type_name("X,Y,Z");
+    command->add_flag("--block-delete", options->blockDelete, "Skip blocks that begin with /");
+    command->callback([options, &exitCode] { exitCode = run(*options); });
+}
+
+} // namespace proveout::cli

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/decimation/surface.h"
+#include "core/zmap/zmap.h"
+
+namespace proveout::cli {
+
+/// How far a surface lies from its z-map, and what that figure is worth.
+struct MeasuredSurface {
+    double largestErrorMm = 0;
+    const char* level = "none"; ///< "sample", "measured" or "none"
+};
+
+/// Measures a surface anew from its triangles, without asking the decimator. `stl`: what the rounding of
+/// coordinates to float32 may add is counted too, where it is more than a hundredth of the error allowance.
+[[nodiscard]] MeasuredSurface measure(const SurfaceSnapshot& surface, const ZMapSnapshot& zmap,
+                                      const DecimationParameters& parameters, bool stl);
+
+} // namespace proveout::cli

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/decimation/parameters.h"
+
+namespace proveout::cli {
+
+/// Bytes a point of the grid that meshes take beside the z-map, from the peak memory of runs with and without
+/// them: a full mesh has two triangles a point, and is held again, closed, while an STL file is written.
+[[nodiscard]] constexpr double meshBytesPerPoint(const DecimationParameters& parameters, bool full,
+                                                 bool stl) {
+    constexpr double kSurface = 25;
+    constexpr double kFullSolid = 80;
+    full = full || parameters.method == DecimationMethod::none || parameters.allowance == 0;
+    return full && stl ? kFullSolid : kSurface;
+}
+
+} // namespace proveout::cli

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include "core/base/diagnostic.h"
+#include "core/simulation/frame.h"
+
+namespace proveout::cli {
+
+/// Writes one row per executed block that moves, atomically: block (1-based), source line and its statistics;
+/// mm, mm³ and seconds.
+[[nodiscard]] Result<void> writeRecords(const std::filesystem::path& file, const Frame& frame);
+
+} // namespace proveout::cli

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/setup_options.h"
+
+#include <set>
+#include <string_view>
+#include <utility>
+
+#include "app/cli/option_error.h"
+#include "core/base/memory.h"
+#include "core/cutter/tool_file.h"
+
+namespace proveout::cli {
+
+void SetupOptions::addTo(CLI::App& command) {
+    command.add_option("PROG", m_program, "NC program");
+    command.add_option("--job", m_jobFile, "Job file with program, stock, grid, tools and decimation");
+    command.add_option("--stock", m_stock, "Size of the stock, mm")->type_name("WxDxH");
+    command.add_option("--stock-origin", m_stockOrigin, "Lower-left-top corner of the stock, mm (0,0,0)")
+        ->type_name("X,Y,Z");
+    command.add_option("--grid", m_grid, "Grid spacing, mm (1)")->type_name("H");
+    command.add_option("--tool", m_tools, "A tool, e.g. 1=ball:d=11,l=50; repeatable")
+        ->type_name("N=SHAPE:key=value,…")
+        ->allow_extra_args(false);
+    command.add_option("--tools", m_toolsFile, "Tool table (TOML)")->type_name("FILE");
+    command.add_option("--start", m_start, "Position before the first block, mm (not known)")
+        ->type_name("X,Y,Z");
+    command.add_flag("--block-delete", m_blockDelete, "Skip blocks that begin with /");
+    addDialectOption(command);
+    m_decimation.addTo(command);
+}
+
+Result<Job> SetupOptions::job() const {
+    Job job;
+    if (!m_jobFile.empty()) {
+        auto read = readJob(m_jobFile);
+        if (!read)
+            return tl::unexpected(std::move(read.error()));
+        job = std::move(*read);
+    }
+    if (!m_program.empty())
+        job.program = m_program;
+    if (job.program.empty())
+        return failure("no-program", "No program is given: name one, or a --job.");
+    if (m_jobFile.empty() && m_stock.empty())
+        return failure("no-stock", "No stock is given: use --stock WxDxH, or a --job.");
+    if (auto stock = applyStock(job.setup); !stock)
+        return tl::unexpected(std::move(stock.error()));
+    if (auto tools = applyTools(job.setup); !tools)
+        return tl::unexpected(std::move(tools.error()));
+    if (!m_start.empty()) {
+        auto start = parsePoint(m_start);
+        if (!start)
+            return aboutOption("--start", std::move(start.error()));
+        job.setup.start = *start;
+    }
+    job.setup.blockDelete = job.setup.blockDelete || m_blockDelete;
+    m_decimation.apply(job.parameters, m_jobFile.empty());
+    return job;
+}
+
+Result<void> SetupOptions::applyStock(Setup& setup) const {
+    if (!m_stock.empty()) {
+        const auto size = parseStockSize(m_stock);
+        if (!size)
+            return aboutOption("--stock", size.error());
+        setup.stock.width = size->x;
+        setup.stock.depth = size->y;
+        setup.stock.height = size->z;
+    }
+    if (!m_stockOrigin.empty()) {
+        const auto corner = parsePoint(m_stockOrigin);
+        if (!corner)
+            return aboutOption("--stock-origin", corner.error());
+        setup.stock.corner = *corner;
+    }
+    if (m_grid)
+        setup.spacing = *m_grid;
+    return {};
+}
+
+Result<void> SetupOptions::applyTools(Setup& setup) const {
+    if (!m_toolsFile.empty()) {
+        auto table = readToolFile(m_toolsFile);
+        if (!table)
+            return tl::unexpected(std::move(table.error()));
+        for (const auto& [number, cutter] : table->tools())
+            setup.tools.set(number, cutter);
+    }
+    std::set<int> given;
+    for (const auto& option : m_tools) {
+        auto tool = parseToolOption(option);
+        if (!tool)
+            return aboutOption("--tool", std::move(tool.error()));
+        if (!given.insert(tool->first).second)
+            return aboutOption(
+                "--tool",
+                failure("tool-twice", "Tool {} is given twice.", {std::to_string(tool->first)}).value());
+        setup.tools.set(tool->first, std::move(tool->second));
+    }
+    return {};
+}
+
+Result<void> SetupOptions::checkGrid(const Setup& setup, double bytesPerPoint) const {
+    const auto grid = makeGrid(setup.stock, setup.spacing);
+    if (!grid)
+        return aboutGrid(grid.error());
+    const auto available = static_cast<double>(availableMemoryBytes());
+    if (auto fits = checkMemory(setup.stock, *grid, available, bytesPerPoint); !fits)
+        return aboutGrid(std::move(fits.error()));
+    return {};
+}
+
+/// The job file is meant where its value was used.
+tl::unexpected<Diagnostics> SetupOptions::aboutGrid(Diagnostics diagnostics) const {
+    const std::string_view id = diagnostics.front().id;
+    const bool origin = id.starts_with("stock-origin");
+    const bool size = id.starts_with("stock-size");
+    const bool given = origin ? !m_stockOrigin.empty() : size ? !m_stock.empty() : m_grid.has_value();
+    if (given || m_jobFile.empty())
+        return aboutOption(origin ? "--stock-origin" : size ? "--stock" : "--grid", std::move(diagnostics));
+    for (Diagnostic& diagnostic : diagnostics)
+        diagnostic.file = m_jobFile;
+    return tl::unexpected(std::move(diagnostics));
+}
+
+void addDialectOption(CLI::App& command) {
+    command.add_option("--dialect", "Dialect of the program (linuxcnc)")->check(CLI::IsMember({"linuxcnc"}));
+}
+
+} // namespace proveout::cli

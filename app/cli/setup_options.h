@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+#include "app/cli/decimation_options.h"
+#include "core/base/diagnostic.h"
+#include "core/formats/job_file.h"
+
+namespace proveout::cli {
+
+/// The set-up of a run, from a job file, from options, or both: an option outranks the job.
+class SetupOptions {
+public:
+    /// Adds PROG and the set-up options. This object must outlive the parsing.
+    void addTo(CLI::App& command);
+
+    [[nodiscard]] Result<Job> job() const;
+    /// Refuses a stock and a grid that cannot be, or need more memory than there is; `bytesPerPoint` as in
+    /// checkMemory().
+    [[nodiscard]] Result<void> checkGrid(const Setup& setup, double bytesPerPoint) const;
+    [[nodiscard]] const DecimationOptions& decimation() const { return m_decimation; }
+    [[nodiscard]] std::vector<std::string> inputs() const { return {m_program, m_jobFile, m_toolsFile}; }
+    /// What messages without a place of their own are about.
+    [[nodiscard]] const std::string& subject() const { return m_program.empty() ? m_jobFile : m_program; }
+
+private:
+    [[nodiscard]] Result<void> applyStock(Setup& setup) const;
+    [[nodiscard]] Result<void> applyTools(Setup& setup) const;
+    [[nodiscard]] tl::unexpected<Diagnostics> aboutGrid(Diagnostics diagnostics) const;
+
+    std::string m_program;
+    std::string m_jobFile;
+    std::string m_stock;
+    std::string m_stockOrigin;
+    std::optional<double> m_grid;
+    std::vector<std::string> m_tools;
+    std::string m_toolsFile;
+    std::string m_start;
+    bool m_blockDelete = false;
+    DecimationOptions m_decimation;
+};
+
+/// `--dialect`: the one there is, until the dialects come.
+void addDialectOption(CLI::App& command);
+
+} // namespace proveout::cli

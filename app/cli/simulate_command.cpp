@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// simulate: cuts a program, and writes what is asked for.
+#include <cstdio>
+#include <fmt/core.h>
+#include <memory>
+#include <optional>
+#include <utility>
+
+#include "app/cli/command.h"
+#include "app/cli/measured_surface.h"
+#include "app/cli/mesh_memory.h"
+#include "app/cli/outputs.h"
+#include "app/cli/records_csv.h"
+#include "app/cli/report.h"
+#include "app/cli/setup_options.h"
+#include "app/cli/stop_block.h"
+#include "app/cli/stop_watch.h"
+#include "app/cli/thread_limit.h"
+#include "app/cli/zmap_file.h"
+#include "core/base/memory.h"
+#include "core/decimation/solid.h"
+#include "core/formats/stl.h"
+#include "core/nc/interpreter.h"
+#include "core/simulation/simulation.h"
+
+namespace proveout::cli {
+
+namespace {
+
+struct SimulateOptions {
+    SetupOptions setup;
+    ThreadLimit threads;
+    std::string until;
+    std::string zmap;
+    std::string stl;
+    bool asciiStl = false;
+    std::string mesh = "decimated";
+    std::string records;
+    bool json = false;
+};
+
+struct Seconds {
+    double interpret = 0;
+    double allocate = 0;
+    double cut = 0;
+    double decimate = 0;
+    double write = 0;
+    double total = 0;
+};
+
+/// One run of the command; each part tells the report what went wrong.
+class SimulateRun {
+public:
+    explicit SimulateRun(const SimulateOptions& options)
+        : m_options(options), m_report(options.setup.subject()) {}
+
+    ExitCode run() {
+        if (!prepare() || !simulate())
+            return failed();
+        decimate();
+        write();
+        m_seconds.total = m_watch.seconds();
+        if (m_options.json)
+            printJson(object());
+        else
+            printSummary();
+        return m_report.exitCode();
+    }
+
+private:
+    template<class Value>
+    bool fine(Result<Value>&& result) {
+        if (!result)
+            m_report.addFatal(std::move(result.error()));
+        return result.has_value();
+    }
+
+    ExitCode failed() {
+        if (m_options.json)
+            printJson({{"findings", m_report.findings()}, {"unverified", m_report.unverified()}});
+        return m_report.exitCode();
+    }
+
+    bool prepare() {
+        auto job = m_options.setup.job();
+        if (!job)
+            return fine(std::move(job));
+        m_job = std::move(*job);
+        auto inputs = m_options.setup.inputs();
+        inputs.push_back(m_job.program.string());
+        if (!fine(checkOutputs(inputs, {m_options.zmap, m_options.stl, m_options.records})))
+            return false;
+        if (!m_options.stl.empty() && m_options.mesh == "decimated" &&
+            !fine(checkExportable(m_job.parameters)))
+            return false;
+        if (!fine(m_options.setup.checkGrid(m_job.setup, meshBytes())))
+            return false;
+        return interpretProgram();
+    }
+
+    [[nodiscard]] double meshBytes() const {
+        const bool stl = !m_options.stl.empty();
+        if (!stl && !m_options.json && !followsSchedule())
+            return 0;
+        return meshBytesPerPoint(m_job.parameters, m_options.mesh == "full", stl);
+    }
+
+    bool interpretProgram() {
+        const StopWatch watch;
+        auto text = NcText::load(m_job.program);
+        if (!text)
+            return fine(std::move(text));
+        InterpretOptions options;
+        options.file = m_job.program.string();
+        options.blockDelete = m_job.setup.blockDelete;
+        options.start = m_job.setup.start;
+        m_program = interpret(*text, options);
+        m_seconds.interpret = watch.seconds();
+        m_report.add(m_program->diagnostics());
+        if (m_program->unverified() || m_program->motionCount() == 0)
+            m_report.markUnverified();
+        return true;
+    }
+
+    /// The surface between start and end is nobody's business unless records or a period were asked for:
+    /// what is written is decimated as a whole anyway.
+    [[nodiscard]] bool followsSchedule() const {
+        return !m_options.records.empty() || m_options.setup.decimation().given("period");
+    }
+
+    bool simulate() {
+        DecimationParameters parameters = m_job.parameters;
+        if (!followsSchedule())
+            parameters.period = 0;
+        auto simulation =
+            Simulation::create(m_program, std::make_shared<const Setup>(m_job.setup), parameters);
+        if (!simulation)
+            return fine(std::move(simulation));
+        m_simulation = std::move(*simulation);
+        m_simulation->seek(blocksToRun(parseStopBlock(m_options.until), *m_program));
+        m_frame = m_simulation->frame();
+        Diagnostics findings = m_frame.findings;
+        for (Diagnostic& finding : findings)
+            finding.file = m_job.program.string();
+        m_report.add(std::move(findings));
+        return true;
+    }
+
+    void decimate() {
+        m_seconds.allocate = m_simulation->effort().allocateSeconds;
+        m_seconds.cut = m_simulation->effort().cutSeconds;
+        m_seconds.decimate = m_simulation->effort().decimationSeconds;
+        const bool decimated = m_options.mesh == "decimated";
+        if (!m_options.json && m_options.stl.empty())
+            return;
+        const StopWatch watch;
+        m_surface =
+            decimated ? m_simulation->decimatedNow()
+                      : Surface(m_frame.zmap.grid().nx, m_frame.zmap.grid().ny, m_job.parameters).snapshot();
+        if (decimated)
+            m_seconds.decimate += watch.seconds();
+        m_measured = measure(*m_surface, m_frame.zmap, m_job.parameters, !m_options.stl.empty());
+    }
+
+    void write() {
+        const StopWatch watch;
+        if (!m_options.zmap.empty())
+            fine(writeZMap(m_options.zmap, m_frame.zmap));
+        if (!m_options.records.empty())
+            fine(writeRecords(m_options.records, m_frame));
+        if (!m_options.stl.empty())
+            fine(writeSolid());
+        m_seconds.write = watch.seconds();
+    }
+
+    Result<void> writeSolid() {
+        const TriangleMesh solid = closeSolid(m_frame.zmap, m_surface->triangles());
+        if (solid.triangles.empty())
+            return failure("nothing-left", "Nothing of the stock is left; there is no solid to write.", {},
+                           m_options.stl);
+        const auto encoding = m_options.asciiStl ? StlEncoding::ascii : StlEncoding::binary;
+        auto written = writeStl(m_options.stl, solid, encoding);
+        if (!written)
+            return tl::unexpected(std::move(written.error()));
+        m_written = *written;
+        return {};
+    }
+
+    [[nodiscard]] nlohmann::ordered_json object() const {
+        const Grid& grid = m_frame.zmap.grid();
+        nlohmann::ordered_json out{
+            {"program", m_job.program.string()},
+            {"blocks", m_program->sourceBlockCount()},
+            {"motions", executedMotions()},
+            {"movingBlocks", m_frame.block},
+            {"grid", {{"nx", grid.nx}, {"ny", grid.ny}, {"hx", grid.hx}, {"hy", grid.hy}}},
+            {"removedMm3", m_frame.removedMm3},
+            {"facesFull", m_surface->facesFull},
+            {"facesDecimated", m_surface->faces},
+            {"largestErrorMm", m_measured.largestErrorMm},
+            {"errorLevel", m_measured.level},
+            {"regions", m_surface->grid.regionCount()},
+            {"method", kMethodChoices[static_cast<std::size_t>(m_job.parameters.method)].key},
+            {"mesh", m_options.mesh},
+            {"seconds",
+             {{"interpret", m_seconds.interpret},
+              {"allocate", m_seconds.allocate},
+              {"cut", m_seconds.cut},
+              {"decimate", m_seconds.decimate},
+              {"write", m_seconds.write},
+              {"total", m_seconds.total}}},
+            {"peakBytes", peakMemoryBytes()}};
+        if (m_written)
+            out["stl"] = {{"triangles", m_written->triangles}, {"bytes", m_written->bytes}};
+        out["findings"] = m_report.findings();
+        out["unverified"] = m_report.unverified();
+        return out;
+    }
+
+    [[nodiscard]] std::size_t executedMotions() const {
+        return m_frame.block == 0 ? 0 : m_program->blockMotions(m_frame.block - 1).last;
+    }
+
+    void printSummary() const {
+        fmt::print("{} of {} moving blocks, {:.1f} mm³ removed, {:.3f} s\n", m_frame.block,
+                   m_program->blockCount(), m_frame.removedMm3, m_seconds.total);
+        if (m_written)
+            fmt::print("{}: {} triangles, {}\n", m_options.stl, m_written->triangles,
+                       readableBytes(static_cast<double>(m_written->bytes)));
+    }
+
+    const SimulateOptions& m_options;
+    const StopWatch m_watch;
+    Report m_report;
+    Job m_job;
+    std::shared_ptr<const Program> m_program;
+    std::unique_ptr<Simulation> m_simulation;
+    Frame m_frame;
+    std::optional<SurfaceSnapshot> m_surface; ///< where JSON or STL ask for it
+    MeasuredSurface m_measured;
+    std::optional<WrittenFile> m_written;
+    Seconds m_seconds;
+};
+
+} // namespace
+
+void addSimulateCommand(CLI::App& app, ExitCode& exitCode) {
+    auto* command = app.add_subcommand("simulate", "Cut a program, and write what is asked for");
+    auto options = std::make_shared<SimulateOptions>();
+    options->setup.addTo(*command);
+    options->threads.addTo(*command);
+    command->add_option("--until", options->until, "Stop after the N-th block that moves, or after line n")
+        ->type_name("N|L<n>")
+        ->check([](const std::string& text) {
+            return parseStopBlock(text) ? std::string()
+                                        : "\"" + text + "\" is neither a block N nor a line L<n>";
+        });
+    command->add_option("--zmap", options->zmap, "Write the z-map (NPY)")->type_name("F.npy");
+    command->add_option("--stl", options->stl, "Write the stock as a closed solid (STL)")->type_name("F.stl");
+    command->add_flag("--ascii", options->asciiStl, "Write STL as text");
+    command->add_option("--mesh", options->mesh, "The surface of the solid")
+        ->check(CLI::IsMember({"decimated", "full"}));
+    command->add_option("--records", options->records, "Write one row a moving block (CSV)")
+        ->type_name("F.csv");
+    command->add_flag("--json", options->json, "Print one JSON object");
+    command->callback([options, &exitCode] {
+        options->threads.apply();
+        exitCode = SimulateRun(*options).run();
+    });
+}
+
+} // namespace proveout::cli

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/thread_limit.h"
+
+#include <tbb/global_control.h>
+
+namespace proveout::cli {
+
+struct ThreadLimit::Control {
+    explicit Control(int threads)
+        : limit(tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)) {}
+    tbb::global_control limit;
+};
+
+ThreadLimit::ThreadLimit() = default;
+ThreadLimit::~ThreadLimit() = default;
+
+void ThreadLimit::addTo(CLI::App& command) {
+    command.add_option("--threads", m_threads, "Threads that work in parallel (all, if not given)")
+        ->check(CLI::Range(1, 1024));
+}
+
+void ThreadLimit::apply() {
+    if (m_threads > 0)
+        m_control = std::make_unique<Control>(m_threads);
+}
+
+} // namespace proveout::cli

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include <CLI/CLI.hpp>
+
+namespace proveout::cli {
+
+/// `--threads N`: how many threads work in parallel; results never depend on it.
+class ThreadLimit {
+public:
+    ThreadLimit();
+    ~ThreadLimit();
+    ThreadLimit(const ThreadLimit&) = delete;
+    ThreadLimit& operator=(const ThreadLimit&) = delete;
+
+    /// This object must outlive the parsing.
+    void addTo(CLI::App& command);
+    /// In force from here to the end of this object.
+    void apply();
+
+private:
+    int m_threads = 0;
+    struct Control;
+    std::unique_ptr<Control> m_control;
+};
+
+} // namespace proveout::cli

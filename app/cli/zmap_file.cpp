@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/zmap_file.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <utility>
+#include <vector>
+
+#include "app/cli/option_error.h"
+#include "core/base/memory.h"
+#include "core/formats/npy.h"
+
+namespace proveout::cli {
+
+namespace {
+
+constexpr double kStandardThickness = 5; ///< mm below the least height
+
+Result<StockBox> stockOf(const NpyArray& array, double spacing, Vec2 origin, std::optional<double> floor) {
+    if (array.rows < 2 || array.columns < 2)
+        return failure("zmap-too-small", "A z-map needs 2 × 2 points at least; this one has {} × {}.",
+                       {std::to_string(array.rows), std::to_string(array.columns)});
+    const auto bad = std::ranges::find_if(array.values, [](double z) { return !std::isfinite(z); });
+    if (bad != array.values.end()) {
+        const auto index = static_cast<std::size_t>(std::distance(array.values.begin(), bad));
+        const auto columns = static_cast<std::size_t>(array.columns);
+        return failure("zmap-not-finite", "Row {}, column {} is no finite number.",
+                       {std::to_string(index / columns), std::to_string(index % columns)});
+    }
+    const auto [least, most] = std::ranges::minmax(array.values);
+    const double bottom = floor.value_or(least - kStandardThickness);
+    if (!(bottom <= least && bottom < most))
+        return failure("floor-too-high", "The floor, {} mm, must lie below the heights ({} … {} mm).",
+                       {fmt::format("{}", bottom), fmt::format("{}", least), fmt::format("{}", most)});
+    StockBox stock;
+    stock.corner = {origin, most};
+    stock.width = spacing * (array.columns - 1);
+    stock.depth = spacing * (array.rows - 1);
+    stock.height = most - bottom;
+    return stock;
+}
+
+ZMapSnapshot filled(const NpyArray& array, const StockBox& stock, const Grid& grid) {
+    ZMap zmap(stock, grid);
+    for (int tj = 0; tj < zmap.tilesY(); ++tj)
+        for (int ti = 0; ti < zmap.tilesX(); ++ti) {
+            Tile& tile = zmap.tileForWriting(static_cast<std::size_t>(tj * zmap.tilesX() + ti));
+            const int i0 = ti * Tile::kSize;
+            const int j0 = tj * Tile::kSize;
+            for (int j = j0; j < std::min(grid.ny, j0 + Tile::kSize); ++j)
+                for (int i = i0; i < std::min(grid.nx, i0 + Tile::kSize); ++i) {
+                    const auto index = static_cast<std::size_t>(j) * static_cast<std::size_t>(grid.nx) +
+                                       static_cast<std::size_t>(i);
+                    tile.at(i - i0, j - j0) =
+                        std::max(zmap.floor(), static_cast<float>(array.values[index] - stock.topZ()));
+                }
+            tile.refreshMaximum();
+        }
+    return zmap.snapshot();
+}
+
+tl::unexpected<Diagnostics> about(const std::filesystem::path& file, Diagnostics diagnostics) {
+    for (Diagnostic& diagnostic : diagnostics)
+        if (diagnostic.file.empty())
+            diagnostic.file = file.string();
+    return tl::unexpected(std::move(diagnostics));
+}
+
+} // namespace
+
+Result<void> writeZMap(const std::filesystem::path& file, const ZMapSnapshot& zmap) {
+    const Grid& grid = zmap.grid();
+    NpyArray array;
+    array.rows = grid.ny;
+    array.columns = grid.nx;
+    array.values.reserve(static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny));
+    std::vector<float> row(static_cast<std::size_t>(grid.nx));
+    for (int j = 0; j < grid.ny; ++j) {
+        zmap.read({0, j, grid.nx, j + 1}, row);
+        for (const float height : row)
+            array.values.push_back(zmap.stock().topZ() + static_cast<double>(height));
+    }
+    return writeNpy(file, array);
+}
+
+Result<ZMapSnapshot> readZMap(const std::filesystem::path& file, double spacing, Vec2 origin,
+                              std::optional<double> floor, double bytesPerPoint) {
+    if (auto fine = checkSpacing(spacing); !fine)
+        return aboutOption("--grid", std::move(fine.error()));
+    const auto array = readNpy(file);
+    if (!array)
+        return tl::unexpected(array.error());
+    auto stock = stockOf(*array, spacing, origin, floor);
+    if (!stock)
+        return about(file, std::move(stock.error()));
+    auto grid = makeGrid(*stock, spacing);
+    if (!grid)
+        return about(file, std::move(grid.error()));
+    // Rounding in width / spacing must not add a point that the file does not have.
+    grid->nx = array->columns;
+    grid->ny = array->rows;
+    grid->hx = spacing;
+    grid->hy = spacing;
+    if (auto fits = checkMemory(*stock, *grid, static_cast<double>(availableMemoryBytes()), bytesPerPoint);
+        !fits)
+        return about(file, std::move(fits.error()));
+    return filled(*array, *stock, *grid);
+}
+
+} // namespace proveout::cli

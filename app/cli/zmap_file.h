@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "core/base/diagnostic.h"
+#include "core/base/geometry.h"
+#include "core/zmap/zmap.h"
+
+namespace proveout::cli {
+
+/// Writes absolute heights: row 0 at the least y, float32.
+[[nodiscard]] Result<void> writeZMap(const std::filesystem::path& file, const ZMapSnapshot& zmap);
+
+/// Reads absolute heights as the top of a stock: point (row j, column i) at origin + (i, j) · spacing, floor
+/// at `floor` or 5 mm below the least height. Errors: as readNpy; fewer than 2 × 2 points; heights that are
+/// not finite or not above the floor; more memory than there is, with `bytesPerPoint` for what will be made
+/// of the map.
+[[nodiscard]] Result<ZMapSnapshot> readZMap(const std::filesystem::path& file, double spacing, Vec2 origin,
+                                            std::optional<double> floor, double bytesPerPoint = 0);
+
+} // namespace proveout::cli

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The workstation: composes session, appearance and window, and reads the command line.
+#include <cstdio>
+#include <exception>
+#include <optional>
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QFileInfo>
+#include <QSettings>
+#include <QTemporaryDir>
+
+#include "app/workstation/screenshot_run.h"
+#include "ui/appearance.h"
+#include "ui/main_window.h"
+#include "ui/session.h"
+
+namespace proveout {
+namespace {
+
+constexpr int kUsage = 3;
+
+struct Options {
+    QString file;
+    QString screenshot;
+    QSize size;
+    std::optional<std::size_t> seek; ///< none: the end of the program
+    QString theme;
+    QString language;
+    QStringList actions;
+};
+
+QSize readSize(const QString& text) {
+    return {text.section(u'x', 0, 0).toInt(), text.section(u'x', 1, 1).toInt()};
+}
+
+/// Ends the process itself on --help, --version and on usage errors.
+Options readOptions(const QStringList& arguments) {
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        QStringLiteral("Proves out three-axis milling programs before they touch metal."));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addPositionalArgument(QStringLiteral("FILE"), QStringLiteral("An NC program or a .proveout job."),
+                                 QStringLiteral("[FILE]"));
+    const QCommandLineOption screenshot(QStringLiteral("screenshot"),
+                                        QStringLiteral("Write a picture of the window to PNG and exit."),
+                                        QStringLiteral("PNG"));
+    const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("Size of the window."),
+                                  QStringLiteral("WxH"));
+    const QCommandLineOption seek(QStringLiteral("seek"),
+                                  QStringLiteral("Go to the state after block N, or to the end."),
+                                  QStringLiteral("N|end"));
+    const QCommandLineOption theme(QStringLiteral("theme"),
+                                   QStringLiteral("system, light or dark, for this run."),
+                                   QStringLiteral("THEME"));
+    const QCommandLineOption language(QStringLiteral("language"),
+                                      QStringLiteral("Language for this run: en, ko, de."),
+                                      QStringLiteral("CODE"));
+    const QCommandLineOption action(QStringLiteral("action"),
+                                    QStringLiteral("Trigger a command of the menus by its id; repeatable."),
+                                    QStringLiteral("ID"));
+    parser.addOptions({screenshot, size, seek, theme, language, action});
+    parser.process(arguments);
+
+    Options options;
+    options.file = parser.positionalArguments().value(0);
+    options.screenshot = parser.value(screenshot);
+    options.size = readSize(parser.value(size));
+    bool isNumber = false;
+    const qulonglong block = parser.value(seek).toULongLong(&isNumber);
+    if (isNumber)
+        options.seek = static_cast<std::size_t>(block);
+    options.theme = parser.value(theme);
+    options.language = parser.value(language);
+    options.actions = parser.values(action);
+    const bool badSeek = parser.isSet(seek) && !isNumber && parser.value(seek) != QLatin1String("end");
+    if (badSeek || (parser.isSet(size) && options.size.isEmpty())) {
+        std::fputs("proveout: --seek takes a number or \"end\", --size takes WxH\n", stderr);
+        std::exit(kUsage);
+    }
+    return options;
+}
+
+bool trigger(MainWindow& window, const QStringList& ids) {
+    for (const QString& id : ids) {
+        QAction* action = window.action(id);
+        if (action == nullptr) {
+            std::fprintf(stderr, "proveout: no command has the id %s\n", qPrintable(id));
+            return false;
+        }
+        action->trigger();
+    }
+    return true;
+}
+
+int run() {
+    const Options options = readOptions(QApplication::arguments());
+    QTemporaryDir ownSettings;
+    if (!options.screenshot.isEmpty()) {
+        // A picture shows the defaults, not how this user has arranged the window.
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, ownSettings.path());
+    }
+    Appearance appearance;
+    if (!options.theme.isEmpty())
+        appearance.overrideTheme(themeFromKey(options.theme));
+    if (!options.language.isEmpty())
+        appearance.overrideLanguage(options.language);
+    Session session;
+    MainWindow window(session, appearance);
+    if (!options.size.isEmpty())
+        window.resize(options.size);
+    window.show();
+    if (!options.file.isEmpty() && !window.files().open(options.file) && !options.screenshot.isEmpty()) {
+        for (const Diagnostic& problem : session.problems())
+            std::fprintf(stderr, "%s\n", oneLine(problem).c_str());
+        return kUsage;
+    }
+    if (!trigger(window, options.actions))
+        return kUsage;
+    if (!options.screenshot.isEmpty())
+        new ScreenshotRun(window, options.screenshot, options.seek);
+    else if (options.seek)
+        session.seek(*options.seek);
+    return QApplication::exec();
+}
+
+} // namespace
+} // namespace proveout
+
+int main(int argc, char** argv) {
+    // Keeps the GL objects of the view when it moves to another window.
+    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    const QApplication application(argc, argv);
+    QCoreApplication::setOrganizationName(QStringLiteral("Proveout"));
+    QCoreApplication::setApplicationName(QStringLiteral("Proveout"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(PROVEOUT_VERSION));
+    try {
+        return proveout::run();
+    } catch (const std::exception& problem) {
+        std::fprintf(stderr, "proveout: error: %s\n", problem.what());
+        return 1;
+    }
+}

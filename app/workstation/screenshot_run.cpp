@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/workstation/screenshot_run.h"
+
+#include <algorithm>
+
+#include <QCoreApplication>
+#include <QPixmap>
+
+namespace proveout {
+
+namespace {
+constexpr int kSettleMs = 700;
+constexpr int kLimitMs = 180'000;
+constexpr int kFailed = 3;
+} // namespace
+
+ScreenshotRun::ScreenshotRun(MainWindow& window, const QString& picture, std::optional<std::size_t> block)
+    : QObject(&window), m_window(window), m_picture(picture), m_block(block) {
+    m_settle.setSingleShot(true);
+    m_settle.setInterval(kSettleMs);
+    m_limit.setSingleShot(true);
+    connect(&m_settle, &QTimer::timeout, this, &ScreenshotRun::take);
+    connect(&m_limit, &QTimer::timeout, this, [] { QCoreApplication::exit(kFailed); });
+    connect(&window.session(), &Session::tick, this, &ScreenshotRun::look);
+    m_limit.start(kLimitMs);
+    if (!window.session().hasDocument())
+        m_settle.start(); // the start page
+}
+
+void ScreenshotRun::look(const FramePtr& frame) {
+    if (!frame)
+        return;
+    Session& session = m_window.session();
+    const std::size_t wanted = std::min(m_block.value_or(session.blockCount()), session.blockCount());
+    if (!m_sought) {
+        m_sought = true;
+        session.seek(wanted);
+    }
+    if (frame->block == wanted)
+        m_settle.start();
+}
+
+void ScreenshotRun::take() {
+    QCoreApplication::exit(m_window.grab().save(m_picture) ? 0 : kFailed);
+}
+
+} // namespace proveout

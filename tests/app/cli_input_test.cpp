@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bad input: each has a message with its place and its exit code.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "tests/app/command_line.h"
+
+namespace proveout {
+namespace {
+
+using testing::HasSubstr;
+
+class CliInput : public CommandLine {
+protected:
+    Finished simulate(const std::string& program, const std::string& more = "") {
+        write("p.nc", program);
+        return run("simulate p.nc" + kStock + kTool + more);
+    }
+};
+
+TEST_F(CliInput, MissingFile) {
+    const auto done = run("simulate none.nc" + kStock + kTool);
+    EXPECT_EQ(done.exitCode, 3);
+    EXPECT_TRUE(done.tells("none.nc: error: ", "file-unreadable")) << done.err;
+    EXPECT_EQ(run("interpret none.nc").exitCode, 3);
+    EXPECT_EQ(run("decimate none.npy --grid 1").exitCode, 3);
+}
+
+TEST_F(CliInput, FolderAndBinaryFile) {
+    EXPECT_EQ(run("simulate ." + kStock + kTool).exitCode, 3);
+    const auto done = simulate(std::string("G0\0\1\2\3 X1", 10));
+    EXPECT_EQ(done.exitCode, 3);
+    EXPECT_TRUE(done.tells("p.nc:1:1: error: ", "nc-binary")) << done.err;
+}
+
+TEST_F(CliInput, NoMotionIsAWarningAndUnverified) {
+    for (const char* program : {"", "%\n%\n", "(nothing)\nM30\n"}) {
+        const auto done = simulate(program, "--json");
+        EXPECT_EQ(done.exitCode, 2) << program;
+        EXPECT_THAT(done.err, HasSubstr("warning: ")) << program;
+        EXPECT_THAT(done.err, HasSubstr("[no-motion]")) << program;
+        EXPECT_EQ(done.json()["motions"], 0) << program;
+        EXPECT_EQ(run("interpret p.nc").exitCode, 2) << program;
+    }
+}
+
+TEST_F(CliInput, ToolWithoutACutterIsUnverified) {
+    const auto done = simulate("T7 M6\nG0 X5 Y5 Z5\nG1 Z-2 F100\nX30\n", "--json");
+    EXPECT_EQ(done.exitCode, 2);
+    EXPECT_TRUE(done.tells("p.nc:2:1: error: ", "tool-undefined")) << done.err;
+    EXPECT_EQ(done.json()["removedMm3"], 0);
+    ASSERT_FALSE(done.json()["unverified"].empty());
+    EXPECT_EQ(done.json()["unverified"][0]["id"], "tool-undefined");
+    EXPECT_EQ(done.json()["unverified"][0]["line"], 2);
+}
+
+TEST_F(CliInput, MotionBeforeFAndArcThatDoesNotFitAreUnverified) {
+    const auto noFeed = simulate("T1 M6\nG0 X5 Y5 Z5\nG1 Z-2\nM30\n");
+    EXPECT_EQ(noFeed.exitCode, 2);
+    EXPECT_THAT(noFeed.err, HasSubstr("p.nc:3:1: error: ")) << noFeed.err;
+    EXPECT_THAT(noFeed.err, HasSubstr("[feed-missing]"));
+    const auto badArc = simulate("T1 M6\nG0 X5 Y5 Z5\nG1 Z-2 F100\nG2 X20 Y9 I1 J1\nM30\n");
+    EXPECT_EQ(badArc.exitCode, 2);
+    EXPECT_THAT(badArc.err, HasSubstr("p.nc:4:"));
+    EXPECT_THAT(badArc.err, HasSubstr("[arc-ends-differ]"));
+}
+
+TEST_F(CliInput, RapidThatCutsIsAFaultAndOutranksUnverified) {
+    const auto done = simulate("T1 M6\nG0 X5 Y5 Z5\nZ-3\nG1 X9\nM30\n", "--json");
+    EXPECT_EQ(done.exitCode, 1);
+    EXPECT_TRUE(done.tells("p.nc:3:1: fault: ", "rapid-cuts")) << done.err;
+    EXPECT_THAT(done.err, HasSubstr("[feed-missing]"));
+    const auto json = done.json();
+    EXPECT_EQ(json["findings"][0]["id"], "rapid-cuts");
+    EXPECT_EQ(json["findings"][0]["severity"], "fault");
+    EXPECT_FALSE(json["unverified"].empty());
+}
+
+TEST_F(CliInput, UnwritableOutputOutranksAFault) {
+    const auto done = simulate("T1 M6\nG0 X5 Y5 Z5\nZ-3\nM30\n", "--stl none/a.stl --json");
+    EXPECT_EQ(done.exitCode, 3);
+    EXPECT_TRUE(done.tells("none/a.stl: error: ", "file-unwritable")) << done.err;
+    EXPECT_THAT(done.err, HasSubstr("[rapid-cuts]"));
+    for (const char* output : {"--zmap none/a.npy", "--records none/a.csv", "--stl ."})
+        EXPECT_EQ(simulate(kSound, output).exitCode, 3) << output;
+}
+
+TEST_F(CliInput, GridTooFineForTheMachineNamesOneThatFits) {
+    const auto huge = run("simulate " + write("p.nc", kSound) + " --stock 4000x3000x10 --grid 0.005" + kTool);
+    EXPECT_EQ(huge.exitCode, 3);
+    EXPECT_THAT(huge.err, HasSubstr("finest"));
+    EXPECT_THAT(huge.err, testing::ContainsRegex("[0-9.]+ [GT]B"));
+    const auto absurd = run("simulate p.nc --stock 1e9x1e9x10 --grid 1e-9" + kTool);
+    EXPECT_EQ(absurd.exitCode, 3);
+    EXPECT_THAT(absurd.err, HasSubstr("error: "));
+}
+
+TEST_F(CliInput, OutputsNeverOverwriteInputs) {
+    write("p.nc", kSound);
+    for (const char* output : {"--stl p.nc", "--records ./p.nc", "--stl a.x --zmap a.x"}) {
+        const auto done = run("simulate p.nc" + kStock + kTool + output);
+        EXPECT_EQ(done.exitCode, 3) << output;
+        EXPECT_THAT(done.err, HasSubstr("[output-overwrites]")) << output;
+        EXPECT_EQ(read("p.nc"), kSound) << output;
+    }
+}
+
+TEST_F(CliInput, BrokenToolTablesNameTheirPlace) {
+    write("p.nc", kSound);
+    const auto tell = [this](const std::string& table, const std::string& start, const std::string& id) {
+        write("t.toml", table);
+        const auto done = run("simulate p.nc --tools t.toml" + kStock);
+        EXPECT_EQ(done.exitCode, 3) << table;
+        EXPECT_TRUE(done.tells(start, id)) << done.err;
+    };
+    tell("[[tool]]\nnumber = 1\ncutter = \"ball:d=4\n", "t.toml:3:", "tool-file-syntax");
+    tell("x = 1\n", "t.toml: error", "tool-file-empty");
+    tell("\n[[tool]]\nnumber = 0\ncutter = \"ball:d=4\"\n", "t.toml:2:", "tool-number");
+    tell("[[tool]]\nnumber = 1\n", "t.toml:1:", "tool-cutter");
+    tell("[[tool]]\nnumber = 1\ncutter = \"star:d=4\"\n", "t.toml:1:", "cutter-shape-unknown");
+    const std::string row = "[[tool]]\nnumber = 1\ncutter = \"ball:d=4\"\n";
+    tell(row + row, "t.toml:4:", "tool-twice");
+}
+
+TEST_F(CliInput, FileNamesNeedNotBeUtf8) {
+    const std::string name = "p\xff\xfe.nc";
+    write(name, "T7 M6\nG0 X1 Y1 Z1\nX2\n");
+    const auto done = run("simulate '" + name + "' --json" + kStock + kTool);
+    EXPECT_EQ(done.exitCode, 2);
+    EXPECT_FALSE(done.json().is_discarded());
+    EXPECT_EQ(run("interpret '" + name + "'").exitCode, 0);
+}
+
+} // namespace
+} // namespace proveout

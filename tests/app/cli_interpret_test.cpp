@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+#include <sstream>
+
+#include "tests/app/command_line.h"
+
+namespace proveout {
+namespace {
+
+class CliInterpret : public CommandLine {
+protected:
+    std::vector<nlohmann::json> lines(const std::string& program, const std::string& more = "") {
+        write("p.nc", program);
+        finished = run("interpret p.nc " + more);
+        std::vector<nlohmann::json> records;
+        std::istringstream text(finished.out);
+        for (std::string line; std::getline(text, line);)
+            records.push_back(nlohmann::json::parse(line));
+        return records;
+    }
+    Finished finished;
+};
+
+TEST_F(CliInterpret, PrintsMotionsAndEventsInOrder) {
+    const auto records = lines(kSound);
+    EXPECT_EQ(finished.exitCode, 0) << finished.err;
+    ASSERT_EQ(records.size(), 9U);
+    EXPECT_EQ(records.front()["k"], "meta");
+    EXPECT_EQ(records.front()["format"], "nc-motion/1");
+    EXPECT_EQ(records[1]["k"], "tool");
+    EXPECT_EQ(records[1]["t"], 1);
+    EXPECT_EQ(records[2]["k"], "rapid");
+    EXPECT_EQ(records[2]["e"], (nlohmann::json{5, 5, 5}));
+    EXPECT_EQ(records[5]["k"], "arc");
+    EXPECT_EQ(records[5]["l"], 6);
+    EXPECT_EQ(records.back()["k"], "sum");
+}
+
+TEST_F(CliInterpret, StartIsAssumedAtZeroUnlessTold) {
+    const auto assumed = lines("G91 G1 X10 F100\nM2\n");
+    EXPECT_EQ(finished.exitCode, 0) << finished.err;
+    EXPECT_EQ(assumed[1]["e"], (nlohmann::json{10, 0, 0}));
+    const auto told = lines("G91 G1 X10 F100\nM2\n", "--start 1,2,3");
+    EXPECT_EQ(finished.exitCode, 0) << finished.err;
+    EXPECT_EQ(told[1]["e"], (nlohmann::json{11, 2, 3}));
+}
+
+TEST_F(CliInterpret, WordsThatAreNotUnderstoodExitWith2) {
+    lines("G0 X1\nG68 X3 R4\nX5\nM2\n");
+    EXPECT_EQ(finished.exitCode, 2);
+    EXPECT_THAT(finished.err, testing::HasSubstr("p.nc:2:"));
+    EXPECT_THAT(finished.err, testing::HasSubstr("G68"));
+}
+
+TEST_F(CliInterpret, ToolsAreKnownUnlessATableSaysOtherwise) {
+    lines("T5 M6\nG0 X1 Y1 Z1\nM2\n");
+    EXPECT_EQ(finished.exitCode, 0) << finished.err;
+    write("t.toml", "[[tool]]\nnumber = 1\ncutter = \"ball:d=4\"\n");
+    lines("T5 M6\nG0 X1 Y1 Z1\nM2\n", "--tools t.toml");
+    EXPECT_EQ(finished.exitCode, 2);
+    EXPECT_TRUE(finished.tells("p.nc:1:1: error: ", "tool-undefined")) << finished.err;
+}
+
+TEST_F(CliInterpret, DialectIsLinuxCnc) {
+    lines("G0 X1\nM2\n", "--dialect linuxcnc");
+    EXPECT_EQ(finished.exitCode, 0) << finished.err;
+}
+
+} // namespace
+} // namespace proveout

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+#include <gmock/gmock.h>
+#include <map>
+#include <sstream>
+
+#include "core/formats/npy.h"
+#include "core/formats/stl.h"
+#include "tests/app/command_line.h"
+
+namespace proveout {
+namespace {
+
+using testing::HasSubstr;
+
+class CliSimulate : public CommandLine {
+protected:
+    void SetUp() override { write("p.nc", kSound); }
+    Finished simulate(const std::string& more) { return run("simulate p.nc" + kStock + kTool + more); }
+
+    std::vector<std::vector<std::string>> records(const std::string& name) {
+        std::vector<std::vector<std::string>> rows;
+        std::istringstream lines(read(name));
+        for (std::string line; std::getline(lines, line);) {
+            rows.emplace_back();
+            std::istringstream cells(line);
+            for (std::string cell; std::getline(cells, cell, ',');)
+                rows.back().push_back(cell);
+        }
+        return rows;
+    }
+};
+
+TEST_F(CliSimulate, JsonHasTheKeysOfTheContract) {
+    const auto done = simulate("--json");
+    ASSERT_EQ(done.exitCode, 0) << done.err;
+    const auto json = done.json();
+    for (const char* key : {"blocks", "motions", "grid", "removedMm3", "facesFull", "facesDecimated",
+                            "largestErrorMm", "errorLevel", "seconds", "peakBytes", "findings", "unverified"})
+        EXPECT_TRUE(json.contains(key)) << key;
+    for (const char* phase : {"interpret", "allocate", "cut", "decimate", "write", "total"})
+        EXPECT_GE(json["seconds"].value(phase, -1.0), 0) << phase;
+    EXPECT_EQ(json["blocks"], 8);
+    EXPECT_EQ(json["motions"], 5);
+    EXPECT_EQ(json["grid"]["nx"], 81);
+    EXPECT_EQ(json["grid"]["ny"], 61);
+    EXPECT_EQ(json["grid"]["hx"], 0.5);
+    EXPECT_EQ(json["grid"]["hy"], 0.5);
+    EXPECT_EQ(json["facesFull"], 2 * 80 * 60);
+    EXPECT_LT(json["facesDecimated"], json["facesFull"]);
+    EXPECT_EQ(json["errorLevel"], "sample");
+    EXPECT_GT(json["largestErrorMm"], 0);
+    EXPECT_LE(json["largestErrorMm"], 0.05);
+    EXPECT_GT(json["peakBytes"], 1000);
+    EXPECT_TRUE(json["findings"].empty());
+    EXPECT_TRUE(json["unverified"].empty());
+}
+
+TEST_F(CliSimulate, RemovedVolumeIsThatOfTheCut) {
+    // A level slot of a 4 mm ball, 2 mm deep: half a disc times its length, and a quarter ball at each end.
+    write("slot.nc", "T1 M6\nG0 X10 Y15 Z5\nG1 Z-2 F100\nX30\nG0 Z5\n");
+    const auto done = run("simulate slot.nc --stock 40x30x10 --grid 0.1 --json" + kTool);
+    const double half = M_PI * 2 * 2 / 2;
+    const double exact = 20 * half + 2.0 / 3.0 * M_PI * 8;
+    EXPECT_NEAR(done.json()["removedMm3"].get<double>(), exact, 0.01 * exact);
+}
+
+TEST_F(CliSimulate, UntilStopsAfterABlockOrALine) {
+    const std::map<std::string, int> motions{{"0", 0},   {"1", 1},  {"3", 3},   {"5", 5},
+                                             {"999", 5}, {"L1", 0}, {"L2", 0},  {"L3", 1},
+                                             {"L5", 3},  {"L8", 5}, {"L999", 5}};
+    for (const auto& [until, count] : motions)
+        EXPECT_EQ(simulate("--json --until " + until).json()["motions"], count) << until;
+}
+
+TEST_F(CliSimulate, ZMapHasAbsoluteHeightsRowZeroAtTheLeastY) {
+    ASSERT_EQ(run("simulate p.nc --zmap a.npy --stock-origin 0,0,1" + kStock + kTool).exitCode, 0);
+    const auto heights = readNpy(folder / "a.npy");
+    ASSERT_TRUE(heights);
+    EXPECT_EQ(heights->rows, 61);
+    EXPECT_EQ(heights->columns, 81);
+    const auto at = [&](double x, double y) {
+        return heights->values[static_cast<std::size_t>(std::lround(y / 0.5) * 81 + std::lround(x / 0.5))];
+    };
+    EXPECT_NEAR(at(15, 5), -2, 1e-5); // the slot lies along y = 5
+    EXPECT_NEAR(at(15, 25), 1, 1e-5);
+    EXPECT_NEAR(at(25, 0), -2, 1e-5); // the arc dips below the slot, clockwise
+}
+
+TEST_F(CliSimulate, SolidIsClosedAndDecimatedWhateverThePeriod) {
+    ASSERT_EQ(simulate("--stl full.stl --mesh full").exitCode, 0);
+    ASSERT_EQ(simulate("--stl never.stl --period 0").exitCode, 0);
+    ASSERT_EQ(simulate("--stl every.stl --period 1").exitCode, 0);
+    ASSERT_EQ(simulate("--stl text.stl --ascii").exitCode, 0);
+    EXPECT_EQ(read("never.stl"), read("every.stl"));
+    EXPECT_TRUE(read("text.stl").starts_with("solid"));
+    const auto triangles = [this](const std::string& name) {
+        const auto mesh = readStl(folder / name);
+        EXPECT_TRUE(mesh) << name;
+        // Closed: each directed edge has its opposite, once.
+        std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+        for (const auto& t : mesh->triangles)
+            for (std::size_t k = 0; k < 3; ++k) {
+                ++edges[{t[k], t[(k + 1) % 3]}];
+                --edges[{t[(k + 1) % 3], t[k]}];
+            }
+        EXPECT_TRUE(std::ranges::all_of(edges, [](const auto& edge) { return edge.second == 0; })) << name;
+        return mesh->triangles.size();
+    };
+    EXPECT_LT(triangles("never.stl"), triangles("full.stl") / 2);
+    EXPECT_EQ(triangles("text.stl"), triangles("never.stl"));
+}
+
+TEST_F(CliSimulate, FullMeshIsNeverDecimated) {
+    const auto json = simulate("--mesh full --json").json();
+    EXPECT_EQ(json["facesDecimated"], json["facesFull"]);
+    EXPECT_EQ(json["errorLevel"], "none");
+    EXPECT_EQ(json["largestErrorMm"], 0);
+    EXPECT_EQ(simulate("--method none --json").json()["errorLevel"], "none");
+    EXPECT_EQ(simulate("--allowance 0 --json").json()["facesDecimated"], json["facesFull"]);
+    EXPECT_EQ(simulate("--no-certify --json").json()["errorLevel"], "measured");
+}
+
+TEST_F(CliSimulate, AnStlFarFromTheOriginIsRefusedOrItsRoundingCounted) {
+    const std::string grid = " --stock 10x10x10 --grid 0.05 --mesh full --json --stl a.stl" + kTool;
+    const auto refused = run("simulate p.nc --stock-origin 1e6,0,0" + grid);
+    EXPECT_EQ(refused.exitCode, 3);
+    EXPECT_TRUE(refused.tells("a.stl: error: ", "stl-too-coarse")) << refused.err;
+    EXPECT_FALSE(exists("a.stl"));
+    write("above.nc", "T1 M6\nG0 X5 Y5 Z100050\n");
+    const auto far = run("simulate above.nc --stock-origin 0,0,100000.002" + grid);
+    // Steps of float32 are 1/128 mm there.
+    EXPECT_NEAR(far.json()["largestErrorMm"], std::abs(100000.002 - 100000.0), 1e-6);
+    EXPECT_EQ(run("simulate p.nc" + grid).json()["largestErrorMm"], 0);
+}
+
+TEST_F(CliSimulate, BordersOfThePaperAreMeasuredAndNotExported) {
+    EXPECT_EQ(simulate("--borders paper --json").exitCode, 0);
+    const auto refused = simulate("--borders paper --stl a.stl");
+    EXPECT_EQ(refused.exitCode, 3);
+    EXPECT_THAT(refused.err, HasSubstr("[borders-not-exported]"));
+    EXPECT_FALSE(exists("a.stl"));
+}
+
+TEST_F(CliSimulate, RecordsHaveARowABlock) {
+    ASSERT_EQ(simulate("--records a.csv --period 2").exitCode, 0);
+    const auto rows = records("a.csv");
+    ASSERT_EQ(rows.size(), 6U);
+    EXPECT_EQ(rows[0][0], "block");
+    EXPECT_EQ(rows[0][2], "facesShown");
+    const auto column = [&](const std::string& name) {
+        return static_cast<std::size_t>(std::distance(rows[0].begin(), std::ranges::find(rows[0], name)));
+    };
+    double removed = 0;
+    for (std::size_t row = 1; row < rows.size(); ++row) {
+        ASSERT_EQ(rows[row].size(), rows[0].size());
+        EXPECT_EQ(rows[row][0], std::to_string(row));
+        EXPECT_EQ(rows[row][column("line")], std::to_string(row + 2));
+        EXPECT_EQ(rows[row][column("facesFull")], "9600");
+        removed += std::stod(rows[row][column("removedMm3")]);
+    }
+    EXPECT_NEAR(removed, simulate("--json").json()["removedMm3"].get<double>(), 1e-2);
+    EXPECT_GT(std::stoi(rows[3][column("regionsDirty")]), 0);
+    EXPECT_EQ(rows[4][column("regionsDirty")], "0"); // every second block decimates
+    EXPECT_GT(std::stoi(rows[4][column("regionsDecimated")]), 0);
+}
+
+TEST_F(CliSimulate, ResultsDoNotDependOnThreads) {
+    ASSERT_EQ(simulate("--threads 1 --zmap a.npy --stl a.stl").exitCode, 0);
+    ASSERT_EQ(simulate("--threads 8 --zmap b.npy --stl b.stl").exitCode, 0);
+    EXPECT_EQ(read("a.npy"), read("b.npy"));
+    EXPECT_EQ(read("a.stl"), read("b.stl"));
+}
+
+TEST_F(CliSimulate, JobFileHoldsTheSameAsOptionsAndOptionsOutrankIt) {
+    write("p.proveout", R"({"proveout": 1, "program": "p.nc",
+        "stock": {"corner": [0, 0, 0], "width": 40, "depth": 30, "height": 10}, "grid": 0.5,
+        "tools": {"1": "ball:d=4,l=20"}, "decimation": {"region": 8, "allowance": 0.05}})");
+    ASSERT_EQ(run("simulate --job p.proveout --zmap a.npy --stl a.stl").exitCode, 0);
+    ASSERT_EQ(simulate("--zmap b.npy --stl b.stl").exitCode, 0);
+    EXPECT_EQ(read("a.npy"), read("b.npy"));
+    EXPECT_EQ(read("a.stl"), read("b.stl"));
+    EXPECT_EQ(run("simulate --job p.proveout --grid 1 --json").json()["grid"]["nx"], 41);
+    write("other.nc", "T1 M6\nG0 X5 Y5 Z5\n");
+    EXPECT_EQ(run("simulate other.nc --job p.proveout --json").json()["motions"], 1);
+    const auto coarse = run("simulate --job p.proveout --region 30 --allowance 0.5 --json").json();
+    EXPECT_LT(coarse["facesDecimated"], run("simulate --job p.proveout --json").json()["facesDecimated"]);
+}
+
+TEST_F(CliSimulate, TheMethodOfTheJobGivenAgainKeepsItsRegion) {
+    write("p.proveout", R"({"proveout": 1, "program": "p.nc",
+        "stock": {"width": 40, "depth": 30, "height": 10}, "grid": 0.5,
+        "tools": {"1": "ball:d=4,l=20"}, "decimation": {"method": "lee", "region": 20}})");
+    EXPECT_EQ(run("simulate --job p.proveout --json").json()["regions"], 4 * 3);
+    EXPECT_EQ(run("simulate --job p.proveout --method lee --json").json()["regions"], 4 * 3);
+}
+
+TEST_F(CliSimulate, ToolTableAndToolOptionMeanTheSame) {
+    write("t.toml", "[[tool]]\nnumber = 1 # roughing\ncutter = \"ball:d=4,l=20\"\n");
+    const auto one = run("simulate p.nc --json --tools t.toml" + kStock).json();
+    EXPECT_EQ(one["removedMm3"], simulate("--json").json()["removedMm3"]);
+    EXPECT_EQ(one["removedMm3"],
+              run("simulate p.nc --json --tool T1=ball:d=4,l=20" + kStock).json()["removedMm3"]);
+    const auto two = run("simulate p.nc --json --tools t.toml --tool 1=ball:d=6,l=20" + kStock).json();
+    EXPECT_GT(two["removedMm3"], one["removedMm3"]); // the option outranks the table
+}
+
+TEST_F(CliSimulate, BlockDeleteAndStart) {
+    write("d.nc", "T1 M6\nG0 X5 Y5 Z5\n/G0 X9\nX7\n");
+    EXPECT_EQ(run("simulate d.nc --json" + kStock + kTool).json()["motions"], 3);
+    EXPECT_EQ(run("simulate d.nc --json --block-delete" + kStock + kTool).json()["motions"], 2);
+    write("s.nc", "T1 M6\nG1 Z-2 F100\n");
+    EXPECT_EQ(run("simulate s.nc --json" + kStock + kTool).exitCode, 2);
+    const auto started = run("simulate s.nc --json --start 20,15,5" + kStock + kTool);
+    EXPECT_EQ(started.exitCode, 0) << started.err;
+    EXPECT_GT(started.json()["removedMm3"], 1);
+}
+
+TEST_F(CliSimulate, NothingLeftIsSaid) {
+    write("all.nc", "T1 M6\nG0 X-40 Y15 Z5\nG1 Z-10 F100\nX90\n");
+    const auto done = run("simulate all.nc --stock 40x30x10 --grid 1 --tool 1=flat:d=90,l=20 --stl a.stl");
+    EXPECT_EQ(done.exitCode, 3);
+    EXPECT_THAT(done.err, HasSubstr("[nothing-left]"));
+    EXPECT_FALSE(exists("a.stl"));
+}
+
+TEST_F(CliSimulate, SampleOfTheRepositoryRunsClean) {
+    const std::string job = std::string(PROVEOUT_SOURCE_DIR) + "/resources/samples/mouse-case.proveout";
+    const auto done = run("simulate --job " + job + " --json --records r.csv");
+    ASSERT_EQ(done.exitCode, 0) << done.err;
+    EXPECT_EQ(done.json()["movingBlocks"], 10'273);
+    EXPECT_EQ(records("r.csv").size(), 10'274U);
+    EXPECT_LE(done.json()["largestErrorMm"], 0.05);
+}
+
+} // namespace
+} // namespace proveout

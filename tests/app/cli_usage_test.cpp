@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+
+#include "tests/app/command_line.h"
+
+namespace proveout {
+namespace {
+
+using testing::HasSubstr;
+
+class CliUsage : public CommandLine {};
+
+TEST_F(CliUsage, HelpIsNoError) {
+    const auto help = run("--help");
+    EXPECT_EQ(help.exitCode, 0);
+    for (const char* command : {"interpret", "simulate", "decimate", "formats"}) {
+        EXPECT_THAT(help.out, HasSubstr(command));
+        const auto own = run(std::string(command) + " --help");
+        EXPECT_EQ(own.exitCode, 0);
+        EXPECT_THAT(own.out, HasSubstr("--"));
+    }
+    EXPECT_EQ(run("--version").exitCode, 0);
+}
+
+TEST_F(CliUsage, MistakesPrintTheUsageOnStderrAndExitWith3) {
+    write("a.nc", kSound);
+    const std::string simulate = "simulate a.nc" + kStock + kTool;
+    for (const std::string& arguments : {std::string(),
+                                         std::string("frobnicate"),
+                                         std::string("check a.nc"),
+                                         std::string("simulate --frobnicate"),
+                                         simulate + "--region 8x",
+                                         simulate + "--region 1",
+                                         simulate + "--region 300",
+                                         simulate + "--region",
+                                         simulate + "--period -2",
+                                         simulate + "--allowance nan",
+                                         simulate + "--allowance -0.1",
+                                         simulate + "--method certified",
+                                         simulate + "--mesh coarse",
+                                         simulate + "--until X3",
+                                         simulate + "--until L",
+                                         simulate + "--until -1",
+                                         simulate + "--threads 0",
+                                         simulate + "--seed 1.5",
+                                         simulate + "--order backwards",
+                                         simulate + "--borders none",
+                                         simulate + "--dialect klingon",
+                                         simulate + "--grid",
+                                         simulate + "extra",
+                                         std::string("interpret"),
+                                         std::string("decimate"),
+                                         std::string("decimate a.npy")}) {
+        const auto done = run(arguments);
+        EXPECT_EQ(done.exitCode, 3) << arguments;
+        EXPECT_THAT(done.err, HasSubstr("[usage]")) << arguments;
+        EXPECT_THAT(done.err, HasSubstr("Usage:")) << arguments;
+        EXPECT_EQ(done.out, "") << arguments;
+    }
+}
+
+TEST_F(CliUsage, SetUpsThatMakeNoSenseExitWith3) {
+    write("a.nc", kSound);
+    for (const std::string& arguments :
+         {std::string("simulate a.nc"), "simulate" + kStock, std::string("simulate a.nc --stock 40x30"),
+          std::string("simulate a.nc --stock 40x30x0"), std::string("simulate a.nc --stock 40x30xnan"),
+          std::string("simulate a.nc --stock 40x30x-1"), "simulate a.nc --stock-origin 1,2" + kStock,
+          "simulate a.nc --start 1,2" + kStock, "simulate a.nc --tool 1=ball" + kStock,
+          "simulate a.nc --tool 1=star:d=3" + kStock, "simulate a.nc --tool x=ball:d=4" + kStock,
+          std::string("simulate a.nc --stock 40x30x10 --grid 0"),
+          std::string("simulate a.nc --stock 40x30x10 --grid -1"),
+          std::string("simulate a.nc --stock 40x30x10 --grid nan"),
+          std::string("simulate a.nc --stock 40x30x10 --grid 1000"),
+          "simulate a.nc --tools missing.toml" + kStock, std::string("simulate --job missing.proveout")}) {
+        const auto done = run(arguments);
+        EXPECT_EQ(done.exitCode, 3) << arguments;
+        EXPECT_THAT(done.err, HasSubstr(": error: ")) << arguments;
+        EXPECT_THAT(done.err, testing::EndsWith("]\n")) << arguments;
+    }
+}
+
+TEST_F(CliUsage, ErrorsOfOptionsNameTheOption) {
+    write("a.nc", kSound);
+    const auto told = [this](const std::string& option, const std::string& arguments, const std::string& id) {
+        const auto done = run(arguments);
+        EXPECT_EQ(done.exitCode, 3) << arguments;
+        EXPECT_TRUE(done.tells("proveout-cli: error: " + option + ": ", id)) << arguments << done.err;
+        EXPECT_LT(done.err.size(), 300U) << done.err;
+    };
+    const std::string stock = "simulate a.nc --stock 40x30x10 ";
+    told("--stock", "simulate a.nc --stock 40x30", "stock-size-form");
+    told("--stock", "simulate a.nc --stock 1e9x30x10", "stock-size-bad");
+    told("--stock-origin", stock + "--stock-origin 1e8,0,0", "stock-origin-bad");
+    told("--start", stock + "--start 1,2", "point-form");
+    told("--start", "interpret a.nc --start 1,2", "point-form");
+    told("--tool", stock + "--tool x=ball:d=4", "tool-number");
+    told("--tool", stock + "--tool 1=ball:d=4 --tool T1=flat:d=3", "tool-twice");
+    told("--grid", stock + "--grid 1e-300", "grid-too-fine");
+    for (const std::string grid : {"0", "-1", "nan", "inf"}) {
+        told("--grid", stock + "--grid " + grid, "grid-spacing-bad");
+        told("--grid", "decimate a.npy --grid " + grid, "grid-spacing-bad");
+    }
+    told("--origin", "decimate a.npy --grid 1 --origin 1,2,3", "point-form");
+}
+
+TEST_F(CliUsage, OriginsMayBeNegative) {
+    write("a.nc", "T1 M6\nG0 X0 Y0 Z5\nG1 Z-2 F100\n");
+    const auto done = run("simulate a.nc --json --period -1 --stock-origin -20,-15,0" + kStock + kTool);
+    ASSERT_EQ(done.exitCode, 0) << done.err;
+    EXPECT_GT(done.json()["removedMm3"], 1.0);
+}
+
+TEST_F(CliUsage, FormatsAreListedFromTheirTable) {
+    const auto text = run("formats");
+    EXPECT_EQ(text.exitCode, 0);
+    EXPECT_THAT(text.out, HasSubstr(".stl"));
+    const auto json = run("formats --json").json();
+    ASSERT_TRUE(json.contains("formats"));
+    bool npy = false;
+    for (const auto& row : json["formats"])
+        npy = npy || (row["key"] == "npy" && row["reads"] == true && row["writes"] == true);
+    EXPECT_TRUE(npy);
+}
+
+} // namespace
+} // namespace proveout

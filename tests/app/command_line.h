@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/core/temporary_folder.h"
+
+namespace proveout {
+
+struct Finished {
+    int exitCode = -1; ///< -1: ended by a signal
+    std::string out;
+    std::string err;
+
+    /// The one JSON object on stdout; null where it is none.
+    [[nodiscard]] nlohmann::json json() const { return nlohmann::json::parse(out, nullptr, false); }
+    /// Whether a line of stderr begins with `start` and ends with `[id]`.
+    [[nodiscard]] bool tells(const std::string& start, const std::string& id) const;
+};
+
+/// Runs the real binary in a folder of its own.
+class CommandLine : public testing::Test {
+protected:
+    Finished run(const std::string& arguments);
+    /// Writes a file into the folder and returns its name.
+    std::string write(const std::string& name, const std::string& text);
+    std::string read(const std::string& name);
+    [[nodiscard]] bool exists(const std::string& name) const;
+
+    TemporaryFolder folder;
+};
+
+inline const std::string kStock = " --stock 40x30x10 --grid 0.5 ";
+inline const std::string kTool = " --tool 1=ball:d=4,l=20 ";
+/// Five moving blocks, sound.
+inline const std::string kSound =
+    "G21 G90\nT1 M6\nG0 X5 Y5 Z5\nG1 Z-2 F100\nX30\nG2 X20 I-5 J0\nG0 Z5\nM30\n";
+
+} // namespace proveout
