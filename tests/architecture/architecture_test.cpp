@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The rules of the house, read from the sources themselves: who may include whom, and what no file may hold.
+#include <algorithm>
+#include <cstddef>
+#include <map>
+#include <regex>
+#include <set>
+#include <string>
+#include <string_view>
+
+#include <gtest/gtest.h>
+
+#include "tests/architecture/source_tree.h"
+
+namespace proveout {
+namespace {
+
+const std::set<std::string> kTopFolders{"app", "core", "resources", "tests", "ui"};
+
+/// What a room of the core may include of the others. A path ends in ".h" where one header alone is allowed.
+const std::map<std::string, std::set<std::string>> kCoreRooms{
+    {"core/base", {}},
+    {"core/nc", {"core/base"}},
+    {"core/cutter", {"core/base"}},
+    {"core/zmap", {"core/base"}},
+    {"core/cutting", {"core/base", "core/nc/motion.h", "core/cutter", "core/zmap"}},
+    {"core/decimation", {"core/base", "core/zmap"}},
+    {"core/simulation",
+     {"core/base", "core/nc", "core/cutter", "core/zmap", "core/cutting", "core/decimation"}},
+    {"core/formats",
+     {"core/base", "core/nc", "core/cutter", "core/zmap", "core/cutting", "core/decimation",
+      "core/simulation"}},
+};
+
+bool isQt(const Include& include) {
+    static const std::regex kQt("(Qt?[A-Z]\\w*(/.*)?|Qsci/.*|qcustomplot\\.h|q[a-z]+\\.h)");
+    return include.angled && std::regex_match(include.target, kQt);
+}
+
+bool isOpenGl(const Include& include) {
+    static const std::regex kOpenGl("(QtOpenGL.*|QOpenGL.*|GL/.*|GLES.*|EGL/.*)");
+    return include.angled && std::regex_match(include.target, kOpenGl);
+}
+
+bool isOf(const Include& include, const std::string& library) {
+    return include.target.starts_with(library + "/");
+}
+
+std::string place(const SourceFile& file, const Include& include) {
+    return file.path + ":" + std::to_string(include.line) + ": includes " + include.target;
+}
+
+/// The folder of `path` two levels deep, as SourceFile::room() gives it.
+std::string roomOf(const std::string& path) {
+    return SourceFile{path, {}, {}}.room();
+}
+
+/// Fails for each include outside of the tests that `wrong` names.
+template<class Wrong>
+void forbid(const Wrong& wrong) {
+    for (const SourceFile& file : sourceTree())
+        for (const Include& include : file.includes)
+            EXPECT_FALSE(!file.in("tests") && wrong(file, include)) << place(file, include);
+}
+
+TEST(Architecture, SeesTheTree) {
+    // A rule that reads nothing would hold for ever.
+    std::size_t includes = 0;
+    for (const SourceFile& file : sourceTree())
+        includes += file.includes.size();
+    EXPECT_GT(sourceTree().size(), 50U);
+    EXPECT_GT(includes, 200U);
+    EXPECT_TRUE(isQt({1, true, "QString"}) && isQt({1, true, "QtCore/QString"}) &&
+                isQt({1, true, "Qsci/qsciscintilla.h"}));
+    EXPECT_FALSE(isQt({1, true, "queue"}) || isQt({1, true, "vector"}));
+    EXPECT_TRUE(isOpenGl({1, true, "QOpenGLWidget"}) && isOpenGl({1, true, "GL/gl.h"}));
+}
+
+TEST(Architecture, CoreHasNoQtAndNoOpenGl) {
+    forbid([](const SourceFile& file, const Include& include) {
+        return file.in("core") && (isQt(include) || isOpenGl(include));
+    });
+}
+
+TEST(Architecture, OpenMeshStaysInDecimation) {
+    forbid([](const SourceFile& file, const Include& include) {
+        return isOf(include, "OpenMesh") && !file.in("core/decimation");
+    });
+}
+
+TEST(Architecture, OpenGlStaysInGlAndTheViewport) {
+    forbid([](const SourceFile& file, const Include& include) {
+        return isOpenGl(include) && !file.in("ui/gl") && !file.in("ui/viewport");
+    });
+}
+
+TEST(Architecture, CgalStaysInTheTests) {
+    forbid([](const SourceFile&, const Include& include) { return isOf(include, "CGAL"); });
+}
+
+TEST(Architecture, IncludesAreWrittenFromTheRoot) {
+    for (const SourceFile& file : sourceTree()) {
+        for (const Include& include : file.includes) {
+            const std::string top = include.target.substr(0, include.target.find('/'));
+            const bool generated = include.target.ends_with(".moc");
+            EXPECT_TRUE(include.angled || generated || kTopFolders.count(top) == 1) << place(file, include);
+            EXPECT_FALSE(include.angled && kTopFolders.count(top) == 1) << place(file, include);
+        }
+    }
+}
+
+TEST(Architecture, LayersLookUpwardsOnly) {
+    forbid([](const SourceFile& file, const Include& include) {
+        return isOf(include, "tests") || (isOf(include, "app") && !file.in("app")) ||
+               (isOf(include, "ui") && !file.in("ui") && !file.in("app")) ||
+               (isOf(include, "resources") && !file.in("resources"));
+    });
+}
+
+TEST(Architecture, RoomsOfTheCoreIncludeOnlyRoomsAboveThem) {
+    for (const SourceFile& file : sourceTree()) {
+        if (!file.in("core") || !file.isCpp())
+            continue;
+        const auto room = kCoreRooms.find(file.room());
+        ASSERT_NE(room, kCoreRooms.end()) << file.path << " lies in no room of the core";
+        for (const Include& include : file.includes) {
+            const std::string other = roomOf(include.target);
+            if (include.angled || other == room->first)
+                continue;
+            EXPECT_TRUE(room->second.count(other) == 1 || room->second.count(include.target) == 1)
+                << place(file, include);
+        }
+    }
+}
+
+TEST(Architecture, PanelsDoNotKnowEachOther) {
+    forbid([](const SourceFile& file, const Include& include) {
+        const std::string panel = file.room();
+        const std::string other = roomOf(include.target);
+        const bool viewportDraws = panel == "ui/viewport" && other == "ui/gl";
+        return file.in("ui") && isOf(include, "ui") && !panel.empty() && !other.empty() && other != panel &&
+               !viewportDraws;
+    });
+}
+
+TEST(Architecture, TheHubKnowsNoPanel) {
+    forbid([](const SourceFile& file, const Include& include) {
+        return file.path.starts_with("ui/session.") && !roomOf(include.target).empty() && isOf(include, "ui");
+    });
+}
+
+TEST(Architecture, NoFileIsADumpingGround) {
+    static const std::regex kDump("(^|.*[/_.-])(util|utils|helper|helpers|common|misc|manager)([/_.-].*|$)");
+    for (const SourceFile& file : sourceTree())
+        EXPECT_FALSE(std::regex_match(file.path, kDump)) << file.path;
+}
+
+TEST(Architecture, TheMainWindowStaysSmall) {
+    for (const SourceFile& file : sourceTree()) {
+        if (file.path.starts_with("ui/main_window.")) {
+            EXPECT_LT(std::count(file.text.begin(), file.text.end(), '\n'), 400) << file.path;
+        }
+    }
+}
+
+TEST(Architecture, EverySourceNamesItsLicence) {
+    static const std::regex kSource(
+        ".*(\\.(h|cpp|cmake|sh|vert|geom|frag|glsl|svg|qrc|desktop|supp)|CMakeLists\\.txt)");
+    for (const SourceFile& file : sourceTree()) {
+        if (std::regex_match(file.path, kSource)) {
+            const std::string head = file.text.substr(0, 600);
+            EXPECT_NE(head.find("SPDX-License-Identifier: GPL-3.0-or-later"), std::string::npos) << file.path;
+        }
+    }
+}
+
+TEST(Architecture, NothingNamesTheMachineItWasWrittenOn) {
+    static const std::regex kMachine("(^|[^\\w.:/$}])/(home|root|work|Users)/\\w");
+    for (const SourceFile& file : sourceTree())
+        EXPECT_FALSE(std::regex_search(file.text, kMachine)) << file.path;
+}
+
+TEST(Architecture, EverySourceIsBuilt) {
+    std::map<std::string, std::string> lists;
+    for (const SourceFile& file : sourceTree())
+        if (file.path.ends_with("CMakeLists.txt"))
+            lists[file.path.substr(0, file.path.rfind('/'))] = file.text;
+    for (const SourceFile& file : sourceTree()) {
+        if (!file.path.ends_with(".cpp"))
+            continue;
+        // Listed in its own folder, or with its folder in one above; some lists add the ".cpp" themselves.
+        bool listed = false;
+        std::string folder = file.path.substr(0, file.path.size() - std::string_view(".cpp").size());
+        std::string name;
+        while (!listed && folder.find('/') != std::string::npos) {
+            const std::size_t slash = folder.rfind('/');
+            name = folder.substr(slash + 1) + (name.empty() ? "" : "/" + name);
+            folder.resize(slash);
+            const auto list = lists.find(folder);
+            listed = list != lists.end() && list->second.find(name) != std::string::npos;
+        }
+        EXPECT_TRUE(listed) << file.path << " is in no CMakeLists.txt";
+    }
+}
+
+} // namespace
+} // namespace proveout

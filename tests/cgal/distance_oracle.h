@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/decimation/solid.h"
+
+namespace proveout::test {
+
+/// How far points lie from the triangles of a mesh that face upwards, found by CGAL alone.
+struct PointDistances {
+    double vertical = 0; ///< along Z, by rays against an AABB tree; infinity where a point has no triangle
+    double nearest = 0;  ///< to the nearest point of any triangle
+};
+[[nodiscard]] PointDistances distancesToTop(const std::vector<Vec3>& points, const TriangleMesh& solid);
+
+/// The two-sided Hausdorff distance of two meshes, within `bound` above the true one.
+[[nodiscard]] double symmetricHausdorff(const TriangleMesh& a, const TriangleMesh& b, double bound);
+
+} // namespace proveout::test

@@ -1,0 +1,7 @@
+#!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# Fails on any C++ source that clang-format would write otherwise.
+set -euo pipefail
+cd "$(dirname "${BASH_SOURCE[0]}")/../.."
+find core ui app resources tests \( -name '*.h' -o -name '*.cpp' \) -print0 |
+    xargs --null clang-format --dry-run -Werror

@@ -1,0 +1,32 @@
+#!/bin/bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# run.sh [CTEST OPTION…]: installs what is missing, builds everything, the sanitizer builds of the core included, and
+# runs every test. Ends in CTest's lines and with its exit code.
+set -euo pipefail
+root="$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)"
+
+bash "$root/app/install-packages.sh" build test
+
+cd "$root"
+jobs="$(nproc)"
+cmake --preset release -DPROVEOUT_TESTS=ON -DPROVEOUT_BENCH=ON
+cmake --build build/release --parallel "$jobs"
+for preset in asan tsan; do
+    cmake --preset "$preset"
+    cmake --build "build/$preset" --parallel "$jobs"
+done
+# Remembers what it has checked; the test of the same name then reports. A finding must not stop the other tests.
+bash tests/lint/clang-tidy.sh build/release || true
+
+# What the tests see does not depend on the desktop they are started from.
+export LC_ALL=C.UTF-8 QT_QPA_PLATFORM=xcb QT_SCALE_FACTOR=1 LIBGL_ALWAYS_SOFTWARE=1
+if [ -z "${XDG_RUNTIME_DIR:-}" ]; then
+    XDG_RUNTIME_DIR="$(mktemp -d)"
+    export XDG_RUNTIME_DIR
+    trap 'rm -rf "$XDG_RUNTIME_DIR"' EXIT
+fi
+display=()
+if [ -z "${DISPLAY:-}" ]; then
+    display=(xvfb-run --auto-servernum --server-args "-screen 0 1600x1000x24")
+fi
+"${display[@]}" ctest --test-dir build/release --output-on-failure "$@"
