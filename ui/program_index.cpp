@@ -49,6 +49,17 @@ std::vector<ToolChangeMark> toolChangeMarks(const Program& program) {
     return marks;
 }
 
+std::optional<std::size_t> neighbouringToolChange(const Program& program, std::size_t block, int direction) {
+    std::optional<std::size_t> nearest;
+    for (const ToolChangeMark& mark : toolChangeMarks(program)) {
+        if (direction < 0 && mark.block < block)
+            nearest = mark.block;
+        if (direction > 0 && mark.block > block && !nearest)
+            nearest = mark.block;
+    }
+    return nearest;
+}
+
 std::vector<int> usedTools(const Program& program) {
     std::set<int> tools;
     for (std::size_t i = 0; i < program.motionCount(); ++i) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "core/base/geometry.h"
@@ -18,6 +19,11 @@ struct ToolChangeMark {
 
 /// The tool changes of a program, ascending by block.
 [[nodiscard]] std::vector<ToolChangeMark> toolChangeMarks(const Program& program);
+
+/// The block of the nearest tool change before (`direction` < 0) or behind (> 0) `block`; none where there is
+/// no such.
+[[nodiscard]] std::optional<std::size_t> neighbouringToolChange(const Program& program, std::size_t block,
+                                                                int direction);
 
 /// The index of the block that holds motion `motion`; blockCount() for one behind the last.
 [[nodiscard]] std::size_t blockOfMotion(const Program& program, std::size_t motion);

@@ -2,15 +2,12 @@
 #include "ui/session.h"
 
 #include <algorithm>
-#include <limits>
 #include <utility>
 
-#include <QFileInfo>
 #include <QMetaObject>
 
 #include "core/base/memory.h"
 #include "core/base/text.h"
-#include "core/formats/job_file.h"
 #include "ui/file_paths.h"
 #include "ui/program_index.h"
 
@@ -20,30 +17,6 @@ namespace {
 
 constexpr int kEditPauseMs = 120;
 constexpr int kPaperWatchdogMs = 2000;
-
-bool isJobFile(const QString& file) {
-    return file.endsWith(QLatin1String(".proveout"), Qt::CaseInsensitive);
-}
-
-/// A place in a file that is not open would be shown in the one that is.
-Diagnostics aboutFiles(Diagnostics errors) {
-    for (Diagnostic& error : errors)
-        error.where = {};
-    return errors;
-}
-
-/// What drawing one frame stands for: the sums over the blocks (first, last].
-FrameStatistics frameRow(const Frame& frame, std::size_t first) {
-    FrameStatistics row;
-    row.firstBlock = static_cast<std::uint32_t>(first);
-    row.lastBlock = static_cast<std::uint32_t>(frame.block);
-    const std::size_t end = std::min(frame.block, frame.statistics.size());
-    for (std::size_t k = first; k < end; ++k) {
-        row.cutSeconds += frame.statistics[k].cutSeconds;
-        row.decimationSeconds += frame.statistics[k].decimationSeconds;
-    }
-    return row;
-}
 
 } // namespace
 
@@ -57,7 +30,7 @@ Session::Session(QObject* parent) : QObject(parent) {
     m_editPause.setSingleShot(true);
     m_editPause.setInterval(kEditPauseMs);
     connect(&m_editPause, &QTimer::timeout, this, &Session::interpret);
-    connect(&m_watch, &FileWatch::changed, this, &Session::watchedFileChanged);
+    connect(&m_watch, &FileWatch::changed, this, &Session::fileChangedOnDisk);
     connect(&m_tick, &RepaintTick::fired, this, &Session::onTick);
     connect(&m_source, &ProgramSource::ready, this, &Session::programReady);
     connect(&m_export, &ExportJob::progressed, this, [this](double done) {
@@ -85,68 +58,30 @@ Session::~Session() = default;
 // The document.
 
 bool Session::openFile(const QString& file) {
-    m_messages.clear();
-    const bool opened = isJobFile(file) ? openJob(file) : openProgram(file);
-    refreshProblems();
-    if (!opened)
-        emit troubled();
-    return opened;
-}
-
-bool Session::openProgram(const QString& file) {
-    Result<Document> document = loadDocument(toPath(file));
-    if (!document) {
-        m_messages = aboutFiles(document.error());
-        return false;
-    }
-    m_fitStock = true;
-    // Nothing is cut by assumption: stock, tools and tuning of the job before are not those of this program.
-    m_setup = std::make_shared<const Setup>();
-    m_parameters = {};
-    adopt(std::move(*document), {});
-    return true;
-}
-
-bool Session::openJob(const QString& file) {
-    Result<Job> job = readJob(toPath(file));
-    if (!job) {
-        m_messages = job.error();
-        return false;
-    }
-    Result<Document> document = loadDocument(job->program);
-    if (!document) {
-        m_messages = aboutFiles(document.error());
-        return false;
-    }
-    m_fitStock = false;
-    m_setup = std::make_shared<const Setup>(std::move(job->setup));
-    m_parameters = job->parameters;
-    adopt(std::move(*document), file);
+    Result<JobDocument> job = JobDocument::open(file);
+    if (!job)
+        return told(tl::unexpected(std::move(job.error())));
+    adopt(std::move(*job));
     return true;
 }
 
 void Session::newFile() {
-    m_messages.clear();
-    m_fitStock = true;
-    adopt(Document{}, {});
+    adopt({});
 }
 
-void Session::adopt(Document document, QString jobFile) {
+void Session::adopt(JobDocument job) {
     m_playback.playing = false;
-    m_document = std::move(document);
-    m_keptMine = false;
+    m_job = std::move(job);
     m_hasDocument = true;
-    m_jobFile = std::move(jobFile);
-    m_jobModified = false;
     m_program.reset();
     m_loadedSetup.reset();
     ++m_generation;
     m_frame.reset();
-    m_frameStatistics.clear();
-    m_drawnBlock = 0;
+    m_frameLog.clear();
+    m_messages.clear();
     m_simulationErrors.clear();
     m_simulation->post(PauseCommand{});
-    m_watch.watch(toQString(m_document.path));
+    m_watch.watch(toQString(document().path));
     interpret();
     emit textReplaced();
     emit documentChanged();
@@ -159,106 +94,61 @@ void Session::adopt(Document document, QString jobFile) {
 }
 
 bool Session::save() {
-    if (m_document.path.empty())
-        return false;
-    if (m_document.modified && !writeDocument(toQString(m_document.path)))
-        return false;
-    return !m_jobModified || m_jobFile.isEmpty() || writeJob(m_jobFile);
+    return !document().path.empty() && saved(m_job.save());
 }
 
 bool Session::saveAs(const QString& file) {
-    if (!writeDocument(file))
-        return false;
-    if (!m_jobFile.isEmpty())
-        m_jobModified = true; // the job must name the new program
-    emit documentChanged();
-    return true;
+    return saved(m_job.saveTextAs(file));
 }
 
 bool Session::saveJobAs(const QString& file) {
-    return writeJob(file);
+    return saved(m_job.saveJobAs(file));
 }
 
 void Session::detachJob() {
-    m_jobFile.clear();
+    m_job.detachJob();
     emit documentChanged();
 }
 
-bool Session::writeDocument(const QString& file) {
-    m_messages.clear();
-    const Result<void> written = saveDocument(m_document, toPath(file));
-    if (written) {
-        m_document.path = toPath(file);
-        m_document.modified = false;
-        m_keptMine = false;
-        m_watch.watch(file);
-        emit documentChanged();
-    } else {
-        m_messages = written.error();
-    }
-    refreshProblems();
-    if (!written)
-        emit troubled();
-    return written.has_value();
+bool Session::saved(const Result<void>& written) {
+    m_watch.watch(toQString(document().path)); // from what we have written on
+    emit documentChanged();
+    return told(written);
 }
 
-bool Session::writeJob(const QString& file) {
-    m_messages.clear();
-    const Job job{std::filesystem::absolute(m_document.path), *m_setup, m_parameters};
-    const Result<void> written = proveout::writeJob(toPath(file), job);
-    if (written) {
-        m_jobFile = file;
-        m_jobModified = false;
-        emit documentChanged();
-    } else {
-        m_messages = written.error();
-    }
-    refreshProblems();
-    if (!written)
-        emit troubled();
-    return written.has_value();
+bool Session::told(const Result<void>& result) {
+    tell(result ? Diagnostics() : result.error());
+    return result.has_value();
 }
 
 void Session::reload() {
-    Result<Document> document = loadDocument(m_document.path);
-    if (!document) {
-        tell(document.error());
+    if (!told(m_job.reload()))
         return;
-    }
-    m_document = std::move(*document);
-    m_keptMine = false;
-    m_watch.watch(toQString(m_document.path));
+    m_watch.watch(toQString(document().path));
     emit textReplaced();
     emit documentChanged();
     interpret();
 }
 
 void Session::keepMine() {
-    m_keptMine = true;
+    m_job.keepMine();
     setTextModified(true);
 }
 
-void Session::watchedFileChanged() {
-    emit fileChangedOnDisk();
-}
-
 void Session::applyEdit(std::size_t offset, std::size_t removed, std::string_view inserted) {
-    m_document.text = m_document.text.replaced(offset, removed, inserted);
+    m_job.edit(offset, removed, inserted);
     m_editPause.start();
 }
 
 void Session::setTextModified(bool modified) {
-    modified = modified || m_keptMine;
-    if (m_document.modified == modified)
-        return;
-    m_document.modified = modified;
-    emit documentChanged();
+    if (m_job.setTextModified(modified))
+        emit documentChanged();
 }
 
 // Interpretation and simulation.
 
 std::string Session::nameForMessages() const {
-    return m_document.path.empty() ? tr("untitled").toStdString() : m_document.path.string();
+    return document().path.empty() ? tr("untitled").toStdString() : document().path.string();
 }
 
 bool Session::isInText(const Diagnostic& problem) const {
@@ -269,21 +159,21 @@ void Session::interpret() {
     m_editPause.stop();
     InterpretOptions options;
     options.file = nameForMessages();
-    options.blockDelete = m_setup->blockDelete;
-    options.start = m_setup->start;
-    m_source.request(m_document.text, std::move(options));
+    options.blockDelete = setup().blockDelete;
+    options.start = setup().start;
+    m_source.request(document().text, std::move(options));
 }
 
 void Session::programReady(const std::shared_ptr<const Program>& program) {
     m_program = program;
-    if (std::exchange(m_fitStock, false)) {
-        Setup setup = *m_setup;
-        setup.stock = fittedStock(*program, setup);
-        setup.spacing = fittedSpacing(setup.stock);
-        m_setup = std::make_shared<const Setup>(std::move(setup));
+    if (m_job.wantsStock()) {
+        Setup fitted = setup();
+        fitted.stock = fittedStock(*program, fitted);
+        fitted.spacing = fittedSpacing(fitted.stock);
+        m_job.fitSetup(std::make_shared<const Setup>(std::move(fitted)));
         emit setupChanged();
     }
-    if (m_loadedSetup == m_setup && m_frame)
+    if (m_loadedSetup == m_job.setup() && m_frame)
         continueWithEdit();
     else
         load();
@@ -305,10 +195,9 @@ void Session::load() {
     if (!m_program)
         return;
     m_simulationErrors.clear();
-    m_loadedSetup = m_setup;
-    m_frameStatistics.clear();
-    m_drawnBlock = 0;
-    m_simulation->post(LoadCommand{m_program, m_setup, m_parameters, ++m_generation});
+    m_loadedSetup = m_job.setup();
+    m_frameLog.clear();
+    m_simulation->post(LoadCommand{m_program, m_job.setup(), parameters(), ++m_generation});
 }
 
 void Session::simulationProgressed(double done) {
@@ -350,21 +239,11 @@ void Session::onTick() {
 }
 
 void Session::reportDrawn(std::uint64_t sequence, double uploadSeconds, double drawSeconds) {
-    if (!m_frame || m_frame->sequence != sequence || sequence == m_drawnSequence)
+    if (!m_frame || m_frame->sequence != sequence || !m_frameLog.add(*m_frame, uploadSeconds, drawSeconds))
         return;
-    m_drawnSequence = sequence;
     m_paperWatchdog.stop();
     if (m_playback.everyBlock)
         m_simulation->frameShown(sequence);
-    while (!m_frameStatistics.empty() && m_frameStatistics.back().lastBlock > m_frame->block)
-        m_frameStatistics.pop_back();
-    const std::size_t drawnBefore = std::exchange(m_drawnBlock, m_frame->block);
-    if (m_frame->block <= drawnBefore)
-        return;
-    FrameStatistics row = frameRow(*m_frame, drawnBefore);
-    row.uploadSeconds = static_cast<float>(uploadSeconds);
-    row.drawSeconds = static_cast<float>(drawSeconds);
-    m_frameStatistics.push_back(row);
 }
 
 // Playback.
@@ -411,15 +290,8 @@ void Session::stepToToolChange(int direction) {
     if (!m_program)
         return;
     pause();
-    std::optional<std::size_t> target;
-    for (const ToolChangeMark& mark : toolChangeMarks(*m_program)) {
-        if (direction < 0 && mark.block < block())
-            target = mark.block;
-        if (direction > 0 && mark.block > block() && !target)
-            target = mark.block;
-    }
-    if (target)
-        seek(*target);
+    if (const auto block = neighbouringToolChange(*m_program, this->block(), direction))
+        seek(*block);
 }
 
 void Session::seekToLine(std::uint32_t line) {
@@ -438,17 +310,17 @@ void Session::setSpeed(double blocksPerSecond, bool everyBlock) {
 // Setup and parameters.
 
 void Session::setParameters(const DecimationParameters& parameters) {
-    if (parameters == m_parameters)
+    if (parameters == m_job.parameters())
         return;
-    m_parameters = parameters;
-    m_jobModified = m_jobModified || !m_jobFile.isEmpty();
+    m_job.setParameters(parameters);
     m_simulation->post(ParametersCommand{parameters});
     emit parametersChanged();
     emit documentChanged();
 }
 
 Result<void> Session::setSetup(const Setup& setup) {
-    if (setup == *m_setup)
+    const Setup& before = *m_job.setup();
+    if (setup == before)
         return {};
     const Result<Grid> grid = makeGrid(setup.stock, setup.spacing);
     if (!grid)
@@ -456,10 +328,9 @@ Result<void> Session::setSetup(const Setup& setup) {
     Result<void> fits = checkMemory(setup.stock, *grid, static_cast<double>(availableMemoryBytes()));
     if (!fits)
         return fits;
-    const bool otherProgram = setup.blockDelete != m_setup->blockDelete || setup.start != m_setup->start;
+    const bool otherProgram = setup.blockDelete != before.blockDelete || setup.start != before.start;
     const std::size_t blockBefore = block();
-    m_setup = std::make_shared<const Setup>(setup);
-    m_jobModified = true;
+    m_job.setSetup(std::make_shared<const Setup>(setup));
     if (otherProgram) {
         interpret();
     } else {
@@ -474,7 +345,7 @@ Result<void> Session::setSetup(const Setup& setup) {
 }
 
 StockBox Session::stockFittedToProgram() const {
-    return m_program ? fittedStock(*m_program, *m_setup) : m_setup->stock;
+    return m_program ? fittedStock(*m_program, setup()) : setup().stock;
 }
 
 // Export, progress, problems.

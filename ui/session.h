@@ -22,9 +22,10 @@
 #include "core/simulation/setup.h"
 #include "core/simulation/simulation_thread.h"
 #include "core/simulation/statistics.h"
-#include "ui/document.h"
 #include "ui/export_job.h"
 #include "ui/file_watch.h"
+#include "ui/frame_log.h"
+#include "ui/job_document.h"
 #include "ui/program_source.h"
 #include "ui/repaint_tick.h"
 
@@ -61,14 +62,16 @@ public:
 
     /// False until a file was opened or a new one begun: the start page is shown then.
     [[nodiscard]] bool hasDocument() const { return m_hasDocument; }
-    [[nodiscard]] const Document& document() const { return m_document; }
+    [[nodiscard]] const Document& document() const { return m_job.text(); }
     /// The job file that setup and parameters came from or were saved to; empty where there is none.
-    [[nodiscard]] const QString& jobFile() const { return m_jobFile; }
+    [[nodiscard]] const QString& jobFile() const { return m_job.jobFile(); }
     /// Whether text, or setup and parameters of a job, hold changes that are not on the disk.
-    [[nodiscard]] bool modified() const { return m_document.modified || m_jobModified; }
+    [[nodiscard]] bool modified() const { return m_job.modified(); }
+    /// Whether set-up or parameters hold changes that no job file has.
+    [[nodiscard]] bool jobModified() const { return m_job.jobModified(); }
 
-    [[nodiscard]] const Setup& setup() const { return *m_setup; }
-    [[nodiscard]] const DecimationParameters& parameters() const { return m_parameters; }
+    [[nodiscard]] const Setup& setup() const { return *m_job.setup(); }
+    [[nodiscard]] const DecimationParameters& parameters() const { return m_job.parameters(); }
     /// The newest interpretation; null before the first one. May be ahead of frame()->program.
     [[nodiscard]] const std::shared_ptr<const Program>& program() const { return m_program; }
     /// The newest frame; null before the first one and while a load is under way.
@@ -79,7 +82,7 @@ public:
     [[nodiscard]] const Playback& playback() const { return m_playback; }
     /// One row per frame that was drawn, ascending by lastBlock; rows beyond a seek back are dropped when the
     /// blocks are drawn anew.
-    [[nodiscard]] const std::vector<FrameStatistics>& frameStatistics() const { return m_frameStatistics; }
+    [[nodiscard]] const std::vector<FrameStatistics>& frameStatistics() const { return m_frameLog.rows(); }
     /// Messages about files, then those of the program, then those of the simulation.
     [[nodiscard]] const Diagnostics& problems() const { return m_problems; }
     /// Whether the place of a problem is one of the open text (and not of a job file, say).
@@ -160,12 +163,9 @@ signals:
     void tick(const FramePtr& frame);
 
 private:
-    bool openProgram(const QString& file);
-    bool openJob(const QString& file);
-    void adopt(Document document, QString jobFile);
-    bool writeDocument(const QString& file);
-    bool writeJob(const QString& file);
-    void watchedFileChanged();
+    void adopt(JobDocument job);
+    bool saved(const Result<void>& written);
+    bool told(const Result<void>& result);
     [[nodiscard]] std::string nameForMessages() const;
     void interpret();
     void programReady(const std::shared_ptr<const Program>& program);
@@ -180,14 +180,8 @@ private:
     void setWork(std::optional<Work> work);
     void exportDone(const Result<ExportSummary>& result);
 
-    Document m_document;
+    JobDocument m_job;
     bool m_hasDocument = false;
-    QString m_jobFile;
-    bool m_jobModified = false;
-    bool m_keptMine = false; ///< the file on the disk is somebody else's: saving is due whatever undo says
-    bool m_fitStock = false; ///< the next program decides the stock
-    std::shared_ptr<const Setup> m_setup = std::make_shared<const Setup>();
-    DecimationParameters m_parameters;
     Playback m_playback;
 
     std::shared_ptr<const Program> m_program;
@@ -195,9 +189,7 @@ private:
     std::uint64_t m_generation = 0;
     FramePtr m_frame;
 
-    std::vector<FrameStatistics> m_frameStatistics;
-    std::size_t m_drawnBlock = 0;
-    std::uint64_t m_drawnSequence = 0;
+    FrameLog m_frameLog;
     QTimer m_paperWatchdog; ///< lets paper mode go on while nobody draws (a minimised window)
 
     Diagnostics m_messages;         ///< about files and jobs

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 #include <limits>
 #include <mutex>
+#include <numeric>
 #include <random>
 #include <thread>
 
@@ -67,6 +68,17 @@ public:
         return waitFor([block](const Frame& frame) {
             return frame.block == block && (frame.surface.dirtyRegions == 0 || block % 20 != 0);
         });
+    }
+    /// Whether `block` was published in time, frames taken and none of them told as shown.
+    bool waitForUndrawn(std::size_t block) {
+        const auto end = Clock::now() + kPatience;
+        std::unique_lock lock(m_mutex);
+        while (Clock::now() < end) {
+            if (const auto frame = m_thread.takeFrame(); frame && frame->block == block)
+                return true;
+            m_changed.wait_for(lock, 20ms);
+        }
+        return false;
     }
     Diagnostics waitForFailure() {
         std::unique_lock lock(m_mutex);
@@ -149,16 +161,16 @@ TEST(SimulationThread, PaperModeShowsEveryBlock) {
     thread.post(LoadCommand{programOf(randomProgram(24, 50)), smallSetup(), {}, 1});
     ASSERT_NE(listening.waitForBlock(0), nullptr);
     thread.post(PlayCommand{kInfinity, true});
-    std::vector<std::size_t> blocks;
+    std::vector<std::size_t> blocks{0}; // seen above, and not always published a second time
     const auto end = listening.waitFor([&blocks](const Frame& frame) {
-        if (blocks.empty() || blocks.back() != frame.block)
+        if (blocks.back() != frame.block)
             blocks.push_back(frame.block);
         return frame.block == 50;
     });
     ASSERT_NE(end, nullptr);
-    for (std::size_t k = 1; k < blocks.size(); ++k)
-        EXPECT_EQ(blocks[k], blocks[k - 1] + 1);
-    EXPECT_EQ(blocks.size(), 51U);
+    std::vector<std::size_t> every(51);
+    std::iota(every.begin(), every.end(), std::size_t{0});
+    EXPECT_EQ(blocks, every);
 }
 
 TEST(SimulationThread, PaperModeAnswersCommandsWhileNobodyDraws) {
@@ -167,7 +179,7 @@ TEST(SimulationThread, PaperModeAnswersCommandsWhileNobodyDraws) {
     thread.post(LoadCommand{programOf(randomProgram(24, 50)), smallSetup(), {}, 1});
     ASSERT_NE(listening.waitForBlock(0), nullptr);
     thread.post(PlayCommand{kInfinity, true});
-    std::this_thread::sleep_for(50ms); // no frame is shown meanwhile
+    ASSERT_TRUE(listening.waitForUndrawn(1));
     thread.post(PauseCommand{});
     const auto paused =
         listening.waitFor([](const Frame& frame) { return frame.block > 0 && !frame.playing; });

@@ -303,6 +303,49 @@ private slots:
         QVERIFY(session.openFile(write(folder, "second.nc", kSquare)));
         QVERIFY(session.setup().tools.tools().empty());
         QCOMPARE(session.parameters().allowance, DecimationParameters{}.allowance);
+        QVERIFY(session.openFile(kSample));
+        session.newFile();
+        QVERIFY(session.setup().tools.tools().empty());
+        QVERIFY(session.jobFile().isEmpty());
+        QVERIFY(!session.modified());
+    }
+
+    void savesProgramAndJobTogether() {
+        QTemporaryDir folder;
+        Session session;
+        QVERIFY(session.openFile(write(folder, "square.nc", kSquare)));
+        QVERIFY(session.saveJobAs(folder.filePath("square.proveout")));
+        QVERIFY(!session.modified());
+        DecimationParameters parameters;
+        parameters.allowance = 0.3;
+        session.setParameters(parameters);
+        session.applyEdit(0, 0, "(a)\n");
+        session.setTextModified(true);
+        QVERIFY(session.jobModified() && session.document().modified);
+        QVERIFY(session.save());
+        QVERIFY(!session.modified());
+        QCOMPARE(bytesOf(folder.filePath("square.nc")), "(a)\n" + kSquare);
+        QVERIFY(session.openFile(folder.filePath("square.proveout")));
+        QCOMPARE(session.parameters().allowance, 0.3);
+        // Under another name the job must follow its program.
+        QVERIFY(session.saveAs(folder.filePath("other.nc")));
+        QVERIFY(session.jobModified());
+        QVERIFY(session.save());
+        Session again;
+        QVERIFY(again.openFile(folder.filePath("square.proveout")));
+        QCOMPARE(QFileInfo(toQString(again.document().path)).fileName(), QString("other.nc"));
+    }
+
+    void keepsMineUntilItIsSaved() {
+        QTemporaryDir folder;
+        Session session;
+        QVERIFY(session.openFile(write(folder, "square.nc", kSquare)));
+        session.keepMine();
+        QVERIFY(session.modified());
+        session.setTextModified(false); // undo came to the text that was read
+        QVERIFY(session.modified());
+        QVERIFY(session.save());
+        QVERIFY(!session.modified());
     }
 
     void aFailedOpenIsToldWithItsFile() {
