@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <string_view>
+
+#include <QString>
+
+#include "core/base/diagnostic.h"
+#include "core/decimation/parameters.h"
+#include "core/simulation/setup.h"
+#include "ui/document.h"
+
+namespace proveout {
+
+/// What File > Open reads and File > Save writes: a program text with its set-up and decimation parameters,
+/// and the job file that holds these two where there is one. Thread: the UI thread. Value type.
+class JobDocument {
+public:
+    /// A text without a name, with nothing defined.
+    JobDocument() = default;
+    /// Reads an NC program or, told by its extension, a `.proveout` job and the program that it names. A
+    /// program alone comes with no tools and no stock of its own. Errors: those of readJob() and
+    /// loadDocument().
+    [[nodiscard]] static Result<JobDocument> open(const QString& file);
+
+    [[nodiscard]] const Document& text() const { return m_text; }
+    [[nodiscard]] const QString& jobFile() const { return m_jobFile; } ///< empty where there is none
+    [[nodiscard]] const std::shared_ptr<const Setup>& setup() const { return m_setup; } ///< never null
+    [[nodiscard]] const DecimationParameters& parameters() const { return m_parameters; }
+    /// Whether the stock is still to be fitted to the program: no job and no user has given one.
+    [[nodiscard]] bool wantsStock() const { return m_wantsStock; }
+    /// Whether set-up or parameters hold changes that no job file has.
+    [[nodiscard]] bool jobModified() const { return m_jobModified; }
+    [[nodiscard]] bool modified() const { return m_text.modified || m_jobModified; }
+
+    /// Writes what is modified and has a file. Errors: those of AtomicFile and writeJob(); what was written
+    /// before the error counts as saved.
+    [[nodiscard]] Result<void> save();
+    [[nodiscard]] Result<void> saveTextAs(const QString& file);
+    [[nodiscard]] Result<void> saveJobAs(const QString& file);
+    /// Set-up and parameters stay, but no longer belong to a job file.
+    void detachJob() { m_jobFile.clear(); }
+    /// Reads the text again. Errors: those of loadDocument(); the text then stays as it is.
+    [[nodiscard]] Result<void> reload();
+
+    /// Replaces the bytes [offset, offset + removed) of the text.
+    void edit(std::size_t offset, std::size_t removed, std::string_view inserted);
+    /// The file on the disk is somebody else's from now on: saving is due whatever undo says.
+    void keepMine();
+    /// True where that changed something.
+    bool setTextModified(bool modified);
+    void setSetup(std::shared_ptr<const Setup> setup);
+    /// Like setSetup, but found out by us: nothing that the user would miss.
+    void fitSetup(std::shared_ptr<const Setup> setup);
+    void setParameters(const DecimationParameters& parameters);
+
+private:
+    Document m_text;
+    bool m_keptMine = false;
+    QString m_jobFile;
+    bool m_jobModified = false;
+    bool m_wantsStock = true;
+    std::shared_ptr<const Setup> m_setup = std::make_shared<const Setup>();
+    DecimationParameters m_parameters;
+};
+
+} // namespace proveout
