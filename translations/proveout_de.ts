@@ -1674,6 +1674,18 @@
         <source>the grid spacing {} mm is lost in the rounding of coordinates as large as {} mm</source>
         <translation>die Rasterweite {} mm geht im Runden so großer Koordinaten wie {} mm verloren</translation>
     </message>
+    <message>
+        <source>The field &quot;{}&quot; is not known and has no effect.</source>
+        <translation>Das Feld „{}“ ist unbekannt und bleibt ohne Wirkung.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; is not known and has no effect; perhaps &quot;{}&quot; is meant.</source>
+        <translation>Das Feld „{}“ ist unbekannt und bleibt ohne Wirkung; vielleicht ist „{}“ gemeint.</translation>
+    </message>
+    <message>
+        <source>Correct its name, or remove it.</source>
+        <translation>Berichtigen Sie den Namen oder entfernen Sie das Feld.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

@@ -1674,6 +1674,18 @@
         <source>the grid spacing {} mm is lost in the rounding of coordinates as large as {} mm</source>
         <translation>격자 간격 {} mm은 {} mm만큼 큰 좌표의 반올림에서 사라집니다</translation>
     </message>
+    <message>
+        <source>The field &quot;{}&quot; is not known and has no effect.</source>
+        <translation>&quot;{}&quot; 필드는 알 수 없는 필드이며 적용되지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; is not known and has no effect; perhaps &quot;{}&quot; is meant.</source>
+        <translation>&quot;{}&quot; 필드는 알 수 없는 필드이며 적용되지 않습니다. &quot;{}&quot; 필드를 뜻한 것일 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Correct its name, or remove it.</source>
+        <translation>이름을 고치거나 필드를 삭제하십시오.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

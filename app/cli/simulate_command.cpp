@@ -86,6 +86,7 @@ private:
         if (!job)
             return fine(std::move(job));
         m_job = std::move(*job);
+        m_report.add(m_job.warnings);
         auto inputs = m_options.setup.inputs();
         inputs.push_back(m_job.program.string());
         if (!fine(checkOutputs(inputs, {m_options.zmap, m_options.stl, m_options.records})))

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/job_file.h"
 
+#include <algorithm>
 #include <charconv>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <system_error>
@@ -27,7 +29,7 @@ constexpr int kLargestToolNumber = 99'999'999;
 constexpr JsonRange kSize{0, 1e6, true};  ///< mm, of a stock or a grid
 constexpr JsonRange kPosition{-1e7, 1e7}; ///< mm
 
-void readStock(JsonFields job, StockBox& stock) {
+void readStock(JsonFields& job, StockBox& stock) {
     job.require({"stock"});
     if (!job.has("stock"))
         return;
@@ -37,6 +39,7 @@ void readStock(JsonFields job, StockBox& stock) {
     fields.read("width", stock.width, kSize);
     fields.read("depth", stock.depth, kSize);
     fields.read("height", stock.height, kSize);
+    fields.warnAboutUnknown();
 }
 
 void readTools(JsonFields tools, ToolTable& table) {
@@ -69,6 +72,7 @@ void readParameters(JsonFields fields, DecimationParameters& parameters) {
             fields.read(field.key, value, JsonRange{field.minimum, field.maximum});
         }
     });
+    fields.warnAboutUnknown();
 }
 
 ordered_json writeParameters(const DecimationParameters& parameters) {
@@ -108,19 +112,30 @@ fs::path absolutePath(const fs::path& path) {
     return error ? path : absolute;
 }
 
+/// Warnings in the order of the text; where the job cannot be read they follow the errors, because a field
+/// that is missing may be one whose name is misspelt.
+Diagnostics told(JsonComplaints& complaints) {
+    const auto place = [](const Diagnostic& diagnostic) {
+        return std::pair(diagnostic.where.line, diagnostic.where.column);
+    };
+    std::ranges::stable_sort(complaints.warnings, {}, place);
+    std::ranges::move(complaints.warnings, std::back_inserter(complaints.errors));
+    return std::move(complaints.errors);
+}
+
 Result<Job> parse(std::string_view text, const fs::path& file) {
-    const auto json = parseJson(text, kDepthLimit);
-    if (!json)
-        return tl::unexpected(json.error());
-    if (auto schema = checkSchema(*json); !schema)
+    const auto document = parseJson(text, kDepthLimit);
+    if (!document)
+        return tl::unexpected(document.error());
+    if (auto schema = checkSchema(document->root); !schema)
         return tl::unexpected(std::move(schema.error()));
-    Diagnostics errors;
-    JsonFields fields(*json, "", errors);
+    JsonComplaints complaints;
+    JsonFields fields(*document, complaints);
     Job job;
     std::string program;
-    fields.require({"program"});
+    fields.require({"proveout", "program"});
     fields.read("program", program);
-    if (fields.has("program") && program.empty() && errors.empty())
+    if (fields.has("program") && program.empty() && complaints.errors.empty())
         fields.fail("program", PROVEOUT_TEXT("Core", "The field \"{}\" must name a file."), {});
     readStock(fields, job.setup.stock);
     fields.read("grid", job.setup.spacing, kSize);
@@ -132,9 +147,13 @@ Result<Job> parse(std::string_view text, const fs::path& file) {
     }
     fields.read("blockDelete", job.setup.blockDelete);
     readParameters(fields.object("decimation"), job.parameters);
-    if (!errors.empty())
-        return tl::unexpected(std::move(errors));
+    fields.warnAboutUnknown();
+    const bool usable = complaints.errors.empty();
+    Diagnostics all = told(complaints);
+    if (!usable)
+        return tl::unexpected(std::move(all));
     job.program = absolutePath(absolutePath(file).parent_path() / fs::path(program));
+    job.warnings = std::move(all);
     return job;
 }
 
@@ -169,10 +188,8 @@ Result<Job> readJob(const fs::path& file) {
     if (!text)
         return tl::unexpected(text.error());
     auto job = parse(*text, file);
-    if (!job) {
-        for (auto& diagnostic : job.error())
-            diagnostic.file = file.string();
-    }
+    for (auto& diagnostic : job ? job->warnings : job.error())
+        diagnostic.file = file.string();
     return job;
 }
 

@@ -14,11 +14,13 @@ struct Job {
     std::filesystem::path program; ///< absolute once loaded; stored relative to the job file where it can be
     Setup setup;
     DecimationParameters parameters;
+    Diagnostics warnings = {}; ///< about the file it was read from; never written
 };
 
 /// Reads a job; the program itself is not opened. Errors name the JSON path of the field (e.g. "stock.width")
-/// and what is allowed there, all of them at once; syntax errors have line and column. Unknown fields are
-/// ignored with no message, a newer schema is refused, and so are files larger or nested deeper than any job.
+/// and what is allowed there, all of them at once, with line and column. A field that is not known is a
+/// warning of the job with its place and name; where the job is refused, the warnings follow the errors. A
+/// newer schema is refused, and so are files larger or nested deeper than any job.
 [[nodiscard]] Result<Job> readJob(const std::filesystem::path& file);
 
 /// Writes a job atomically. Errors: the file cannot be written, or the program's name is not UTF-8.

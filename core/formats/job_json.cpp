@@ -2,11 +2,11 @@
 #include "core/formats/job_json.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <utility>
 
+#include "core/base/nearest_name.h"
 #include "core/base/text.h"
 
 namespace proveout {
@@ -15,54 +15,8 @@ namespace {
 
 using nlohmann::json;
 
-TextRange placeOf(std::string_view text, std::size_t offset) {
-    const auto before = text.substr(0, std::min(offset, text.size()));
-    const auto lines = std::count(before.begin(), before.end(), '\n');
-    const auto lineStart = before.rfind('\n') == std::string_view::npos ? 0 : before.rfind('\n') + 1;
-    return {static_cast<int>(lines) + 1, static_cast<int>(before.size() - lineStart) + 1, 0};
-}
-
-/// Walks through the text once before anything is built: it knows the depth, and the place of every error
-/// (the exceptions of the parser proper do not tell the place of a number out of range).
-class SyntaxCheck : public nlohmann::json_sax<json> {
-public:
-    explicit SyntaxCheck(int depth) : m_depthLeft(depth) {}
-
-    [[nodiscard]] std::size_t errorOffset() const { return m_errorOffset; }
-    [[nodiscard]] bool tooDeep() const { return m_tooDeep; }
-
-    bool null() override { return true; }
-    bool boolean(bool /*value*/) override { return true; }
-    bool number_integer(number_integer_t /*value*/) override { return true; }
-    bool number_unsigned(number_unsigned_t /*value*/) override { return true; }
-    bool number_float(number_float_t /*value*/, const string_t& /*text*/) override { return true; }
-    bool string(string_t& /*value*/) override { return true; }
-    bool binary(binary_t& /*value*/) override { return true; }
-    bool key(string_t& /*value*/) override { return true; }
-    bool start_object(std::size_t /*size*/) override { return enter(); }
-    bool start_array(std::size_t /*size*/) override { return enter(); }
-    bool end_object() override { return leave(); }
-    bool end_array() override { return leave(); }
-    bool parse_error(std::size_t offset, const std::string& /*token*/,
-                     const nlohmann::detail::exception& /*error*/) override {
-        m_errorOffset = offset > 0 ? offset - 1 : 0; // it counts the bytes read, the wrong one included
-        return false;
-    }
-
-private:
-    bool enter() {
-        m_tooDeep = --m_depthLeft < 0;
-        return !m_tooDeep;
-    }
-    bool leave() {
-        ++m_depthLeft;
-        return true;
-    }
-
-    int m_depthLeft;
-    bool m_tooDeep = false;
-    std::size_t m_errorOffset = 0;
-};
+/// A file that is no job at all shall not flood whoever reads the messages.
+constexpr std::size_t kMostWarnings = 100;
 
 /// What stands for an object that is not there.
 const json& emptyObject() {
@@ -72,33 +26,53 @@ const json& emptyObject() {
 
 } // namespace
 
-Result<json> parseJson(std::string_view text, int depth) {
-    SyntaxCheck check(depth);
-    if (json::sax_parse(text, &check))
-        return json::parse(text);
-    if (check.tooDeep())
-        return failure("json-depth", PROVEOUT_TEXT("Core", "The brackets are nested deeper than {} levels."),
-                       {std::to_string(depth)});
-    auto failed = failure("json-syntax", PROVEOUT_TEXT("Core", "This is not valid JSON."));
-    failed.value().front().where = placeOf(text, check.errorOffset());
-    return failed;
-}
-
-JsonFields::JsonFields(const json& object, std::string path, Diagnostics& errors)
-    : m_object(&object), m_path(std::move(path)), m_errors(&errors) {}
-
-bool JsonFields::has(const char* key) const {
+bool JsonFields::has(const char* key) {
     return find(key) != nullptr;
 }
 
-const json* JsonFields::find(const char* key) const {
+const json* JsonFields::find(const char* key) {
+    m_asked.insert(key);
     const auto found = m_object->find(key);
     return found == m_object->end() ? nullptr : &*found;
 }
 
 void JsonFields::fail(std::string_view key, const char* text, std::vector<std::string> arguments) {
-    arguments.insert(arguments.begin(), m_path + std::string(key));
-    m_errors->push_back(failure("job-field", text, std::move(arguments)).value().front());
+    fail(key, {}, text, std::move(arguments));
+}
+
+void JsonFields::fail(std::string_view key, std::string_view element, const char* text,
+                      std::vector<std::string> arguments) {
+    arguments.insert(arguments.begin(), fmt::format("{}{}{}", m_path, key, element));
+    const auto place = m_document->places.find({m_here.object, std::string(key)});
+    Diagnostic error = failure("job-field", text, std::move(arguments)).value().front();
+    error.where = place == m_document->places.end() ? m_here.where : place->second.where;
+    m_complaints->errors.push_back(std::move(error));
+}
+
+void JsonFields::warnAboutUnknown() {
+    const std::vector<std::string_view> known(m_asked.begin(), m_asked.end());
+    const auto& places = m_document->places;
+    const auto isThere = [this](const auto& field) {
+        return field != m_document->places.end() && field->first.first == m_here.object;
+    };
+    for (auto field = places.lower_bound({m_here.object, {}}); isThere(field); ++field) {
+        const std::string& name = field->first.second;
+        if (m_asked.contains(name) || m_complaints->warnings.size() == kMostWarnings)
+            continue;
+        Diagnostic warning;
+        warning.severity = Severity::warning;
+        warning.id = "job-field-unknown";
+        warning.arguments = {m_path + name};
+        warning.text = PROVEOUT_TEXT("Core", "The field \"{}\" is not known and has no effect.");
+        if (const auto meant = nearestName(name, known); !meant.empty()) {
+            warning.text = PROVEOUT_TEXT(
+                "Core", "The field \"{}\" is not known and has no effect; perhaps \"{}\" is meant.");
+            warning.arguments.push_back(m_path + std::string(meant));
+        }
+        warning.hint = PROVEOUT_TEXT("Core", "Correct its name, or remove it.");
+        warning.where = field->second.where;
+        m_complaints->warnings.push_back(std::move(warning));
+    }
 }
 
 void JsonFields::require(std::initializer_list<const char*> keys) {
@@ -108,14 +82,15 @@ void JsonFields::require(std::initializer_list<const char*> keys) {
     }
 }
 
-bool JsonFields::readNumber(std::string_view key, const json& value, double& number, const JsonRange& range) {
+bool JsonFields::readNumber(std::string_view key, std::string_view element, const json& value, double& number,
+                            const JsonRange& range) {
     const double read = value.is_number() ? value.get<double>() : std::nan("");
     const bool within = range.aboveMinimum ? read > range.minimum : read >= range.minimum;
     if (within && read <= range.maximum) {
         number = read;
         return true;
     }
-    fail(key,
+    fail(key, element,
          range.aboveMinimum
              ? PROVEOUT_TEXT("Core", "The field \"{}\" must be a number above {} and at most {}.")
              : PROVEOUT_TEXT("Core", "The field \"{}\" must be a number from {} to {}."),
@@ -135,13 +110,13 @@ bool JsonFields::readString(std::string_view key, const json& value, std::string
 
 void JsonFields::read(const char* key, double& value, const JsonRange& range) {
     if (const json* field = find(key))
-        static_cast<void>(readNumber(key, *field, value, range));
+        static_cast<void>(readNumber(key, {}, *field, value, range));
 }
 
 void JsonFields::read(const char* key, int& value, const JsonRange& range) {
     const json* field = find(key);
     double number = 0;
-    if (field == nullptr || !readNumber(key, *field, number, range))
+    if (field == nullptr || !readNumber(key, {}, *field, number, range))
         return;
     if (number != std::floor(number))
         fail(key, PROVEOUT_TEXT("Core", "The field \"{}\" must be a whole number."), {});
@@ -173,8 +148,8 @@ void JsonFields::read(const char* key, Vec3& point, const JsonRange& range) {
         return;
     }
     for (int axis = 0; axis < 3; ++axis)
-        static_cast<void>(readNumber(fmt::format("{}[{}]", key, axis),
-                                     (*field)[static_cast<std::size_t>(axis)], point[axis], range));
+        static_cast<void>(readNumber(key, fmt::format("[{}]", axis), (*field)[static_cast<std::size_t>(axis)],
+                                     point[axis], range));
 }
 
 void JsonFields::read(const char* key, std::size_t& index, std::span<const Choice> choices) {
@@ -199,7 +174,12 @@ JsonFields JsonFields::object(const char* key) {
     if (field != nullptr && !field->is_object())
         fail(key, PROVEOUT_TEXT("Core", "The field \"{}\" must be an object { }."), {});
     const bool usable = field != nullptr && field->is_object();
-    return {usable ? *field : emptyObject(), m_path + key + ".", *m_errors};
+    JsonFields fields = *this;
+    fields.m_object = usable ? field : &emptyObject();
+    fields.m_path = m_path + key + ".";
+    fields.m_here = field == nullptr ? JsonPlace{} : m_document->places.at({m_here.object, key});
+    fields.m_asked.clear();
+    return fields;
 }
 
 } // namespace proveout

@@ -1,23 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// JSON as a job file has it: hostile text in, checked fields out. Inside the room only.
+// The fields of a job file: JSON in, checked values out. Inside the room only.
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <initializer_list>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "core/base/diagnostic.h"
 #include "core/base/field.h"
 #include "core/base/geometry.h"
+#include "core/formats/json_document.h"
 
 namespace proveout {
-
-/// Parses JSON. Errors have line and column: syntax, numbers out of range, more than `depth` levels of
-/// brackets.
-[[nodiscard]] Result<nlohmann::json> parseJson(std::string_view text, int depth);
 
 /// Numbers allowed for a field.
 struct JsonRange {
@@ -26,13 +26,21 @@ struct JsonRange {
     bool aboveMinimum = false; ///< the minimum itself is not allowed
 };
 
+/// What was found wrong while the fields were read.
+struct JsonComplaints {
+    Diagnostics errors;
+    Diagnostics warnings;
+};
+
 /// An object of the file, read field by field. A field that is missing leaves the value as it is; a wrong one
-/// adds an error that names its path. Holds references: the JSON and the list of errors must outlive it.
+/// adds an error that names its path, with its place. Holds references: the document and the complaints must
+/// outlive it.
 class JsonFields {
 public:
-    JsonFields(const nlohmann::json& object, std::string path, Diagnostics& errors);
+    JsonFields(const JsonDocument& document, JsonComplaints& complaints)
+        : m_document(&document), m_complaints(&complaints), m_object(&document.root), m_here{{}, 0} {}
 
-    [[nodiscard]] bool has(const char* key) const;
+    [[nodiscard]] bool has(const char* key);
     /// Adds an error for each of `keys` that is missing.
     void require(std::initializer_list<const char*> keys);
 
@@ -58,15 +66,25 @@ public:
     /// Adds an error about `key`: "the field …: …".
     void fail(std::string_view key, const char* text, std::vector<std::string> arguments);
 
-private:
-    [[nodiscard]] const nlohmann::json* find(const char* key) const;
-    [[nodiscard]] bool readString(std::string_view key, const nlohmann::json& value, std::string& text);
-    [[nodiscard]] bool readNumber(std::string_view key, const nlohmann::json& value, double& number,
-                                  const JsonRange& range);
+    /// Call it when everything known has been asked for: warns about every field that was not, and names the
+    /// known one that was probably meant. At most 100 of them are told.
+    void warnAboutUnknown();
 
+private:
+    [[nodiscard]] const nlohmann::json* find(const char* key);
+    [[nodiscard]] bool readString(std::string_view key, const nlohmann::json& value, std::string& text);
+    /// `element`: which one of an array, "[1]"; empty where the field is the number itself.
+    [[nodiscard]] bool readNumber(std::string_view key, std::string_view element, const nlohmann::json& value,
+                                  double& number, const JsonRange& range);
+    void fail(std::string_view key, std::string_view element, const char* text,
+              std::vector<std::string> arguments);
+
+    const JsonDocument* m_document;
+    JsonComplaints* m_complaints;
     const nlohmann::json* m_object;
     std::string m_path; ///< with a dot at its end where it is not empty
-    Diagnostics* m_errors;
+    JsonPlace m_here;   ///< of the whole object: no place where it is the outermost
+    std::set<std::string, std::less<>> m_asked;
 };
 
 } // namespace proveout

@@ -188,6 +188,20 @@ TEST_F(CliSimulate, JobFileHoldsTheSameAsOptionsAndOptionsOutrankIt) {
     EXPECT_LT(coarse["facesDecimated"], run("simulate --job p.proveout --json").json()["facesDecimated"]);
 }
 
+TEST_F(CliSimulate, FieldsOfAJobThatAreNotKnownAreWarnings) {
+    write("p.proveout", R"({"proveout": 1, "program": "p.nc",
+        "stock": {"width": 40, "depth": 30, "height": 10}, "gird": 0.5,
+        "tools": {"1": "ball:d=4,l=20"}})");
+    const auto done = run("simulate --job p.proveout --json");
+    EXPECT_EQ(done.exitCode, 0);
+    EXPECT_TRUE(done.tells("p.proveout:2:60: warning: The field \"gird\"", "job-field-unknown")) << done.err;
+    const auto json = done.json();
+    ASSERT_EQ(json["findings"].size(), 1U);
+    EXPECT_EQ(json["findings"][0]["severity"], "warning");
+    EXPECT_EQ(json["findings"][0]["file"], "p.proveout");
+    EXPECT_EQ(json["findings"][0]["line"], 2);
+}
+
 TEST_F(CliSimulate, TheMethodOfTheJobGivenAgainKeepsItsRegion) {
     write("p.proveout", R"({"proveout": 1, "program": "p.nc",
         "stock": {"width": 40, "depth": 30, "height": 10}, "grid": 0.5,

@@ -34,16 +34,16 @@ protected:
         m_folder.put("a.proveout", text);
         return readJob(m_folder / "a.proveout");
     }
-    /// All that is told, "LINE:COLUMN sentence [id]" a line; empty where the job was read.
+    /// All that is told, "LINE:COLUMN sentence [id]" a line; empty where the job was read without a warning.
     std::string told(const std::string& text) {
         const auto job = read(text);
         std::string out;
-        if (job)
-            return out;
-        for (const Diagnostic& error : job.error()) {
-            EXPECT_EQ(error.file, (m_folder / "a.proveout").string());
-            out += std::to_string(error.where.line) + ":" + std::to_string(error.where.column) + " " +
-                   message(error) + " [" + error.id + "]\n";
+        for (const Diagnostic& diagnostic : job ? job->warnings : job.error()) {
+            EXPECT_EQ(diagnostic.file, (m_folder / "a.proveout").string());
+            EXPECT_EQ(diagnostic.severity == Severity::warning,
+                      std::string_view(diagnostic.id) == "job-field-unknown");
+            out += std::to_string(diagnostic.where.line) + ":" + std::to_string(diagnostic.where.column) +
+                   " " + message(diagnostic) + " [" + diagnostic.id + "]\n";
         }
         return out;
     }
@@ -75,9 +75,10 @@ TEST_F(JobFile, ReadsEveryField) {
 }
 
 TEST_F(JobFile, OptionalFieldsHaveTheirDefaults) {
-    const auto job = read(R"({"proveout": 1, "program": "a.nc", "from the future": [[]],
-                              "stock": {"width": 1, "depth": 2, "height": 3, "colour": "red"}})");
+    const auto job =
+        read(R"({"proveout": 1, "program": "a.nc", "stock": {"width": 1, "depth": 2, "height": 3}})");
     ASSERT_TRUE(job) << oneLine(job.error().front());
+    EXPECT_TRUE(job->warnings.empty());
     EXPECT_EQ(job->setup.stock, (StockBox{{0, 0, 0}, 1, 2, 3}));
     EXPECT_EQ(job->setup.spacing, 1);
     EXPECT_TRUE(job->setup.tools.tools().empty());
@@ -88,7 +89,7 @@ TEST_F(JobFile, OptionalFieldsHaveTheirDefaults) {
 
 TEST_F(JobFile, ErrorsNameTheFieldAndWhatIsAllowed) {
     EXPECT_EQ(told(with("140", "-1")),
-              "0:0 The field \"stock.width\" must be a number above 0 and at most 1000000. [job-field]\n");
+              "4:40 The field \"stock.width\" must be a number above 0 and at most 1000000. [job-field]\n");
     EXPECT_THAT(told(with("140", "0")), HasSubstr("\"stock.width\""));
     EXPECT_THAT(told(with("140", "\"140\"")), HasSubstr("\"stock.width\" must be a number"));
     EXPECT_THAT(told(with("140", "1e7")), HasSubstr("\"stock.width\""));
@@ -113,15 +114,57 @@ TEST_F(JobFile, ErrorsNameTheFieldAndWhatIsAllowed) {
     EXPECT_THAT(told(with("\"height\"", "\"hight\"")), HasSubstr("\"stock.height\" is missing."));
 }
 
-TEST_F(JobFile, AllWrongFieldsAreToldAtOnce) {
-    EXPECT_EQ(told(R"({"proveout": 1, "stock": 5, "grid": -1, "decimation": []})"),
-              "0:0 The field \"program\" is missing. [job-field]\n"
-              "0:0 The field \"stock\" must be an object { }. [job-field]\n"
-              "0:0 The field \"stock.width\" is missing. [job-field]\n"
-              "0:0 The field \"stock.depth\" is missing. [job-field]\n"
-              "0:0 The field \"stock.height\" is missing. [job-field]\n"
-              "0:0 The field \"grid\" must be a number above 0 and at most 1000000. [job-field]\n"
-              "0:0 The field \"decimation\" must be an object { }. [job-field]\n");
+TEST_F(JobFile, AllWrongFieldsAreToldAtOnceWithTheirPlaces) {
+    EXPECT_EQ(
+        told(
+            "{\"proveout\": 1, \"stock\": 5,\n \"grid\": -1, \"decimation\": [],\n\"start\": [1, \"2\", 3]}"),
+        "0:0 The field \"program\" is missing. [job-field]\n"
+        "1:17 The field \"stock\" must be an object { }. [job-field]\n"
+        "1:17 The field \"stock.width\" is missing. [job-field]\n"
+        "1:17 The field \"stock.depth\" is missing. [job-field]\n"
+        "1:17 The field \"stock.height\" is missing. [job-field]\n"
+        "2:2 The field \"grid\" must be a number above 0 and at most 1000000. [job-field]\n"
+        "3:1 The field \"start[1]\" must be a number from -10000000 to 10000000. [job-field]\n"
+        "2:14 The field \"decimation\" must be an object { }. [job-field]\n");
+}
+
+TEST_F(JobFile, FieldsThatAreNotKnownAreWarningsInTheOrderOfTheText) {
+    EXPECT_EQ(told(kWhole), "");
+    EXPECT_EQ(told("{\"proveout\": 1, \"program\": \"a.nc\", \"from the future\": [[], {\"grid\": 1}],\n"
+                   "  \"stock\": {\"width\": 1, \"depth\": 2, \"height\": 3,\n\"colour\": {\"red\": 1}},\n"
+                   "  \"grd\": 0.5, \"decimation\": {\"Allowence\": 0.1},\n"
+                   "  \"tools\": {\"1\": \"ball:d=4\"}, \"a\\\"b\\\\\": {}}"),
+              "1:36 The field \"from the future\" is not known and has no effect. [job-field-unknown]\n"
+              "3:1 The field \"stock.colour\" is not known and has no effect. [job-field-unknown]\n"
+              "4:3 The field \"grd\" is not known and has no effect; perhaps \"grid\" is meant. "
+              "[job-field-unknown]\n"
+              "4:30 The field \"decimation.Allowence\" is not known and has no effect; perhaps "
+              "\"decimation.allowance\" is meant. [job-field-unknown]\n"
+              "5:31 The field \"a\"b\\\" is not known and has no effect. [job-field-unknown]\n");
+}
+
+TEST_F(JobFile, AWarningHasTheLengthOfTheNameAndAHint) {
+    const auto job = read(with("\"grid\"", "\"gr\\u0069dd\""));
+    ASSERT_TRUE(job);
+    ASSERT_EQ(job->warnings.size(), 1U);
+    EXPECT_EQ(job->warnings[0].where, (TextRange{5, 3, 12}));
+    EXPECT_THAT(job->warnings[0].arguments, testing::ElementsAre("gridd", "grid"));
+    EXPECT_STRNE(job->warnings[0].hint, "");
+}
+
+TEST_F(JobFile, AMisspeltFieldThatIsNeededIsNamedBesideTheError) {
+    const std::string hight = told(with("\"height\"", "\"hight\""));
+    EXPECT_THAT(hight, HasSubstr("4:3 The field \"stock.height\" is missing. [job-field]\n4:68 The field "
+                                 "\"stock.hight\" is not known and has no effect; perhaps \"stock.height\""));
+}
+
+TEST_F(JobFile, WarningsAreBounded) {
+    std::string text = R"({"proveout": 1, "program": "a.nc", "stock": {"width": 1, "depth": 2, "height": 3})";
+    for (int i = 0; i < 200'000; ++i)
+        text += ",\n\"x" + std::to_string(i) + "\": {}";
+    const auto job = read(text + "}");
+    ASSERT_TRUE(job);
+    EXPECT_EQ(job->warnings.size(), 100U);
 }
 
 TEST_F(JobFile, SyntaxErrorsHaveLineAndColumn) {

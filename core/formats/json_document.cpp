@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/json_document.h"
+
+#include <iterator>
+#include <vector>
+
+#include "core/base/text.h"
+
+namespace proveout {
+
+namespace {
+
+using nlohmann::json;
+
+/// Bytes of a text, one after the other. Copies share the position, so that its owner sees how far the parser
+/// is.
+class SharedIterator {
+public:
+    using iterator_category = std::input_iterator_tag;
+    using value_type = char;
+    using difference_type = std::ptrdiff_t;
+    using pointer = const char*;
+    using reference = const char&;
+
+    explicit SharedIterator(const char*& at) : m_at(&at) {}
+
+    reference operator*() const { return **m_at; }
+    SharedIterator& operator++() {
+        ++*m_at;
+        return *this;
+    }
+    friend bool operator==(const SharedIterator& a, const SharedIterator& b) { return *a.m_at == *b.m_at; }
+
+private:
+    const char** m_at;
+};
+
+/// Walks through the text once before anything is built: it knows the depth, and the places of all fields and
+/// of every error (the exceptions of the parser proper do not tell the place of a number out of range).
+class SyntaxCheck : public nlohmann::json_sax<json> {
+public:
+    SyntaxCheck(std::string_view text, int depth)
+        : m_next(text.data()), m_end(text.data() + text.size()), m_counted(text.data()),
+          m_lineStart(text.data()), m_depthLeft(depth) {}
+
+    /// Whether the text is valid JSON within the depth. Once.
+    [[nodiscard]] bool passes() {
+        return json::sax_parse(SharedIterator(m_next), SharedIterator(m_end), this);
+    }
+    [[nodiscard]] TextRange errorPlace() const { return m_error; }
+    [[nodiscard]] bool tooDeep() const { return m_tooDeep; }
+    [[nodiscard]] JsonPlaces takePlaces() { return std::move(m_places); }
+
+    bool null() override { return true; }
+    bool boolean(bool /*value*/) override { return true; }
+    bool number_integer(number_integer_t /*value*/) override { return true; }
+    bool number_unsigned(number_unsigned_t /*value*/) override { return true; }
+    bool number_float(number_float_t /*value*/, const string_t& /*text*/) override { return true; }
+    bool string(string_t& /*value*/) override { return true; }
+    bool binary(binary_t& /*value*/) override { return true; }
+    bool key(string_t& value) override {
+        if (m_open.back() != JsonPlace::kNoObject)
+            m_field = m_places.insert_or_assign({m_open.back(), value}, JsonPlace{placeOfName()}).first;
+        return true;
+    }
+    bool start_object(std::size_t /*size*/) override {
+        if (m_open.empty())
+            return enter(0);
+        if (m_open.back() == JsonPlace::kNoObject)
+            return enter(JsonPlace::kNoObject);
+        m_field->second.object = ++m_lastObject;
+        return enter(m_lastObject);
+    }
+    bool start_array(std::size_t /*size*/) override { return enter(JsonPlace::kNoObject); }
+    bool end_object() override { return leave(); }
+    bool end_array() override { return leave(); }
+    bool parse_error(std::size_t /*offset*/, const std::string& /*token*/,
+                     const nlohmann::detail::exception& /*error*/) override {
+        // The last byte read is the wrong one; at the end of the text there was none to read.
+        const bool atEnd = m_next == m_end;
+        m_error = placeOf(atEnd ? m_next : m_next - 1);
+        return false;
+    }
+
+private:
+    /// Within arrays nothing has a number.
+    bool enter(std::size_t object) {
+        m_open.push_back(object);
+        m_tooDeep = --m_depthLeft < 0;
+        return !m_tooDeep;
+    }
+    bool leave() {
+        m_open.pop_back();
+        ++m_depthLeft;
+        return true;
+    }
+    /// The parser has just read the quotation mark that closes the name.
+    [[nodiscard]] TextRange placeOfName() {
+        const char* begin = m_next - 2;
+        while (*begin != '"' || isEscaped(begin))
+            --begin;
+        TextRange where = placeOf(begin);
+        where.length = static_cast<int>(m_next - begin);
+        return where;
+    }
+    [[nodiscard]] static bool isEscaped(const char* quote) {
+        const char* backslash = quote - 1;
+        while (*backslash == '\\')
+            --backslash;
+        return (quote - backslash) % 2 == 0;
+    }
+    /// Only forwards, so that a whole text is counted once.
+    [[nodiscard]] TextRange placeOf(const char* at) {
+        for (; m_counted < at; ++m_counted) {
+            if (*m_counted == '\n') {
+                ++m_line;
+                m_lineStart = m_counted + 1;
+            }
+        }
+        return {m_line, static_cast<int>(at - m_lineStart) + 1, 0};
+    }
+
+    const char* m_next; ///< behind the last byte that was read
+    const char* m_end;
+    const char* m_counted;
+    const char* m_lineStart;
+    int m_line = 1;
+    int m_depthLeft;
+    bool m_tooDeep = false;
+    TextRange m_error;
+    JsonPlaces m_places;
+    JsonPlaces::iterator m_field;
+    std::vector<std::size_t> m_open;
+    std::size_t m_lastObject = 0;
+};
+
+} // namespace
+
+Result<JsonDocument> parseJson(std::string_view text, int depth) {
+    SyntaxCheck check(text, depth);
+    if (check.passes())
+        return JsonDocument{json::parse(text), check.takePlaces()};
+    if (check.tooDeep())
+        return failure("json-depth", PROVEOUT_TEXT("Core", "The brackets are nested deeper than {} levels."),
+                       {std::to_string(depth)});
+    auto failed = failure("json-syntax", PROVEOUT_TEXT("Core", "This is not valid JSON."));
+    failed.value().front().where = check.errorPlace();
+    return failed;
+}
+
+} // namespace proveout
