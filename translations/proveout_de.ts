@@ -1686,6 +1686,22 @@
         <source>Correct its name, or remove it.</source>
         <translation>Berichtigen Sie den Namen oder entfernen Sie das Feld.</translation>
     </message>
+    <message>
+        <source>“{}” is no table of a tool file; each tool is a [[tool]].</source>
+        <translation>„{}“ ist keine Tabelle einer Werkzeugdatei; jedes Werkzeug ist ein [[tool]].</translation>
+    </message>
+    <message>
+        <source>“{}” is no table of a tool file; perhaps “{}” is meant.</source>
+        <translation>„{}“ ist keine Tabelle einer Werkzeugdatei; vielleicht ist „{}“ gemeint.</translation>
+    </message>
+    <message>
+        <source>“{}” is no key of a tool; there are {}.</source>
+        <translation>„{}“ ist kein Schlüssel eines Werkzeugs; es gibt {}.</translation>
+    </message>
+    <message>
+        <source>“{}” is no key of a tool; perhaps “{}” is meant.</source>
+        <translation>„{}“ ist kein Schlüssel eines Werkzeugs; vielleicht ist „{}“ gemeint.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

@@ -1686,6 +1686,22 @@
         <source>Correct its name, or remove it.</source>
         <translation>이름을 고치거나 필드를 삭제하십시오.</translation>
     </message>
+    <message>
+        <source>“{}” is no table of a tool file; each tool is a [[tool]].</source>
+        <translation>&quot;{}&quot;은(는) 공구 파일의 테이블이 아닙니다. 각 공구는 [[tool]]입니다.</translation>
+    </message>
+    <message>
+        <source>“{}” is no table of a tool file; perhaps “{}” is meant.</source>
+        <translation>&quot;{}&quot;은(는) 공구 파일의 테이블이 아닙니다. &quot;{}&quot;을(를) 뜻한 것일 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>“{}” is no key of a tool; there are {}.</source>
+        <translation>&quot;{}&quot;은(는) 공구의 키가 아닙니다. 사용할 수 있는 키: {}.</translation>
+    </message>
+    <message>
+        <source>“{}” is no key of a tool; perhaps “{}” is meant.</source>
+        <translation>&quot;{}&quot;은(는) 공구의 키가 아닙니다. &quot;{}&quot;을(를) 뜻한 것일 수 있습니다.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

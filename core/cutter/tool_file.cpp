@@ -1,13 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/cutter/tool_file.h"
 
+#include <algorithm>
+#include <array>
 #include <cstdint>
+#include <fmt/format.h>
 #include <limits>
+#include <set>
+#include <span>
 #include <string>
+#include <string_view>
 #include <toml++/toml.h>
 #include <utility>
+#include <vector>
 
 #include "core/base/atomic_file.h"
+#include "core/base/nearest_name.h"
 #include "core/base/text.h"
 
 namespace proveout {
@@ -17,47 +25,111 @@ namespace {
 /// A tool table is written by hand; a longer file is not one.
 constexpr std::uint64_t kMaxBytes = 10'000'000;
 
+constexpr std::array<std::string_view, 1> kTables{"tool"};
+constexpr std::array<std::string_view, 2> kRowKeys{"number", "cutter"};
+
 TextRange place(const toml::source_region& region) {
     return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column), 0};
 }
 
-Result<void> readRow(const toml::table& row, ToolTable& tools) {
-    const auto number = row["number"].value_exact<std::int64_t>();
-    if (!number || *number < 1 || *number > std::numeric_limits<int>::max())
-        return failure("tool-number", PROVEOUT_TEXT("Core", "A tool needs a number, a whole one from 1 on."));
-    if (tools.find(static_cast<int>(*number)) != nullptr)
-        return failure("tool-twice", PROVEOUT_TEXT("Core", "Tool {} stands in the table twice."),
-                       {std::to_string(*number)});
-    const auto spec = row["cutter"].value_exact<std::string>();
-    if (!spec)
-        return failure("tool-cutter",
-                       PROVEOUT_TEXT("Core", "Tool {} needs a cutter, e.g. cutter = \"ball:d=11,l=50\"."),
-                       {std::to_string(*number)});
-    auto cutter = parseCutter(*spec);
-    if (!cutter)
-        return tl::unexpected(std::move(cutter.error()));
-    tools.set(static_cast<int>(*number), std::move(*cutter));
-    return {};
-}
+/// Reads the rows; every error is told, each at its place.
+class RowReader {
+public:
+    Result<ToolTable> read(const toml::table& document) {
+        refuseUnknown(document, kTables,
+                      PROVEOUT_TEXT("Core", "“{}” is no table of a tool file; each tool is a [[tool]]."),
+                      PROVEOUT_TEXT("Core", "“{}” is no table of a tool file; perhaps “{}” is meant."));
+        const auto* rows = document["tool"].as_array();
+        if (rows == nullptr)
+            fail({}, "tool-file-empty", PROVEOUT_TEXT("Core", "The file holds no [[tool]] tables."));
+        else
+            for (const toml::node& row : *rows)
+                readNode(row);
+        if (m_errors.empty())
+            return std::move(m_tools);
+        std::ranges::stable_sort(m_errors, {}, [](const Diagnostic& error) {
+            return std::pair(error.where.line, error.where.column);
+        });
+        return tl::unexpected(std::move(m_errors));
+    }
 
-Result<ToolTable> readRows(const toml::table& document) {
-    ToolTable tools;
-    const auto* rows = document["tool"].as_array();
-    if (rows == nullptr)
-        return failure("tool-file-empty", PROVEOUT_TEXT("Core", "The file holds no [[tool]] tables."));
-    for (const toml::node& node : *rows) {
+private:
+    void readNode(const toml::node& node) {
         const auto* row = node.as_table();
-        auto read = row == nullptr
-                        ? failure("tool-row", PROVEOUT_TEXT("Core", "A tool must be a table: [[tool]]."))
-                        : readRow(*row, tools);
-        if (!read) {
-            for (Diagnostic& diagnostic : read.error())
-                diagnostic.where = place(node.source());
-            return tl::unexpected(std::move(read.error()));
+        if (row == nullptr) {
+            fail(place(node.source()), "tool-row",
+                 PROVEOUT_TEXT("Core", "A tool must be a table: [[tool]]."));
+            return;
+        }
+        refuseUnknown(*row, kRowKeys, PROVEOUT_TEXT("Core", "“{}” is no key of a tool; there are {}."),
+                      PROVEOUT_TEXT("Core", "“{}” is no key of a tool; perhaps “{}” is meant."));
+        if (const int number = readNumber(*row); number > 0)
+            readCutter(*row, number);
+    }
+
+    /// 0 where the row has no usable number.
+    int readNumber(const toml::table& row) {
+        const auto number = row["number"].value_exact<std::int64_t>();
+        if (!number || *number < 1 || *number > std::numeric_limits<int>::max()) {
+            fail(placeOf(row, "number"), "tool-number",
+                 PROVEOUT_TEXT("Core", "A tool needs a number, a whole one from 1 on."));
+            return 0;
+        }
+        if (!m_numbers.insert(*number).second) {
+            fail(placeOf(row, "number"), "tool-twice",
+                 PROVEOUT_TEXT("Core", "Tool {} stands in the table twice."), {std::to_string(*number)});
+            return 0;
+        }
+        return static_cast<int>(*number);
+    }
+
+    void readCutter(const toml::table& row, int number) {
+        const auto spec = row["cutter"].value_exact<std::string>();
+        if (!spec) {
+            fail(placeOf(row, "cutter"), "tool-cutter",
+                 PROVEOUT_TEXT("Core", "Tool {} needs a cutter, e.g. cutter = \"ball:d=11,l=50\"."),
+                 {std::to_string(number)});
+            return;
+        }
+        auto cutter = parseCutter(*spec);
+        if (cutter) {
+            m_tools.set(number, std::move(*cutter));
+            return;
+        }
+        for (Diagnostic& error : cutter.error()) {
+            error.where = placeOf(row, "cutter");
+            m_errors.push_back(std::move(error));
         }
     }
-    return tools;
-}
+
+    /// A misspelt key must not be ignored in silence.
+    void refuseUnknown(const toml::table& table, std::span<const std::string_view> names, const char* listing,
+                       const char* guessing) {
+        for (const auto& [key, value] : table) {
+            if (std::ranges::find(names, key.str()) != names.end())
+                continue;
+            const std::string_view meant = nearestName(key.str(), names);
+            fail(place(key.source()), "tool-key-unknown", meant.empty() ? listing : guessing,
+                 {std::string(key.str()),
+                  meant.empty() ? fmt::format("{}", fmt::join(names, ", ")) : std::string(meant)});
+        }
+    }
+
+    /// Of the value, or of the row where the key is missing.
+    static TextRange placeOf(const toml::table& row, std::string_view key) {
+        const toml::node* value = row.get(key);
+        return place(value == nullptr ? row.source() : value->source());
+    }
+
+    void fail(TextRange where, const char* id, const char* text, std::vector<std::string> arguments = {}) {
+        m_errors.push_back(failure(id, text, std::move(arguments)).value().front());
+        m_errors.back().where = where;
+    }
+
+    ToolTable m_tools;
+    std::set<std::int64_t> m_numbers; ///< of all rows so far, those without a cutter too
+    Diagnostics m_errors;
+};
 
 } // namespace
 
@@ -67,7 +139,7 @@ Result<ToolTable> readToolFile(const std::filesystem::path& file) {
         return tl::unexpected(bytes.error());
     Result<ToolTable> tools;
     try {
-        tools = readRows(toml::parse(*bytes));
+        tools = RowReader().read(toml::parse(*bytes));
     } catch (const toml::parse_error& error) {
         tools = failure("tool-file-syntax", PROVEOUT_TEXT("Core", "The tool table cannot be read: {}."),
                         {std::string(error.description())});

@@ -12,8 +12,8 @@ namespace proveout {
 ///     [[tool]]
 ///     number = 1
 ///     cutter = "ball:d=11,l=50"
-/// Errors with line and column: syntax; a row without number or cutter, a number that is no positive whole
-/// number or comes twice, a cutter that no shape fits.
+/// Errors with line and column, all of them at once: syntax; a key or table that is not known; a row without
+/// number or cutter, a number that is no positive whole number or comes twice, a cutter that no shape fits.
 [[nodiscard]] Result<ToolTable> readToolFile(const std::filesystem::path& file);
 
 } // namespace proveout

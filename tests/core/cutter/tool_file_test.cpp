@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/cutter/tool_file.h"
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/core/temporary_folder.h"
+
+namespace proveout {
+namespace {
+
+using testing::HasSubstr;
+
+class ToolFile : public testing::Test {
+protected:
+    Result<ToolTable> read(const std::string& text) {
+        m_folder.put("t.toml", text);
+        return readToolFile(m_folder / "t.toml");
+    }
+    /// All that is told, "LINE:COLUMN sentence [id]" a line; empty where the table was read.
+    std::string told(const std::string& text) {
+        const auto tools = read(text);
+        std::string out;
+        if (tools)
+            return out;
+        for (const Diagnostic& error : tools.error()) {
+            EXPECT_EQ(error.file, (m_folder / "t.toml").string());
+            EXPECT_EQ(error.severity, Severity::error);
+            out += fmt::format("{}:{} {} [{}]\n", error.where.line, error.where.column, message(error),
+                               error.id);
+        }
+        return out;
+    }
+
+    TemporaryFolder m_folder;
+};
+
+TEST_F(ToolFile, ReadsNumbersAndCutters) {
+    const auto tools = read("# roughing\n[[tool]]\nnumber = 1\ncutter = \"ball:d=11,l=50\"\n\n"
+                            "[[tool]]\ncutter = 'flat:d=6' # finishing\nnumber = 12\n");
+    ASSERT_TRUE(tools) << oneLine(tools.error().front());
+    ASSERT_EQ(tools->tools().size(), 2U);
+    EXPECT_EQ(tools->find(1)->radius(), 5.5);
+    EXPECT_EQ(tools->find(12)->spec(), "flat:d=6");
+}
+
+TEST_F(ToolFile, KeysOfARowThatAreNotKnownAreErrorsWithTheirPlace) {
+    EXPECT_EQ(told("[[tool]]\nnumber = 1\ncuter = \"ball:d=4\"\n"),
+              "1:1 Tool 1 needs a cutter, e.g. cutter = \"ball:d=11,l=50\". [tool-cutter]\n"
+              "3:1 “cuter” is no key of a tool; perhaps “cutter” is meant. [tool-key-unknown]\n");
+    EXPECT_EQ(told("[[tool]]\nnumber = 1\ncutter = \"ball:d=4\"\n  flutes = 2\n"),
+              "4:3 “flutes” is no key of a tool; there are number, cutter. [tool-key-unknown]\n");
+    EXPECT_EQ(told("[[tool]]\nnumber = 1\ncutter = \"ball:d=4\"\nNumber = 2\n"),
+              "4:1 “Number” is no key of a tool; perhaps “number” is meant. [tool-key-unknown]\n");
+}
+
+TEST_F(ToolFile, TablesThatAreNotKnownAreErrorsWithTheirPlace) {
+    const std::string row = "[[tool]]\nnumber = 1\ncutter = \"ball:d=4\"\n";
+    EXPECT_EQ(told(row + "[[tools]]\nnumber = 2\ncutter = \"ball:d=4\"\n"),
+              "4:3 “tools” is no table of a tool file; perhaps “tool” is meant. [tool-key-unknown]\n");
+    EXPECT_EQ(told("unit = \"mm\"\n" + row),
+              "1:1 “unit” is no table of a tool file; each tool is a [[tool]]. [tool-key-unknown]\n");
+    EXPECT_EQ(told(row + "[tool.holder]\nd = 40\n"),
+              "4:7 “holder” is no key of a tool; there are number, cutter. [tool-key-unknown]\n");
+    EXPECT_EQ(told("[machine]\nname = \"x\"\n"),
+              "0:0 The file holds no [[tool]] tables. [tool-file-empty]\n"
+              "1:2 “machine” is no table of a tool file; each tool is a [[tool]]. [tool-key-unknown]\n");
+}
+
+TEST_F(ToolFile, KeysOfACutterThatAreNotKnownAreErrorsAtTheCutter) {
+    EXPECT_THAT(told("[[tool]]\nnumber = 1\ncutter = \"ball:d=4,x=3\"\n"),
+                testing::MatchesRegex("3:10 .*“x” is no key .*\\[cutter-key-unknown\\]\n"));
+}
+
+TEST_F(ToolFile, AllErrorsAreToldAtOnceInTheOrderOfTheText) {
+    EXPECT_EQ(told("[[tool]]\nnumber = 0\ncutter = \"ball:d=4\"\n"
+                   "[[tool]]\nnumber = 3\n"
+                   "[[tool]]\nnumber = \"4\"\ncolour = 1\n"
+                   "[[tool]]\nnumber = 3\ncutter = \"ball:d=4\"\n"
+                   "[[tool]]\ncutter = \"ball:d=4\"\n"),
+              "2:10 A tool needs a number, a whole one from 1 on. [tool-number]\n"
+              "4:1 Tool 3 needs a cutter, e.g. cutter = \"ball:d=11,l=50\". [tool-cutter]\n"
+              "7:10 A tool needs a number, a whole one from 1 on. [tool-number]\n"
+              "8:1 “colour” is no key of a tool; there are number, cutter. [tool-key-unknown]\n"
+              "10:10 Tool 3 stands in the table twice. [tool-twice]\n"
+              "12:1 A tool needs a number, a whole one from 1 on. [tool-number]\n");
+}
+
+TEST_F(ToolFile, OtherFilesAreRefused) {
+    EXPECT_THAT(told(""), HasSubstr("0:0 The file holds no [[tool]] tables. [tool-file-empty]"));
+    EXPECT_THAT(told("[tool]\nnumber = 1\n"), HasSubstr("[tool-file-empty]"));
+    EXPECT_THAT(told("tool = [1, 2]\n"), HasSubstr("1:9 A tool must be a table: [[tool]]. [tool-row]"));
+    EXPECT_THAT(told("[[tool]]\nnumber = 1\ncutter = \"ball:d=4\n"), HasSubstr("3:"));
+    EXPECT_THAT(told("[[tool]]\nnumber = 1\nnumber = 2\n"), HasSubstr("[tool-file-syntax]"));
+    EXPECT_STREQ(readToolFile(m_folder / "missing.toml").error().front().id, "file-unreadable");
+}
+
+} // namespace
+} // namespace proveout
