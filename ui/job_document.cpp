@@ -35,6 +35,7 @@ Result<JobDocument> JobDocument::open(const QString& file) {
             return tl::unexpected(std::move(job.error()));
         program = std::move(job->program);
         document.m_jobFile = file;
+        document.m_warnings = std::move(job->warnings);
         document.m_wantsStock = false;
         document.m_setup = std::make_shared<const Setup>(std::move(job->setup));
         document.m_parameters = job->parameters;
@@ -67,7 +68,7 @@ Result<void> JobDocument::saveTextAs(const QString& file) {
 }
 
 Result<void> JobDocument::saveJobAs(const QString& file) {
-    const Job job{std::filesystem::absolute(m_text.path), *m_setup, m_parameters};
+    const Job job{std::filesystem::absolute(m_text.path), *m_setup, m_parameters, {}};
     if (Result<void> written = writeJob(toPath(file), job); !written)
         return written;
     m_jobFile = file;

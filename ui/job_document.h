@@ -24,6 +24,8 @@ public:
     /// program alone comes with no tools and no stock of its own. Errors: those of readJob() and
     /// loadDocument().
     [[nodiscard]] static Result<JobDocument> open(const QString& file);
+    /// What was strange about the job file that was read, yet no error.
+    [[nodiscard]] const Diagnostics& warnings() const { return m_warnings; }
 
     [[nodiscard]] const Document& text() const { return m_text; }
     [[nodiscard]] const QString& jobFile() const { return m_jobFile; } ///< empty where there is none
@@ -60,6 +62,7 @@ private:
     Document m_text;
     bool m_keptMine = false;
     QString m_jobFile;
+    Diagnostics m_warnings;
     bool m_jobModified = false;
     bool m_wantsStock = true;
     std::shared_ptr<const Setup> m_setup = std::make_shared<const Setup>();

@@ -62,6 +62,7 @@ bool Session::openFile(const QString& file) {
     if (!job)
         return told(tl::unexpected(std::move(job.error())));
     adopt(std::move(*job));
+    tell(m_job.warnings());
     return true;
 }
 

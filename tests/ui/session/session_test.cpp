@@ -336,6 +336,21 @@ private slots:
         QCOMPARE(QFileInfo(toQString(again.document().path)).fileName(), QString("other.nc"));
     }
 
+    void tellsFieldsOfAJobThatAreNotKnown() {
+        QTemporaryDir folder;
+        Session session;
+        QVERIFY(session.openFile(write(folder, "square.nc", kSquare)));
+        const QString job = folder.filePath("square.proveout");
+        QVERIFY(session.saveJobAs(job));
+        write(folder, "square.proveout", bytesOf(job).replace("\"allowance\"", "\"allowence\""));
+        QVERIFY(session.openFile(job));
+        QVERIFY2(!session.problems().empty(), "a misspelt field is no reason to be silent");
+        const Diagnostic& problem = session.problems().front();
+        QCOMPARE(problem.severity, Severity::warning);
+        QVERIFY(sentence(problem).contains(QLatin1String("allowence")));
+        QVERIFY(!session.isInText(problem));
+    }
+
     void keepsMineUntilItIsSaved() {
         QTemporaryDir folder;
         Session session;
