@@ -12,9 +12,9 @@
 #include "app/cli/option_error.h"
 #include "app/cli/outputs.h"
 #include "app/cli/report.h"
-#include "app/cli/stop_watch.h"
 #include "app/cli/thread_limit.h"
 #include "app/cli/zmap_file.h"
+#include "core/base/stop_watch.h"
 #include "core/decimation/solid.h"
 #include "core/formats/stl.h"
 

@@ -2,7 +2,6 @@
 #include "core/simulation/simulation.h"
 
 #include <algorithm>
-#include <chrono>
 #include <optional>
 #include <span>
 #include <utility>
@@ -11,6 +10,7 @@
 #include <fmt/format.h>
 
 #include "core/base/memory.h"
+#include "core/base/stop_watch.h"
 #include "core/base/text.h"
 #include "core/simulation/block_cutter.h"
 #include "core/simulation/changed_regions.h"
@@ -26,16 +26,6 @@ namespace {
 /// Cutting time between two checkpoints. A step backward replays at most this much, and the decimation
 /// period.
 constexpr double kCheckpointSeconds = 0.01;
-
-class StopWatch {
-public:
-    [[nodiscard]] double seconds() const {
-        return std::chrono::duration<double>(std::chrono::steady_clock::now() - m_start).count();
-    }
-
-private:
-    std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
-};
 
 /// The stock on its way through the program.
 struct StockRun {

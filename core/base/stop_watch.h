@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-namespace proveout::cli {
+namespace proveout {
 
 /// Wall time since its construction.
 class StopWatch {
@@ -16,4 +16,4 @@ private:
     std::chrono::steady_clock::time_point m_start = std::chrono::steady_clock::now();
 };
 
-} // namespace proveout::cli
+} // namespace proveout
