@@ -10,6 +10,7 @@
 #include <QVBoxLayout>
 
 #include "ui/icons.h"
+#include "ui/panel_layout.h"
 #include "ui/resource_paths.h"
 
 namespace proveout {
@@ -20,14 +21,6 @@ constexpr int kColumnWidth = 220;
 constexpr int kColumnGap = 32;
 constexpr double kTitleScale = 2.4;
 constexpr int kLogoSize = 56;
-
-QLabel* heading(QWidget* parent) {
-    auto* label = new QLabel(parent);
-    QFont font = label->font();
-    font.setBold(true);
-    label->setFont(font);
-    return label;
-}
 
 void clear(QVBoxLayout& layout) {
     while (QLayoutItem* item = layout.takeAt(0)) {
@@ -96,7 +89,7 @@ QWidget* StartPage::makeSamples() {
     column->setMinimumWidth(kColumnWidth);
     auto* layout = new QVBoxLayout(column);
     layout->setContentsMargins(0, 0, 0, 0);
-    m_samplesTitle = heading(column);
+    m_samplesTitle = sectionLabel(column);
     m_samples = new QVBoxLayout;
     m_samples->setSpacing(2);
     layout->addWidget(m_samplesTitle);
@@ -109,7 +102,7 @@ QWidget* StartPage::makeRecent() {
     column->setMinimumWidth(kColumnWidth);
     auto* layout = new QVBoxLayout(column);
     layout->setContentsMargins(0, 0, 0, 0);
-    m_recentTitle = heading(column);
+    m_recentTitle = sectionLabel(column);
     m_recentList = new QVBoxLayout;
     m_recentList->setSpacing(2);
     layout->addWidget(m_recentTitle);

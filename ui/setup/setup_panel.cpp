@@ -5,13 +5,12 @@
 #include <QEvent>
 #include <QLabel>
 #include <QPushButton>
-#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include "core/base/memory.h"
 #include "ui/diagnostic_text.h"
-#include "ui/icons.h"
+#include "ui/panel_layout.h"
 #include "ui/program_index.h"
 #include "ui/setup/stock_form.h"
 #include "ui/setup/tool_table_editor.h"
@@ -21,22 +20,6 @@ namespace proveout {
 namespace {
 
 constexpr int kRestMs = 250;
-constexpr int kScrollBar = 16;
-
-QLabel* title(QWidget* parent) {
-    auto* label = new QLabel(parent);
-    QFont bold = label->font();
-    bold.setBold(true);
-    label->setFont(bold);
-    return label;
-}
-
-QLabel* wrapped(QWidget* parent) {
-    auto* label = new QLabel(parent);
-    label->setWordWrap(true);
-    label->setMinimumWidth(1); // it wraps at any width; its own wish would widen the panel
-    return label;
-}
 
 std::vector<int> missingTools(const Session& session) {
     std::vector<int> missing;
@@ -52,9 +35,9 @@ std::vector<int> missingTools(const Session& session) {
 } // namespace
 
 SetupPanel::SetupPanel(Session& session, QWidget* parent)
-    : QWidget(parent), m_session(session), m_stockTitle(title(this)), m_stock(new StockForm(this)),
-      m_fit(new QPushButton(this)), m_memory(wrapped(this)), m_problem(wrapped(this)),
-      m_toolsTitle(title(this)), m_tools(new ToolTableEditor(this)), m_missing(wrapped(this)),
+    : QWidget(parent), m_session(session), m_stockTitle(sectionLabel(this)), m_stock(new StockForm(this)),
+      m_fit(new QPushButton(this)), m_memory(wrappedLabel(this)), m_problem(wrappedLabel(this)),
+      m_toolsTitle(sectionLabel(this)), m_tools(new ToolTableEditor(this)), m_missing(wrappedLabel(this)),
       m_define(new QPushButton(this)), m_blockDelete(new QCheckBox(this)) {
     build();
     m_rest.setSingleShot(true);
@@ -73,7 +56,6 @@ SetupPanel::SetupPanel(Session& session, QWidget* parent)
 
 void SetupPanel::build() {
     auto* content = new QWidget;
-    m_content = content;
     auto* layout = new QVBoxLayout(content);
     for (QWidget* widget :
          {static_cast<QWidget*>(m_stockTitle), static_cast<QWidget*>(m_stock), static_cast<QWidget*>(m_fit),
@@ -85,14 +67,7 @@ void SetupPanel::build() {
                             static_cast<QWidget*>(m_blockDelete)})
         layout->addWidget(widget);
     layout->addStretch(1);
-    auto* scroll = new QScrollArea(this);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setWidget(content);
-    auto* outer = new QVBoxLayout(this);
-    outer->setContentsMargins(0, 0, 0, 0);
-    outer->addWidget(scroll);
+    fillScrolled(*this, content);
     m_problem->hide();
 }
 
@@ -167,8 +142,6 @@ void SetupPanel::retranslate() {
     m_blockDelete->setToolTip(tr("Block delete, as the switch on the control"));
     showMissingTools();
     showMemory(m_session.setup());
-    // Without a horizontal scroll bar nothing may be wider than the panel.
-    setMinimumWidth(m_content->minimumSizeHint().width() + kScrollBar);
 }
 
 void SetupPanel::changeEvent(QEvent* event) {

@@ -36,7 +36,6 @@ private:
     void defineMissingTools();
 
     Session& m_session;
-    QWidget* m_content = nullptr;
     QLabel* m_stockTitle;
     StockForm* m_stock;
     QPushButton* m_fit;

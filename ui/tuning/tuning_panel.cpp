@@ -5,12 +5,12 @@
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include "ui/diagnostic_text.h"
 #include "ui/icons.h"
+#include "ui/panel_layout.h"
 #include "ui/theme.h"
 #include "ui/tuning/parameter_form.h"
 
@@ -20,24 +20,16 @@ namespace {
 
 constexpr int kRestMs = 150;
 constexpr int kIconSize = 16;
-constexpr int kFrame = 36; // margins and the vertical scroll bar
 constexpr double kFinestGrid = 0.001;
 constexpr double kCoarsestGrid = 1000;
-
-QLabel* wrapped(QWidget* parent) {
-    auto* label = new QLabel(parent);
-    label->setWordWrap(true);
-    label->setMinimumWidth(1); // it wraps at any width; its own wish would widen the panel
-    return label;
-}
 
 } // namespace
 
 TuningPanel::TuningPanel(Session& session, QWidget* parent)
     : QWidget(parent), m_session(session), m_form(new ParameterForm(this)), m_gridLabel(new QLabel(this)),
-      m_grid(new QDoubleSpinBox(this)), m_problemIcon(new QLabel(this)), m_problem(wrapped(this)),
-      m_effectTitle(new QLabel(this)), m_faces(wrapped(this)), m_error(wrapped(this)),
-      m_regions(wrapped(this)) {
+      m_grid(new QDoubleSpinBox(this)), m_problemIcon(new QLabel(this)), m_problem(wrappedLabel(this)),
+      m_effectTitle(sectionLabel(this)), m_faces(wrappedLabel(this)), m_error(wrappedLabel(this)),
+      m_regions(wrappedLabel(this)) {
     auto* content = new QWidget;
     auto* layout = new QVBoxLayout(content);
     m_gridLabel->setBuddy(m_grid);
@@ -48,23 +40,10 @@ TuningPanel::TuningPanel(Session& session, QWidget* parent)
     problem->addWidget(m_problem, 1);
     layout->addLayout(problem);
     layout->addSpacing(8);
-    QFont bold = font();
-    bold.setBold(true);
-    m_effectTitle->setFont(bold);
     for (QLabel* label : {m_effectTitle, m_faces, m_error, m_regions})
         layout->addWidget(label);
     layout->addStretch(1);
-
-    auto* scroll = new QScrollArea(this);
-    scroll->setWidgetResizable(true);
-    scroll->setFrameShape(QFrame::NoFrame);
-    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-    scroll->setWidget(content);
-    auto* outer = new QVBoxLayout(this);
-    outer->setContentsMargins(0, 0, 0, 0);
-    outer->addWidget(scroll);
-    // Without a horizontal scroll bar nothing may be wider than the panel; the sentences wrap.
-    setMinimumWidth(m_form->minimumSizeHint().width() + kFrame);
+    fillScrolled(*this, content);
 
     m_grid->setObjectName(QStringLiteral("grid"));
     m_grid->setDecimals(3);
