@@ -43,7 +43,7 @@ const QString kGeometryKey = QStringLiteral("window/geometry");
 const QString kStateKey = QStringLiteral("window/state");
 constexpr QSize kFirstSize{1280, 800};
 constexpr int kToolBarIcon = 20;
-constexpr int kTuningWidth = 280;
+constexpr int kTuningWidth = 310;
 constexpr int kMessageTime = 8000;       // ms
 constexpr std::size_t kProblemsDock = 4; // in the order of docks()
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/setup/tool_form.h"
 
-#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QEvent>
 #include <QFormLayout>
 #include <QSignalBlocker>
 
+#include "ui/choice_box.h"
 #include "ui/diagnostic_text.h"
 
 namespace proveout {
@@ -16,7 +16,7 @@ constexpr int kBoxWidth = 110;
 }
 
 ToolForm::ToolForm(QWidget* parent)
-    : QWidget(parent), m_spec(standardSpec()), m_shape(new QComboBox(this)), m_layout(new QFormLayout(this)) {
+    : QWidget(parent), m_spec(standardSpec()), m_shape(new ChoiceBox(this)), m_layout(new QFormLayout(this)) {
     m_layout->setContentsMargins(0, 0, 0, 0);
     m_layout->setRowWrapPolicy(QFormLayout::WrapLongRows);
     for (const CutterShape& shape : cutterShapes())

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include <QComboBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -12,6 +11,7 @@
 #include <QToolButton>
 #include <QToolTip>
 
+#include "ui/choice_box.h"
 #include "ui/program_index.h"
 #include "ui/timeline/timeline_scale.h"
 
@@ -26,7 +26,7 @@ constexpr int kIconSize = 20;
 
 TimelinePanel::TimelinePanel(Session& session, const PlaybackCommands& commands, QWidget* parent)
     : QWidget(parent), m_session(session), m_scale(new TimelineScale(this)), m_position(new QLabel(this)),
-      m_speedLabel(new QLabel(this)), m_speed(new QComboBox(this)) {
+      m_speedLabel(new QLabel(this)), m_speed(new ChoiceBox(this)) {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 4, 8, 4);
     layout->setSpacing(2);
@@ -35,6 +35,7 @@ TimelinePanel::TimelinePanel(Session& session, const PlaybackCommands& commands,
     layout->addWidget(m_position);
     layout->addSpacing(8);
     layout->addWidget(m_speedLabel);
+    layout->addSpacing(4);
     layout->addWidget(m_speed);
     m_position->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_speedLabel->setBuddy(m_speed);

@@ -7,16 +7,17 @@
 #include <type_traits>
 
 #include <QCheckBox>
-#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QEvent>
-#include <QGridLayout>
+#include <QFormLayout>
+#include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QToolButton>
 
+#include "ui/choice_box.h"
 #include "ui/diagnostic_text.h"
 #include "ui/icons.h"
 
@@ -25,7 +26,7 @@ namespace proveout {
 namespace {
 
 constexpr int kDecimals = 3;
-constexpr int kShortestChoice = 8; // characters; a longer one is shown whole in the list
+constexpr int kBoxWidth = 90; // a box's own wish is room for the largest number of its range
 
 /// The units that are words; the core hands them out unmarked.
 [[maybe_unused]] constexpr const char* kUnitWords[] = {QT_TRANSLATE_NOOP("Core", "cells"),
@@ -61,29 +62,28 @@ void ParameterForm::addRow(T& place, const Field& field) {
     m_rows.push_back(std::move(row));
 }
 
-ParameterForm::ParameterForm(QWidget* parent) : QWidget(parent) {
+ParameterForm::ParameterForm(QWidget* parent) : QWidget(parent), m_layout(new QFormLayout(this)) {
     describe(m_values, [this](auto& place, const Field& field) { addRow(place, field); });
     std::map<std::string_view, double> standards;
     const DecimationParameters standard;
     describe(standard, [&](const auto& value, const Field& field) {
         standards[field.key] = static_cast<double>(value);
     });
-    auto* layout = new QGridLayout(this);
-    layout->setContentsMargins(0, 0, 0, 0);
-    layout->setColumnStretch(1, 1);
+    m_layout->setContentsMargins(0, 0, 0, 0);
+    m_layout->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    // In a narrow panel an editor with long choices goes under its label, and is read to its end there.
+    m_layout->setRowWrapPolicy(QFormLayout::WrapLongRows);
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         m_rows[i].standard = standards[m_rows[i].field.key];
-        place(m_rows[i], *layout, static_cast<int>(i));
+        place(i);
     }
     retranslate();
 }
 
 QWidget* ParameterForm::makeChoices(Row& row) {
-    auto* box = new QComboBox(this);
+    auto* box = new ChoiceBox(this);
     for (const Choice& choice : row.field.choices)
         box->addItem(QString(), QLatin1String(choice.key));
-    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    box->setMinimumContentsLength(kShortestChoice);
     const std::size_t index = m_rows.size();
     connect(box, &QComboBox::activated, this, [this, index](int chosen) { change(index, chosen); });
     row.show = [box](double value) { box->setCurrentIndex(static_cast<int>(value)); };
@@ -121,28 +121,30 @@ QWidget* ParameterForm::makeNumber(Row& row) {
     return box;
 }
 
-void ParameterForm::place(Row& row, QGridLayout& layout, int line) {
-    row.label = new QLabel(this);
-    row.label->setBuddy(row.editor);
-    row.editor->setObjectName(QLatin1String(row.field.key));
-    row.reset = new QToolButton(this);
-    row.reset->setAutoRaise(true);
-    row.reset->setIcon(icon(QStringLiteral("undo")));
-    QSizePolicy policy = row.reset->sizePolicy();
-    policy.setRetainSizeWhenHidden(true); // the column keeps its width
-    row.reset->setSizePolicy(policy);
-    connect(row.reset, &QToolButton::clicked, this,
-            [this, index = static_cast<std::size_t>(line)] { change(index, m_rows[index].standard); });
-    layout.addWidget(row.label, line, 0);
-    layout.addWidget(row.editor, line, 1);
-    layout.addWidget(row.reset, line, 2);
+QToolButton* ParameterForm::addRow(QLabel* label, QWidget* editor) {
+    auto* reset = new QToolButton(this);
+    reset->setAutoRaise(true);
+    reset->setIcon(icon(QStringLiteral("undo")));
+    reset->hide();
+    QSizePolicy policy = reset->sizePolicy();
+    policy.setRetainSizeWhenHidden(true); // the editors end in one line
+    reset->setSizePolicy(policy);
+    if (qobject_cast<QAbstractSpinBox*>(editor) != nullptr)
+        editor->setMinimumWidth(kBoxWidth);
+    auto* field = new QHBoxLayout;
+    field->addWidget(editor, 1);
+    field->addWidget(reset);
+    label->setBuddy(editor);
+    m_layout->addRow(label, field);
+    return reset;
 }
 
-void ParameterForm::addRow(QLabel* label, QWidget* editor) {
-    auto& grid = static_cast<QGridLayout&>(*layout());
-    const int line = grid.rowCount();
-    grid.addWidget(label, line, 0);
-    grid.addWidget(editor, line, 1);
+void ParameterForm::place(std::size_t index) {
+    Row& row = m_rows[index];
+    row.label = new QLabel(this);
+    row.editor->setObjectName(QLatin1String(row.field.key));
+    row.reset = addRow(row.label, row.editor);
+    connect(row.reset, &QToolButton::clicked, this, [this, index] { change(index, m_rows[index].standard); });
 }
 
 void ParameterForm::setValues(const DecimationParameters& values) {

@@ -9,7 +9,7 @@
 #include "core/base/field.h"
 #include "core/decimation/parameters.h"
 
-class QGridLayout;
+class QFormLayout;
 class QLabel;
 class QToolButton;
 
@@ -24,8 +24,8 @@ public:
     explicit ParameterForm(QWidget* parent = nullptr);
 
     [[nodiscard]] const DecimationParameters& values() const { return m_values; }
-    /// Puts a row that is no field of the struct under the others.
-    void addRow(QLabel* label, QWidget* editor);
+    /// Puts a row under the others, one that is no field of the struct, too; hands out its button, hidden.
+    QToolButton* addRow(QLabel* label, QWidget* editor);
     /// Shows other values; emits nothing.
     void setValues(const DecimationParameters& values);
 
@@ -56,13 +56,14 @@ private:
     QWidget* makeSwitch(Row& row);
     QWidget* makeInteger(Row& row);
     QWidget* makeNumber(Row& row);
-    void place(Row& row, QGridLayout& layout, int line);
+    void place(std::size_t row);
     void change(std::size_t row, double value);
     void showRow(const Row& row);
     void retranslate();
     [[nodiscard]] QString valueText(const Row& row, double value) const;
     [[nodiscard]] QString tip(const Row& row) const;
 
+    QFormLayout* m_layout;
     DecimationParameters m_values;
     std::vector<Row> m_rows;
 };

@@ -32,7 +32,6 @@ TuningPanel::TuningPanel(Session& session, QWidget* parent)
       m_regions(wrappedLabel(this)) {
     auto* content = new QWidget;
     auto* layout = new QVBoxLayout(content);
-    m_gridLabel->setBuddy(m_grid);
     m_form->addRow(m_gridLabel, m_grid);
     layout->addWidget(m_form);
     auto* problem = new QHBoxLayout;

@@ -31,6 +31,7 @@
 #include <QTreeView>
 
 #include "core/formats/stl.h"
+#include "tests/ui/window/workstation.h"
 #include "ui/appearance.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
@@ -42,8 +43,6 @@
 
 namespace proveout {
 namespace {
-
-constexpr int kPatience = 30'000;
 
 void collect(const QMenu& menu, QList<QAction*>& actions) {
     for (QAction* action : menu.actions()) {
@@ -61,41 +60,13 @@ QList<QAction*> menuActions(const MainWindow& window) {
     return actions;
 }
 
-/// A window with its session on the settings of the test.
-struct Workstation {
-    Appearance appearance;
-    Session session;
-    MainWindow window{session, appearance};
-
-    explicit Workstation(bool sample) {
-        window.resize(1280, 800);
-        window.show();
-        window.activateWindow();
-        if (!QTest::qWaitForWindowActive(&window))
-            qWarning("the window did not become active");
-        if (sample)
-            open(sampleJobs().front().file);
-    }
-    void open(const QString& file) {
-        window.files().open(file);
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
-    }
-    TimelineScale& scale() { return *window.findChild<TimelineScale*>(); }
-};
-
 } // namespace
 
 class WindowTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void init() {
-        m_settings = std::make_unique<QTemporaryDir>();
-        QSettings::setDefaultFormat(QSettings::IniFormat);
-        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_settings->path());
-        QCoreApplication::setOrganizationName(QStringLiteral("Proveout"));
-        QCoreApplication::setApplicationName(QStringLiteral("Proveout"));
-    }
+    void init() { m_settings = std::make_unique<OwnSettings>(); }
 
     void startPageOpensASample() {
         Workstation station(false);
@@ -366,7 +337,7 @@ private slots:
     }
 
 private:
-    std::unique_ptr<QTemporaryDir> m_settings;
+    std::unique_ptr<OwnSettings> m_settings;
 };
 
 } // namespace proveout

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whatever the language and however narrow the docks, every text of a panel can be read to its end.
+#include <memory>
+
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QLineEdit>
+#include <QScrollBar>
+#include <QStyleOptionComboBox>
+#include <QTest>
+
+#include "tests/ui/window/workstation.h"
+#include "ui/languages.h"
+
+namespace proveout {
+namespace {
+
+/// The width that a box leaves to its text.
+int roomOf(const QComboBox& box) {
+    QStyleOptionComboBox option;
+    option.initFrom(&box);
+    return box.style()
+        ->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, &box)
+        .width();
+}
+
+/// Texts within `dock` that are cut off, with the pixels that they lack.
+QStringList cutOff(const QDockWidget& dock) {
+    QStringList found;
+    const auto check = [&](const QWidget& widget, const QString& text, int room, int needed) {
+        if (widget.isVisible() && room < needed)
+            found << QStringLiteral("%1: %2 px for %3 px").arg(text).arg(room).arg(needed);
+    };
+    for (const QComboBox* box : dock.findChildren<QComboBox*>())
+        for (int i = 0; i < box->count(); ++i)
+            check(*box, box->itemText(i), roomOf(*box),
+                  box->fontMetrics().horizontalAdvance(box->itemText(i)));
+    for (const QLabel* label : dock.findChildren<QLabel*>())
+        if (!label->wordWrap() && !label->text().isEmpty())
+            check(*label, label->text(), label->width(), label->sizeHint().width());
+    for (const QAbstractButton* button : dock.findChildren<QAbstractButton*>())
+        if (!button->text().isEmpty())
+            check(*button, button->text(), button->width(), button->sizeHint().width());
+    for (QAbstractSpinBox* box : dock.findChildren<QAbstractSpinBox*>()) {
+        const auto* edit = box->findChild<QLineEdit*>();
+        check(*box, box->text(), edit->width(), box->fontMetrics().horizontalAdvance(box->text()) + 4);
+    }
+    // Nothing sticks out to the right of a panel that cannot be scrolled there.
+    for (const QWidget* widget : dock.findChildren<QWidget*>()) {
+        const bool field = qobject_cast<const QComboBox*>(widget) != nullptr ||
+                           qobject_cast<const QAbstractSpinBox*>(widget) != nullptr ||
+                           qobject_cast<const QAbstractButton*>(widget) != nullptr;
+        if (field)
+            check(*widget, widget->objectName(), dock.width(),
+                  widget->mapTo(&dock, widget->rect().topRight()).x() + 1);
+    }
+    return found;
+}
+
+} // namespace
+
+class ReadingTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { m_settings = std::make_unique<OwnSettings>(); }
+
+    void textsEndInSightInEveryLanguage_data() {
+        QTest::addColumn<QString>("language");
+        for (const Language& language : languages())
+            QTest::newRow(qPrintable(language.code)) << language.code;
+    }
+    void textsEndInSightInEveryLanguage() {
+        QFETCH(QString, language);
+        Workstation station(true);
+        station.appearance.setLanguage(language); // live: boxes that were measured before measure anew
+        QTest::qWait(100);
+        for (const char* id : {"dock-setup", "dock-tuning", "dock-timeline"}) {
+            auto* dock = station.window.findChild<QDockWidget*>(QLatin1String(id));
+            dock->raise();
+            station.window.resizeDocks({dock}, {1}, Qt::Horizontal);
+            QTest::qWait(200); // until the layouts have followed
+            QStringList found;
+            const auto settled = [&] { return (found = cutOff(*dock)).isEmpty(); };
+            QVERIFY2(QTest::qWaitFor(settled), qPrintable(QStringLiteral("%1 is %2 px wide\n%3")
+                                                              .arg(QLatin1String(id))
+                                                              .arg(dock->width())
+                                                              .arg(found.join(u'\n'))));
+        }
+        station.appearance.setLanguage(QStringLiteral("en"));
+    }
+
+private:
+    std::unique_ptr<OwnSettings> m_settings;
+};
+
+} // namespace proveout
+
+int main(int argc, char** argv) {
+    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    QApplication application(argc, argv);
+    proveout::ReadingTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "reading_test.moc"

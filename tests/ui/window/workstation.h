@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The window as tests work it.
+#pragma once
+
+#include <QCoreApplication>
+#include <QSettings>
+#include <QString>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "ui/appearance.h"
+#include "ui/main_window.h"
+#include "ui/resource_paths.h"
+#include "ui/session.h"
+#include "ui/timeline/timeline_scale.h"
+
+namespace proveout {
+
+inline constexpr int kPatience = 30'000; ///< ms
+
+/// Empty settings that last as long as this object, in place of the user's.
+class OwnSettings {
+public:
+    OwnSettings() {
+        QSettings::setDefaultFormat(QSettings::IniFormat);
+        QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.path());
+        QCoreApplication::setOrganizationName(QStringLiteral("Proveout"));
+        QCoreApplication::setApplicationName(QStringLiteral("Proveout"));
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+/// A window with its session on the settings of the test.
+struct Workstation {
+    Appearance appearance;
+    Session session;
+    MainWindow window{session, appearance};
+
+    explicit Workstation(bool sample) {
+        window.resize(1280, 800);
+        window.show();
+        window.activateWindow();
+        if (!QTest::qWaitForWindowActive(&window))
+            qWarning("the window did not become active");
+        if (sample)
+            open(sampleJobs().front().file);
+    }
+    void open(const QString& file) {
+        window.files().open(file);
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
+    }
+    TimelineScale& scale() { return *window.findChild<TimelineScale*>(); }
+};
+
+} // namespace proveout
