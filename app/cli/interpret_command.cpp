@@ -14,6 +14,7 @@
 #include "core/cutter/tool_file.h"
 #include "core/formats/nc_motion.h"
 #include "core/nc/interpreter.h"
+#include "core/simulation/finding_log.h"
 
 namespace proveout::cli {
 
@@ -25,24 +26,6 @@ struct InterpretCommandOptions {
     std::string start;
     bool blockDelete = false;
 };
-
-/// Tools that the program changes to and the table does not hold.
-Diagnostics missingTools(const Program& program, const ToolTable& tools) {
-    Diagnostics out;
-    for (const Event& event : program.events()) {
-        const auto* change = std::get_if<ToolChange>(&event.data);
-        if (change == nullptr || change->tool == 0 || tools.find(change->tool) != nullptr)
-            continue;
-        Diagnostic diagnostic;
-        diagnostic.unverified = true;
-        diagnostic.id = "tool-undefined";
-        diagnostic.text = "Tool T{} is not in the tool table.";
-        diagnostic.arguments = {std::to_string(change->tool)};
-        diagnostic.where = {static_cast<int>(event.line), 1, 0};
-        out.push_back(std::move(diagnostic));
-    }
-    return out;
-}
 
 ExitCode run(const InterpretCommandOptions& options) {
     Report report(options.program);
@@ -81,7 +64,7 @@ ExitCode run(const InterpretCommandOptions& options) {
     std::cout.flush();
     report.add(program->diagnostics());
     if (tools)
-        report.add(missingTools(*program, *tools));
+        report.add(FindingLog().diagnostics(*program, ToolChoice(*program, *tools)));
     if (program->unverified() || program->motionCount() == 0)
         report.markUnverified();
     return report.exitCode();

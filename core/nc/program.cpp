@@ -57,6 +57,24 @@ std::uint32_t Program::blockLine(std::size_t index) const {
     return m_blocks[index].line;
 }
 
+std::vector<Program::ToolRun> Program::toolRuns() const {
+    std::vector<ToolRun> runs;
+    auto first = m_motions.begin();
+    while (first != m_motions.end()) {
+        const std::uint32_t state = first->state;
+        const auto last = std::partition_point(
+            first, m_motions.end(), [state](const PackedMotion& motion) { return motion.state == state; });
+        const auto end = static_cast<std::size_t>(last - m_motions.begin());
+        const int tool = m_states[state].tool;
+        if (!runs.empty() && runs.back().tool == tool)
+            runs.back().last = end;
+        else
+            runs.push_back({tool, static_cast<std::size_t>(first - m_motions.begin()), end});
+        first = last;
+    }
+    return runs;
+}
+
 std::size_t Program::blocksAfterLine(std::uint32_t line) const {
     const auto behind = [line](const PackedBlock& block) { return block.line > line; };
     if (m_linesRise) {

@@ -77,6 +77,15 @@ public:
     /// (0: none; blockCount() where the line lies behind the last one).
     [[nodiscard]] std::size_t blocksAfterLine(std::uint32_t line) const;
 
+    /// Successive motions [first, last) with one tool in the spindle.
+    struct ToolRun {
+        int tool = 0; ///< 0: none
+        std::size_t first = 0;
+        std::size_t last = 0;
+    };
+    /// All motions, in order; neighbours have different tools. Looks at few of the motions.
+    [[nodiscard]] std::vector<ToolRun> toolRuns() const;
+
     [[nodiscard]] const std::vector<Event>& events() const { return m_events; }
     [[nodiscard]] const Diagnostics& diagnostics() const { return m_diagnostics; }
     /// Index of the first motion after diagnostic `index` was told.

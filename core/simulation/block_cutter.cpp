@@ -46,13 +46,6 @@ void judgeUnknownRapid(const ZMap& zmap, const Cutter& cutter, const Motion& mot
         findings.add(block, FindingKind::rapidUnchecked, below);
 }
 
-void judgeMissing(const Motion& motion, int tool, std::size_t block, FindingLog& findings) {
-    if (tool != 0)
-        findings.add(block, FindingKind::toolUndefined, tool);
-    else if (motion.kind != MotionKind::rapid)
-        findings.add(block, FindingKind::noTool, 0);
-}
-
 } // namespace
 
 CutRecord cutBlock(ZMap& zmap, const Program& program, std::size_t block, const Setup& setup,
@@ -61,13 +54,9 @@ CutRecord cutBlock(ZMap& zmap, const Program& program, std::size_t block, const 
     const auto motions = program.blockMotions(block);
     for (std::size_t index = motions.first; index < motions.last; ++index) {
         const Motion motion = program.motion(index);
-        const int tool = tools.tool(motion.tool);
-        const Cutter* cutter = setup.tools.find(tool);
-        if (cutter == nullptr) {
-            if (findings != nullptr)
-                judgeMissing(motion, tool, block, *findings);
+        const Cutter* cutter = setup.tools.find(tools.tool(motion.tool));
+        if (cutter == nullptr)
             continue;
-        }
         const CutRecord record = cut(zmap, *cutter, motion);
         if (findings != nullptr && motion.kind == MotionKind::rapid && !motion.known())
             judgeUnknownRapid(zmap, *cutter, motion, block, *findings);

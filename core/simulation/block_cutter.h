@@ -12,8 +12,9 @@
 
 namespace proveout {
 
-/// Cuts all motions of block `block` (0-based), each with its own tool; motions without a cutter cut nothing.
-/// What is found goes to `findings`, unless it is null. Called by the thread that owns `zmap`.
+/// Cuts all motions of block `block` (0-based), each with its own tool; motions without a cutter cut nothing
+/// (and ToolChoice::missing() has told so already). What is found goes to `findings`, unless it is null.
+/// Called by the thread that owns `zmap`.
 [[nodiscard]] CutRecord cutBlock(ZMap& zmap, const Program& program, std::size_t block, const Setup& setup,
                                  const ToolChoice& tools, FindingLog* findings);
 

@@ -3,10 +3,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 #include <fmt/format.h>
-#include <iterator>
 #include <set>
+#include <string>
 #include <utility>
 
 #include "core/base/text.h"
@@ -15,7 +14,7 @@ namespace proveout {
 
 namespace {
 
-/// One row a kind of finding, in the order of FindingKind.
+/// A message without its value and place.
 struct FindingRow {
     Severity severity;
     bool unverified;
@@ -23,6 +22,8 @@ struct FindingRow {
     const char* text;
     const char* hint;
 };
+
+/// One row a kind of finding, in the order of FindingKind.
 constexpr std::array kRows{
     FindingRow{Severity::fault, false, "rapid-cuts",
                PROVEOUT_TEXT("Core", "The rapid motion removes material, {} mm deep."),
@@ -35,50 +36,73 @@ constexpr std::array kRows{
                              "The rapid motion comes from an unknown position and ends {} mm below the "
                              "top of the stock; what it cuts is not known."),
                PROVEOUT_TEXT("Core", "Retract above the stock before the rapid, or cut with G1.")},
-    FindingRow{Severity::error, true, "tool-undefined",
-               PROVEOUT_TEXT("Core", "No cutter is defined for tool T{}; its motions cut nothing."),
-               PROVEOUT_TEXT("Core", "Add the tool to the tool table.")},
-    FindingRow{Severity::error, true, "no-tool",
-               PROVEOUT_TEXT("Core", "The program cuts with no tool in the spindle."),
-               PROVEOUT_TEXT("Core", "Select a tool with T and M6 before the first cut.")},
 };
 
-const FindingRow& row(FindingKind kind) {
-    return kRows[static_cast<std::size_t>(kind)];
-}
+// About the tools.
+constexpr FindingRow kToolAssumed{
+    Severity::note, false, "tool-assumed",
+    PROVEOUT_TEXT("Core", "The program never selects a tool; tool T{} is used."), ""};
+constexpr FindingRow kToolUndefined{
+    Severity::error, true, "tool-undefined",
+    PROVEOUT_TEXT("Core", "No cutter is defined for tool T{}; its motions cut nothing."),
+    PROVEOUT_TEXT("Core", "Add the tool to the tool table.")};
+constexpr FindingRow kNoTool{Severity::error, true, "no-tool",
+                             PROVEOUT_TEXT("Core", "The program cuts with no tool in the spindle."),
+                             PROVEOUT_TEXT("Core", "Select a tool with T and M6 before the first cut.")};
 
-std::string shown(FindingKind kind, double value) {
-    return kind == FindingKind::toolUndefined ? fmt::format("{:.0f}", value) : fmt::format("{:.3f}", value);
-}
+/// The messages, as far as there is room for them, and what is left over.
+class Told {
+public:
+    [[nodiscard]] bool full() const { return m_messages.size() >= FindingLog::kMaxFindings; }
 
-Diagnostic sentence(FindingKind kind, double value, std::uint32_t line) {
-    Diagnostic diagnostic;
-    diagnostic.severity = row(kind).severity;
-    diagnostic.unverified = row(kind).unverified;
-    diagnostic.id = row(kind).id;
-    diagnostic.text = row(kind).text;
-    diagnostic.arguments = {shown(kind, value)};
-    diagnostic.hint = row(kind).hint;
-    diagnostic.where = {static_cast<int>(line), 1, 0};
-    return diagnostic;
-}
+    void tell(const FindingRow& row, std::string value, std::uint32_t line) {
+        if (full()) {
+            ++m_left;
+            m_worst = std::max(m_worst, row.severity);
+            m_unverified = m_unverified || row.unverified;
+            return;
+        }
+        m_messages.push_back({row.severity,
+                              row.unverified,
+                              row.id,
+                              row.text,
+                              {std::move(value)},
+                              row.hint,
+                              {},
+                              {static_cast<int>(line), 1, 0}});
+    }
 
-Diagnostic assumption(int tool, std::uint32_t line) {
-    Diagnostic diagnostic;
-    diagnostic.severity = Severity::note;
-    diagnostic.id = "tool-assumed";
-    diagnostic.text = PROVEOUT_TEXT("Core", "The program never selects a tool; tool T{} is used.");
-    diagnostic.arguments = {std::to_string(tool)};
-    diagnostic.where = {static_cast<int>(line), 1, 0};
-    return diagnostic;
+    [[nodiscard]] Diagnostics take() {
+        if (m_left > 0)
+            m_messages.push_back({m_worst,
+                                  m_unverified,
+                                  "more-findings",
+                                  PROVEOUT_TEXT("Core", "{} more findings of the simulation are not shown."),
+                                  {std::to_string(m_left)},
+                                  "",
+                                  {},
+                                  {}});
+        return std::move(m_messages);
+    }
+
+private:
+    Diagnostics m_messages;
+    std::size_t m_left = 0;
+    Severity m_worst = Severity::note;
+    bool m_unverified = false;
+};
+
+void tellAboutTools(const Program& program, const ToolChoice& tools, Told& out) {
+    if (tools.assumed() && program.blockCount() > 0)
+        out.tell(kToolAssumed, std::to_string(*tools.assumed()), program.blockLine(0));
+    for (const MissingTool& missing : tools.missing())
+        out.tell(missing.number == 0 ? kNoTool : kToolUndefined, std::to_string(missing.number),
+                 missing.line);
 }
 
 } // namespace
 
 void FindingLog::add(std::size_t block, FindingKind kind, double value) {
-    const bool missing = kind == FindingKind::toolUndefined || kind == FindingKind::noTool;
-    if (missing && !m_missing.emplace(static_cast<int>(value), block).second)
-        return;
     const auto index = static_cast<std::uint32_t>(block);
     for (auto finding = m_findings.rbegin(); finding != m_findings.rend() && finding->block == index;
          ++finding)
@@ -92,35 +116,19 @@ void FindingLog::add(std::size_t block, FindingKind kind, double value) {
 void FindingLog::truncate(std::size_t block) {
     const auto first = std::ranges::lower_bound(m_findings, block, {}, &Finding::block);
     m_findings.erase(first, m_findings.end());
-    std::erase_if(m_missing, [block](const auto& missing) { return missing.second >= block; });
 }
 
 Diagnostics FindingLog::diagnostics(const Program& program, const ToolChoice& tools) const {
-    Diagnostics out;
-    if (tools.assumed() && program.blockCount() > 0)
-        out.push_back(assumption(*tools.assumed(), program.blockLine(0)));
-
+    Told out;
+    tellAboutTools(program, tools, out);
     std::set<std::pair<std::uint32_t, FindingKind>> told;
-    auto finding = m_findings.begin();
-    for (; finding != m_findings.end() && out.size() < kMaxFindings; ++finding) {
-        const auto line = program.blockLine(finding->block);
-        if (told.emplace(line, finding->kind).second)
-            out.push_back(sentence(finding->kind, finding->value, line));
+    for (const Finding& finding : m_findings) {
+        const FindingRow& row = kRows[static_cast<std::size_t>(finding.kind)];
+        const auto line = program.blockLine(finding.block);
+        if (out.full() || told.emplace(line, finding.kind).second)
+            out.tell(row, fmt::format("{:.3f}", finding.value), line);
     }
-    Diagnostic more;
-    more.severity = Severity::note;
-    const auto left = std::distance(finding, m_findings.end());
-    for (; finding != m_findings.end(); ++finding) {
-        more.severity = std::max(more.severity, row(finding->kind).severity);
-        more.unverified = more.unverified || row(finding->kind).unverified;
-    }
-    if (left > 0) {
-        more.id = "more-findings";
-        more.text = PROVEOUT_TEXT("Core", "{} more findings of the simulation are not shown.");
-        more.arguments = {std::to_string(left)};
-        out.push_back(std::move(more));
-    }
-    return out;
+    return out.take();
 }
 
 } // namespace proveout

@@ -3,7 +3,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <map>
 #include <vector>
 
 #include "core/base/diagnostic.h"
@@ -16,20 +15,18 @@ enum class FindingKind : std::uint8_t {
     rapidCuts,         ///< a rapid removed material; value: depth, mm
     depthBeyondFlutes, ///< more height removed at once than the flutes are long; value: depth, mm
     rapidUnchecked,    ///< a rapid from an unknown position ends in the stock; value: depth below its top, mm
-    toolUndefined,     ///< the tool has no cutter; value: tool number
-    noTool,            ///< a feed motion with no tool in the spindle; value: 0
 };
 
 /// What the simulation found, block by block. Lines are asked from the program when the sentences are made,
 /// because an edit moves lines without changing a block. Owned by one thread.
 class FindingLog {
 public:
-    /// Blocks come in ascending order; a repeated kind of one block keeps the larger value. A tool that is
-    /// missing is told once, where it is missed first.
+    /// Blocks come in ascending order; a repeated kind of one block keeps the larger value.
     void add(std::size_t block, FindingKind kind, double value);
     /// Forgets everything about blocks from `block` on.
     void truncate(std::size_t block);
-    /// At most one message of a kind per line, `kMaxFindings` in all; a last one tells how many more there
+    /// First what is known before any block, about the tools (each missing one once); then what was found, at
+    /// most one message of a kind per line; `kMaxFindings` in all, and a last one tells how many more there
     /// are, as severe as the worst of them. `file` is left empty.
     [[nodiscard]] Diagnostics diagnostics(const Program& program, const ToolChoice& tools) const;
 
@@ -42,7 +39,6 @@ private:
         double value;
     };
     std::vector<Finding> m_findings;
-    std::map<int, std::size_t> m_missing; ///< tool number (0: none): the first block that misses it
 };
 
 } // namespace proveout

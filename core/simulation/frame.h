@@ -27,8 +27,10 @@ struct Frame {
     ZMapSnapshot zmap;
     SurfaceSnapshot surface;
     PersistentArray<BlockStatistics>
-        statistics;       ///< row k: block k+1; may reach beyond `block` after a seek back
-    Diagnostics findings; ///< of the simulation, in the order of their blocks
+        statistics; ///< row k: block k+1; may reach beyond `block` after a seek back
+    /// Of the simulation: what is known of program and tools before any block, from block 0 on; then what the
+    /// blocks executed so far (beyond `block` after a seek back) have shown, in their order.
+    Diagnostics findings;
     Vec3 cutterPosition{0};
     bool cutterKnown = false;
     int tool = 0;

@@ -56,9 +56,11 @@ TEST_F(CliInterpret, ToolsAreKnownUnlessATableSaysOtherwise) {
     lines("T5 M6\nG0 X1 Y1 Z1\nM2\n");
     EXPECT_EQ(finished.exitCode, 0) << finished.err;
     write("t.toml", "[[tool]]\nnumber = 1\ncutter = \"ball:d=4\"\n");
-    lines("T5 M6\nG0 X1 Y1 Z1\nM2\n", "--tools t.toml");
+    lines("T5 M6\nG0 X1 Y1 Z1\nT1 M6\nG0 X2\nT5 M6\nG0 X3\nM2\n", "--tools t.toml");
     EXPECT_EQ(finished.exitCode, 2);
-    EXPECT_TRUE(finished.tells("p.nc:1:1: error: ", "tool-undefined")) << finished.err;
+    EXPECT_EQ(finished.err, "p.nc:2:1: error: No cutter is defined for tool T5; its motions cut nothing. "
+                            "[tool-undefined]\n")
+        << "once, where it is missed first";
 }
 
 TEST_F(CliInterpret, DialectIsLinuxCnc) {

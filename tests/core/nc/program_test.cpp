@@ -54,6 +54,26 @@ void expectSame(const Motion& a, const Motion& b) {
     }
 }
 
+/// The runs of `program`, "TOOL:FIRST-LAST" each, by looking at every motion.
+std::string runsByHand(const Program& program) {
+    std::string out;
+    for (std::size_t first = 0, i = 0; i < program.motionCount(); ++i) {
+        const int tool = program.motion(i).tool;
+        if (i + 1 < program.motionCount() && program.motion(i + 1).tool == tool)
+            continue;
+        out += std::to_string(tool) + ":" + std::to_string(first) + "-" + std::to_string(i + 1) + " ";
+        first = i + 1;
+    }
+    return out;
+}
+
+std::string runs(const Program& program) {
+    std::string out;
+    for (const auto& [tool, first, last] : program.toolRuns())
+        out += std::to_string(tool) + ":" + std::to_string(first) + "-" + std::to_string(last) + " ";
+    return out;
+}
+
 std::shared_ptr<const Program> programOf(const std::string& text) {
     InterpretOptions options;
     options.assumeStartAtZero = true;
@@ -84,6 +104,23 @@ TEST(Program, GivesBackTheMotionsItWasGiven) {
             expectSame(program.motion(i), motions[i]);
         EXPECT_EQ(program.bounds().lo, box.lo);
         EXPECT_EQ(program.bounds().hi, box.hi);
+    }
+}
+
+TEST(Program, TellsTheRunsOfEachTool) {
+    EXPECT_EQ(runs(*programOf("M2\n")), "");
+    EXPECT_EQ(runs(*programOf("G0 X1\nT1 M6\nG0 X2\nS100 M3\nX3\nS200\nX4\nT2 M6\nT0 M6\nX5\nT1 M6\nX6\n")),
+              "0:0-1 1:1-4 0:4-5 1:5-6 ");
+    const std::uint32_t seed = std::random_device{}();
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937 random(seed);
+    for (int round = 0; round < 100; ++round) {
+        Program program;
+        for (auto line = static_cast<std::uint32_t>(random() % 200); line > 0; --line) {
+            program.beginBlock(line);
+            program.append(randomMotion(random, Vec3(0)));
+        }
+        EXPECT_EQ(runs(program), runsByHand(program));
     }
 }
 

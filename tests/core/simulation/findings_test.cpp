@@ -140,14 +140,46 @@ TEST(Findings, AreBoundedAndTheLastTellsTheRest) {
     EXPECT_FALSE(findings.back().unverified);
 }
 
-TEST(Findings, OfAMissingToolAreToldAgainAfterAnEdit) {
+/// "LINE id argument" of each.
+std::vector<std::string> briefly(const Diagnostics& findings) {
+    std::vector<std::string> out;
+    for (const Diagnostic& finding : findings)
+        out.push_back(fmt::format("{} {} {}", finding.where.line, finding.id, finding.arguments.front()));
+    return out;
+}
+
+TEST(Findings, OfMissingToolsAreKnownBeforeTheFirstBlockAndAtEveryBlock) {
+    const auto program = programOf("T7 M6\nG0 X5 Y5 Z5\nG1 Z2 F100\nT1 M6\nG0 Z5\nX9\nT9 M6\nG0 Z6\nT7 M6\n"
+                                   "G1 Z5\nT0 M6\nG0 Z7\nG1 Z8\nT8 M6\nT1 M6\nG0 Z9\n");
+    const std::vector<std::string> expected{"2 tool-undefined 7", "8 tool-undefined 9", "13 no-tool 0"};
+    for (const Frame& frame : straightRun(program, smallSetup(), {}))
+        EXPECT_EQ(briefly(frame.findings), expected) << "block " << frame.block;
+    const auto simulation = startedSimulation(program, smallSetup(), {});
+    for (const std::size_t block : {6U, 2U, 8U, 0U}) {
+        simulation->seek(block);
+        EXPECT_EQ(briefly(simulation->frame().findings), expected) << "block " << block;
+    }
+}
+
+TEST(Findings, OfMissingToolsFollowAnEdit) {
     const auto simulation =
         startedSimulation(programOf("T7 M6\nG0 X5 Y5 Z5\nG1 Z-2 F100\n"), smallSetup(), {});
-    simulation->seek(2);
-    simulation->replaceProgram(programOf("T7 M6\nG0 X6 Y5 Z5\nG1 Z-2 F100\n"));
+    simulation->replaceProgram(programOf("(head)\nT7 M6\nG0 X6 Y5 Z5\nG1 Z-2 F100\nT2 M6\nX3\n"));
+    EXPECT_THAT(briefly(simulation->frame().findings),
+                testing::ElementsAre("3 tool-undefined 7", "6 tool-undefined 2"));
+    simulation->replaceProgram(programOf("T1 M6\nG0 X6 Y5 Z5\n"));
     EXPECT_TRUE(simulation->frame().findings.empty());
-    simulation->seek(2);
-    EXPECT_EQ(simulation->frame().findings.size(), 1U);
+}
+
+TEST(Findings, OfMissingToolsAreBoundedToo) {
+    std::string text;
+    for (int tool = 2; tool < 152; ++tool)
+        text += fmt::format("T{} M6\nG0 X{} Y0 Z5\n", tool, tool);
+    const auto simulation = startedSimulation(programOf(text), smallSetup(), {});
+    const auto findings = simulation->frame().findings;
+    ASSERT_EQ(findings.size(), 101U);
+    EXPECT_EQ(briefly(findings).back(), "0 more-findings 50");
+    EXPECT_TRUE(findings.back().unverified);
 }
 
 TEST(Findings, FollowTheirLineThroughAnEdit) {
