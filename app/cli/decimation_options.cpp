@@ -5,6 +5,7 @@
 #include <charconv>
 #include <fmt/format.h>
 #include <iterator>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -51,6 +52,30 @@ CLI::Validator numberOf(const Field& field) {
         fmt::format("{} … {}", field.minimum, field.maximum));
 }
 
+/// "8", or what differs by method: "20; global: 1".
+std::string standardOf(int DecimationMethodRow::*number) {
+    const int first = decimationMethods().front().*number;
+    std::string text = std::to_string(first);
+    for (const DecimationMethodRow& method : decimationMethods())
+        if (method.*number != first)
+            text += fmt::format("; {}: {}", kMethodChoices[static_cast<std::size_t>(method.method)].key,
+                                method.*number);
+    return text;
+}
+
+/// What holds where the option is not given.
+template<class Value>
+std::string standardText(const Value& value, const Field& field) {
+    if (std::string_view(field.key) == "region")
+        return standardOf(&DecimationMethodRow::standardRegion);
+    if (std::string_view(field.key) == "period")
+        return standardOf(&DecimationMethodRow::standardPeriod);
+    if constexpr (std::is_enum_v<Value>)
+        return field.choices[static_cast<std::size_t>(value)].key;
+    else
+        return fmt::format("{}", value);
+}
+
 } // namespace
 
 void DecimationOptions::addTo(CLI::App& command) {
@@ -64,7 +89,8 @@ void DecimationOptions::addTo(CLI::App& command) {
             option = command.add_flag_callback(
                 "--no-" + key, [keep] { keep("false"); }, field.help);
         } else {
-            option = command.add_option_function<std::string>("--" + key, keep, field.help);
+            const std::string help = fmt::format("{} ({})", field.help, standardText(value, field));
+            option = command.add_option_function<std::string>("--" + key, keep, help);
             if constexpr (std::is_enum_v<Value>)
                 option->check(CLI::IsMember(keys(field)));
             else
@@ -82,10 +108,7 @@ void DecimationOptions::apply(DecimationParameters& parameters, bool standards) 
     });
     if (!standards && parameters.method == before)
         return;
-    if (!given("region"))
-        parameters.regionCells = row(parameters.method).standardRegion;
-    if (!given("period"))
-        parameters.period = row(parameters.method).standardPeriod;
+    useStandards(parameters, given("region"), given("period"));
 }
 
 } // namespace proveout::cli

@@ -12,10 +12,11 @@ std::unique_ptr<RegionDecimator> createLee() {
     return std::make_unique<LeeDecimator>();
 }
 
-// In the order of DecimationMethod. The paper's figures stand on regions of 8 × 8 cells and a period of 20.
+// In the order of DecimationMethod. The paper's figures stand on regions of 8 × 8 cells and a period of 20;
+// its global decimation follows every movement of the tool (§2.1).
 constexpr std::array kMethods{
     DecimationMethodRow{DecimationMethod::lee, false, 8, 20, createLee},
-    DecimationMethodRow{DecimationMethod::global, true, 8, 20, createLee},
+    DecimationMethodRow{DecimationMethod::global, true, 8, 1, createLee},
     DecimationMethodRow{DecimationMethod::none, false, 8, 0, nullptr},
 };
 
@@ -29,6 +30,13 @@ const DecimationMethodRow& row(DecimationMethod method) {
     const DecimationMethodRow& found = kMethods[static_cast<std::size_t>(method)];
     assert(found.method == method);
     return found;
+}
+
+void useStandards(DecimationParameters& parameters, bool regionGiven, bool periodGiven) {
+    if (!regionGiven)
+        parameters.regionCells = row(parameters.method).standardRegion;
+    if (!periodGiven)
+        parameters.period = row(parameters.method).standardPeriod;
 }
 
 } // namespace proveout

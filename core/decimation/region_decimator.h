@@ -47,12 +47,15 @@ public:
 /// One row a method; panel, command line and tests read the table.
 struct DecimationMethodRow {
     DecimationMethod method;
-    bool wholeMap;      ///< works on one region that holds the whole map
-    int standardRegion; ///< cells, used where none is given
-    int standardPeriod;
+    bool wholeMap;                                ///< works on one region that holds the whole map
+    int standardRegion;                           ///< cells, used where none is given
+    int standardPeriod;                           ///< blocks, likewise
     std::unique_ptr<RegionDecimator> (*create)(); ///< null for `none`
 };
 [[nodiscard]] std::span<const DecimationMethodRow> decimationMethods();
 [[nodiscard]] const DecimationMethodRow& row(DecimationMethod method);
+
+/// Gives region size and period the standards of the method, where nobody gave them a value.
+void useStandards(DecimationParameters& parameters, bool regionGiven, bool periodGiven);
 
 } // namespace proveout

@@ -12,6 +12,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/text.h"
+#include "core/decimation/region_decimator.h"
 #include "core/formats/job_json.h"
 
 namespace proveout {
@@ -72,6 +73,7 @@ void readParameters(JsonFields fields, DecimationParameters& parameters) {
             fields.read(field.key, value, JsonRange{field.minimum, field.maximum});
         }
     });
+    useStandards(parameters, fields.has("region"), fields.has("period"));
     fields.warnAboutUnknown();
 }
 

@@ -166,6 +166,22 @@ TEST_F(CliSimulate, RecordsHaveARowABlock) {
     EXPECT_GT(std::stoi(rows[4][column("regionsDecimated")]), 0);
 }
 
+TEST_F(CliSimulate, GlobalDecimationFollowsEveryBlockUnlessAPeriodIsGiven) {
+    const auto dirty = [this](const std::string& more) {
+        EXPECT_EQ(simulate("--records a.csv --method global " + more).exitCode, 0);
+        std::string out;
+        const auto rows = records("a.csv");
+        EXPECT_EQ(rows.at(0).at(4), "regionsDirty");
+        for (std::size_t row = 1; row < rows.size(); ++row)
+            out += rows[row][4];
+        return out;
+    };
+    EXPECT_EQ(dirty(""), "00000");
+    EXPECT_EQ(dirty("--period 2"), "00100") << "blocks 2, 3 and 4 cut";
+    EXPECT_EQ(dirty("--period 20"), "01111");
+    EXPECT_THAT(run("simulate --help").out, HasSubstr("global: 1"));
+}
+
 TEST_F(CliSimulate, ResultsDoNotDependOnThreads) {
     ASSERT_EQ(simulate("--threads 1 --zmap a.npy --stl a.stl").exitCode, 0);
     ASSERT_EQ(simulate("--threads 8 --zmap b.npy --stl b.stl").exitCode, 0);

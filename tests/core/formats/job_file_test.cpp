@@ -87,6 +87,20 @@ TEST_F(JobFile, OptionalFieldsHaveTheirDefaults) {
     EXPECT_EQ(job->parameters, DecimationParameters());
 }
 
+TEST_F(JobFile, RegionAndPeriodAreTheStandardsOfTheMethodUnlessTheyAreGiven) {
+    const auto parameters = [this](const std::string& decimation) {
+        return read(R"({"proveout": 1, "program": "a.nc", "stock": {"width": 1, "depth": 2, "height": 3},
+                        "decimation": )" +
+                    decimation + "}")
+            ->parameters;
+    };
+    EXPECT_EQ(parameters(R"({"method": "global"})").period, 1);
+    EXPECT_EQ(parameters(R"({"method": "global", "period": 7})").period, 7);
+    EXPECT_EQ(parameters(R"({"method": "lee"})").period, 20);
+    EXPECT_EQ(parameters(R"({"region": 12})").regionCells, 12);
+    EXPECT_EQ(parameters("{}"), DecimationParameters());
+}
+
 TEST_F(JobFile, ErrorsNameTheFieldAndWhatIsAllowed) {
     EXPECT_EQ(told(with("140", "-1")),
               "4:40 The field \"stock.width\" must be a number above 0 and at most 1000000. [job-field]\n");
