@@ -1702,6 +1702,18 @@
         <source>“{}” is no key of a tool; perhaps “{}” is meant.</source>
         <translation>„{}“ ist kein Schlüssel eines Werkzeugs; vielleicht ist „{}“ gemeint.</translation>
     </message>
+    <message>
+        <source>The program needs more memory to be interpreted than there is.</source>
+        <translation>Das Programm braucht zum Interpretieren mehr Speicher, als vorhanden ist.</translation>
+    </message>
+    <message>
+        <source>The interpretation had to stop: {}.</source>
+        <translation>Die Interpretation musste abgebrochen werden: {}.</translation>
+    </message>
+    <message>
+        <source>An export is still being written; wait for its end or cancel it.</source>
+        <translation>Ein Export wird noch geschrieben; warten Sie auf sein Ende oder brechen Sie ihn ab.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>
@@ -2413,10 +2425,6 @@
     <message>
         <source>Exporting STL</source>
         <translation>STL-Export</translation>
-    </message>
-    <message>
-        <source>untitled</source>
-        <translation>unbenannt</translation>
     </message>
     <message>
         <source>Simulating</source>

@@ -1702,6 +1702,18 @@
         <source>“{}” is no key of a tool; perhaps “{}” is meant.</source>
         <translation>&quot;{}&quot;은(는) 공구의 키가 아닙니다. &quot;{}&quot;을(를) 뜻한 것일 수 있습니다.</translation>
     </message>
+    <message>
+        <source>The program needs more memory to be interpreted than there is.</source>
+        <translation>프로그램을 해석하는 데 필요한 메모리가 있는 메모리보다 많습니다.</translation>
+    </message>
+    <message>
+        <source>The interpretation had to stop: {}.</source>
+        <translation>해석을 중단해야 했습니다: {}.</translation>
+    </message>
+    <message>
+        <source>An export is still being written; wait for its end or cancel it.</source>
+        <translation>내보내기가 아직 진행 중입니다. 끝날 때까지 기다리거나 취소하십시오.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>
@@ -2412,10 +2424,6 @@
     <message>
         <source>Exporting STL</source>
         <translation>STL 내보내는 중</translation>
-    </message>
-    <message>
-        <source>untitled</source>
-        <translation>제목 없음</translation>
     </message>
     <message>
         <source>Simulating</source>

@@ -13,8 +13,8 @@ QString coreText(const char* text) {
 QString sentence(const Diagnostic& diagnostic) {
     const std::string text = coreText(diagnostic.text).toStdString();
     QString filled = QString::fromStdString(fillIn(text, diagnostic.arguments));
-    // What is about a file as a whole names it: it need not be the one that is open.
-    if (diagnostic.where.line > 0 || diagnostic.file.empty())
+    // What is about another file than the open program names it.
+    if (diagnostic.file.empty())
         return filled;
     return QStringLiteral("%1: %2").arg(QFileInfo(QString::fromStdString(diagnostic.file)).fileName(),
                                         filled);

@@ -78,8 +78,10 @@ Result<void> JobDocument::saveJobAs(const QString& file) {
 
 Result<void> JobDocument::reload() {
     Result<Document> text = readText(m_text.path);
-    if (!text)
+    if (!text) {
+        keepMine();
         return tl::unexpected(std::move(text.error()));
+    }
     m_text = std::move(*text);
     m_keptMine = false;
     return {};
@@ -91,6 +93,7 @@ void JobDocument::edit(std::size_t offset, std::size_t removed, std::string_view
 
 void JobDocument::keepMine() {
     m_keptMine = true;
+    m_text.modified = true;
 }
 
 bool JobDocument::setTextModified(bool modified) {

@@ -44,12 +44,13 @@ public:
     [[nodiscard]] Result<void> saveJobAs(const QString& file);
     /// Set-up and parameters stay, but no longer belong to a job file.
     void detachJob() { m_jobFile.clear(); }
-    /// Reads the text again. Errors: those of loadDocument(); the text then stays as it is.
+    /// Reads the text again. Errors: those of loadDocument(); the text then stays as it is, and is kept
+    /// (keepMine).
     [[nodiscard]] Result<void> reload();
 
     /// Replaces the bytes [offset, offset + removed) of the text.
     void edit(std::size_t offset, std::size_t removed, std::string_view inserted);
-    /// The file on the disk is somebody else's from now on: saving is due whatever undo says.
+    /// The file on the disk is gone or somebody else's from now on: saving is due whatever undo says.
     void keepMine();
     /// True where that changed something.
     bool setTextModified(bool modified);

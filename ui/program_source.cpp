@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/program_source.h"
 
+#include <exception>
+#include <new>
 #include <utility>
 
 #include <QMetaObject>
 
+#include "core/base/text.h"
+
 namespace proveout {
 
-ProgramSource::ProgramSource(QObject* parent)
-    : QObject(parent), m_thread([this](const std::stop_token& stop) { run(stop); }) {}
+ProgramSource::ProgramSource(QObject* parent, Interpret interpret)
+    : QObject(parent), m_interpret(std::move(interpret)),
+      m_thread([this](const std::stop_token& stop) { run(stop); }) {}
 
 ProgramSource::~ProgramSource() {
     m_current.request_stop();
@@ -43,18 +48,37 @@ void ProgramSource::run(const std::stop_token& stop) {
             request = std::move(*m_waiting);
             m_waiting.reset();
         }
-        WorkContext context;
-        context.stop = request.stop;
-        const std::shared_ptr<const Program> program = interpret(request.text, request.options, context);
         QMetaObject::invokeMethod(
-            this, [this, program, generation = request.generation] { deliver(program, generation); },
+            this,
+            [this, result = carryOut(request), generation = request.generation] {
+                deliver(result, generation);
+            },
             Qt::QueuedConnection);
     }
 }
 
-void ProgramSource::deliver(const std::shared_ptr<const Program>& program, std::uint64_t generation) {
-    if (generation == m_generation)
-        emit ready(program);
+Result<std::shared_ptr<const Program>> ProgramSource::carryOut(const Request& request) const {
+    try {
+        WorkContext context;
+        context.stop = request.stop;
+        return m_interpret(request.text, request.options, context);
+    } catch (const std::bad_alloc&) {
+        return failure(
+            "out-of-memory",
+            PROVEOUT_TEXT("Core", "The program needs more memory to be interpreted than there is."));
+    } catch (const std::exception& exception) {
+        return failure("internal-error", PROVEOUT_TEXT("Core", "The interpretation had to stop: {}."),
+                       {exception.what()});
+    }
+}
+
+void ProgramSource::deliver(const Result<std::shared_ptr<const Program>>& result, std::uint64_t generation) {
+    if (generation != m_generation)
+        return;
+    if (result)
+        emit ready(*result);
+    else
+        emit failed(result.error());
 }
 
 } // namespace proveout

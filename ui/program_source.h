@@ -13,6 +13,8 @@
 
 #include <QObject>
 
+#include "core/base/diagnostic.h"
+#include "core/base/work_context.h"
 #include "core/nc/interpreter.h"
 #include "core/nc/nc_text.h"
 #include "core/nc/program.h"
@@ -25,7 +27,10 @@ class ProgramSource : public QObject {
     Q_OBJECT
 
 public:
-    explicit ProgramSource(QObject* parent = nullptr);
+    using Interpret = std::function<std::shared_ptr<const Program>(const NcText&, const InterpretOptions&,
+                                                                   const WorkContext&)>;
+    /// `interpret` is called on the thread; what it throws is told by `failed`.
+    explicit ProgramSource(QObject* parent = nullptr, Interpret interpret = proveout::interpret);
     ~ProgramSource() override;
 
     void request(NcText text, InterpretOptions options);
@@ -34,6 +39,7 @@ public:
 
 signals:
     void ready(const std::shared_ptr<const Program>& program);
+    void failed(const Diagnostics& errors);
 
 private:
     struct Request {
@@ -43,8 +49,10 @@ private:
         std::stop_token stop;
     };
     void run(const std::stop_token& stop);
-    void deliver(const std::shared_ptr<const Program>& program, std::uint64_t generation);
+    [[nodiscard]] Result<std::shared_ptr<const Program>> carryOut(const Request& request) const;
+    void deliver(const Result<std::shared_ptr<const Program>>& result, std::uint64_t generation);
 
+    Interpret m_interpret;
     std::mutex m_mutex;
     std::condition_variable_any m_wake;
     std::optional<Request> m_waiting; ///< guarded by m_mutex

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include <QFileInfo>
 #include <QMetaObject>
 
 #include "core/base/memory.h"
@@ -30,9 +31,10 @@ Session::Session(QObject* parent) : QObject(parent) {
     m_editPause.setSingleShot(true);
     m_editPause.setInterval(kEditPauseMs);
     connect(&m_editPause, &QTimer::timeout, this, &Session::interpret);
-    connect(&m_watch, &FileWatch::changed, this, &Session::fileChangedOnDisk);
+    connect(&m_watch, &FileWatch::changed, this, &Session::watchedFileChanged);
     connect(&m_tick, &RepaintTick::fired, this, &Session::onTick);
     connect(&m_source, &ProgramSource::ready, this, &Session::programReady);
+    connect(&m_source, &ProgramSource::failed, this, &Session::tell);
     connect(&m_export, &ExportJob::progressed, this, [this](double done) {
         if (m_exporting)
             setWork(Work{tr("Exporting STL"), done});
@@ -46,9 +48,10 @@ Session::Session(QObject* parent) : QObject(parent) {
         QMetaObject::invokeMethod(
             this, [this, done] { simulationProgressed(done); }, Qt::QueuedConnection);
     };
-    listener.failed = [this](Diagnostics errors) {
+    listener.failed = [this](Diagnostics errors, std::uint64_t generation) {
         QMetaObject::invokeMethod(
-            this, [this, errors = std::move(errors)] { simulationFailed(errors); }, Qt::QueuedConnection);
+            this, [this, errors = std::move(errors), generation] { simulationFailed(errors, generation); },
+            Qt::QueuedConnection);
     };
     m_simulation = std::make_unique<SimulationThread>(std::move(listener));
 }
@@ -95,15 +98,20 @@ void Session::adopt(JobDocument job) {
 }
 
 bool Session::save() {
-    return !document().path.empty() && saved(m_job.save());
+    if (document().path.empty())
+        return false;
+    const bool before = document().modified;
+    const Result<void> written = m_job.save();
+    return saved(written, before && !document().modified);
 }
 
 bool Session::saveAs(const QString& file) {
-    return saved(m_job.saveTextAs(file));
+    const Result<void> written = m_job.saveTextAs(file);
+    return saved(written, written.has_value());
 }
 
 bool Session::saveJobAs(const QString& file) {
-    return saved(m_job.saveJobAs(file));
+    return saved(m_job.saveJobAs(file), false);
 }
 
 void Session::detachJob() {
@@ -111,8 +119,11 @@ void Session::detachJob() {
     emit documentChanged();
 }
 
-bool Session::saved(const Result<void>& written) {
-    m_watch.watch(toQString(document().path)); // from what we have written on
+bool Session::saved(const Result<void>& written, bool text) {
+    if (text) {
+        m_watch.watch(toQString(document().path)); // from what we have written on
+        emit fileWritten();
+    }
     emit documentChanged();
     return told(written);
 }
@@ -123,17 +134,23 @@ bool Session::told(const Result<void>& result) {
 }
 
 void Session::reload() {
-    if (!told(m_job.reload()))
-        return;
-    m_watch.watch(toQString(document().path));
-    emit textReplaced();
+    if (told(m_job.reload())) {
+        m_watch.watch(toQString(document().path));
+        emit textReplaced();
+        interpret();
+    }
     emit documentChanged();
-    interpret();
 }
 
 void Session::keepMine() {
     m_job.keepMine();
-    setTextModified(true);
+    emit documentChanged();
+}
+
+void Session::watchedFileChanged() {
+    if (!QFileInfo::exists(toQString(document().path)))
+        keepMine(); // the window holds the last copy
+    emit fileChangedOnDisk();
 }
 
 void Session::applyEdit(std::size_t offset, std::size_t removed, std::string_view inserted) {
@@ -148,18 +165,13 @@ void Session::setTextModified(bool modified) {
 
 // Interpretation and simulation.
 
-std::string Session::nameForMessages() const {
-    return document().path.empty() ? tr("untitled").toStdString() : document().path.string();
-}
-
-bool Session::isInText(const Diagnostic& problem) const {
-    return problem.where.line > 0 && (problem.file.empty() || problem.file == nameForMessages());
+bool Session::isInText(const Diagnostic& problem) {
+    return problem.where.line > 0 && problem.file.empty();
 }
 
 void Session::interpret() {
     m_editPause.stop();
     InterpretOptions options;
-    options.file = nameForMessages();
     options.blockDelete = setup().blockDelete;
     options.start = setup().start;
     m_source.request(document().text, std::move(options));
@@ -198,7 +210,12 @@ void Session::load() {
     m_simulationErrors.clear();
     m_loadedSetup = m_job.setup();
     m_frameLog.clear();
-    m_simulation->post(LoadCommand{m_program, m_job.setup(), parameters(), ++m_generation});
+    m_loadGeneration = ++m_generation;
+    m_simulation->post(LoadCommand{m_program, m_job.setup(), parameters(), m_generation});
+    if (block() > 0)
+        m_simulation->post(SeekCommand{std::min(block(), blockCount())});
+    if (m_playback.playing)
+        m_simulation->post(PlayCommand{m_playback.blocksPerSecond, m_playback.everyBlock});
 }
 
 void Session::simulationProgressed(double done) {
@@ -207,9 +224,12 @@ void Session::simulationProgressed(double done) {
     setWork(done < 1 ? std::optional<Work>({tr("Simulating"), done}) : std::nullopt);
 }
 
-void Session::simulationFailed(const Diagnostics& errors) {
+void Session::simulationFailed(const Diagnostics& errors, std::uint64_t generation) {
+    if (generation < m_loadGeneration)
+        return;
     m_simulationErrors = errors;
     m_loadedSetup.reset();
+    stopPlaying();
     refreshProblems();
     emit troubled();
 }
@@ -218,18 +238,16 @@ void Session::takeFrame() {
     FramePtr frame = m_simulation->takeFrame();
     if (!frame || frame->generation != m_generation)
         return;
-    m_frame = std::move(frame);
-    updatePlaying();
-    if (m_frame->findings.size() != m_shownFindings)
+    const FramePtr before = std::exchange(m_frame, std::move(frame));
+    if (m_frame->block == m_frame->program->blockCount() && !m_frame->playing)
+        stopPlaying();
+    if (!before || before->findings != m_frame->findings)
         refreshProblems();
 }
 
-void Session::updatePlaying() {
-    const bool ended = m_frame->block == m_frame->program->blockCount() && !m_frame->playing;
-    if (m_playback.playing && ended) {
-        m_playback.playing = false;
+void Session::stopPlaying() {
+    if (std::exchange(m_playback.playing, false))
         emit playbackChanged();
-    }
 }
 
 void Session::onTick() {
@@ -252,6 +270,8 @@ void Session::reportDrawn(std::uint64_t sequence, double uploadSeconds, double d
 void Session::play() {
     if (!m_program || m_playback.playing)
         return;
+    if (!m_loadedSetup)
+        load();  // it failed; where it does so again the reason is told again
     takeFrame(); // an older frame must not look like the end of what starts now
     if (block() == blockCount())
         m_simulation->post(SeekCommand{0});
@@ -262,9 +282,7 @@ void Session::play() {
 
 void Session::pause() {
     m_simulation->post(PauseCommand{});
-    if (!std::exchange(m_playback.playing, false))
-        return;
-    emit playbackChanged();
+    stopPlaying();
 }
 
 void Session::togglePlay() {
@@ -277,8 +295,7 @@ void Session::togglePlay() {
 void Session::step(std::ptrdiff_t blocks) {
     // The command pauses by itself; a PauseCommand before it would drop the steps that are still under way.
     m_simulation->post(StepCommand{blocks});
-    if (std::exchange(m_playback.playing, false))
-        emit playbackChanged();
+    stopPlaying();
 }
 
 void Session::seek(std::size_t block) {
@@ -330,16 +347,11 @@ Result<void> Session::setSetup(const Setup& setup) {
     if (!fits)
         return fits;
     const bool otherProgram = setup.blockDelete != before.blockDelete || setup.start != before.start;
-    const std::size_t blockBefore = block();
     m_job.setSetup(std::make_shared<const Setup>(setup));
-    if (otherProgram) {
+    if (otherProgram)
         interpret();
-    } else {
+    else
         load();
-        m_simulation->post(SeekCommand{blockBefore});
-        if (m_playback.playing)
-            m_simulation->post(PlayCommand{m_playback.blocksPerSecond, m_playback.everyBlock});
-    }
     emit setupChanged();
     emit documentChanged();
     return {};
@@ -352,6 +364,13 @@ StockBox Session::stockFittedToProgram() const {
 // Export, progress, problems.
 
 void Session::exportStl(const QString& file, const ExportOptions& options) {
+    if (m_exporting) {
+        tell(
+            failure("export-running",
+                    PROVEOUT_TEXT("Core", "An export is still being written; wait for its end or cancel it."))
+                .value());
+        return;
+    }
     takeFrame();
     if (!m_frame) {
         tell(failure("no-stock", PROVEOUT_TEXT("Core", "There is no stock to export yet.")).value());
@@ -377,10 +396,12 @@ void Session::exportDone(const Result<ExportSummary>& result) {
 }
 
 void Session::cancelWork() {
-    if (m_exporting)
+    if (m_exporting) {
         m_export.cancel();
-    else
-        m_simulation->cancel();
+        return;
+    }
+    m_simulation->cancel();
+    stopPlaying();
 }
 
 void Session::setWork(std::optional<Work> work) {
@@ -395,16 +416,11 @@ void Session::tell(const Diagnostics& messages) {
         emit troubled();
 }
 
-void Session::clearMessages() {
-    tell({});
-}
-
 void Session::refreshProblems() {
     m_problems = m_messages;
     m_problems.insert(m_problems.end(), m_simulationErrors.begin(), m_simulationErrors.end());
     if (m_program)
         m_problems.insert(m_problems.end(), m_program->diagnostics().begin(), m_program->diagnostics().end());
-    m_shownFindings = m_frame ? m_frame->findings.size() : 0;
     if (m_frame)
         m_problems.insert(m_problems.end(), m_frame->findings.begin(), m_frame->findings.end());
     emit problemsChanged();

@@ -74,7 +74,7 @@ public:
     [[nodiscard]] const DecimationParameters& parameters() const { return m_job.parameters(); }
     /// The newest interpretation; null before the first one. May be ahead of frame()->program.
     [[nodiscard]] const std::shared_ptr<const Program>& program() const { return m_program; }
-    /// The newest frame; null before the first one and while a load is under way.
+    /// The newest frame; null before the first one of a document.
     [[nodiscard]] const FramePtr& frame() const { return m_frame; }
     [[nodiscard]] std::size_t blockCount() const { return m_program ? m_program->blockCount() : 0; }
     /// Blocks executed in the newest frame: 0 … blockCount().
@@ -85,8 +85,8 @@ public:
     [[nodiscard]] const std::vector<FrameStatistics>& frameStatistics() const { return m_frameLog.rows(); }
     /// Messages about files, then those of the program, then those of the simulation.
     [[nodiscard]] const Diagnostics& problems() const { return m_problems; }
-    /// Whether the place of a problem is one of the open text (and not of a job file, say).
-    [[nodiscard]] bool isInText(const Diagnostic& problem) const;
+    /// Whether the place of a problem is one of the open text; others name their file (a job file, say).
+    [[nodiscard]] static bool isInText(const Diagnostic& problem);
     [[nodiscard]] const std::optional<Work>& work() const { return m_work; }
     /// What the last export wrote; empty before the first one.
     [[nodiscard]] const std::optional<ExportSummary>& lastExport() const { return m_lastExport; }
@@ -136,9 +136,9 @@ public:
     /// Writes the stock of the newest frame in the background; work() tells how far it is.
     void exportStl(const QString& file, const ExportOptions& options);
     void cancelWork();
-    /// Adds a message that is about no part of the program, e.g. a dropped file that cannot be used.
+    /// Shows messages that are about no part of the program, e.g. a dropped file that cannot be used, in
+    /// place of those before.
     void tell(const Diagnostics& messages);
-    void clearMessages();
 
 signals:
     /// Another document, or the same one under another name or with another modified state.
@@ -154,8 +154,10 @@ signals:
     void troubled();
     void workChanged();
     void exported(const ExportSummary& summary);
-    /// The file of the document is no longer what was read or written.
+    /// The file of the document is gone, or no longer what was read or written.
     void fileChangedOnDisk();
+    /// The file of the document is again what the window holds.
+    void fileWritten();
     /// Someone asks to see a source line (1-based): the editor goes there.
     void lineRequested(std::uint32_t line, int column);
     /// The one coalesced repaint: the newest frame, null where there is none. At most 30 times a second, less
@@ -164,18 +166,18 @@ signals:
 
 private:
     void adopt(JobDocument job);
-    bool saved(const Result<void>& written);
+    bool saved(const Result<void>& written, bool text);
     bool told(const Result<void>& result);
-    [[nodiscard]] std::string nameForMessages() const;
+    void watchedFileChanged();
     void interpret();
     void programReady(const std::shared_ptr<const Program>& program);
     void continueWithEdit();
     void load();
     void simulationProgressed(double done);
-    void simulationFailed(const Diagnostics& errors);
+    void simulationFailed(const Diagnostics& errors, std::uint64_t generation);
     void takeFrame();
     void onTick();
-    void updatePlaying();
+    void stopPlaying();
     void refreshProblems();
     void setWork(std::optional<Work> work);
     void exportDone(const Result<ExportSummary>& result);
@@ -187,6 +189,7 @@ private:
     std::shared_ptr<const Program> m_program;
     std::shared_ptr<const Setup> m_loadedSetup; ///< what the simulation runs on; null: nothing loaded
     std::uint64_t m_generation = 0;
+    std::uint64_t m_loadGeneration = 0; ///< of the newest load; failures of older ones are nobody's concern
     FramePtr m_frame;
 
     FrameLog m_frameLog;
@@ -195,7 +198,6 @@ private:
     Diagnostics m_messages;         ///< about files and jobs
     Diagnostics m_simulationErrors; ///< of the last load
     Diagnostics m_problems;
-    std::size_t m_shownFindings = 0; ///< findings of the frame that stand in m_problems
     bool m_exporting = false;
     std::optional<Work> m_work;
     std::optional<ExportSummary> m_lastExport;

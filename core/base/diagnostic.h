@@ -38,6 +38,9 @@ struct Diagnostic {
     const char* hint = ""; ///< what to do about it; a literal marked with PROVEOUT_TEXT, may be empty
     std::string file;
     TextRange where;
+
+    /// Texts are literals: equal ones are told by their address, at worst one message counts as two.
+    friend bool operator==(const Diagnostic&, const Diagnostic&) = default;
 };
 
 using Diagnostics = std::vector<Diagnostic>;

@@ -122,7 +122,7 @@ struct SimulationThread::State {
         goal.reset();
         playing = false;
         if (listener.failed)
-            listener.failed(std::move(diagnostics));
+            listener.failed(std::move(diagnostics), generation);
     }
 
     void publish() {

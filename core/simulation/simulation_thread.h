@@ -44,9 +44,11 @@ using SimulationCommand = std::variant<LoadCommand, EditCommand, ParametersComma
 
 /// What the thread tells; called on the simulation thread, must return at once (post to your own event loop).
 struct SimulationListener {
-    std::function<void()> frameReady;        ///< a newer frame lies in the mailbox
-    std::function<void(double)> progress;    ///< of long work, in [0, 1]; 1 ends it
-    std::function<void(Diagnostics)> failed; ///< a load that could not be carried out
+    std::function<void()> frameReady;     ///< a newer frame lies in the mailbox
+    std::function<void(double)> progress; ///< of long work, in [0, 1]; 1 ends it
+    /// A load that could not be carried out, or work that had to stop; the simulation is gone until the next
+    /// load. With the generation of the newest command that was executed.
+    std::function<void(Diagnostics, std::uint64_t generation)> failed;
 };
 
 /// Owns the simulation and its thread. Methods may be called from one other thread and never wait for work.

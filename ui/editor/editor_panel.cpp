@@ -101,6 +101,7 @@ EditorPanel::EditorPanel(Session& session, QWidget* parent)
     connect(&session, &Session::lineRequested, this,
             [this](std::uint32_t line, int column) { m_editor->goTo(static_cast<int>(line), column); });
     connect(&session, &Session::fileChangedOnDisk, m_changed, &QWidget::show);
+    connect(&session, &Session::fileWritten, m_changed, &QWidget::hide);
     connect(m_changed, &FileChangedBar::reloadWanted, &session, &Session::reload);
     connect(m_changed, &FileChangedBar::keepWanted, &session, &Session::keepMine);
     retranslate();
@@ -145,7 +146,7 @@ void EditorPanel::showFrame(const FramePtr& frame) {
 void EditorPanel::showProblems() {
     Diagnostics here;
     std::copy_if(m_session.problems().begin(), m_session.problems().end(), std::back_inserter(here),
-                 [this](const Diagnostic& problem) { return m_session.isInText(problem); });
+                 &Session::isInText);
     m_editor->showProblems(here);
 }
 

@@ -21,7 +21,6 @@ FileChangedBar::FileChangedBar(QWidget* parent)
     layout->addWidget(m_reload, 1, 0);
     layout->addWidget(m_keep, 1, 1);
     layout->setColumnStretch(2, 1);
-    connect(m_reload, &QPushButton::clicked, this, &FileChangedBar::hide);
     connect(m_keep, &QPushButton::clicked, this, &FileChangedBar::hide);
     connect(m_reload, &QPushButton::clicked, this, &FileChangedBar::reloadWanted);
     connect(m_keep, &QPushButton::clicked, this, &FileChangedBar::keepWanted);

@@ -61,7 +61,7 @@ void ProblemsPanel::showProblems() {
 
 void ProblemsPanel::goTo(int row) {
     const Diagnostic& problem = m_model->problem(row);
-    if (!m_session.isInText(problem))
+    if (!Session::isInText(problem))
         return;
     const auto line = static_cast<std::uint32_t>(problem.where.line);
     emit m_session.lineRequested(line, problem.where.column);

@@ -115,7 +115,7 @@ void TimelinePanel::showProgram() {
         for (const ToolChangeMark& change : toolChangeMarks(*program))
             marks.push_back({change.block, true, Severity::note});
         for (const Diagnostic& problem : m_session.problems()) {
-            if (m_session.isInText(problem))
+            if (Session::isInText(problem))
                 marks.push_back({program->blocksAfterLine(static_cast<std::uint32_t>(problem.where.line)),
                                  false, problem.severity});
         }
@@ -148,7 +148,7 @@ void TimelinePanel::showTip(std::size_t block, QPoint globalPlace) {
                       .arg(program->blockLine(executed))
                       .arg(motion.tool);
     for (const Diagnostic& problem : m_session.problems()) {
-        if (m_session.isInText(problem) &&
+        if (Session::isInText(problem) &&
             problem.where.line == static_cast<int>(program->blockLine(executed)))
             tip += u'\n' + tr("There is a problem on this line.");
     }

@@ -232,22 +232,24 @@ void Viewport::resizeGL(int, int) {
 void Viewport::paintGL() {
     setPicture();
     const View view = m_camera.view(sceneBox());
+    double uploadSeconds = 0;
+    double drawSeconds = 0;
     if (m_renderer != nullptr) {
         QElapsedTimer timer;
         timer.start();
         m_uploaded = m_renderer->upload(m_frame);
         // Waiting for the end costs nothing at 30 pictures a second and makes the figures honest.
         m_renderer->finish();
-        const double uploadSeconds = seconds(timer);
+        uploadSeconds = seconds(timer);
         timer.restart();
         drawScene(view);
         m_renderer->finish();
-        const double drawSeconds = seconds(timer);
+        drawSeconds = seconds(timer);
         if (!m_smooth)
             m_plainSeconds = drawSeconds;
-        if (m_frame != nullptr)
-            m_session.reportDrawn(m_frame->sequence, uploadSeconds, drawSeconds);
     }
+    if (m_frame != nullptr)
+        m_session.reportDrawn(m_frame->sequence, uploadSeconds, drawSeconds);
     paintOverlay(view);
     const bool worthIt = m_support.software && kSmoothCost * m_plainSeconds < kLongestSmoothSeconds;
     if (worthIt && !m_smooth && m_frame != nullptr && !m_frame->playing)

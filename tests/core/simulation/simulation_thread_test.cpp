@@ -40,9 +40,10 @@ public:
                         const std::scoped_lock lock(m_mutex);
                         m_progress = done;
                     },
-                    [this](Diagnostics diagnostics) {
+                    [this](Diagnostics diagnostics, std::uint64_t generation) {
                         const std::scoped_lock lock(m_mutex);
                         m_failure = std::move(diagnostics);
+                        m_failedGeneration = generation;
                         m_changed.notify_all();
                     }}) {}
 
@@ -85,6 +86,10 @@ public:
         m_changed.wait_for(lock, kPatience, [this] { return !m_failure.empty(); });
         return m_failure;
     }
+    std::uint64_t failedGeneration() {
+        const std::scoped_lock lock(m_mutex);
+        return m_failedGeneration;
+    }
     void forget() { m_last.reset(); }
 
 private:
@@ -96,6 +101,7 @@ private:
     std::mutex m_mutex;
     std::condition_variable m_changed;
     Diagnostics m_failure;
+    std::uint64_t m_failedGeneration = 0;
     double m_progress = 0;
     FramePtr m_last;
     SimulationThread m_thread; // last: it ends before what its listener uses
@@ -227,12 +233,13 @@ TEST(SimulationThread, TellsWhyALoadFailed) {
     setup->stock.width = 1e9;
     setup->spacing = 1e-3;
     Listening listening;
-    listening.thread().post(LoadCommand{programOf(randomProgram(28, 10)), setup, {}, 1});
+    listening.thread().post(LoadCommand{programOf(randomProgram(28, 10)), setup, {}, 7});
     EXPECT_FALSE(listening.waitForFailure().empty());
+    EXPECT_EQ(listening.failedGeneration(), 7U);
     // Commands without a simulation are harmless, and the next load works.
     listening.thread().post(SeekCommand{3});
-    listening.thread().post(LoadCommand{programOf(randomProgram(28, 10)), smallSetup(), {}, 2});
-    EXPECT_NE(listening.waitFor([](const Frame& frame) { return frame.generation == 2; }), nullptr);
+    listening.thread().post(LoadCommand{programOf(randomProgram(28, 10)), smallSetup(), {}, 8});
+    EXPECT_NE(listening.waitFor([](const Frame& frame) { return frame.generation == 8; }), nullptr);
 }
 
 TEST(SimulationThread, AnswersACancelOfLongWorkSoon) {

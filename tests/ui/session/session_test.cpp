@@ -9,6 +9,8 @@
 
 #include <QDir>
 #include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -19,6 +21,7 @@
 #include "ui/file_paths.h"
 #include "ui/playback_commands.h"
 #include "ui/program_index.h"
+#include "ui/program_source.h"
 #include "ui/session.h"
 
 namespace proveout {
@@ -348,7 +351,120 @@ private slots:
         const Diagnostic& problem = session.problems().front();
         QCOMPARE(problem.severity, Severity::warning);
         QVERIFY(sentence(problem).contains(QLatin1String("allowence")));
-        QVERIFY(!session.isInText(problem));
+        QVERIFY(!Session::isInText(problem));
+    }
+
+    void problemsKeepTheirPlaceUnderAnotherName() {
+        QTemporaryDir folder;
+        Session session;
+        QVERIFY(session.openFile(write(folder, "a.nc", "G0 X0\nG1 X10 Q5\nM30\n")));
+        const auto inText = [&session] {
+            return std::count_if(session.problems().begin(), session.problems().end(), &Session::isInText);
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(inText() > 0, kPatience);
+        const auto before = inText();
+        QVERIFY(session.saveAs(folder.filePath("b.nc")));
+        QCOMPARE(inText(), before);
+    }
+
+    void findingsMoveWithTheirLines() {
+        QTemporaryDir folder;
+        Session session;
+        QVERIFY(session.openFile(write(folder, "rapid.nc", kSquare)));
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
+        const auto lineOf = [&session](const char* id) {
+            for (const Diagnostic& problem : session.problems())
+                if (std::string(problem.id) == id)
+                    return problem.where.line;
+            return 0;
+        };
+        const char* id = session.frame()->findings.front().id;
+        const int before = lineOf(id);
+        QVERIFY(before > 0);
+        session.applyEdit(0, 0, "(one line more)\n");
+        QTRY_COMPARE_WITH_TIMEOUT(lineOf(id), before + 1, kPatience);
+    }
+
+    void playingEndsWhereNothingPlays() {
+        Session session;
+        QVERIFY(session.openFile(kSample));
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
+        session.seek(100);
+        QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{100}, kPatience);
+        session.setSpeed(1);
+        session.play();
+        session.cancelWork();
+        QVERIFY(!session.playback().playing);
+
+        // A set-up that needs the program to be read anew keeps position and playback.
+        session.play();
+        Setup setup = session.setup();
+        setup.blockDelete = !setup.blockDelete;
+        const FramePtr before = session.frame();
+        QVERIFY(session.setSetup(setup).has_value());
+        QTRY_VERIFY_WITH_TIMEOUT(
+            session.frame()->setup->blockDelete == setup.blockDelete && session.block() >= 100, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame()->playing, kPatience);
+        QVERIFY(session.playback().playing);
+    }
+
+    void aLoadThatFailsIsNotPlayed() {
+        QTemporaryDir folder;
+        Session source;
+        QVERIFY(source.openFile(kSample));
+        QVERIFY(source.saveJobAs(folder.filePath("large.proveout")));
+        QJsonObject job = QJsonDocument::fromJson(bytesOf(folder.filePath("large.proveout"))).object();
+        job["grid"] = 0.0005;
+        Session session;
+        QVERIFY(session.openFile(write(folder, "large.proveout", QJsonDocument(job).toJson())));
+        QTRY_VERIFY_WITH_TIMEOUT(hasProblem(session, "grid-too-fine"), kPatience);
+        session.play();
+        QTRY_VERIFY_WITH_TIMEOUT(!session.playback().playing, kPatience);
+        QVERIFY(session.frame() == nullptr);
+    }
+
+    void aDeletedFileIsNotLost() {
+        QTemporaryDir folder;
+        Session session;
+        const QString file = write(folder, "square.nc", kSquare);
+        QVERIFY(session.openFile(file));
+        QVERIFY(QFile::remove(file));
+        QTRY_VERIFY_WITH_TIMEOUT(session.modified(), kPatience);
+        session.reload();
+        QVERIFY(session.modified());
+        QVERIFY(session.save());
+        QCOMPARE(bytesOf(file), kSquare);
+        QVERIFY(!session.modified());
+    }
+
+    void oneExportAtATime() {
+        QTemporaryDir folder;
+        Session session;
+        QVERIFY(session.openFile(kSample));
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
+        QSignalSpy exported(&session, &Session::exported);
+        session.exportStl(folder.filePath("first.stl"), {});
+        session.exportStl(folder.filePath("second.stl"), {});
+        QVERIFY(hasProblem(session, "export-running"));
+        QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, kPatience);
+        QVERIFY(QFile::exists(folder.filePath("first.stl")));
+        QVERIFY(!QFile::exists(folder.filePath("second.stl")));
+    }
+
+    void anInterpreterThatThrowsIsToldAndTheNextTextIsRead() {
+        ProgramSource source(nullptr,
+                             [](const NcText& text, const InterpretOptions& options,
+                                const WorkContext& context) -> std::shared_ptr<const Program> {
+                                 if (text.size() == 0)
+                                     throw std::bad_alloc();
+                                 return interpret(text, options, context);
+                             });
+        QSignalSpy failed(&source, &ProgramSource::failed);
+        QSignalSpy ready(&source, &ProgramSource::ready);
+        source.request(NcText(), {});
+        QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, kPatience);
+        source.request(NcText("M30\n"), {});
+        QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 1, kPatience);
     }
 
     void keepsMineUntilItIsSaved() {
