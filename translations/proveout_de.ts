@@ -79,38 +79,6 @@
         <translation>Die Datei hat {}; erlaubt sind {}.</translation>
     </message>
     <message>
-        <source>the value of {}, “{}”, is not a number</source>
-        <translation>der Wert von {}, „{}“, ist keine Zahl</translation>
-    </message>
-    <message>
-        <source>{}={} is out of its limits, {} to {} {}</source>
-        <translation>{}={} liegt außerhalb der Grenzen {} bis {} {}</translation>
-    </message>
-    <message>
-        <source>the key {} is given twice</source>
-        <translation>der Schlüssel {} ist doppelt angegeben</translation>
-    </message>
-    <message>
-        <source>“{}” is no key of this cutter shape; there are {}</source>
-        <translation>„{}“ ist kein Schlüssel dieser Fräserform; es gibt {}</translation>
-    </message>
-    <message>
-        <source>a cutter of the shape {} needs the key {} ({}, {} to {} {})</source>
-        <translation>ein Fräser der Form {} braucht den Schlüssel {} ({}, {} bis {} {})</translation>
-    </message>
-    <message>
-        <source>“{}” is no cutter shape; there are {}</source>
-        <translation>„{}“ ist keine Fräserform; es gibt {}</translation>
-    </message>
-    <message>
-        <source>the flute length l={} is less than the height of the cutter&apos;s profile, {} mm</source>
-        <translation>die Schneidenlänge l={} ist kleiner als die Höhe des Fräserprofils, {} mm</translation>
-    </message>
-    <message>
-        <source>“{}” does not begin with a tool number of 1 or more, as in {}</source>
-        <translation>„{}“ beginnt nicht mit einer Werkzeugnummer ab 1 wie in {}</translation>
-    </message>
-    <message>
         <source>Diameter</source>
         <translation>Durchmesser</translation>
     </message>
@@ -137,14 +105,6 @@
     <message>
         <source>Shank length</source>
         <translation>Schaftlänge</translation>
-    </message>
-    <message>
-        <source>the corner radius r={} is larger than half the diameter, {} mm</source>
-        <translation>der Eckenradius r={} ist größer als der halbe Durchmesser, {} mm</translation>
-    </message>
-    <message>
-        <source>the flat tip tip={} is not smaller than the diameter, {} mm</source>
-        <translation>die flache Spitze tip={} ist nicht kleiner als der Durchmesser, {} mm</translation>
     </message>
     <message>
         <source>Flat end mill</source>
@@ -1119,424 +1079,200 @@
         <translation>Z-Koordinate</translation>
     </message>
     <message>
-        <source>&quot;{}&quot; has no meaning here</source>
-        <translation>„{}“ hat hier keine Bedeutung</translation>
-    </message>
-    <message>
         <source>Remove the character, or put the text into a comment: ( … ).</source>
         <translation>Entfernen Sie das Zeichen, oder setzen Sie den Text in einen Kommentar: ( … ).</translation>
-    </message>
-    <message>
-        <source>the word {} has no number</source>
-        <translation>das Wort {} hat keine Zahl</translation>
     </message>
     <message>
         <source>Write the number behind the letter, for example X10.5.</source>
         <translation>Schreiben Sie die Zahl hinter den Buchstaben, zum Beispiel X10.5.</translation>
     </message>
     <message>
-        <source>the number of {} has two signs</source>
-        <translation>die Zahl von {} hat zwei Vorzeichen</translation>
-    </message>
-    <message>
         <source>Controls read this differently; write one sign.</source>
         <translation>Steuerungen lesen das verschieden; schreiben Sie ein Vorzeichen.</translation>
-    </message>
-    <message>
-        <source>the number of {} has two decimal points</source>
-        <translation>die Zahl von {} hat zwei Dezimalpunkte</translation>
     </message>
     <message>
         <source>Keep one point.</source>
         <translation>Lassen Sie einen Punkt stehen.</translation>
     </message>
     <message>
-        <source>the number of {} is out of range: larger than 1e12</source>
-        <translation>die Zahl von {} ist zu groß: über 1e12</translation>
-    </message>
-    <message>
         <source>Check the number.</source>
         <translation>Prüfen Sie die Zahl.</translation>
-    </message>
-    <message>
-        <source>parameters and expressions are not supported yet: {}</source>
-        <translation>Parameter und Ausdrücke werden noch nicht unterstützt: {}</translation>
     </message>
     <message>
         <source>Replace it by its value, or let the CAM system write plain numbers.</source>
         <translation>Setzen Sie den Wert ein, oder lassen Sie das CAM-System reine Zahlen schreiben.</translation>
     </message>
     <message>
-        <source>subprograms, loops and branches are not supported yet: {}</source>
-        <translation>Unterprogramme, Schleifen und Verzweigungen werden noch nicht unterstützt: {}</translation>
-    </message>
-    <message>
         <source>Let the CAM system write the motions out.</source>
         <translation>Lassen Sie das CAM-System die Bewegungen ausschreiben.</translation>
-    </message>
-    <message>
-        <source>the comment is not closed</source>
-        <translation>der Kommentar ist nicht geschlossen</translation>
     </message>
     <message>
         <source>Close it with &quot;)&quot; in the same line.</source>
         <translation>Schließen Sie ihn mit „)“ in derselben Zeile.</translation>
     </message>
     <message>
-        <source>a comment stands within a comment</source>
-        <translation>ein Kommentar steht in einem Kommentar</translation>
-    </message>
-    <message>
         <source>Controls end it at different brackets; use no &quot;(&quot; within a comment.</source>
         <translation>Steuerungen beenden ihn an verschiedenen Klammern; verwenden Sie kein „(“ in einem Kommentar.</translation>
-    </message>
-    <message>
-        <source>the block has two {} words</source>
-        <translation>der Satz hat zwei Wörter {}</translation>
     </message>
     <message>
         <source>Keep one of them, or make two blocks.</source>
         <translation>Behalten Sie eines davon, oder machen Sie zwei Sätze daraus.</translation>
     </message>
     <message>
-        <source>the block has too many G and M words</source>
-        <translation>der Satz hat zu viele G- und M-Wörter</translation>
-    </message>
-    <message>
         <source>Make several blocks of it.</source>
         <translation>Machen Sie mehrere Sätze daraus.</translation>
-    </message>
-    <message>
-        <source>the N word does not begin the block</source>
-        <translation>das N-Wort steht nicht am Anfang des Satzes</translation>
     </message>
     <message>
         <source>Write it first, or put it on a line of its own.</source>
         <translation>Schreiben Sie es zuerst oder in eine eigene Zeile.</translation>
     </message>
     <message>
-        <source>the block number is negative</source>
-        <translation>die Satznummer ist negativ</translation>
-    </message>
-    <message>
         <source>Use N with digits only.</source>
         <translation>Verwenden Sie N nur mit Ziffern.</translation>
-    </message>
-    <message>
-        <source>&quot;%&quot; marks the begin and the end of a tape and stands on a line of its own</source>
-        <translation>„%“ bezeichnet Anfang und Ende eines Lochstreifens und steht in einer eigenen Zeile</translation>
     </message>
     <message>
         <source>Move the rest to another line.</source>
         <translation>Setzen Sie den Rest in eine andere Zeile.</translation>
     </message>
     <message>
-        <source>the program ends with &quot;%&quot; but does not begin with it</source>
-        <translation>das Programm endet mit „%“, beginnt aber nicht damit</translation>
-    </message>
-    <message>
         <source>LinuxCNC refuses this; write &quot;%&quot; on the first line too, or on none.</source>
         <translation>LinuxCNC lehnt das ab; schreiben Sie „%“ auch in die erste Zeile oder gar nicht.</translation>
-    </message>
-    <message>
-        <source>&quot;%&quot; stands in the middle of the program</source>
-        <translation>„%“ steht mitten im Programm</translation>
     </message>
     <message>
         <source>Controls skip what is before it, or what is behind it; keep one program in a file.</source>
         <translation>Steuerungen überspringen, was davor oder was dahinter steht; halten Sie ein Programm je Datei.</translation>
     </message>
     <message>
-        <source>the text behind the second &quot;%&quot; is not run</source>
-        <translation>der Text hinter dem zweiten „%“ wird nicht ausgeführt</translation>
-    </message>
-    <message>
-        <source>the blocks behind the end of the program are not run</source>
-        <translation>die Sätze hinter dem Programmende werden nicht ausgeführt</translation>
-    </message>
-    <message>
-        <source>the program has no end: M2, M30 or a pair of &quot;%&quot;</source>
-        <translation>das Programm hat kein Ende: M2, M30 oder ein Paar „%“</translation>
-    </message>
-    <message>
         <source>Add M30 as the last block.</source>
         <translation>Fügen Sie M30 als letzten Satz an.</translation>
-    </message>
-    <message>
-        <source>the program has no motion</source>
-        <translation>das Programm hat keine Bewegung</translation>
     </message>
     <message>
         <source>Check that this is the right file and that it is complete.</source>
         <translation>Prüfen Sie, ob das die richtige Datei ist und ob sie vollständig ist.</translation>
     </message>
     <message>
-        <source>control codes of a tape or a serial line were skipped</source>
-        <translation>Steuerzeichen eines Lochstreifens oder einer seriellen Leitung wurden übersprungen</translation>
-    </message>
-    <message>
         <source>Harmless here; save the file as plain text to be rid of them.</source>
         <translation>Hier harmlos; als reiner Text gespeichert ist die Datei frei davon.</translation>
-    </message>
-    <message>
-        <source>the file begins with a byte order mark, which controls refuse</source>
-        <translation>die Datei beginnt mit einer Bytereihenfolge-Marke (BOM), die Steuerungen ablehnen</translation>
     </message>
     <message>
         <source>Save it as UTF-8 without the mark, or as ASCII.</source>
         <translation>Speichern Sie sie als UTF-8 ohne BOM oder als ASCII.</translation>
     </message>
     <message>
-        <source>the line ends with CR alone, which LinuxCNC takes for no line end</source>
-        <translation>die Zeile endet mit CR allein, was LinuxCNC nicht als Zeilenende liest</translation>
-    </message>
-    <message>
         <source>Save the file with LF or CR LF line ends.</source>
         <translation>Speichern Sie die Datei mit den Zeilenenden LF oder CR LF.</translation>
-    </message>
-    <message>
-        <source>the line has {} characters; LinuxCNC refuses more than 252</source>
-        <translation>die Zeile hat {} Zeichen; LinuxCNC lehnt mehr als 252 ab</translation>
     </message>
     <message>
         <source>Split the line.</source>
         <translation>Teilen Sie die Zeile.</translation>
     </message>
     <message>
-        <source>the block number has more digits than controls can hold</source>
-        <translation>die Satznummer hat mehr Stellen, als Steuerungen fassen</translation>
-    </message>
-    <message>
         <source>It is a label only; number the blocks anew.</source>
         <translation>Sie ist nur eine Marke; nummerieren Sie die Sätze neu.</translation>
-    </message>
-    <message>
-        <source>the program has more than {} motions; interpretation ends here</source>
-        <translation>das Programm hat mehr als {} Bewegungen; die Interpretation endet hier</translation>
     </message>
     <message>
         <source>Raise the limit, or split the program.</source>
         <translation>Erhöhen Sie die Grenze, oder teilen Sie das Programm.</translation>
     </message>
     <message>
-        <source>{} more messages are not shown</source>
-        <translation>{} weitere Meldungen werden nicht gezeigt</translation>
-    </message>
-    <message>
-        <source>interpretation was stopped before this line</source>
-        <translation>die Interpretation wurde vor dieser Zeile abgebrochen</translation>
-    </message>
-    <message>
-        <source>{} is not known</source>
-        <translation>{} ist unbekannt</translation>
-    </message>
-    <message>
         <source>Without its effect nothing behind it can be vouched for.</source>
         <translation>Ohne seine Wirkung ist alles dahinter ungewiss.</translation>
-    </message>
-    <message>
-        <source>{} ({}) is not supported yet</source>
-        <translation>{} ({}) wird noch nicht unterstützt</translation>
-    </message>
-    <message>
-        <source>{} and {} exclude each other in one block</source>
-        <translation>{} und {} schließen einander in einem Satz aus</translation>
     </message>
     <message>
         <source>Keep one of them, or make two blocks; this block is skipped.</source>
         <translation>Behalten Sie eines davon, oder machen Sie zwei Sätze daraus; dieser Satz wird übersprungen.</translation>
     </message>
     <message>
-        <source>the block has more than four M words</source>
-        <translation>der Satz hat mehr als vier M-Wörter</translation>
-    </message>
-    <message>
         <source>Make several blocks of it; this block is skipped.</source>
         <translation>Machen Sie mehrere Sätze daraus; dieser Satz wird übersprungen.</translation>
-    </message>
-    <message>
-        <source>the axis {} does not exist on a three-axis machine</source>
-        <translation>die Achse {} gibt es an einer Dreiachsmaschine nicht</translation>
     </message>
     <message>
         <source>The motion is shown without it.</source>
         <translation>Die Bewegung wird ohne sie gezeigt.</translation>
     </message>
     <message>
-        <source>no code of this block uses the word {}</source>
-        <translation>kein Befehl dieses Satzes verwendet das Wort {}</translation>
-    </message>
-    <message>
         <source>Remove it, or add the code that it belongs to; this block is skipped.</source>
         <translation>Entfernen Sie es, oder ergänzen Sie den Befehl dazu; dieser Satz wird übersprungen.</translation>
-    </message>
-    <message>
-        <source>no motion code is in force for the word {}</source>
-        <translation>für das Wort {} ist kein Bewegungsbefehl wirksam</translation>
     </message>
     <message>
         <source>Write G0, G1, G2 or G3 into the block; this block is skipped.</source>
         <translation>Schreiben Sie G0, G1, G2 oder G3 in den Satz; dieser Satz wird übersprungen.</translation>
     </message>
     <message>
-        <source>G80 cannot move the axis {}</source>
-        <translation>G80 kann die Achse {} nicht bewegen</translation>
-    </message>
-    <message>
         <source>Controls differ here; move in a block of its own. This block is skipped.</source>
         <translation>Steuerungen sind hier verschieden; fahren Sie in einem eigenen Satz. Dieser Satz wird übersprungen.</translation>
-    </message>
-    <message>
-        <source>{} needs the word {}</source>
-        <translation>{} braucht das Wort {}</translation>
     </message>
     <message>
         <source>Add it; the code has no effect without it.</source>
         <translation>Ergänzen Sie es; ohne es hat der Befehl keine Wirkung.</translation>
     </message>
     <message>
-        <source>the number of {} must not be negative</source>
-        <translation>die Zahl von {} darf nicht negativ sein</translation>
-    </message>
-    <message>
         <source>The word is ignored.</source>
         <translation>Das Wort wird nicht beachtet.</translation>
-    </message>
-    <message>
-        <source>the number of {} must be a whole number from {} to {}</source>
-        <translation>die Zahl von {} muss eine ganze Zahl von {} bis {} sein</translation>
-    </message>
-    <message>
-        <source>the feed is read in the unit that was in force before {}</source>
-        <translation>der Vorschub wird in der Einheit gelesen, die vor {} galt</translation>
     </message>
     <message>
         <source>LinuxCNC reads F first; switch the unit in a block before.</source>
         <translation>LinuxCNC liest F zuerst; schalten Sie die Einheit in einem Satz davor um.</translation>
     </message>
     <message>
-        <source>M6 changes the tool, but none is selected</source>
-        <translation>M6 wechselt das Werkzeug, aber es ist keines gewählt</translation>
-    </message>
-    <message>
         <source>Write the T word into the block or before it.</source>
         <translation>Schreiben Sie das T-Wort in den Satz oder davor.</translation>
-    </message>
-    <message>
-        <source>a cutting motion without a feed rate</source>
-        <translation>eine Vorschubbewegung ohne Vorschub</translation>
     </message>
     <message>
         <source>Give F in this block or before it; there is no default.</source>
         <translation>Geben Sie F in diesem Satz oder davor an; es gibt keinen Vorgabewert.</translation>
     </message>
     <message>
-        <source>where {} stands is not known, so this motion cuts nothing</source>
-        <translation>wo {} steht, ist nicht bekannt; diese Bewegung fräst daher nichts</translation>
-    </message>
-    <message>
         <source>Position all axes with G0 before the first cut.</source>
         <translation>Positionieren Sie alle Achsen mit G0 vor dem ersten Schnitt.</translation>
-    </message>
-    <message>
-        <source>{} moves by a distance from a place that is not known</source>
-        <translation>{} fährt um eine Strecke von einem unbekannten Ort aus</translation>
     </message>
     <message>
         <source>Position the axis in G90 first.</source>
         <translation>Positionieren Sie die Achse zuerst in G90.</translation>
     </message>
     <message>
-        <source>the arc has neither a centre nor a radius</source>
-        <translation>der Kreisbogen hat weder Mittelpunkt noch Radius</translation>
-    </message>
-    <message>
         <source>Give the centre with {} and {}, or the radius with R.</source>
         <translation>Geben Sie den Mittelpunkt mit {} und {} oder den Radius mit R an.</translation>
-    </message>
-    <message>
-        <source>an absolute centre (G90.1) needs both {} and {}</source>
-        <translation>ein absoluter Mittelpunkt (G90.1) braucht {} und {}</translation>
     </message>
     <message>
         <source>Add the missing word, or use G91.1.</source>
         <translation>Ergänzen Sie das fehlende Wort, oder verwenden Sie G91.1.</translation>
     </message>
     <message>
-        <source>the arc has both a centre and a radius</source>
-        <translation>der Kreisbogen hat Mittelpunkt und Radius zugleich</translation>
-    </message>
-    <message>
         <source>Controls differ in which one they take; keep one.</source>
         <translation>Steuerungen nehmen verschiedene davon; behalten Sie eines.</translation>
-    </message>
-    <message>
-        <source>the word {} does not belong to an arc in the plane of {}</source>
-        <translation>das Wort {} gehört nicht zu einem Kreisbogen in der Ebene von {}</translation>
     </message>
     <message>
         <source>Remove the word, or select the plane that was meant.</source>
         <translation>Entfernen Sie das Wort, oder wählen Sie die gemeinte Ebene.</translation>
     </message>
     <message>
-        <source>the arc has no radius: {} mm</source>
-        <translation>der Kreisbogen hat keinen Radius: {} mm</translation>
-    </message>
-    <message>
         <source>The centre lies on the start or the end point.</source>
         <translation>Der Mittelpunkt liegt auf dem Anfangs- oder dem Endpunkt.</translation>
-    </message>
-    <message>
-        <source>the arc does not fit: radius {} mm at its start, {} mm at its end, {} mm apart</source>
-        <translation>der Kreisbogen passt nicht: Radius {} mm am Anfang, {} mm am Ende, {} mm Unterschied</translation>
     </message>
     <message>
         <source>Check the centre: I J K count from the start point, after G90.1 from the origin.</source>
         <translation>Prüfen Sie den Mittelpunkt: I J K zählen vom Anfangspunkt, nach G90.1 vom Nullpunkt.</translation>
     </message>
     <message>
-        <source>an arc with R cannot end where it begins</source>
-        <translation>ein Kreisbogen mit R kann nicht an seinem Anfang enden</translation>
-    </message>
-    <message>
         <source>Give a full circle its centre, or make two arcs of it.</source>
         <translation>Geben Sie dem Vollkreis seinen Mittelpunkt, oder machen Sie zwei Bögen daraus.</translation>
-    </message>
-    <message>
-        <source>the radius {} mm is too small: the end lies {} mm from the start, {} mm more than 2 R</source>
-        <translation>der Radius {} mm ist zu klein: Das Ende liegt {} mm vom Anfang, {} mm mehr als 2 R</translation>
     </message>
     <message>
         <source>Check R and the end point.</source>
         <translation>Prüfen Sie R und den Endpunkt.</translation>
     </message>
     <message>
-        <source>the radius of the arc is {} mm, beyond what can be computed exactly</source>
-        <translation>der Radius des Bogens ist {} mm, mehr als sich genau rechnen lässt</translation>
-    </message>
-    <message>
         <source>Check the centre; use G1 for a straight line.</source>
         <translation>Prüfen Sie den Mittelpunkt; nehmen Sie G1 für eine Gerade.</translation>
-    </message>
-    <message>
-        <source>P must be a whole number of turns from 1 to {}</source>
-        <translation>P muss eine ganze Zahl von Umläufen von 1 bis {} sein</translation>
     </message>
     <message>
         <source>Check the P word.</source>
         <translation>Prüfen Sie das P-Wort.</translation>
     </message>
     <message>
-        <source>the file is encoded in {}, not in ASCII or UTF-8</source>
-        <translation>die Datei ist in {} kodiert, nicht in ASCII oder UTF-8</translation>
-    </message>
-    <message>
         <source>Save it as plain text (ASCII or UTF-8) and open it again.</source>
         <translation>Speichern Sie sie als reinen Text (ASCII oder UTF-8), und öffnen Sie sie erneut.</translation>
-    </message>
-    <message>
-        <source>this is not an NC program: it holds binary data</source>
-        <translation>das ist kein NC-Programm: Es enthält Binärdaten</translation>
     </message>
     <message>
         <source>Choose the text file that the machine would run.</source>
@@ -1595,42 +1331,6 @@
         <translation>Die Simulation musste anhalten: {}.</translation>
     </message>
     <message>
-        <source>the stock {} is not of three sides above 0 and up to {} mm</source>
-        <translation>das Rohteil {} hat nicht drei Seiten über 0 und bis {} mm</translation>
-    </message>
-    <message>
-        <source>the grid spacing {} mm is not a number above 0</source>
-        <translation>die Rasterweite {} mm ist keine Zahl über 0</translation>
-    </message>
-    <message>
-        <source>the grid spacing {} mm leaves no cell on the stock {}; the coarsest that does is {} mm</source>
-        <translation>die Rasterweite {} mm lässt keine Zelle auf dem Rohteil {}; die gröbste mögliche ist {} mm</translation>
-    </message>
-    <message>
-        <source>the grid spacing {} mm makes {} points on the stock {}, {} of memory; the finest possible is {} mm</source>
-        <translation>die Rasterweite {} mm ergibt {} Punkte auf dem Rohteil {}, {} Speicher; die feinste mögliche ist {} mm</translation>
-    </message>
-    <message>
-        <source>the z-map needs {}, but the machine has only {} left</source>
-        <translation>die Z-Map braucht {}, aber der Rechner hat nur noch {}</translation>
-    </message>
-    <message>
-        <source>a grid of {} × {} points needs {}, but the machine has only {} left; the finest spacing that fits is {} mm</source>
-        <translation>ein Raster von {} × {} Punkten braucht {}, aber der Rechner hat nur noch {}; die feinste passende Rasterweite ist {} mm</translation>
-    </message>
-    <message>
-        <source>“{}” is not a stock size of the form WxDxH in mm, as in {}</source>
-        <translation>„{}“ ist keine Rohteilgröße der Form BxTxH in mm wie in {}</translation>
-    </message>
-    <message>
-        <source>every side of the stock must be more than 0 mm, not “{}”</source>
-        <translation>jede Seite des Rohteils muss größer als 0 mm sein, nicht „{}“</translation>
-    </message>
-    <message>
-        <source>“{}” is not a point of the form X,Y,Z in mm</source>
-        <translation>„{}“ ist kein Punkt der Form X,Y,Z in mm</translation>
-    </message>
-    <message>
         <source>The export was cancelled.</source>
         <translation>Der Export wurde abgebrochen.</translation>
     </message>
@@ -1665,14 +1365,6 @@
     <message>
         <source>The file cannot be written: {}.</source>
         <translation>Die Datei kann nicht geschrieben werden: {}.</translation>
-    </message>
-    <message>
-        <source>the origin of the stock is not three numbers from -{} to {} mm</source>
-        <translation>der Ursprung des Rohteils besteht nicht aus drei Zahlen von -{} bis {} mm</translation>
-    </message>
-    <message>
-        <source>the grid spacing {} mm is lost in the rounding of coordinates as large as {} mm</source>
-        <translation>die Rasterweite {} mm geht im Runden so großer Koordinaten wie {} mm verloren</translation>
     </message>
     <message>
         <source>The field &quot;{}&quot; is not known and has no effect.</source>
@@ -1713,6 +1405,314 @@
     <message>
         <source>An export is still being written; wait for its end or cancel it.</source>
         <translation>Ein Export wird noch geschrieben; warten Sie auf sein Ende oder brechen Sie ihn ab.</translation>
+    </message>
+    <message>
+        <source>The value of {}, “{}”, is not a number.</source>
+        <translation>Der Wert von {}, „{}“, ist keine Zahl.</translation>
+    </message>
+    <message>
+        <source>{}={} is out of its limits, {} to {} {}.</source>
+        <translation>{}={} liegt außerhalb der Grenzen {} bis {} {}.</translation>
+    </message>
+    <message>
+        <source>The key {} is given twice.</source>
+        <translation>Der Schlüssel {} ist doppelt angegeben.</translation>
+    </message>
+    <message>
+        <source>“{}” is no key of this cutter shape; there are {}.</source>
+        <translation>„{}“ ist kein Schlüssel dieser Fräserform; es gibt {}.</translation>
+    </message>
+    <message>
+        <source>A cutter of the shape {} needs the key {} ({}, {} to {} {}).</source>
+        <translation>Ein Fräser der Form {} braucht den Schlüssel {} ({}, {} bis {} {}).</translation>
+    </message>
+    <message>
+        <source>“{}” is no cutter shape; there are {}.</source>
+        <translation>„{}“ ist keine Fräserform; es gibt {}.</translation>
+    </message>
+    <message>
+        <source>The flute length l={} is less than the height of the cutter&apos;s profile, {} mm.</source>
+        <translation>Die Schneidenlänge l={} ist kleiner als die Höhe des Fräserprofils, {} mm.</translation>
+    </message>
+    <message>
+        <source>“{}” does not begin with a tool number of 1 or more, as in {}.</source>
+        <translation>„{}“ beginnt nicht mit einer Werkzeugnummer ab 1 wie in {}.</translation>
+    </message>
+    <message>
+        <source>The corner radius r={} is larger than half the diameter, {} mm.</source>
+        <translation>Der Eckenradius r={} ist größer als der halbe Durchmesser, {} mm.</translation>
+    </message>
+    <message>
+        <source>The flat tip tip={} is not smaller than the diameter, {} mm.</source>
+        <translation>Die flache Spitze tip={} ist nicht kleiner als der Durchmesser, {} mm.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; has no meaning here.</source>
+        <translation>„{}“ hat hier keine Bedeutung.</translation>
+    </message>
+    <message>
+        <source>The word {} has no number.</source>
+        <translation>Das Wort {} hat keine Zahl.</translation>
+    </message>
+    <message>
+        <source>The number of {} has two signs.</source>
+        <translation>Die Zahl von {} hat zwei Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>The number of {} has two decimal points.</source>
+        <translation>Die Zahl von {} hat zwei Dezimalpunkte.</translation>
+    </message>
+    <message>
+        <source>The number of {} is out of range: larger than 1e12.</source>
+        <translation>Die Zahl von {} ist zu groß: über 1e12.</translation>
+    </message>
+    <message>
+        <source>Parameters and expressions are not supported yet: {}.</source>
+        <translation>Parameter und Ausdrücke werden noch nicht unterstützt: {}.</translation>
+    </message>
+    <message>
+        <source>Subprograms, loops and branches are not supported yet: {}.</source>
+        <translation>Unterprogramme, Schleifen und Verzweigungen werden noch nicht unterstützt: {}.</translation>
+    </message>
+    <message>
+        <source>The comment is not closed.</source>
+        <translation>Der Kommentar ist nicht geschlossen.</translation>
+    </message>
+    <message>
+        <source>A comment stands within a comment.</source>
+        <translation>Ein Kommentar steht in einem Kommentar.</translation>
+    </message>
+    <message>
+        <source>The block has two {} words.</source>
+        <translation>Der Satz hat zwei Wörter {}.</translation>
+    </message>
+    <message>
+        <source>The block has more than 24 G and M words.</source>
+        <translation>Der Satz hat mehr als 24 G- und M-Wörter.</translation>
+    </message>
+    <message>
+        <source>The N word does not begin the block.</source>
+        <translation>Das N-Wort steht nicht am Anfang des Satzes.</translation>
+    </message>
+    <message>
+        <source>The block number is negative.</source>
+        <translation>Die Satznummer ist negativ.</translation>
+    </message>
+    <message>
+        <source>&quot;%&quot; marks the beginning and the end of a tape and must stand on a line of its own.</source>
+        <translation>„%“ bezeichnet Anfang und Ende eines Lochstreifens und muss in einer eigenen Zeile stehen.</translation>
+    </message>
+    <message>
+        <source>The program ends with &quot;%&quot; but does not begin with it.</source>
+        <translation>Das Programm endet mit „%“, beginnt aber nicht damit.</translation>
+    </message>
+    <message>
+        <source>&quot;%&quot; stands in the middle of the program.</source>
+        <translation>„%“ steht mitten im Programm.</translation>
+    </message>
+    <message>
+        <source>The text behind the second &quot;%&quot; is not run.</source>
+        <translation>Der Text hinter dem zweiten „%“ wird nicht ausgeführt.</translation>
+    </message>
+    <message>
+        <source>The blocks behind the end of the program are not run.</source>
+        <translation>Die Sätze hinter dem Programmende werden nicht ausgeführt.</translation>
+    </message>
+    <message>
+        <source>The program has no end: M2, M30 or a pair of &quot;%&quot;.</source>
+        <translation>Das Programm hat kein Ende: M2, M30 oder ein Paar „%“.</translation>
+    </message>
+    <message>
+        <source>The program has no motion.</source>
+        <translation>Das Programm hat keine Bewegung.</translation>
+    </message>
+    <message>
+        <source>Control codes of a tape or a serial line were skipped.</source>
+        <translation>Steuerzeichen eines Lochstreifens oder einer seriellen Leitung wurden übersprungen.</translation>
+    </message>
+    <message>
+        <source>The file begins with a byte order mark, which controls refuse.</source>
+        <translation>Die Datei beginnt mit einer Bytereihenfolge-Marke (BOM), die Steuerungen ablehnen.</translation>
+    </message>
+    <message>
+        <source>The line ends with CR alone, which LinuxCNC takes for no line end.</source>
+        <translation>Die Zeile endet mit CR allein, was LinuxCNC nicht als Zeilenende liest.</translation>
+    </message>
+    <message>
+        <source>The line has {} characters; LinuxCNC refuses more than 252.</source>
+        <translation>Die Zeile hat {} Zeichen; LinuxCNC lehnt mehr als 252 ab.</translation>
+    </message>
+    <message>
+        <source>The block number has more than 15 digits, which controls cannot hold.</source>
+        <translation>Die Satznummer hat mehr als 15 Stellen, die Steuerungen nicht fassen.</translation>
+    </message>
+    <message>
+        <source>The program has more than {} motions; interpretation ends here.</source>
+        <translation>Das Programm hat mehr als {} Bewegungen; die Interpretation endet hier.</translation>
+    </message>
+    <message>
+        <source>{} more messages are not shown.</source>
+        <translation>{} weitere Meldungen werden nicht gezeigt.</translation>
+    </message>
+    <message>
+        <source>Interpretation was stopped before this line.</source>
+        <translation>Die Interpretation wurde vor dieser Zeile abgebrochen.</translation>
+    </message>
+    <message>
+        <source>{} is not a known code.</source>
+        <translation>{} ist kein bekannter Befehl.</translation>
+    </message>
+    <message>
+        <source>{} ({}) is not supported yet.</source>
+        <translation>{} ({}) wird noch nicht unterstützt.</translation>
+    </message>
+    <message>
+        <source>{} and {} exclude each other in one block.</source>
+        <translation>{} und {} schließen einander in einem Satz aus.</translation>
+    </message>
+    <message>
+        <source>The block has more than four M words.</source>
+        <translation>Der Satz hat mehr als vier M-Wörter.</translation>
+    </message>
+    <message>
+        <source>The axis {} does not exist on a three-axis machine.</source>
+        <translation>Die Achse {} gibt es an einer Dreiachsmaschine nicht.</translation>
+    </message>
+    <message>
+        <source>No code of this block uses the word {}.</source>
+        <translation>Kein Befehl dieses Satzes verwendet das Wort {}.</translation>
+    </message>
+    <message>
+        <source>No motion code is in force for the word {}.</source>
+        <translation>Für das Wort {} ist kein Bewegungsbefehl wirksam.</translation>
+    </message>
+    <message>
+        <source>G80 cannot move the axis {}.</source>
+        <translation>G80 kann die Achse {} nicht bewegen.</translation>
+    </message>
+    <message>
+        <source>{} needs the word {}.</source>
+        <translation>{} braucht das Wort {}.</translation>
+    </message>
+    <message>
+        <source>The number of {} must not be negative.</source>
+        <translation>Die Zahl von {} darf nicht negativ sein.</translation>
+    </message>
+    <message>
+        <source>The number of {} must be a whole number from {} to {}.</source>
+        <translation>Die Zahl von {} muss eine ganze Zahl von {} bis {} sein.</translation>
+    </message>
+    <message>
+        <source>The feed is read in the unit that was in force before {}.</source>
+        <translation>Der Vorschub wird in der Einheit gelesen, die vor {} galt.</translation>
+    </message>
+    <message>
+        <source>M6 changes the tool, but none is selected.</source>
+        <translation>M6 wechselt das Werkzeug, aber es ist keines gewählt.</translation>
+    </message>
+    <message>
+        <source>A cutting motion has no feed rate.</source>
+        <translation>Eine Vorschubbewegung hat keinen Vorschub.</translation>
+    </message>
+    <message>
+        <source>The position of {} is not known, so this motion cuts nothing.</source>
+        <translation>Die Position von {} ist nicht bekannt; diese Bewegung fräst daher nichts.</translation>
+    </message>
+    <message>
+        <source>{} moves by a distance from a place that is not known.</source>
+        <translation>{} fährt um eine Strecke von einem unbekannten Ort aus.</translation>
+    </message>
+    <message>
+        <source>The arc has neither a centre nor a radius.</source>
+        <translation>Der Kreisbogen hat weder Mittelpunkt noch Radius.</translation>
+    </message>
+    <message>
+        <source>An absolute centre (G90.1) needs both {} and {}.</source>
+        <translation>Ein absoluter Mittelpunkt (G90.1) braucht {} und {}.</translation>
+    </message>
+    <message>
+        <source>The arc has both a centre and a radius.</source>
+        <translation>Der Kreisbogen hat Mittelpunkt und Radius zugleich.</translation>
+    </message>
+    <message>
+        <source>The word {} does not belong to an arc in the plane of {}.</source>
+        <translation>Das Wort {} gehört nicht zu einem Kreisbogen in der Ebene von {}.</translation>
+    </message>
+    <message>
+        <source>The arc has no radius: {} mm.</source>
+        <translation>Der Kreisbogen hat keinen Radius: {} mm.</translation>
+    </message>
+    <message>
+        <source>The arc does not fit: radius {} mm at its start, {} mm at its end, {} mm apart.</source>
+        <translation>Der Kreisbogen passt nicht: Radius {} mm am Anfang, {} mm am Ende, {} mm Unterschied.</translation>
+    </message>
+    <message>
+        <source>An arc with R cannot end where it begins.</source>
+        <translation>Ein Kreisbogen mit R kann nicht an seinem Anfang enden.</translation>
+    </message>
+    <message>
+        <source>The radius {} mm is too small: the end lies {} mm from the start, {} mm more than 2 R.</source>
+        <translation>Der Radius {} mm ist zu klein: Das Ende liegt {} mm vom Anfang, {} mm mehr als 2 R.</translation>
+    </message>
+    <message>
+        <source>The radius of the arc is {} mm, beyond what can be computed exactly.</source>
+        <translation>Der Radius des Bogens ist {} mm, mehr als sich genau rechnen lässt.</translation>
+    </message>
+    <message>
+        <source>P must be a whole number of turns from 1 to {}.</source>
+        <translation>P muss eine ganze Zahl von Umläufen von 1 bis {} sein.</translation>
+    </message>
+    <message>
+        <source>The file is encoded in {}, not in ASCII or UTF-8.</source>
+        <translation>Die Datei ist in {} kodiert, nicht in ASCII oder UTF-8.</translation>
+    </message>
+    <message>
+        <source>This is not an NC program: it holds binary data.</source>
+        <translation>Das ist kein NC-Programm: Es enthält Binärdaten.</translation>
+    </message>
+    <message>
+        <source>The grid spacing {} mm is not a number above 0.</source>
+        <translation>Die Rasterweite {} mm ist keine Zahl über 0.</translation>
+    </message>
+    <message>
+        <source>Each side of the stock {} must be above 0 and at most {} mm.</source>
+        <translation>Jede Seite des Rohteils {} muss über 0 und höchstens {} mm lang sein.</translation>
+    </message>
+    <message>
+        <source>The origin of the stock is not three numbers from -{} to {} mm.</source>
+        <translation>Der Ursprung des Rohteils besteht nicht aus drei Zahlen von -{} bis {} mm.</translation>
+    </message>
+    <message>
+        <source>The grid spacing {} mm is too coarse for the stock {}; the coarsest possible is {} mm.</source>
+        <translation>Die Rasterweite {} mm ist zu grob für das Rohteil {}; die gröbste mögliche ist {} mm.</translation>
+    </message>
+    <message>
+        <source>The grid spacing {} mm makes {} points on the stock {}, {} of memory; the finest possible is {} mm.</source>
+        <translation>Die Rasterweite {} mm ergibt {} Punkte auf dem Rohteil {}, {} Speicher; die feinste mögliche ist {} mm.</translation>
+    </message>
+    <message>
+        <source>The grid spacing {} mm is lost in the rounding of coordinates as large as {} mm.</source>
+        <translation>Die Rasterweite {} mm geht im Runden so großer Koordinaten wie {} mm verloren.</translation>
+    </message>
+    <message>
+        <source>The z-map needs {}, but the machine has only {} left.</source>
+        <translation>Die Z-Map braucht {}, aber der Rechner hat nur noch {}.</translation>
+    </message>
+    <message>
+        <source>A grid of {} × {} points needs {}, but the machine has only {} left; the finest spacing that fits is {} mm.</source>
+        <translation>Ein Raster von {} × {} Punkten braucht {}, aber der Rechner hat nur noch {}; die feinste passende Rasterweite ist {} mm.</translation>
+    </message>
+    <message>
+        <source>“{}” is not a stock size of the form WxDxH in mm, as in {}.</source>
+        <translation>„{}“ ist keine Rohteilgröße der Form BxTxH in mm wie in {}.</translation>
+    </message>
+    <message>
+        <source>Every side of the stock must be more than 0 mm, not “{}”.</source>
+        <translation>Jede Seite des Rohteils muss größer als 0 mm sein, nicht „{}“.</translation>
+    </message>
+    <message>
+        <source>“{}” is not a point of the form X,Y,Z in mm.</source>
+        <translation>„{}“ ist kein Punkt der Form X,Y,Z in mm.</translation>
     </message>
 </context>
 <context>

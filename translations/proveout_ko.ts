@@ -79,38 +79,6 @@
         <translation>파일 크기가 {}입니다. 한도는 {}입니다.</translation>
     </message>
     <message>
-        <source>the value of {}, “{}”, is not a number</source>
-        <translation>{}의 값 “{}”은(는) 숫자가 아닙니다</translation>
-    </message>
-    <message>
-        <source>{}={} is out of its limits, {} to {} {}</source>
-        <translation>{}={}은(는) 허용 범위 {}~{} {}를 벗어납니다</translation>
-    </message>
-    <message>
-        <source>the key {} is given twice</source>
-        <translation>키 {}이(가) 두 번 지정되었습니다</translation>
-    </message>
-    <message>
-        <source>“{}” is no key of this cutter shape; there are {}</source>
-        <translation>“{}”은(는) 이 공구 형상의 키가 아닙니다. 사용할 수 있는 키: {}</translation>
-    </message>
-    <message>
-        <source>a cutter of the shape {} needs the key {} ({}, {} to {} {})</source>
-        <translation>{} 형상의 공구에는 키 {}이(가) 필요합니다({}, {}~{} {})</translation>
-    </message>
-    <message>
-        <source>“{}” is no cutter shape; there are {}</source>
-        <translation>“{}”은(는) 공구 형상이 아닙니다. 사용할 수 있는 형상: {}</translation>
-    </message>
-    <message>
-        <source>the flute length l={} is less than the height of the cutter&apos;s profile, {} mm</source>
-        <translation>날 길이 l={}이(가) 공구 윤곽의 높이 {} mm보다 짧습니다</translation>
-    </message>
-    <message>
-        <source>“{}” does not begin with a tool number of 1 or more, as in {}</source>
-        <translation>“{}”이(가) {}처럼 1 이상의 공구 번호로 시작하지 않습니다</translation>
-    </message>
-    <message>
         <source>Diameter</source>
         <translation>지름</translation>
     </message>
@@ -137,14 +105,6 @@
     <message>
         <source>Shank length</source>
         <translation>생크 길이</translation>
-    </message>
-    <message>
-        <source>the corner radius r={} is larger than half the diameter, {} mm</source>
-        <translation>코너 반경 r={}이(가) 지름의 절반 {} mm보다 큽니다</translation>
-    </message>
-    <message>
-        <source>the flat tip tip={} is not smaller than the diameter, {} mm</source>
-        <translation>평평한 선단 tip={}이(가) 지름 {} mm보다 작지 않습니다</translation>
     </message>
     <message>
         <source>Flat end mill</source>
@@ -1119,424 +1079,200 @@
         <translation>Z 좌표</translation>
     </message>
     <message>
-        <source>&quot;{}&quot; has no meaning here</source>
-        <translation>&quot;{}&quot;은(는) 여기서 의미가 없습니다</translation>
-    </message>
-    <message>
         <source>Remove the character, or put the text into a comment: ( … ).</source>
         <translation>문자를 지우거나 텍스트를 주석 ( … ) 안에 넣으십시오.</translation>
-    </message>
-    <message>
-        <source>the word {} has no number</source>
-        <translation>{} 워드에 숫자가 없습니다</translation>
     </message>
     <message>
         <source>Write the number behind the letter, for example X10.5.</source>
         <translation>문자 뒤에 숫자를 쓰십시오. 예: X10.5.</translation>
     </message>
     <message>
-        <source>the number of {} has two signs</source>
-        <translation>{}의 숫자에 부호가 두 개 있습니다</translation>
-    </message>
-    <message>
         <source>Controls read this differently; write one sign.</source>
         <translation>제어기마다 다르게 읽습니다. 부호를 하나만 쓰십시오.</translation>
-    </message>
-    <message>
-        <source>the number of {} has two decimal points</source>
-        <translation>{}의 숫자에 소수점이 두 개 있습니다</translation>
     </message>
     <message>
         <source>Keep one point.</source>
         <translation>소수점을 하나만 남기십시오.</translation>
     </message>
     <message>
-        <source>the number of {} is out of range: larger than 1e12</source>
-        <translation>{}의 숫자가 범위를 벗어납니다(1e12 초과)</translation>
-    </message>
-    <message>
         <source>Check the number.</source>
         <translation>숫자를 확인하십시오.</translation>
-    </message>
-    <message>
-        <source>parameters and expressions are not supported yet: {}</source>
-        <translation>매개변수와 수식은 아직 지원하지 않습니다: {}</translation>
     </message>
     <message>
         <source>Replace it by its value, or let the CAM system write plain numbers.</source>
         <translation>값으로 바꾸거나 CAM 시스템에서 숫자로 출력하십시오.</translation>
     </message>
     <message>
-        <source>subprograms, loops and branches are not supported yet: {}</source>
-        <translation>부프로그램, 반복, 분기는 아직 지원하지 않습니다: {}</translation>
-    </message>
-    <message>
         <source>Let the CAM system write the motions out.</source>
         <translation>CAM 시스템에서 이송을 모두 풀어 출력하십시오.</translation>
-    </message>
-    <message>
-        <source>the comment is not closed</source>
-        <translation>주석이 닫히지 않았습니다</translation>
     </message>
     <message>
         <source>Close it with &quot;)&quot; in the same line.</source>
         <translation>같은 줄에서 &quot;)&quot;로 닫으십시오.</translation>
     </message>
     <message>
-        <source>a comment stands within a comment</source>
-        <translation>주석 안에 주석이 있습니다</translation>
-    </message>
-    <message>
         <source>Controls end it at different brackets; use no &quot;(&quot; within a comment.</source>
         <translation>제어기마다 끝내는 괄호가 다릅니다. 주석 안에 &quot;(&quot;를 쓰지 마십시오.</translation>
-    </message>
-    <message>
-        <source>the block has two {} words</source>
-        <translation>블록에 {} 워드가 두 개 있습니다</translation>
     </message>
     <message>
         <source>Keep one of them, or make two blocks.</source>
         <translation>하나만 남기거나 두 블록으로 나누십시오.</translation>
     </message>
     <message>
-        <source>the block has too many G and M words</source>
-        <translation>블록에 G 및 M 워드가 너무 많습니다</translation>
-    </message>
-    <message>
         <source>Make several blocks of it.</source>
         <translation>여러 블록으로 나누십시오.</translation>
-    </message>
-    <message>
-        <source>the N word does not begin the block</source>
-        <translation>N 워드가 블록의 처음에 있지 않습니다</translation>
     </message>
     <message>
         <source>Write it first, or put it on a line of its own.</source>
         <translation>맨 앞에 쓰거나 별도의 줄에 두십시오.</translation>
     </message>
     <message>
-        <source>the block number is negative</source>
-        <translation>블록 번호가 음수입니다</translation>
-    </message>
-    <message>
         <source>Use N with digits only.</source>
         <translation>N 뒤에는 숫자만 쓰십시오.</translation>
-    </message>
-    <message>
-        <source>&quot;%&quot; marks the begin and the end of a tape and stands on a line of its own</source>
-        <translation>&quot;%&quot;는 테이프의 시작과 끝을 나타내며 별도의 줄에 있어야 합니다</translation>
     </message>
     <message>
         <source>Move the rest to another line.</source>
         <translation>나머지를 다른 줄로 옮기십시오.</translation>
     </message>
     <message>
-        <source>the program ends with &quot;%&quot; but does not begin with it</source>
-        <translation>프로그램이 &quot;%&quot;로 끝나지만 &quot;%&quot;로 시작하지 않습니다</translation>
-    </message>
-    <message>
         <source>LinuxCNC refuses this; write &quot;%&quot; on the first line too, or on none.</source>
         <translation>LinuxCNC는 이를 거부합니다. 첫 줄에도 &quot;%&quot;를 쓰거나 모두 빼십시오.</translation>
-    </message>
-    <message>
-        <source>&quot;%&quot; stands in the middle of the program</source>
-        <translation>&quot;%&quot;가 프로그램 중간에 있습니다</translation>
     </message>
     <message>
         <source>Controls skip what is before it, or what is behind it; keep one program in a file.</source>
         <translation>제어기에 따라 앞이나 뒤를 건너뜁니다. 파일 하나에 프로그램 하나만 두십시오.</translation>
     </message>
     <message>
-        <source>the text behind the second &quot;%&quot; is not run</source>
-        <translation>두 번째 &quot;%&quot; 뒤의 텍스트는 실행되지 않습니다</translation>
-    </message>
-    <message>
-        <source>the blocks behind the end of the program are not run</source>
-        <translation>프로그램 종료 뒤의 블록은 실행되지 않습니다</translation>
-    </message>
-    <message>
-        <source>the program has no end: M2, M30 or a pair of &quot;%&quot;</source>
-        <translation>프로그램에 종료(M2, M30 또는 &quot;%&quot; 쌍)가 없습니다</translation>
-    </message>
-    <message>
         <source>Add M30 as the last block.</source>
         <translation>마지막 블록에 M30을 추가하십시오.</translation>
-    </message>
-    <message>
-        <source>the program has no motion</source>
-        <translation>프로그램에 이송이 없습니다</translation>
     </message>
     <message>
         <source>Check that this is the right file and that it is complete.</source>
         <translation>올바른 파일인지, 온전한지 확인하십시오.</translation>
     </message>
     <message>
-        <source>control codes of a tape or a serial line were skipped</source>
-        <translation>테이프 또는 시리얼 통신의 제어 문자를 건너뛰었습니다</translation>
-    </message>
-    <message>
         <source>Harmless here; save the file as plain text to be rid of them.</source>
         <translation>여기서는 문제가 없습니다. 일반 텍스트로 저장하면 없어집니다.</translation>
-    </message>
-    <message>
-        <source>the file begins with a byte order mark, which controls refuse</source>
-        <translation>파일이 제어기가 거부하는 바이트 순서 표시(BOM)로 시작합니다</translation>
     </message>
     <message>
         <source>Save it as UTF-8 without the mark, or as ASCII.</source>
         <translation>BOM 없는 UTF-8 또는 ASCII로 저장하십시오.</translation>
     </message>
     <message>
-        <source>the line ends with CR alone, which LinuxCNC takes for no line end</source>
-        <translation>줄이 CR만으로 끝나며 LinuxCNC는 이를 줄 끝으로 보지 않습니다</translation>
-    </message>
-    <message>
         <source>Save the file with LF or CR LF line ends.</source>
         <translation>LF 또는 CR LF 줄 끝으로 파일을 저장하십시오.</translation>
-    </message>
-    <message>
-        <source>the line has {} characters; LinuxCNC refuses more than 252</source>
-        <translation>줄이 {}자입니다. LinuxCNC는 252자를 넘으면 거부합니다</translation>
     </message>
     <message>
         <source>Split the line.</source>
         <translation>줄을 나누십시오.</translation>
     </message>
     <message>
-        <source>the block number has more digits than controls can hold</source>
-        <translation>블록 번호의 자릿수가 제어기의 한도를 넘습니다</translation>
-    </message>
-    <message>
         <source>It is a label only; number the blocks anew.</source>
         <translation>표시일 뿐입니다. 블록 번호를 다시 매기십시오.</translation>
-    </message>
-    <message>
-        <source>the program has more than {} motions; interpretation ends here</source>
-        <translation>프로그램의 이송이 {}개를 넘어 여기서 해석을 끝냅니다</translation>
     </message>
     <message>
         <source>Raise the limit, or split the program.</source>
         <translation>한도를 늘리거나 프로그램을 나누십시오.</translation>
     </message>
     <message>
-        <source>{} more messages are not shown</source>
-        <translation>메시지 {}건을 더 표시하지 않습니다</translation>
-    </message>
-    <message>
-        <source>interpretation was stopped before this line</source>
-        <translation>이 줄 앞에서 해석이 중단되었습니다</translation>
-    </message>
-    <message>
-        <source>{} is not known</source>
-        <translation>{}은(는) 알 수 없는 코드입니다</translation>
-    </message>
-    <message>
         <source>Without its effect nothing behind it can be vouched for.</source>
         <translation>이 코드의 효과 없이는 뒤의 내용을 보증할 수 없습니다.</translation>
-    </message>
-    <message>
-        <source>{} ({}) is not supported yet</source>
-        <translation>{}({})은(는) 아직 지원하지 않습니다</translation>
-    </message>
-    <message>
-        <source>{} and {} exclude each other in one block</source>
-        <translation>한 블록에서 {}와(과) {}를 함께 쓸 수 없습니다</translation>
     </message>
     <message>
         <source>Keep one of them, or make two blocks; this block is skipped.</source>
         <translation>하나만 남기거나 두 블록으로 나누십시오. 이 블록은 건너뜁니다.</translation>
     </message>
     <message>
-        <source>the block has more than four M words</source>
-        <translation>블록에 M 워드가 네 개를 넘습니다</translation>
-    </message>
-    <message>
         <source>Make several blocks of it; this block is skipped.</source>
         <translation>여러 블록으로 나누십시오. 이 블록은 건너뜁니다.</translation>
-    </message>
-    <message>
-        <source>the axis {} does not exist on a three-axis machine</source>
-        <translation>{} 축은 3축 기계에 없습니다</translation>
     </message>
     <message>
         <source>The motion is shown without it.</source>
         <translation>이 축 없이 이송을 표시합니다.</translation>
     </message>
     <message>
-        <source>no code of this block uses the word {}</source>
-        <translation>이 블록에는 {} 워드를 쓰는 코드가 없습니다</translation>
-    </message>
-    <message>
         <source>Remove it, or add the code that it belongs to; this block is skipped.</source>
         <translation>지우거나 해당 코드를 추가하십시오. 이 블록은 건너뜁니다.</translation>
-    </message>
-    <message>
-        <source>no motion code is in force for the word {}</source>
-        <translation>{} 워드에 대해 유효한 이송 코드가 없습니다</translation>
     </message>
     <message>
         <source>Write G0, G1, G2 or G3 into the block; this block is skipped.</source>
         <translation>블록에 G0, G1, G2 또는 G3을 쓰십시오. 이 블록은 건너뜁니다.</translation>
     </message>
     <message>
-        <source>G80 cannot move the axis {}</source>
-        <translation>G80으로는 {} 축을 움직일 수 없습니다</translation>
-    </message>
-    <message>
         <source>Controls differ here; move in a block of its own. This block is skipped.</source>
         <translation>제어기마다 다릅니다. 별도의 블록에서 이송하십시오. 이 블록은 건너뜁니다.</translation>
-    </message>
-    <message>
-        <source>{} needs the word {}</source>
-        <translation>{}에는 {} 워드가 필요합니다</translation>
     </message>
     <message>
         <source>Add it; the code has no effect without it.</source>
         <translation>추가하십시오. 없으면 코드가 효과를 내지 않습니다.</translation>
     </message>
     <message>
-        <source>the number of {} must not be negative</source>
-        <translation>{}의 숫자는 음수일 수 없습니다</translation>
-    </message>
-    <message>
         <source>The word is ignored.</source>
         <translation>이 워드는 무시됩니다.</translation>
-    </message>
-    <message>
-        <source>the number of {} must be a whole number from {} to {}</source>
-        <translation>{}의 숫자는 {}에서 {} 사이의 정수여야 합니다</translation>
-    </message>
-    <message>
-        <source>the feed is read in the unit that was in force before {}</source>
-        <translation>이송 속도는 {} 이전에 유효하던 단위로 읽습니다</translation>
     </message>
     <message>
         <source>LinuxCNC reads F first; switch the unit in a block before.</source>
         <translation>LinuxCNC는 F를 먼저 읽습니다. 앞 블록에서 단위를 바꾸십시오.</translation>
     </message>
     <message>
-        <source>M6 changes the tool, but none is selected</source>
-        <translation>M6으로 공구를 교환하지만 선택된 공구가 없습니다</translation>
-    </message>
-    <message>
         <source>Write the T word into the block or before it.</source>
         <translation>이 블록이나 그 앞에 T 워드를 쓰십시오.</translation>
-    </message>
-    <message>
-        <source>a cutting motion without a feed rate</source>
-        <translation>이송 속도가 없는 절삭 이송입니다</translation>
     </message>
     <message>
         <source>Give F in this block or before it; there is no default.</source>
         <translation>이 블록이나 그 앞에 F를 지정하십시오. 기본값은 없습니다.</translation>
     </message>
     <message>
-        <source>where {} stands is not known, so this motion cuts nothing</source>
-        <translation>{}의 위치를 알 수 없어 이 이송은 아무것도 절삭하지 않습니다</translation>
-    </message>
-    <message>
         <source>Position all axes with G0 before the first cut.</source>
         <translation>첫 절삭 전에 G0으로 모든 축의 위치를 정하십시오.</translation>
-    </message>
-    <message>
-        <source>{} moves by a distance from a place that is not known</source>
-        <translation>{}이(가) 알 수 없는 위치에서 증분 이송합니다</translation>
     </message>
     <message>
         <source>Position the axis in G90 first.</source>
         <translation>먼저 G90으로 축의 위치를 정하십시오.</translation>
     </message>
     <message>
-        <source>the arc has neither a centre nor a radius</source>
-        <translation>원호에 중심도 반경도 없습니다</translation>
-    </message>
-    <message>
         <source>Give the centre with {} and {}, or the radius with R.</source>
         <translation>{}와(과) {}로 중심을 지정하거나 R로 반경을 지정하십시오.</translation>
-    </message>
-    <message>
-        <source>an absolute centre (G90.1) needs both {} and {}</source>
-        <translation>절대 중심(G90.1)에는 {}와(과) {}가 모두 필요합니다</translation>
     </message>
     <message>
         <source>Add the missing word, or use G91.1.</source>
         <translation>빠진 워드를 추가하거나 G91.1을 쓰십시오.</translation>
     </message>
     <message>
-        <source>the arc has both a centre and a radius</source>
-        <translation>원호에 중심과 반경이 모두 있습니다</translation>
-    </message>
-    <message>
         <source>Controls differ in which one they take; keep one.</source>
         <translation>제어기마다 쓰는 값이 다릅니다. 하나만 남기십시오.</translation>
-    </message>
-    <message>
-        <source>the word {} does not belong to an arc in the plane of {}</source>
-        <translation>{} 워드는 {} 평면의 원호에 속하지 않습니다</translation>
     </message>
     <message>
         <source>Remove the word, or select the plane that was meant.</source>
         <translation>워드를 지우거나 의도한 평면을 선택하십시오.</translation>
     </message>
     <message>
-        <source>the arc has no radius: {} mm</source>
-        <translation>원호에 반경이 없습니다: {} mm</translation>
-    </message>
-    <message>
         <source>The centre lies on the start or the end point.</source>
         <translation>중심이 시작점 또는 끝점에 있습니다.</translation>
-    </message>
-    <message>
-        <source>the arc does not fit: radius {} mm at its start, {} mm at its end, {} mm apart</source>
-        <translation>원호가 맞지 않습니다: 시작 반경 {} mm, 끝 반경 {} mm, 차이 {} mm</translation>
     </message>
     <message>
         <source>Check the centre: I J K count from the start point, after G90.1 from the origin.</source>
         <translation>중심을 확인하십시오. I J K는 시작점 기준이며 G90.1 뒤에는 원점 기준입니다.</translation>
     </message>
     <message>
-        <source>an arc with R cannot end where it begins</source>
-        <translation>R을 쓰는 원호는 시작점에서 끝날 수 없습니다</translation>
-    </message>
-    <message>
         <source>Give a full circle its centre, or make two arcs of it.</source>
         <translation>전체 원에는 중심을 지정하거나 두 원호로 나누십시오.</translation>
-    </message>
-    <message>
-        <source>the radius {} mm is too small: the end lies {} mm from the start, {} mm more than 2 R</source>
-        <translation>반경 {} mm가 너무 작습니다: 끝점이 시작점에서 {} mm 떨어져 2 R보다 {} mm 깁니다</translation>
     </message>
     <message>
         <source>Check R and the end point.</source>
         <translation>R과 끝점을 확인하십시오.</translation>
     </message>
     <message>
-        <source>the radius of the arc is {} mm, beyond what can be computed exactly</source>
-        <translation>원호의 반경이 {} mm로 정확히 계산할 수 있는 범위를 넘습니다</translation>
-    </message>
-    <message>
         <source>Check the centre; use G1 for a straight line.</source>
         <translation>중심을 확인하십시오. 직선에는 G1을 쓰십시오.</translation>
-    </message>
-    <message>
-        <source>P must be a whole number of turns from 1 to {}</source>
-        <translation>P는 1에서 {} 사이의 정수 회전수여야 합니다</translation>
     </message>
     <message>
         <source>Check the P word.</source>
         <translation>P 워드를 확인하십시오.</translation>
     </message>
     <message>
-        <source>the file is encoded in {}, not in ASCII or UTF-8</source>
-        <translation>파일의 인코딩이 ASCII나 UTF-8이 아니라 {}입니다</translation>
-    </message>
-    <message>
         <source>Save it as plain text (ASCII or UTF-8) and open it again.</source>
         <translation>일반 텍스트(ASCII 또는 UTF-8)로 저장한 뒤 다시 여십시오.</translation>
-    </message>
-    <message>
-        <source>this is not an NC program: it holds binary data</source>
-        <translation>NC 프로그램이 아닙니다. 이진 데이터가 들어 있습니다</translation>
     </message>
     <message>
         <source>Choose the text file that the machine would run.</source>
@@ -1595,42 +1331,6 @@
         <translation>시뮬레이션을 중단해야 했습니다: {}.</translation>
     </message>
     <message>
-        <source>the stock {} is not of three sides above 0 and up to {} mm</source>
-        <translation>소재 {}의 세 변은 0보다 크고 {} mm 이하여야 합니다</translation>
-    </message>
-    <message>
-        <source>the grid spacing {} mm is not a number above 0</source>
-        <translation>격자 간격 {} mm는 0보다 큰 숫자가 아닙니다</translation>
-    </message>
-    <message>
-        <source>the grid spacing {} mm leaves no cell on the stock {}; the coarsest that does is {} mm</source>
-        <translation>격자 간격 {} mm로는 소재 {}에 셀이 없습니다. 가능한 가장 큰 간격은 {} mm입니다</translation>
-    </message>
-    <message>
-        <source>the grid spacing {} mm makes {} points on the stock {}, {} of memory; the finest possible is {} mm</source>
-        <translation>격자 간격 {} mm로는 점 {}개(소재 {}, 메모리 {})가 됩니다. 가능한 가장 작은 간격은 {} mm입니다</translation>
-    </message>
-    <message>
-        <source>the z-map needs {}, but the machine has only {} left</source>
-        <translation>Z맵에 {}가 필요하지만 남은 메모리는 {}뿐입니다</translation>
-    </message>
-    <message>
-        <source>a grid of {} × {} points needs {}, but the machine has only {} left; the finest spacing that fits is {} mm</source>
-        <translation>{} × {}점의 격자에는 {}가 필요하지만 남은 메모리는 {}뿐입니다. 맞는 가장 작은 간격은 {} mm입니다</translation>
-    </message>
-    <message>
-        <source>“{}” is not a stock size of the form WxDxH in mm, as in {}</source>
-        <translation>“{}”은(는) {}처럼 WxDxH 형식의 소재 크기(mm)가 아닙니다</translation>
-    </message>
-    <message>
-        <source>every side of the stock must be more than 0 mm, not “{}”</source>
-        <translation>소재의 모든 변은 0 mm보다 커야 하며 “{}”일 수 없습니다</translation>
-    </message>
-    <message>
-        <source>“{}” is not a point of the form X,Y,Z in mm</source>
-        <translation>“{}”은(는) X,Y,Z 형식의 점(mm)이 아닙니다</translation>
-    </message>
-    <message>
         <source>The export was cancelled.</source>
         <translation>내보내기가 취소되었습니다.</translation>
     </message>
@@ -1665,14 +1365,6 @@
     <message>
         <source>The file cannot be written: {}.</source>
         <translation>파일을 쓸 수 없습니다: {}.</translation>
-    </message>
-    <message>
-        <source>the origin of the stock is not three numbers from -{} to {} mm</source>
-        <translation>소재 원점이 -{}에서 {} mm 사이의 숫자 세 개가 아닙니다</translation>
-    </message>
-    <message>
-        <source>the grid spacing {} mm is lost in the rounding of coordinates as large as {} mm</source>
-        <translation>격자 간격 {} mm은 {} mm만큼 큰 좌표의 반올림에서 사라집니다</translation>
     </message>
     <message>
         <source>The field &quot;{}&quot; is not known and has no effect.</source>
@@ -1713,6 +1405,314 @@
     <message>
         <source>An export is still being written; wait for its end or cancel it.</source>
         <translation>내보내기가 아직 진행 중입니다. 끝날 때까지 기다리거나 취소하십시오.</translation>
+    </message>
+    <message>
+        <source>The value of {}, “{}”, is not a number.</source>
+        <translation>{}의 값 “{}”은(는) 숫자가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>{}={} is out of its limits, {} to {} {}.</source>
+        <translation>{}={}은(는) 허용 범위 {}~{} {}를 벗어납니다.</translation>
+    </message>
+    <message>
+        <source>The key {} is given twice.</source>
+        <translation>키 {}이(가) 두 번 지정되었습니다.</translation>
+    </message>
+    <message>
+        <source>“{}” is no key of this cutter shape; there are {}.</source>
+        <translation>“{}”은(는) 이 공구 형상의 키가 아닙니다. 사용할 수 있는 키: {}.</translation>
+    </message>
+    <message>
+        <source>A cutter of the shape {} needs the key {} ({}, {} to {} {}).</source>
+        <translation>{} 형상의 공구에는 키 {}이(가) 필요합니다({}, {}~{} {}).</translation>
+    </message>
+    <message>
+        <source>“{}” is no cutter shape; there are {}.</source>
+        <translation>“{}”은(는) 공구 형상이 아닙니다. 사용할 수 있는 형상: {}.</translation>
+    </message>
+    <message>
+        <source>The flute length l={} is less than the height of the cutter&apos;s profile, {} mm.</source>
+        <translation>날 길이 l={}이(가) 공구 윤곽의 높이 {} mm보다 짧습니다.</translation>
+    </message>
+    <message>
+        <source>“{}” does not begin with a tool number of 1 or more, as in {}.</source>
+        <translation>“{}”이(가) {}처럼 1 이상의 공구 번호로 시작하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The corner radius r={} is larger than half the diameter, {} mm.</source>
+        <translation>코너 반경 r={}이(가) 지름의 절반 {} mm보다 큽니다.</translation>
+    </message>
+    <message>
+        <source>The flat tip tip={} is not smaller than the diameter, {} mm.</source>
+        <translation>평평한 선단 tip={}이(가) 지름 {} mm보다 작지 않습니다.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; has no meaning here.</source>
+        <translation>&quot;{}&quot;은(는) 여기서 의미가 없습니다.</translation>
+    </message>
+    <message>
+        <source>The word {} has no number.</source>
+        <translation>{} 워드에 숫자가 없습니다.</translation>
+    </message>
+    <message>
+        <source>The number of {} has two signs.</source>
+        <translation>{}의 숫자에 부호가 두 개 있습니다.</translation>
+    </message>
+    <message>
+        <source>The number of {} has two decimal points.</source>
+        <translation>{}의 숫자에 소수점이 두 개 있습니다.</translation>
+    </message>
+    <message>
+        <source>The number of {} is out of range: larger than 1e12.</source>
+        <translation>{}의 숫자가 범위를 벗어납니다(1e12 초과).</translation>
+    </message>
+    <message>
+        <source>Parameters and expressions are not supported yet: {}.</source>
+        <translation>매개변수와 수식은 아직 지원하지 않습니다: {}.</translation>
+    </message>
+    <message>
+        <source>Subprograms, loops and branches are not supported yet: {}.</source>
+        <translation>부프로그램, 반복, 분기는 아직 지원하지 않습니다: {}.</translation>
+    </message>
+    <message>
+        <source>The comment is not closed.</source>
+        <translation>주석이 닫히지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>A comment stands within a comment.</source>
+        <translation>주석 안에 주석이 있습니다.</translation>
+    </message>
+    <message>
+        <source>The block has two {} words.</source>
+        <translation>블록에 {} 워드가 두 개 있습니다.</translation>
+    </message>
+    <message>
+        <source>The block has more than 24 G and M words.</source>
+        <translation>블록에 G 및 M 워드가 24개를 넘습니다.</translation>
+    </message>
+    <message>
+        <source>The N word does not begin the block.</source>
+        <translation>N 워드가 블록의 처음에 있지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The block number is negative.</source>
+        <translation>블록 번호가 음수입니다.</translation>
+    </message>
+    <message>
+        <source>&quot;%&quot; marks the beginning and the end of a tape and must stand on a line of its own.</source>
+        <translation>&quot;%&quot;는 테이프의 시작과 끝을 나타내며 별도의 줄에 있어야 합니다.</translation>
+    </message>
+    <message>
+        <source>The program ends with &quot;%&quot; but does not begin with it.</source>
+        <translation>프로그램이 &quot;%&quot;로 끝나지만 &quot;%&quot;로 시작하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>&quot;%&quot; stands in the middle of the program.</source>
+        <translation>&quot;%&quot;가 프로그램 중간에 있습니다.</translation>
+    </message>
+    <message>
+        <source>The text behind the second &quot;%&quot; is not run.</source>
+        <translation>두 번째 &quot;%&quot; 뒤의 텍스트는 실행되지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The blocks behind the end of the program are not run.</source>
+        <translation>프로그램 종료 뒤의 블록은 실행되지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The program has no end: M2, M30 or a pair of &quot;%&quot;.</source>
+        <translation>프로그램에 종료(M2, M30 또는 &quot;%&quot; 쌍)가 없습니다.</translation>
+    </message>
+    <message>
+        <source>The program has no motion.</source>
+        <translation>프로그램에 이송이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Control codes of a tape or a serial line were skipped.</source>
+        <translation>테이프 또는 시리얼 통신의 제어 문자를 건너뛰었습니다.</translation>
+    </message>
+    <message>
+        <source>The file begins with a byte order mark, which controls refuse.</source>
+        <translation>파일이 제어기가 거부하는 바이트 순서 표시(BOM)로 시작합니다.</translation>
+    </message>
+    <message>
+        <source>The line ends with CR alone, which LinuxCNC takes for no line end.</source>
+        <translation>줄이 CR만으로 끝나며 LinuxCNC는 이를 줄 끝으로 보지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The line has {} characters; LinuxCNC refuses more than 252.</source>
+        <translation>줄이 {}자입니다. LinuxCNC는 252자를 넘으면 거부합니다.</translation>
+    </message>
+    <message>
+        <source>The block number has more than 15 digits, which controls cannot hold.</source>
+        <translation>블록 번호가 15자리를 넘어 제어기의 한도를 벗어납니다.</translation>
+    </message>
+    <message>
+        <source>The program has more than {} motions; interpretation ends here.</source>
+        <translation>프로그램의 이송이 {}개를 넘어 여기서 해석을 끝냅니다.</translation>
+    </message>
+    <message>
+        <source>{} more messages are not shown.</source>
+        <translation>메시지 {}건을 더 표시하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Interpretation was stopped before this line.</source>
+        <translation>이 줄 앞에서 해석이 중단되었습니다.</translation>
+    </message>
+    <message>
+        <source>{} is not a known code.</source>
+        <translation>{}은(는) 알 수 없는 코드입니다.</translation>
+    </message>
+    <message>
+        <source>{} ({}) is not supported yet.</source>
+        <translation>{}({})은(는) 아직 지원하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>{} and {} exclude each other in one block.</source>
+        <translation>한 블록에서 {}와(과) {}를 함께 쓸 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>The block has more than four M words.</source>
+        <translation>블록에 M 워드가 네 개를 넘습니다.</translation>
+    </message>
+    <message>
+        <source>The axis {} does not exist on a three-axis machine.</source>
+        <translation>{} 축은 3축 기계에 없습니다.</translation>
+    </message>
+    <message>
+        <source>No code of this block uses the word {}.</source>
+        <translation>이 블록에는 {} 워드를 쓰는 코드가 없습니다.</translation>
+    </message>
+    <message>
+        <source>No motion code is in force for the word {}.</source>
+        <translation>{} 워드에 대해 유효한 이송 코드가 없습니다.</translation>
+    </message>
+    <message>
+        <source>G80 cannot move the axis {}.</source>
+        <translation>G80으로는 {} 축을 움직일 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>{} needs the word {}.</source>
+        <translation>{}에는 {} 워드가 필요합니다.</translation>
+    </message>
+    <message>
+        <source>The number of {} must not be negative.</source>
+        <translation>{}의 숫자는 음수일 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>The number of {} must be a whole number from {} to {}.</source>
+        <translation>{}의 숫자는 {}에서 {} 사이의 정수여야 합니다.</translation>
+    </message>
+    <message>
+        <source>The feed is read in the unit that was in force before {}.</source>
+        <translation>이송 속도는 {} 이전에 유효하던 단위로 읽습니다.</translation>
+    </message>
+    <message>
+        <source>M6 changes the tool, but none is selected.</source>
+        <translation>M6으로 공구를 교환하지만 선택된 공구가 없습니다.</translation>
+    </message>
+    <message>
+        <source>A cutting motion has no feed rate.</source>
+        <translation>절삭 이송에 이송 속도가 없습니다.</translation>
+    </message>
+    <message>
+        <source>The position of {} is not known, so this motion cuts nothing.</source>
+        <translation>{}의 위치를 알 수 없어 이 이송은 아무것도 절삭하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>{} moves by a distance from a place that is not known.</source>
+        <translation>{}이(가) 알 수 없는 위치에서 증분 이송합니다.</translation>
+    </message>
+    <message>
+        <source>The arc has neither a centre nor a radius.</source>
+        <translation>원호에 중심도 반경도 없습니다.</translation>
+    </message>
+    <message>
+        <source>An absolute centre (G90.1) needs both {} and {}.</source>
+        <translation>절대 중심(G90.1)에는 {}와(과) {}가 모두 필요합니다.</translation>
+    </message>
+    <message>
+        <source>The arc has both a centre and a radius.</source>
+        <translation>원호에 중심과 반경이 모두 있습니다.</translation>
+    </message>
+    <message>
+        <source>The word {} does not belong to an arc in the plane of {}.</source>
+        <translation>{} 워드는 {} 평면의 원호에 속하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The arc has no radius: {} mm.</source>
+        <translation>원호에 반경이 없습니다: {} mm.</translation>
+    </message>
+    <message>
+        <source>The arc does not fit: radius {} mm at its start, {} mm at its end, {} mm apart.</source>
+        <translation>원호가 맞지 않습니다: 시작 반경 {} mm, 끝 반경 {} mm, 차이 {} mm.</translation>
+    </message>
+    <message>
+        <source>An arc with R cannot end where it begins.</source>
+        <translation>R을 쓰는 원호는 시작점에서 끝날 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>The radius {} mm is too small: the end lies {} mm from the start, {} mm more than 2 R.</source>
+        <translation>반경 {} mm가 너무 작습니다: 끝점이 시작점에서 {} mm 떨어져 2 R보다 {} mm 깁니다.</translation>
+    </message>
+    <message>
+        <source>The radius of the arc is {} mm, beyond what can be computed exactly.</source>
+        <translation>원호의 반경이 {} mm로 정확히 계산할 수 있는 범위를 넘습니다.</translation>
+    </message>
+    <message>
+        <source>P must be a whole number of turns from 1 to {}.</source>
+        <translation>P는 1에서 {} 사이의 정수 회전수여야 합니다.</translation>
+    </message>
+    <message>
+        <source>The file is encoded in {}, not in ASCII or UTF-8.</source>
+        <translation>파일의 인코딩이 ASCII나 UTF-8이 아니라 {}입니다.</translation>
+    </message>
+    <message>
+        <source>This is not an NC program: it holds binary data.</source>
+        <translation>NC 프로그램이 아닙니다. 이진 데이터가 들어 있습니다.</translation>
+    </message>
+    <message>
+        <source>The grid spacing {} mm is not a number above 0.</source>
+        <translation>격자 간격 {} mm는 0보다 큰 숫자가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>Each side of the stock {} must be above 0 and at most {} mm.</source>
+        <translation>소재 {}의 각 변은 0보다 크고 {} mm 이하여야 합니다.</translation>
+    </message>
+    <message>
+        <source>The origin of the stock is not three numbers from -{} to {} mm.</source>
+        <translation>소재 원점이 -{}에서 {} mm 사이의 숫자 세 개가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>The grid spacing {} mm is too coarse for the stock {}; the coarsest possible is {} mm.</source>
+        <translation>격자 간격 {} mm는 소재 {}에 너무 큽니다. 가능한 가장 큰 간격은 {} mm입니다.</translation>
+    </message>
+    <message>
+        <source>The grid spacing {} mm makes {} points on the stock {}, {} of memory; the finest possible is {} mm.</source>
+        <translation>격자 간격 {} mm로는 점 {}개(소재 {}, 메모리 {})가 됩니다. 가능한 가장 작은 간격은 {} mm입니다.</translation>
+    </message>
+    <message>
+        <source>The grid spacing {} mm is lost in the rounding of coordinates as large as {} mm.</source>
+        <translation>격자 간격 {} mm은 {} mm만큼 큰 좌표의 반올림에서 사라집니다.</translation>
+    </message>
+    <message>
+        <source>The z-map needs {}, but the machine has only {} left.</source>
+        <translation>Z맵에 {}가 필요하지만 남은 메모리는 {}뿐입니다.</translation>
+    </message>
+    <message>
+        <source>A grid of {} × {} points needs {}, but the machine has only {} left; the finest spacing that fits is {} mm.</source>
+        <translation>{} × {}점의 격자에는 {}가 필요하지만 남은 메모리는 {}뿐입니다. 맞는 가장 작은 간격은 {} mm입니다.</translation>
+    </message>
+    <message>
+        <source>“{}” is not a stock size of the form WxDxH in mm, as in {}.</source>
+        <translation>“{}”은(는) {}처럼 WxDxH 형식의 소재 크기(mm)가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>Every side of the stock must be more than 0 mm, not “{}”.</source>
+        <translation>소재의 모든 변은 0 mm보다 커야 하며 “{}”일 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>“{}” is not a point of the form X,Y,Z in mm.</source>
+        <translation>“{}”은(는) X,Y,Z 형식의 점(mm)이 아닙니다.</translation>
     </message>
 </context>
 <context>

@@ -55,7 +55,7 @@ Result<ZMapSnapshot> prepare(const DecimateOptions& options, const DecimationPar
     if (!origin)
         return aboutOption(
             "--origin",
-            failure("point-form", "“{}” is not a point of the form X,Y in mm", {options.origin}).value());
+            failure("point-form", "“{}” is not a point of the form X,Y in mm.", {options.origin}).value());
     return readZMap(options.zmap, options.spacing, Vec2(*origin), options.floor,
                     meshBytesPerPoint(parameters, false, stl));
 }

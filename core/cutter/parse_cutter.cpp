@@ -56,11 +56,11 @@ Result<double> parseValue(const ShapeKey& key, std::string_view text) {
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
         return failure("cutter-value-not-a-number",
-                       PROVEOUT_TEXT("Core", "the value of {}, “{}”, is not a number"),
+                       PROVEOUT_TEXT("Core", "The value of {}, “{}”, is not a number."),
                        {key.key, std::string(text)});
     if (value < key.minimum || value > key.maximum)
         return failure("cutter-value-out-of-range",
-                       PROVEOUT_TEXT("Core", "{}={} is out of its limits, {} to {} {}"),
+                       PROVEOUT_TEXT("Core", "{}={} is out of its limits, {} to {} {}."),
                        {key.key, std::string(text), fmt::format("{}", key.minimum),
                         fmt::format("{}", key.maximum), key.unit});
     return value;
@@ -73,7 +73,7 @@ Result<void> readAssignment(KeyValues& values, std::string_view assignment) {
         if (values.keys[i].key != name)
             continue;
         if (values.given[i])
-            return failure("cutter-key-twice", PROVEOUT_TEXT("Core", "the key {} is given twice"),
+            return failure("cutter-key-twice", PROVEOUT_TEXT("Core", "The key {} is given twice."),
                            {std::string(name)});
         auto value = parseValue(values.keys[i], trimmed(text));
         if (!value)
@@ -82,7 +82,7 @@ Result<void> readAssignment(KeyValues& values, std::string_view assignment) {
         return {};
     }
     return failure("cutter-key-unknown",
-                   PROVEOUT_TEXT("Core", "“{}” is no key of this cutter shape; there are {}"),
+                   PROVEOUT_TEXT("Core", "“{}” is no key of this cutter shape; there are {}."),
                    {std::string(name), listOf(values.keys)});
 }
 
@@ -96,7 +96,7 @@ Result<KeyValues> readKeys(const CutterShape& shape, std::string_view text) {
         if (values.keys[i].required && !values.given[i])
             return failure(
                 "cutter-key-missing",
-                PROVEOUT_TEXT("Core", "a cutter of the shape {} needs the key {} ({}, {} to {} {})"),
+                PROVEOUT_TEXT("Core", "A cutter of the shape {} needs the key {} ({}, {} to {} {})."),
                 {shape.key, values.keys[i].key, values.keys[i].label,
                  fmt::format("{}", values.keys[i].minimum), fmt::format("{}", values.keys[i].maximum),
                  values.keys[i].unit});
@@ -119,7 +119,8 @@ Result<Cutter> parseCutter(std::string_view spec) {
     const std::string_view name = takeUntil(text, ':');
     const CutterShape* shape = findShape(name);
     if (shape == nullptr)
-        return failure("cutter-shape-unknown", PROVEOUT_TEXT("Core", "“{}” is no cutter shape; there are {}"),
+        return failure("cutter-shape-unknown",
+                       PROVEOUT_TEXT("Core", "“{}” is no cutter shape; there are {}."),
                        {std::string(name), listOf(cutterShapes())});
     const auto values = readKeys(*shape, text);
     if (!values)
@@ -136,10 +137,11 @@ Result<Cutter> parseCutter(std::string_view spec) {
     const double rim = pieces->back().z1;
     const double radius = pieces->back().r1;
     if (values->given[own] && *values->given[own] < rim)
-        return failure("flutes-too-short",
-                       PROVEOUT_TEXT("Core", "the flute length l={} is less than the height of the cutter's "
-                                             "profile, {} mm"),
-                       {fmt::format("{}", *values->given[own]), fmt::format("{:.4g}", rim)});
+        return failure(
+            "flutes-too-short",
+            PROVEOUT_TEXT("Core",
+                          "The flute length l={} is less than the height of the cutter's profile, {} mm."),
+            {fmt::format("{}", *values->given[own]), fmt::format("{:.4g}", rim)});
     const double fluteLength = std::max(values->value(own), rim);
     const double shankDiameter = values->value(own + 1);
     return Cutter(std::string(trimmed(spec)), std::move(*pieces), fluteLength,
@@ -154,9 +156,10 @@ Result<std::pair<int, Cutter>> parseToolOption(std::string_view option) {
     int tool = 0;
     const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), tool);
     if (error != std::errc{} || end != number.data() + number.size() || tool < 1)
-        return failure("tool-number",
-                       PROVEOUT_TEXT("Core", "“{}” does not begin with a tool number of 1 or more, as in {}"),
-                       {std::string(option), "1=ball:d=11,l=50"});
+        return failure(
+            "tool-number",
+            PROVEOUT_TEXT("Core", "“{}” does not begin with a tool number of 1 or more, as in {}."),
+            {std::string(option), "1=ball:d=11,l=50"});
     auto cutter = parseCutter(spec);
     if (!cutter)
         return tl::unexpected(std::move(cutter.error()));

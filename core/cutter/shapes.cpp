@@ -69,7 +69,7 @@ Result<std::vector<ProfilePiece>> bullProfile(std::span<const double> values) {
     if (corner > radius)
         return failure(
             "corner-radius-too-large",
-            PROVEOUT_TEXT("Core", "the corner radius r={} is larger than half the diameter, {} mm"),
+            PROVEOUT_TEXT("Core", "The corner radius r={} is larger than half the diameter, {} mm."),
             {fmt::format("{}", corner), fmt::format("{}", radius)});
     if (corner == 0)
         return std::vector{flatTo(radius)};
@@ -85,7 +85,7 @@ Result<std::vector<ProfilePiece>> coneProfile(std::span<const double> values) {
     const double tip = values[2] / 2;
     if (tip >= radius)
         return failure("tip-too-large",
-                       PROVEOUT_TEXT("Core", "the flat tip tip={} is not smaller than the diameter, {} mm"),
+                       PROVEOUT_TEXT("Core", "The flat tip tip={} is not smaller than the diameter, {} mm."),
                        {fmt::format("{}", values[2]), fmt::format("{}", values[0])});
     std::vector<ProfilePiece> pieces;
     if (tip > 0)

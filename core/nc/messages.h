@@ -20,202 +20,203 @@ namespace nc_message {
 
 // Lines that cannot be read.
 inline constexpr Message kBadCharacter{
-    Severity::error, true, "bad-character", PROVEOUT_TEXT("Core", "\"{}\" has no meaning here"),
+    Severity::error, true, "bad-character", PROVEOUT_TEXT("Core", "\"{}\" has no meaning here."),
     PROVEOUT_TEXT("Core", "Remove the character, or put the text into a comment: ( … ).")};
 inline constexpr Message kNumberMissing{
-    Severity::error, true, "number-missing", PROVEOUT_TEXT("Core", "the word {} has no number"),
+    Severity::error, true, "number-missing", PROVEOUT_TEXT("Core", "The word {} has no number."),
     PROVEOUT_TEXT("Core", "Write the number behind the letter, for example X10.5.")};
 inline constexpr Message kDoubleSign{
-    Severity::error, true, "number-double-sign", PROVEOUT_TEXT("Core", "the number of {} has two signs"),
+    Severity::error, true, "number-double-sign", PROVEOUT_TEXT("Core", "The number of {} has two signs."),
     PROVEOUT_TEXT("Core", "Controls read this differently; write one sign.")};
 inline constexpr Message kTwoPoints{Severity::error, true, "number-two-points",
-                                    PROVEOUT_TEXT("Core", "the number of {} has two decimal points"),
+                                    PROVEOUT_TEXT("Core", "The number of {} has two decimal points."),
                                     PROVEOUT_TEXT("Core", "Keep one point.")};
 inline constexpr Message kNumberOutOfRange{
     Severity::error, true, "number-out-of-range",
-    PROVEOUT_TEXT("Core", "the number of {} is out of range: larger than 1e12"),
+    PROVEOUT_TEXT("Core", "The number of {} is out of range: larger than 1e12."),
     PROVEOUT_TEXT("Core", "Check the number.")};
 inline constexpr Message kExpression{
     Severity::error, true, "expression-unsupported",
-    PROVEOUT_TEXT("Core", "parameters and expressions are not supported yet: {}"),
+    PROVEOUT_TEXT("Core", "Parameters and expressions are not supported yet: {}."),
     PROVEOUT_TEXT("Core", "Replace it by its value, or let the CAM system write plain numbers.")};
 inline constexpr Message kFlowControl{
     Severity::error, true, "o-word-unsupported",
-    PROVEOUT_TEXT("Core", "subprograms, loops and branches are not supported yet: {}"),
+    PROVEOUT_TEXT("Core", "Subprograms, loops and branches are not supported yet: {}."),
     PROVEOUT_TEXT("Core", "Let the CAM system write the motions out.")};
 inline constexpr Message kCommentUnclosed{Severity::error, true, "comment-unclosed",
-                                          PROVEOUT_TEXT("Core", "the comment is not closed"),
+                                          PROVEOUT_TEXT("Core", "The comment is not closed."),
                                           PROVEOUT_TEXT("Core", "Close it with \")\" in the same line.")};
 inline constexpr Message kCommentNested{
-    Severity::error, true, "comment-nested", PROVEOUT_TEXT("Core", "a comment stands within a comment"),
+    Severity::error, true, "comment-nested", PROVEOUT_TEXT("Core", "A comment stands within a comment."),
     PROVEOUT_TEXT("Core", "Controls end it at different brackets; use no \"(\" within a comment.")};
 inline constexpr Message kWordTwice{Severity::error, true, "word-twice",
-                                    PROVEOUT_TEXT("Core", "the block has two {} words"),
+                                    PROVEOUT_TEXT("Core", "The block has two {} words."),
                                     PROVEOUT_TEXT("Core", "Keep one of them, or make two blocks.")};
 inline constexpr Message kTooManyCodes{Severity::error, true, "too-many-codes",
-                                       PROVEOUT_TEXT("Core", "the block has too many G and M words"),
+                                       PROVEOUT_TEXT("Core", "The block has more than 24 G and M words."),
                                        PROVEOUT_TEXT("Core", "Make several blocks of it.")};
 inline constexpr Message kBlockNumberPlace{
-    Severity::error, true, "n-not-first", PROVEOUT_TEXT("Core", "the N word does not begin the block"),
+    Severity::error, true, "n-not-first", PROVEOUT_TEXT("Core", "The N word does not begin the block."),
     PROVEOUT_TEXT("Core", "Write it first, or put it on a line of its own.")};
 inline constexpr Message kBlockNumberNegative{Severity::error, true, "n-negative",
-                                              PROVEOUT_TEXT("Core", "the block number is negative"),
+                                              PROVEOUT_TEXT("Core", "The block number is negative."),
                                               PROVEOUT_TEXT("Core", "Use N with digits only.")};
 inline constexpr Message kPercentNotAlone{
     Severity::error, true, "percent-not-alone",
-    PROVEOUT_TEXT("Core", "\"%\" marks the begin and the end of a tape and stands on a line of its own"),
+    PROVEOUT_TEXT("Core",
+                  "\"%\" marks the beginning and the end of a tape and must stand on a line of its own."),
     PROVEOUT_TEXT("Core", "Move the rest to another line.")};
 
 // The file as a whole.
 inline constexpr Message kPercentUnpaired{
     Severity::warning, false, "percent-unpaired",
-    PROVEOUT_TEXT("Core", "the program ends with \"%\" but does not begin with it"),
+    PROVEOUT_TEXT("Core", "The program ends with \"%\" but does not begin with it."),
     PROVEOUT_TEXT("Core", "LinuxCNC refuses this; write \"%\" on the first line too, or on none.")};
 inline constexpr Message kPercentInside{
     Severity::error, true, "percent-inside",
-    PROVEOUT_TEXT("Core", "\"%\" stands in the middle of the program"),
+    PROVEOUT_TEXT("Core", "\"%\" stands in the middle of the program."),
     PROVEOUT_TEXT("Core",
                   "Controls skip what is before it, or what is behind it; keep one program in a file.")};
 inline constexpr Message kAfterPercent{Severity::note, false, "after-percent",
-                                       PROVEOUT_TEXT("Core", "the text behind the second \"%\" is not run"),
+                                       PROVEOUT_TEXT("Core", "The text behind the second \"%\" is not run."),
                                        ""};
 inline constexpr Message kAfterEnd{
     Severity::note, false, "after-program-end",
-    PROVEOUT_TEXT("Core", "the blocks behind the end of the program are not run"), ""};
+    PROVEOUT_TEXT("Core", "The blocks behind the end of the program are not run."), ""};
 inline constexpr Message kNoProgramEnd{
     Severity::warning, false, "no-program-end",
-    PROVEOUT_TEXT("Core", "the program has no end: M2, M30 or a pair of \"%\""),
+    PROVEOUT_TEXT("Core", "The program has no end: M2, M30 or a pair of \"%\"."),
     PROVEOUT_TEXT("Core", "Add M30 as the last block.")};
 inline constexpr Message kNoMotion{
-    Severity::warning, true, "no-motion", PROVEOUT_TEXT("Core", "the program has no motion"),
+    Severity::warning, true, "no-motion", PROVEOUT_TEXT("Core", "The program has no motion."),
     PROVEOUT_TEXT("Core", "Check that this is the right file and that it is complete.")};
 inline constexpr Message kControlCode{
     Severity::warning, false, "control-code",
-    PROVEOUT_TEXT("Core", "control codes of a tape or a serial line were skipped"),
+    PROVEOUT_TEXT("Core", "Control codes of a tape or a serial line were skipped."),
     PROVEOUT_TEXT("Core", "Harmless here; save the file as plain text to be rid of them.")};
 inline constexpr Message kByteOrderMark{
     Severity::warning, false, "byte-order-mark",
-    PROVEOUT_TEXT("Core", "the file begins with a byte order mark, which controls refuse"),
+    PROVEOUT_TEXT("Core", "The file begins with a byte order mark, which controls refuse."),
     PROVEOUT_TEXT("Core", "Save it as UTF-8 without the mark, or as ASCII.")};
 inline constexpr Message kLoneCr{
     Severity::warning, false, "cr-line-end",
-    PROVEOUT_TEXT("Core", "the line ends with CR alone, which LinuxCNC takes for no line end"),
+    PROVEOUT_TEXT("Core", "The line ends with CR alone, which LinuxCNC takes for no line end."),
     PROVEOUT_TEXT("Core", "Save the file with LF or CR LF line ends.")};
 inline constexpr Message kLineLong{
     Severity::warning, false, "line-long",
-    PROVEOUT_TEXT("Core", "the line has {} characters; LinuxCNC refuses more than 252"),
+    PROVEOUT_TEXT("Core", "The line has {} characters; LinuxCNC refuses more than 252."),
     PROVEOUT_TEXT("Core", "Split the line.")};
 inline constexpr Message kBlockNumberLong{
     Severity::warning, false, "n-long",
-    PROVEOUT_TEXT("Core", "the block number has more digits than controls can hold"),
+    PROVEOUT_TEXT("Core", "The block number has more than 15 digits, which controls cannot hold."),
     PROVEOUT_TEXT("Core", "It is a label only; number the blocks anew.")};
 inline constexpr Message kTooManyMotions{
     Severity::error, true, "too-many-motions",
-    PROVEOUT_TEXT("Core", "the program has more than {} motions; interpretation ends here"),
+    PROVEOUT_TEXT("Core", "The program has more than {} motions; interpretation ends here."),
     PROVEOUT_TEXT("Core", "Raise the limit, or split the program.")};
 inline constexpr Message kTooManyMessages{Severity::warning, false, "too-many-messages",
-                                          PROVEOUT_TEXT("Core", "{} more messages are not shown"), ""};
+                                          PROVEOUT_TEXT("Core", "{} more messages are not shown."), ""};
 inline constexpr Message kStopped{Severity::warning, true, "interpretation-stopped",
-                                  PROVEOUT_TEXT("Core", "interpretation was stopped before this line"), ""};
+                                  PROVEOUT_TEXT("Core", "Interpretation was stopped before this line."), ""};
 
 // Codes.
 inline constexpr Message kUnknownCode{
-    Severity::error, true, "code-unknown", PROVEOUT_TEXT("Core", "{} is not known"),
+    Severity::error, true, "code-unknown", PROVEOUT_TEXT("Core", "{} is not a known code."),
     PROVEOUT_TEXT("Core", "Without its effect nothing behind it can be vouched for.")};
 inline constexpr Message kUnsupportedCode{
-    Severity::error, true, "code-unsupported", PROVEOUT_TEXT("Core", "{} ({}) is not supported yet"),
+    Severity::error, true, "code-unsupported", PROVEOUT_TEXT("Core", "{} ({}) is not supported yet."),
     PROVEOUT_TEXT("Core", "Without its effect nothing behind it can be vouched for.")};
 inline constexpr Message kModalConflict{
     Severity::error, true, "modal-conflict",
-    PROVEOUT_TEXT("Core", "{} and {} exclude each other in one block"),
+    PROVEOUT_TEXT("Core", "{} and {} exclude each other in one block."),
     PROVEOUT_TEXT("Core", "Keep one of them, or make two blocks; this block is skipped.")};
 inline constexpr Message kTooManyM{
-    Severity::error, true, "too-many-m", PROVEOUT_TEXT("Core", "the block has more than four M words"),
+    Severity::error, true, "too-many-m", PROVEOUT_TEXT("Core", "The block has more than four M words."),
     PROVEOUT_TEXT("Core", "Make several blocks of it; this block is skipped.")};
 inline constexpr Message kAxisUnsupported{
     Severity::error, true, "axis-unsupported",
-    PROVEOUT_TEXT("Core", "the axis {} does not exist on a three-axis machine"),
+    PROVEOUT_TEXT("Core", "The axis {} does not exist on a three-axis machine."),
     PROVEOUT_TEXT("Core", "The motion is shown without it.")};
 inline constexpr Message kWordUnused{
-    Severity::error, true, "word-unused", PROVEOUT_TEXT("Core", "no code of this block uses the word {}"),
+    Severity::error, true, "word-unused", PROVEOUT_TEXT("Core", "No code of this block uses the word {}."),
     PROVEOUT_TEXT("Core", "Remove it, or add the code that it belongs to; this block is skipped.")};
 inline constexpr Message kAxisWithoutMotion{
     Severity::error, true, "axis-without-motion",
-    PROVEOUT_TEXT("Core", "no motion code is in force for the word {}"),
+    PROVEOUT_TEXT("Core", "No motion code is in force for the word {}."),
     PROVEOUT_TEXT("Core", "Write G0, G1, G2 or G3 into the block; this block is skipped.")};
 inline constexpr Message kG80WithAxis{
-    Severity::error, true, "g80-with-axis", PROVEOUT_TEXT("Core", "G80 cannot move the axis {}"),
+    Severity::error, true, "g80-with-axis", PROVEOUT_TEXT("Core", "G80 cannot move the axis {}."),
     PROVEOUT_TEXT("Core", "Controls differ here; move in a block of its own. This block is skipped.")};
 inline constexpr Message kWordMissing{Severity::error, true, "word-missing",
-                                      PROVEOUT_TEXT("Core", "{} needs the word {}"),
+                                      PROVEOUT_TEXT("Core", "{} needs the word {}."),
                                       PROVEOUT_TEXT("Core", "Add it; the code has no effect without it.")};
 inline constexpr Message kNegative{Severity::error, true, "number-negative",
-                                   PROVEOUT_TEXT("Core", "the number of {} must not be negative"),
+                                   PROVEOUT_TEXT("Core", "The number of {} must not be negative."),
                                    PROVEOUT_TEXT("Core", "The word is ignored.")};
 inline constexpr Message kNotInteger{
     Severity::error, true, "number-not-integer",
-    PROVEOUT_TEXT("Core", "the number of {} must be a whole number from {} to {}"),
+    PROVEOUT_TEXT("Core", "The number of {} must be a whole number from {} to {}."),
     PROVEOUT_TEXT("Core", "The word is ignored.")};
 inline constexpr Message kFeedInOldUnit{
     Severity::warning, false, "feed-before-units",
-    PROVEOUT_TEXT("Core", "the feed is read in the unit that was in force before {}"),
+    PROVEOUT_TEXT("Core", "The feed is read in the unit that was in force before {}."),
     PROVEOUT_TEXT("Core", "LinuxCNC reads F first; switch the unit in a block before.")};
 inline constexpr Message kNoToolSelected{
     Severity::error, true, "tool-not-selected",
-    PROVEOUT_TEXT("Core", "M6 changes the tool, but none is selected"),
+    PROVEOUT_TEXT("Core", "M6 changes the tool, but none is selected."),
     PROVEOUT_TEXT("Core", "Write the T word into the block or before it.")};
 
 // Motions.
 inline constexpr Message kNoFeed{
-    Severity::error, true, "feed-missing", PROVEOUT_TEXT("Core", "a cutting motion without a feed rate"),
+    Severity::error, true, "feed-missing", PROVEOUT_TEXT("Core", "A cutting motion has no feed rate."),
     PROVEOUT_TEXT("Core", "Give F in this block or before it; there is no default.")};
 inline constexpr Message kStartUnknown{
     Severity::warning, true, "start-unknown",
-    PROVEOUT_TEXT("Core", "where {} stands is not known, so this motion cuts nothing"),
+    PROVEOUT_TEXT("Core", "The position of {} is not known, so this motion cuts nothing."),
     PROVEOUT_TEXT("Core", "Position all axes with G0 before the first cut.")};
 inline constexpr Message kIncrementalUnknown{
     Severity::warning, true, "incremental-from-unknown",
-    PROVEOUT_TEXT("Core", "{} moves by a distance from a place that is not known"),
+    PROVEOUT_TEXT("Core", "{} moves by a distance from a place that is not known."),
     PROVEOUT_TEXT("Core", "Position the axis in G90 first.")};
 inline constexpr Message kArcNoCentre{
     Severity::error, true, "arc-no-centre",
-    PROVEOUT_TEXT("Core", "the arc has neither a centre nor a radius"),
+    PROVEOUT_TEXT("Core", "The arc has neither a centre nor a radius."),
     PROVEOUT_TEXT("Core", "Give the centre with {} and {}, or the radius with R.")};
 inline constexpr Message kArcCentreIncomplete{
     Severity::error, true, "arc-centre-incomplete",
-    PROVEOUT_TEXT("Core", "an absolute centre (G90.1) needs both {} and {}"),
+    PROVEOUT_TEXT("Core", "An absolute centre (G90.1) needs both {} and {}."),
     PROVEOUT_TEXT("Core", "Add the missing word, or use G91.1.")};
 inline constexpr Message kArcMixed{
     Severity::error, true, "arc-radius-and-centre",
-    PROVEOUT_TEXT("Core", "the arc has both a centre and a radius"),
+    PROVEOUT_TEXT("Core", "The arc has both a centre and a radius."),
     PROVEOUT_TEXT("Core", "Controls differ in which one they take; keep one.")};
 inline constexpr Message kArcWrongWord{
     Severity::error, true, "arc-word-off-plane",
-    PROVEOUT_TEXT("Core", "the word {} does not belong to an arc in the plane of {}"),
+    PROVEOUT_TEXT("Core", "The word {} does not belong to an arc in the plane of {}."),
     PROVEOUT_TEXT("Core", "Remove the word, or select the plane that was meant.")};
 inline constexpr Message kArcZeroRadius{
-    Severity::error, true, "arc-zero-radius", PROVEOUT_TEXT("Core", "the arc has no radius: {} mm"),
+    Severity::error, true, "arc-zero-radius", PROVEOUT_TEXT("Core", "The arc has no radius: {} mm."),
     PROVEOUT_TEXT("Core", "The centre lies on the start or the end point.")};
 inline constexpr Message kArcEndsDiffer{
     Severity::error, true, "arc-ends-differ",
-    PROVEOUT_TEXT("Core", "the arc does not fit: radius {} mm at its start, {} mm at its end, {} mm apart"),
+    PROVEOUT_TEXT("Core", "The arc does not fit: radius {} mm at its start, {} mm at its end, {} mm apart."),
     PROVEOUT_TEXT("Core",
                   "Check the centre: I J K count from the start point, after G90.1 from the origin.")};
 inline constexpr Message kArcFullWithRadius{
     Severity::error, true, "arc-full-with-radius",
-    PROVEOUT_TEXT("Core", "an arc with R cannot end where it begins"),
+    PROVEOUT_TEXT("Core", "An arc with R cannot end where it begins."),
     PROVEOUT_TEXT("Core", "Give a full circle its centre, or make two arcs of it.")};
 inline constexpr Message kArcRadiusSmall{
     Severity::error, true, "arc-radius-small",
     PROVEOUT_TEXT("Core",
-                  "the radius {} mm is too small: the end lies {} mm from the start, {} mm more than 2 R"),
+                  "The radius {} mm is too small: the end lies {} mm from the start, {} mm more than 2 R."),
     PROVEOUT_TEXT("Core", "Check R and the end point.")};
 inline constexpr Message kArcTooLarge{
     Severity::error, true, "arc-too-large",
-    PROVEOUT_TEXT("Core", "the radius of the arc is {} mm, beyond what can be computed exactly"),
+    PROVEOUT_TEXT("Core", "The radius of the arc is {} mm, beyond what can be computed exactly."),
     PROVEOUT_TEXT("Core", "Check the centre; use G1 for a straight line.")};
 inline constexpr Message kArcTurns{Severity::error, true, "arc-turns",
-                                   PROVEOUT_TEXT("Core", "P must be a whole number of turns from 1 to {}"),
+                                   PROVEOUT_TEXT("Core", "P must be a whole number of turns from 1 to {}."),
                                    PROVEOUT_TEXT("Core", "Check the P word.")};
 
 } // namespace nc_message

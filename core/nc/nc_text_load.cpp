@@ -21,7 +21,6 @@ Diagnostics refusal(const char* id, const char* text, const char* hint, std::vec
     diagnostic.hint = hint;
     diagnostic.arguments = std::move(arguments);
     diagnostic.file = file.string();
-    diagnostic.where = {1, 1, 0};
     return {std::move(diagnostic)};
 }
 
@@ -68,13 +67,13 @@ Result<NcText> NcText::load(const std::filesystem::path& file) {
     const std::string_view sample = std::string_view(*bytes).substr(0, kSample);
     if (const char* encoding = wideEncoding(sample)) {
         return tl::unexpected(
-            refusal("nc-encoding", PROVEOUT_TEXT("Core", "the file is encoded in {}, not in ASCII or UTF-8"),
+            refusal("nc-encoding", PROVEOUT_TEXT("Core", "The file is encoded in {}, not in ASCII or UTF-8."),
                     PROVEOUT_TEXT("Core", "Save it as plain text (ASCII or UTF-8) and open it again."),
                     {encoding}, file));
     }
     if (looksBinary(sample)) {
         return tl::unexpected(
-            refusal("nc-binary", PROVEOUT_TEXT("Core", "this is not an NC program: it holds binary data"),
+            refusal("nc-binary", PROVEOUT_TEXT("Core", "This is not an NC program: it holds binary data."),
                     PROVEOUT_TEXT("Core", "Choose the text file that the machine would run."), {}, file));
     }
     return NcText(*std::move(bytes));

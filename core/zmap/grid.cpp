@@ -85,7 +85,7 @@ double stepOfDouble(double value) {
 Result<void> checkSpacing(double spacing) {
     if (!std::isfinite(spacing) || spacing <= 0)
         return failure("grid-spacing-bad",
-                       PROVEOUT_TEXT("Core", "the grid spacing {} mm is not a number above 0"),
+                       PROVEOUT_TEXT("Core", "The grid spacing {} mm is not a number above 0."),
                        {fmt::format("{:g}", spacing)});
     return {};
 }
@@ -93,13 +93,13 @@ Result<void> checkSpacing(double spacing) {
 Result<Grid> makeGrid(const StockBox& stock, double spacing) {
     if (!reasonable(stock.width) || !reasonable(stock.depth) || !reasonable(stock.height))
         return failure("stock-size-bad",
-                       PROVEOUT_TEXT("Core", "the stock {} is not of three sides above 0 and up to {} mm"),
+                       PROVEOUT_TEXT("Core", "Each side of the stock {} must be above 0 and at most {} mm."),
                        {sizeOf(stock), fmt::format("{:g}", kLargestStock)});
     for (int axis = 0; axis < 3; ++axis) {
         if (!(std::abs(stock.corner[axis]) <= kFarthestCorner))
             return failure(
                 "stock-origin-bad",
-                PROVEOUT_TEXT("Core", "the origin of the stock is not three numbers from -{} to {} mm"),
+                PROVEOUT_TEXT("Core", "The origin of the stock is not three numbers from -{} to {} mm."),
                 {fmt::format("{:g}", kFarthestCorner), fmt::format("{:g}", kFarthestCorner)});
     }
     if (auto fine = checkSpacing(spacing); !fine)
@@ -107,26 +107,28 @@ Result<Grid> makeGrid(const StockBox& stock, double spacing) {
     const double nx = pointsAlong(stock.width, spacing);
     const double ny = pointsAlong(stock.depth, spacing);
     if (nx < 2 || ny < 2)
-        return failure("grid-too-coarse",
-                       PROVEOUT_TEXT("Core", "the grid spacing {} mm leaves no cell on the stock {}; the "
-                                             "coarsest that does is {} mm"),
-                       {fmt::format("{:g}", spacing), sizeOf(stock),
-                        fmt::format("{:g}", std::min(stock.width, stock.depth))});
+        return failure(
+            "grid-too-coarse",
+            PROVEOUT_TEXT(
+                "Core",
+                "The grid spacing {} mm is too coarse for the stock {}; the coarsest possible is {} mm."),
+            {fmt::format("{:g}", spacing), sizeOf(stock),
+             fmt::format("{:g}", std::min(stock.width, stock.depth))});
     if (nx * ny > kMostPoints)
         return failure(
             "grid-too-fine",
-            PROVEOUT_TEXT("Core", "the grid spacing {} mm makes {} points on the stock {}, {} of "
-                                  "memory; the finest possible is {} mm"),
+            PROVEOUT_TEXT("Core", "The grid spacing {} mm makes {} points on the stock {}, {} of memory; the "
+                                  "finest possible is {} mm."),
             {fmt::format("{:g}", spacing), pointsOf(nx, ny), sizeOf(stock), readableBytes(bytesOf(nx, ny)),
              fmt::format("{:g}",
                          finestSpacing(stock, kMostPoints, std::numeric_limits<double>::infinity()))});
     const double farthest = farthestPoint(stock);
     if (spacing < kLeastSteps * stepOfDouble(farthest))
-        return failure("grid-lost-in-rounding",
-                       PROVEOUT_TEXT("Core",
-                                     "the grid spacing {} mm is lost in the rounding of coordinates as "
-                                     "large as {} mm"),
-                       {fmt::format("{:g}", spacing), fmt::format("{:g}", farthest)});
+        return failure(
+            "grid-lost-in-rounding",
+            PROVEOUT_TEXT("Core",
+                          "The grid spacing {} mm is lost in the rounding of coordinates as large as {} mm."),
+            {fmt::format("{:g}", spacing), fmt::format("{:g}", farthest)});
     Grid grid;
     grid.nx = static_cast<int>(nx);
     grid.ny = static_cast<int>(ny);
@@ -149,12 +151,11 @@ Result<void> checkMemory(const StockBox& stock, const Grid& grid, double availab
     // Even one tile does not fit: then no spacing can be proposed.
     if (bytesOf(2, 2, bytesPerPoint) > availableBytes)
         return failure("memory-too-small",
-                       PROVEOUT_TEXT("Core", "the z-map needs {}, but the machine has only {} left"),
+                       PROVEOUT_TEXT("Core", "The z-map needs {}, but the machine has only {} left."),
                        {readableBytes(needed), readableBytes(availableBytes)});
     return failure("grid-needs-too-much-memory",
-                   PROVEOUT_TEXT("Core",
-                                 "a grid of {} × {} points needs {}, but the machine has only {} left; "
-                                 "the finest spacing that fits is {} mm"),
+                   PROVEOUT_TEXT("Core", "A grid of {} × {} points needs {}, but the machine has only {} "
+                                         "left; the finest spacing that fits is {} mm."),
                    {fmt::format("{}", grid.nx), fmt::format("{}", grid.ny), readableBytes(needed),
                     readableBytes(availableBytes),
                     fmt::format("{:g}", finestSpacing(stock, kMostPoints, availableBytes, bytesPerPoint))});

@@ -2,6 +2,7 @@
 // Bad input: each has a message with its place and its exit code.
 #include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <sstream>
 
 #include "tests/app/command_line.h"
 
@@ -22,15 +23,22 @@ TEST_F(CliInput, MissingFile) {
     const auto done = run("simulate none.nc" + kStock + kTool);
     EXPECT_EQ(done.exitCode, 3);
     EXPECT_TRUE(done.tells("none.nc: error: ", "file-unreadable")) << done.err;
+    EXPECT_EQ(done.err,
+              "none.nc: error: The file cannot be read: No such file or directory. [file-unreadable]\n");
     EXPECT_EQ(run("interpret none.nc").exitCode, 3);
     EXPECT_EQ(run("decimate none.npy --grid 1").exitCode, 3);
 }
 
 TEST_F(CliInput, FolderAndBinaryFile) {
-    EXPECT_EQ(run("simulate ." + kStock + kTool).exitCode, 3);
+    const auto refused = run("simulate ." + kStock + kTool);
+    EXPECT_EQ(refused.exitCode, 3);
+    EXPECT_EQ(refused.err, ".: error: This is not a regular file. [file-not-regular]\n");
     const auto done = simulate(std::string("G0\0\1\2\3 X1", 10));
     EXPECT_EQ(done.exitCode, 3);
-    EXPECT_TRUE(done.tells("p.nc:1:1: error: ", "nc-binary")) << done.err;
+    EXPECT_EQ(done.err, "p.nc: error: This is not an NC program: it holds binary data. [nc-binary]\n")
+        << "about the whole file, so without a place";
+    EXPECT_EQ(simulate(std::string("\xff\xfeG\0000\0", 6)).err,
+              "p.nc: error: The file is encoded in UTF-16 LE, not in ASCII or UTF-8. [nc-encoding]\n");
 }
 
 TEST_F(CliInput, NoMotionIsAWarningAndUnverified) {
@@ -121,6 +129,24 @@ TEST_F(CliInput, BrokenToolTablesNameTheirPlace) {
     const std::string row = "[[tool]]\nnumber = 1\ncutter = \"ball:d=4\"\n";
     tell(row + row, "t.toml:5:10: error", "tool-twice");
     tell(row + "lenght = 50\n", "t.toml:4:1: error", "tool-key-unknown");
+}
+
+TEST_F(CliInput, ProgramsNeedNotBeUtf8) {
+    // Latin-1: what stands in comments is nobody's business, elsewhere the byte is told.
+    const auto fine =
+        simulate("(Fr\xe4ser \xd8 4)\nT1 M6\nG0 X5 Y5 Z5 ; \374ber\nG1 Z-2 F100\nM30\n", "--json");
+    EXPECT_EQ(fine.exitCode, 0) << fine.err;
+    EXPECT_EQ(fine.json()["motions"], 2);
+    EXPECT_EQ(run("interpret p.nc").exitCode, 0);
+    const auto told = simulate("T1 M6\nG0 X5 Y5 Z5\n\xe4X6\nM30\n", "--json");
+    EXPECT_EQ(told.exitCode, 2);
+    EXPECT_TRUE(told.tells("p.nc:3:1: error: \"\\xe4\" has no meaning here.", "bad-character")) << told.err;
+    EXPECT_FALSE(told.json().is_discarded());
+    const auto records = run("interpret p.nc");
+    EXPECT_EQ(records.exitCode, 2);
+    std::istringstream lines(records.out);
+    for (std::string line; std::getline(lines, line);)
+        EXPECT_FALSE(nlohmann::json::parse(line, nullptr, false).is_discarded()) << line;
 }
 
 TEST_F(CliInput, FileNamesNeedNotBeUtf8) {

@@ -41,7 +41,7 @@ TEST(Interpreter, NamesTheFileAndThePlaceOfEveryMessage) {
     ASSERT_EQ(program->diagnostics().size(), 1U);
     const Diagnostic& diagnostic = program->diagnostics().front();
     EXPECT_EQ(oneLine(diagnostic),
-              "part.ngc:2:12: error: G68 (coordinate rotation) is not supported yet [code-unsupported]");
+              "part.ngc:2:12: error: G68 (coordinate rotation) is not supported yet. [code-unsupported]");
     EXPECT_EQ(diagnostic.where, (TextRange{2, 12, 3}));
     EXPECT_NE(std::string(diagnostic.hint), "");
     EXPECT_TRUE(program->unverified());
@@ -56,7 +56,7 @@ TEST(Interpreter, KnowsNothingOfTheStartUnlessTold) {
     EXPECT_TRUE(unknown->unverified());
     EXPECT_TRUE(unknown->bounds().empty());
     EXPECT_EQ(message(unknown->diagnostics().front()),
-              "where X, Y, Z stands is not known, so this motion cuts nothing");
+              "The position of X, Y, Z is not known, so this motion cuts nothing.");
 
     InterpretOptions assumed;
     assumed.assumeStartAtZero = true;
@@ -86,7 +86,7 @@ TEST(Interpreter, CountsTheMessagesBeyondTheLimit) {
     const auto program = interpret(NcText(repeated("G68\n", 250) + "G0 X1\nM2\n"), options);
     ASSERT_EQ(program->diagnostics().size(), 99U) << "two places are kept for the program as a whole";
     EXPECT_STREQ(program->diagnostics().back().id, "too-many-messages");
-    EXPECT_EQ(message(program->diagnostics().back()), "152 more messages are not shown");
+    EXPECT_EQ(message(program->diagnostics().back()), "152 more messages are not shown.");
     EXPECT_TRUE(program->motion(0).unverified);
 
     options.maxDiagnostics = 3;
