@@ -1714,6 +1714,14 @@
         <source>“{}” is not a point of the form X,Y,Z in mm.</source>
         <translation>„{}“ ist kein Punkt der Form X,Y,Z in mm.</translation>
     </message>
+    <message>
+        <source>The path of the arc is {} mm long, beyond the limit of {} mm; it cuts nothing.</source>
+        <translation>Die Bahn des Bogens ist {} mm lang, mehr als die Grenze von {} mm; er schneidet nichts.</translation>
+    </message>
+    <message>
+        <source>Check the centre and the number of turns.</source>
+        <translation>Mittelpunkt und Anzahl der Umdrehungen prüfen.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

@@ -1714,6 +1714,14 @@
         <source>“{}” is not a point of the form X,Y,Z in mm.</source>
         <translation>“{}”은(는) X,Y,Z 형식의 점(mm)이 아닙니다.</translation>
     </message>
+    <message>
+        <source>The path of the arc is {} mm long, beyond the limit of {} mm; it cuts nothing.</source>
+        <translation>원호 경로의 길이가 {} mm로 한계 {} mm를 넘습니다. 이 원호는 아무것도 깎지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Check the centre and the number of turns.</source>
+        <translation>중심과 회전 수를 확인하십시오.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

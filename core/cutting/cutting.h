@@ -24,10 +24,10 @@ struct CutRecord {
 
 /// Cuts one motion into the z-map, exact to 1 µm off the cutter's rim, points on the rim included, heights
 /// clamped at the stock's floor. Arcs and helices in all three planes are cut as such. Motions whose path is
-/// not known cut nothing, nor do such that are not finite or longer than 10 km: the interpreter refuses
-/// those. Called by the thread that owns `zmap`; works on tiles in parallel inside; the heights do not depend
-/// on the number of threads nor on the order of motions. The record's volume is summed in the order of tiles
-/// and so is reproducible too.
+/// not known, not finite or not within the limits of arcs cut nothing; the interpreter lets none of them pass
+/// without a message. Called by the thread that owns `zmap`; works on tiles in parallel inside; the heights
+/// do not depend on the number of threads nor on the order of motions. The record's volume is summed in the
+/// order of tiles and so is reproducible too.
 [[nodiscard]] CutRecord cut(ZMap& zmap, const Cutter& cutter, const Motion& motion);
 
 /// The lower envelope of the swept cutter over (x, y), absolute z; +infinity where the cutter never comes.

@@ -32,31 +32,16 @@ double rimSlack(const Motion& motion) {
     return 1e-9 + 4 * std::numeric_limits<double>::epsilon() * largest;
 }
 
-/// Nothing that a machine could run is longer; the work on an arc grows with both. The interpreter refuses
-/// such arcs, so this only keeps a caller's slip from becoming an endless loop.
-bool tooLong(const ArcPath& path) {
-    constexpr double kMostRadians = 1e5;
-    constexpr double kMostLength = 1e7; // mm
-    const double radians = std::abs(path.sweep) * (path.end - path.begin);
-    const double radius = std::max(path.radius, path.radius + path.widening);
-    return !(radians <= kMostRadians) || !(radians * radius <= kMostLength) ||
-           !(std::abs(path.climb) <= kMostLength);
-}
-
 } // namespace
 
 Sweep::Sweep(const Cutter& cutter, const Motion& motion, double topZ)
     : m_origin(motion.start.x, motion.start.y, topZ),
       m_arc(motion.kind == MotionKind::arc && motion.sweep != 0) {
-    if (!motion.known() || !finite(motion) || !std::isfinite(topZ))
+    if (!motion.known() || !finite(motion) || !withinLimits(motion) || !std::isfinite(topZ))
         return;
     m_profiles = convexProfiles(cutter, rimSlack(motion));
     if (m_arc) {
         m_path = arcPath(motion, m_origin);
-        if (tooLong(m_path)) {
-            m_profiles.clear();
-            return;
-        }
         m_parts = splitArc(m_path);
     } else {
         m_straight = straightPath(motion.start - m_origin, motion.end - m_origin);

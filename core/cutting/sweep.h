@@ -38,7 +38,6 @@ public:
     Columns row(const RowPoints& row, const float* heights, float* out) const;
 
 private:
-    void prepareArc(const Motion& motion);
     [[nodiscard]] Columns straightColumns(const RowPoints& row, float* out) const;
     [[nodiscard]] Columns arcColumns(const RowPoints& row, const float* heights, float* out) const;
 

@@ -15,7 +15,6 @@ namespace proveout {
 
 namespace {
 
-constexpr int kMostTurns = 1000;
 /// Beyond this radius a double no longer holds the centre to a nanometre of the path.
 constexpr double kLargestRadius = 1e7;
 /// An arc flatter than this is a straight line to every user of the program.
@@ -138,8 +137,14 @@ private:
 /// Makes the arc a line where it is one; false where it is too large to be computed.
 bool fitForSize(Execution& execution, const Word& word, Motion& motion) {
     const double radius = arcRadius(motion);
-    if (radius <= kLargestRadius)
-        return true;
+    if (radius <= kLargestRadius) {
+        if (withinLimits(motion))
+            return true;
+        execution.reporter.tell(
+            nc_message::kArcTooLong, word,
+            {fmt::format("{:.6g}", pathLength(motion)), fmt::format("{:g}", kLongestArc)});
+        return false;
+    }
     if (std::abs(motion.sweep) < 1 && sagitta(radius, motion.sweep) < kFlat) {
         motion.kind = MotionKind::feed;
         return true;

@@ -215,6 +215,10 @@ inline constexpr Message kArcTooLarge{
     Severity::error, true, "arc-too-large",
     PROVEOUT_TEXT("Core", "The radius of the arc is {} mm, beyond what can be computed exactly."),
     PROVEOUT_TEXT("Core", "Check the centre; use G1 for a straight line.")};
+inline constexpr Message kArcTooLong{
+    Severity::error, true, "arc-too-long",
+    PROVEOUT_TEXT("Core", "The path of the arc is {} mm long, beyond the limit of {} mm; it cuts nothing."),
+    PROVEOUT_TEXT("Core", "Check the centre and the number of turns.")};
 inline constexpr Message kArcTurns{Severity::error, true, "arc-turns",
                                    PROVEOUT_TEXT("Core", "P must be a whole number of turns from 1 to {}."),
                                    PROVEOUT_TEXT("Core", "Check the P word.")};

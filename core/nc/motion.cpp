@@ -106,6 +106,13 @@ double pathLength(const Motion& motion) {
     return length;
 }
 
+bool withinLimits(const Motion& motion) {
+    if (motion.kind != MotionKind::arc)
+        return true;
+    constexpr double kMostRadians = 2 * kPi * kMostTurns * (1 + 1e-12);
+    return std::abs(motion.sweep) <= kMostRadians && pathLength(motion) <= kLongestArc;
+}
+
 Box3 bounds(const Motion& motion) {
     Box3 box;
     box.add(motion.start);

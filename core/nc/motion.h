@@ -59,6 +59,14 @@ struct PlaneAxes {
 /// Length of the path in mm.
 [[nodiscard]] double pathLength(const Motion& motion);
 
+/// The limits of an arc: nothing that a machine could run is beyond them, and the work on an arc grows with
+/// both.
+inline constexpr double kLongestArc = 1e7; ///< mm of path
+inline constexpr int kMostTurns = 1000;
+/// Whether a motion is within them; straight ones always are. The interpreter refuses the others with a
+/// message, and `cut` trusts that it did.
+[[nodiscard]] bool withinLimits(const Motion& motion);
+
 /// The box of the path.
 [[nodiscard]] Box3 bounds(const Motion& motion);
 

@@ -318,5 +318,25 @@ TEST(Cut, CutsThroughAStockThatTheMotionPassesFromFarAway) {
         EXPECT_EQ(moment.height(i, j), -5.0F);
 }
 
+TEST(Cut, CutsTheLongestArcThatAProgramMayHave) {
+    // Over 20 mm such an arc is its tangent to a ten thousandth of a millimetre.
+    const double radius = kLongestArc / (2 * std::numbers::pi) * 0.999999;
+    const Motion arc = arcMotion(Plane::xy, {10 + radius, 20, -3}, radius, std::numbers::pi,
+                                 -2 * std::numbers::pi, 0, radius);
+    ASSERT_TRUE(withinLimits(arc));
+    const Cutter cutter = cutterOf("ball:d=6");
+    const Motion tangent = straightMotion({10, -1000, -3}, {10, 1000, -3});
+    for (int k = 0; k < 200; ++k) {
+        const double x = 7.5 + 0.025 * k;
+        EXPECT_NEAR(envelope(cutter, arc, x, 20.3), envelope(cutter, tangent, x, 20.3), 1e-3) << x;
+    }
+    ZMap zmap = freshMap();
+    EXPECT_GT(cut(zmap, cutter, arc).removedMm3, 100);
+    Motion longer = arc;
+    longer.centre.x += 10;
+    longer.start.x = longer.end.x = 10;
+    EXPECT_FALSE(withinLimits(longer));
+}
+
 } // namespace
 } // namespace proveout
