@@ -114,7 +114,8 @@ private:
         const double difference = std::abs(problem.startRadius - problem.endRadius);
         switch (problem.fault) {
         case ArcFault::zeroRadius:
-            return refuse(nc_message::kArcZeroRadius, word, {std::min(first, second)});
+            return refuse(nc_message::kArcZeroRadius, word,
+                          {fmt::format("{:.6g}", std::min(problem.startRadius, problem.endRadius))});
         case ArcFault::endsDiffer:
             return refuse(nc_message::kArcEndsDiffer, word,
                           {first, second, fmt::format("{:.6g}", difference)});

@@ -47,6 +47,14 @@ TEST(Interpreter, NamesTheFileAndThePlaceOfEveryMessage) {
     EXPECT_TRUE(program->unverified());
 }
 
+TEST(Interpreter, TellsTheSmallerRadiusWhereAnArcHasNone) {
+    // As texts, "10" stands before "5e-05".
+    const auto program = interpret(NcText("G0 X0 Y0 Z0\nF100\nG2 X10 Y0 I-0.00005 J0\nM2\n"));
+    ASSERT_EQ(program->diagnostics().size(), 1U);
+    EXPECT_EQ(std::string(program->diagnostics()[0].id), "arc-zero-radius");
+    EXPECT_EQ(program->diagnostics()[0].arguments, std::vector<std::string>{"5e-05"});
+}
+
 TEST(Interpreter, KnowsNothingOfTheStartUnlessTold) {
     const NcText text("G1 X1 Y1 F100\n");
     const auto unknown = interpret(text);
