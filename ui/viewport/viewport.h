@@ -46,6 +46,8 @@ public:
     void fit();
     /// Uploads of the last picture.
     [[nodiscard]] const UploadCounts& uploaded() const { return m_uploaded; }
+    /// No better picture of what is shown is due: it stays until something changes.
+    [[nodiscard]] bool atRest() const { return !m_rest.isActive(); }
 
 protected:
     void initializeGL() override;

@@ -93,6 +93,7 @@ private slots:
         QVERIFY(session.playback().playing);
         QTRY_VERIFY_WITH_TIMEOUT(!session.playback().playing, kPatience);
         QCOMPARE(session.block(), session.blockCount());
+        session.setSpeed(kUnitBlocksPerSecond);
         session.play(); // at the end it begins anew
         QTRY_VERIFY_WITH_TIMEOUT(session.block() < session.blockCount(), kPatience);
     }
@@ -198,7 +199,7 @@ private slots:
         QVERIFY(session.openFile(kSample));
         QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
         session.exportStl(QStringLiteral("/nonexistent/folder/part.stl"), {});
-        QTRY_VERIFY_WITH_TIMEOUT(!session.problems().empty() && !session.work(), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(hasProblem(session, "file-unwritable") && !session.work(), kPatience);
         QVERIFY(!session.lastExport());
     }
 
@@ -251,7 +252,7 @@ private slots:
         QTemporaryDir folder;
         Session session;
         QVERIFY(session.openFile(write(folder, "empty.nc", "%\n(nothing)\n%\n")));
-        QTRY_VERIFY_WITH_TIMEOUT(!session.problems().empty(), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(hasProblem(session, "no-motion"), kPatience);
         QCOMPARE(session.blockCount(), std::size_t{0});
         QVERIFY(session.openFile(write(folder, "square.nc", kSquare)));
         QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);

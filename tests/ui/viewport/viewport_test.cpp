@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QLabel>
 #include <QMainWindow>
+#include <QSignalSpy>
 #include <QTest>
 #include <QWheelEvent>
 
@@ -16,6 +17,7 @@ using namespace proveout;
 
 namespace {
 
+constexpr int kPatience = 30'000; // ms
 const QString kSample = QStringLiteral(PROVEOUT_SOURCE_DIR "/resources/samples/core-insert.proveout");
 
 void wheel(QWidget& widget, const QPointF& at, int angle) {
@@ -98,8 +100,8 @@ void ViewportTest::fitsTheStockAtFirst() {
 }
 
 void ViewportTest::tellsTheSessionWhatDrawingTook() {
-    QTRY_VERIFY(!m_session->frameStatistics().empty());
-    QTRY_COMPARE(m_session->frameStatistics().back().lastBlock, 100u);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->frameStatistics().empty(), kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->frameStatistics().back().lastBlock, 100u, kPatience);
     QVERIFY(m_session->frameStatistics().back().drawSeconds > 0);
 }
 
@@ -185,16 +187,19 @@ void ViewportTest::keysChooseViewsAndSwitches() {
 }
 
 void ViewportTest::repaintsOnNewFramesOnly() {
-    QTest::qWait(600); // The smoothed picture of a view at rest.
+    QTRY_VERIFY_WITH_TIMEOUT(m_view->atRest(), kPatience);
+    QTest::qWait(0); // the smoothed picture that was asked for at that moment
     int painted = 0;
     connect(m_view, &QOpenGLWidget::aboutToCompose, this, [&] { ++painted; });
-    for (int k = 0; k < 3; ++k) {
+    QSignalSpy ticks(m_session.get(), &Session::tick);
+    for (int k = 1; k <= 3; ++k) {
         m_session->requestTick();
-        QTest::qWait(60);
+        QTRY_COMPARE_WITH_TIMEOUT(ticks.count(), k, kPatience);
+        QTest::qWait(0); // paints what the tick has asked for
     }
     QCOMPARE(painted, 0);
     m_session->step(1);
-    QTRY_VERIFY(painted > 0);
+    QTRY_VERIFY_WITH_TIMEOUT(painted > 0, kPatience);
 }
 
 void ViewportTest::grabsLookLikeTheScreen() {
@@ -213,7 +218,6 @@ void ViewportTest::survivesAnotherWindow() {
     // A widget that changes its window may lose its context; what lies on the graphics side is made anew.
     QMainWindow other;
     other.resize(900, 640);
-    const QImage before = m_view->grabFramebuffer();
     other.setCentralWidget(m_view);
     other.show();
     QVERIFY(QTest::qWaitForWindowExposed(&other));
@@ -223,7 +227,6 @@ void ViewportTest::survivesAnotherWindow() {
     for (int x = 0; x + 1 < after.width(); ++x)
         colours += after.pixel(x, after.height() / 2) != after.pixel(x + 1, after.height() / 2) ? 1 : 0;
     QVERIFY(colours > 50);
-    QCOMPARE(before.isNull(), false);
     m_window->setCentralWidget(m_view);
 }
 

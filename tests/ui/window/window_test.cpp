@@ -33,6 +33,7 @@
 #include "core/formats/stl.h"
 #include "tests/ui/window/workstation.h"
 #include "ui/appearance.h"
+#include "ui/diagnostic_text.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
 #include "ui/file_paths.h"
@@ -263,11 +264,11 @@ private slots:
                  {"empty.nc", ""},
                  {"words.nc", "G1 X1.2.3\nQQ\n#$&\n"}}) {
             tryOut(name, bytes);
-            QTRY_VERIFY2_WITH_TIMEOUT(list->model()->rowCount() > 0, qPrintable(name), 5000);
+            QTRY_VERIFY2_WITH_TIMEOUT(list->model()->rowCount() > 0, qPrintable(name), kPatience);
             QVERIFY(QApplication::activeModalWidget() == nullptr);
         }
         station.window.files().open(folder.filePath("missing.nc"));
-        QVERIFY(list->model()->rowCount() > 0);
+        QVERIFY(sentence(station.session.problems().front()).startsWith(QLatin1String("missing.nc: ")));
         QVERIFY(QApplication::activeModalWidget() == nullptr);
     }
 
@@ -307,7 +308,8 @@ private slots:
             // Live: menus and docks speak the new language at once.
             const QString german = station.window.menuBar()->actions().front()->text();
             station.appearance.setLanguage(QStringLiteral("en"));
-            QTRY_VERIFY(station.window.menuBar()->actions().front()->text() != german);
+            QTRY_VERIFY_WITH_TIMEOUT(station.window.menuBar()->actions().front()->text() != german,
+                                     kPatience);
             station.window.resetLayout();
             QVERIFY(!station.window.findChild<QDockWidget*>(QStringLiteral("dock-tuning"))->isHidden());
             station.appearance.setTheme(Theme::light);

@@ -49,7 +49,9 @@ struct Workstation {
     }
     void open(const QString& file) {
         window.files().open(file);
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
+        // A test cannot go on without a frame, and a macro of Qt Test would return from here only.
+        if (!QTest::qWaitFor([this] { return session.frame() != nullptr; }, kPatience))
+            qFatal("no frame of %s", qPrintable(file));
     }
     TimelineScale& scale() { return *window.findChild<TimelineScale*>(); }
 };
