@@ -10,7 +10,7 @@ namespace proveout::cli {
 [[nodiscard]] constexpr double meshBytesPerPoint(const DecimationParameters& parameters, bool full,
                                                  bool stl) {
     constexpr double kSurface = 25;
-    constexpr double kFullSolid = 80;
+    constexpr double kFullSolid = 84;
     full = full || parameters.method == DecimationMethod::none || parameters.allowance == 0;
     return full && stl ? kFullSolid : kSurface;
 }

@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/decimation/solid_above_floor.h"
 
-#include <limits>
 #include <vector>
+
+#include "core/decimation/lattice_numbers.h"
 
 namespace proveout {
 
 namespace {
-
-constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
 
 /// A vertex of a wall: along the wall from left to right seen from outside, and up, as STL will have them.
 struct WallPoint {
@@ -50,11 +49,16 @@ void triangulateMountain(const std::vector<WallPoint>& chain, TriangleMesh& mesh
 
 class AboveFloor {
 public:
-    explicit AboveFloor(const SolidFrame& frame) : m_frame(frame), m_vertexOf(frame.points(), kUnused) {}
+    explicit AboveFloor(const SolidFrame& frame) : m_frame(frame), m_numbers(frame.points()) {}
 
     TriangleMesh build(std::span<const LatticeTriangle> surface, const WorkContext& context) {
         for (const LatticeTriangle& triangle : surface)
-            m_mesh.triangles.push_back({vertexAt(triangle[0]), vertexAt(triangle[1]), vertexAt(triangle[2])});
+            m_mesh.triangles.push_back({m_numbers.number(triangle[0]), m_numbers.number(triangle[1]),
+                                        m_numbers.number(triangle[2])});
+        constexpr std::size_t kFloorCorners = 4;
+        m_mesh.vertices.reserve(m_numbers.used().size() + kFloorCorners);
+        for (const std::uint32_t lattice : m_numbers.used())
+            m_mesh.vertices.push_back(m_frame.top(lattice));
         context.tell(0.8);
         if (context.stopped())
             return {};
@@ -70,15 +74,6 @@ public:
     }
 
 private:
-    std::uint32_t vertexAt(std::uint32_t lattice) {
-        auto& vertex = m_vertexOf[lattice];
-        if (vertex == kUnused) {
-            vertex = static_cast<std::uint32_t>(m_mesh.vertices.size());
-            m_mesh.vertices.push_back(m_frame.top(lattice));
-        }
-        return vertex;
-    }
-
     /// The corners counter-clockwise from the south-west; returns the first.
     std::uint32_t addFloor(int east, int north) {
         const auto first = static_cast<std::uint32_t>(m_mesh.vertices.size());
@@ -98,8 +93,8 @@ private:
         };
         m_chain.assign(1, wallPoint(floorLeft));
         for (; i >= 0 && i < m_frame.nx() && j >= 0 && j < m_frame.ny(); i += di, j += dj) {
-            const auto vertex = m_vertexOf[m_frame.lattice(i, j)];
-            if (vertex != kUnused)
+            const auto vertex = m_numbers.find(m_frame.lattice(i, j));
+            if (vertex != LatticeNumbers::kUnused)
                 m_chain.push_back(wallPoint(vertex));
         }
         m_chain.push_back(wallPoint(floorRight));
@@ -107,7 +102,7 @@ private:
     }
 
     const SolidFrame& m_frame;
-    std::vector<std::uint32_t> m_vertexOf; ///< per grid point
+    LatticeNumbers m_numbers; ///< of the vertices on top
     std::vector<WallPoint> m_chain;
     TriangleMesh m_mesh;
 };

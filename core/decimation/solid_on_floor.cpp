@@ -4,17 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <limits>
 #include <utility>
 #include <vector>
 
 #include "core/decimation/floor_sectors.h"
+#include "core/decimation/lattice_numbers.h"
 
 namespace proveout {
 
 namespace {
-
-constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
 
 /// A vertex of the plan: a grid point, or one of the copies that a pinched one was split into.
 struct PlanVertex {
@@ -32,7 +30,7 @@ struct PlanEdge {
 
 class OnFloor {
 public:
-    explicit OnFloor(const SolidFrame& frame) : m_frame(frame), m_vertexOf(frame.points(), kUnused) {}
+    explicit OnFloor(const SolidFrame& frame) : m_frame(frame) {}
 
     TriangleMesh build(std::span<const LatticeTriangle> surface, const WorkContext& context) {
         leaveOutHoles(surface);
@@ -68,16 +66,12 @@ private:
 
     /// From lattice indices to plan vertices: m_kept holds the latter from here on.
     void numberVertices() {
-        for (LatticeTriangle& triangle : m_kept) {
-            for (std::uint32_t& corner : triangle) {
-                auto& vertex = m_vertexOf[corner];
-                if (vertex == kUnused) {
-                    vertex = static_cast<std::uint32_t>(m_plan.size());
-                    m_plan.push_back({corner, Vec2(0)});
-                }
-                corner = vertex;
-            }
-        }
+        LatticeNumbers numbers(m_frame.points());
+        for (LatticeTriangle& triangle : m_kept)
+            for (std::uint32_t& corner : triangle)
+                corner = numbers.number(corner);
+        for (const std::uint32_t lattice : numbers.used())
+            m_plan.push_back({lattice, Vec2(0)});
     }
 
     /// Only beside a hole can the material round a vertex fall apart into sectors.
@@ -184,8 +178,7 @@ private:
     }
 
     const SolidFrame& m_frame;
-    std::vector<bool> m_atHole;            ///< per grid point
-    std::vector<std::uint32_t> m_vertexOf; ///< per grid point
+    std::vector<bool> m_atHole; ///< per grid point
     std::vector<LatticeTriangle> m_kept;
     std::vector<PlanVertex> m_plan;
     TriangleMesh m_mesh;

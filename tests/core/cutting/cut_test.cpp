@@ -52,11 +52,19 @@ std::vector<Job> randomJobs(Random& random, int count, const StockBox& stock = k
     return jobs;
 }
 
-TEST(Cut, AgreesWithTheEnvelopeOfSinglePoints) {
-    for (unsigned seed = 1; seed <= 60; ++seed) {
+/// Calls `check(job, random)` for one random motion a seed, from 1 on.
+template<class Check>
+void forRandomJobs(unsigned seeds, const StockBox& stock, const Check& check) {
+    for (unsigned seed = 1; seed <= seeds; ++seed) {
         Random random(seed);
-        const Job job = randomJobs(random, 1)[0];
+        const Job job = randomJobs(random, 1, stock)[0];
         SCOPED_TRACE(fmt::format("seed {} {}", seed, told(job.cutter, job.motion)));
+        check(job, random);
+    }
+}
+
+TEST(Cut, AgreesWithTheEnvelopeOfSinglePoints) {
+    forRandomJobs(60, kStock, [](const Job& job, Random& /*random*/) {
         ZMap zmap = freshMap();
         (void)cut(zmap, job.cutter, job.motion);
         const ZMapSnapshot moment = zmap.snapshot();
@@ -70,7 +78,7 @@ TEST(Cut, AgreesWithTheEnvelopeOfSinglePoints) {
             }
         }
         EXPECT_LE(largest, 2e-5);
-    }
+    });
 }
 
 TEST(Cut, NeverRaisesAPointAndIsDoneAfterOnce) {
@@ -123,10 +131,7 @@ Motion partOf(const Motion& motion, double t0, double t1) {
 }
 
 TEST(Cut, SplittingAMotionChangesNothing) {
-    for (unsigned seed = 1; seed <= 60; ++seed) {
-        Random random(seed);
-        const Job job = randomJobs(random, 1)[0];
-        SCOPED_TRACE(fmt::format("seed {} {}", seed, told(job.cutter, job.motion)));
+    forRandomJobs(60, kStock, [](const Job& job, Random& random) {
         ZMap whole = freshMap();
         (void)cut(whole, job.cutter, job.motion);
         ZMap split = freshMap();
@@ -140,7 +145,7 @@ TEST(Cut, SplittingAMotionChangesNothing) {
         const std::vector<float> b = heightsOf(split);
         for (std::size_t k = 0; k < a.size(); ++k)
             ASSERT_NEAR(a[k], b[k], 2e-3) << "point " << k;
-    }
+    });
 }
 
 TEST(Cut, RecordsWhatTheMapLost) {
@@ -259,13 +264,10 @@ TEST(Cut, IsTheSameAcrossTileBoundaries) {
 }
 
 TEST(Cut, IsAsExactFarFromTheOrigin) {
-    for (unsigned seed = 1; seed <= 6; ++seed) {
-        Random random(seed);
-        const StockBox stock{{25.4 * 400, -25.4 * 700, 25.4 * 80}, 24, 18, 30};
-        const Job job = randomJobs(random, 1, stock)[0];
-        SCOPED_TRACE(fmt::format("seed {} {}", seed, told(job.cutter, job.motion)));
+    const StockBox stock{{25.4 * 400, -25.4 * 700, 25.4 * 80}, 24, 18, 30};
+    forRandomJobs(6, stock, [&stock](const Job& job, Random& /*random*/) {
         EXPECT_LE(largestError(job.cutter, job.motion, stock, 1.5, 1000), 1e-4);
-    }
+    });
 }
 
 TEST(Cut, CutsNothingWhereThePathIsNotKnown) {

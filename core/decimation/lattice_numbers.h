@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+namespace proveout {
+
+/// Numbers the grid points that a mesh uses 0, 1, 2, … in the order in which they are first asked for. Owned
+/// by one thread.
+class LatticeNumbers {
+public:
+    static constexpr std::uint32_t kUnused = std::numeric_limits<std::uint32_t>::max();
+
+    /// `points`: of the whole grid.
+    explicit LatticeNumbers(std::size_t points) : m_numberOf(points, kUnused) {}
+
+    /// The number of a grid point; gives it the next one where it has none.
+    std::uint32_t number(std::uint32_t lattice) {
+        std::uint32_t& number = m_numberOf[lattice];
+        if (number == kUnused) {
+            number = static_cast<std::uint32_t>(m_used.size());
+            m_used.push_back(lattice);
+        }
+        return number;
+    }
+    /// kUnused where it has none.
+    [[nodiscard]] std::uint32_t find(std::uint32_t lattice) const { return m_numberOf[lattice]; }
+    /// The grid points by number.
+    [[nodiscard]] const std::vector<std::uint32_t>& used() const { return m_used; }
+
+private:
+    std::vector<std::uint32_t> m_numberOf; ///< per grid point
+    std::vector<std::uint32_t> m_used;
+};
+
+} // namespace proveout
