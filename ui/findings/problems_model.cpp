@@ -6,6 +6,12 @@
 
 namespace proveout {
 
+ProblemsModel::ProblemsModel(QObject* parent) : QAbstractTableModel(parent) {
+    // A shape for each, so that colour is not needed. Made once: a list asks for them row by row.
+    for (const Severity severity : {Severity::note, Severity::warning, Severity::error, Severity::fault})
+        m_icons[static_cast<std::size_t>(severity)] = icon(QLatin1String(name(severity)));
+}
+
 void ProblemsModel::setProblems(const Diagnostics& problems) {
     beginResetModel();
     m_problems = problems;
@@ -42,7 +48,7 @@ QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
     if (role == Qt::DisplayRole || role == Qt::ToolTipRole)
         return text(shown, index.column());
     if (role == Qt::DecorationRole && index.column() == kSeverity)
-        return icon(QLatin1String(name(shown.severity))); // a shape for each, so that colour is not needed
+        return m_icons[static_cast<std::size_t>(shown.severity)];
     if (role == Qt::TextAlignmentRole && index.column() == kLine)
         return QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter);
     return {};

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+
 #include <QAbstractTableModel>
+#include <QIcon>
 
 #include "core/base/diagnostic.h"
 
@@ -14,7 +17,7 @@ class ProblemsModel final : public QAbstractTableModel {
 public:
     enum Column { kSeverity, kLine, kSentence, kHint, kId, kColumnCount };
 
-    using QAbstractTableModel::QAbstractTableModel;
+    explicit ProblemsModel(QObject* parent = nullptr);
     void setProblems(const Diagnostics& problems);
     [[nodiscard]] const Diagnostic& problem(int row) const {
         return m_problems[static_cast<std::size_t>(row)];
@@ -28,6 +31,7 @@ public:
 private:
     [[nodiscard]] static QString text(const Diagnostic& problem, int column);
     Diagnostics m_problems;
+    std::array<QIcon, 4> m_icons; ///< per severity
 };
 
 } // namespace proveout

@@ -16,8 +16,9 @@ public:
     /// Near the cutter means: this many blocks behind and ahead of it.
     static constexpr std::size_t kBlocksBehind = 80;
     static constexpr std::size_t kBlocksAhead = 160;
-    /// Programs with more blocks than this show the path near the cutter only.
-    static constexpr std::size_t kMostWholeBlocks = 1'000'000;
+    /// Programs with more blocks than this show the path near the cutter only: its lines are made within a
+    /// frame.
+    static constexpr std::size_t kMostWholeBlocks = 200'000;
 
     PathRenderer() : m_program({"line.vert", "line.geom", {"line.frag"}, {}}) {}
 

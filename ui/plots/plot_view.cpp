@@ -308,7 +308,7 @@ void PlotView::mouseDoubleClickEvent(QMouseEvent*) {
 }
 
 void PlotView::wheelEvent(QWheelEvent* event) {
-    const double steps = event->angleDelta().y() / 120.0;
+    const double steps = event->angleDelta().y() / double{QWheelEvent::DefaultDeltasPerStep};
     const double whole = std::max(1.0, static_cast<double>(m_blockCount));
     xAxis->scaleRange(std::pow(kZoomPerStep, steps), xAxis->pixelToCoord(event->position().x()));
     if (xAxis->range().size() >= whole) {

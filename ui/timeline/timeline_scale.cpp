@@ -24,7 +24,6 @@ constexpr double kTrackHeight = 10; // the numbers stand below
 constexpr double kHeadWidth = 11;
 constexpr int kHeight = 42;
 constexpr int kLabelEveryPixels = 90;
-constexpr int kWheelNotch = 120;
 constexpr std::ptrdiff_t kFastFactor = 5;
 
 /// The smallest step of the series 1, 2, 5 that is at least `wanted`.
@@ -129,12 +128,14 @@ void TimelineScale::paintRuler(QPainter& painter) const {
 void TimelineScale::paintMarks(QPainter& painter) const {
     const MeaningColors colors = meaningColors(palette());
     painter.setPen(Qt::NoPen);
-    double last = -10;
+    double lastChange = -10;
+    double lastProblem = -10;
     for (const TimelineMark& mark : m_marks) {
         const double x = positionOf(mark.block);
-        if (!mark.toolChange && x - last < 1)
-            continue; // thousands of problems on one pixel are drawn once
-        last = mark.toolChange ? last : x;
+        double& last = mark.toolChange ? lastChange : lastProblem;
+        if (x - last < 1)
+            continue; // thousands on one pixel are drawn once
+        last = x;
         painter.setBrush(mark.toolChange ? colors.toolChange : severityColor(colors, mark.severity));
         QPolygonF shape; // a tool change is a triangle, a problem a diamond: shapes tell them apart too
         if (mark.toolChange)
@@ -185,7 +186,9 @@ void TimelineScale::mouseReleaseEvent(QMouseEvent*) {
 }
 
 void TimelineScale::wheelEvent(QWheelEvent* event) {
-    const std::ptrdiff_t notches = -(event->angleDelta().y() + event->angleDelta().x()) / kWheelNotch;
+    m_wheel -= event->angleDelta().y() + event->angleDelta().x(); // touchpads tell fractions of a notch
+    const std::ptrdiff_t notches = m_wheel / QWheelEvent::DefaultDeltasPerStep;
+    m_wheel %= QWheelEvent::DefaultDeltasPerStep;
     const bool fast = (event->modifiers() & (Qt::ShiftModifier | Qt::ControlModifier)) != 0;
     if (notches != 0)
         emit stepped(fast ? notches * kFastFactor : notches);

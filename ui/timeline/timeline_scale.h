@@ -61,6 +61,7 @@ private:
     std::size_t m_blocks = 0;
     std::size_t m_block = 0;
     bool m_dragging = false;
+    int m_wheel = 0; ///< turned, not yet stepped, in eighths of a degree
     std::vector<TimelineMark> m_marks;
 };
 

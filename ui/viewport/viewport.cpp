@@ -344,7 +344,7 @@ void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void Viewport::wheelEvent(QWheelEvent* event) {
-    const double steps = event->angleDelta().y() / 120.0;
+    const double steps = event->angleDelta().y() / double{QWheelEvent::DefaultDeltasPerStep};
     if (steps != 0) {
         m_camera.zoom(std::pow(kZoomPerStep, steps), under(event->position()));
         moved();

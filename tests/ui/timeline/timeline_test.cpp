@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
 
+#include <QApplication>
 #include <QSignalSpy>
 #include <QTest>
+#include <QWheelEvent>
 
 #include "ui/timeline/timeline_scale.h"
 
@@ -42,6 +44,20 @@ private slots:
         QCOMPARE(blocks.back(), std::size_t{200});
         QTest::mouseMove(&scale, place(50)); // without a button
         QCOMPARE(blocks.back(), std::size_t{200});
+    }
+
+    void aTouchpadStepsAfterAWholeNotch() {
+        TimelineScale scale;
+        scale.resize(300, scale.sizeHint().height());
+        scale.setBlockCount(100);
+        QSignalSpy stepped(&scale, &TimelineScale::stepped);
+        for (int k = 0; k < 16; ++k) {
+            QWheelEvent event(QPointF(10, 10), scale.mapToGlobal(QPointF(10, 10)), {}, {0, -15}, Qt::NoButton,
+                              Qt::NoModifier, Qt::NoScrollPhase, false);
+            QApplication::sendEvent(&scale, &event);
+        }
+        QCOMPARE(stepped.count(), 2);
+        QCOMPARE(stepped.front().front().value<std::ptrdiff_t>(), std::ptrdiff_t{1});
     }
 
     void anEmptyRangeDoesNothing() {
