@@ -1722,6 +1722,14 @@
         <source>Check the centre and the number of turns.</source>
         <translation>Mittelpunkt und Anzahl der Umdrehungen prüfen.</translation>
     </message>
+    <message>
+        <source>Point angle</source>
+        <translation>Spitzenwinkel</translation>
+    </message>
+    <message>
+        <source>Drill</source>
+        <translation>Spiralbohrer</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

@@ -1722,6 +1722,14 @@
         <source>Check the centre and the number of turns.</source>
         <translation>중심과 회전 수를 확인하십시오.</translation>
     </message>
+    <message>
+        <source>Point angle</source>
+        <translation>선단각</translation>
+    </message>
+    <message>
+        <source>Drill</source>
+        <translation>드릴</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

@@ -28,6 +28,10 @@ constexpr std::array kConeKeys = {
     ShapeKey{"angle", PROVEOUT_TEXT("Core", "Included angle"), "°", 1, 179, 90, true},
     ShapeKey{"tip", PROVEOUT_TEXT("Core", "Diameter of the flat tip"), "mm", 0, kLargestSize, 0, false},
 };
+constexpr std::array kDrillKeys = {
+    kDiameter,
+    ShapeKey{"angle", PROVEOUT_TEXT("Core", "Point angle"), "°", 1, 179, 118, true},
+};
 
 constexpr std::array kCommonKeys = {
     ShapeKey{"l", PROVEOUT_TEXT("Core", "Flute length"), "mm", kLeastSize, kLargestSize, 50, false},
@@ -98,11 +102,17 @@ Result<std::vector<ProfilePiece>> coneProfile(std::span<const double> values) {
     return pieces;
 }
 
+/// A drill cuts as a cone does; its chisel edge is left out.
+Result<std::vector<ProfilePiece>> drillProfile(std::span<const double> values) {
+    return coneProfile(std::array{values[0], values[1], 0.0});
+}
+
 constexpr std::array kShapes = {
     CutterShape{"flat", PROVEOUT_TEXT("Core", "Flat end mill"), kDiameterOnly, flatProfile},
     CutterShape{"ball", PROVEOUT_TEXT("Core", "Ball-end mill"), kDiameterOnly, ballProfile},
     CutterShape{"bull", PROVEOUT_TEXT("Core", "Bull-nose mill"), kBullKeys, bullProfile},
     CutterShape{"cone", PROVEOUT_TEXT("Core", "Cone or V cutter"), kConeKeys, coneProfile},
+    CutterShape{"drill", PROVEOUT_TEXT("Core", "Drill"), kDrillKeys, drillProfile},
 };
 
 } // namespace

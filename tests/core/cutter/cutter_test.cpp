@@ -29,6 +29,8 @@ const Expected kExpected[] = {
     {"cone:d=8,angle=90", 4, 4, [](double r) { return r; }},
     {"cone:d=8,angle=90,tip=2", 4, 3, [](double r) { return std::max(0.0, r - 1); }},
     {"cone:d=6,angle=60", 3, 3 * std::sqrt(3.0), [](double r) { return r * std::sqrt(3.0); }},
+    {"drill:d=10,angle=90", 5, 5, [](double r) { return r; }},
+    {"drill:d=6,angle=120,l=40", 3, std::sqrt(3.0), [](double r) { return r / std::sqrt(3.0); }},
 };
 
 TEST(Cutter, HeightsFollowTheFormulaOfTheShape) {

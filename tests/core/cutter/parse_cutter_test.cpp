@@ -49,7 +49,7 @@ TEST_P(BadCutters, AreRefusedWithASentenceThatNamesTheKey) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Specs, BadCutters,
-                         testing::Values(Bad{"", "cutter-shape-unknown", "flat, ball, bull, cone"},
+                         testing::Values(Bad{"", "cutter-shape-unknown", "flat, ball, bull, cone, drill"},
                                          Bad{"drum:d=3", "cutter-shape-unknown", "“drum”"},
                                          Bad{"ball", "cutter-key-missing", "key d"},
                                          Bad{"ball:", "cutter-key-missing", "0.001 to 10000 mm"},
@@ -71,7 +71,10 @@ INSTANTIATE_TEST_SUITE_P(Specs, BadCutters,
                                          Bad{"bull:d=10,r=6", "corner-radius-too-large", "r=6"},
                                          Bad{"cone:d=10,angle=0", "cutter-value-out-of-range", "1 to 179 °"},
                                          Bad{"cone:d=10,angle=180", "cutter-value-out-of-range", "angle=180"},
-                                         Bad{"cone:d=10,angle=90,tip=10", "tip-too-large", "tip=10"}));
+                                         Bad{"cone:d=10,angle=90,tip=10", "tip-too-large", "tip=10"},
+                                         Bad{"drill:d=10", "cutter-key-missing", "key angle"},
+                                         Bad{"drill:d=10,angle=118,tip=1", "cutter-key-unknown",
+                                             "there are d, angle, l, sd, sl"}));
 
 TEST(ParseCutter, MakesACutterOfEveryRowFromItsProposedValues) {
     for (const CutterShape& shape : cutterShapes()) {
