@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <oneapi/tbb/parallel_for.h>
+#include <optional>
 #include <vector>
 
 #include "core/cutting/cutting.h"
@@ -15,6 +16,8 @@ namespace {
 
 /// Below this many points under the reach, waking other threads costs more than they help.
 constexpr double kPointsWorthThreads = 100'000;
+/// What takes longer than about 20 ms looks whether it shall stop. In points of a straight motion.
+constexpr double kPointsWorthStopping = 1'000'000;
 
 /// First and last tile along one axis that [lo, hi] may touch; computed in double, as a motion may reach
 /// farther than any index. Nothing when first > last.
@@ -53,10 +56,55 @@ std::vector<std::size_t> tilesToLower(const ZMap& zmap, const Sweep& sweep) {
     return tiles;
 }
 
+double pointsUnder(const Sweep& sweep, const Grid& grid, std::size_t tiles) {
+    const Box3& reach = sweep.reach();
+    return std::min(static_cast<double>(tiles) * Tile::kSize * Tile::kSize,
+                    (reach.hi.x - reach.lo.x) / grid.hx * ((reach.hi.y - reach.lo.y) / grid.hy));
+}
+
 void take(ZMap& zmap, std::size_t index, TileCut& done, CutRecord& record) {
     if (done.copy)
         zmap.adoptTile(index, std::move(done.copy));
     record.add(done.record);
+}
+
+/// The record is summed in the order of the tiles, whichever thread lowered them.
+CutRecord takeAll(ZMap& zmap, const std::vector<std::size_t>& tiles, std::vector<TileCut>& done) {
+    CutRecord record;
+    for (std::size_t k = 0; k < tiles.size(); ++k)
+        take(zmap, tiles[k], done[k], record);
+    return record;
+}
+
+std::vector<TileCut> lowerAtOnce(ZMap& zmap, const std::vector<std::size_t>& tiles, const Sweep& sweep,
+                                 const std::stop_token& stop) {
+    std::vector<TileCut> done(tiles.size());
+    tbb::parallel_for(std::size_t{0}, tiles.size(),
+                      [&](std::size_t k) { done[k] = lowerTile(zmap, tiles[k], sweep, stop); });
+    return done;
+}
+
+CutRecord lower(ZMap& zmap, const std::vector<std::size_t>& tiles, const Sweep& sweep, bool withThreads) {
+    if (withThreads && tiles.size() > 1) {
+        std::vector<TileCut> done = lowerAtOnce(zmap, tiles, sweep, {});
+        return takeAll(zmap, tiles, done);
+    }
+    CutRecord record;
+    for (const std::size_t index : tiles) {
+        TileCut done = lowerTile(zmap, index, sweep, {});
+        take(zmap, index, done, record);
+    }
+    return record;
+}
+
+/// All tiles are lowered as copies, so that the map stays as it was where they do not all get done.
+std::optional<CutRecord> lowerUnlessStopped(ZMap& zmap, const std::vector<std::size_t>& tiles,
+                                            const Sweep& sweep, const std::stop_token& stop) {
+    (void)zmap.snapshot(); // from now on every tile counts as shared
+    std::vector<TileCut> done = lowerAtOnce(zmap, tiles, sweep, stop);
+    if (!std::ranges::all_of(done, &TileCut::complete))
+        return std::nullopt;
+    return takeAll(zmap, tiles, done);
 }
 
 } // namespace
@@ -69,29 +117,22 @@ void CutRecord::add(const CutRecord& other) {
 }
 
 CutRecord cut(ZMap& zmap, const Cutter& cutter, const Motion& motion) {
-    CutRecord record;
+    return *cut(zmap, cutter, motion, {}); // what nobody stops is finished
+}
+
+std::optional<CutRecord> cut(ZMap& zmap, const Cutter& cutter, const Motion& motion,
+                             const std::stop_token& stop) {
     const Sweep sweep(cutter, motion, zmap.stock().topZ());
     if (sweep.empty() || zmap.tileCount() == 0)
-        return record;
+        return CutRecord();
     const std::vector<std::size_t> tiles = tilesToLower(zmap, sweep);
-    const Grid& grid = zmap.grid();
-    const Box3& reach = sweep.reach();
-    const double points =
-        std::min(static_cast<double>(tiles.size()) * Tile::kSize * Tile::kSize,
-                 (reach.hi.x - reach.lo.x) / grid.hx * ((reach.hi.y - reach.lo.y) / grid.hy));
-    if (tiles.size() > 1 && points > kPointsWorthThreads) {
-        std::vector<TileCut> done(tiles.size());
-        tbb::parallel_for(std::size_t{0}, tiles.size(),
-                          [&](std::size_t k) { done[k] = lowerTile(zmap, tiles[k], sweep); });
-        for (std::size_t k = 0; k < tiles.size(); ++k)
-            take(zmap, tiles[k], done[k], record);
-    } else {
-        for (const std::size_t index : tiles) {
-            TileCut done = lowerTile(zmap, index, sweep);
-            take(zmap, index, done, record);
-        }
-    }
-    record.removedMm3 *= grid.hx * grid.hy;
+    const double points = pointsUnder(sweep, zmap.grid(), tiles.size());
+    std::optional<CutRecord> record =
+        stop.stop_possible() && points * sweep.costOfPoint() > kPointsWorthStopping
+            ? lowerUnlessStopped(zmap, tiles, sweep, stop)
+            : lower(zmap, tiles, sweep, points > kPointsWorthThreads);
+    if (record)
+        record->removedMm3 *= zmap.grid().hx * zmap.grid().hy;
     return record;
 }
 

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "core/base/index_rect.h"
@@ -29,6 +31,10 @@ struct CutRecord {
 /// do not depend on the number of threads nor on the order of motions. The record's volume is summed in the
 /// order of tiles and so is reproducible too.
 [[nodiscard]] CutRecord cut(ZMap& zmap, const Cutter& cutter, const Motion& motion);
+/// The same, unless it is stopped: then nothing, and the map is what it was. Answers a stop within some 30
+/// ms. Motions that are much work take memory for copies of the tiles that they lower.
+[[nodiscard]] std::optional<CutRecord> cut(ZMap& zmap, const Cutter& cutter, const Motion& motion,
+                                           const std::stop_token& stop);
 
 /// The lower envelope of the swept cutter over (x, y), absolute z; +infinity where the cutter never comes.
 /// Source of truth of `cut`, in double; one point at a time.

@@ -69,9 +69,9 @@ double total(const LaneSums& sums) {
 /// The work on one tile, row by row.
 class TileWork {
 public:
-    TileWork(ZMap& zmap, std::size_t index, const Sweep& sweep)
-        : m_zmap(zmap), m_index(index), m_sweep(sweep), m_grid(zmap.grid()), m_rect(zmap.tileRect(index)),
-          m_floor(zmap.floor()) {
+    TileWork(ZMap& zmap, std::size_t index, const Sweep& sweep, const std::stop_token& stop)
+        : m_zmap(zmap), m_index(index), m_sweep(sweep), m_stop(stop), m_grid(zmap.grid()),
+          m_rect(zmap.tileRect(index)), m_floor(zmap.floor()) {
         m_envelope.fill(kInfinity);
     }
 
@@ -82,8 +82,13 @@ public:
             std::clamp(std::ceil((reach.lo.y - m_grid.y0) / m_grid.hy - 1e-6) - m_rect.j0, 0.0, rows);
         const double hi =
             std::clamp(std::floor((reach.hi.y - m_grid.y0) / m_grid.hy + 1e-6) - m_rect.j0 + 1, 0.0, rows);
-        for (int row = static_cast<int>(lo); row < static_cast<int>(hi); ++row)
+        for (int row = static_cast<int>(lo); row < static_cast<int>(hi); ++row) {
+            if (m_stop.stop_requested()) {
+                m_result.complete = false;
+                break;
+            }
             lower(row);
+        }
         finish();
         return std::move(m_result);
     }
@@ -162,6 +167,7 @@ private:
     ZMap& m_zmap;
     std::size_t m_index;
     const Sweep& m_sweep;
+    const std::stop_token& m_stop;
     const Grid& m_grid;
     IndexRect m_rect;
     float m_floor;
@@ -176,8 +182,8 @@ private:
 
 } // namespace
 
-TileCut lowerTile(ZMap& zmap, std::size_t index, const Sweep& sweep) {
-    return TileWork(zmap, index, sweep).run();
+TileCut lowerTile(ZMap& zmap, std::size_t index, const Sweep& sweep, const std::stop_token& stop) {
+    return TileWork(zmap, index, sweep, stop).run();
 }
 
 } // namespace proveout

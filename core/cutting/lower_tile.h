@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <stop_token>
 
 #include "core/cutting/cutting.h"
 #include "core/cutting/sweep.h"
@@ -15,10 +16,13 @@ namespace proveout {
 struct TileCut {
     CutRecord record;
     std::shared_ptr<Tile> copy; ///< the lowered tile, where a snapshot shares the old one
+    bool complete = true;       ///< false where it was stopped on the way
 };
 
 /// Lowers tile `index` of the map in place, or a copy of it where it is shared; a tile of which nothing
-/// changes is never copied. Different tiles may be lowered at once.
-[[nodiscard]] TileCut lowerTile(ZMap& zmap, std::size_t index, const Sweep& sweep);
+/// changes is never copied. Different tiles may be lowered at once. Looks at `stop` at every row: what was
+/// lowered in place until then stays lowered.
+[[nodiscard]] TileCut lowerTile(ZMap& zmap, std::size_t index, const Sweep& sweep,
+                                const std::stop_token& stop);
 
 } // namespace proveout

@@ -66,6 +66,11 @@ Sweep::Sweep(const Cutter& cutter, const Motion& motion, double topZ)
     m_reach.hi = box.hi + base + Vec3(m_rim, m_rim, lowestOfProfile);
 }
 
+double Sweep::costOfPoint() const {
+    constexpr double kSearch = 400; // measured: 8 µs against 20 ns
+    return m_arc ? kSearch * static_cast<double>(m_parts.size()) : 1;
+}
+
 Span Sweep::bandSpan(double y0, double y1) const {
     if (!m_arc) {
         // The line within the band, widened by the rim on both sides, bounds the sweep.

@@ -27,6 +27,9 @@ public:
     /// The lowest height that the cutter reaches anywhere.
     [[nodiscard]] double lowest() const { return m_reach.lo.z; }
 
+    /// The work on one point at most, as a multiple of that on a point of a straight motion.
+    [[nodiscard]] double costOfPoint() const;
+
     /// The part of the band y0 <= y <= y1 that may lie under the cutter.
     [[nodiscard]] Span bandSpan(double y0, double y1) const;
 

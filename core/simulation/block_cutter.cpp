@@ -48,21 +48,32 @@ void judgeUnknownRapid(const ZMap& zmap, const Cutter& cutter, const Motion& mot
 
 } // namespace
 
-CutRecord cutBlock(ZMap& zmap, const Program& program, std::size_t block, const Setup& setup,
-                   const ToolChoice& tools, FindingLog* findings) {
+std::optional<CutRecord> cutBlock(ZMap& zmap, const Program& program, std::size_t block, const Setup& setup,
+                                  const ToolChoice& tools, FindingLog* findings,
+                                  const std::stop_token& stop) {
     CutRecord sum;
     const auto motions = program.blockMotions(block);
+    std::optional<ZMapSnapshot> before;
+    if (stop.stop_possible() && motions.last - motions.first > 1)
+        before = zmap.snapshot();
     for (std::size_t index = motions.first; index < motions.last; ++index) {
         const Motion motion = program.motion(index);
         const Cutter* cutter = setup.tools.find(tools.tool(motion.tool));
         if (cutter == nullptr)
             continue;
-        const CutRecord record = cut(zmap, *cutter, motion);
+        const std::optional<CutRecord> record = cut(zmap, *cutter, motion, stop);
+        if (!record) {
+            if (before)
+                zmap = ZMap(*before);
+            if (findings != nullptr)
+                findings->truncate(block);
+            return std::nullopt;
+        }
         if (findings != nullptr && motion.kind == MotionKind::rapid && !motion.known())
             judgeUnknownRapid(zmap, *cutter, motion, block, *findings);
         if (findings != nullptr)
-            judge(record, motion, *cutter, block, *findings);
-        sum.add(record);
+            judge(*record, motion, *cutter, block, *findings);
+        sum.add(*record);
     }
     return sum;
 }

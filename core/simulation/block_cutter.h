@@ -2,6 +2,8 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
+#include <stop_token>
 
 #include "core/cutting/cutting.h"
 #include "core/nc/program.h"
@@ -14,8 +16,10 @@ namespace proveout {
 
 /// Cuts all motions of block `block` (0-based), each with its own tool; motions without a cutter cut nothing
 /// (and ToolChoice::missing() has told so already). What is found goes to `findings`, unless it is null.
-/// Called by the thread that owns `zmap`.
-[[nodiscard]] CutRecord cutBlock(ZMap& zmap, const Program& program, std::size_t block, const Setup& setup,
-                                 const ToolChoice& tools, FindingLog* findings);
+/// Called by the thread that owns `zmap`. Where it is stopped the map is what it was before the block,
+/// findings are without it, and there is no record.
+[[nodiscard]] std::optional<CutRecord> cutBlock(ZMap& zmap, const Program& program, std::size_t block,
+                                                const Setup& setup, const ToolChoice& tools,
+                                                FindingLog* findings, const std::stop_token& stop);
 
 } // namespace proveout

@@ -86,14 +86,17 @@ struct Simulation::State {
 
     // --- one block
 
-    CutRecord cutNext(StockRun& run, FindingLog* log) {
+    /// Nothing where it was stopped: the block counts as not executed.
+    std::optional<CutRecord> cutNext(StockRun& run, FindingLog* log, const WorkContext& context) {
         const StopWatch watch;
-        CutRecord record = cutBlock(run.zmap, *program, run.block, *setup, tools, log);
-        ++run.block;
-        run.removedMm3 += record.removedMm3;
+        auto record = cutBlock(run.zmap, *program, run.block, *setup, tools, log, context.stop);
         const double seconds = watch.seconds();
-        run.cutSeconds += seconds;
         effort.cutSeconds += seconds;
+        if (!record)
+            return std::nullopt;
+        ++run.block;
+        run.removedMm3 += record->removedMm3;
+        run.cutSeconds += seconds;
         if (run.cutSeconds - checkpoints.before(run.block).cutSeconds > kCheckpointSeconds)
             checkpoints.add(run.moment());
         return record;
@@ -123,14 +126,16 @@ struct Simulation::State {
         const std::size_t block = stock.block;
         const bool first = block == rows.size();
         const double secondsBefore = stock.cutSeconds;
-        const CutRecord record = cutNext(stock, first ? &findings : nullptr);
-        touchChanged(record.changed);
+        const auto record = cutNext(stock, first ? &findings : nullptr, context);
+        if (!record)
+            return;
+        touchChanged(record->changed);
 
         BlockStatistics row;
         row.facesFull = static_cast<std::uint32_t>(surface.facesFull());
         row.cutSeconds = static_cast<float>(stock.cutSeconds - secondsBefore);
-        row.removedMm3 = static_cast<float>(record.removedMm3);
-        row.maxDepth = static_cast<float>(record.maxDepth);
+        row.removedMm3 = static_cast<float>(record->removedMm3);
+        row.maxDepth = static_cast<float>(record->maxDepth);
         const BlockStatistics old = first ? row : rows[block];
         if (schedule.isMoment(stock.block)) {
             base = stock.moment();
@@ -218,7 +223,7 @@ struct Simulation::State {
     /// Replays up to `block`; false where it was stopped.
     bool replay(StockRun& run, std::size_t block, const WorkContext& context) {
         while (run.block < block && !context.stopped())
-            cutNext(run, nullptr);
+            (void)cutNext(run, nullptr, context);
         return run.block == block;
     }
 

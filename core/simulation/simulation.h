@@ -33,7 +33,7 @@ public:
     [[nodiscard]] bool settled() const;
 
     /// Executes the next block; nothing at the end. A stopped context may leave the surface unsettled, or do
-    /// nothing where it was so.
+    /// nothing.
     void step(const WorkContext& context = {});
     /// Goes to the state after block `block` (clamped), from a checkpoint where that is nearer. Blocks that
     /// were never executed run through the whole schedule, so that their statistics are true. A stopped

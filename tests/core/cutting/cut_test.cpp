@@ -3,11 +3,15 @@
 #include "core/cutting/cutting.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <limits>
 #include <numbers>
+#include <random>
+#include <stop_token>
+#include <thread>
 #include <vector>
 
 #include "tests/core/cutting/oracle.h"
@@ -318,6 +322,40 @@ TEST(Cut, CutsThroughAStockThatTheMotionPassesFromFarAway) {
     const auto j = static_cast<int>(std::lround((40 - 5) / zmap.grid().hy));
     for (int i = 0; i < zmap.grid().nx; ++i)
         EXPECT_EQ(moment.height(i, j), -5.0F);
+}
+
+TEST(Cut, LeavesTheMapAsItWasWhereItIsStopped) {
+    const std::uint32_t seed = std::random_device{}();
+    Random random(seed);
+    int stopped = 0;
+    for (int round = 0; round < 40; ++round) {
+        // Grids from light to heavy work; the first rounds are stopped before they begin.
+        const double spacing = round % 2 == 0 ? 0.9 : 0.1;
+        const Job job = randomJobs(random, 1)[0];
+        SCOPED_TRACE(fmt::format("seed {} round {} {}", seed, round, told(job.cutter, job.motion)));
+        ZMap zmap = freshMap(kStock, spacing);
+        (void)cut(zmap, cutterOf("ball:d=6"), straightMotion({-3, 20, -2}, {80, 50, -3}));
+        const std::vector<float> before = heightsOf(zmap);
+        ZMap whole(zmap.snapshot());
+        const CutRecord wanted = cut(whole, job.cutter, job.motion);
+        std::stop_source source;
+        std::jthread stopper([&source, delay = std::chrono::microseconds(round < 4 ? 0 : random() % 4000)] {
+            std::this_thread::sleep_for(delay);
+            source.request_stop();
+        });
+        if (round < 4)
+            stopper.join();
+        const auto record = cut(zmap, job.cutter, job.motion, source.get_token());
+        if (record) {
+            EXPECT_EQ(record->removedMm3, wanted.removedMm3);
+            EXPECT_EQ(record->points, wanted.points);
+            EXPECT_EQ(heightsOf(zmap), heightsOf(whole));
+        } else {
+            ++stopped;
+            EXPECT_EQ(heightsOf(zmap), before);
+        }
+    }
+    EXPECT_GT(stopped, 0) << "seed " << seed;
 }
 
 TEST(Cut, CutsTheLongestArcThatAProgramMayHave) {

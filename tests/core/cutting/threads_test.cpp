@@ -76,7 +76,7 @@ TEST(Threads, LowerDifferentTilesAtOnce) {
         for (std::size_t worker = 0; worker < kThreads; ++worker)
             workers.emplace_back([&, worker] {
                 for (std::size_t tile = worker; tile < done.size(); tile += kThreads)
-                    done[tile] = lowerTile(zmap, tile, sweep);
+                    done[tile] = lowerTile(zmap, tile, sweep, {});
             });
         for (std::thread& worker : workers)
             worker.join();

@@ -40,6 +40,18 @@ std::string randomProgram(std::uint_fast32_t seed, int blocks) {
     return text + "M30\n";
 }
 
+std::shared_ptr<const Program> programOfOneLongBlock() {
+    return programOf("T1 M6\nG0 X50 Y250 Z5\nG1 Z-1 F100\nG2 X50 Y250 Z-20 I200 J0 P3\nG0 Z5\nM2\n");
+}
+
+std::shared_ptr<const Setup> wideSetup() {
+    auto setup = std::make_shared<Setup>();
+    setup->stock = {Vec3(0), 500, 500, 60};
+    setup->spacing = 0.25;
+    setup->tools.set(1, parseCutter("cone:d=100,angle=90").value());
+    return setup;
+}
+
 std::shared_ptr<const Setup> smallSetup(double spacing) {
     auto setup = std::make_shared<Setup>();
     setup->stock = {Vec3(0), 40, 30, 10};

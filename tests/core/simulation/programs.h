@@ -17,6 +17,11 @@ namespace proveout {
 /// retracts by G0, cutting down to -8 mm. Equal seeds give equal programs.
 [[nodiscard]] std::string randomProgram(std::uint_fast32_t seed, int blocks);
 
+/// Four blocks, the third of which is seconds of work on the stock of `wideSetup`: a helix of a wide cone.
+[[nodiscard]] std::shared_ptr<const Program> programOfOneLongBlock();
+/// A 500 × 500 × 60 mm stock with its corner at the origin, and T1, a cone of 100 mm.
+[[nodiscard]] std::shared_ptr<const Setup> wideSetup();
+
 /// A 40 × 30 × 10 mm stock with its corner at the origin, and T1, a 4 mm ball-end mill.
 [[nodiscard]] std::shared_ptr<const Setup> smallSetup(double spacing = 0.5);
 

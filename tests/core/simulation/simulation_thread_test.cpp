@@ -278,6 +278,30 @@ TEST(SimulationThread, AnswersACancelOfLongWorkSoon) {
     EXPECT_EQ(later->block, frame->block) << "cancelled work is not taken up again";
 }
 
+TEST(SimulationThread, AnswersACancelAndItsEndInTheMiddleOfABlock) {
+    auto listening = std::make_unique<Listening>();
+    auto& thread = listening->thread();
+    DecimationParameters parameters;
+    parameters.method = DecimationMethod::none;
+    thread.post(LoadCommand{programOfOneLongBlock(), wideSetup(), parameters, 1});
+    ASSERT_NE(listening->waitFor([](const Frame&) { return true; }), nullptr);
+    thread.post(SeekCommand{3});
+    std::this_thread::sleep_for(200ms);
+    listening->forget();
+    auto asked = Clock::now();
+    thread.cancel();
+    const auto frame = listening->waitFor([](const Frame&) { return true; });
+    EXPECT_LT(Clock::now() - asked, kCancelLimit);
+    ASSERT_NE(frame, nullptr);
+    EXPECT_EQ(frame->block, 2U);
+
+    thread.post(SeekCommand{3});
+    std::this_thread::sleep_for(100ms);
+    asked = Clock::now();
+    listening.reset();
+    EXPECT_LT(Clock::now() - asked, kCancelLimit);
+}
+
 /// Random commands from another thread for some seconds, then the state must be what the last ones ask for.
 TEST(SimulationThread, SurvivesAStormOfCommands) {
     const std::uint32_t seed = std::random_device{}();

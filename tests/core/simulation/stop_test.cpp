@@ -125,5 +125,25 @@ TEST(Stop, RowsOfAnInterruptedRunAreTrue) {
     }
 }
 
+TEST(Stop, InTheMiddleOfABlockCountsItAsNotExecuted) {
+    const auto program = programOfOneLongBlock();
+    DecimationParameters parameters;
+    parameters.method = DecimationMethod::none;
+    const auto simulation = startedSimulation(program, wideSetup(), parameters);
+    simulation->seek(2);
+    const Frame before = simulation->frame();
+    for (const int milliseconds : {0, 30, 200}) {
+        std::stop_source source;
+        std::jthread stopper([&source, milliseconds] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
+            source.request_stop();
+        });
+        simulation->seek(4, {source.get_token(), {}});
+        ASSERT_EQ(simulation->position(), 2U) << milliseconds << " ms";
+        EXPECT_EQ(difference(simulation->frame(), before), "") << milliseconds << " ms";
+        EXPECT_EQ(simulation->frame().statistics.size(), 2U);
+    }
+}
+
 } // namespace
 } // namespace proveout
