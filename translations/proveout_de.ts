@@ -1730,6 +1730,18 @@
         <source>Drill</source>
         <translation>Spiralbohrer</translation>
     </message>
+    <message>
+        <source>The program never says where {} stands, so what it cuts is not known.</source>
+        <translation>Das Programm sagt nie, wo {} steht; was es schneidet, ist daher nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The rapid motion passes over the stock at a height that is not known; whether it cuts is not known.</source>
+        <translation>Die Eilgangbewegung führt in unbekannter Höhe über das Rohteil; ob sie schneidet, ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Position Z above the stock before the rapid.</source>
+        <translation>Vor dem Eilgang Z über dem Rohteil positionieren.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

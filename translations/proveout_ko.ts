@@ -1730,6 +1730,18 @@
         <source>Drill</source>
         <translation>드릴</translation>
     </message>
+    <message>
+        <source>The program never says where {} stands, so what it cuts is not known.</source>
+        <translation>프로그램이 {}의 위치를 한 번도 지정하지 않으므로 무엇을 깎는지 알 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>The rapid motion passes over the stock at a height that is not known; whether it cuts is not known.</source>
+        <translation>급속 이송이 알 수 없는 높이로 소재 위를 지나갑니다. 절삭하는지 알 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Position Z above the stock before the rapid.</source>
+        <translation>급속 이송 전에 Z를 소재 위로 이동하십시오.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

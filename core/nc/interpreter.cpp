@@ -5,6 +5,7 @@
 
 #include "core/nc/execution.h"
 #include "core/nc/lexer.h"
+#include "core/nc/motion_building.h"
 
 namespace proveout {
 
@@ -40,6 +41,7 @@ public:
             m_reporter.beginLine(static_cast<std::uint32_t>(index + 1));
             if (index % kLinesPerLook == 0 && m_context.stopped()) {
                 m_reporter.tellInAnyCase(nc_message::kStopped, 1, 0);
+                m_cutShort = true;
                 break;
             }
             if (index % kLinesPerTell == 0)
@@ -53,7 +55,9 @@ public:
         }
         if (index == count)
             m_reporter.beginLine(static_cast<std::uint32_t>(count));
-        tellAboutTheWhole(index);
+        if (!m_cutShort)
+            tellAboutTheWhole(index);
+        m_reporter.tellSuppressed();
         m_program->setSourceBlockCount(m_sourceBlocks);
         m_context.tell(1);
         return std::move(m_program);
@@ -132,6 +136,7 @@ private:
         if (m_program->motionCount() < m_options.maxMotions)
             return false;
         m_reporter.tellInAnyCase(nc_message::kTooManyMotions, 1, 0, {std::to_string(m_options.maxMotions)});
+        m_cutShort = true;
         return true;
     }
 
@@ -145,7 +150,14 @@ private:
             m_reporter.tellInAnyCase(nc_message::kNoMotion, 1, 0);
         else if (linesRead == m_text.lineCount() && !m_state.ended && !m_percentClosed)
             m_reporter.tellInAnyCase(nc_message::kNoProgramEnd, 1, 0);
-        m_reporter.tellSuppressed();
+        tellNeverKnown();
+    }
+
+    /// Axes without which a motion cut nothing were told there.
+    void tellNeverKnown() {
+        const auto never = static_cast<std::uint8_t>(kAllAxes & ~(m_state.everKnown | m_state.unknownTold));
+        if (never != 0 && m_program->motionCount() > 0 && !m_options.assumeStartAtZero)
+            m_reporter.tellInAnyCase(nc_message::kNeverKnown, 1, 0, {namesOfAxes(never)});
     }
 
     const NcText& m_text;
@@ -159,6 +171,7 @@ private:
     bool m_percentOpen = false;
     bool m_percentClosed = false;
     bool m_finished = false;
+    bool m_cutShort = false; ///< stopped, or at a limit: what the rest of the program says is not known
     bool m_controlCodeTold = false;
     bool m_longNumberTold = false;
 };

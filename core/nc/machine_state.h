@@ -30,7 +30,8 @@ struct MachineState {
     int tool = 0;             ///< in the spindle; 0: none
 
     Vec3 position{0};
-    std::uint8_t known = 0; ///< AxisBits of `position`
+    std::uint8_t known = 0;     ///< AxisBits of `position`
+    std::uint8_t everKnown = 0; ///< AxisBits that were known at the end of any motion
 
     // What was told already, so that it is told once.
     std::uint8_t unknownTold = 0; ///< AxisBits

@@ -174,6 +174,10 @@ inline constexpr Message kStartUnknown{
     Severity::warning, true, "start-unknown",
     PROVEOUT_TEXT("Core", "The position of {} is not known, so this motion cuts nothing."),
     PROVEOUT_TEXT("Core", "Position all axes with G0 before the first cut.")};
+inline constexpr Message kNeverKnown{
+    Severity::warning, true, "position-never-known",
+    PROVEOUT_TEXT("Core", "The program never says where {} stands, so what it cuts is not known."),
+    PROVEOUT_TEXT("Core", "Position all axes with G0 before the first cut.")};
 inline constexpr Message kIncrementalUnknown{
     Severity::warning, true, "incremental-from-unknown",
     PROVEOUT_TEXT("Core", "{} moves by a distance from a place that is not known."),

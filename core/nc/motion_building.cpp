@@ -16,6 +16,17 @@ std::uint8_t bit(int axis) {
 
 } // namespace
 
+std::string namesOfAxes(std::uint8_t axes) {
+    std::string names;
+    for (int axis = 0; axis < 3; ++axis) {
+        if ((axes & bit(axis)) == 0)
+            continue;
+        names += names.empty() ? "" : ", ";
+        names += kAxisLetters[static_cast<std::size_t>(axis)];
+    }
+    return names;
+}
+
 Motion motionToTarget(Execution& execution, MotionKind kind) {
     const MachineState& state = execution.state;
     Motion motion;
@@ -63,20 +74,14 @@ void tellUnknownStart(Execution& execution, const Motion& motion, const Word& wo
         static_cast<std::uint8_t>(kAllAxes & ~static_cast<unsigned>(motion.startKnown & motion.endKnown));
     if ((unknown & ~execution.state.unknownTold) == 0)
         return;
-    std::string axesText;
-    for (int axis = 0; axis < 3; ++axis) {
-        if ((unknown & bit(axis)) == 0)
-            continue;
-        axesText += axesText.empty() ? "" : ", ";
-        axesText += kAxisLetters[static_cast<std::size_t>(axis)];
-    }
     execution.state.unknownTold |= unknown;
-    execution.reporter.tell(nc_message::kStartUnknown, word, {axesText});
+    execution.reporter.tell(nc_message::kStartUnknown, word, {namesOfAxes(unknown)});
 }
 
 void arrive(MachineState& state, const Motion& motion) {
     state.position = motion.end;
     state.known = motion.endKnown;
+    state.everKnown |= motion.endKnown;
     state.unknownTold &= static_cast<std::uint8_t>(~state.known);
 }
 

@@ -2,9 +2,15 @@
 // What all motion codes do alike: find the target, tell what is missing, append, arrive.
 #pragma once
 
+#include <cstdint>
+#include <string>
+
 #include "core/nc/execution.h"
 
 namespace proveout {
+
+/// "X, Y": the axes of some AxisBits.
+[[nodiscard]] std::string namesOfAxes(std::uint8_t axes);
 
 /// A motion from where the machine stands to where the axis words of the block send it. An increment from an
 /// unknown place is told.

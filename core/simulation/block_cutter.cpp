@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/block_cutter.h"
 
+#include <algorithm>
+
 namespace proveout {
 
 namespace {
@@ -34,10 +36,27 @@ bool standsInStock(const ZMap& zmap, const Cutter& cutter, const Motion& motion)
     return cut(trial, cutter, standing).maxDepth > kNothingRemoved;
 }
 
+/// A rapid that moves in plan while nobody knows how high may go through the stock. The box of its ends
+/// stands for its path.
+bool mayCrossAtUnknownHeight(const StockBox& stock, const Motion& motion, double radius) {
+    if ((motion.endKnown & kAxisZ) != 0 || (motion.startKnown & (kAxisX | kAxisY)) != (kAxisX | kAxisY))
+        return false;
+    const auto meets = [&](int axis, double from, double length) {
+        const auto [lo, hi] = std::minmax(motion.start[axis], motion.end[axis]);
+        return hi > from - radius && lo < from + length + radius;
+    };
+    return meets(0, stock.corner.x, stock.width) && meets(1, stock.corner.y, stock.depth);
+}
+
 /// The path of a rapid from an unknown position is unknown too, so it cuts nothing. Most programs begin so,
-/// with a move to a safe height; one that ends in the stock must not pass for checked.
+/// with a move to a safe height; one that ends in the stock, or goes on over it at an unknown height, must
+/// not pass for checked.
 void judgeUnknownRapid(const ZMap& zmap, const Cutter& cutter, const Motion& motion, std::size_t block,
                        FindingLog& findings) {
+    if (mayCrossAtUnknownHeight(zmap.stock(), motion, cutter.radius())) {
+        findings.add(block, FindingKind::rapidAtUnknownHeight, 0);
+        return;
+    }
     const double below = zmap.stock().topZ() - motion.end.z;
     if ((motion.endKnown & kAxisZ) == 0 || below <= kNothingRemoved ||
         !mayMeetInPlan(zmap.stock(), motion, cutter.radius()))

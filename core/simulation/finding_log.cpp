@@ -36,6 +36,11 @@ constexpr std::array kRows{
                              "The rapid motion comes from an unknown position and ends {} mm below the "
                              "top of the stock; what it cuts is not known."),
                PROVEOUT_TEXT("Core", "Retract above the stock before the rapid, or cut with G1.")},
+    FindingRow{Severity::error, true, "rapid-unchecked",
+               PROVEOUT_TEXT("Core",
+                             "The rapid motion passes over the stock at a height that is not known; whether "
+                             "it cuts is not known."),
+               PROVEOUT_TEXT("Core", "Position Z above the stock before the rapid.")},
 };
 
 // About the tools.

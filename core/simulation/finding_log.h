@@ -15,6 +15,7 @@ enum class FindingKind : std::uint8_t {
     rapidCuts,         ///< a rapid removed material; value: depth, mm
     depthBeyondFlutes, ///< more height removed at once than the flutes are long; value: depth, mm
     rapidUnchecked,    ///< a rapid from an unknown position ends in the stock; value: depth below its top, mm
+    rapidAtUnknownHeight, ///< a rapid passes over the stock, and nobody knows how high; no value
 };
 
 /// What the simulation found, block by block. Lines are asked from the program when the sentences are made,

@@ -57,6 +57,14 @@ TEST_F(CliSimulate, JsonHasTheKeysOfTheContract) {
     EXPECT_TRUE(json["unverified"].empty());
 }
 
+TEST_F(CliSimulate, AProgramWhoseHeightIsNeverKnownIsUnverified) {
+    write("flat.nc", "T1 M6\nG0 X0 Y0\nG0 X40\nM2\n");
+    const auto done = run("simulate flat.nc --json" + kStock + kTool);
+    EXPECT_EQ(done.exitCode, 2);
+    EXPECT_TRUE(done.tells("flat.nc:3:", "rapid-unchecked")) << done.err;
+    EXPECT_TRUE(done.tells("flat.nc:4:", "position-never-known")) << done.err;
+}
+
 TEST_F(CliSimulate, RemovedVolumeIsThatOfTheCut) {
     // A level slot of a 4 mm ball, 2 mm deep: half a disc times its length, and a quarter ball at each end.
     write("slot.nc", "T1 M6\nG0 X10 Y15 Z5\nG1 Z-2 F100\nX30\nG0 Z5\n");

@@ -47,6 +47,34 @@ TEST(Interpreter, NamesTheFileAndThePlaceOfEveryMessage) {
     EXPECT_TRUE(program->unverified());
 }
 
+TEST(Interpreter, TellsAnAxisWhosePositionIsNeverKnown) {
+    const auto axesNeverKnown = [](const char* text, const InterpretOptions& options = {}) {
+        const auto program = interpret(NcText(text), options);
+        for (const Diagnostic& diagnostic : program->diagnostics())
+            if (diagnostic.id == std::string("position-never-known")) {
+                EXPECT_TRUE(diagnostic.unverified);
+                return diagnostic.arguments.at(0);
+            }
+        return std::string();
+    };
+    EXPECT_EQ(axesNeverKnown("G0 X0 Y0\nG0 X100\nM2\n"), "Z");
+    EXPECT_EQ(axesNeverKnown("G0 Z5\nM2\n"), "X, Y");
+    EXPECT_EQ(axesNeverKnown("G0 X0 Y0\nZ5\nM2\n"), "");
+    EXPECT_EQ(axesNeverKnown("M2\n"), "") << "without a motion that is what is told";
+    EXPECT_EQ(axesNeverKnown("G1 X1 Y1 F100\nM2\n"), "") << "told where the motion cut nothing";
+    InterpretOptions started;
+    started.start = Vec3(0, 0, 50);
+    EXPECT_EQ(axesNeverKnown("G0 X0 Y0\nG0 X100\nM2\n", started), "");
+}
+
+TEST(Interpreter, SaysNothingOfTheWholeWhereItWasStopped) {
+    std::stop_source source;
+    source.request_stop();
+    const auto program = interpret(NcText("G0 X0\nM2\n"), {}, {source.get_token(), {}});
+    ASSERT_EQ(program->diagnostics().size(), 1U);
+    EXPECT_TRUE(program->unverified());
+}
+
 TEST(Interpreter, TellsTheSmallerRadiusWhereAnArcHasNone) {
     // As texts, "10" stands before "5e-05".
     const auto program = interpret(NcText("G0 X0 Y0 Z0\nF100\nG2 X10 Y0 I-0.00005 J0\nM2\n"));

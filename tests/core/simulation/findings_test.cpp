@@ -54,6 +54,16 @@ TEST(Findings, RapidFromAnUnknownPositionIntoTheStockIsUnverified) {
     }
 }
 
+TEST(Findings, RapidOverTheStockAtAnUnknownHeightIsUnverified) {
+    const auto findings = findingsOf("T1 M6\nG0 X0 Y0\nG0 X30\nG0 Z5\n");
+    ASSERT_EQ(findings.size(), 1U);
+    EXPECT_STREQ(findings[0].id, "rapid-unchecked");
+    EXPECT_TRUE(findings[0].unverified);
+    EXPECT_EQ(findings[0].where.line, 3);
+    for (const char* beside : {"G0 X0 Y-3\nG0 X30\nG0 Z5", "G0 X0 Y0\nG0 Z5\nX30", "G0 X0\nG0 Y0\nG0 Z5"})
+        EXPECT_TRUE(findingsOf(fmt::format("T1 M6\n{}\n", beside)).empty()) << beside;
+}
+
 TEST(Findings, RapidFromAnUnknownPositionThatEndsClearOfTheStockIsNone) {
     for (const char* start : {"G0 Z0", "G0 X10 Y5", "G0 X10 Y5 Z1", "G0 X-2.1 Y5 Z-8", "G0 X42.1\nG0 Z-8"})
         EXPECT_TRUE(findingsOf(fmt::format("T1 M6\n{}\n", start)).empty()) << start;
