@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Work that was stopped leaves a state that later work completes to what it would have been.
 #include <atomic>
+#include <chrono>
 #include <gtest/gtest.h>
 #include <random>
+#include <thread>
 
 #include "tests/core/simulation/moments.h"
 #include "tests/core/simulation/programs.h"
