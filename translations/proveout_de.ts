@@ -1742,6 +1742,10 @@
         <source>Position Z above the stock before the rapid.</source>
         <translation>Vor dem Eilgang Z über dem Rohteil positionieren.</translation>
     </message>
+    <message>
+        <source>This is a folder, not a file.</source>
+        <translation>Das ist ein Ordner, keine Datei.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

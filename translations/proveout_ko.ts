@@ -1742,6 +1742,10 @@
         <source>Position Z above the stock before the rapid.</source>
         <translation>급속 이송 전에 Z를 소재 위로 이동하십시오.</translation>
     </message>
+    <message>
+        <source>This is a folder, not a file.</source>
+        <translation>파일이 아니라 폴더입니다.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

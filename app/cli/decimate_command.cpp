@@ -103,6 +103,7 @@ void addDecimateCommand(CLI::App& app, ExitCode& exitCode) {
     auto* command = app.add_subcommand("decimate", "Decimate a given z-map");
     auto options = std::make_shared<DecimateOptions>();
     command->add_option("ZMAP", options->zmap, "Z-map: NPY, absolute heights, row 0 at the least y")
+        ->type_name("")
         ->required();
     command->add_option("--grid", options->spacing, "Grid spacing, mm")->type_name("H")->required();
     command->add_option("--origin", options->origin, "Position of row 0, column 0, mm (0,0)")

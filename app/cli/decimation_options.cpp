@@ -46,10 +46,10 @@ CLI::Validator numberOf(const Field& field) {
                 static_cast<double>(value) >= minimum && static_cast<double>(value) <= maximum;
             if (error == std::errc{} && end == text.data() + text.size() && inRange)
                 return {};
-            return fmt::format("{} is not {} in {} … {}", text,
+            return fmt::format("{} is not {} from {} to {}", text,
                                std::is_integral_v<Value> ? "a whole number" : "a number", minimum, maximum);
         },
-        fmt::format("{} … {}", field.minimum, field.maximum));
+        fmt::format("{} to {}", field.minimum, field.maximum));
 }
 
 /// "8", or what differs by method: "20; global: 1".
@@ -73,7 +73,7 @@ std::string standardText(const Value& value, const Field& field) {
     if constexpr (std::is_enum_v<Value>)
         return field.choices[static_cast<std::size_t>(value)].key;
     else
-        return fmt::format("{}", value);
+        return fmt::format("{}{}{}", value, *field.unit == '\0' ? "" : " ", field.unit);
 }
 
 } // namespace
@@ -86,15 +86,16 @@ void DecimationOptions::addTo(CLI::App& command) {
         const auto keep = [this, key](const std::string& text) { m_given[key] = text; };
         CLI::Option* option = nullptr;
         if constexpr (std::is_same_v<Value, bool>) {
+            const std::string help = fmt::format("Turn off: {}", field.help);
             option = command.add_flag_callback(
-                "--no-" + key, [keep] { keep("false"); }, field.help);
+                "--no-" + key, [keep] { keep("false"); }, help);
         } else {
             const std::string help = fmt::format("{} ({})", field.help, standardText(value, field));
             option = command.add_option_function<std::string>("--" + key, keep, help);
             if constexpr (std::is_enum_v<Value>)
-                option->check(CLI::IsMember(keys(field)));
+                option->check(CLI::IsMember(keys(field)))->type_name("M");
             else
-                option->check(numberOf<Value>(field))->type_name(field.unit);
+                option->check(numberOf<Value>(field))->type_name(std::is_integral_v<Value> ? "N" : "X");
         }
         option->group("Decimation");
     });

@@ -75,7 +75,7 @@ ExitCode run(const InterpretCommandOptions& options) {
 void addInterpretCommand(CLI::App& app, ExitCode& exitCode) {
     auto* command = app.add_subcommand("interpret", "Print motions and events as JSON Lines (nc-motion/1)");
     auto options = std::make_shared<InterpretCommandOptions>();
-    command->add_option("PROG", options->program, "NC program")->required();
+    command->add_option("PROG", options->program, "NC program")->type_name("")->required();
     addDialectOption(*command);
     command->add_option("--tools", options->toolsFile, "Tool table (TOML)")->type_name("FILE");
     command->add_option("--start", options->start, "Position before the first block, mm (0,0,0, assumed)")

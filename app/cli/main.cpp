@@ -15,17 +15,19 @@ namespace {
 using namespace proveout::cli;
 
 /// One row a command, in the order of the help.
-constexpr std::array kCommands{addInterpretCommand, addSimulateCommand, addDecimateCommand,
+constexpr std::array kCommands{addInterpretCommand, addSimulateCommand, addDecimateCommand, addToolsCommand,
                                addFormatsCommand};
 
-/// The help of the command that was named, or of all.
-const CLI::App& spokenTo(const CLI::App& app) {
+/// One sentence, and how the command that was named is used; the whole help would push the sentence off the
+/// screen.
+ExitCode refuse(const CLI::App& app, std::string sentence) {
     const auto chosen = app.get_subcommands();
-    return chosen.empty() ? app : *chosen.front();
-}
-
-ExitCode refuse(const CLI::App& app, const std::string& sentence) {
-    fmt::print(stderr, "proveout-cli: error: {} [usage]\n\n{}", sentence, spokenTo(app).help());
+    const CLI::App& command = chosen.empty() ? app : *chosen.front();
+    const std::string name = chosen.empty() ? app.get_name() : app.get_name() + " " + command.get_name();
+    if (!sentence.ends_with('.'))
+        sentence += '.';
+    fmt::print(stderr, "proveout-cli: error: {} [usage]\n\n{}\nMore is told by {} --help\n", sentence,
+               CLI::Formatter().make_usage(&command, name), name);
     return ExitCode::unusable;
 }
 

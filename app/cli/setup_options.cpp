@@ -12,13 +12,16 @@
 namespace proveout::cli {
 
 void SetupOptions::addTo(CLI::App& command) {
-    command.add_option("PROG", m_program, "NC program");
-    command.add_option("--job", m_jobFile, "Job file with program, stock, grid, tools and decimation");
+    command.add_option("PROG", m_program, "NC program")->type_name("");
+    command.add_option("--job", m_jobFile, "Job file with program, stock, grid, tools and decimation")
+        ->type_name("FILE");
     command.add_option("--stock", m_stock, "Size of the stock, mm")->type_name("WxDxH");
     command.add_option("--stock-origin", m_stockOrigin, "Lower-left-top corner of the stock, mm (0,0,0)")
         ->type_name("X,Y,Z");
     command.add_option("--grid", m_grid, "Grid spacing, mm (1)")->type_name("H");
-    command.add_option("--tool", m_tools, "A tool, e.g. 1=ball:d=11,l=50; repeatable")
+    command
+        .add_option("--tool", m_tools,
+                    "A tool, e.g. 1=ball:d=11,l=50; repeatable; shapes: proveout-cli tools --shapes")
         ->type_name("N=SHAPE:key=value,…")
         ->allow_extra_args(false);
     command.add_option("--tools", m_toolsFile, "Tool table (TOML)")->type_name("FILE");
@@ -40,9 +43,9 @@ Result<Job> SetupOptions::job() const {
     if (!m_program.empty())
         job.program = m_program;
     if (job.program.empty())
-        return failure("no-program", "No program is given: name one, or a --job.");
+        return failure("no-program", "No program is given: name one, or a --job.", {}, "proveout-cli");
     if (m_jobFile.empty() && m_stock.empty())
-        return failure("no-stock", "No stock is given: use --stock WxDxH, or a --job.");
+        return failure("no-stock", "No stock is given: use --stock WxDxH, or a --job.", {}, "proveout-cli");
     if (auto stock = applyStock(job.setup); !stock)
         return tl::unexpected(std::move(stock.error()));
     if (auto tools = applyTools(job.setup); !tools)
@@ -124,7 +127,9 @@ tl::unexpected<Diagnostics> SetupOptions::aboutGrid(Diagnostics diagnostics) con
 }
 
 void addDialectOption(CLI::App& command) {
-    command.add_option("--dialect", "Dialect of the program (linuxcnc)")->check(CLI::IsMember({"linuxcnc"}));
+    command.add_option("--dialect", "Dialect of the program (linuxcnc)")
+        ->check(CLI::IsMember({"linuxcnc"}))
+        ->type_name("D");
 }
 
 } // namespace proveout::cli

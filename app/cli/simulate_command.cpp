@@ -250,7 +250,9 @@ void addSimulateCommand(CLI::App& app, ExitCode& exitCode) {
     auto options = std::make_shared<SimulateOptions>();
     options->setup.addTo(*command);
     options->threads.addTo(*command);
-    command->add_option("--until", options->until, "Stop after the N-th block that moves, or after line n")
+    command
+        ->add_option("--until", options->until,
+                     "Stop after the N-th block that moves (from 1), or after line n")
         ->type_name("N|L<n>")
         ->check([](const std::string& text) {
             return parseStopBlock(text) ? std::string()
@@ -259,8 +261,9 @@ void addSimulateCommand(CLI::App& app, ExitCode& exitCode) {
     command->add_option("--zmap", options->zmap, "Write the z-map (NPY)")->type_name("F.npy");
     command->add_option("--stl", options->stl, "Write the stock as a closed solid (STL)")->type_name("F.stl");
     command->add_flag("--ascii", options->asciiStl, "Write STL as text");
-    command->add_option("--mesh", options->mesh, "The surface of the solid")
-        ->check(CLI::IsMember({"decimated", "full"}));
+    command->add_option("--mesh", options->mesh, "The surface of the solid (decimated)")
+        ->check(CLI::IsMember({"decimated", "full"}))
+        ->type_name("M");
     command->add_option("--records", options->records, "Write one row a moving block (CSV)")
         ->type_name("F.csv");
     command->add_flag("--json", options->json, "Print one JSON object");

@@ -16,7 +16,8 @@ ThreadLimit::~ThreadLimit() = default;
 
 void ThreadLimit::addTo(CLI::App& command) {
     command.add_option("--threads", m_threads, "Threads that work in parallel (all, if not given)")
-        ->check(CLI::Range(1, 1024));
+        ->check(CLI::Range(1, 1024).description("1 to 1024"))
+        ->type_name("N");
 }
 
 void ThreadLimit::apply() {

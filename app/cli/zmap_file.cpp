@@ -31,8 +31,10 @@ Result<StockBox> stockOf(const NpyArray& array, double spacing, Vec2 origin, std
     const auto [least, most] = std::ranges::minmax(array.values);
     const double bottom = floor.value_or(least - kStandardThickness);
     if (!(bottom <= least && bottom < most))
-        return failure("floor-too-high", "The floor, {} mm, must lie below the heights ({} … {} mm).",
-                       {fmt::format("{}", bottom), fmt::format("{}", least), fmt::format("{}", most)});
+        return aboutOption(
+            "--floor", failure("floor-too-high", "The floor, {} mm, must lie below the heights, {} … {} mm.",
+                               {fmt::format("{}", bottom), fmt::format("{}", least), fmt::format("{}", most)})
+                           .value());
     StockBox stock;
     stock.corner = {origin, most};
     stock.width = spacing * (array.columns - 1);

@@ -181,8 +181,10 @@ Result<std::string> readFile(const std::filesystem::path& source, std::uint64_t 
     struct stat info {};
     if (::fstat(descriptor, &info) != 0 || !S_ISREG(info.st_mode)) {
         ::close(descriptor);
-        return failure("file-not-regular", PROVEOUT_TEXT("Core", "This is not a regular file."), {},
-                       source.string());
+        return failure("file-not-regular",
+                       S_ISDIR(info.st_mode) ? PROVEOUT_TEXT("Core", "This is a folder, not a file.")
+                                             : PROVEOUT_TEXT("Core", "This is not a regular file."),
+                       {}, source.string());
     }
     // Memory is asked first: a file that fits the limit may still be more than the machine can hold. Asking
     // takes longer than reading a small file.

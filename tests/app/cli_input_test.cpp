@@ -32,7 +32,7 @@ TEST_F(CliInput, MissingFile) {
 TEST_F(CliInput, FolderAndBinaryFile) {
     const auto refused = run("simulate ." + kStock + kTool);
     EXPECT_EQ(refused.exitCode, 3);
-    EXPECT_EQ(refused.err, ".: error: This is not a regular file. [file-not-regular]\n");
+    EXPECT_EQ(refused.err, ".: error: This is a folder, not a file. [file-not-regular]\n");
     const auto done = simulate(std::string("G0\0\1\2\3 X1", 10));
     EXPECT_EQ(done.exitCode, 3);
     EXPECT_EQ(done.err, "p.nc: error: This is not an NC program: it holds binary data. [nc-binary]\n")

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <gmock/gmock.h>
 
+#include "core/cutter/shapes.h"
+#include "core/formats/npy.h"
 #include "tests/app/command_line.h"
 
 namespace proveout {
@@ -13,7 +16,7 @@ class CliUsage : public CommandLine {};
 TEST_F(CliUsage, HelpIsNoError) {
     const auto help = run("--help");
     EXPECT_EQ(help.exitCode, 0);
-    for (const char* command : {"interpret", "simulate", "decimate", "formats"}) {
+    for (const char* command : {"interpret", "simulate", "decimate", "tools", "formats"}) {
         EXPECT_THAT(help.out, HasSubstr(command));
         const auto own = run(std::string(command) + " --help");
         EXPECT_EQ(own.exitCode, 0);
@@ -49,12 +52,16 @@ TEST_F(CliUsage, MistakesPrintTheUsageOnStderrAndExitWith3) {
                                          simulate + "--grid",
                                          simulate + "extra",
                                          std::string("interpret"),
+                                         std::string("tools"),
                                          std::string("decimate"),
                                          std::string("decimate a.npy")}) {
         const auto done = run(arguments);
         EXPECT_EQ(done.exitCode, 3) << arguments;
         EXPECT_THAT(done.err, HasSubstr("[usage]")) << arguments;
-        EXPECT_THAT(done.err, HasSubstr("Usage:")) << arguments;
+        EXPECT_THAT(done.err, HasSubstr(". [usage]\n")) << arguments;
+        EXPECT_THAT(done.err, HasSubstr("Usage: proveout-cli ")) << arguments;
+        EXPECT_LT(std::count(done.err.begin(), done.err.end(), '\n'), 8)
+            << "one sees the sentence: " << done.err;
         EXPECT_EQ(done.out, "") << arguments;
     }
 }
@@ -100,6 +107,10 @@ TEST_F(CliUsage, ErrorsOfOptionsNameTheOption) {
         told("--grid", stock + "--grid " + grid, "grid-spacing-bad");
         told("--grid", "decimate a.npy --grid " + grid, "grid-spacing-bad");
     }
+    ASSERT_TRUE(writeNpy(folder / "flat.npy", {2, 2, {1, 1, 1, 1}}));
+    told("--floor", "decimate flat.npy --grid 1 --floor 1", "floor-too-high");
+    EXPECT_TRUE(run("simulate").tells("proveout-cli: error: No program is given", "no-program"));
+    EXPECT_TRUE(run("simulate a.nc").tells("proveout-cli: error: No stock is given", "no-stock"));
     told("--origin", "decimate a.npy --grid 1 --origin 1,2,3", "point-form");
 }
 
@@ -108,6 +119,31 @@ TEST_F(CliUsage, OriginsMayBeNegative) {
     const auto done = run("simulate a.nc --json --period -1 --stock-origin -20,-15,0" + kStock + kTool);
     ASSERT_EQ(done.exitCode, 0) << done.err;
     EXPECT_GT(done.json()["removedMm3"], 1.0);
+}
+
+TEST_F(CliUsage, ShapesAreListedFromTheirTable) {
+    const auto text = run("tools --shapes");
+    EXPECT_EQ(text.exitCode, 0);
+    for (const CutterShape& shape : cutterShapes())
+        for (const ShapeKey& key : shape.keys)
+            EXPECT_THAT(text.out, testing::ContainsRegex(std::string(shape.key) + ": [^:]*\n(  .*\n)*  " +
+                                                         key.key + " "));
+    const auto json = run("tools --shapes --json").json();
+    ASSERT_EQ(json["shapes"].size(), cutterShapes().size());
+    EXPECT_EQ(json["shapes"][0]["keys"][0]["key"], "d");
+    EXPECT_EQ(json["everyShape"][0]["key"], "l");
+}
+
+TEST_F(CliUsage, ToolsOfATableAreListed) {
+    write("t.toml",
+          "[[tool]]\nnumber = 12\ncutter = \"ball:d=4\"\n[[tool]]\nnumber = 2\ncutter = \"flat:d=6\"\n");
+    EXPECT_EQ(run("tools t.toml").out, "T2 flat:d=6\nT12 ball:d=4\n");
+    const auto json = run("tools t.toml --json").json();
+    EXPECT_EQ(json["tools"][1]["number"], 12);
+    EXPECT_EQ(json["tools"][1]["cutter"], "ball:d=4");
+    const auto missing = run("tools none.toml --json");
+    EXPECT_EQ(missing.exitCode, 3);
+    EXPECT_EQ(missing.json()["findings"][0]["id"], "file-unreadable");
 }
 
 TEST_F(CliUsage, FormatsAreListedFromTheirTable) {

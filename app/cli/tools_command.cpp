@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// tools: the shapes of cutters with their keys, or the tools of a table.
+#include <fmt/core.h>
+#include <memory>
+#include <string>
+
+#include "app/cli/command.h"
+#include "app/cli/report.h"
+#include "core/cutter/shapes.h"
+#include "core/cutter/tool_file.h"
+
+namespace proveout::cli {
+
+namespace {
+
+struct ToolsOptions {
+    std::string file;
+    bool shapes = false;
+    bool json = false;
+};
+
+void printKey(const ShapeKey& key) {
+    const std::string standard =
+        key.required ? std::string("required") : fmt::format("{} {}", key.standard, key.unit);
+    fmt::print("  {:<6} {}: {} to {} {} ({})\n", key.key, key.label, key.minimum, key.maximum, key.unit,
+               standard);
+}
+
+void printShapes() {
+    for (const CutterShape& shape : cutterShapes()) {
+        fmt::print("{}: {}\n", shape.key, shape.label);
+        for (const ShapeKey& key : shape.keys)
+            printKey(key);
+    }
+    fmt::print("Every shape:\n");
+    for (const ShapeKey& key : commonShapeKeys())
+        printKey(key);
+}
+
+nlohmann::ordered_json keysOf(std::span<const ShapeKey> keys) {
+    auto list = nlohmann::ordered_json::array();
+    for (const ShapeKey& key : keys)
+        list.push_back({{"key", key.key},
+                        {"label", key.label},
+                        {"unit", key.unit},
+                        {"minimum", key.minimum},
+                        {"maximum", key.maximum},
+                        {"standard", key.standard},
+                        {"required", key.required}});
+    return list;
+}
+
+nlohmann::ordered_json shapesAsJson() {
+    auto list = nlohmann::ordered_json::array();
+    for (const CutterShape& shape : cutterShapes())
+        list.push_back({{"key", shape.key}, {"label", shape.label}, {"keys", keysOf(shape.keys)}});
+    return list;
+}
+
+nlohmann::ordered_json toolsAsJson(const ToolTable& table) {
+    auto list = nlohmann::ordered_json::array();
+    for (const auto& [number, cutter] : table.tools())
+        list.push_back({{"number", number}, {"cutter", cutter.spec()}});
+    return list;
+}
+
+ExitCode run(const ToolsOptions& options) {
+    Report report(options.file);
+    nlohmann::ordered_json object;
+    if (options.shapes && options.json)
+        object = {{"shapes", shapesAsJson()}, {"everyShape", keysOf(commonShapeKeys())}};
+    else if (options.shapes)
+        printShapes();
+    if (!options.file.empty()) {
+        auto table = readToolFile(options.file);
+        if (!table)
+            report.addFatal(std::move(table.error()));
+        else if (options.json)
+            object["tools"] = toolsAsJson(*table);
+        else
+            for (const auto& [number, cutter] : table->tools())
+                fmt::print("T{} {}\n", number, cutter.spec());
+    }
+    if (options.json) {
+        object["findings"] = report.findings();
+        printJson(object);
+    }
+    return report.exitCode();
+}
+
+} // namespace
+
+void addToolsCommand(CLI::App& app, ExitCode& exitCode) {
+    auto* command = app.add_subcommand("tools", "List the shapes of cutters, or the tools of a table");
+    auto options = std::make_shared<ToolsOptions>();
+    command->add_option("FILE", options->file, "Tool table (TOML): print its tools")->type_name("");
+    command->add_flag("--shapes", options->shapes, "Print the shapes with their keys, for --tool");
+    command->add_flag("--json", options->json, "Print one JSON object");
+    command->callback([options, &exitCode] {
+        if (options->file.empty() && !options->shapes)
+            throw CLI::RequiredError("FILE or --shapes");
+        exitCode = run(*options);
+    });
+}
+
+} // namespace proveout::cli
