@@ -2005,22 +2005,6 @@
         <translation>Nicht gespeicherte Änderungen</translation>
     </message>
     <message>
-        <source>The program or its setup has changes that are not saved.</source>
-        <translation>Das Programm oder seine Einrichtung hat nicht gespeicherte Änderungen.</translation>
-    </message>
-    <message>
-        <source>Save them?</source>
-        <translation>Speichern?</translation>
-    </message>
-    <message>
-        <source>%1 (missing)</source>
-        <translation>%1 (fehlt)</translation>
-    </message>
-    <message>
-        <source>Clear List</source>
-        <translation>Liste leeren</translation>
-    </message>
-    <message>
         <source>Drop one file of this computer.</source>
         <translation>Legen Sie eine Datei dieses Rechners ab.</translation>
     </message>
@@ -2031,6 +2015,26 @@
     <message>
         <source>A mesh cannot be opened; drop an NC program or a job.</source>
         <translation>Ein Netz lässt sich nicht öffnen; legen Sie ein NC-Programm oder einen Auftrag ab.</translation>
+    </message>
+    <message>
+        <source>The text of the new program is not saved.</source>
+        <translation>Der Text des neuen Programms ist nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>The text of %1 is not saved.</source>
+        <translation>Der Text von %1 ist nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Setup and parameters are in no job file yet.</source>
+        <translation>Einrichtung und Parameter stehen noch in keiner Auftragsdatei.</translation>
+    </message>
+    <message>
+        <source>The setup and parameters of %1 are not saved.</source>
+        <translation>Einrichtung und Parameter von %1 sind nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>Save before going on?</source>
+        <translation>Vorher speichern?</translation>
     </message>
 </context>
 <context>
@@ -2442,6 +2446,21 @@
     </message>
 </context>
 <context>
+    <name>RecentMenu</name>
+    <message>
+        <source>Clear List</source>
+        <translation>Liste leeren</translation>
+    </message>
+    <message>
+        <source>%1 (missing)</source>
+        <translation>%1 (fehlt)</translation>
+    </message>
+    <message>
+        <source>This file is no longer there.</source>
+        <translation>Diese Datei ist nicht mehr da.</translation>
+    </message>
+</context>
+<context>
     <name>Samples</name>
     <message>
         <source>Core insert</source>
@@ -2681,6 +2700,12 @@
     <message>
         <source>Language of the program</source>
         <translation>Sprache des Programms</translation>
+    </message>
+    <message>
+        <source>%1
+This file is no longer there.</source>
+        <translation>%1
+Diese Datei ist nicht mehr da.</translation>
     </message>
 </context>
 <context>

@@ -2005,22 +2005,6 @@
         <translation>저장하지 않은 변경</translation>
     </message>
     <message>
-        <source>The program or its setup has changes that are not saved.</source>
-        <translation>프로그램 또는 셋업에 저장하지 않은 변경이 있습니다.</translation>
-    </message>
-    <message>
-        <source>Save them?</source>
-        <translation>저장하시겠습니까?</translation>
-    </message>
-    <message>
-        <source>%1 (missing)</source>
-        <translation>%1(없음)</translation>
-    </message>
-    <message>
-        <source>Clear List</source>
-        <translation>목록 지우기</translation>
-    </message>
-    <message>
         <source>Drop one file of this computer.</source>
         <translation>이 컴퓨터의 파일 하나를 끌어다 놓으십시오.</translation>
     </message>
@@ -2031,6 +2015,26 @@
     <message>
         <source>A mesh cannot be opened; drop an NC program or a job.</source>
         <translation>메시는 열 수 없습니다. NC 프로그램이나 작업을 끌어다 놓으십시오.</translation>
+    </message>
+    <message>
+        <source>The text of the new program is not saved.</source>
+        <translation>새 프로그램의 텍스트가 저장되지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>The text of %1 is not saved.</source>
+        <translation>%1의 텍스트가 저장되지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>Setup and parameters are in no job file yet.</source>
+        <translation>셋업과 매개변수가 아직 작업 파일에 없습니다.</translation>
+    </message>
+    <message>
+        <source>The setup and parameters of %1 are not saved.</source>
+        <translation>%1의 셋업과 매개변수가 저장되지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>Save before going on?</source>
+        <translation>계속하기 전에 저장할까요?</translation>
     </message>
 </context>
 <context>
@@ -2441,6 +2445,21 @@
     </message>
 </context>
 <context>
+    <name>RecentMenu</name>
+    <message>
+        <source>Clear List</source>
+        <translation>목록 지우기</translation>
+    </message>
+    <message>
+        <source>%1 (missing)</source>
+        <translation>%1(없음)</translation>
+    </message>
+    <message>
+        <source>This file is no longer there.</source>
+        <translation>이 파일은 더 이상 없습니다.</translation>
+    </message>
+</context>
+<context>
     <name>Samples</name>
     <message>
         <source>Core insert</source>
@@ -2680,6 +2699,12 @@
     <message>
         <source>Language of the program</source>
         <translation>프로그램 언어</translation>
+    </message>
+    <message>
+        <source>%1
+This file is no longer there.</source>
+        <translation>%1
+이 파일은 더 이상 없습니다.</translation>
     </message>
 </context>
 <context>

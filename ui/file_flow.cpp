@@ -4,7 +4,6 @@
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
-#include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QUrl>
@@ -111,35 +110,31 @@ void FileFlow::exportByDialog(bool decimated) {
     m_session.exportStl(file, {decimated, chosen == ascii ? StlEncoding::ascii : StlEncoding::binary});
 }
 
+QString FileFlow::unsaved() const {
+    QStringList sentences;
+    const QString program = QFileInfo(toQString(m_session.document().path)).fileName();
+    if (m_session.document().modified)
+        sentences << (program.isEmpty() ? tr("The text of the new program is not saved.")
+                                        : tr("The text of %1 is not saved.").arg(program));
+    const QString job = QFileInfo(m_session.jobFile()).fileName();
+    if (m_session.jobModified())
+        sentences << (job.isEmpty() ? tr("Setup and parameters are in no job file yet.")
+                                    : tr("The setup and parameters of %1 are not saved.").arg(job));
+    return sentences.join(u'\n');
+}
+
 bool FileFlow::mayDiscard() {
     if (!m_session.modified())
         return true;
-    QMessageBox question(QMessageBox::Warning, tr("Unsaved changes"),
-                         tr("The program or its setup has changes that are not saved."),
+    QMessageBox question(QMessageBox::Warning, tr("Unsaved changes"), unsaved(),
                          QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
-    question.setInformativeText(tr("Save them?"));
+    question.setTextFormat(Qt::PlainText); // the names are the user's
+    question.setInformativeText(tr("Save before going on?"));
     question.setDefaultButton(QMessageBox::Save);
     const int answer = question.exec();
     if (answer == QMessageBox::Save)
         return save() && (!m_session.modified() || saveJobAs());
     return answer == QMessageBox::Discard;
-}
-
-void FileFlow::fillRecentMenu(QMenu& menu) {
-    menu.clear();
-    for (const QString& file : m_recent.files()) {
-        const bool exists = QFileInfo::exists(file);
-        QString text = QDir::toNativeSeparators(file);
-        text.replace(u'&', QStringLiteral("&&"));
-        QAction* action = menu.addAction(exists ? text : tr("%1 (missing)").arg(text));
-        action->setEnabled(exists);
-        connect(action, &QAction::triggered, this, [this, file] { open(file); });
-    }
-    if (!m_recent.files().isEmpty())
-        menu.addSeparator();
-    QAction* clear = menu.addAction(tr("Clear List"));
-    clear->setEnabled(!m_recent.files().isEmpty());
-    connect(clear, &QAction::triggered, this, [this] { m_recent.clear(); });
 }
 
 QString FileFlow::droppedFile(const QMimeData& data, QString& reason) {

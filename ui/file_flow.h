@@ -8,7 +8,6 @@
 #include "ui/recent_files.h"
 #include "ui/session.h"
 
-class QMenu;
 class QMimeData;
 
 namespace proveout {
@@ -22,7 +21,7 @@ public:
     /// `window` is the parent of dialogs.
     FileFlow(Session& session, QWidget& window);
 
-    [[nodiscard]] const RecentFiles& recent() const { return m_recent; }
+    [[nodiscard]] RecentFiles& recent() { return m_recent; }
     /// Opens a file after asking about unsaved changes. False where it was not opened.
     bool open(const QString& file);
     void openByDialog();
@@ -31,16 +30,15 @@ public:
     bool saveAs();
     bool saveJobAs();
     void exportByDialog(bool decimated);
-    /// Offers to save what is not on the disk. False: the user wants to go on with it.
+    /// Names what is not on the disk and offers to save it. False: the user wants to go on with it.
     bool mayDiscard();
-    /// Fills a menu with the recent files, missing ones greyed, and an entry to forget them.
-    void fillRecentMenu(QMenu& menu);
 
     /// What a drop would open; empty with `reason` set where it cannot be used.
     static QString droppedFile(const QMimeData& data, QString& reason);
 
 private:
     [[nodiscard]] QString startFolder() const;
+    [[nodiscard]] QString unsaved() const;
 
     Session& m_session;
     QWidget& m_window;

@@ -28,6 +28,7 @@
 #include "ui/findings/problems_panel.h"
 #include "ui/main_window_tables.h"
 #include "ui/plots/plots_panel.h"
+#include "ui/recent_menu.h"
 #include "ui/resource_paths.h"
 #include "ui/start_page.h"
 #include "ui/status_line.h"
@@ -143,10 +144,9 @@ QMenu* MainWindow::addMenu(const char* title, const QList<QAction*>& actions) {
 
 void MainWindow::makeMenus() {
     QMenu* file = addMenu(QT_TRANSLATE_NOOP("Menus", "&File"), listOf(m_fileCommands.all()));
-    m_recentMenu = new QMenu(this);
-    file->insertMenu(m_fileCommands.all()[2], m_recentMenu);
-    m_menus.emplace_back(m_recentMenu, QT_TRANSLATE_NOOP("Menus", "Open &Recent"));
-    connect(m_recentMenu, &QMenu::aboutToShow, this, [this] { m_files->fillRecentMenu(*m_recentMenu); });
+    auto* recent = new RecentMenu(*m_files, this);
+    file->insertMenu(m_fileCommands.all()[2], recent);
+    m_menus.emplace_back(recent, QT_TRANSLATE_NOOP("Menus", "Open &Recent"));
 
     QMenu* edit = addMenu(QT_TRANSLATE_NOOP("Menus", "&Edit"), m_editor->actions());
     edit->addSeparator();

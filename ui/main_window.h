@@ -91,7 +91,6 @@ private:
     TimelinePanel* m_timeline = nullptr;
     std::vector<QDockWidget*> m_docks;                   ///< in the order of docks()
     std::vector<std::pair<QMenu*, const char*>> m_menus; ///< with their untranslated titles
-    QMenu* m_recentMenu = nullptr;
     QMenu* m_samplesMenu = nullptr;
     QMenu* m_themeMenu = nullptr;
     QMenu* m_languageMenu = nullptr;

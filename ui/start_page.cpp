@@ -24,14 +24,15 @@ constexpr int kLogoSize = 56;
 
 void clear(QVBoxLayout& layout) {
     while (QLayoutItem* item = layout.takeAt(0)) {
-        delete item->widget();
+        item->widget()->hide();
+        item->widget()->deleteLater(); // it may be the button whose click opened a file
         delete item;
     }
 }
 
 } // namespace
 
-StartPage::StartPage(Appearance& appearance, const RecentFiles& recent, QWidget* parent)
+StartPage::StartPage(Appearance& appearance, RecentFiles& recent, QWidget* parent)
     : QWidget(parent), m_appearance(appearance), m_recent(recent), m_logo(new QLabel(this)),
       m_title(new QLabel(this)), m_subtitle(new QLabel(this)), m_open(new QPushButton(this)),
       m_new(new QPushButton(this)) {
@@ -46,6 +47,7 @@ StartPage::StartPage(Appearance& appearance, const RecentFiles& recent, QWidget*
     m_open->setDefault(true);
     connect(m_open, &QPushButton::clicked, this, &StartPage::openWanted);
     connect(m_new, &QPushButton::clicked, this, &StartPage::newWanted);
+    connect(&recent, &RecentFiles::changed, this, &StartPage::refresh);
 
     auto* names = new QVBoxLayout;
     names->setSpacing(2);
@@ -129,29 +131,33 @@ QWidget* StartPage::makeFooter() {
     return footer;
 }
 
-void StartPage::addFile(QVBoxLayout& column, const QString& text, const QString& file, const QString& tip) {
+QPushButton* StartPage::addFile(QVBoxLayout& column, const QString& text, const QString& file) {
     auto* button = new QPushButton(text, this);
     button->setFlat(true);
     button->setIcon(icon(QFileInfo(file).suffix() == QLatin1String("proveout") ? QStringLiteral("stock")
                                                                                : QStringLiteral("path")));
-    button->setToolTip(tip);
+    button->setToolTip(file);
     button->setCursor(Qt::PointingHandCursor);
     button->setStyleSheet(QStringLiteral("QPushButton { text-align: left; padding: 5px 6px; }"));
-    button->setEnabled(QFileInfo::exists(file));
     connect(button, &QPushButton::clicked, this, [this, file] { emit fileWanted(file); });
     column.addWidget(button);
+    return button;
 }
 
 void StartPage::refresh() {
     clear(*m_samples);
     clear(*m_recentList);
     for (const SampleJob& sample : sampleJobs())
-        addFile(*m_samples, sample.name, sample.file, sample.file);
+        addFile(*m_samples, sample.name, sample.file);
     for (const QString& file : m_recent.files()) {
         const QString name =
             fontMetrics().elidedText(QFileInfo(file).fileName(), Qt::ElideMiddle, kColumnWidth - 20);
-        const bool missing = !QFileInfo::exists(file);
-        addFile(*m_recentList, missing ? tr("%1 (missing)").arg(name) : name, file, file);
+        QPushButton* button = addFile(*m_recentList, name, file);
+        if (!m_recent.isMissing(file))
+            continue;
+        button->setText(tr("%1 (missing)").arg(name));
+        button->setToolTip(tr("%1\nThis file is no longer there.").arg(file));
+        button->setEnabled(false);
     }
     m_recentTitle->setVisible(!m_recent.files().isEmpty());
 }
@@ -180,7 +186,7 @@ void StartPage::changeEvent(QEvent* event) {
 
 void StartPage::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
-    refresh();
+    m_recent.look();
 }
 
 } // namespace proveout

@@ -19,9 +19,7 @@ class StartPage final : public QWidget {
 
 public:
     /// All arguments outlive the page.
-    StartPage(Appearance& appearance, const RecentFiles& recent, QWidget* parent = nullptr);
-    /// Lists the recent files anew.
-    void refresh();
+    StartPage(Appearance& appearance, RecentFiles& recent, QWidget* parent = nullptr);
 
 signals:
     void openWanted();
@@ -36,11 +34,12 @@ private:
     QWidget* makeSamples();
     QWidget* makeRecent();
     QWidget* makeFooter();
-    void addFile(QVBoxLayout& column, const QString& text, const QString& file, const QString& tip);
+    QPushButton* addFile(QVBoxLayout& column, const QString& text, const QString& file);
+    void refresh();
     void retranslate();
 
     Appearance& m_appearance;
-    const RecentFiles& m_recent;
+    RecentFiles& m_recent;
     QLabel* m_logo;
     QLabel* m_title;
     QLabel* m_subtitle;

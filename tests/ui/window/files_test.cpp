@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files as the window deals with them: what is unsaved is named, and files that went are greyed.
+#include <algorithm>
+#include <atomic>
+#include <future>
+#include <memory>
+
+#include <QApplication>
+#include <QFile>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+#include "tests/ui/window/workstation.h"
+#include "ui/editor/editor_panel.h"
+#include "ui/editor/nc_editor.h"
+#include "ui/recent_files.h"
+#include "ui/start_page.h"
+
+namespace proveout {
+namespace {
+
+/// What the question about unsaved changes says; it is then cancelled. Empty where nothing is asked.
+QString questionOf(MainWindow& window) {
+    QString text;
+    QTimer answer;
+    QObject::connect(&answer, &QTimer::timeout, [&text] {
+        if (auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget())) {
+            text = box->text() + u'\n' + box->informativeText();
+            box->reject();
+        }
+    });
+    answer.start(20);
+    return window.files().mayDiscard() ? QString() : text;
+}
+
+void write(const QString& path, const QByteArray& bytes) {
+    QFile file(path);
+    QVERIFY(file.open(QIODevice::WriteOnly));
+    file.write(bytes);
+}
+
+QPushButton* buttonOf(const StartPage& page, const QString& file) {
+    const QList<QPushButton*> buttons = page.findChildren<QPushButton*>();
+    const auto found = std::ranges::find_if(
+        buttons, [&](const QPushButton* button) { return button->toolTip().contains(file); });
+    return found == buttons.end() ? nullptr : *found;
+}
+
+QAction* entryOf(const QMenu& menu, const QString& file) {
+    const QList<QAction*> actions = menu.actions();
+    const auto found =
+        std::ranges::find_if(actions, [&](const QAction* action) { return action->text().contains(file); });
+    return found == actions.end() ? nullptr : *found;
+}
+
+} // namespace
+
+class FilesTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { m_settings = std::make_unique<OwnSettings>(); }
+
+    void theQuestionNamesWhatIsUnsaved() {
+        QTemporaryDir folder;
+        const QString program = folder.filePath(QStringLiteral("bracket.nc"));
+        write(program, "G21 G90\nT1 M6\nG0 X0 Y0 Z5\nG1 X5 F100\n");
+        Workstation station(false);
+        station.open(program);
+        QVERIFY(questionOf(station.window).isEmpty());
+
+        station.window.editor().editor().insertAt(QStringLiteral("(new)\n"), 0, 0);
+        QVERIFY2(questionOf(station.window).contains(QLatin1String("bracket.nc")),
+                 qPrintable(questionOf(station.window)));
+        QVERIFY(!questionOf(station.window).contains(QLatin1String("job")));
+
+        DecimationParameters parameters = station.session.parameters();
+        parameters.allowance = 0.3;
+        station.session.setParameters(parameters);
+        Setup setup = station.session.setup();
+        setup.spacing *= 2;
+        QVERIFY(station.session.setSetup(setup));
+        QString question = questionOf(station.window);
+        QVERIFY2(question.contains(QLatin1String("bracket.nc")), qPrintable(question));
+        QVERIFY2(question.contains(QLatin1String("no job file")), qPrintable(question));
+
+        QVERIFY(station.session.saveJobAs(folder.filePath(QStringLiteral("fixture.proveout"))));
+        QVERIFY(station.session.save());
+        QVERIFY(questionOf(station.window).isEmpty());
+        parameters.allowance = 0.2;
+        station.session.setParameters(parameters);
+        question = questionOf(station.window);
+        QVERIFY2(question.contains(QLatin1String("fixture.proveout")), qPrintable(question));
+        QVERIFY2(!question.contains(QLatin1String("bracket.nc")), qPrintable(question));
+    }
+
+    void aTextWithoutANameIsCalledNew() {
+        Workstation station(false);
+        station.session.newFile();
+        station.window.editor().editor().insertAt(QStringLiteral("G0 X1\n"), 0, 0);
+        QVERIFY2(questionOf(station.window).contains(QLatin1String("new program")),
+                 qPrintable(questionOf(station.window)));
+        station.session.setTextModified(false);
+    }
+
+    void missingFilesAreGreyedAndToldWhy() {
+        QTemporaryDir folder;
+        const QString gone = folder.filePath(QStringLiteral("gone.nc"));
+        const QString there = folder.filePath(QStringLiteral("there.nc"));
+        write(gone, "G0 X1\n");
+        write(there, "G0 X1\n");
+        Workstation station(false);
+        station.window.files().recent().add(gone);
+        station.window.files().recent().add(there);
+        QVERIFY(QFile::remove(gone));
+        auto* page = station.window.findChild<StartPage*>();
+        station.window.hide();
+        station.window.show(); // the page looks again whenever it is shown
+        QTRY_VERIFY(buttonOf(*page, gone) != nullptr && !buttonOf(*page, gone)->isEnabled());
+        QVERIFY2(buttonOf(*page, gone)->toolTip().contains(QLatin1String("no longer")),
+                 qPrintable(buttonOf(*page, gone)->toolTip()));
+        QVERIFY(buttonOf(*page, there)->isEnabled());
+
+        auto* menu = station.window.findChild<QMenu*>(QStringLiteral("recent-menu"));
+        menu->popup(station.window.mapToGlobal(QPoint(50, 50)));
+        QTRY_VERIFY(entryOf(*menu, gone) != nullptr && !entryOf(*menu, gone)->isEnabled());
+        QVERIFY(menu->toolTipsVisible());
+        QVERIFY(entryOf(*menu, gone)->toolTip().contains(QLatin1String("no longer")));
+        QVERIFY(entryOf(*menu, there)->isEnabled());
+        menu->close();
+
+        write(gone, "G0 X1\n");
+        const auto cameBack = [&] {
+            station.window.files().recent().look();
+            return buttonOf(*page, gone)->isEnabled();
+        };
+        QTRY_VERIFY(cameBack());
+    }
+
+    void aDriveThatDoesNotAnswerHoldsNothingUp() {
+        std::promise<void> answer;
+        std::shared_future<void> answered = answer.get_future().share();
+        const auto asked = std::make_shared<std::atomic<int>>(0);
+        {
+            RecentFiles recent([answered, asked](const QString& file) {
+                ++*asked;
+                if (file.contains(QLatin1String("drive")))
+                    answered.wait();
+                return file.contains(QLatin1String("there"));
+            });
+            for (const char* file : {"/a/there.nc", "/a/gone.nc", "/drive/far.nc"})
+                recent.add(QLatin1String(file));
+            QSignalSpy changed(&recent, &RecentFiles::changed);
+            recent.look();
+            recent.look(); // what has not answered is not asked again
+            QTRY_VERIFY(recent.isMissing(QStringLiteral("/a/gone.nc")));
+            QVERIFY(!recent.isMissing(QStringLiteral("/a/there.nc")));
+            QVERIFY(!recent.isMissing(QStringLiteral("/drive/far.nc")));
+            QVERIFY(!changed.isEmpty());
+            QTRY_COMPARE(asked->load(), 3);
+        } // gone while the drive still thinks
+        answer.set_value();
+        QTest::qWait(50);
+        QCOMPARE(asked->load(), 3);
+    }
+
+private:
+    std::unique_ptr<OwnSettings> m_settings;
+};
+
+} // namespace proveout
+
+int main(int argc, char** argv) {
+    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    QApplication application(argc, argv);
+    proveout::FilesTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "files_test.moc"
