@@ -3211,8 +3211,8 @@ Vorgabe: %3 mm</translation>
         <translation>&amp;Anordnung zurücksetzen</translation>
     </message>
     <message>
-        <source>Put all panels back to where they were at first</source>
-        <translation>Alle Bereiche an ihren anfänglichen Platz zurückstellen</translation>
+        <source>Bring all panels and view options back to how they were at first</source>
+        <translation>Alle Bereiche und Ansichtsoptionen wieder so einstellen wie am Anfang</translation>
     </message>
 </context>
 </TS>

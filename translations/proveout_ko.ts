@@ -3210,8 +3210,8 @@ Default: %3 mm</source>
         <translation>배치 초기화(&amp;R)</translation>
     </message>
     <message>
-        <source>Put all panels back to where they were at first</source>
-        <translation>모든 패널을 처음 위치로 되돌립니다</translation>
+        <source>Bring all panels and view options back to how they were at first</source>
+        <translation>모든 패널과 보기 옵션을 처음 상태로 되돌립니다</translation>
     </message>
 </context>
 </TS>

@@ -26,6 +26,7 @@
 #include "ui/editor/editor_panel.h"
 #include "ui/file_paths.h"
 #include "ui/findings/problems_panel.h"
+#include "ui/kept_switches.h"
 #include "ui/main_window_tables.h"
 #include "ui/plots/plots_panel.h"
 #include "ui/recent_menu.h"
@@ -42,6 +43,7 @@ namespace {
 constexpr int kLayoutVersion = 1; // raise it when docks change: older layouts are then left alone
 const QString kGeometryKey = QStringLiteral("window/geometry");
 const QString kStateKey = QStringLiteral("window/state");
+const QString kViewGroup = QStringLiteral("view");
 constexpr QSize kFirstSize{1280, 800};
 constexpr int kToolBarIcon = 20;
 constexpr int kTuningWidth = 310;
@@ -77,6 +79,7 @@ MainWindow::MainWindow(Session& session, Appearance& appearance)
     connect(m_startPage, &StartPage::newWanted, m_files, &FileFlow::newFile);
     connect(m_startPage, &StartPage::fileWanted, m_files, &FileFlow::open);
     retranslate();
+    m_viewOptions = new KeptSwitches(kViewGroup, m_viewport->actions() + m_plots->actions(), this);
     restore();
     showDocument();
     qApp->installEventFilter(this);
@@ -280,10 +283,20 @@ void MainWindow::showEvent(QShowEvent* event) {
     // Docks take their sizes only once the window has its own.
     if (!std::exchange(m_layoutKept, true))
         arrangeDocks();
+    // Window managers put the window that came last in front of those that came with it.
+    QMetaObject::invokeMethod(this, &MainWindow::raiseFloatingDocks, Qt::QueuedConnection);
+}
+
+void MainWindow::raiseFloatingDocks() {
+    for (QDockWidget* dock : m_docks) {
+        if (dock->isFloating() && dock->isVisible())
+            dock->raise();
+    }
 }
 
 void MainWindow::resetLayout() {
     arrangeDocks();
+    m_viewOptions->reset();
 }
 
 void MainWindow::toggleFullScreen() {

@@ -16,6 +16,7 @@ class QStackedWidget;
 namespace proveout {
 
 class EditorPanel;
+class KeptSwitches;
 class ProblemsPanel;
 class StartPage;
 class StatusLine;
@@ -65,6 +66,7 @@ private:
     void makePanels();
     void makeDocks();
     void arrangeDocks();
+    void raiseFloatingDocks();
     void makeMenus();
     void makeToolBar();
     QMenu* addMenu(const char* title, const QList<QAction*>& actions);
@@ -95,6 +97,7 @@ private:
     QMenu* m_themeMenu = nullptr;
     QMenu* m_languageMenu = nullptr;
     QToolBar* m_toolBar = nullptr;
+    KeptSwitches* m_viewOptions = nullptr;
     bool m_layoutKept = false; ///< the docks stand where the settings say
 
     CommandActions<MainWindow> m_fileCommands;

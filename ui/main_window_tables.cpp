@@ -92,8 +92,9 @@ std::span<const Command<MainWindow>> MainWindow::windowCommands() {
          QT_TRANSLATE_NOOP("WindowCommands", "Fill the screen with the window, or leave it"), "", "F11",
          Reach::window, [](MainWindow& window) { window.toggleFullScreen(); }},
         {"reset-layout", QT_TRANSLATE_NOOP("WindowCommands", "&Reset Layout"),
-         QT_TRANSLATE_NOOP("WindowCommands", "Put all panels back to where they were at first"), "", "",
-         Reach::window, [](MainWindow& window) { window.resetLayout(); }},
+         QT_TRANSLATE_NOOP("WindowCommands",
+                           "Bring all panels and view options back to how they were at first"),
+         "", "", Reach::window, [](MainWindow& window) { window.resetLayout(); }},
     }};
     return kCommands;
 }

@@ -289,33 +289,6 @@ private slots:
         QVERIFY(!station.window.statusBar()->currentMessage().isEmpty());
     }
 
-    void layoutAndLanguageComeBack() {
-        {
-            Workstation station(false);
-            station.window.findChild<QDockWidget*>(QStringLiteral("dock-tuning"))->hide();
-            station.appearance.setTheme(Theme::dark);
-            station.appearance.setLanguage(QStringLiteral("de"));
-            station.window.close();
-        }
-        {
-            Workstation station(false);
-            QVERIFY(station.window.findChild<QDockWidget*>(QStringLiteral("dock-tuning"))->isHidden());
-            QVERIFY(isDark(QApplication::palette()));
-            QCOMPARE(station.appearance.language(), QStringLiteral("de"));
-            // Strings of classes too, which moc and the catalogues name differently.
-            QVERIFY(QCoreApplication::translate("proveout::TuningPanel", "Measured effect") !=
-                    QLatin1String("Measured effect"));
-            // Live: menus and docks speak the new language at once.
-            const QString german = station.window.menuBar()->actions().front()->text();
-            station.appearance.setLanguage(QStringLiteral("en"));
-            QTRY_VERIFY_WITH_TIMEOUT(station.window.menuBar()->actions().front()->text() != german,
-                                     kPatience);
-            station.window.resetLayout();
-            QVERIFY(!station.window.findChild<QDockWidget*>(QStringLiteral("dock-tuning"))->isHidden());
-            station.appearance.setTheme(Theme::light);
-        }
-    }
-
     void textsHaveContrast() {
         for (const QPalette& palette : {lightPalette(), darkPalette()}) {
             const auto ratio = [&](QPalette::ColorRole a, QPalette::ColorRole b) {
