@@ -16,10 +16,11 @@ namespace proveout {
 
 namespace {
 
-/// QtSvg draws `currentColor` black; this engine writes the palette's colour in its place.
+/// QtSvg draws `currentColor` black; this engine writes a given colour, or the palette's, in its place.
 class SvgIconEngine final : public QIconEngine {
 public:
-    SvgIconEngine(QString name, QByteArray svg) : m_name(std::move(name)), m_svg(std::move(svg)) {}
+    SvgIconEngine(QString name, QByteArray svg, const QColor& own)
+        : m_name(std::move(name)), m_svg(std::move(svg)), m_own(own) {}
 
     void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
         QByteArray svg = m_svg;
@@ -43,10 +44,12 @@ public:
         return pixmap;
     }
 
-    [[nodiscard]] QIconEngine* clone() const override { return new SvgIconEngine(m_name, m_svg); }
+    [[nodiscard]] QIconEngine* clone() const override { return new SvgIconEngine(m_name, m_svg, m_own); }
 
 private:
-    static QColor color(QIcon::Mode mode) {
+    [[nodiscard]] QColor color(QIcon::Mode mode) const {
+        if (m_own.isValid())
+            return m_own;
         const QPalette palette = QApplication::palette();
         if (mode == QIcon::Disabled)
             return palette.color(QPalette::Disabled, QPalette::ButtonText);
@@ -55,15 +58,16 @@ private:
 
     QString m_name;
     QByteArray m_svg;
+    QColor m_own; ///< invalid: the palette's
 };
 
 } // namespace
 
-QIcon icon(const QString& name) {
+QIcon icon(const QString& name, const QColor& color) {
     QFile file(QStringLiteral(":/icons/%1.svg").arg(name));
     if (!file.open(QIODevice::ReadOnly))
         return {};
-    return QIcon(new SvgIconEngine(name, file.readAll()));
+    return QIcon(new SvgIconEngine(name, file.readAll(), color));
 }
 
 } // namespace proveout

@@ -1,13 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QColor>
 #include <QIcon>
 #include <QString>
 
 namespace proveout {
 
-/// The icon `:/icons/<name>.svg`, drawn in the text colour of the palette at the moment of painting, so that
-/// it follows the theme. Null where there is no such icon.
-[[nodiscard]] QIcon icon(const QString& name);
+/// The icon `:/icons/<name>.svg`, drawn in `color` or, where that is invalid, in the text colour of the
+/// palette at the moment of painting, so that it follows the theme. Null where there is no such icon.
+[[nodiscard]] QIcon icon(const QString& name, const QColor& color = {});
 
 } // namespace proveout

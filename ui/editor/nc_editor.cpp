@@ -10,7 +10,6 @@
 #include <QMimeData>
 #include <QToolTip>
 
-#include "ui/diagnostic_text.h"
 #include "ui/theme.h"
 
 namespace proveout {
@@ -18,14 +17,11 @@ namespace proveout {
 namespace {
 
 constexpr int kNumberMargin = 0;
-constexpr int kMarkMargin = 1;
-constexpr int kMarkMarginWidth = 14;
+constexpr int kProblemMargin = 1;
+constexpr int kArrowMargin = 2;
+constexpr int kArrowMarginWidth = 14;
 constexpr int kCurrentArrow = 1;
 constexpr int kCurrentBackground = 2;
-constexpr int kProblemMark = 3;
-constexpr int kErrorSquiggle = 8; // 0 … 7 belong to lexers
-constexpr int kWarningSquiggle = 9;
-constexpr std::size_t kMostSquiggles = 1000;
 constexpr double kCurrentTint = 0.22;
 
 /// `share` of `b` in `a`; opaque, because a translucent marker is not drawn behind styled text.
@@ -52,7 +48,8 @@ int scintillaLineEnd(LineEnd lineEnd) {
 
 } // namespace
 
-NcEditor::NcEditor(QWidget* parent) : QsciScintilla(parent), m_highlighter(this) {
+NcEditor::NcEditor(QWidget* parent)
+    : QsciScintilla(parent), m_highlighter(this), m_problems(*this, kProblemMargin) {
     setLexer(&m_highlighter);
     setUpMargins();
     setWrapMode(WrapNone);
@@ -75,14 +72,11 @@ NcEditor::NcEditor(QWidget* parent) : QsciScintilla(parent), m_highlighter(this)
 void NcEditor::setUpMargins() {
     setMarginType(kNumberMargin, NumberMargin);
     setMarginMarkerMask(kNumberMargin, 0); // a marker that a margin claims does not colour its line
-    setMarginType(kMarkMargin, SymbolMargin);
-    setMarginWidth(kMarkMargin, kMarkMarginWidth);
-    setMarginMarkerMask(kMarkMargin, (1 << kCurrentArrow) | (1 << kProblemMark));
+    setMarginType(kArrowMargin, SymbolMargin);
+    setMarginWidth(kArrowMargin, kArrowMarginWidth);
+    setMarginMarkerMask(kArrowMargin, 1 << kCurrentArrow);
     markerDefine(RightTriangle, kCurrentArrow);
     markerDefine(Background, kCurrentBackground);
-    markerDefine(Circle, kProblemMark);
-    indicatorDefine(SquiggleIndicator, kErrorSquiggle);
-    indicatorDefine(SquiggleIndicator, kWarningSquiggle);
 }
 
 void NcEditor::adoptPalette() {
@@ -102,10 +96,7 @@ void NcEditor::adoptPalette() {
                              kCurrentBackground);
     setMarkerBackgroundColor(meaning.accent, kCurrentArrow);
     setMarkerForegroundColor(meaning.accent, kCurrentArrow);
-    setMarkerBackgroundColor(meaning.error, kProblemMark);
-    setMarkerForegroundColor(meaning.error, kProblemMark);
-    setIndicatorForegroundColor(meaning.error, kErrorSquiggle);
-    setIndicatorForegroundColor(meaning.warning, kWarningSquiggle);
+    m_problems.adoptPalette();
 }
 
 void NcEditor::load(const Document& document) {
@@ -168,57 +159,14 @@ void NcEditor::revealLine(int line) {
     SendScintilla(SCI_SETFIRSTVISIBLELINE, static_cast<unsigned long>(std::max(0L, line - 1 - shown / 3)));
 }
 
-std::pair<long, long> NcEditor::rangeOf(const Diagnostic& problem) const {
-    const auto line = static_cast<unsigned long>(problem.where.line - 1);
-    const long begin = SendScintilla(SCI_POSITIONFROMLINE, line);
-    const long end = SendScintilla(SCI_GETLINEENDPOSITION, line);
-    const long from = std::min(end, begin + std::max(0, problem.where.column - 1));
-    const long length = problem.where.length > 0 ? problem.where.length : end - from;
-    // A message about the end of a line still needs something to be seen under.
-    const long to = std::min(end, from + length);
-    return to > from ? std::pair(from, to) : std::pair(begin, end);
-}
-
-void NcEditor::showProblems(const Diagnostics& problems) {
-    m_problems.clear();
-    markerDeleteAll(kProblemMark);
-    for (const int squiggle : {kErrorSquiggle, kWarningSquiggle}) {
-        SendScintilla(SCI_SETINDICATORCURRENT, static_cast<unsigned long>(squiggle));
-        SendScintilla(SCI_INDICATORCLEARRANGE, 0UL, SendScintilla(SCI_GETLENGTH));
-    }
-    for (const Diagnostic& problem : problems) {
-        if (problem.where.line <= 0 || problem.where.line > lines() || m_problems.size() == kMostSquiggles)
-            continue;
-        m_problems.push_back(problem);
-        const bool serious = problem.severity >= Severity::error;
-        const auto [from, to] = rangeOf(problem);
-        SendScintilla(SCI_SETINDICATORCURRENT,
-                      static_cast<unsigned long>(serious ? kErrorSquiggle : kWarningSquiggle));
-        SendScintilla(SCI_INDICATORFILLRANGE, static_cast<unsigned long>(from), to - from);
-        if (serious)
-            markerAdd(problem.where.line - 1, kProblemMark);
-    }
-}
-
 bool NcEditor::showProblemTip(QPoint place, QPoint globalPlace) {
-    const long position =
-        SendScintilla(SCI_POSITIONFROMPOINTCLOSE, static_cast<unsigned long>(place.x()), place.y());
-    QStringList sentences;
-    for (const Diagnostic& problem : m_problems) {
-        const auto [from, to] = rangeOf(problem);
-        if (position < from || position > to)
-            continue;
-        sentences << severityName(problem.severity) + QStringLiteral(": ") + sentence(problem);
-        if (!hint(problem).isEmpty())
-            sentences << hint(problem);
-    }
-    if (position < 0 || sentences.isEmpty()) {
+    const QString tip = m_problems.tipAt(place);
+    if (tip.isEmpty()) {
         QToolTip::hideText();
         return false;
     }
     // Plain text: the sentences hold words of the user's file.
-    QToolTip::showText(globalPlace,
-                       sentences.join(u'\n').toHtmlEscaped().replace(u'\n', QStringLiteral("<br>")), this);
+    QToolTip::showText(globalPlace, tip.toHtmlEscaped().replace(u'\n', QStringLiteral("<br>")), this);
     return true;
 }
 

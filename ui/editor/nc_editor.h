@@ -10,10 +10,11 @@
 #include "core/base/diagnostic.h"
 #include "ui/document.h"
 #include "ui/editor/nc_highlighter.h"
+#include "ui/editor/problem_marks.h"
 
 namespace proveout {
 
-/// The text of an NC program as bytes, with line numbers, the current block and squiggles under problems.
+/// The text of an NC program as bytes, with line numbers, the current block and its problems.
 /// Playback moves a marker and the first visible line, never the caret.
 class NcEditor final : public QsciScintilla {
     Q_OBJECT
@@ -27,7 +28,7 @@ public:
     void markSaved();
     /// Marks the line (1-based, 0: none) of the block that was executed last, and shows it where `follow`.
     void showCurrentLine(int line, bool follow);
-    void showProblems(const Diagnostics& problems);
+    void showProblems(const Diagnostics& problems) { m_problems.show(problems); }
     /// Puts the caret on a place (1-based) and shows it.
     void goTo(int line, int column);
     [[nodiscard]] int caretLine() const; ///< 1-based
@@ -58,11 +59,10 @@ private:
     void adoptPalette();
     void onModified(int position, int type, const char* text, int length);
     bool showProblemTip(QPoint place, QPoint globalPlace);
-    [[nodiscard]] std::pair<long, long> rangeOf(const Diagnostic& problem) const;
     void revealLine(int line);
 
     NcHighlighter m_highlighter;
-    Diagnostics m_problems;
+    ProblemMarks m_problems;
     bool m_loading = false;
     bool m_edited = false; ///< since the key that is being handled went down
     int m_currentLine = 0;

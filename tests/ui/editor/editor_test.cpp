@@ -1,14 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <bit>
 #include <random>
 #include <string>
 
+#include <QApplication>
+#include <QHelpEvent>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolTip>
 
 #include "ui/document.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
 #include "ui/editor/nc_highlighter.h"
+#include "ui/icons.h"
 #include "ui/session.h"
 
 namespace proveout {
@@ -156,6 +161,49 @@ private slots:
         QTest::keyClicks(&editor, QStringLiteral("X1"));
         QCOMPARE(chosen.size(), 2);
         QCOMPARE(editor.caretLine(), 4);
+    }
+
+    void problemLinesAreMarkedBySeverity() {
+        NcEditor editor;
+        editor.resize(400, 200);
+        editor.show();
+        editor.load(documentOf("G0\nG1\nG2\nG3\n"));
+        const auto problem = [](Severity severity, const char* text, int line) {
+            Diagnostic made;
+            made.severity = severity;
+            made.text = text;
+            made.where = {line, 1, 2};
+            return made;
+        };
+        editor.showProblems(
+            {problem(Severity::warning, "Only a warning.", 1), problem(Severity::error, "An error.", 2),
+             problem(Severity::warning, "And a warning.", 2), problem(Severity::note, "A note.", 3)});
+        const auto marks = [&](int line) { return editor.markersAtLine(line - 1); };
+        QVERIFY(marks(1) != 0 && marks(2) != 0 && marks(3) != 0);
+        QCOMPARE(marks(4), 0U);
+        QVERIFY(marks(1) != marks(2) && marks(1) != marks(3) && marks(2) != marks(3));
+        QCOMPARE(std::popcount(marks(2)), 1); // the worst one
+        // The shapes differ, not the colours alone.
+        const auto shape = [](const char* name) {
+            return icon(QLatin1String(name)).pixmap(13, 13).toImage().convertToFormat(QImage::Format_Alpha8);
+        };
+        QVERIFY(shape("warning") != shape("error") && shape("warning") != shape("note") &&
+                shape("error") != shape("note"));
+        // The margin tells about all of its line, the text about the place, the rest nothing.
+        const auto tipAt = [&](int line, int x) {
+            const long top = editor.SendScintilla(QsciScintilla::SCI_POINTYFROMPOSITION, 0UL,
+                                                  editor.SendScintilla(QsciScintilla::SCI_POSITIONFROMLINE,
+                                                                       static_cast<unsigned long>(line - 1)));
+            const QPoint place = editor.viewport()->mapTo(&editor, QPoint(x, static_cast<int>(top) + 5));
+            QHelpEvent event(QEvent::ToolTip, place, editor.mapToGlobal(place));
+            return QApplication::sendEvent(&editor, &event) ? QToolTip::text() : QString();
+        };
+        QVERIFY2(tipAt(2, 5).contains(QLatin1String("An error.")), qPrintable(tipAt(2, 5)));
+        QVERIFY(tipAt(2, 5).contains(QLatin1String("And a warning.")));
+        QVERIFY(tipAt(1, 5).contains(QLatin1String("Only a warning.")));
+        QVERIFY(tipAt(4, 5).isEmpty());
+        editor.showProblems({});
+        QCOMPARE(marks(1) | marks(2) | marks(3), 0U);
     }
 
     void findsAndReplaces() {

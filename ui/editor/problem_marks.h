@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <utility>
+
+#include <QPoint>
+#include <QString>
+
+#include "core/base/diagnostic.h"
+
+class QsciScintilla;
+
+namespace proveout {
+
+/// Problems in a text: a squiggle under the place, and in the margin of the line the icon of the worst one,
+/// a shape for each severity. Thread: UI.
+class ProblemMarks {
+public:
+    /// `text` outlives this object; the icons stand in its margin number `margin`.
+    ProblemMarks(QsciScintilla& text, int margin);
+
+    /// Takes the colours of the application's palette.
+    void adoptPalette();
+    void show(const Diagnostics& problems);
+    /// Forgets them: the text has been replaced.
+    void clear() { m_problems.clear(); }
+    /// What is told at a place of the viewport: of the squiggle there, or of the whole line in the margins.
+    /// Empty where there is nothing.
+    [[nodiscard]] QString tipAt(QPoint place) const;
+
+private:
+    [[nodiscard]] std::pair<long, long> rangeOf(const Diagnostic& problem) const;
+    [[nodiscard]] bool isInMargins(QPoint place) const;
+    [[nodiscard]] int lineAt(QPoint place) const; ///< 1-based; 0: none
+
+    QsciScintilla& m_text;
+    int m_margin;
+    Diagnostics m_problems;
+};
+
+} // namespace proveout
