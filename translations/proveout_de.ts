@@ -2094,6 +2094,29 @@
             <numerusform>%n Stellen ersetzt.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Whole words</source>
+        <translation>Ganze Wörter</translation>
+    </message>
+    <message>
+        <source>Find G2 in G2X10, but not in G21 or G2.1</source>
+        <translation>G2 in G2X10 finden, aber nicht in G21 oder G2.1</translation>
+    </message>
+    <message>
+        <source>more than %1</source>
+        <comment>matches</comment>
+        <translation>mehr als %1</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>matches</comment>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%1 found</source>
+        <comment>matches</comment>
+        <translation>%1 gefunden</translation>
+    </message>
 </context>
 <context>
     <name>HelpCommands</name>

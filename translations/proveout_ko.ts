@@ -2093,6 +2093,29 @@
             <numerusform>%n개를 바꾸었습니다.</numerusform>
         </translation>
     </message>
+    <message>
+        <source>Whole words</source>
+        <translation>온전한 워드</translation>
+    </message>
+    <message>
+        <source>Find G2 in G2X10, but not in G21 or G2.1</source>
+        <translation>G2X10의 G2는 찾고 G21이나 G2.1은 찾지 않습니다</translation>
+    </message>
+    <message>
+        <source>more than %1</source>
+        <comment>matches</comment>
+        <translation>%1개 초과</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <comment>matches</comment>
+        <translation>%2 중 %1</translation>
+    </message>
+    <message>
+        <source>%1 found</source>
+        <comment>matches</comment>
+        <translation>%1개 찾음</translation>
+    </message>
 </context>
 <context>
     <name>HelpCommands</name>

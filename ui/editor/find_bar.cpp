@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/editor/find_bar.h"
 
+#include <QCheckBox>
 #include <QEvent>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QLocale>
 #include <QStyle>
 #include <QToolButton>
 
+#include "ui/editor/editor_search.h"
 #include "ui/editor/nc_editor.h"
 
 namespace proveout {
@@ -28,7 +32,8 @@ QToolButton* button(QWidget* parent, Qt::ArrowType arrow = Qt::NoArrow) {
 FindBar::FindBar(NcEditor& editor, QWidget* parent)
     : QWidget(parent), m_editor(editor), m_text(new QLineEdit(this)), m_replacement(new QLineEdit(this)),
       m_previous(button(this, Qt::UpArrow)), m_next(button(this, Qt::DownArrow)), m_replace(button(this)),
-      m_replaceAll(button(this)), m_close(button(this)), m_result(new QLabel(this)) {
+      m_replaceAll(button(this)), m_close(button(this)), m_words(new QCheckBox(this)),
+      m_result(new QLabel(this)), m_search(new EditorSearch(editor, this)) {
     auto* layout = new QGridLayout(this);
     layout->setContentsMargins(4, 4, 4, 4);
     layout->setSpacing(4);
@@ -39,9 +44,19 @@ FindBar::FindBar(NcEditor& editor, QWidget* parent)
     layout->addWidget(m_replacement, 1, 0);
     layout->addWidget(m_replace, 1, 1);
     layout->addWidget(m_replaceAll, 1, 2, 1, 2);
-    layout->addWidget(m_result, 2, 0, 1, 4);
+    auto* below = new QHBoxLayout;
+    below->addWidget(m_words);
+    below->addStretch(1);
+    below->addWidget(m_result);
+    layout->addLayout(below, 2, 0, 1, 4);
+    m_text->setObjectName(QStringLiteral("find-text"));
+    m_words->setObjectName(QStringLiteral("whole-words"));
+    m_result->setObjectName(QStringLiteral("tally"));
     m_text->setClearButtonEnabled(true);
     m_close->setIcon(style()->standardIcon(QStyle::SP_TitleBarCloseButton));
+    connect(m_text, &QLineEdit::textChanged, this, &FindBar::look);
+    connect(m_words, &QCheckBox::toggled, this, &FindBar::look);
+    connect(m_search, &EditorSearch::tallied, this, &FindBar::showTally);
     connect(m_text, &QLineEdit::returnPressed, this, [this] { find(true); });
     connect(m_next, &QToolButton::clicked, this, [this] { find(true); });
     connect(m_previous, &QToolButton::clicked, this, [this] { find(false); });
@@ -65,6 +80,8 @@ void FindBar::retranslate() {
     m_replace->setText(tr("Replace"));
     m_replaceAll->setText(tr("All"));
     m_replaceAll->setToolTip(tr("Replace all matches"));
+    m_words->setText(tr("Whole words"));
+    m_words->setToolTip(tr("Find G2 in G2X10, but not in G21 or G2.1"));
     m_close->setToolTip(tr("Close (Esc)"));
     m_close->setAccessibleName(tr("Close"));
 }
@@ -73,34 +90,59 @@ void FindBar::open(bool withReplace) {
     for (QWidget* widget : {static_cast<QWidget*>(m_replacement), static_cast<QWidget*>(m_replace),
                             static_cast<QWidget*>(m_replaceAll)})
         widget->setVisible(withReplace && !m_editor.isReadOnly());
-    m_result->hide();
     if (m_editor.hasSelectedText() && !m_editor.selectedText().contains(u'\n'))
         m_text->setText(m_editor.selectedText());
     show();
     m_text->selectAll();
     m_text->setFocus();
+    m_search->setCounting(true);
+    look();
+}
+
+void FindBar::look() {
+    m_search->setPattern(m_text->text(), m_words->isChecked());
+    tell({});
 }
 
 void FindBar::find(bool forward) {
-    const bool found = m_editor.findMatch(m_text->text(), forward);
-    m_result->setText(tr("Not found."));
-    m_result->setVisible(!found && !m_text->text().isEmpty());
+    const bool found = m_search->find(forward);
+    tell(found || m_text->text().isEmpty() ? QString() : tr("Not found."));
 }
 
 void FindBar::replaceOne() {
-    if (m_editor.selectedText().compare(m_text->text(), Qt::CaseInsensitive) == 0)
-        m_editor.replaceSelection(m_replacement->text());
+    m_search->replaceSelected(m_replacement->text());
     find(true);
 }
 
 void FindBar::replaceAll() {
-    const int count = m_editor.replaceAll(m_text->text(), m_replacement->text());
-    m_result->setText(tr("%n replaced.", nullptr, count));
-    m_result->show();
+    tell(tr("%n replaced.", nullptr, m_search->replaceAll(m_replacement->text())));
+}
+
+void FindBar::tell(const QString& note) {
+    m_note = note;
+    showTally();
+}
+
+void FindBar::showTally() {
+    const MatchTally tally = m_search->tally();
+    QString total = locale().toString(static_cast<qulonglong>(tally.total));
+    if (tally.more)
+        total = tr("more than %1", "matches").arg(total);
+    else if (tally.counting)
+        total += u'…';
+    QString text = m_note;
+    if (text.isEmpty() && tally.total == 0 && !tally.counting)
+        text = tr("Not found.");
+    else if (text.isEmpty() && tally.at > 0)
+        text = tr("%1 of %2", "matches").arg(locale().toString(static_cast<qulonglong>(tally.at)), total);
+    else if (text.isEmpty())
+        text = tr("%1 found", "matches").arg(total);
+    m_result->setText(m_text->text().isEmpty() ? QString() : text);
 }
 
 void FindBar::close() {
     hide();
+    m_search->setCounting(false);
     m_editor.setFocus();
 }
 
@@ -113,8 +155,10 @@ void FindBar::keyPressEvent(QKeyEvent* event) {
 
 void FindBar::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
-    if (event->type() == QEvent::LanguageChange)
+    if (event->type() == QEvent::LanguageChange) {
         retranslate();
+        tell({});
+    }
 }
 
 } // namespace proveout

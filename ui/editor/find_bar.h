@@ -3,15 +3,17 @@
 
 #include <QWidget>
 
+class QCheckBox;
 class QLabel;
 class QLineEdit;
 class QToolButton;
 
 namespace proveout {
 
+class EditorSearch;
 class NcEditor;
 
-/// Find and replace beneath the text.
+/// Find and replace beneath the text, with the number of matches.
 class FindBar final : public QWidget {
     Q_OBJECT
 
@@ -28,8 +30,11 @@ protected:
 private:
     void retranslate();
     void close();
+    void look();
     void replaceOne();
     void replaceAll();
+    void tell(const QString& note);
+    void showTally();
 
     NcEditor& m_editor;
     QLineEdit* m_text;
@@ -39,7 +44,10 @@ private:
     QToolButton* m_replace;
     QToolButton* m_replaceAll;
     QToolButton* m_close;
+    QCheckBox* m_words;
     QLabel* m_result;
+    EditorSearch* m_search;
+    QString m_note; ///< what the last command did; stands in place of the tally
 };
 
 } // namespace proveout

@@ -183,36 +183,31 @@ int NcEditor::caretLine() const {
     return static_cast<int>(SendScintilla(SCI_LINEFROMPOSITION, static_cast<unsigned long>(position))) + 1;
 }
 
-bool NcEditor::findMatch(const QString& text, bool forward) {
-    int line = -1;
-    int index = -1;
-    if (!forward) {
-        int lineTo = 0;
-        int indexTo = 0;
-        getSelection(&line, &index, &lineTo, &indexTo); // search from the start of the selection backwards
-    }
-    return !text.isEmpty() && findFirst(text, false, false, false, true, forward, line, index);
+std::string_view NcEditor::textBytes() const {
+    const auto* text = static_cast<const char*>(SendScintillaPtrResult(SCI_GETCHARACTERPOINTER));
+    return {text, static_cast<std::size_t>(SendScintilla(SCI_GETLENGTH))};
 }
 
-void NcEditor::replaceSelection(const QString& text) {
-    if (hasSelectedText())
-        replaceSelectedText(text);
+std::string NcEditor::encoded(const QString& text) const {
+    return (isUtf8() ? text.toUtf8() : text.toLatin1()).toStdString();
 }
 
-int NcEditor::replaceAll(const QString& text, const QString& replacement) {
-    if (text.isEmpty() || isReadOnly())
-        return 0;
-    int count = 0;
+std::pair<std::size_t, std::size_t> NcEditor::selectedBytes() const {
+    return {static_cast<std::size_t>(SendScintilla(SCI_GETSELECTIONSTART)),
+            static_cast<std::size_t>(SendScintilla(SCI_GETSELECTIONEND))};
+}
+
+void NcEditor::selectBytes(std::size_t begin, std::size_t end) {
+    SendScintilla(SCI_SETSEL, asWord(begin), static_cast<long>(end));
+}
+
+void NcEditor::replaceBytes(std::size_t begin, std::size_t end, std::string_view text) {
+    const long seen = SendScintilla(SCI_GETFIRSTVISIBLELINE);
     beginUndoAction();
-    // Without wrapping, so that a replacement that holds the text is not found again.
-    bool found = findFirst(text, false, false, false, false, true, 0, 0);
-    while (found) {
-        replace(replacement);
-        ++count;
-        found = QsciScintilla::findNext();
-    }
+    SendScintilla(SCI_SETTARGETRANGE, asWord(begin), static_cast<long>(end));
+    SendScintilla(SCI_REPLACETARGET, asWord(text.size()), text.data());
     endUndoAction();
-    return count;
+    SendScintilla(SCI_SETFIRSTVISIBLELINE, static_cast<unsigned long>(seen));
 }
 
 bool NcEditor::event(QEvent* event) {

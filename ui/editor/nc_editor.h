@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <string>
 #include <string_view>
+#include <utility>
 
 #include <Qsci/qsciscintilla.h>
 
@@ -32,11 +34,16 @@ public:
     /// Puts the caret on a place (1-based) and shows it.
     void goTo(int line, int column);
     [[nodiscard]] int caretLine() const; ///< 1-based
-    /// Selects the next place of `text` after (or before) the selection, round the end. False: there is none.
-    bool findMatch(const QString& text, bool forward);
-    void replaceSelection(const QString& text);
-    /// Replaces all places of `text` as one step of undo; tells how many there were.
-    int replaceAll(const QString& text, const QString& replacement);
+    /// The text, until the next change of it.
+    [[nodiscard]] std::string_view textBytes() const;
+    /// A text of the user in the encoding of the document.
+    [[nodiscard]] std::string encoded(const QString& text) const;
+    /// The bytes [first, second) that are selected; both are the caret's place where none are.
+    [[nodiscard]] std::pair<std::size_t, std::size_t> selectedBytes() const;
+    /// Selects the bytes [begin, end) and shows them.
+    void selectBytes(std::size_t begin, std::size_t end);
+    /// Replaces the bytes [begin, end) as one step of undo; what is seen of the text stays.
+    void replaceBytes(std::size_t begin, std::size_t end, std::string_view text);
 
 signals:
     /// The user replaced `removed` bytes at `offset`.

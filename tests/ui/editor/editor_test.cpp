@@ -206,20 +206,6 @@ private slots:
         QCOMPARE(marks(1) | marks(2) | marks(3), 0U);
     }
 
-    void findsAndReplaces() {
-        NcEditor editor;
-        editor.load(documentOf("X1\nx1\nX2 X1\n"));
-        QVERIFY(editor.findMatch(QStringLiteral("X1"), true));
-        QCOMPARE(editor.caretLine(), 1);
-        QVERIFY(editor.findMatch(QStringLiteral("X1"), true));
-        QCOMPARE(editor.caretLine(), 2);
-        QVERIFY(!editor.findMatch(QStringLiteral("Z"), true));
-        QCOMPARE(editor.replaceAll(QStringLiteral("X1"), QStringLiteral("X11")), 3);
-        QCOMPARE(editor.text(), QStringLiteral("X11\nX11\nX2 X11\n"));
-        editor.undo(); // one step
-        QCOMPARE(editor.text(), QStringLiteral("X1\nx1\nX2 X1\n"));
-    }
-
     void largeTextsAreReadOnly() {
         QTemporaryDir folder;
         const QString path = folder.filePath("large.nc");

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <string_view>
+#include <vector>
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QTimer>
+
+#include "ui/editor/text_search.h"
+
+namespace proveout {
+
+/// Finds all matches of a pattern bit by bit, between the events of the window. Thread: UI.
+class MatchCounter final : public QObject {
+    Q_OBJECT
+
+public:
+    static constexpr std::size_t kMost = 1'000'000; ///< matches; it stops there
+    /// The text as it is at the moment of the call.
+    using Text = std::function<std::string_view()>;
+
+    MatchCounter(Text text, QObject* parent);
+    /// Begins anew; call it after each change of the text too. An empty pattern has no matches.
+    void count(const TextPattern& pattern);
+
+    /// Where those begin that were found so far, ascending; no two overlap.
+    [[nodiscard]] const std::vector<std::size_t>& matches() const { return m_matches; }
+    [[nodiscard]] bool done() const { return !m_timer.isActive(); }
+    /// There are more than kMost.
+    [[nodiscard]] bool more() const { return m_more; }
+
+signals:
+    /// Some more were found, or all.
+    void progressed();
+
+private:
+    void goOn();
+
+    Text m_text;
+    TextPattern m_pattern;
+    std::size_t m_from = 0;
+    std::vector<std::size_t> m_matches;
+    bool m_more = false;
+    QTimer m_timer;
+    QElapsedTimer m_sinceTold;
+};
+
+} // namespace proveout
