@@ -2300,6 +2300,10 @@
         <source>Parameters changed here</source>
         <translation>Hier wurden Parameter geändert</translation>
     </message>
+    <message>
+        <source>Mean of blocks %1 to %2 (one picture)</source>
+        <translation>Mittel der Sätze %1 bis %2 (ein Bild)</translation>
+    </message>
 </context>
 <context>
     <name>Plots</name>
@@ -2344,20 +2348,20 @@
         <translation>Dreiecke</translation>
     </message>
     <message>
-        <source>Time per Frame</source>
-        <translation>Zeit je Bild</translation>
-    </message>
-    <message>
-        <source>Time (ms)</source>
-        <translation>Zeit (ms)</translation>
-    </message>
-    <message>
         <source>Removed Volume</source>
         <translation>Abgetragenes Volumen</translation>
     </message>
     <message>
         <source>Volume (mm³)</source>
         <translation>Volumen (mm³)</translation>
+    </message>
+    <message>
+        <source>Time per Block</source>
+        <translation>Zeit je Satz</translation>
+    </message>
+    <message>
+        <source>Time (ms)</source>
+        <translation>Zeit (ms)</translation>
     </message>
 </context>
 <context>

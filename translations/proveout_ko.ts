@@ -2299,6 +2299,10 @@
         <source>Parameters changed here</source>
         <translation>여기서 매개변수가 바뀌었습니다</translation>
     </message>
+    <message>
+        <source>Mean of blocks %1 to %2 (one picture)</source>
+        <translation>블록 %1~%2의 평균(한 장면)</translation>
+    </message>
 </context>
 <context>
     <name>Plots</name>
@@ -2343,20 +2347,20 @@
         <translation>삼각형</translation>
     </message>
     <message>
-        <source>Time per Frame</source>
-        <translation>프레임당 시간</translation>
-    </message>
-    <message>
-        <source>Time (ms)</source>
-        <translation>시간(ms)</translation>
-    </message>
-    <message>
         <source>Removed Volume</source>
         <translation>제거 체적</translation>
     </message>
     <message>
         <source>Volume (mm³)</source>
         <translation>체적(mm³)</translation>
+    </message>
+    <message>
+        <source>Time per Block</source>
+        <translation>블록당 시간</translation>
+    </message>
+    <message>
+        <source>Time (ms)</source>
+        <translation>시간(ms)</translation>
     </message>
 </context>
 <context>

@@ -263,6 +263,8 @@ void Session::reportDrawn(std::uint64_t sequence, double uploadSeconds, double d
     m_paperWatchdog.stop();
     if (m_playback.everyBlock)
         m_simulation->frameShown(sequence);
+    if (!m_playback.playing)
+        requestTick(); // no other frame comes to show the new row with
 }
 
 // Playback.

@@ -12,6 +12,14 @@ double blockNumber(const PlotInput&, std::size_t row) {
     return static_cast<double>(row + 1);
 }
 
+double blockBefore(const PlotInput&, std::size_t row) {
+    return static_cast<double>(row);
+}
+
+double firstBlock(const PlotInput& input, std::size_t row) {
+    return input.frames[row].firstBlock;
+}
+
 double lastBlock(const PlotInput& input, std::size_t row) {
     return input.frames[row].lastBlock;
 }
@@ -28,7 +36,8 @@ double faces(const PlotInput& input, std::size_t row, std::size_t series) {
     return series == 0 ? block.facesFull : block.facesShown;
 }
 
-// The paper's Fig. 11: where the time of a picture goes.
+// The paper's Fig. 11: where the time of a picture goes. The paper draws every block; where a picture stands
+// for many (a fast run, a jump to the end), the mean of a block is what compares with the others.
 constexpr std::array kTimes{
     PlotSeries{"cutMs", QT_TRANSLATE_NOOP("Plots", "Cutting"), 0, Qt::SolidLine, Qt::SolidPattern},
     PlotSeries{"decimationMs", QT_TRANSLATE_NOOP("Plots", "Decimation"), 2, Qt::SolidLine, Qt::BDiagPattern},
@@ -40,7 +49,7 @@ double milliseconds(const PlotInput& input, std::size_t row, std::size_t series)
     const FrameStatistics& frame = input.frames[row];
     const std::array seconds{frame.cutSeconds, frame.decimationSeconds, frame.uploadSeconds,
                              frame.drawSeconds};
-    return 1e3 * double{seconds.at(series)};
+    return 1e3 * double{seconds.at(series)} / (frame.lastBlock - frame.firstBlock);
 }
 
 constexpr std::array kVolume{
@@ -53,11 +62,14 @@ double volume(const PlotInput& input, std::size_t row, std::size_t) {
 
 const std::array<PlotSpec, 3> kPlots{{
     {"faces", QT_TRANSLATE_NOOP("Plots", "Faces"), QT_TRANSLATE_NOOP("Plots", "Block"),
-     QT_TRANSLATE_NOOP("Plots", "Triangles"), PlotRows::blocks, false, kFaces, blockNumber, faces},
-    {"frame-time", QT_TRANSLATE_NOOP("Plots", "Time per Frame"), QT_TRANSLATE_NOOP("Plots", "Block"),
-     QT_TRANSLATE_NOOP("Plots", "Time (ms)"), PlotRows::frames, true, kTimes, lastBlock, milliseconds},
+     QT_TRANSLATE_NOOP("Plots", "Triangles"), PlotRows::blocks, false, kFaces, blockBefore, blockNumber,
+     faces},
+    {"block-time", QT_TRANSLATE_NOOP("Plots", "Time per Block"), QT_TRANSLATE_NOOP("Plots", "Block"),
+     QT_TRANSLATE_NOOP("Plots", "Time (ms)"), PlotRows::frames, true, kTimes, firstBlock, lastBlock,
+     milliseconds},
     {"removed-volume", QT_TRANSLATE_NOOP("Plots", "Removed Volume"), QT_TRANSLATE_NOOP("Plots", "Block"),
-     QT_TRANSLATE_NOOP("Plots", "Volume (mm³)"), PlotRows::blocks, false, kVolume, blockNumber, volume},
+     QT_TRANSLATE_NOOP("Plots", "Volume (mm³)"), PlotRows::blocks, false, kVolume, blockBefore, blockNumber,
+     volume},
 }};
 
 } // namespace

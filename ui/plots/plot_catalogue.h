@@ -28,6 +28,8 @@ struct PlotSeries {
     Qt::BrushStyle fill; ///< down to the axis, or to the curve before it in a stack
 };
 
+/// A row of blocks is a point; one of frames is a step over the blocks that its picture stands for, as high
+/// as their mean: what lies under it is what was spent.
 enum class PlotRows : std::uint8_t { blocks, frames };
 
 /// One plot over the blocks.
@@ -39,6 +41,7 @@ struct PlotSpec {
     PlotRows rows;
     bool stacked; ///< curves stand on each other, in the order of `series`
     std::span<const PlotSeries> series;
+    double (*begin)(const PlotInput&, std::size_t row); ///< a row stands for the blocks (begin, x]
     double (*x)(const PlotInput&, std::size_t row);
     double (*y)(const PlotInput&, std::size_t row,
                 std::size_t series); ///< of the curve itself, not of the stack

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "ui/frame_log.h"
+
 namespace proveout {
 namespace {
 
@@ -51,12 +53,18 @@ PlotHistory::Changes PlotHistory::update(const PersistentArray<BlockStatistics>&
 void PlotHistory::take(const FrameStatistics& row, bool playing, Changes& changes) {
     if (!playing && !m_frames.empty() && row.lastBlock <= m_frames.back().lastBlock)
         return; // A seek to blocks that were measured before.
-    // Rows ascend and do not overlap: those that share a block with the new one make room.
+    // Rows ascend and do not overlap: of those that share blocks with the new one, the others' stay.
     const auto from = std::ranges::upper_bound(m_frames, row.firstBlock, {}, &FrameStatistics::lastBlock);
     auto to = from;
     while (to != m_frames.end() && to->firstBlock < row.lastBlock)
         ++to;
-    const auto place = m_frames.insert(m_frames.erase(from, to), row);
+    std::vector<FrameStatistics> instead;
+    if (from != to && from->firstBlock < row.firstBlock)
+        instead.push_back(partOf(*from, from->firstBlock, row.firstBlock));
+    instead.push_back(row);
+    if (from != to && (to - 1)->lastBlock > row.lastBlock)
+        instead.push_back(partOf(*(to - 1), row.lastBlock, (to - 1)->lastBlock));
+    const auto place = m_frames.insert(m_frames.erase(from, to), instead.begin(), instead.end());
     changes.firstFrame = std::min(changes.firstFrame, static_cast<std::size_t>(place - m_frames.begin()));
     changes.any = true;
 }

@@ -18,11 +18,16 @@ void append(std::string& text, double value) {
 } // namespace
 
 std::string plotCsv(const PlotSpec& plot, const PlotInput& input) {
-    std::string text = "block";
+    const bool ranges = plot.rows == PlotRows::frames;
+    std::string text = ranges ? "firstBlock,lastBlock" : "block";
     for (const PlotSeries& series : plot.series)
         text.append(",").append(series.key);
     text += '\n';
     for (std::size_t row = 0; row < rowCount(plot, input); ++row) {
+        if (ranges) {
+            append(text, plot.begin(input, row) + 1);
+            text += ',';
+        }
         append(text, plot.x(input, row));
         for (std::size_t series = 0; series < plot.series.size(); ++series) {
             text += ',';

@@ -17,6 +17,7 @@ namespace {
 
 constexpr double kZoomPerStep = 0.8;
 constexpr double kNearPixels = 4;
+constexpr int kTicks = 5;
 constexpr std::size_t kMostSmoothRows = 20000;
 constexpr double kAheadOfBlock = 0.06; ///< of a followed span, free to the right of the current block
 
@@ -41,6 +42,8 @@ QString number(double value) {
     const QLocale locale;
     if (value == std::floor(value) && std::abs(value) < 1e15)
         return locale.toString(static_cast<qlonglong>(value));
+    if (std::abs(value) < 1)
+        return locale.toString(value, 'g', 3);
     return locale.toString(value, 'f', std::abs(value) < 10 ? 3 : 1);
 }
 
@@ -58,8 +61,12 @@ PlotView::PlotView(const PlotSpec& spec, QWidget* parent)
     for (QCPAxis* axis : {xAxis, yAxis}) {
         axis->setNumberFormat(QStringLiteral("g"));
         axis->setNumberPrecision(7);
-        axis->ticker()->setTickCount(5);
+        axis->ticker()->setTickCount(kTicks);
     }
+    const auto whole = QSharedPointer<QCPAxisTickerFixed>::create(); // there is no half block
+    whole->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
+    whole->setTickCount(kTicks);
+    xAxis->setTicker(whole);
     yAxis->setPadding(4);
     m_hint->position->setType(QCPItemPosition::ptAxisRectRatio);
     m_hint->position->setCoords(0.5, 0.5);
@@ -86,6 +93,8 @@ void PlotView::addCurves() {
     for (std::size_t index = 0; index < m_spec.series.size(); ++index) {
         QCPGraph* curve = addGraph();
         curve->setAdaptiveSampling(true);
+        if (m_spec.rows == PlotRows::frames)
+            curve->setLineStyle(QCPGraph::lsStepRight);
         if (m_spec.stacked && index > 0)
             curve->setChannelFillGraph(graph(static_cast<int>(index) - 1));
     }
@@ -144,38 +153,44 @@ void PlotView::style() {
 }
 
 void PlotView::setRows(const PlotInput& input, std::size_t first) {
-    const auto from = static_cast<int>(first);
     const std::size_t count = rowCount(m_spec, input);
     // A curve of more rows than pixels is a band: smoothing its edges shows nothing and doubles its cost.
     setNotAntialiasedElement(QCP::aePlottables, count > kMostSmoothRows);
     const auto added = static_cast<int>(count - std::min(first, count));
     std::vector<double> below(static_cast<std::size_t>(added), 0.0);
     for (std::size_t index = 0; index < m_spec.series.size(); ++index) {
-        QVector<QCPGraphData> rows;
-        rows.reserve(added);
+        QVector<QCPGraphData> points;
+        points.reserve(added + 1);
         for (std::size_t row = first; row < count; ++row) {
             double y = m_spec.y(input, row, index);
             if (m_spec.stacked)
                 y = below[row - first] += y;
-            rows.append({m_spec.x(input, row), y});
+            if (row == 0 && pointsBefore() > 0)
+                points.append({m_spec.begin(input, row), y});
+            points.append({m_spec.x(input, row), y});
         }
-        const auto rowsShown = graph(static_cast<int>(index))->data();
-        if (from < rowsShown->size()) {
-            if (from == 0)
-                rowsShown->clear();
-            else
-                rowsShown->removeAfter((rowsShown->constBegin() + from - 1)->key);
-        }
-        rowsShown->add(rows, true);
+        const auto shown = graph(static_cast<int>(index))->data();
+        if (first == 0)
+            shown->clear();
+        else if (first < rows(index))
+            shown->removeAfter(pointOf(index, first - 1)->key);
+        shown->add(points, true);
     }
 }
 
+std::size_t PlotView::rows(std::size_t series) const {
+    return static_cast<std::size_t>(
+        std::max(0, graph(static_cast<int>(series))->dataCount() - pointsBefore()));
+}
+
+QCPGraphDataContainer::const_iterator PlotView::pointOf(std::size_t series, std::size_t row) const {
+    return graph(static_cast<int>(series))->data()->constBegin() + pointsBefore() +
+           static_cast<std::ptrdiff_t>(row);
+}
+
 double PlotView::value(std::size_t series, std::size_t row) const {
-    const auto at = [&](std::size_t index) {
-        return (graph(static_cast<int>(index))->data()->constBegin() + static_cast<std::ptrdiff_t>(row))
-            ->value;
-    };
-    return m_spec.stacked && series > 0 ? at(series) - at(series - 1) : at(series);
+    const double below = m_spec.stacked && series > 0 ? pointOf(series - 1, row)->value : 0;
+    return pointOf(series, row)->value - below;
 }
 
 // --- what is seen
@@ -238,30 +253,53 @@ void PlotView::fitAxes() {
         }
         xAxis->setRange(begin, end);
     }
-    double highest = 0;
-    for (int index = 0; index < graphCount(); ++index) {
-        bool found = false;
-        const QCPRange range = graph(index)->getValueRange(found, QCP::sdBoth, xAxis->range());
-        if (found)
-            highest = std::max(highest, range.upper);
-    }
+    const double highest = highestInSight();
     yAxis->setRange(0, highest > 0 ? highest * 1.06 : 1);
     const bool measured = rows() > 0;
     m_hint->setVisible(!measured);
     yAxis->setTickLabels(measured); // else they would be figures of nothing
 }
 
+double PlotView::highestInSight() const {
+    double highest = 0;
+    for (int index = 0; index < graphCount(); ++index) {
+        bool found = false;
+        const QCPRange range = graph(index)->getValueRange(found, QCP::sdBoth, xAxis->range());
+        if (found)
+            highest = std::max(highest, range.upper);
+        // A step may begin in sight and end beyond.
+        const auto points = graph(index)->data();
+        const auto beyond = points->findBegin(xAxis->range().upper, false);
+        if (beyond != points->constEnd())
+            highest = std::max(highest, beyond->value);
+    }
+    return highest;
+}
+
+std::size_t PlotView::rowAt(double block) const {
+    const auto points = graph(0)->data();
+    const auto begin = points->constBegin() + pointsBefore();
+    auto found = points->findBegin(block, false); // the first one that reaches so far
+    found = std::clamp(found, begin, points->constEnd() - 1);
+    const bool steps = m_spec.rows == PlotRows::frames;
+    if (!steps && found != begin && block - (found - 1)->key < found->key - block)
+        --found;
+    return static_cast<std::size_t>(found - begin);
+}
+
+QString PlotView::rangeText(std::size_t row) const {
+    const auto point = pointOf(0, row);
+    const double first = m_spec.rows == PlotRows::frames ? (point - 1)->key + 1 : point->key;
+    if (first == point->key)
+        return QStringLiteral("%1 %2").arg(translated(m_spec.xLabel), number(first));
+    return tr("Mean of blocks %1 to %2 (one picture)").arg(number(first), number(point->key));
+}
+
 QString PlotView::valuesAt(double pixelX) const {
-    const auto rowsShown = graph(0)->data();
-    if (rowsShown->isEmpty())
+    if (rows() == 0)
         return {};
-    const double wanted = xAxis->pixelToCoord(pixelX);
-    auto nearest = rowsShown->findBegin(wanted, true);
-    if (const auto next = nearest + 1;
-        next != rowsShown->constEnd() && std::abs(next->key - wanted) < std::abs(nearest->key - wanted))
-        ++nearest;
-    const auto row = static_cast<std::size_t>(nearest - rowsShown->constBegin());
-    QString text = QStringLiteral("%1 %2").arg(translated(m_spec.xLabel), number(nearest->key));
+    const std::size_t row = rowAt(xAxis->pixelToCoord(pixelX));
+    QString text = rangeText(row) + u'\n' + translated(m_spec.yLabel);
     for (std::size_t index = 0; index < m_spec.series.size(); ++index)
         text +=
             QStringLiteral("\n%1: %2").arg(translated(m_spec.series[index].label), number(value(index, row)));

@@ -34,7 +34,7 @@ public:
     [[nodiscard]] QString valuesAt(double pixelX) const;
     /// The value of one curve at a row, as drawn (stacked plots: without those below).
     [[nodiscard]] double value(std::size_t series, std::size_t row) const;
-    [[nodiscard]] std::size_t rows() const { return static_cast<std::size_t>(graph(0)->dataCount()); }
+    [[nodiscard]] std::size_t rows() const { return rows(0); }
 
     [[nodiscard]] QByteArray png(double scale);
     [[nodiscard]] QByteArray svg();
@@ -56,6 +56,13 @@ private:
     void style();
     void setTexts();
     void fitAxes();
+    [[nodiscard]] std::size_t rows(std::size_t series) const;
+    [[nodiscard]] QCPGraphDataContainer::const_iterator pointOf(std::size_t series, std::size_t row) const;
+    [[nodiscard]] double highestInSight() const;
+    [[nodiscard]] QString rangeText(std::size_t row) const;
+    [[nodiscard]] std::size_t rowAt(double block) const;
+    /// Points of a curve before the one of row 0: where a curve of steps begins.
+    [[nodiscard]] int pointsBefore() const { return m_spec.rows == PlotRows::frames ? 1 : 0; }
     void styleChanges();
 
     const PlotSpec& m_spec;

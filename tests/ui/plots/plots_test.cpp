@@ -61,6 +61,7 @@ private slots:
     void clickSeeksAndDragDoesNot();
     void followingKeepsTheBlockInSight();
     void hoverReadsTheNearestRow();
+    void aJumpIsAStepOfItsMean();
     void restylesWithThePalette();
     void manyRowsCostLittle();
     void panelShowsARunAndExportsIt();
@@ -75,7 +76,7 @@ void PlotsTest::catalogueRowsAreComplete() {
         for (const PlotSeries& series : spec.series) // Told apart without colour.
             QVERIFY(looks.insert({static_cast<int>(series.pen), static_cast<int>(series.fill)}).second);
     }
-    QVERIFY(ids.contains("faces") && ids.contains("frame-time"));
+    QVERIFY(ids.contains("faces") && ids.contains("block-time"));
 }
 
 void PlotsTest::historyFindsTheFirstRowThatDiffers() {
@@ -119,9 +120,10 @@ void PlotsTest::historyKeepsFramesUntilTheirBlocksArePlayedAnew() {
     QVERIFY(!history.update(blocks, {{0, 12}}, false).any); // a scrub over what was measured
     const auto played = history.update(blocks, {{0, 12}, {12, 14}}, true);
     QVERIFY(played.any && played.firstFrame == 3);
-    QCOMPARE(lastBlocks(), (Blocks{5, 10, 12, 14}));
+    QCOMPARE(lastBlocks(), (Blocks{5, 10, 12, 14, 20})); // what was not played anew stays
     QCOMPARE(history.update(blocks, {{0, 7}}, true).firstFrame, std::size_t{0});
-    QCOMPARE(lastBlocks(), (Blocks{7, 12, 14}));
+    QCOMPARE(lastBlocks(), (Blocks{7, 10, 12, 14, 20}));
+    QCOMPARE(history.frames()[1].firstBlock, std::uint32_t{7});
     static_cast<void>(history.update(blocks, {{0, 7}, {7, 40}}, false)); // beyond all that was measured
     QCOMPARE(lastBlocks(), (Blocks{7, 40}));
     history.forgetFrames();
@@ -164,7 +166,7 @@ void PlotsTest::viewsHoldWhatTheStatisticsSay() {
     std::vector<FrameStatistics> measured; // one a block; a seek back takes none away
     PlotHistory history;
     PlotView faces(plot("faces"));
-    PlotView times(plot("frame-time"));
+    PlotView times(plot("block-time"));
     for (int round = 0; round < 60; ++round) {
         const std::size_t keep = random() % 4 == 0 ? random() % (blocks.size() + 1) : blocks.size();
         blocks.truncate(keep);
@@ -187,7 +189,7 @@ void PlotsTest::viewsHoldWhatTheStatisticsSay() {
 void PlotsTest::stackedCurvesStandOnEachOther() {
     const PersistentArray<BlockStatistics> blocks;
     const std::vector<FrameStatistics> frames{{0, 1, 0.001f, 0.002f, 0.003f, 0.004f}};
-    PlotView times(plot("frame-time"));
+    PlotView times(plot("block-time"));
     times.setRows({blocks, frames}, 0);
     const double tops[] = {1, 3, 6, 10};
     for (int series = 0; series < 4; ++series)
@@ -203,8 +205,9 @@ void PlotsTest::csvHoldsEveryValue() {
              std::string("block,facesFull,facesShown\n1,39200,1200\n2,39200,980\n"));
     QCOMPARE(plotCsv(plot("removed-volume"), {blocks, frames}),
              std::string("block,removedMm3\n1,12.5\n2,0\n"));
-    QCOMPARE(plotCsv(plot("frame-time"), {blocks, frames}),
-             std::string("block,cutMs,decimationMs,uploadMs,drawMs\n2,0.500000024,250,0,12.5000002\n"));
+    QCOMPARE(plotCsv(plot("block-time"), {blocks, frames}),
+             std::string("firstBlock,lastBlock,cutMs,decimationMs,uploadMs,drawMs\n"
+                         "1,2,0.250000012,125,0,6.25000009\n")); // of a block, on average
 }
 
 void PlotsTest::clickSeeksAndDragDoesNot() {
@@ -260,6 +263,42 @@ void PlotsTest::hoverReadsTheNearestRow() {
     QVERIFY2(text.contains(QStringLiteral("42")) && text.contains(QStringLiteral("200")), qPrintable(text));
 }
 
+void PlotsTest::aJumpIsAStepOfItsMean() {
+    // Ten blocks played one by one, 2 ms each; then a jump over 990 of the same cost, 1.98 s in one row.
+    const PersistentArray<BlockStatistics> blocks;
+    std::vector<FrameStatistics> frames;
+    for (std::uint32_t k = 0; k < 10; ++k)
+        frames.push_back({k, k + 1, 0.0005f, 0.0005f, 0.0005f, 0.0005f});
+    frames.push_back({10, 1000, 990 * 0.0005f, 990 * 0.0005f, 990 * 0.0005f, 990 * 0.0005f});
+    PlotView times(plot("block-time"));
+    times.resize(600, 220);
+    times.setRows({blocks, frames}, 0);
+    times.setBlock(1000, 1000);
+    times.replot();
+    QVERIFY2(times.yAxis->range().upper < 2.5, qPrintable(QString::number(times.yAxis->range().upper)));
+    for (std::size_t row = 0; row < times.rows(); ++row)
+        QVERIFY(std::abs(times.value(3, row) - 0.5) < 1e-4);
+    // The same height from the first to the last block of the jump, and what it stands for is told.
+    const QImage picture = times.toPixmap().toImage();
+    const auto inkAt = [&](double block) {
+        const int x = static_cast<int>(times.xAxis->coordToPixel(block));
+        const int y = static_cast<int>(times.yAxis->coordToPixel(1.9));
+        return picture.pixelColor(x, y) !=
+               picture.pixelColor(x, y - static_cast<int>(0.2 * picture.height()));
+    };
+    QVERIFY(inkAt(50) || inkAt(51) || inkAt(52)); // the filling is a pattern
+    QVERIFY(inkAt(950) || inkAt(951) || inkAt(952));
+    const QString jump = times.valuesAt(times.xAxis->coordToPixel(300));
+    QVERIFY2(jump.contains(QStringLiteral("11 to %1").arg(QLocale().toString(1000))), qPrintable(jump));
+    const QString single = times.valuesAt(times.xAxis->coordToPixel(4.6));
+    QVERIFY2(single.startsWith(QStringLiteral("Block 5\n")), qPrintable(single));
+    // Zoomed into the jump, its end out of sight, it still sets the scale.
+    times.setFollowing(false);
+    times.xAxis->setRange(200, 210);
+    times.setBlock(1000, 1000);
+    QVERIFY(times.yAxis->range().upper > 1.9);
+}
+
 void PlotsTest::restylesWithThePalette() {
     PlotView view(plot("faces"));
     view.resize(300, 150);
@@ -313,8 +352,13 @@ void PlotsTest::panelShowsARunAndExportsIt() {
     panel.show();
     QVERIFY(session.openFile(QStringLiteral(PROVEOUT_SOURCE_DIR "/resources/samples/core-insert.proveout")));
     QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, 10000);
+    connect(&session, &Session::tick, this, [&](const FramePtr& drawn) {
+        if (drawn)
+            session.reportDrawn(drawn->sequence, 0.001, 0.002);
+    });
     session.seek(120);
     QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{120}, 10000);
+    QTRY_COMPARE(panel.views()[1]->rows(), std::size_t{1}); // of a jump too, at once
     const FramePtr frame = session.frame();
     QVERIFY(frame->statistics.size() >= 120);
     PlotView& faces = *panel.views().front();
