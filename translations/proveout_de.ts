@@ -1746,6 +1746,14 @@
         <source>This is a folder, not a file.</source>
         <translation>Das ist ein Ordner, keine Datei.</translation>
     </message>
+    <message>
+        <source>The export needs about {}, but the machine has only {} left.</source>
+        <translation>Der Export braucht etwa {}, der Rechner hat aber nur noch {} frei.</translation>
+    </message>
+    <message>
+        <source>Export the decimated stock, choose a wider grid spacing, or close programs.</source>
+        <translation>Exportieren Sie das dezimierte Rohteil, wählen Sie eine größere Rasterweite, oder schließen Sie Programme.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

@@ -1746,6 +1746,14 @@
         <source>This is a folder, not a file.</source>
         <translation>파일이 아니라 폴더입니다.</translation>
     </message>
+    <message>
+        <source>The export needs about {}, but the machine has only {} left.</source>
+        <translation>내보내기에는 약 {}이(가) 필요하지만 컴퓨터에 {}만 남아 있습니다.</translation>
+    </message>
+    <message>
+        <source>Export the decimated stock, choose a wider grid spacing, or close programs.</source>
+        <translation>간략화된 소재를 내보내거나, 격자 간격을 넓히거나, 다른 프로그램을 닫으십시오.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

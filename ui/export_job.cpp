@@ -8,6 +8,7 @@
 #include <QMetaObject>
 
 #include "core/base/text.h"
+#include "core/decimation/mesh_memory.h"
 #include "core/decimation/solid.h"
 #include "core/decimation/surface.h"
 #include "ui/file_paths.h"
@@ -42,10 +43,24 @@ tl::unexpected<Diagnostics> cancelled() {
     return failure("cancelled", PROVEOUT_TEXT("Core", "The export was cancelled."));
 }
 
-} // namespace
+/// The z-map itself is there already.
+Result<void> checkMeshMemory(const Frame& frame, const ExportOptions& options, double availableBytes) {
+    const Grid& grid = frame.zmap.grid();
+    const double points = static_cast<double>(grid.nx) * grid.ny;
+    const double needed = points * meshBytesPerPoint(frame.parameters, !options.decimated, true);
+    if (needed <= availableBytes)
+        return {};
+    auto refused =
+        failure("export-needs-too-much-memory",
+                PROVEOUT_TEXT("Core", "The export needs about {}, but the machine has only {} left."),
+                {readableBytes(needed), readableBytes(availableBytes)});
+    refused.value().front().hint =
+        PROVEOUT_TEXT("Core", "Export the decimated stock, choose a wider grid spacing, or close programs.");
+    return refused;
+}
 
-Result<ExportSummary> exportFrame(const Frame& frame, const QString& file, const ExportOptions& options,
-                                  const WorkContext& context) {
+Result<ExportSummary> write(const Frame& frame, const QString& file, const ExportOptions& options,
+                            const WorkContext& context) {
     ExportSummary summary;
     summary.file = file;
     const std::vector<LatticeTriangle> triangles =
@@ -64,6 +79,24 @@ Result<ExportSummary> exportFrame(const Frame& frame, const QString& file, const
     summary.triangles = written->triangles;
     summary.bytes = written->bytes;
     return summary;
+}
+
+Diagnostics about(const QString& file, Diagnostics errors) {
+    for (Diagnostic& error : errors)
+        error.file = toPath(file).string();
+    return errors;
+}
+
+} // namespace
+
+Result<ExportSummary> exportFrame(const Frame& frame, const QString& file, const ExportOptions& options,
+                                  const WorkContext& context, double availableBytes) {
+    if (Result<void> fits = checkMeshMemory(frame, options, availableBytes); !fits)
+        return tl::unexpected(about(file, std::move(fits.error())));
+    Result<ExportSummary> written = write(frame, file, options, context);
+    if (!written)
+        return tl::unexpected(about(file, std::move(written.error())));
+    return written;
 }
 
 ExportJob::ExportJob(QObject* parent) : QObject(parent) {}
@@ -92,7 +125,7 @@ void ExportJob::start(FramePtr frame, const QString& file, const ExportOptions& 
                 report(exportFrame(*frame, file, options, {stop, tell}));
             } catch (const std::exception& problem) {
                 report(failure("export-failed", PROVEOUT_TEXT("Core", "The export failed: {}."),
-                               {problem.what()}));
+                               {problem.what()}, toPath(file).string()));
             }
         });
 }

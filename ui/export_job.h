@@ -10,6 +10,7 @@
 #include <QString>
 
 #include "core/base/diagnostic.h"
+#include "core/base/memory.h"
 #include "core/base/work_context.h"
 #include "core/formats/stl.h"
 #include "core/simulation/frame.h"
@@ -29,10 +30,11 @@ struct ExportSummary {
 };
 
 /// Writes the stock of a frame: the surface, closed by walls and a floor. Any thread. Borders between regions
-/// are always the shared ones, because the paper's own leave cracks. Errors: nothing left of the stock, an
-/// unwritable file, cancelled.
-[[nodiscard]] Result<ExportSummary> exportFrame(const Frame& frame, const QString& file,
-                                                const ExportOptions& options, const WorkContext& context);
+/// are always the shared ones, because the paper's own leave cracks. Errors, which name the file: meshes that
+/// need more than `availableBytes` of memory, nothing left of the stock, an unwritable file, cancelled.
+[[nodiscard]] Result<ExportSummary>
+exportFrame(const Frame& frame, const QString& file, const ExportOptions& options, const WorkContext& context,
+            double availableBytes = static_cast<double>(availableMemoryBytes()));
 
 /// Runs one export at a time on its own thread; a new one cancels the one under way.
 class ExportJob : public QObject {

@@ -8,7 +8,6 @@
 
 #include "app/cli/command.h"
 #include "app/cli/measured_surface.h"
-#include "app/cli/mesh_memory.h"
 #include "app/cli/outputs.h"
 #include "app/cli/records_csv.h"
 #include "app/cli/report.h"
@@ -18,6 +17,7 @@
 #include "app/cli/zmap_file.h"
 #include "core/base/memory.h"
 #include "core/base/stop_watch.h"
+#include "core/decimation/mesh_memory.h"
 #include "core/decimation/solid.h"
 #include "core/formats/stl.h"
 #include "core/nc/interpreter.h"

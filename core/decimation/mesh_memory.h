@@ -3,7 +3,7 @@
 
 #include "core/decimation/parameters.h"
 
-namespace proveout::cli {
+namespace proveout {
 
 /// Bytes a point of the grid that meshes take beside the z-map, from the peak memory of runs with and without
 /// them: a full mesh has two triangles a point, and is held again, closed, while an STL file is written.
@@ -15,4 +15,4 @@ namespace proveout::cli {
     return full && stl ? kFullSolid : kSurface;
 }
 
-} // namespace proveout::cli
+} // namespace proveout

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "core/decimation/mesh_memory.h"
+#include "core/zmap/zmap.h"
+#include "ui/diagnostic_text.h"
+#include "ui/export_job.h"
+
+namespace proveout {
+namespace {
+
+Frame uncutFrame() {
+    StockBox stock;
+    stock.width = 20;
+    stock.depth = 10;
+    stock.height = 5;
+    Frame frame;
+    frame.zmap = ZMap(stock, makeGrid(stock, 0.5).value()).snapshot();
+    return frame;
+}
+
+} // namespace
+
+class ExportJobTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void memoryIsAskedForBeforeItIsTaken() {
+        QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("part.stl"));
+        const Frame frame = uncutFrame();
+        ExportOptions full;
+        full.decimated = false;
+        const Result<ExportSummary> refused = exportFrame(frame, file, full, {}, 20'000);
+        QVERIFY(!refused);
+        QCOMPARE(refused.error().front().id, "export-needs-too-much-memory");
+        const double needed = 41 * 21 * meshBytesPerPoint(frame.parameters, true, true);
+        QVERIFY2(sentence(refused.error().front()).contains(QString::fromStdString(readableBytes(needed))),
+                 qPrintable(sentence(refused.error().front())));
+        QVERIFY(sentence(refused.error().front()).contains(QLatin1String("20 kB")));
+        QVERIFY(!hint(refused.error().front()).isEmpty());
+        QVERIFY(!QFile::exists(file));
+        QVERIFY(exportFrame(frame, file, full, {}, 100'000));
+        QVERIFY(exportFrame(frame, file, {}, {}, 30'000)); // decimated, it needs less
+    }
+
+    void whatFailsNamesTheFile() {
+        QTemporaryDir folder;
+        const Frame frame = uncutFrame();
+        const auto toldFor = [&](const QString& file, const WorkContext& context, double memory) {
+            const Result<ExportSummary> result = exportFrame(frame, file, {}, context, memory);
+            return result ? QString() : sentence(result.error().front());
+        };
+        std::stop_source stopped;
+        stopped.request_stop();
+        for (const QString& text :
+             {toldFor(folder.filePath(QStringLiteral("bracket.stl")), {}, 0),
+              toldFor(folder.filePath(QStringLiteral("gone/bracket.stl")), {}, 1e9),
+              toldFor(folder.filePath(QStringLiteral("bracket.stl")), {stopped.get_token(), {}}, 1e9)})
+            QVERIFY2(text.startsWith(QLatin1String("bracket.stl: ")), qPrintable(text));
+    }
+};
+
+} // namespace proveout
+
+QTEST_MAIN(proveout::ExportJobTest)
+#include "export_job_test.moc"
