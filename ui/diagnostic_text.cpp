@@ -1,28 +1,43 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/diagnostic_text.h"
 
+#include <string>
+#include <vector>
+
 #include <QCoreApplication>
 #include <QFileInfo>
 
 namespace proveout {
+
+namespace {
+
+/// Arguments are words of the user's file, figures, keys, or texts of the core, e.g. the name of a code. Only
+/// the last are in the catalogue.
+QString filled(const char* text, const Diagnostic& diagnostic) {
+    std::vector<std::string> arguments = diagnostic.arguments;
+    for (std::string& argument : arguments) {
+        if (argument.find('\0') == std::string::npos)
+            argument = coreText(argument.c_str()).toStdString();
+    }
+    return QString::fromStdString(fillIn(coreText(text).toStdString(), arguments));
+}
+
+} // namespace
 
 QString coreText(const char* text) {
     return text == nullptr || *text == '\0' ? QString() : QCoreApplication::translate("Core", text);
 }
 
 QString sentence(const Diagnostic& diagnostic) {
-    const std::string text = coreText(diagnostic.text).toStdString();
-    QString filled = QString::fromStdString(fillIn(text, diagnostic.arguments));
+    QString text = filled(diagnostic.text, diagnostic);
     // What is about another file than the open program names it.
     if (diagnostic.file.empty())
-        return filled;
-    return QStringLiteral("%1: %2").arg(QFileInfo(QString::fromStdString(diagnostic.file)).fileName(),
-                                        filled);
+        return text;
+    return QStringLiteral("%1: %2").arg(QFileInfo(QString::fromStdString(diagnostic.file)).fileName(), text);
 }
 
 QString hint(const Diagnostic& diagnostic) {
-    const std::string text = coreText(diagnostic.hint).toStdString();
-    return QString::fromStdString(fillIn(text, diagnostic.arguments));
+    return filled(diagnostic.hint, diagnostic);
 }
 
 QString severityName(Severity severity) {
