@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole window, worked as a user does.
 #include <algorithm>
-#include <cstdlib>
 #include <map>
 #include <memory>
-#include <thread>
 #include <vector>
 
 #include <QAbstractItemModel>
@@ -15,7 +13,6 @@
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QDragEnterEvent>
-#include <QElapsedTimer>
 #include <QFileInfo>
 #include <QLabel>
 #include <QMenuBar>
@@ -159,32 +156,6 @@ private slots:
         QCOMPARE(std::uint64_t{mesh->triangles.size()}, session.lastExport()->triangles);
         QVERIFY(station.window.statusBar()->currentMessage().contains(file));
         session.setTextModified(false);
-    }
-
-    void theEventLoopBreathesWhilePlaying() {
-        Workstation station(true);
-        station.open(sampleJobs().back().file);
-        QCOMPARE(station.session.blockCount(), std::size_t{10'273});
-        station.session.setSpeed(1000);
-        QTest::qWait(1000); // the first picture compiles shaders
-        station.session.play();
-        std::vector<qint64> gaps;
-        QElapsedTimer clock;
-        QTimer heartbeat;
-        connect(&heartbeat, &QTimer::timeout, this, [&] { gaps.push_back(clock.restart()); });
-        clock.start();
-        heartbeat.start(5);
-        QTest::qWait(4000);
-        station.session.pause();
-        std::sort(gaps.begin(), gaps.end());
-        QVERIFY(station.session.block() > 500);
-        const qint64 slow = gaps[gaps.size() * 99 / 100];
-        qInfo("event-loop gaps: median %lld ms, 99 %% under %lld ms, longest %lld ms, %zu beats",
-              gaps[gaps.size() / 2], slow, gaps.back(), gaps.size());
-        double load = 0;
-        if (getloadavg(&load, 1) == 1 && load > 1.5 * std::thread::hardware_concurrency())
-            QSKIP("the machine is too busy with others to judge");
-        QVERIFY2(slow <= 250, "more than 1 % of the gaps are over 250 ms");
     }
 
     void everyDockHasANameAndAKey() {

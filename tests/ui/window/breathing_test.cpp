@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The event loop goes on while a large program plays. Other work on the machine stretches every gap, so none
+// is judged by the clock alone: what the UI thread computes between two beats is told by its own processor
+// time, and what it waits by how much a thread beside it was held up in the same seconds.
+#include <algorithm>
+#include <atomic>
+#include <ctime>
+#include <memory>
+#include <stop_token>
+#include <thread>
+#include <vector>
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QTest>
+#include <QTimer>
+
+#include "tests/ui/window/workstation.h"
+
+namespace proveout {
+namespace {
+
+constexpr double kLongestGapMs = 250; // with OpenGL in software; of 99 % of the gaps
+
+double threadCpuMs() {
+    timespec now{};
+    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
+}
+
+/// 99 % of the values are not above it.
+double percentile99(std::vector<double> values) {
+    std::ranges::sort(values);
+    return values.empty() ? 0 : values[values.size() * 99 / 100];
+}
+
+/// The gaps between the beats of a timer: how long each took, and how much of it the thread computed.
+class Heartbeat {
+public:
+    Heartbeat() {
+        QObject::connect(&m_timer, &QTimer::timeout, [this] {
+            m_gaps.push_back(1e-6 * static_cast<double>(m_clock.nsecsElapsed()));
+            m_computed.push_back(threadCpuMs() - m_cpu);
+            begin();
+        });
+        begin();
+        m_timer.start(5);
+    }
+    void stop() { m_timer.stop(); }
+    [[nodiscard]] const std::vector<double>& gaps() const { return m_gaps; }
+    [[nodiscard]] const std::vector<double>& computed() const { return m_computed; }
+
+private:
+    void begin() {
+        m_clock.start();
+        m_cpu = threadCpuMs();
+    }
+
+    QTimer m_timer;
+    QElapsedTimer m_clock;
+    double m_cpu = 0;
+    std::vector<double> m_gaps;
+    std::vector<double> m_computed;
+};
+
+/// A thread that computes a little now and then, and tells how many times longer that takes than it would
+/// alone.
+class Control {
+public:
+    Control() : m_thread([this](const std::stop_token& stop) { run(stop); }) {}
+    [[nodiscard]] double stretch() const { return std::max(1.0, m_wallMs / std::max(1.0, m_cpuMs.load())); }
+
+private:
+    void run(const std::stop_token& stop) {
+        while (!stop.stop_requested()) {
+            QElapsedTimer wall;
+            wall.start();
+            const double begin = threadCpuMs();
+            while (threadCpuMs() - begin < kBurstMs) {
+            }
+            m_cpuMs = m_cpuMs + threadCpuMs() - begin;
+            m_wallMs = m_wallMs + 1e-6 * static_cast<double>(wall.nsecsElapsed());
+            std::this_thread::sleep_for(std::chrono::milliseconds(80));
+        }
+    }
+
+    static constexpr double kBurstMs = 10;
+    std::atomic<double> m_wallMs = 0;
+    std::atomic<double> m_cpuMs = 0;
+    std::jthread m_thread; ///< last: it ends before what it writes to
+};
+
+} // namespace
+
+class BreathingTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { m_settings = std::make_unique<OwnSettings>(); }
+
+    void theEventLoopBreathesWhilePlaying() {
+        Workstation station(true);
+        station.open(sampleJobs().back().file);
+        QCOMPARE(station.session.blockCount(), std::size_t{10'273});
+        station.session.setSpeed(1000);
+        QTest::qWait(1000); // the first picture compiles shaders
+        const std::size_t from = station.session.block();
+        const Control control;
+        Heartbeat heart;
+        station.session.play();
+        QTest::qWait(4000);
+        // On a busy machine fewer beats fit into that time: some more, so that 1 % of them is some.
+        QTRY_VERIFY_WITH_TIMEOUT(heart.gaps().size() >= 100 && station.session.block() > from + 500,
+                                 kPatience);
+        heart.stop();
+        station.session.pause();
+        const double gap = percentile99(heart.gaps());
+        const double computed = percentile99(heart.computed());
+        qInfo("%zu gaps: 99 %% under %.0f ms, of which computed %.0f ms; longest %.0f ms; the machine takes "
+              "%.2f "
+              "times as long as it would alone",
+              heart.gaps().size(), gap, computed, std::ranges::max(heart.gaps()), control.stretch());
+        QVERIFY2(computed <= kLongestGapMs, "the UI thread computes too long in more than 1 % of the gaps");
+        QVERIFY2(gap <= kLongestGapMs * control.stretch(), "more than 1 % of the gaps are too long");
+    }
+
+private:
+    std::unique_ptr<OwnSettings> m_settings;
+};
+
+} // namespace proveout
+
+int main(int argc, char** argv) {
+    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    QApplication application(argc, argv);
+    proveout::BreathingTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "breathing_test.moc"
