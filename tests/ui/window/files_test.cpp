@@ -121,14 +121,16 @@ private slots:
         auto* page = station.window.findChild<StartPage*>();
         station.window.hide();
         station.window.show(); // the page looks again whenever it is shown
-        QTRY_VERIFY(buttonOf(*page, gone) != nullptr && !buttonOf(*page, gone)->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(buttonOf(*page, gone) != nullptr && !buttonOf(*page, gone)->isEnabled(),
+                                 kPatience);
         QVERIFY2(buttonOf(*page, gone)->toolTip().contains(QLatin1String("no longer")),
                  qPrintable(buttonOf(*page, gone)->toolTip()));
         QVERIFY(buttonOf(*page, there)->isEnabled());
 
         auto* menu = station.window.findChild<QMenu*>(QStringLiteral("recent-menu"));
         menu->popup(station.window.mapToGlobal(QPoint(50, 50)));
-        QTRY_VERIFY(entryOf(*menu, gone) != nullptr && !entryOf(*menu, gone)->isEnabled());
+        QTRY_VERIFY_WITH_TIMEOUT(entryOf(*menu, gone) != nullptr && !entryOf(*menu, gone)->isEnabled(),
+                                 kPatience);
         QVERIFY(menu->toolTipsVisible());
         QVERIFY(entryOf(*menu, gone)->toolTip().contains(QLatin1String("no longer")));
         QVERIFY(entryOf(*menu, there)->isEnabled());
@@ -139,7 +141,7 @@ private slots:
             station.window.files().recent().look();
             return buttonOf(*page, gone)->isEnabled();
         };
-        QTRY_VERIFY(cameBack());
+        QTRY_VERIFY_WITH_TIMEOUT(cameBack(), kPatience);
     }
 
     void aDriveThatDoesNotAnswerHoldsNothingUp() {
@@ -158,11 +160,11 @@ private slots:
             QSignalSpy changed(&recent, &RecentFiles::changed);
             recent.look();
             recent.look(); // what has not answered is not asked again
-            QTRY_VERIFY(recent.isMissing(QStringLiteral("/a/gone.nc")));
+            QTRY_VERIFY_WITH_TIMEOUT(recent.isMissing(QStringLiteral("/a/gone.nc")), kPatience);
             QVERIFY(!recent.isMissing(QStringLiteral("/a/there.nc")));
             QVERIFY(!recent.isMissing(QStringLiteral("/drive/far.nc")));
             QVERIFY(!changed.isEmpty());
-            QTRY_COMPARE(asked->load(), 3);
+            QTRY_COMPARE_WITH_TIMEOUT(asked->load(), 3, kPatience);
         } // gone while the drive still thinks
         answer.set_value();
         QTest::qWait(50);

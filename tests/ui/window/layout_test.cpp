@@ -44,7 +44,8 @@ private slots:
             // Live: menus and docks speak the new language at once.
             const QString german = station.window.menuBar()->actions().front()->text();
             station.appearance.setLanguage(QStringLiteral("en"));
-            QTRY_VERIFY(station.window.menuBar()->actions().front()->text() != german);
+            QTRY_VERIFY_WITH_TIMEOUT(station.window.menuBar()->actions().front()->text() != german,
+                                     kPatience);
             station.window.resetLayout();
             QVERIFY(!dockOf(station, "dock-tuning")->isHidden());
             station.appearance.setTheme(Theme::light);
@@ -72,7 +73,7 @@ private slots:
             const QWidget* seen = QApplication::widgetAt(tuning->geometry().center());
             return seen != nullptr && seen->window() == tuning;
         };
-        QTRY_VERIFY(onTop());
+        QTRY_VERIFY_WITH_TIMEOUT(onTop(), kPatience);
     }
 
     void viewOptionsComeBackAndAreReset() {

@@ -86,10 +86,10 @@ private slots:
             QTest::qWait(200); // until the layouts have followed
             QStringList found;
             const auto settled = [&] { return (found = cutOff(*dock)).isEmpty(); };
-            QVERIFY2(QTest::qWaitFor(settled), qPrintable(QStringLiteral("%1 is %2 px wide\n%3")
-                                                              .arg(QLatin1String(id))
-                                                              .arg(dock->width())
-                                                              .arg(found.join(u'\n'))));
+            QVERIFY2(QTest::qWaitFor(settled, kPatience), qPrintable(QStringLiteral("%1 is %2 px wide\n%3")
+                                                                         .arg(QLatin1String(id))
+                                                                         .arg(dock->width())
+                                                                         .arg(found.join(u'\n'))));
         }
         station.appearance.setLanguage(QStringLiteral("en"));
     }
