@@ -19,6 +19,9 @@ struct TriangleMesh {
     std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
+/// What a file holds a coordinate in.
+enum class CoordinateType : std::uint8_t { float32, float64 };
+
 /// Vertices and edges where two sheets of the solid would touch are set apart by this much, mm.
 inline constexpr double kPinchGap = 1e-4;
 

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/work_context.h"
+#include "core/decimation/solid.h"
+#include "core/zmap/zmap.h"
+
+namespace proveout {
+
+/// A point as a file with such coordinates holds it.
+[[nodiscard]] Vec3 roundedTo(CoordinateType type, const Vec3& point);
+
+/// How far the z-map lies from the top of a solid, mm: the largest vertical distance of a grid point to the
+/// triangles that face upwards, with coordinates rounded to `type`. Points on the outline of the stock, which
+/// is rounded too, are measured at the nearest point of the rounded one. Where no triangle is, nothing is
+/// left of the solid: there the floor counts as its top. Knows nothing of how the solid came about. Any
+/// thread; a stopped context returns early, with what was found so far.
+[[nodiscard]] double measureSolidError(const ZMapSnapshot& zmap, const TriangleMesh& solid,
+                                       CoordinateType type, const WorkContext& context = {});
+
+} // namespace proveout
