@@ -115,12 +115,14 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::write(const void* data, std::size_t size) {
+    if (m_descriptor < 0)
+        return;
+    m_written += size; // those that no longer fit are needed too
     if (failed())
         return;
     if (m_buffer.size() + size > kBufferSize)
         flush();
     m_buffer.append(static_cast<const char*>(data), size);
-    m_written += size;
 }
 
 void AtomicFile::flush() {

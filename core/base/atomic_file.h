@@ -14,7 +14,7 @@ namespace proveout {
 /// A file that appears whole or not at all: bytes go to a temporary beside the target, `commit()` flushes
 /// them to the disk and renames. Without a successful commit the temporary is removed and an older file stays
 /// as it was. Ownership: holds an open descriptor, movable. Errors: kept and told by `commit()`, writing
-/// after one is harmless; what was not written needs so many bytes, which the message tells. The permissions
+/// after one is harmless and counted, so that the message can tell how many bytes are needed. The permissions
 /// of an existing target are kept; a symbolic link is followed, so that the link survives; folders, special
 /// files and write-protected files are never replaced.
 class AtomicFile {

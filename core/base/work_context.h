@@ -19,6 +19,14 @@ struct WorkContext {
         if (progress)
             progress(done);
     }
+    /// For a step of a job: the same wish to stop, and 0 to 1 of the step told as `from` to `to` of the
+    /// whole.
+    [[nodiscard]] WorkContext part(double from, double to) const {
+        return {stop, [whole = progress, from, to](double done) {
+                    if (whole)
+                        whole(from + (to - from) * done);
+                }};
+    }
 };
 
 } // namespace proveout

@@ -6,12 +6,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <random>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
 
+#include "tests/core/file_size_limit.h"
 #include "tests/core/temporary_folder.h"
 
 namespace proveout {
@@ -25,23 +25,6 @@ mode_t modeOf(const fs::path& file) {
     EXPECT_EQ(::stat(file.c_str(), &info), 0);
     return info.st_mode & 07777;
 }
-
-/// Files of this process may not grow beyond `bytes` while it lives: a full disk without a disk.
-class FileSizeLimit {
-public:
-    explicit FileSizeLimit(rlim_t bytes) {
-        std::signal(SIGXFSZ, SIG_IGN);
-        ::getrlimit(RLIMIT_FSIZE, &m_old);
-        const rlimit limit{bytes, m_old.rlim_max};
-        ::setrlimit(RLIMIT_FSIZE, &limit);
-    }
-    ~FileSizeLimit() { ::setrlimit(RLIMIT_FSIZE, &m_old); }
-    FileSizeLimit(const FileSizeLimit&) = delete;
-    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-
-private:
-    rlimit m_old{};
-};
 
 TEST(AtomicFile, HoldsEveryByteThatWasWritten) {
     const TemporaryFolder folder;
@@ -179,6 +162,18 @@ TEST(AtomicFile, FullDiskTellsTheBytesNeededAndKeepsTheOldFile) {
     EXPECT_THAT(message(result.error().front()), HasSubstr("File too large"));
     EXPECT_EQ(readFile(folder / "a").value(), "old");
     EXPECT_EQ(folder.entries(), 1U);
+}
+
+/// What comes after the disk was found to be full is needed as well.
+TEST(AtomicFile, FullDiskTellsTheBytesOfAllThatWasWritten) {
+    const TemporaryFolder folder;
+    const FileSizeLimit limit(2'000'000);
+    AtomicFile file(folder / "a");
+    for (int piece = 0; piece < 50; ++piece)
+        file.write(std::string(1'000'000, 'x'));
+    const auto result = file.commit();
+    ASSERT_FALSE(result);
+    EXPECT_THAT(message(result.error().front()), HasSubstr("50 MB needed"));
 }
 
 /// Saves "A…A" and "B…B" in turn until it is killed.
