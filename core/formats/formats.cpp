@@ -11,6 +11,9 @@ namespace proveout {
 namespace {
 
 constexpr std::array kStlExtensions{".stl"};
+constexpr std::array kObjExtensions{".obj"};
+constexpr std::array kPlyExtensions{".ply"};
+constexpr std::array k3mfExtensions{".3mf"};
 constexpr std::array kNpyExtensions{".npy"};
 constexpr std::array kJobExtensions{".proveout"};
 
@@ -23,10 +26,19 @@ Result<WrittenFile> writeStlAs(const std::filesystem::path& file, const Triangle
 constexpr std::array kFormats{
     FileFormat{"stl", PROVEOUT_TEXT("Core", "STL, binary"), kStlExtensions,
                PROVEOUT_TEXT("Core", "a closed triangle mesh of the stock"),
-               MeshFormat{readStl, writeStlAs<StlEncoding::binary>}},
+               MeshFormat{readStl, writeStlAs<StlEncoding::binary>, CoordinateType::float32}},
     FileFormat{"stl-ascii", PROVEOUT_TEXT("Core", "STL, ASCII"), kStlExtensions,
                PROVEOUT_TEXT("Core", "a closed triangle mesh of the stock"),
-               MeshFormat{readStl, writeStlAs<StlEncoding::ascii>}},
+               MeshFormat{readStl, writeStlAs<StlEncoding::ascii>, CoordinateType::float32}},
+    FileFormat{"obj", PROVEOUT_TEXT("Core", "Wavefront OBJ"), kObjExtensions,
+               PROVEOUT_TEXT("Core", "a closed triangle mesh of the stock"),
+               MeshFormat{nullptr, writeObj, CoordinateType::float64}},
+    FileFormat{"ply", PROVEOUT_TEXT("Core", "PLY, binary"), kPlyExtensions,
+               PROVEOUT_TEXT("Core", "a closed triangle mesh of the stock"),
+               MeshFormat{nullptr, writePly, CoordinateType::float64}},
+    FileFormat{"3mf", PROVEOUT_TEXT("Core", "3MF"), k3mfExtensions,
+               PROVEOUT_TEXT("Core", "a closed triangle mesh of the stock"),
+               MeshFormat{nullptr, write3mf, CoordinateType::float64}},
     FileFormat{"npy", PROVEOUT_TEXT("Core", "NumPy array"), kNpyExtensions,
                PROVEOUT_TEXT("Core", "the heights of a z-map, row 0 at the smallest y"),
                HeightsFormat{readNpy, writeNpy}},
@@ -45,6 +57,11 @@ bool FileFormat::writes() const {
     return std::visit([](const auto& handler) { return handler.write != nullptr; }, handlers);
 }
 
+const MeshFormat* FileFormat::meshWriter() const {
+    const auto* mesh = std::get_if<MeshFormat>(&handlers);
+    return mesh != nullptr && mesh->write != nullptr ? mesh : nullptr;
+}
+
 std::span<const FileFormat> fileFormats() {
     return kFormats;
 }
@@ -52,6 +69,17 @@ std::span<const FileFormat> fileFormats() {
 const FileFormat* findFormat(std::string_view key) {
     const auto found = std::find_if(kFormats.begin(), kFormats.end(),
                                     [key](const FileFormat& row) { return row.key == key; });
+    return found == kFormats.end() ? nullptr : &*found;
+}
+
+const FileFormat* meshFormatOf(const std::filesystem::path& file) {
+    std::string extension = file.extension().string();
+    for (char& c : extension)
+        c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    const auto found = std::find_if(kFormats.begin(), kFormats.end(), [&extension](const FileFormat& row) {
+        return row.meshWriter() != nullptr &&
+               std::ranges::find(row.extensions, extension) != row.extensions.end();
+    });
     return found == kFormats.end() ? nullptr : &*found;
 }
 

@@ -12,6 +12,7 @@
 #include "core/base/work_context.h"
 #include "core/decimation/solid.h"
 #include "core/formats/job_file.h"
+#include "core/formats/mesh_files.h"
 #include "core/formats/npy.h"
 #include "core/formats/stl.h"
 
@@ -22,6 +23,7 @@ struct MeshFormat {
     Result<TriangleMesh> (*read)(const std::filesystem::path& file);
     Result<WrittenFile> (*write)(const std::filesystem::path& file, const TriangleMesh& mesh,
                                  const WorkContext& context);
+    CoordinateType coordinates; ///< what a written file holds them in
 };
 struct HeightsFormat {
     Result<NpyArray> (*read)(const std::filesystem::path& file);
@@ -41,11 +43,16 @@ struct FileFormat {
 
     [[nodiscard]] bool reads() const;
     [[nodiscard]] bool writes() const;
+    /// Its handler if it is a mesh format that is written, else null.
+    [[nodiscard]] const MeshFormat* meshWriter() const;
 };
 
 [[nodiscard]] std::span<const FileFormat> fileFormats();
 
 /// The row with this key, or null.
 [[nodiscard]] const FileFormat* findFormat(std::string_view key);
+
+/// The first row that writes meshes into files with the ending of this one, in any case of letters, or null.
+[[nodiscard]] const FileFormat* meshFormatOf(const std::filesystem::path& file);
 
 } // namespace proveout

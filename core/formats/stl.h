@@ -8,21 +8,17 @@
 #include "core/base/diagnostic.h"
 #include "core/base/work_context.h"
 #include "core/decimation/solid.h"
+#include "core/formats/mesh_files.h"
 
 namespace proveout {
 
 enum class StlEncoding : std::uint8_t { binary, ascii };
 
-struct WrittenFile {
-    std::uint64_t triangles = 0;
-    std::uint64_t bytes = 0;
-};
-
 /// Writes a mesh atomically; a stopped context leaves no file behind (id "cancelled"). Coordinates are
 /// rounded to float32; normals are computed in double before that. Numbers have a decimal point whatever the
-/// locale. Errors: an empty mesh (id "nothing-left"), coordinates that are not finite or beyond float32, a
-/// mesh so far from the origin that the rounding makes two vertices of a triangle one (id "stl-too-coarse"),
-/// a file that cannot be written.
+/// locale. Errors: an empty mesh (id "nothing-left"), coordinates that are not finite
+/// or beyond float32 (id "stl-coordinate"), a mesh so far from the origin that the rounding takes a triangle
+/// its area, turns it over, or makes two vertices one (id "stl-too-coarse"), a file that cannot be written.
 [[nodiscard]] Result<WrittenFile> writeStl(const std::filesystem::path& file, const TriangleMesh& mesh,
                                            StlEncoding encoding, const WorkContext& context = {});
 

@@ -10,7 +10,10 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/text.h"
+#include "core/decimation/solid_error.h"
+#include "core/formats/mesh_writing.h"
 #include "core/formats/stl.h"
+#include "core/formats/vertex_welder.h"
 
 namespace proveout {
 
@@ -20,34 +23,83 @@ static_assert(std::endian::native == std::endian::little, "binary STL is written
 
 constexpr std::size_t kHeaderSize = 80;
 constexpr std::size_t kFacetSize = 50;
-/// Triangles between two looks at the context: under a millisecond of work.
-constexpr std::size_t kBatch = 8192;
 
+using Triangle = std::array<std::uint32_t, 3>;
 using Point = std::array<float, 3>;
 
 /// Normal and corners of a facet, in the order of the file.
 using Facet = std::array<Point, 4>;
 
-Point rounded(const Vec3& point) {
+Vec3 inFile(const Vec3& point) {
+    return roundedTo(CoordinateType::float32, point);
+}
+
+Point toFloat(const Vec3& point) {
     return {static_cast<float>(point.x), static_cast<float>(point.y), static_cast<float>(point.z)};
 }
 
-Vec3 normalOf(const Vec3& a, const Vec3& b, const Vec3& c) {
-    const Vec3 normal = glm::cross(b - a, c - a);
+Vec3 normalOf(const std::array<Vec3, 3>& at) {
+    return glm::cross(at[1] - at[0], at[2] - at[0]);
+}
+
+Vec3 normalized(const Vec3& normal) {
     const double length = glm::length(normal);
     return length > 0 ? normal / length : Vec3(0);
 }
 
-Facet facetOf(const TriangleMesh& mesh, const std::array<std::uint32_t, 3>& triangle) {
-    const Vec3& a = mesh.vertices[triangle[0]];
-    const Vec3& b = mesh.vertices[triangle[1]];
-    const Vec3& c = mesh.vertices[triangle[2]];
-    return {rounded(normalOf(a, b, c)), rounded(a), rounded(b), rounded(c)};
-}
+/// Turns triangles into facets and counts those that lose their area or turn over on the way.
+class Rounding {
+public:
+    explicit Rounding(const TriangleMesh& mesh) : m_mesh(mesh) {}
 
-bool collapses(const Facet& facet) {
-    return facet[1] == facet[2] || facet[2] == facet[3] || facet[3] == facet[1];
-}
+    Facet facet(const Triangle& triangle) {
+        const std::array<Vec3, 3> exact{m_mesh.vertices[triangle[0]], m_mesh.vertices[triangle[1]],
+                                        m_mesh.vertices[triangle[2]]};
+        const std::array<Vec3, 3> rounded{inFile(exact[0]), inFile(exact[1]), inFile(exact[2])};
+        const Vec3 normal = normalOf(exact);
+        m_lost += glm::dot(normal, normalOf(rounded)) > 0 ? 0 : 1;
+        return {toFloat(normalized(normal)), toFloat(rounded[0]), toFloat(rounded[1]), toFloat(rounded[2])};
+    }
+
+    /// Refuses a mesh that would no longer be the boundary of a solid.
+    [[nodiscard]] Result<void> check(const std::filesystem::path& file) const {
+        const std::uint64_t met = verticesThatMeet();
+        if (m_lost == 0 && met == 0)
+            return {};
+        return failure("stl-too-coarse",
+                       PROVEOUT_TEXT("Core", "The coordinates of an STL file are too coarse for this mesh so "
+                                             "far from the origin: {} triangles would collapse or turn over "
+                                             "and {} vertices would meet others. OBJ and PLY hold "
+                                             "coordinates in double precision."),
+                       {std::to_string(m_lost), std::to_string(met)}, file.string());
+    }
+
+private:
+    /// Vertices that lie apart and fall together in float32. Looked for where its steps come near the spacing
+    /// of a grid only: the gaps that closeSolid() leaves hold at any distance.
+    [[nodiscard]] std::uint64_t verticesThatMeet() const {
+        constexpr double kFineStep = 1e-3; // mm
+        double farthest = 0;
+        for (const Vec3& vertex : m_mesh.vertices)
+            farthest = std::max({farthest, std::abs(vertex.x), std::abs(vertex.y), std::abs(vertex.z)});
+        if (farthest * static_cast<double>(std::numeric_limits<float>::epsilon()) < kFineStep)
+            return 0;
+        VertexWelder welder(m_mesh.vertices.size());
+        std::vector<std::size_t> first;
+        std::uint64_t met = 0;
+        for (std::size_t v = 0; v < m_mesh.vertices.size(); ++v) {
+            const std::uint32_t welded = welder.index(toFloat(inFile(m_mesh.vertices[v])));
+            if (welded == first.size())
+                first.push_back(v);
+            else
+                met += m_mesh.vertices[first[welded]] != m_mesh.vertices[v] ? 1 : 0;
+        }
+        return met;
+    }
+
+    const TriangleMesh& m_mesh;
+    std::uint64_t m_lost = 0;
+};
 
 void appendBinary(std::string& out, const Facet& facet) {
     static_assert(sizeof(Facet) + sizeof(std::uint16_t) == kFacetSize);
@@ -77,11 +129,7 @@ std::string opening(StlEncoding encoding, std::size_t count) {
     return header;
 }
 
-Result<void> checkWritable(const std::filesystem::path& file, const TriangleMesh& mesh) {
-    if (mesh.triangles.empty())
-        return failure("nothing-left",
-                       PROVEOUT_TEXT("Core", "Nothing of the stock is left, so there is no mesh to write."),
-                       {}, file.string());
+Result<void> checkStl(const std::filesystem::path& file, const TriangleMesh& mesh) {
     if (mesh.triangles.size() > std::numeric_limits<std::uint32_t>::max())
         return failure("stl-too-many-triangles",
                        PROVEOUT_TEXT("Core", "The mesh has {} triangles; an STL file holds 4294967295."),
@@ -102,42 +150,21 @@ Result<void> checkWritable(const std::filesystem::path& file, const TriangleMesh
 
 Result<WrittenFile> writeStl(const std::filesystem::path& file, const TriangleMesh& mesh,
                              StlEncoding encoding, const WorkContext& context) {
-    if (auto writable = checkWritable(file, mesh); !writable)
-        return tl::unexpected(std::move(writable.error()));
+    if (auto fine = checkNotEmpty(file, mesh).and_then([&] { return checkStl(file, mesh); }); !fine)
+        return tl::unexpected(std::move(fine.error()));
     AtomicFile out(file);
-    WrittenFile written;
-    out.write(opening(encoding, mesh.triangles.size()));
-    std::string batch;
-    std::uint64_t collapsed = 0;
-    while (written.triangles < mesh.triangles.size() && !out.failed()) {
-        if (context.stopped())
-            return failure("cancelled", PROVEOUT_TEXT("Core", "Cancelled; no file was written."), {},
-                           file.string());
-        context.tell(static_cast<double>(written.triangles) / static_cast<double>(mesh.triangles.size()));
-        const auto end = std::min<std::uint64_t>(written.triangles + kBatch, mesh.triangles.size());
-        batch.clear();
-        for (; written.triangles < end; ++written.triangles) {
-            const Facet facet = facetOf(mesh, mesh.triangles[written.triangles]);
-            collapsed += collapses(facet) ? 1 : 0;
-            if (encoding == StlEncoding::binary)
-                appendBinary(batch, facet);
-            else
-                appendAscii(batch, facet);
-        }
-        out.write(batch);
-    }
-    if (collapsed > 0)
-        return failure("stl-too-coarse",
-                       PROVEOUT_TEXT("Core", "The coordinates of an STL file are too coarse for this mesh so "
-                                             "far from the origin: {} triangles would collapse."),
-                       {std::to_string(collapsed)}, file.string());
-    if (encoding == StlEncoding::ascii)
-        out.write("endsolid proveout\n");
-    written.bytes = out.bytesWritten();
-    if (auto done = out.commit(); !done)
-        return tl::unexpected(std::move(done.error()));
-    context.tell(1);
-    return written;
+    Rounding rounding(mesh);
+    MeshBatches batches(file, mesh.triangles.size(), context);
+    const auto append = encoding == StlEncoding::binary ? appendBinary : appendAscii;
+    return writeWhole(out, mesh, context, [&](AtomicFile& to) {
+        to.write(opening(encoding, mesh.triangles.size()));
+        return batches
+            .pass(
+                mesh.triangles, to,
+                [&](std::string& text, const Triangle& triangle) { append(text, rounding.facet(triangle)); })
+            .and_then([&] { return rounding.check(file); })
+            .map([&] { to.write(encoding == StlEncoding::ascii ? "endsolid proveout\n" : ""); });
+    });
 }
 
 } // namespace proveout

@@ -25,6 +25,29 @@ TEST(Formats, RowsAreWhole) {
     EXPECT_EQ(findFormat("no such format"), nullptr);
 }
 
+TEST(Formats, TheEndingOfAMeshFileNamesItsFormat) {
+    const auto keyOf = [](const char* file) {
+        const FileFormat* row = meshFormatOf(file);
+        return row == nullptr ? std::string("none") : std::string(row->key);
+    };
+    EXPECT_EQ(keyOf("a.stl"), "stl") << "binary where nothing else is said";
+    EXPECT_EQ(keyOf("folder.obj/A.STL"), "stl");
+    EXPECT_EQ(keyOf("a.b.Obj"), "obj");
+    EXPECT_EQ(keyOf("a.ply"), "ply");
+    EXPECT_EQ(keyOf("a.3MF"), "3mf");
+    for (const char* other : {"", "a", ".stl", "stl", "a.npy", "a.proveout", "a.stl.gz", "a.stl "})
+        EXPECT_EQ(keyOf(other), "none") << other;
+}
+
+TEST(Formats, StlAloneRoundsCoordinates) {
+    for (const FileFormat& row : fileFormats()) {
+        if (row.meshWriter() == nullptr)
+            continue;
+        const bool rounds = row.meshWriter()->coordinates == CoordinateType::float32;
+        EXPECT_EQ(rounds, std::string(row.key).starts_with("stl")) << row.key;
+    }
+}
+
 /// Every format that is read and written holds what was put into it.
 TEST(Formats, MeshFormatsReadWhatTheyWrite) {
     const TemporaryFolder folder;

@@ -13,6 +13,7 @@
 #include <random>
 
 #include "core/base/atomic_file.h"
+#include "tests/core/formats/meshes.h"
 #include "tests/core/temporary_folder.h"
 
 namespace proveout {
@@ -20,26 +21,8 @@ namespace {
 
 using testing::HasSubstr;
 
-TriangleMesh tetrahedron(double size = 1, const Vec3& corner = Vec3(0)) {
-    return {{corner, corner + Vec3(size, 0, 0), corner + Vec3(0, size, 0), corner + Vec3(0, 0, size)},
-            {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
-}
-
-/// A soup of `count` triangles over few vertices, coordinates as odd as they come.
-TriangleMesh randomSoup(std::size_t count, unsigned seed) {
-    std::mt19937 random(seed);
-    std::uniform_real_distribution<double> coordinate(-300, 300);
-    TriangleMesh mesh;
-    for (std::size_t i = 0; i < count / 2 + 3; ++i)
-        mesh.vertices.emplace_back(coordinate(random), coordinate(random), coordinate(random));
-    while (mesh.triangles.size() < count) {
-        const auto pick = [&] { return static_cast<std::uint32_t>(random() % mesh.vertices.size()); };
-        const std::array<std::uint32_t, 3> triangle{pick(), pick(), pick()};
-        if (triangle[0] != triangle[1] && triangle[1] != triangle[2] && triangle[2] != triangle[0])
-            mesh.triangles.push_back(triangle);
-    }
-    return mesh;
-}
+using test::randomSoup;
+using test::tetrahedron;
 
 /// Through memory on purpose: g++ 12 at -O2 drops a pair of vectorised conversions to float and back.
 double inFloat(double value) {
@@ -95,32 +78,6 @@ TEST_P(Stl, WeldsByExactCoordinates) {
     EXPECT_EQ(readStl(m_folder / "a.stl")->vertices.size(), 4U);
 }
 
-TEST_P(Stl, ACancelledExportLeavesTheOldFileAndNoOther) {
-    ASSERT_TRUE(writeFile(m_folder / "a.stl", "old"));
-    std::stop_source stop;
-    WorkContext context;
-    context.stop = stop.get_token();
-    context.progress = [&stop](double done) {
-        if (done > 0.3)
-            stop.request_stop();
-    };
-    const auto result = writeStl(m_folder / "a.stl", randomSoup(50'000, 2), GetParam(), context);
-    ASSERT_FALSE(result);
-    EXPECT_STREQ(result.error().front().id, "cancelled");
-    EXPECT_EQ(readFile(m_folder / "a.stl").value(), "old");
-    EXPECT_EQ(m_folder.entries(), 1U);
-}
-
-TEST_P(Stl, ProgressRisesToOne) {
-    std::vector<double> told;
-    WorkContext context;
-    context.progress = [&told](double done) { told.push_back(done); };
-    ASSERT_TRUE(writeStl(m_folder / "a.stl", randomSoup(30'000, 3), GetParam(), context));
-    EXPECT_GT(told.size(), 3U);
-    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-    EXPECT_EQ(told.back(), 1);
-}
-
 TEST_P(Stl, RefusesWhatTheFormatCannotHold) {
     const auto idOf = [this](const TriangleMesh& mesh) {
         const auto result = writeStl(m_folder / "a.stl", mesh, GetParam());
@@ -143,12 +100,6 @@ TEST_P(Stl, RefusesMeshesThatRoundingCollapses) {
     EXPECT_STREQ(written.error().front().id, "stl-too-coarse");
     EXPECT_EQ(written.error().front().arguments.front(), "2"); // the two faces with the edge along x
     EXPECT_EQ(m_folder.entries(), 0U);
-}
-
-TEST_P(Stl, TellsAFolderThatIsNotThere) {
-    const auto result = writeStl(m_folder / "no/a.stl", tetrahedron(), GetParam());
-    ASSERT_FALSE(result);
-    EXPECT_THAT(oneLine(result.error().front()), HasSubstr("no/a.stl: error: The file cannot be written"));
 }
 
 TEST(StlBinary, HasTheBytesOfTheFormat) {

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Mesh files with coordinates in double.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+
+#include "core/base/diagnostic.h"
+#include "core/base/work_context.h"
+#include "core/decimation/solid.h"
+
+namespace proveout {
+
+struct WrittenFile {
+    std::uint64_t triangles = 0;
+    std::uint64_t bytes = 0;
+};
+
+// All of them: coordinates in mm, each read back as the same double; vertices and triangles in the order of
+// the mesh, indices shared, so that nothing has to be welded. Written atomically and in batches: memory does
+// not grow with the mesh, and a stopped context leaves no file behind (id "cancelled"). Any thread. Equal
+// meshes give equal bytes. Errors: an empty mesh (id "nothing-left"), coordinates that are not finite (id
+// "mesh-coordinate"), a file that cannot be written (id "file-unwritable").
+
+/// Wavefront OBJ: `v` and `f` lines with the shortest decimals that read back as the same numbers.
+[[nodiscard]] Result<WrittenFile> writeObj(const std::filesystem::path& file, const TriangleMesh& mesh,
+                                           const WorkContext& context = {});
+
+/// Stanford PLY, binary, little-endian.
+[[nodiscard]] Result<WrittenFile> writePly(const std::filesystem::path& file, const TriangleMesh& mesh,
+                                           const WorkContext& context = {});
+
+/// 3MF: a ZIP archive with the model as XML, one object, unit millimetre (3MF core specification 1.3).
+[[nodiscard]] Result<WrittenFile> write3mf(const std::filesystem::path& file, const TriangleMesh& mesh,
+                                           const WorkContext& context = {});
+
+} // namespace proveout

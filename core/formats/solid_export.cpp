@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/solid_export.h"
+
+#include <fmt/format.h>
+#include <string>
+#include <utility>
+
+#include "core/base/text.h"
+#include "core/decimation/solid_error.h"
+
+namespace proveout {
+
+namespace {
+
+/// Writing takes longer than measuring.
+constexpr double kMeasured = 0.3;
+
+Diagnostic roundedBeyond(const std::filesystem::path& file, double rounded, double allowance, double exact) {
+    Diagnostic warning;
+    warning.severity = Severity::warning;
+    warning.id = "export-rounded-beyond";
+    warning.text =
+        PROVEOUT_TEXT("Core", "Rounded to the single precision of the file, the mesh lies up to {} mm "
+                              "from the z-map, beyond the error allowance of {} mm. OBJ and PLY "
+                              "hold coordinates in double precision and keep {} mm.");
+    warning.arguments = {fmt::format("{:.4g}", rounded), fmt::format("{:.4g}", allowance),
+                         fmt::format("{:.4g}", exact)};
+    warning.file = file.string();
+    return warning;
+}
+
+} // namespace
+
+Result<ExportedSolid> exportSolid(const std::filesystem::path& file, const MeshFormat& format,
+                                  const TriangleMesh& solid, const ZMapSnapshot& zmap, double allowance,
+                                  const WorkContext& context) {
+    ExportedSolid exported;
+    exported.largestErrorMm = measureSolidError(zmap, solid, format.coordinates, context.part(0, kMeasured));
+    const bool rounded = format.coordinates != CoordinateType::float64;
+    if (rounded && allowance > 0 && exported.largestErrorMm > allowance) {
+        const double exact =
+            measureSolidError(zmap, solid, CoordinateType::float64, context.part(kMeasured, kMeasured));
+        if (exact <= allowance)
+            exported.warnings.push_back(roundedBeyond(file, exported.largestErrorMm, allowance, exact));
+    }
+    auto written = format.write(file, solid, context.part(kMeasured, 1));
+    if (!written)
+        return tl::unexpected(std::move(written.error()));
+    exported.file = *written;
+    return exported;
+}
+
+} // namespace proveout

@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What every mesh format of the table owes, whichever it is.
+#include "core/formats/mesh_files.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <limits>
+#include <sstream>
+
+#include "core/base/atomic_file.h"
+#include "core/base/memory.h"
+#include "core/formats/formats.h"
+#include "tests/core/file_size_limit.h"
+#include "tests/core/formats/meshes.h"
+#include "tests/core/temporary_folder.h"
+
+namespace proveout {
+namespace {
+
+using test::randomSoup;
+using test::tetrahedron;
+using testing::HasSubstr;
+
+std::vector<std::string> writableKeys() {
+    std::vector<std::string> keys;
+    for (const FileFormat& row : fileFormats())
+        if (row.meshWriter() != nullptr)
+            keys.emplace_back(row.key);
+    return keys;
+}
+
+class MeshFile : public testing::TestWithParam<std::string> {
+protected:
+    [[nodiscard]] std::filesystem::path file() const { return m_folder / m_name; }
+    Result<WrittenFile> write(const TriangleMesh& mesh, const WorkContext& context = {}) {
+        return findFormat(GetParam())->meshWriter()->write(file(), mesh, context);
+    }
+    /// Where the place is not the folder of the test.
+    Result<WrittenFile> writeTo(const std::filesystem::path& target, const TriangleMesh& mesh) {
+        return findFormat(GetParam())->meshWriter()->write(target, mesh, {});
+    }
+
+    TemporaryFolder m_folder;
+    std::string m_name = std::string("a") + findFormat(GetParam())->extensions.front();
+};
+
+INSTANTIATE_TEST_SUITE_P(Formats, MeshFile, testing::ValuesIn(writableKeys()), [](const auto& key) {
+    std::string name = key.param;
+    std::erase(name, '-');
+    return name;
+});
+
+TEST_P(MeshFile, TellsItsTrianglesAndBytes) {
+    const auto written = write(randomSoup(20'000, 1)); // more than one batch
+    ASSERT_TRUE(written);
+    EXPECT_EQ(written->triangles, 20'000U);
+    EXPECT_EQ(written->bytes, std::filesystem::file_size(file()));
+    EXPECT_EQ(m_folder.entries(), 1U);
+}
+
+TEST_P(MeshFile, EqualMeshesGiveEqualBytes) {
+    ASSERT_TRUE(write(randomSoup(5'000, 2)));
+    const std::string first = readFile(file()).value();
+    ASSERT_TRUE(write(randomSoup(5'000, 2)));
+    EXPECT_TRUE(readFile(file()).value() == first);
+}
+
+TEST_P(MeshFile, ACancelledExportLeavesTheOldFileAndNoOther) {
+    ASSERT_TRUE(writeFile(file(), "old"));
+    std::stop_source stop;
+    WorkContext context;
+    context.stop = stop.get_token();
+    context.progress = [&stop](double done) {
+        if (done > 0.3)
+            stop.request_stop();
+    };
+    const auto result = write(randomSoup(50'000, 3), context);
+    ASSERT_FALSE(result);
+    EXPECT_STREQ(result.error().front().id, "cancelled");
+    EXPECT_EQ(readFile(file()).value(), "old");
+    EXPECT_EQ(m_folder.entries(), 1U);
+}
+
+TEST_P(MeshFile, ProgressRisesToOne) {
+    std::vector<double> told;
+    WorkContext context;
+    context.progress = [&told](double done) { told.push_back(done); };
+    ASSERT_TRUE(write(randomSoup(30'000, 4), context));
+    EXPECT_GT(told.size(), 3U);
+    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+    EXPECT_EQ(told.back(), 1);
+}
+
+TEST_P(MeshFile, AMeshWithoutTrianglesIsRefused) {
+    for (const TriangleMesh& mesh : {TriangleMesh{}, TriangleMesh{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {}}}) {
+        const auto result = write(mesh);
+        ASSERT_FALSE(result);
+        EXPECT_STREQ(result.error().front().id, "nothing-left");
+        EXPECT_THAT(oneLine(result.error().front()), HasSubstr(m_name + ": error: "));
+    }
+    EXPECT_EQ(m_folder.entries(), 0U);
+}
+
+TEST_P(MeshFile, CoordinatesThatAreNotFiniteAreRefused) {
+    for (const double bad : {std::nan(""), std::numeric_limits<double>::infinity()}) {
+        for (int axis = 0; axis < 3; ++axis) {
+            TriangleMesh mesh = tetrahedron();
+            mesh.vertices[2][axis] = bad;
+            const auto result = write(mesh);
+            ASSERT_FALSE(result);
+            EXPECT_THAT(oneLine(result.error().front()), HasSubstr("A vertex lies at"));
+        }
+    }
+    EXPECT_EQ(m_folder.entries(), 0U);
+}
+
+TEST_P(MeshFile, AFullDiskTellsTheBytesNeededAndKeepsTheOldFile) {
+    const TriangleMesh mesh = randomSoup(100'000, 5);
+    const auto whole = write(mesh);
+    ASSERT_TRUE(whole);
+    ASSERT_TRUE(writeFile(file(), "old"));
+    const FileSizeLimit limit(1'100'000);
+    const auto result = write(mesh);
+    ASSERT_FALSE(result);
+    const Diagnostic& error = result.error().front();
+    EXPECT_STREQ(error.id, "file-unwritable");
+    EXPECT_EQ(error.file, file().string());
+    EXPECT_THAT(message(error), HasSubstr("File too large"));
+    EXPECT_EQ(error.arguments.front(), readableBytes(static_cast<double>(whole->bytes)));
+    EXPECT_EQ(readFile(file()).value(), "old");
+    EXPECT_EQ(m_folder.entries(), 1U);
+}
+
+TEST_P(MeshFile, PlacesThatCannotBeWrittenAreNamed) {
+    const auto folder = m_folder / ("folder" + m_name);
+    std::filesystem::create_directory(folder);
+    for (const auto& [target, reason] :
+         {std::pair{m_folder / ("no/" + m_name), "No such file or directory"},
+          {folder, "Is a directory"},
+          {std::filesystem::path("/dev/full"), "not a regular file"},
+          {m_folder / (std::string(300, 'n') + m_name), "File name too long"}}) {
+        const auto result = writeTo(target, tetrahedron());
+        ASSERT_FALSE(result) << target;
+        const std::string told = oneLine(result.error().front());
+        EXPECT_THAT(told, HasSubstr(target.string() + ": error: The file cannot be written"));
+        EXPECT_THAT(told, HasSubstr(reason));
+    }
+    EXPECT_EQ(m_folder.entries(), 1U);
+}
+
+TEST(Obj, HasTheLinesOfTheFormat) {
+    const TemporaryFolder folder;
+    TriangleMesh mesh = tetrahedron(0.1, {-1e-9, 100000.002, 1.0 / 3});
+    ASSERT_TRUE(writeObj(folder / "a.obj", mesh));
+    EXPECT_EQ(readFile(folder / "a.obj").value(), "# Proveout, mm\n"
+                                                  "v -1e-09 100000.002 0.3333333333333333\n"
+                                                  "v 0.099999999 100000.002 0.3333333333333333\n"
+                                                  "v -1e-09 100000.102 0.3333333333333333\n"
+                                                  "v -1e-09 100000.002 0.43333333333333335\n"
+                                                  "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n");
+}
+
+TEST(Obj, EveryCoordinateReadsBackAsTheSameDouble) {
+    const TemporaryFolder folder;
+    const TriangleMesh mesh = randomSoup(20'000, 6);
+    ASSERT_TRUE(writeObj(folder / "a.obj", mesh));
+    std::istringstream lines(readFile(folder / "a.obj").value());
+    std::string line;
+    std::getline(lines, line);
+    for (const Vec3& vertex : mesh.vertices) {
+        ASSERT_TRUE(std::getline(lines, line) && line.starts_with("v "));
+        const char* at = line.c_str() + 1;
+        for (int axis = 0; axis < 3; ++axis) {
+            char* end = nullptr;
+            ASSERT_EQ(std::strtod(at, &end), vertex[axis]);
+            at = end;
+        }
+    }
+}
+
+TEST(Ply, HasTheBytesOfTheFormat) {
+    const TemporaryFolder folder;
+    ASSERT_TRUE(writePly(folder / "a.ply", tetrahedron(2)));
+    const std::string bytes = readFile(folder / "a.ply").value();
+    const std::string header = "ply\n"
+                               "format binary_little_endian 1.0\n"
+                               "comment Proveout, mm\n"
+                               "element vertex 4\n"
+                               "property double x\n"
+                               "property double y\n"
+                               "property double z\n"
+                               "element face 4\n"
+                               "property list uchar int vertex_indices\n"
+                               "end_header\n";
+    ASSERT_EQ(bytes.size(), header.size() + 4 * 24 + 4 * 13);
+    EXPECT_EQ(bytes.substr(0, header.size()), header);
+    const std::string two("\0\0\0\0\0\0\0\x40", 8); // 2.0
+    EXPECT_EQ(bytes.substr(header.size() + 24, 8), two) << "x of the second vertex";
+    EXPECT_EQ(bytes.substr(header.size() + 96, 13), std::string("\3\0\0\0\0\2\0\0\0\1\0\0\0", 13));
+}
+
+} // namespace
+} // namespace proveout

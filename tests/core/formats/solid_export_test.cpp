@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/solid_export.h"
+
+#include <algorithm>
+#include <cmath>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/decimation/solid_error.h"
+#include "core/decimation/surface.h"
+#include "tests/core/temporary_folder.h"
+
+namespace proveout {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double kAllowance = 0.05;
+
+/// A steep wave on a stock whose lower-left-top corner lies `far` out along x.
+ZMapSnapshot waveAt(double far) {
+    const StockBox stock{{far, -3.3, 1.7}, 30, 20, 25};
+    ZMap zmap(stock, makeGrid(stock, 0.25).value());
+    for (std::size_t t = 0; t < zmap.tileCount(); ++t) {
+        Tile& tile = zmap.tileForWriting(t);
+        const IndexRect rect = zmap.tileRect(t);
+        for (int j = rect.j0; j < rect.j1; ++j)
+            for (int i = rect.i0; i < rect.i1; ++i)
+                tile.at(i - rect.i0, j - rect.j0) =
+                    static_cast<float>(-10 + 9 * std::sin(0.3 * i) * std::cos(0.1 * j));
+        tile.refreshMaximum();
+    }
+    return zmap.snapshot();
+}
+
+TriangleMesh decimated(const ZMapSnapshot& zmap, double allowance = kAllowance) {
+    DecimationParameters parameters;
+    parameters.allowance = allowance;
+    Surface surface(zmap.grid().nx, zmap.grid().ny, parameters);
+    surface.decimateDirty(zmap);
+    return closeSolid(zmap, surface.snapshot().triangles());
+}
+
+class SolidExport : public testing::Test {
+protected:
+    Result<ExportedSolid> exportTo(const std::string& name, const ZMapSnapshot& zmap,
+                                   const TriangleMesh& solid, double allowance = kAllowance,
+                                   const WorkContext& context = {}) {
+        const auto file = m_folder / name;
+        return exportSolid(file, *meshFormatOf(file)->meshWriter(), solid, zmap, allowance, context);
+    }
+
+    TemporaryFolder m_folder;
+};
+
+TEST_F(SolidExport, TheErrorToldIsThatOfTheFile) {
+    for (const double far : {0.1, 700.3, 20'000.7}) {
+        const ZMapSnapshot zmap = waveAt(far);
+        const TriangleMesh solid = decimated(zmap);
+        const auto stl = exportTo("a.stl", zmap, solid);
+        ASSERT_TRUE(stl) << oneLine(stl.error().front());
+        const auto back = readStl(m_folder / "a.stl");
+        ASSERT_TRUE(back);
+        EXPECT_EQ(stl->file.triangles, back->triangles.size());
+        EXPECT_EQ(measureSolidError(zmap, *back, CoordinateType::float32), stl->largestErrorMm) << far;
+        EXPECT_EQ(exportTo("a.ply", zmap, solid)->largestErrorMm,
+                  measureSolidError(zmap, solid, CoordinateType::float64))
+            << far;
+    }
+}
+
+TEST_F(SolidExport, NearTheOriginRoundingIsNothing) {
+    const ZMapSnapshot zmap = waveAt(0.1);
+    const TriangleMesh solid = decimated(zmap);
+    const auto stl = exportTo("a.stl", zmap, solid);
+    EXPECT_LE(stl->largestErrorMm, kAllowance);
+    EXPECT_TRUE(stl->warnings.empty());
+    EXPECT_NEAR(stl->largestErrorMm, exportTo("a.obj", zmap, solid)->largestErrorMm, 1e-4);
+}
+
+/// Steps of float32 are 1/128 mm there, and the wave is ten times as steep.
+TEST_F(SolidExport, RoundingBeyondTheAllowanceIsAWarningThatOffersDoubles) {
+    const ZMapSnapshot zmap = waveAt(80'000.3);
+    const TriangleMesh solid = decimated(zmap);
+    const auto stl = exportTo("a.stl", zmap, solid);
+    ASSERT_TRUE(stl) << oneLine(stl.error().front());
+    EXPECT_GT(stl->largestErrorMm, kAllowance);
+    ASSERT_EQ(stl->warnings.size(), 1U);
+    const Diagnostic& warning = stl->warnings.front();
+    EXPECT_STREQ(warning.id, "export-rounded-beyond");
+    EXPECT_EQ(warning.severity, Severity::warning);
+    EXPECT_EQ(warning.file, (m_folder / "a.stl").string());
+    EXPECT_THAT(message(warning), HasSubstr("beyond the error allowance of 0.05 mm. OBJ and PLY hold"));
+    for (const char* exact : {"a.obj", "a.ply", "a.3mf"}) {
+        const auto other = exportTo(exact, zmap, solid);
+        EXPECT_LE(other->largestErrorMm, kAllowance) << exact;
+        EXPECT_TRUE(other->warnings.empty()) << exact;
+    }
+}
+
+TEST_F(SolidExport, WhereRoundingIsNotToBlameThereIsNoWarning) {
+    const ZMapSnapshot zmap = waveAt(80'000.3);
+    const TriangleMesh coarse = decimated(zmap, 0.5);
+    EXPECT_GT(exportTo("a.ply", zmap, coarse)->largestErrorMm, kAllowance);
+    EXPECT_TRUE(exportTo("a.stl", zmap, coarse)->warnings.empty());
+    EXPECT_TRUE(exportTo("a.stl", zmap, decimated(zmap), 0)->warnings.empty()) << "nothing was promised";
+}
+
+TEST_F(SolidExport, ProgressRisesToOneAndAWishToStopLeavesNoFile) {
+    const ZMapSnapshot zmap = waveAt(80'000.3);
+    const TriangleMesh solid = decimated(zmap, 0.001);
+    for (const double stopAt : {2.0, 0.0, 0.25, 0.5}) {
+        std::stop_source stop;
+        std::vector<double> told;
+        WorkContext context;
+        context.stop = stop.get_token();
+        context.progress = [&](double done) {
+            told.push_back(done);
+            if (done >= stopAt)
+                stop.request_stop();
+        };
+        const auto result = exportTo("a.stl", zmap, solid, 0.001, context);
+        EXPECT_TRUE(std::ranges::is_sorted(told));
+        EXPECT_EQ(result.has_value(), stopAt > 1) << stopAt;
+        EXPECT_EQ(m_folder.entries(), stopAt > 1 ? 1U : 0U);
+        if (result)
+            EXPECT_EQ(told.back(), 1);
+        else
+            EXPECT_STREQ(result.error().front().id, "cancelled");
+        std::filesystem::remove(m_folder / "a.stl");
+    }
+}
+
+} // namespace
+} // namespace proveout
