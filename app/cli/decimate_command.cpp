@@ -4,10 +4,12 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "app/cli/command.h"
 #include "app/cli/decimation_options.h"
 #include "app/cli/measured_surface.h"
+#include "app/cli/mesh_outputs.h"
 #include "app/cli/option_error.h"
 #include "app/cli/outputs.h"
 #include "app/cli/report.h"
@@ -15,8 +17,6 @@
 #include "app/cli/zmap_file.h"
 #include "core/base/stop_watch.h"
 #include "core/decimation/mesh_memory.h"
-#include "core/decimation/solid.h"
-#include "core/formats/stl.h"
 
 namespace proveout::cli {
 
@@ -29,27 +29,18 @@ struct DecimateOptions {
     std::optional<double> floor;
     DecimationOptions decimation;
     ThreadLimit threads;
-    std::string stl;
-    bool asciiStl = false;
+    MeshOutputs meshes;
     bool json = false;
 };
 
-Result<void> writeSolid(const DecimateOptions& options, const ZMapSnapshot& zmap,
-                        const SurfaceSnapshot& surface) {
-    const TriangleMesh solid = closeSolid(zmap, surface.triangles());
-    const auto encoding = options.asciiStl ? StlEncoding::ascii : StlEncoding::binary;
-    auto written = writeStl(options.stl, solid, encoding);
-    if (!written)
-        return tl::unexpected(std::move(written.error()));
-    return {};
-}
-
 /// The map, once all that can be refused without decimating has been.
 Result<ZMapSnapshot> prepare(const DecimateOptions& options, const DecimationParameters& parameters) {
-    const bool stl = !options.stl.empty();
-    if (auto distinct = checkOutputs({options.zmap}, {options.stl}); !distinct)
+    const bool solid = options.meshes.wanted();
+    if (auto known = options.meshes.check(); !known)
+        return tl::unexpected(std::move(known.error()));
+    if (auto distinct = checkOutputs({options.zmap}, options.meshes.files()); !distinct)
         return tl::unexpected(std::move(distinct.error()));
-    if (auto crackFree = checkExportable(parameters); stl && !crackFree)
+    if (auto crackFree = checkExportable(parameters); solid && !crackFree)
         return tl::unexpected(std::move(crackFree.error()));
     const auto origin = parsePoint(options.origin + ",0");
     if (!origin)
@@ -57,7 +48,7 @@ Result<ZMapSnapshot> prepare(const DecimateOptions& options, const DecimationPar
             "--origin",
             failure("point-form", "“{}” is not a point of the form X,Y in mm.", {options.origin}).value());
     return readZMap(options.zmap, options.spacing, Vec2(*origin), options.floor,
-                    meshBytesPerPoint(parameters, false, stl));
+                    meshBytesPerPoint(parameters, false, solid));
 }
 
 ExitCode run(const DecimateOptions& options) {
@@ -76,24 +67,27 @@ ExitCode run(const DecimateOptions& options) {
     (void)surface.decimateDirty(*zmap);
     const double seconds = watch.seconds();
     const SurfaceSnapshot result = surface.snapshot();
-    const MeasuredSurface measured = measure(result, *zmap, parameters, !options.stl.empty());
-    if (!options.stl.empty())
-        if (auto written = writeSolid(options, *zmap, result); !written)
-            report.addFatal(std::move(written.error()));
-
-    if (options.json)
-        printJson({{"facesIn", result.facesFull},
-                   {"facesOut", result.faces},
-                   {"seconds", seconds},
-                   {"largestErrorMm", measured.largestErrorMm},
-                   {"errorLevel", measured.level},
-                   {"regions", result.grid.regionCount()},
-                   {"method", kMethodChoices[static_cast<std::size_t>(parameters.method)].key},
-                   {"findings", report.findings()},
-                   {"unverified", report.unverified()}});
-    else
+    const MeasuredSurface measured = measure(result, *zmap, parameters);
+    std::vector<MeshOutput> written;
+    if (options.meshes.wanted())
+        written = options.meshes.write(*zmap, result, parameters.allowance, report);
+    const double error = largestErrorMm(measured.largestErrorMm, written, parameters.allowance);
+    if (!options.json) {
         fmt::print("{} of {} triangles, largest vertical error {:.6f} mm, {:.3f} s\n", result.faces,
-                   result.facesFull, measured.largestErrorMm, seconds);
+                   result.facesFull, error, seconds);
+        return report.exitCode();
+    }
+    nlohmann::ordered_json out{{"facesIn", result.facesFull},
+                               {"facesOut", result.faces},
+                               {"seconds", seconds},
+                               {"largestErrorMm", error},
+                               {"errorLevel", measured.level},
+                               {"regions", result.grid.regionCount()},
+                               {"method", kMethodChoices[static_cast<std::size_t>(parameters.method)].key}};
+    options.meshes.addTo(out, written);
+    out["findings"] = report.findings();
+    out["unverified"] = report.unverified();
+    printJson(out);
     return report.exitCode();
 }
 
@@ -112,8 +106,7 @@ void addDecimateCommand(CLI::App& app, ExitCode& exitCode) {
         ->type_name("Z");
     options->decimation.addTo(*command);
     options->threads.addTo(*command);
-    command->add_option("--stl", options->stl, "Write the solid (STL)")->type_name("F.stl");
-    command->add_flag("--ascii", options->asciiStl, "Write STL as text");
+    options->meshes.addTo(*command);
     command->add_flag("--json", options->json, "Print one JSON object");
     command->callback([options, &exitCode] {
         options->threads.apply();

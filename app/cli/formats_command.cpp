@@ -18,9 +18,10 @@ void printTable() {
         std::string extensions;
         for (const char* extension : format.extensions)
             extensions += fmt::format("{}{}", extensions.empty() ? "" : " ", extension);
-        fmt::print("{:<12} {:<12} {:<5} {:<6} {}: {}\n", format.key, extensions,
-                   format.reads() ? "reads" : "", format.writes() ? "writes" : "", format.label,
-                   format.holds);
+        const MeshFormat* mesh = format.meshWriter();
+        fmt::print("{:<12} {:<12} {:<5} {:<6} {:<7} {}: {}\n", format.key, extensions,
+                   format.reads() ? "reads" : "", format.writes() ? "writes" : "",
+                   mesh != nullptr ? nameOf(mesh->coordinates) : "", format.label, format.holds);
     }
 }
 
@@ -35,6 +36,8 @@ void printTableAsJson() {
                                    {"holds", format.holds}};
         for (const char* extension : format.extensions)
             row["extensions"].push_back(extension);
+        if (const MeshFormat* mesh = format.meshWriter(); mesh != nullptr)
+            row["coordinates"] = nameOf(mesh->coordinates);
         list.push_back(std::move(row));
     }
     printJson({{"formats", std::move(list)}});

@@ -12,9 +12,8 @@ struct MeasuredSurface {
     const char* level = "none"; ///< "sample", "measured" or "none"
 };
 
-/// Measures a surface anew from its triangles, without asking the decimator. `stl`: what the rounding of
-/// coordinates to float32 may add is counted too, where it is more than a hundredth of the error allowance.
+/// Measures a surface anew from its triangles, without asking the decimator.
 [[nodiscard]] MeasuredSurface measure(const SurfaceSnapshot& surface, const ZMapSnapshot& zmap,
-                                      const DecimationParameters& parameters, bool stl);
+                                      const DecimationParameters& parameters);
 
 } // namespace proveout::cli

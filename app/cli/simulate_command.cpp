@@ -5,9 +5,11 @@
 #include <memory>
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "app/cli/command.h"
 #include "app/cli/measured_surface.h"
+#include "app/cli/mesh_outputs.h"
 #include "app/cli/outputs.h"
 #include "app/cli/records_csv.h"
 #include "app/cli/report.h"
@@ -18,8 +20,6 @@
 #include "core/base/memory.h"
 #include "core/base/stop_watch.h"
 #include "core/decimation/mesh_memory.h"
-#include "core/decimation/solid.h"
-#include "core/formats/stl.h"
 #include "core/nc/interpreter.h"
 #include "core/simulation/simulation.h"
 
@@ -32,8 +32,7 @@ struct SimulateOptions {
     ThreadLimit threads;
     std::string until;
     std::string zmap;
-    std::string stl;
-    bool asciiStl = false;
+    MeshOutputs meshes;
     std::string mesh = "decimated";
     std::string records;
     bool json = false;
@@ -89,9 +88,11 @@ private:
         m_report.add(m_job.warnings);
         auto inputs = m_options.setup.inputs();
         inputs.push_back(m_job.program.string());
-        if (!fine(checkOutputs(inputs, {m_options.zmap, m_options.stl, m_options.records})))
+        std::vector<std::string> outputs = m_options.meshes.files();
+        outputs.insert(outputs.end(), {m_options.zmap, m_options.records});
+        if (!fine(m_options.meshes.check()) || !fine(checkOutputs(inputs, outputs)))
             return false;
-        if (!m_options.stl.empty() && m_options.mesh == "decimated" &&
+        if (m_options.meshes.wanted() && m_options.mesh == "decimated" &&
             !fine(checkExportable(m_job.parameters)))
             return false;
         if (!fine(m_options.setup.checkGrid(m_job.setup, meshBytes())))
@@ -100,10 +101,10 @@ private:
     }
 
     [[nodiscard]] double meshBytes() const {
-        const bool stl = !m_options.stl.empty();
-        if (!stl && !m_options.json && !followsSchedule())
+        const bool solid = m_options.meshes.wanted();
+        if (!solid && !m_options.json && !followsSchedule())
             return 0;
-        return meshBytesPerPoint(m_job.parameters, m_options.mesh == "full", stl);
+        return meshBytesPerPoint(m_job.parameters, m_options.mesh == "full", solid);
     }
 
     bool interpretProgram() {
@@ -152,7 +153,7 @@ private:
         m_seconds.cut = m_simulation->effort().cutSeconds;
         m_seconds.decimate = m_simulation->effort().decimationSeconds;
         const bool decimated = m_options.mesh == "decimated";
-        if (!m_options.json && m_options.stl.empty())
+        if (!m_options.json && !m_options.meshes.wanted())
             return;
         const StopWatch watch;
         m_surface =
@@ -160,7 +161,7 @@ private:
                       : Surface(m_frame.zmap.grid().nx, m_frame.zmap.grid().ny, m_job.parameters).snapshot();
         if (decimated)
             m_seconds.decimate += watch.seconds();
-        m_measured = measure(*m_surface, m_frame.zmap, m_job.parameters, !m_options.stl.empty());
+        m_measured = measure(*m_surface, m_frame.zmap, m_job.parameters);
     }
 
     void write() {
@@ -169,22 +170,10 @@ private:
             fine(writeZMap(m_options.zmap, m_frame.zmap));
         if (!m_options.records.empty())
             fine(writeRecords(m_options.records, m_frame));
-        if (!m_options.stl.empty())
-            fine(writeSolid());
+        if (m_options.meshes.wanted())
+            m_written =
+                m_options.meshes.write(m_frame.zmap, *m_surface, m_job.parameters.allowance, m_report);
         m_seconds.write = watch.seconds();
-    }
-
-    Result<void> writeSolid() {
-        const TriangleMesh solid = closeSolid(m_frame.zmap, m_surface->triangles());
-        if (solid.triangles.empty())
-            return failure("nothing-left", "Nothing of the stock is left; there is no solid to write.", {},
-                           m_options.stl);
-        const auto encoding = m_options.asciiStl ? StlEncoding::ascii : StlEncoding::binary;
-        auto written = writeStl(m_options.stl, solid, encoding);
-        if (!written)
-            return tl::unexpected(std::move(written.error()));
-        m_written = *written;
-        return {};
     }
 
     [[nodiscard]] nlohmann::ordered_json object() const {
@@ -198,7 +187,8 @@ private:
             {"removedMm3", m_frame.removedMm3},
             {"facesFull", m_surface->facesFull},
             {"facesDecimated", m_surface->faces},
-            {"largestErrorMm", m_measured.largestErrorMm},
+            {"largestErrorMm",
+             largestErrorMm(m_measured.largestErrorMm, m_written, m_job.parameters.allowance)},
             {"errorLevel", m_measured.level},
             {"regions", m_surface->grid.regionCount()},
             {"method", kMethodChoices[static_cast<std::size_t>(m_job.parameters.method)].key},
@@ -211,8 +201,7 @@ private:
               {"write", m_seconds.write},
               {"total", m_seconds.total}}},
             {"peakBytes", peakMemoryBytes()}};
-        if (m_written)
-            out["stl"] = {{"triangles", m_written->triangles}, {"bytes", m_written->bytes}};
+        m_options.meshes.addTo(out, m_written);
         out["findings"] = m_report.findings();
         out["unverified"] = m_report.unverified();
         return out;
@@ -225,9 +214,11 @@ private:
     void printSummary() const {
         fmt::print("{} of {} moving blocks, {:.1f} mm³ removed, {:.3f} s\n", m_frame.block,
                    m_program->blockCount(), m_frame.removedMm3, m_seconds.total);
-        if (m_written)
-            fmt::print("{}: {} triangles, {}\n", m_options.stl, m_written->triangles,
-                       readableBytes(static_cast<double>(m_written->bytes)));
+        for (const MeshOutput& output : m_written)
+            fmt::print("{}: {} triangles, {}, largest vertical error {:.6f} mm\n", output.file,
+                       output.exported.file.triangles,
+                       readableBytes(static_cast<double>(output.exported.file.bytes)),
+                       output.exported.largestErrorMm);
     }
 
     const SimulateOptions& m_options;
@@ -237,9 +228,9 @@ private:
     std::shared_ptr<const Program> m_program;
     std::unique_ptr<Simulation> m_simulation;
     Frame m_frame;
-    std::optional<SurfaceSnapshot> m_surface; ///< where JSON or STL ask for it
+    std::optional<SurfaceSnapshot> m_surface; ///< where JSON or a mesh file asks for it
     MeasuredSurface m_measured;
-    std::optional<WrittenFile> m_written;
+    std::vector<MeshOutput> m_written;
     Seconds m_seconds;
 };
 
@@ -259,8 +250,7 @@ void addSimulateCommand(CLI::App& app, ExitCode& exitCode) {
                                         : "\"" + text + "\" is neither a block N nor a line L<n>";
         });
     command->add_option("--zmap", options->zmap, "Write the z-map (NPY)")->type_name("F.npy");
-    command->add_option("--stl", options->stl, "Write the stock as a closed solid (STL)")->type_name("F.stl");
-    command->add_flag("--ascii", options->asciiStl, "Write STL as text");
+    options->meshes.addTo(*command);
     command->add_option("--mesh", options->mesh, "The surface of the solid (decimated)")
         ->check(CLI::IsMember({"decimated", "full"}))
         ->type_name("M");

@@ -6,13 +6,13 @@
 namespace proveout {
 
 /// Bytes a point of the grid that meshes take beside the z-map, from the peak memory of runs with and without
-/// them: a full mesh has two triangles a point, and is held again, closed, while an STL file is written.
+/// them: a full mesh has two triangles a point, and is held again, closed, while a file is written.
 [[nodiscard]] constexpr double meshBytesPerPoint(const DecimationParameters& parameters, bool full,
-                                                 bool stl) {
+                                                 bool solid) {
     constexpr double kSurface = 25;
     constexpr double kFullSolid = 84;
     full = full || parameters.method == DecimationMethod::none || parameters.allowance == 0;
-    return full && stl ? kFullSolid : kSurface;
+    return full && solid ? kFullSolid : kSurface;
 }
 
 } // namespace proveout

@@ -62,6 +62,10 @@ const MeshFormat* FileFormat::meshWriter() const {
     return mesh != nullptr && mesh->write != nullptr ? mesh : nullptr;
 }
 
+const char* nameOf(CoordinateType type) {
+    return type == CoordinateType::float32 ? "float32" : "float64";
+}
+
 std::span<const FileFormat> fileFormats() {
     return kFormats;
 }

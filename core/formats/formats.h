@@ -47,6 +47,9 @@ struct FileFormat {
     [[nodiscard]] const MeshFormat* meshWriter() const;
 };
 
+/// "float32" or "float64".
+[[nodiscard]] const char* nameOf(CoordinateType type);
+
 [[nodiscard]] std::span<const FileFormat> fileFormats();
 
 /// The row with this key, or null.

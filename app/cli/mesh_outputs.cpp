@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/mesh_outputs.h"
+
+#include <algorithm>
+#include <cassert>
+#include <set>
+#include <utility>
+
+#include "core/decimation/solid.h"
+
+namespace proveout::cli {
+
+namespace {
+
+/// ".stl .obj …", each once.
+std::string knownEndings() {
+    std::string endings;
+    std::set<std::string> seen;
+    for (const FileFormat& format : fileFormats())
+        for (const char* ending : format.extensions)
+            if (format.meshWriter() != nullptr && seen.insert(ending).second)
+                endings += std::string(endings.empty() ? "" : " ") + ending;
+    return endings;
+}
+
+} // namespace
+
+void MeshOutputs::addTo(CLI::App& command) {
+    command
+        .add_option("--export", m_exports,
+                    "Write the stock as a closed solid; the ending names the format (" + knownEndings() +
+                        "); repeatable")
+        ->type_name("FILE")
+        ->allow_extra_args(false);
+    command.add_option("--stl", m_stl, "The same as STL, whatever the ending")->type_name("F.stl");
+    command.add_flag("--ascii", m_asciiStl, "Write STL as text");
+}
+
+std::vector<std::string> MeshOutputs::files() const {
+    std::vector<std::string> files = m_exports;
+    if (!m_stl.empty())
+        files.push_back(m_stl);
+    return files;
+}
+
+Result<void> MeshOutputs::check() const {
+    for (const std::string& file : m_exports)
+        if (meshFormatOf(file) == nullptr)
+            return failure("export-format-unknown",
+                           "The ending of this name is that of no mesh format; there are {}.",
+                           {knownEndings()}, file);
+    return {};
+}
+
+const FileFormat& MeshOutputs::formatOf(const std::string& file) const {
+    const FileFormat* binary = findFormat("stl");
+    const FileFormat* format = file == m_stl ? binary : meshFormatOf(file);
+    assert(format != nullptr && "check() was not asked");
+    return format == binary && m_asciiStl ? *findFormat("stl-ascii") : *format;
+}
+
+std::vector<MeshOutput> MeshOutputs::write(const ZMapSnapshot& zmap, const SurfaceSnapshot& surface,
+                                           double allowance, Report& report) const {
+    std::vector<MeshOutput> written;
+    const TriangleMesh solid = closeSolid(zmap, surface.triangles());
+    for (const std::string& file : files()) {
+        const FileFormat& format = formatOf(file);
+        auto exported = exportSolid(file, *format.meshWriter(), solid, zmap, allowance);
+        if (!exported) {
+            report.addFatal(std::move(exported.error()));
+            continue;
+        }
+        report.add(exported->warnings);
+        written.push_back({file, &format, std::move(*exported)});
+    }
+    return written;
+}
+
+void MeshOutputs::addTo(nlohmann::ordered_json& object, const std::vector<MeshOutput>& written) const {
+    if (!wanted())
+        return;
+    auto rows = nlohmann::ordered_json::array();
+    for (const auto& [file, format, exported] : written) {
+        const nlohmann::ordered_json figures{{"triangles", exported.file.triangles},
+                                             {"bytes", exported.file.bytes},
+                                             {"coordinates", nameOf(format->meshWriter()->coordinates)},
+                                             {"largestErrorMm", exported.largestErrorMm}};
+        if (file == m_stl)
+            object["stl"] = figures;
+        nlohmann::ordered_json row{{"file", file}, {"format", format->key}};
+        row.update(figures);
+        rows.push_back(std::move(row));
+    }
+    object["exports"] = std::move(rows);
+}
+
+double largestErrorMm(double surfaceErrorMm, const std::vector<MeshOutput>& written, double allowance) {
+    constexpr double kWorthCounting = 0.01; // of the error allowance
+    double largest = surfaceErrorMm;
+    for (const MeshOutput& output : written)
+        if (output.exported.largestErrorMm > surfaceErrorMm + kWorthCounting * allowance)
+            largest = std::max(largest, output.exported.largestErrorMm);
+    return largest;
+}
+
+} // namespace proveout::cli

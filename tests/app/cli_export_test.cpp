@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Mesh files of both commands that write them.
+#include <algorithm>
+#include <gmock/gmock.h>
+#include <map>
+
+#include "core/formats/formats.h"
+#include "tests/app/command_line.h"
+
+namespace proveout {
+namespace {
+
+using testing::HasSubstr;
+
+class CliExport : public CommandLine {
+protected:
+    void SetUp() override { write("p.nc", kSound); }
+    Finished simulate(const std::string& more) { return run("simulate p.nc" + kStock + kTool + more); }
+
+    /// A slot on a stock far out, where float32 has steps of 1/32 mm.
+    Finished simulateFarOut(const std::string& more) {
+        write("far.nc", "T1 M6\nG0 X500005 Y5 Z5\nG1 Z-2 F100\nX500030\nG0 Z5\nM30\n");
+        return run("simulate far.nc --stock 40x30x10 --grid 0.5 --stock-origin 500000.013,0,0" + kTool +
+                   more);
+    }
+};
+
+TEST_F(CliExport, EveryMeshFormatIsWrittenByItsEnding) {
+    std::string options = " --json";
+    std::vector<std::string> files;
+    for (const FileFormat& format : fileFormats())
+        if (format.meshWriter() != nullptr && std::string(format.key) != "stl-ascii")
+            files.push_back(std::string("a") + format.extensions.front());
+    for (const std::string& file : files)
+        options += " --export " + file;
+    const auto done = simulate(options);
+    ASSERT_EQ(done.exitCode, 0) << done.err;
+    const auto rows = done.json()["exports"];
+    ASSERT_EQ(rows.size(), files.size());
+    for (std::size_t i = 0; i < files.size(); ++i) {
+        EXPECT_EQ(rows[i]["file"], files[i]);
+        EXPECT_EQ(rows[i]["format"], meshFormatOf(files[i])->key);
+        EXPECT_EQ(rows[i]["triangles"], rows[0]["triangles"]);
+        EXPECT_EQ(rows[i]["bytes"], std::filesystem::file_size(folder / files[i]));
+        EXPECT_EQ(rows[i]["coordinates"], files[i] == "a.stl" ? "float32" : "float64");
+        EXPECT_NEAR(rows[i]["largestErrorMm"], done.json()["largestErrorMm"], 1e-4);
+    }
+    EXPECT_FALSE(done.json().contains("stl")) << "that option was not given";
+}
+
+TEST_F(CliExport, StlIsStlWhateverItsEnding) {
+    const auto done = simulate("--json --stl a.mesh --export b.STL");
+    ASSERT_EQ(done.exitCode, 0) << done.err;
+    EXPECT_EQ(read("a.mesh"), read("b.STL"));
+    const auto stl = done.json()["stl"];
+    EXPECT_EQ(stl["triangles"], readStl(folder / "a.mesh")->triangles.size());
+    EXPECT_EQ(stl["bytes"], std::filesystem::file_size(folder / "a.mesh"));
+    EXPECT_GT(stl["largestErrorMm"], 0);
+    EXPECT_EQ(done.json()["exports"].size(), 2U);
+}
+
+TEST_F(CliExport, AsciiIsAboutStlAlone) {
+    ASSERT_EQ(simulate("--ascii --export a.stl --stl b.stl --export c.ply").exitCode, 0);
+    ASSERT_EQ(simulate("--export d.ply").exitCode, 0);
+    EXPECT_TRUE(read("a.stl").starts_with("solid"));
+    EXPECT_EQ(read("a.stl"), read("b.stl"));
+    EXPECT_EQ(read("c.ply"), read("d.ply"));
+}
+
+TEST_F(CliExport, UnknownEndingsAreRefusedBeforeTheWork) {
+    write("a.npy", "no array");
+    for (const std::string& command :
+         {"simulate p.nc --json" + kStock + kTool, std::string("decimate a.npy --grid 1 --json")}) {
+        for (const std::string& file :
+             {std::string("a.step"), std::string("a"), std::string("folder/a.stl.gz")}) {
+            const auto done = run(command + " --export " + file);
+            EXPECT_EQ(done.exitCode, 3);
+            EXPECT_TRUE(done.tells(file + ": error: The ending of this name is that of no mesh format; "
+                                          "there are .stl .obj .ply .3mf.",
+                                   "export-format-unknown"))
+                << done.err;
+            EXPECT_EQ(done.json()["findings"][0]["id"], "export-format-unknown");
+            EXPECT_FALSE(done.json().contains("removedMm3"));
+        }
+    }
+}
+
+TEST_F(CliExport, AFileThatCannotBeWrittenKeepsNoOtherBack) {
+    const auto done = simulate("--json --export none/a.obj --export b.ply");
+    EXPECT_EQ(done.exitCode, 3);
+    EXPECT_TRUE(done.tells("none/a.obj: error: The file cannot be written: ", "file-unwritable")) << done.err;
+    EXPECT_TRUE(exists("b.ply"));
+    const auto rows = done.json()["exports"];
+    EXPECT_TRUE(std::ranges::any_of(rows, [](const auto& row) { return row["file"] == "b.ply"; }));
+}
+
+TEST_F(CliExport, OutputsMustDiffer) {
+    EXPECT_TRUE(simulate("--export a.stl --stl a.stl").tells("a.stl: error: ", "output-overwrites"));
+    EXPECT_TRUE(simulate("--export a.obj --export ./a.obj").tells("./a.obj: error: ", "output-overwrites"));
+    EXPECT_TRUE(simulate("--borders paper --export a.3mf").tells("p.nc: error: ", "borders-not-exported"));
+}
+
+TEST_F(CliExport, RoundingBeyondTheAllowanceIsTold) {
+    const auto done = simulateFarOut("--json --export a.stl --export a.obj");
+    ASSERT_EQ(done.exitCode, 0) << done.err;
+    EXPECT_TRUE(done.tells("a.stl: warning: Rounded to the single precision", "export-rounded-beyond"))
+        << done.err;
+    EXPECT_FALSE(done.tells("a.obj: warning: ", "export-rounded-beyond"));
+    const auto json = done.json();
+    EXPECT_EQ(json["findings"][0]["id"], "export-rounded-beyond");
+    const auto rows = json["exports"];
+    EXPECT_GT(rows[0]["largestErrorMm"], 0.05);
+    EXPECT_LE(rows[1]["largestErrorMm"], 0.05);
+    EXPECT_EQ(json["largestErrorMm"], rows[0]["largestErrorMm"]) << "of all that was put out";
+    const auto exact = simulateFarOut("--json --export a.obj");
+    EXPECT_LE(exact.json()["largestErrorMm"], 0.05);
+    EXPECT_EQ(exact.err, "");
+}
+
+TEST_F(CliExport, DecimateWritesTheSameFiles) {
+    ASSERT_EQ(simulate("--zmap a.npy --export a.ply --region 64").exitCode, 0);
+    const auto done = run("decimate a.npy --grid 0.5 --allowance 0.05 --region 64 --floor -10 --export b.ply "
+                          "--stl b.stl --json");
+    ASSERT_EQ(done.exitCode, 0) << done.err;
+    EXPECT_EQ(done.json()["exports"][0]["format"], "ply");
+    EXPECT_EQ(done.json()["exports"][1]["format"], "stl");
+    EXPECT_EQ(done.json()["stl"]["triangles"], done.json()["exports"][0]["triangles"]);
+    EXPECT_TRUE(read("a.ply") == read("b.ply"));
+}
+
+TEST_F(CliExport, FormatsListTheTypeOfCoordinates) {
+    const auto rows = run("formats --json").json()["formats"];
+    std::map<std::string, std::string> coordinates;
+    for (const auto& row : rows)
+        coordinates[row["key"]] = row.value("coordinates", "");
+    EXPECT_EQ(coordinates["stl"], "float32");
+    EXPECT_EQ(coordinates["stl-ascii"], "float32");
+    EXPECT_EQ(coordinates["3mf"], "float64");
+    EXPECT_EQ(coordinates["npy"], "");
+    const auto text = run("formats").out;
+    for (const char* part : {"obj", ".ply", ".3mf", "float64"})
+        EXPECT_THAT(text, HasSubstr(part));
+}
+
+} // namespace
+} // namespace proveout
