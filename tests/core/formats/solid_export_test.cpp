@@ -5,9 +5,11 @@
 #include <cmath>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <random>
 
 #include "core/decimation/solid_error.h"
 #include "core/decimation/surface.h"
+#include "tests/core/decimation/random_triangulation.h"
 #include "tests/core/temporary_folder.h"
 
 namespace proveout {
@@ -104,6 +106,40 @@ TEST_F(SolidExport, WhereRoundingIsNotToBlameThereIsNoWarning) {
     EXPECT_GT(exportTo("a.ply", zmap, coarse)->largestErrorMm, kAllowance);
     EXPECT_TRUE(exportTo("a.stl", zmap, coarse)->warnings.empty());
     EXPECT_TRUE(exportTo("a.stl", zmap, decimated(zmap), 0)->warnings.empty()) << "nothing was promised";
+}
+
+/// Pinched, cut through, decimated at random into long slivers: as long as a step of float32 is far below the
+/// spacing, it stays a solid.
+TEST_F(SolidExport, StlTakesEverySolidOfUsualSize) {
+    const unsigned seed = std::random_device{}();
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    const auto upTo = [&random](double size) {
+        return std::uniform_real_distribution<double>(-size, size)(random);
+    };
+    int written = 0;
+    for (int round = 0; round < 150; ++round) {
+        const int nx = 2 + static_cast<int>(random() % 30);
+        const int ny = 2 + static_cast<int>(random() % 30);
+        const double spacing = 0.05 * (1 + static_cast<double>(random() % 20));
+        const StockBox stock{{upTo(500), upTo(500), upTo(500)}, spacing * (nx - 1), spacing * (ny - 1), 40};
+        ZMap zmap(stock, Grid{nx, ny, spacing, spacing, stock.corner.x, stock.corner.y});
+        Tile& tile = zmap.tileForWriting(0);
+        const unsigned percentOnFloor = 20 * static_cast<unsigned>(random() % 4);
+        for (int j = 0; j < ny; ++j)
+            for (int i = 0; i < nx; ++i)
+                tile.at(i, j) = random() % 100 < percentOnFloor ? -40 : static_cast<float>(-20 + upTo(20));
+        tile.refreshMaximum();
+        const ZMapSnapshot moment = zmap.snapshot();
+        const TriangleMesh solid =
+            closeSolid(moment, test::randomTriangulation(nx, ny, random() % 1000, random));
+        if (solid.triangles.empty())
+            continue;
+        const auto stl = exportTo("a.stl", moment, solid);
+        ASSERT_TRUE(stl) << "round " << round << ": " << oneLine(stl.error().front());
+        ++written;
+    }
+    EXPECT_GT(written, 100);
 }
 
 TEST_F(SolidExport, ProgressRisesToOneAndAWishToStopLeavesNoFile) {

@@ -102,6 +102,31 @@ TEST_P(Stl, RefusesMeshesThatRoundingCollapses) {
     EXPECT_EQ(m_folder.entries(), 0U);
 }
 
+TEST_P(Stl, RefusesTrianglesThatRoundingTurnsOver) {
+    // Steps of float32 are 1/128 mm out there. The second point lies left of the line between the others, and
+    // right of it once all three are rounded.
+    const TriangleMesh mesh{{{1e5 + 0.0038, 0, 0}, {1e5 + 0.0055, 25, 0}, {1e5 + 0.0118, 100, 0}},
+                            {{0, 2, 1}}};
+    const auto written = writeStl(m_folder / "a.stl", mesh, GetParam());
+    ASSERT_FALSE(written);
+    EXPECT_STREQ(written.error().front().id, "stl-too-coarse");
+    EXPECT_THAT(written.error().front().arguments, testing::ElementsAre("1", "0"));
+    EXPECT_EQ(m_folder.entries(), 0U);
+}
+
+TEST_P(Stl, RefusesVerticesThatRoundingMakesOne) {
+    TriangleMesh two = tetrahedron(1, {1e5, 0, 0});
+    const TriangleMesh other = tetrahedron(-1, {1e5 + 0.001, 0, 0});
+    two.vertices.insert(two.vertices.end(), other.vertices.begin(), other.vertices.end());
+    for (const auto& [a, b, c] : other.triangles)
+        two.triangles.push_back({a + 4, b + 4, c + 4});
+    const auto written = writeStl(m_folder / "a.stl", two, GetParam());
+    ASSERT_FALSE(written);
+    EXPECT_THAT(written.error().front().arguments, testing::ElementsAre("0", "1"));
+    two.vertices[4].x = 1e5; // the very same point is no accident of rounding
+    EXPECT_TRUE(writeStl(m_folder / "a.stl", two, GetParam()));
+}
+
 TEST(StlBinary, HasTheBytesOfTheFormat) {
     const TemporaryFolder folder;
     ASSERT_TRUE(writeStl(folder / "a.stl", tetrahedron(2), StlEncoding::binary));
