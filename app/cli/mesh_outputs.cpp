@@ -2,33 +2,16 @@
 #include "app/cli/mesh_outputs.h"
 
 #include <algorithm>
-#include <cassert>
-#include <set>
 #include <utility>
 
 #include "core/decimation/solid.h"
 
 namespace proveout::cli {
 
-namespace {
-
-/// ".stl .obj …", each once.
-std::string knownEndings() {
-    std::string endings;
-    std::set<std::string> seen;
-    for (const FileFormat& format : fileFormats())
-        for (const char* ending : format.extensions)
-            if (format.meshWriter() != nullptr && seen.insert(ending).second)
-                endings += std::string(endings.empty() ? "" : " ") + ending;
-    return endings;
-}
-
-} // namespace
-
 void MeshOutputs::addTo(CLI::App& command) {
     command
         .add_option("--export", m_exports,
-                    "Write the stock as a closed solid; the ending names the format (" + knownEndings() +
+                    "Write the stock as a closed solid; the ending names the format (" + meshEndings() +
                         "); repeatable")
         ->type_name("FILE")
         ->allow_extra_args(false);
@@ -45,17 +28,14 @@ std::vector<std::string> MeshOutputs::files() const {
 
 Result<void> MeshOutputs::check() const {
     for (const std::string& file : m_exports)
-        if (meshFormatOf(file) == nullptr)
-            return failure("export-format-unknown",
-                           "The ending of this name is that of no mesh format; there are {}.",
-                           {knownEndings()}, file);
+        if (auto format = meshFormatOf(file); !format)
+            return tl::unexpected(std::move(format.error()));
     return {};
 }
 
 const FileFormat& MeshOutputs::formatOf(const std::string& file) const {
     const FileFormat* binary = findFormat("stl");
-    const FileFormat* format = file == m_stl ? binary : meshFormatOf(file);
-    assert(format != nullptr && "check() was not asked");
+    const FileFormat* format = file == m_stl ? binary : meshFormatOf(file).value(); // check() was asked
     return format == binary && m_asciiStl ? *findFormat("stl-ascii") : *format;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <vector>
 
 #include "core/base/text.h"
 
@@ -76,7 +77,20 @@ const FileFormat* findFormat(std::string_view key) {
     return found == kFormats.end() ? nullptr : &*found;
 }
 
-const FileFormat* meshFormatOf(const std::filesystem::path& file) {
+std::string meshEndings() {
+    std::vector<std::string_view> seen;
+    std::string endings;
+    for (const FileFormat& row : kFormats)
+        for (const std::string_view ending : row.extensions) {
+            if (row.meshWriter() == nullptr || std::ranges::find(seen, ending) != seen.end())
+                continue;
+            seen.push_back(ending);
+            endings.append(endings.empty() ? "" : " ").append(ending);
+        }
+    return endings;
+}
+
+Result<const FileFormat*> meshFormatOf(const std::filesystem::path& file) {
     std::string extension = file.extension().string();
     for (char& c : extension)
         c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
@@ -84,7 +98,12 @@ const FileFormat* meshFormatOf(const std::filesystem::path& file) {
         return row.meshWriter() != nullptr &&
                std::ranges::find(row.extensions, extension) != row.extensions.end();
     });
-    return found == kFormats.end() ? nullptr : &*found;
+    if (found == kFormats.end())
+        return failure(
+            "export-format-unknown",
+            PROVEOUT_TEXT("Core", "The ending of this name is that of no mesh format; there are {}."),
+            {meshEndings()}, file.string());
+    return &*found;
 }
 
 } // namespace proveout

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 #include <string_view>
 #include <variant>
 
@@ -55,7 +56,11 @@ struct FileFormat {
 /// The row with this key, or null.
 [[nodiscard]] const FileFormat* findFormat(std::string_view key);
 
-/// The first row that writes meshes into files with the ending of this one, in any case of letters, or null.
-[[nodiscard]] const FileFormat* meshFormatOf(const std::filesystem::path& file);
+/// The endings of the mesh formats that are written, each once: ".stl .obj …".
+[[nodiscard]] std::string meshEndings();
+
+/// The first row that writes meshes into files with the ending of this one, in any case of letters. Error: no
+/// row does (id "export-format-unknown").
+[[nodiscard]] Result<const FileFormat*> meshFormatOf(const std::filesystem::path& file);
 
 } // namespace proveout

@@ -7,6 +7,7 @@
 
 #include "core/base/text.h"
 #include "core/decimation/solid_error.h"
+#include "core/formats/mesh_writing.h"
 
 namespace proveout {
 
@@ -20,9 +21,9 @@ Diagnostic roundedBeyond(const std::filesystem::path& file, double rounded, doub
     warning.severity = Severity::warning;
     warning.id = "export-rounded-beyond";
     warning.text =
-        PROVEOUT_TEXT("Core", "Rounded to the single precision of the file, the mesh lies up to {} mm "
-                              "from the z-map, beyond the error allowance of {} mm. OBJ and PLY "
-                              "hold coordinates in double precision and keep {} mm.");
+        PROVEOUT_TEXT("Core", "Rounded to single precision, the file lies up to {} mm from the z-map, "
+                              "beyond the error allowance of {} mm; OBJ or PLY would keep {} mm.");
+    warning.hint = kOffersDoubles;
     warning.arguments = {fmt::format("{:.4g}", rounded), fmt::format("{:.4g}", allowance),
                          fmt::format("{:.4g}", exact)};
     warning.file = file.string();

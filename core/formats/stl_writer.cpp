@@ -66,12 +66,15 @@ public:
         const std::uint64_t met = verticesThatMeet();
         if (m_lost == 0 && met == 0)
             return {};
-        return failure("stl-too-coarse",
-                       PROVEOUT_TEXT("Core", "The coordinates of an STL file are too coarse for this mesh so "
-                                             "far from the origin: {} triangles would collapse or turn over "
-                                             "and {} vertices would meet others. OBJ and PLY hold "
-                                             "coordinates in double precision."),
-                       {std::to_string(m_lost), std::to_string(met)}, file.string());
+        auto refused =
+            failure("stl-too-coarse",
+                    PROVEOUT_TEXT(
+                        "Core", "The coordinates of an STL file are too coarse for this mesh so far from the "
+                                "origin: {} triangles would collapse or turn over, {} vertices meet others; "
+                                "OBJ or PLY can hold it."),
+                    {std::to_string(m_lost), std::to_string(met)}, file.string());
+        refused.value().front().hint = kOffersDoubles;
+        return refused;
     }
 
 private:

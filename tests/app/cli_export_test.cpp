@@ -39,7 +39,7 @@ TEST_F(CliExport, EveryMeshFormatIsWrittenByItsEnding) {
     ASSERT_EQ(rows.size(), files.size());
     for (std::size_t i = 0; i < files.size(); ++i) {
         EXPECT_EQ(rows[i]["file"], files[i]);
-        EXPECT_EQ(rows[i]["format"], meshFormatOf(files[i])->key);
+        EXPECT_EQ(rows[i]["format"], meshFormatOf(files[i]).value()->key);
         EXPECT_EQ(rows[i]["triangles"], rows[0]["triangles"]);
         EXPECT_EQ(rows[i]["bytes"], std::filesystem::file_size(folder / files[i]));
         EXPECT_EQ(rows[i]["coordinates"], files[i] == "a.stl" ? "float32" : "float64");
@@ -103,7 +103,7 @@ TEST_F(CliExport, OutputsMustDiffer) {
 TEST_F(CliExport, RoundingBeyondTheAllowanceIsTold) {
     const auto done = simulateFarOut("--json --export a.stl --export a.obj");
     ASSERT_EQ(done.exitCode, 0) << done.err;
-    EXPECT_TRUE(done.tells("a.stl: warning: Rounded to the single precision", "export-rounded-beyond"))
+    EXPECT_TRUE(done.tells("a.stl: warning: Rounded to single precision", "export-rounded-beyond"))
         << done.err;
     EXPECT_FALSE(done.tells("a.obj: warning: ", "export-rounded-beyond"));
     const auto json = done.json();

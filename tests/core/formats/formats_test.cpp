@@ -27,8 +27,8 @@ TEST(Formats, RowsAreWhole) {
 
 TEST(Formats, TheEndingOfAMeshFileNamesItsFormat) {
     const auto keyOf = [](const char* file) {
-        const FileFormat* row = meshFormatOf(file);
-        return row == nullptr ? std::string("none") : std::string(row->key);
+        const auto row = meshFormatOf(file);
+        return row ? std::string((*row)->key) : std::string("none");
     };
     EXPECT_EQ(keyOf("a.stl"), "stl") << "binary where nothing else is said";
     EXPECT_EQ(keyOf("folder.obj/A.STL"), "stl");
@@ -37,6 +37,10 @@ TEST(Formats, TheEndingOfAMeshFileNamesItsFormat) {
     EXPECT_EQ(keyOf("a.3MF"), "3mf");
     for (const char* other : {"", "a", ".stl", "stl", "a.npy", "a.proveout", "a.stl.gz", "a.stl "})
         EXPECT_EQ(keyOf(other), "none") << other;
+    EXPECT_EQ(
+        oneLine(meshFormatOf("a.step").error().front()),
+        "a.step: error: The ending of this name is that of no mesh format; there are .stl .obj .ply .3mf. "
+        "[export-format-unknown]");
 }
 
 TEST(Formats, StlAloneRoundsCoordinates) {

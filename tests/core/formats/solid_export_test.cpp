@@ -49,7 +49,7 @@ protected:
                                    const TriangleMesh& solid, double allowance = kAllowance,
                                    const WorkContext& context = {}) {
         const auto file = m_folder / name;
-        return exportSolid(file, *meshFormatOf(file)->meshWriter(), solid, zmap, allowance, context);
+        return exportSolid(file, *meshFormatOf(file).value()->meshWriter(), solid, zmap, allowance, context);
     }
 
     TemporaryFolder m_folder;
@@ -91,8 +91,10 @@ TEST_F(SolidExport, RoundingBeyondTheAllowanceIsAWarningThatOffersDoubles) {
     const Diagnostic& warning = stl->warnings.front();
     EXPECT_STREQ(warning.id, "export-rounded-beyond");
     EXPECT_EQ(warning.severity, Severity::warning);
+    EXPECT_THAT(std::string(warning.hint), HasSubstr("double precision"));
     EXPECT_EQ(warning.file, (m_folder / "a.stl").string());
-    EXPECT_THAT(message(warning), HasSubstr("beyond the error allowance of 0.05 mm. OBJ and PLY hold"));
+    EXPECT_THAT(message(warning),
+                HasSubstr("beyond the error allowance of 0.05 mm; OBJ or PLY would keep 0.0"));
     for (const char* exact : {"a.obj", "a.ply", "a.3mf"}) {
         const auto other = exportTo(exact, zmap, solid);
         EXPECT_LE(other->largestErrorMm, kAllowance) << exact;
