@@ -1355,10 +1355,6 @@
         <translation>Sätze</translation>
     </message>
     <message>
-        <source>The coordinates of an STL file are too coarse for this mesh so far from the origin: {} triangles would collapse.</source>
-        <translation>Die Koordinaten einer STL-Datei sind für dieses Netz so weit vom Nullpunkt zu grob: {} Dreiecke fielen zusammen.</translation>
-    </message>
-    <message>
         <source>The rapid motion comes from an unknown position and ends {} mm below the top of the stock; what it cuts is not known.</source>
         <translation>Der Eilgang kommt von einer unbekannten Position und endet {} mm unter der Oberseite des Rohteils; was er schneidet, ist nicht bekannt.</translation>
     </message>
@@ -1754,6 +1750,38 @@
         <source>Export the decimated stock, choose a wider grid spacing, or close programs.</source>
         <translation>Exportieren Sie das dezimierte Rohteil, wählen Sie eine größere Rasterweite, oder schließen Sie Programme.</translation>
     </message>
+    <message>
+        <source>Wavefront OBJ</source>
+        <translation>Wavefront OBJ</translation>
+    </message>
+    <message>
+        <source>PLY, binary</source>
+        <translation>PLY, binär</translation>
+    </message>
+    <message>
+        <source>3MF</source>
+        <translation>3MF</translation>
+    </message>
+    <message>
+        <source>The ending of this name is that of no mesh format; there are {}.</source>
+        <translation>Die Endung dieses Namens ist die keines Netzformats; es gibt {}.</translation>
+    </message>
+    <message>
+        <source>A vertex lies at {}, {}, {}: a mesh file holds finite numbers only.</source>
+        <translation>Ein Eckpunkt liegt bei {}, {}, {}: eine Netzdatei hält nur endliche Zahlen.</translation>
+    </message>
+    <message>
+        <source>Export OBJ or PLY: they hold coordinates in double precision.</source>
+        <translation>Exportieren Sie OBJ oder PLY: sie halten Koordinaten in doppelter Genauigkeit.</translation>
+    </message>
+    <message>
+        <source>Rounded to single precision, the file lies up to {} mm from the z-map, beyond the error allowance of {} mm; OBJ or PLY would keep {} mm.</source>
+        <translation>Auf einfache Genauigkeit gerundet, liegt die Datei bis zu {} mm neben der Z-Map, mehr als der zulässige Fehler von {} mm; OBJ oder PLY blieben bei {} mm.</translation>
+    </message>
+    <message>
+        <source>The coordinates of an STL file are too coarse for this mesh so far from the origin: {} triangles would collapse or turn over, {} vertices meet others; OBJ or PLY can hold it.</source>
+        <translation>Die Koordinaten einer STL-Datei sind für dieses Netz so weit vom Nullpunkt zu grob: {} Dreiecke fielen zusammen oder kehrten sich um, {} Eckpunkte träfen auf andere; OBJ oder PLY können es halten.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>
@@ -1993,22 +2021,6 @@
         <translation>Proveout-Aufträge (*.proveout)</translation>
     </message>
     <message>
-        <source>Binary STL (*.stl)</source>
-        <translation>Binäres STL (*.stl)</translation>
-    </message>
-    <message>
-        <source>ASCII STL (*.stl)</source>
-        <translation>ASCII-STL (*.stl)</translation>
-    </message>
-    <message>
-        <source>Export Decimated STL</source>
-        <translation>Dezimiertes STL exportieren</translation>
-    </message>
-    <message>
-        <source>Export Full-Resolution STL</source>
-        <translation>STL in voller Auflösung exportieren</translation>
-    </message>
-    <message>
         <source>Unsaved changes</source>
         <translation>Nicht gespeicherte Änderungen</translation>
     </message>
@@ -2043,6 +2055,14 @@
     <message>
         <source>Save before going on?</source>
         <translation>Vorher speichern?</translation>
+    </message>
+    <message>
+        <source>Export Decimated Mesh</source>
+        <translation>Dezimiertes Netz exportieren</translation>
+    </message>
+    <message>
+        <source>Export Full-Resolution Mesh</source>
+        <translation>Netz in voller Auflösung exportieren</translation>
     </message>
 </context>
 <context>
@@ -2238,16 +2258,8 @@
 <context>
     <name>MeshCommands</name>
     <message>
-        <source>&amp;Export STL…</source>
-        <translation>STL &amp;exportieren …</translation>
-    </message>
-    <message>
         <source>Write the decimated stock as a closed solid</source>
         <translation>Das dezimierte Rohteil als geschlossenen Körper schreiben</translation>
-    </message>
-    <message>
-        <source>Export &amp;Full-Resolution STL…</source>
-        <translation>STL in &amp;voller Auflösung exportieren …</translation>
     </message>
     <message>
         <source>Write the stock with every point of the z-map</source>
@@ -2268,6 +2280,14 @@
     <message>
         <source>Bring all parameters of decimation back to their defaults</source>
         <translation>Alle Parameter der Dezimierung auf ihre Vorgaben zurücksetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Export Mesh…</source>
+        <translation>Netz &amp;exportieren …</translation>
+    </message>
+    <message>
+        <source>Export &amp;Full-Resolution Mesh…</source>
+        <translation>Netz in &amp;voller Auflösung exportieren …</translation>
     </message>
 </context>
 <context>
@@ -2509,12 +2529,12 @@
 <context>
     <name>Session</name>
     <message>
-        <source>Exporting STL</source>
-        <translation>STL-Export</translation>
-    </message>
-    <message>
         <source>Simulating</source>
         <translation>Simulation läuft</translation>
+    </message>
+    <message>
+        <source>Exporting</source>
+        <translation>Export</translation>
     </message>
 </context>
 <context>
@@ -2746,10 +2766,6 @@ Diese Datei ist nicht mehr da.</translation>
 <context>
     <name>StatusLine</name>
     <message>
-        <source>Wrote %1: %2 triangles, %3</source>
-        <translation>%1 geschrieben: %2 Dreiecke, %3</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
@@ -2800,6 +2816,10 @@ Diese Datei ist nicht mehr da.</translation>
     <message>
         <source>F rapid</source>
         <translation>F Eilgang</translation>
+    </message>
+    <message>
+        <source>Wrote %1: %2 triangles, %3, largest error %4 mm</source>
+        <translation>%1 geschrieben: %2 Dreiecke, %3, größter Fehler %4 mm</translation>
     </message>
 </context>
 <context>

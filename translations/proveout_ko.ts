@@ -1355,10 +1355,6 @@
         <translation>블록</translation>
     </message>
     <message>
-        <source>The coordinates of an STL file are too coarse for this mesh so far from the origin: {} triangles would collapse.</source>
-        <translation>원점에서 이렇게 먼 메시에는 STL 파일의 좌표가 너무 거칩니다. 삼각형 {}개가 뭉개집니다.</translation>
-    </message>
-    <message>
         <source>The rapid motion comes from an unknown position and ends {} mm below the top of the stock; what it cuts is not known.</source>
         <translation>급속 이송이 알 수 없는 위치에서 시작하여 소재 윗면보다 {} mm 아래에서 끝납니다. 무엇을 절삭하는지 알 수 없습니다.</translation>
     </message>
@@ -1754,6 +1750,38 @@
         <source>Export the decimated stock, choose a wider grid spacing, or close programs.</source>
         <translation>간략화된 소재를 내보내거나, 격자 간격을 넓히거나, 다른 프로그램을 닫으십시오.</translation>
     </message>
+    <message>
+        <source>Wavefront OBJ</source>
+        <translation>Wavefront OBJ</translation>
+    </message>
+    <message>
+        <source>PLY, binary</source>
+        <translation>PLY, 이진</translation>
+    </message>
+    <message>
+        <source>3MF</source>
+        <translation>3MF</translation>
+    </message>
+    <message>
+        <source>The ending of this name is that of no mesh format; there are {}.</source>
+        <translation>이 이름의 확장자에 해당하는 메시 형식이 없습니다. 사용할 수 있는 확장자: {}.</translation>
+    </message>
+    <message>
+        <source>A vertex lies at {}, {}, {}: a mesh file holds finite numbers only.</source>
+        <translation>정점이 {}, {}, {}에 있습니다. 메시 파일은 유한한 수만 담을 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Export OBJ or PLY: they hold coordinates in double precision.</source>
+        <translation>OBJ나 PLY로 내보내십시오. 좌표를 배정밀도로 담습니다.</translation>
+    </message>
+    <message>
+        <source>Rounded to single precision, the file lies up to {} mm from the z-map, beyond the error allowance of {} mm; OBJ or PLY would keep {} mm.</source>
+        <translation>단정밀도로 반올림하면 파일이 Z맵에서 최대 {} mm 벗어나 허용 오차 {} mm를 넘습니다. OBJ나 PLY라면 {} mm를 유지합니다.</translation>
+    </message>
+    <message>
+        <source>The coordinates of an STL file are too coarse for this mesh so far from the origin: {} triangles would collapse or turn over, {} vertices meet others; OBJ or PLY can hold it.</source>
+        <translation>원점에서 이렇게 먼 메시에는 STL 파일의 좌표가 너무 거칩니다. 삼각형 {}개가 뭉개지거나 뒤집히고 정점 {}개가 다른 정점과 겹칩니다. OBJ나 PLY로는 담을 수 있습니다.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>
@@ -1993,22 +2021,6 @@
         <translation>Proveout 작업 (*.proveout)</translation>
     </message>
     <message>
-        <source>Binary STL (*.stl)</source>
-        <translation>이진 STL (*.stl)</translation>
-    </message>
-    <message>
-        <source>ASCII STL (*.stl)</source>
-        <translation>ASCII STL (*.stl)</translation>
-    </message>
-    <message>
-        <source>Export Decimated STL</source>
-        <translation>간략화된 STL 내보내기</translation>
-    </message>
-    <message>
-        <source>Export Full-Resolution STL</source>
-        <translation>전체 해상도 STL 내보내기</translation>
-    </message>
-    <message>
         <source>Unsaved changes</source>
         <translation>저장하지 않은 변경</translation>
     </message>
@@ -2043,6 +2055,14 @@
     <message>
         <source>Save before going on?</source>
         <translation>계속하기 전에 저장할까요?</translation>
+    </message>
+    <message>
+        <source>Export Decimated Mesh</source>
+        <translation>간략화된 메시 내보내기</translation>
+    </message>
+    <message>
+        <source>Export Full-Resolution Mesh</source>
+        <translation>전체 해상도 메시 내보내기</translation>
     </message>
 </context>
 <context>
@@ -2237,16 +2257,8 @@
 <context>
     <name>MeshCommands</name>
     <message>
-        <source>&amp;Export STL…</source>
-        <translation>STL 내보내기(&amp;E)…</translation>
-    </message>
-    <message>
         <source>Write the decimated stock as a closed solid</source>
         <translation>간략화된 소재를 닫힌 솔리드로 저장합니다</translation>
-    </message>
-    <message>
-        <source>Export &amp;Full-Resolution STL…</source>
-        <translation>전체 해상도 STL 내보내기(&amp;F)…</translation>
     </message>
     <message>
         <source>Write the stock with every point of the z-map</source>
@@ -2267,6 +2279,14 @@
     <message>
         <source>Bring all parameters of decimation back to their defaults</source>
         <translation>간략화 매개변수를 모두 기본값으로 되돌립니다</translation>
+    </message>
+    <message>
+        <source>&amp;Export Mesh…</source>
+        <translation>메시 내보내기(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Export &amp;Full-Resolution Mesh…</source>
+        <translation>전체 해상도 메시 내보내기(&amp;F)…</translation>
     </message>
 </context>
 <context>
@@ -2508,12 +2528,12 @@
 <context>
     <name>Session</name>
     <message>
-        <source>Exporting STL</source>
-        <translation>STL 내보내는 중</translation>
-    </message>
-    <message>
         <source>Simulating</source>
         <translation>시뮬레이션 중</translation>
+    </message>
+    <message>
+        <source>Exporting</source>
+        <translation>내보내는 중</translation>
     </message>
 </context>
 <context>
@@ -2745,10 +2765,6 @@ This file is no longer there.</source>
 <context>
     <name>StatusLine</name>
     <message>
-        <source>Wrote %1: %2 triangles, %3</source>
-        <translation>%1 저장됨: 삼각형 %2개, %3</translation>
-    </message>
-    <message>
         <source>Cancel</source>
         <translation>취소</translation>
     </message>
@@ -2799,6 +2815,10 @@ This file is no longer there.</source>
     <message>
         <source>F rapid</source>
         <translation>F 급속</translation>
+    </message>
+    <message>
+        <source>Wrote %1: %2 triangles, %3, largest error %4 mm</source>
+        <translation>%1 저장됨: 삼각형 %2개, %3, 최대 오차 %4 mm</translation>
     </message>
 </context>
 <context>

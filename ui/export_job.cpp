@@ -11,6 +11,7 @@
 #include "core/decimation/mesh_memory.h"
 #include "core/decimation/solid.h"
 #include "core/decimation/surface.h"
+#include "core/formats/solid_export.h"
 #include "ui/file_paths.h"
 
 namespace proveout {
@@ -19,14 +20,10 @@ namespace {
 
 /// Decimation takes most of the time; the shares of the whole in which each step ends.
 constexpr double kDecimated = 0.6;
-constexpr double kClosed = 0.8;
-
-WorkContext part(const WorkContext& whole, double from, double to) {
-    return {whole.stop, [whole, from, to](double done) { whole.tell(from + (to - from) * done); }};
-}
+constexpr double kClosed = 0.7;
 
 std::vector<LatticeTriangle> surfaceTriangles(const Frame& frame, const ExportOptions& options,
-                                              const WorkContext& context, double& largestError) {
+                                              const WorkContext& context) {
     DecimationParameters parameters = frame.parameters;
     parameters.borders = BorderRule::shared;
     if (!options.decimated)
@@ -34,9 +31,7 @@ std::vector<LatticeTriangle> surfaceTriangles(const Frame& frame, const ExportOp
     const Grid& grid = frame.zmap.grid();
     Surface surface(grid.nx, grid.ny, parameters);
     surface.decimateDirty(frame.zmap, context);
-    const SurfaceSnapshot moment = surface.snapshot();
-    largestError = moment.largestError();
-    return moment.triangles();
+    return surface.snapshot().triangles();
 }
 
 tl::unexpected<Diagnostics> cancelled() {
@@ -61,24 +56,25 @@ Result<void> checkMeshMemory(const Frame& frame, const ExportOptions& options, d
 
 Result<ExportSummary> write(const Frame& frame, const QString& file, const ExportOptions& options,
                             const WorkContext& context) {
-    ExportSummary summary;
-    summary.file = file;
+    const Result<const FileFormat*> format =
+        options.format != nullptr ? options.format : meshFormatOf(toPath(file));
+    if (!format)
+        return tl::unexpected(format.error());
     const std::vector<LatticeTriangle> triangles =
-        surfaceTriangles(frame, options, part(context, 0, kDecimated), summary.largestErrorMm);
+        surfaceTriangles(frame, options, context.part(0, kDecimated));
     if (context.stopped())
         return cancelled();
-    const TriangleMesh solid = closeSolid(frame.zmap, triangles, part(context, kDecimated, kClosed));
+    const TriangleMesh solid = closeSolid(frame.zmap, triangles, context.part(kDecimated, kClosed));
     if (context.stopped())
         return cancelled();
     if (solid.triangles.empty())
         return failure("nothing-left", PROVEOUT_TEXT("Core", "Nothing of the stock is left to export."));
-    const Result<WrittenFile> written =
-        writeStl(toPath(file), solid, options.encoding, part(context, kClosed, 1));
-    if (!written)
-        return tl::unexpected(written.error());
-    summary.triangles = written->triangles;
-    summary.bytes = written->bytes;
-    return summary;
+    auto exported = exportSolid(toPath(file), *(*format)->meshWriter(), solid, frame.zmap,
+                                frame.parameters.allowance, context.part(kClosed, 1));
+    if (!exported)
+        return tl::unexpected(std::move(exported.error()));
+    return ExportSummary{file, exported->file.triangles, exported->file.bytes, exported->largestErrorMm,
+                         std::move(exported->warnings)};
 }
 
 Diagnostics about(const QString& file, Diagnostics errors) {

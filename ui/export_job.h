@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// STL export in the background.
+// Export of the stock in the background.
 #pragma once
 
 #include <cstdint>
@@ -12,26 +12,28 @@
 #include "core/base/diagnostic.h"
 #include "core/base/memory.h"
 #include "core/base/work_context.h"
-#include "core/formats/stl.h"
+#include "core/formats/formats.h"
 #include "core/simulation/frame.h"
 
 namespace proveout {
 
 struct ExportOptions {
-    bool decimated = true; ///< every region decimated, whatever the period; false: the full mesh
-    StlEncoding encoding = StlEncoding::binary;
+    bool decimated = true;              ///< every region decimated, whatever the period; false: the full mesh
+    const FileFormat* format = nullptr; ///< writes meshes; null: the one that the ending of the file names
 };
 
 struct ExportSummary {
     QString file;
     std::uint64_t triangles = 0;
     std::uint64_t bytes = 0;
-    double largestErrorMm = 0; ///< of the decimated surface, measured; 0 for the full mesh
+    double largestErrorMm = 0; ///< of what the file holds, measured against the z-map
+    Diagnostics warnings;      ///< about the file
 };
 
 /// Writes the stock of a frame: the surface, closed by walls and a floor. Any thread. Borders between regions
-/// are always the shared ones, because the paper's own leave cracks. Errors, which name the file: meshes that
-/// need more than `availableBytes` of memory, nothing left of the stock, an unwritable file, cancelled.
+/// are always the shared ones, because the paper's own leave cracks. Errors, which name the file: an
+/// ending of no mesh format, meshes that need more than `availableBytes` of memory, nothing left of the
+/// stock, an unwritable file, cancelled.
 [[nodiscard]] Result<ExportSummary>
 exportFrame(const Frame& frame, const QString& file, const ExportOptions& options, const WorkContext& context,
             double availableBytes = static_cast<double>(availableMemoryBytes()));

@@ -8,6 +8,8 @@
 #include <QMimeData>
 #include <QUrl>
 
+#include "core/formats/formats.h"
+#include "ui/export_dialog.h"
 #include "ui/file_paths.h"
 #include "ui/resource_paths.h"
 
@@ -93,21 +95,13 @@ bool FileFlow::saveJobAs() {
 }
 
 void FileFlow::exportByDialog(bool decimated) {
-    const QString binary = tr("Binary STL (*.stl)");
-    const QString ascii = tr("ASCII STL (*.stl)");
-    const QFileInfo program(toQString(m_session.document().path));
-    const QString stem =
-        program.completeBaseName().isEmpty() ? QStringLiteral("part") : program.completeBaseName();
-    QString chosen;
-    QString file = QFileDialog::getSaveFileName(
-        &m_window, decimated ? tr("Export Decimated STL") : tr("Export Full-Resolution STL"),
-        QDir(startFolder()).filePath(stem + QStringLiteral(".stl")), binary + QStringLiteral(";;") + ascii,
-        &chosen);
-    if (file.isEmpty())
-        return;
-    if (QFileInfo(file).suffix().isEmpty())
-        file += QStringLiteral(".stl");
-    m_session.exportStl(file, {decimated, chosen == ascii ? StlEncoding::ascii : StlEncoding::binary});
+    const QString program = QFileInfo(toQString(m_session.document().path)).completeBaseName();
+    const QString stem = program.isEmpty() ? QStringLiteral("part") : program;
+    const auto target =
+        askForExport(m_window, decimated ? tr("Export Decimated Mesh") : tr("Export Full-Resolution Mesh"),
+                     QDir(startFolder()).filePath(stem));
+    if (target)
+        m_session.exportMesh(target->file, {decimated, target->format});
 }
 
 QString FileFlow::unsaved() const {
@@ -148,7 +142,7 @@ QString FileFlow::droppedFile(const QMimeData& data, QString& reason) {
         reason = tr("A folder cannot be opened; drop an NC program or a job.");
         return {};
     }
-    if (file.suffix().compare(QLatin1String("stl"), Qt::CaseInsensitive) == 0) {
+    if (meshFormatOf(toPath(file.fileName()))) {
         reason = tr("A mesh cannot be opened; drop an NC program or a job.");
         return {};
     }

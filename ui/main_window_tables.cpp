@@ -37,7 +37,7 @@ std::span<const char* const> MainWindow::toolBarIds() {
         "file-new",       "file-open", "file-save",   "",           "edit-undo",  "edit-redo",
         "edit-find",      "",          "to-start",    "play",       "to-end",     "",
         "view-fit",       "view-iso",  "view-top",    "view-front", "view-right", "",
-        "view-wireframe", "view-tint", "view-legend", "path-near",  "",           "export-stl"};
+        "view-wireframe", "view-tint", "view-legend", "path-near",  "",           "export-mesh"};
     return kIds;
 }
 
@@ -69,10 +69,10 @@ std::span<const Command<MainWindow>> MainWindow::fileCommands() {
 
 std::span<const Command<MainWindow>> MainWindow::meshCommands() {
     static const std::array<Command<MainWindow>, 5> kCommands{{
-        {"export-stl", QT_TRANSLATE_NOOP("MeshCommands", "&Export STL…"),
+        {"export-mesh", QT_TRANSLATE_NOOP("MeshCommands", "&Export Mesh…"),
          QT_TRANSLATE_NOOP("MeshCommands", "Write the decimated stock as a closed solid"), "export", "Ctrl+E",
          Reach::window, [](MainWindow& window) { window.files().exportByDialog(true); }},
-        {"export-full-stl", QT_TRANSLATE_NOOP("MeshCommands", "Export &Full-Resolution STL…"),
+        {"export-full-mesh", QT_TRANSLATE_NOOP("MeshCommands", "Export &Full-Resolution Mesh…"),
          QT_TRANSLATE_NOOP("MeshCommands", "Write the stock with every point of the z-map"), "",
          "Ctrl+Shift+E", Reach::window, [](MainWindow& window) { window.files().exportByDialog(false); }},
         separator<MainWindow>(),

@@ -37,7 +37,7 @@ Session::Session(QObject* parent) : QObject(parent) {
     connect(&m_source, &ProgramSource::failed, this, &Session::tell);
     connect(&m_export, &ExportJob::progressed, this, [this](double done) {
         if (m_exporting)
-            setWork(Work{tr("Exporting STL"), done});
+            setWork(Work{tr("Exporting"), done});
     });
 
     SimulationListener listener;
@@ -365,7 +365,7 @@ StockBox Session::stockFittedToProgram() const {
 
 // Export, progress, problems.
 
-void Session::exportStl(const QString& file, const ExportOptions& options) {
+void Session::exportMesh(const QString& file, const ExportOptions& options) {
     if (m_exporting) {
         tell(
             failure("export-running",
@@ -380,7 +380,7 @@ void Session::exportStl(const QString& file, const ExportOptions& options) {
     }
     m_messages.clear();
     m_exporting = true;
-    setWork(Work{tr("Exporting STL"), 0});
+    setWork(Work{tr("Exporting"), 0});
     m_export.start(m_frame, file, options,
                    [this](const Result<ExportSummary>& result) { exportDone(result); });
 }
@@ -393,7 +393,10 @@ void Session::exportDone(const Result<ExportSummary>& result) {
         return;
     }
     m_lastExport = *result;
+    m_messages.insert(m_messages.end(), result->warnings.begin(), result->warnings.end());
     refreshProblems();
+    if (!result->warnings.empty())
+        emit troubled();
     emit exported(*result);
 }
 

@@ -134,7 +134,7 @@ public:
     [[nodiscard]] StockBox stockFittedToProgram() const;
 
     /// Writes the stock of the newest frame in the background; work() tells how far it is.
-    void exportStl(const QString& file, const ExportOptions& options);
+    void exportMesh(const QString& file, const ExportOptions& options);
     void cancelWork();
     /// Shows messages that are about no part of the program, e.g. a dropped file that cannot be used, in
     /// place of those before.

@@ -58,10 +58,11 @@ StatusLine::StatusLine(Session& session, QStatusBar& bar)
     connect(&session, &Session::workChanged, &session, &Session::requestTick);
     connect(&session, &Session::exported, this, [this](const ExportSummary& summary) {
         const QLocale locale = m_bar.locale();
-        m_bar.showMessage(tr("Wrote %1: %2 triangles, %3")
+        m_bar.showMessage(tr("Wrote %1: %2 triangles, %3, largest error %4 mm")
                               .arg(summary.file, locale.toString(static_cast<qulonglong>(summary.triangles)),
                                    locale.formattedDataSize(static_cast<qint64>(summary.bytes), 1,
-                                                            QLocale::DataSizeSIFormat)));
+                                                            QLocale::DataSizeSIFormat),
+                                   locale.toString(summary.largestErrorMm, 'f', 4)));
     });
     retranslate();
 }

@@ -3,10 +3,12 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "core/base/atomic_file.h"
 #include "core/decimation/mesh_memory.h"
 #include "core/zmap/zmap.h"
 #include "ui/diagnostic_text.h"
 #include "ui/export_job.h"
+#include "ui/file_paths.h"
 
 namespace proveout {
 namespace {
@@ -44,6 +46,20 @@ private slots:
         QVERIFY(!QFile::exists(file));
         QVERIFY(exportFrame(frame, file, full, {}, 100'000));
         QVERIFY(exportFrame(frame, file, {}, {}, 30'000)); // decimated, it needs less
+    }
+
+    void theEndingNamesTheFormatWhereNoneIsChosen() {
+        QTemporaryDir folder;
+        const Frame frame = uncutFrame();
+        const QString obj = folder.filePath(QStringLiteral("part.OBJ"));
+        QVERIFY(exportFrame(frame, obj, {}, {}));
+        QVERIFY(readFile(toPath(obj))->starts_with("# Proveout"));
+        const QString other = folder.filePath(QStringLiteral("part.txt"));
+        const Result<ExportSummary> unknown = exportFrame(frame, other, {}, {});
+        QVERIFY(!unknown);
+        QCOMPARE(unknown.error().front().id, "export-format-unknown");
+        QVERIFY(exportFrame(frame, other, {true, findFormat("ply")}, {}));
+        QVERIFY(readFile(toPath(other))->starts_with("ply\n"));
     }
 
     void whatFailsNamesTheFile() {

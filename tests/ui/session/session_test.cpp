@@ -180,7 +180,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{120}, kPatience);
         const QString file = folder.filePath("part.stl");
         QSignalSpy exported(&session, &Session::exported);
-        session.exportStl(file, {});
+        session.exportMesh(file, {});
         QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, kPatience);
         const Result<TriangleMesh> mesh = readStl(toPath(file));
         QVERIFY(mesh.has_value());
@@ -198,7 +198,7 @@ private slots:
         Session session;
         QVERIFY(session.openFile(kSample));
         QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
-        session.exportStl(QStringLiteral("/nonexistent/folder/part.stl"), {});
+        session.exportMesh(QStringLiteral("/nonexistent/folder/part.stl"), {});
         QTRY_VERIFY_WITH_TIMEOUT(hasProblem(session, "file-unwritable") && !session.work(), kPatience);
         QVERIFY(!session.lastExport());
     }
@@ -444,8 +444,8 @@ private slots:
         QVERIFY(session.openFile(kSample));
         QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
         QSignalSpy exported(&session, &Session::exported);
-        session.exportStl(folder.filePath("first.stl"), {});
-        session.exportStl(folder.filePath("second.stl"), {});
+        session.exportMesh(folder.filePath("first.stl"), {});
+        session.exportMesh(folder.filePath("second.stl"), {});
         QVERIFY(hasProblem(session, "export-running"));
         QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, kPatience);
         QVERIFY(QFile::exists(folder.filePath("first.stl")));

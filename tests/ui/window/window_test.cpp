@@ -149,7 +149,7 @@ private slots:
         QTemporaryDir folder;
         const QString file = folder.filePath("part.stl");
         QSignalSpy exported(&session, &Session::exported);
-        session.exportStl(file, {});
+        session.exportMesh(file, {});
         QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, kPatience);
         const Result<TriangleMesh> mesh = readStl(toPath(file));
         QVERIFY(mesh.has_value());

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+
+#include <QString>
+#include <QWidget>
+
+#include "core/formats/formats.h"
+
+namespace proveout {
+
+struct ExportTarget {
+    QString file;
+    const FileFormat* format = nullptr;
+};
+
+/// Asks for the mesh file to write: one filter a format of the table. Choosing a filter changes the ending;
+/// an ending that was typed outranks the filter where it names another mesh format. Nothing where the user
+/// cancelled. UI thread.
+[[nodiscard]] std::optional<ExportTarget> askForExport(QWidget& parent, const QString& title,
+                                                       const QString& proposal);
+
+} // namespace proveout
