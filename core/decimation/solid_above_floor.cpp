@@ -1,27 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/decimation/solid_above_floor.h"
 
+#include <cmath>
 #include <vector>
 
 #include "core/decimation/lattice_numbers.h"
+#include "core/decimation/solid_error.h"
 
 namespace proveout {
 
 namespace {
 
-/// A vertex of a wall: along the wall from left to right seen from outside, and up, as STL will have them.
+/// A vertex of a wall: along the wall from left to right seen from outside, and up.
 struct WallPoint {
-    float along = 0;
-    float up = 0;
+    Vec2 exact{0};
+    Vec2 inFloat{0}; ///< as STL will have it
     std::uint32_t vertex = 0;
 };
 
-/// Positive where a, b, c turn to the left. Decided on the rounded coordinates, so that what is convex here
-/// is convex in the file; long double holds products of differences of floats of like size without rounding.
-long double turn(const WallPoint& a, const WallPoint& b, const WallPoint& c) {
-    using Real = long double;
-    return (Real(b.along) - Real(a.along)) * (Real(c.up) - Real(a.up)) -
-           (Real(c.along) - Real(a.along)) * (Real(b.up) - Real(a.up));
+/// Whether a, b, c turn to the left, by more than the rounding of these products.
+bool turnsLeft(const Vec2& a, const Vec2& b, const Vec2& c) {
+    constexpr double kErr = 1e-12;
+    const double plus = (b.x - a.x) * (c.y - a.y);
+    const double minus = (c.x - a.x) * (b.y - a.y);
+    return plus - minus > kErr * (std::abs(plus) + std::abs(minus));
+}
+
+/// Whether the chain is convex at `ear`, before the rounding to float32 and after it: points in a straight
+/// line but for their last bits are convex in one of them only, and their triangle would face inwards in the
+/// other.
+bool isConvex(const WallPoint& before, const WallPoint& ear, const WallPoint& after) {
+    return turnsLeft(before.exact, after.exact, ear.exact) &&
+           turnsLeft(before.inFloat, after.inFloat, ear.inFloat);
 }
 
 /// Triangulates a wall: a monotone mountain, that is a chain over one straight base from `chain.front()` to
@@ -36,7 +46,7 @@ void triangulateMountain(const std::vector<WallPoint>& chain, TriangleMesh& mesh
         mesh.triangles.push_back({open.back().vertex, next.vertex, ear.vertex});
     };
     for (const WallPoint& point : chain) {
-        while (open.size() >= 2 && turn(open[open.size() - 2], point, open.back()) > 0)
+        while (open.size() >= 2 && isConvex(open[open.size() - 2], open.back(), point))
             cutOff(point);
         open.push_back(point);
     }
@@ -88,8 +98,9 @@ private:
     void addWall(int i, int j, int di, int dj, std::uint32_t floorLeft, std::uint32_t floorRight) {
         const auto wallPoint = [&](std::uint32_t vertex) {
             const Vec3& at = m_mesh.vertices[vertex];
-            const double along = di * at.x + dj * at.y;
-            return WallPoint{static_cast<float>(along), static_cast<float>(at.z), vertex};
+            const Vec3 rounded = roundedTo(CoordinateType::float32, at);
+            return WallPoint{
+                {di * at.x + dj * at.y, at.z}, {di * rounded.x + dj * rounded.y, rounded.z}, vertex};
         };
         m_chain.assign(1, wallPoint(floorLeft));
         for (; i >= 0 && i < m_frame.nx() && j >= 0 && j < m_frame.ny(); i += di, j += dj) {

@@ -29,14 +29,19 @@ std::string say(const char* what, const Triangle& triangle) {
     return out.str();
 }
 
-bool hasArea(const Rounded& a, const Rounded& b, const Rounded& c) {
-    std::array<long double, 3> u{};
-    std::array<long double, 3> v{};
-    for (std::size_t k = 0; k < 3; ++k) {
-        u[k] = static_cast<long double>(b[k]) - a[k];
-        v[k] = static_cast<long double>(c[k]) - a[k];
+using Normal = std::array<long double, 3>;
+
+/// The vector of twice the area, from coordinates of any kind.
+template<class Point>
+Normal normalOf(const Point& a, const Point& b, const Point& c) {
+    Normal u{};
+    Normal v{};
+    for (int k = 0; k < 3; ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        u[at] = static_cast<long double>(b[k]) - a[k];
+        v[at] = static_cast<long double>(c[k]) - a[k];
     }
-    return u[1] * v[2] - u[2] * v[1] != 0 || u[2] * v[0] - u[0] * v[2] != 0 || u[0] * v[1] - u[1] * v[0] != 0;
+    return {u[1] * v[2] - u[2] * v[1], u[2] * v[0] - u[0] * v[2], u[0] * v[1] - u[1] * v[0]};
 }
 
 std::string wrongTriangle(const TriangleMesh& mesh) {
@@ -46,8 +51,13 @@ std::string wrongTriangle(const TriangleMesh& mesh) {
                 return say("no such vertex", triangle);
         }
         const auto& [a, b, c] = triangle;
-        if (!hasArea(rounded(mesh.vertices[a]), rounded(mesh.vertices[b]), rounded(mesh.vertices[c])))
+        const Normal inFloat =
+            normalOf(rounded(mesh.vertices[a]), rounded(mesh.vertices[b]), rounded(mesh.vertices[c]));
+        const Normal inDouble = normalOf(mesh.vertices[a], mesh.vertices[b], mesh.vertices[c]);
+        if (inFloat == Normal{})
             return say("no area in float32", triangle);
+        if (inFloat[0] * inDouble[0] + inFloat[1] * inDouble[1] + inFloat[2] * inDouble[2] <= 0)
+            return say("one side up in double and the other in float32", triangle);
     }
     return {};
 }

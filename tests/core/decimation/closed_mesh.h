@@ -10,7 +10,7 @@ namespace proveout::test {
 
 /// The first thing wrong with a mesh that should be a closed, oriented 2-manifold without degenerate
 /// triangles, as a sentence; empty where nothing is. Coordinates are looked at as float32, as STL has them:
-/// all vertices apart, all triangles with an area.
+/// all vertices apart, all triangles with an area, and facing where they face in double.
 [[nodiscard]] std::string whatIsWrong(const TriangleMesh& mesh);
 
 /// Volume by the divergence theorem, mm³; positive where the triangles face outwards.
