@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <stop_token>
 #include <utility>
 #include <vector>
 
@@ -92,8 +93,9 @@ Vec2 stretchAt(double y, const Corners& at) {
 
 class Measurement {
 public:
-    Measurement(const ZMapSnapshot& zmap, CoordinateType type)
-        : m_zmap(zmap), m_type(type), m_columns(zmap.grid().nx, zmap.grid().x0, zmap.grid().hx, ends().first),
+    Measurement(const ZMapSnapshot& zmap, CoordinateType type, const std::stop_token& stop)
+        : m_zmap(zmap), m_type(type), m_stop(stop),
+          m_columns(zmap.grid().nx, zmap.grid().x0, zmap.grid().hx, ends().first),
           m_rows(zmap.grid().ny, zmap.grid().y0, zmap.grid().hy, ends().second),
           m_covered(m_columns.size() * m_rows.size()) {}
 
@@ -106,7 +108,9 @@ public:
         if (one.x * other.y <= one.y * other.x)
             return; // a wall, or the floor
         const auto [low, high] = std::minmax({at[0].y, at[1].y, at[2].y});
-        for (std::size_t j = m_rows.firstFrom(low); j <= m_rows.lastTo(high); ++j) {
+        // Two triangles may cover the whole map.
+        for (std::size_t j = m_rows.firstFrom(low); j <= m_rows.lastTo(high) && !m_stop.stop_requested();
+             ++j) {
             const Vec2 stretch = stretchAt(m_rows[j], at);
             if (stretch.x > stretch.y)
                 continue;
@@ -156,6 +160,7 @@ private:
 
     const ZMapSnapshot& m_zmap;
     CoordinateType m_type;
+    const std::stop_token& m_stop;
     Axis m_columns;
     Axis m_rows;
     std::vector<bool> m_covered; ///< per grid point
@@ -171,7 +176,7 @@ Vec3 roundedTo(CoordinateType type, const Vec3& point) {
 
 double measureSolidError(const ZMapSnapshot& zmap, const TriangleMesh& solid, CoordinateType type,
                          const WorkContext& context) {
-    Measurement measurement(zmap, type);
+    Measurement measurement(zmap, type, context.stop);
     for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
         if (t % kBatch == 0) {
             if (context.stopped())

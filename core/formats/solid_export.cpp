@@ -2,6 +2,7 @@
 #include "core/formats/solid_export.h"
 
 #include <fmt/format.h>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -16,6 +17,16 @@ namespace {
 /// Writing takes longer than measuring.
 constexpr double kMeasured = 0.3;
 
+/// With as few digits as tell the value from the other one.
+std::string toldApart(double value, double other) {
+    constexpr int kFewest = 4;
+    for (int digits = kFewest; digits < std::numeric_limits<double>::max_digits10; ++digits)
+        if (std::string text = fmt::format("{:.{}g}", value, digits);
+            text != fmt::format("{:.{}g}", other, digits))
+            return text;
+    return fmt::format("{}", value);
+}
+
 Diagnostic roundedBeyond(const std::filesystem::path& file, double rounded, double allowance, double exact) {
     Diagnostic warning;
     warning.severity = Severity::warning;
@@ -24,7 +35,7 @@ Diagnostic roundedBeyond(const std::filesystem::path& file, double rounded, doub
         PROVEOUT_TEXT("Core", "Rounded to single precision, the file lies up to {} mm from the z-map, "
                               "beyond the error allowance of {} mm; OBJ or PLY would keep {} mm.");
     warning.hint = kOffersDoubles;
-    warning.arguments = {fmt::format("{:.4g}", rounded), fmt::format("{:.4g}", allowance),
+    warning.arguments = {toldApart(rounded, allowance), fmt::format("{}", allowance),
                          fmt::format("{:.4g}", exact)};
     warning.file = file.string();
     return warning;

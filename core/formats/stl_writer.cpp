@@ -50,7 +50,22 @@ Vec3 normalized(const Vec3& normal) {
 /// Turns triangles into facets and counts those that lose their area or turn over on the way.
 class Rounding {
 public:
-    explicit Rounding(const TriangleMesh& mesh) : m_mesh(mesh) {}
+    explicit Rounding(const TriangleMesh& mesh)
+        : m_mesh(mesh), m_coarse(isCoarse(mesh)), m_welder(m_coarse ? mesh.vertices.size() : 0) {}
+
+    /// Whether vertices may meet: only where steps of float32 come near the spacing of a grid, for the gaps
+    /// that closeSolid() leaves hold at any distance. Then all of them are to be looked at.
+    [[nodiscard]] bool verticesMayMeet() const { return m_coarse; }
+
+    /// The vertices in the order of the mesh.
+    void look(const Vec3& vertex) {
+        const std::uint32_t welded = m_welder.index(toFloat(inFile(vertex)));
+        if (welded == m_first.size())
+            m_first.push_back(m_looked);
+        else
+            m_met += m_mesh.vertices[m_first[welded]] != vertex ? 1 : 0;
+        ++m_looked;
+    }
 
     Facet facet(const Triangle& triangle) {
         const std::array<Vec3, 3> exact{m_mesh.vertices[triangle[0]], m_mesh.vertices[triangle[1]],
@@ -63,8 +78,7 @@ public:
 
     /// Refuses a mesh that would no longer be the boundary of a solid.
     [[nodiscard]] Result<void> check(const std::filesystem::path& file) const {
-        const std::uint64_t met = verticesThatMeet();
-        if (m_lost == 0 && met == 0)
+        if (m_lost == 0 && m_met == 0)
             return {};
         auto refused =
             failure("stl-too-coarse",
@@ -72,35 +86,26 @@ public:
                         "Core", "The coordinates of an STL file are too coarse for this mesh so far from the "
                                 "origin: {} triangles would collapse or turn over, {} vertices meet others; "
                                 "OBJ or PLY can hold it."),
-                    {std::to_string(m_lost), std::to_string(met)}, file.string());
+                    {std::to_string(m_lost), std::to_string(m_met)}, file.string());
         refused.value().front().hint = kOffersDoubles;
         return refused;
     }
 
 private:
-    /// Vertices that lie apart and fall together in float32. Looked for where its steps come near the spacing
-    /// of a grid only: the gaps that closeSolid() leaves hold at any distance.
-    [[nodiscard]] std::uint64_t verticesThatMeet() const {
+    static bool isCoarse(const TriangleMesh& mesh) {
         constexpr double kFineStep = 1e-3; // mm
         double farthest = 0;
-        for (const Vec3& vertex : m_mesh.vertices)
+        for (const Vec3& vertex : mesh.vertices)
             farthest = std::max({farthest, std::abs(vertex.x), std::abs(vertex.y), std::abs(vertex.z)});
-        if (farthest * static_cast<double>(std::numeric_limits<float>::epsilon()) < kFineStep)
-            return 0;
-        VertexWelder welder(m_mesh.vertices.size());
-        std::vector<std::size_t> first;
-        std::uint64_t met = 0;
-        for (std::size_t v = 0; v < m_mesh.vertices.size(); ++v) {
-            const std::uint32_t welded = welder.index(toFloat(inFile(m_mesh.vertices[v])));
-            if (welded == first.size())
-                first.push_back(v);
-            else
-                met += m_mesh.vertices[first[welded]] != m_mesh.vertices[v] ? 1 : 0;
-        }
-        return met;
+        return farthest * static_cast<double>(std::numeric_limits<float>::epsilon()) >= kFineStep;
     }
 
     const TriangleMesh& m_mesh;
+    bool m_coarse;
+    VertexWelder m_welder;
+    std::vector<std::size_t> m_first; ///< by place in float32, the vertex that was there first
+    std::size_t m_looked = 0;
+    std::uint64_t m_met = 0; ///< lie apart and fall together in float32
     std::uint64_t m_lost = 0;
 };
 
@@ -157,7 +162,8 @@ Result<WrittenFile> writeStl(const std::filesystem::path& file, const TriangleMe
         return tl::unexpected(std::move(fine.error()));
     AtomicFile out(file);
     Rounding rounding(mesh);
-    MeshBatches batches(file, mesh.triangles.size(), context);
+    const std::size_t looks = rounding.verticesMayMeet() ? mesh.vertices.size() : 0;
+    MeshBatches batches(file, mesh.triangles.size() + looks, context);
     const auto append = encoding == StlEncoding::binary ? appendBinary : appendAscii;
     return writeWhole(out, mesh, context, [&](AtomicFile& to) {
         to.write(opening(encoding, mesh.triangles.size()));
@@ -165,6 +171,12 @@ Result<WrittenFile> writeStl(const std::filesystem::path& file, const TriangleMe
             .pass(
                 mesh.triangles, to,
                 [&](std::string& text, const Triangle& triangle) { append(text, rounding.facet(triangle)); })
+            .and_then([&] {
+                return looks == 0 ? Result<void>()
+                                  : batches.pass(mesh.vertices, to, [&](std::string&, const Vec3& vertex) {
+                                        rounding.look(vertex);
+                                    });
+            })
             .and_then([&] { return rounding.check(file); })
             .map([&] { to.write(encoding == StlEncoding::ascii ? "endsolid proveout\n" : ""); });
     });

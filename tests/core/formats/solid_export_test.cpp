@@ -102,6 +102,20 @@ TEST_F(SolidExport, RoundingBeyondTheAllowanceIsAWarningThatOffersDoubles) {
     }
 }
 
+/// "0.05 mm, beyond 0.05 mm" would say nothing.
+TEST_F(SolidExport, TheFiguresOfTheWarningDiffer) {
+    const ZMapSnapshot zmap = waveAt(700.3);
+    const TriangleMesh solid = decimated(zmap);
+    const double exact = exportTo("a.ply", zmap, solid)->largestErrorMm;
+    const double rounded = exportTo("a.stl", zmap, solid)->largestErrorMm;
+    ASSERT_GT(rounded, exact);
+    ASSERT_LT(rounded, exact + 1e-3);
+    const auto stl = exportTo("a.stl", zmap, solid, exact);
+    ASSERT_EQ(stl->warnings.size(), 1U);
+    const auto& figures = stl->warnings.front().arguments;
+    EXPECT_GT(std::stod(figures[0]), std::stod(figures[1])) << message(stl->warnings.front());
+}
+
 TEST_F(SolidExport, WhereRoundingIsNotToBlameThereIsNoWarning) {
     const ZMapSnapshot zmap = waveAt(80'000.3);
     const TriangleMesh coarse = decimated(zmap, 0.5);
