@@ -1921,6 +1921,37 @@
     </message>
 </context>
 <context>
+    <name>Export</name>
+    <message>
+        <source>largest error %1 mm, with every z-map point</source>
+        <translation>größter Fehler %1 mm, mit jedem Z-Map-Punkt</translation>
+    </message>
+    <message>
+        <source>largest error measured %1 mm, not a bound</source>
+        <translation>größter Fehler %1 mm gemessen, keine Schranke</translation>
+    </message>
+    <message>
+        <source>largest error %1 mm, beyond the allowance of %2 mm</source>
+        <translation>größter Fehler %1 mm, über den zulässigen %2 mm</translation>
+    </message>
+    <message>
+        <source>largest error %1 mm, certified within %2 mm at every z-map point</source>
+        <translation>größter Fehler %1 mm, zertifiziert bis %2 mm an jedem Z-Map-Punkt</translation>
+    </message>
+    <message>
+        <source>%1 exists already. Replace it?</source>
+        <translation>%1 gibt es schon. Ersetzen?</translation>
+    </message>
+    <message>
+        <source>Wrote %1: %2</source>
+        <translation>%1 geschrieben: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 triangles, %3</source>
+        <translation>%1: %2 Dreiecke, %3</translation>
+    </message>
+</context>
+<context>
     <name>FileChangedBar</name>
     <message>
         <source>The file was changed on the disk.</source>
@@ -2816,10 +2847,6 @@ Diese Datei ist nicht mehr da.</translation>
     <message>
         <source>F rapid</source>
         <translation>F Eilgang</translation>
-    </message>
-    <message>
-        <source>Wrote %1: %2 triangles, %3, largest error %4 mm</source>
-        <translation>%1 geschrieben: %2 Dreiecke, %3, größter Fehler %4 mm</translation>
     </message>
 </context>
 <context>

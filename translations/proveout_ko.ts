@@ -1921,6 +1921,37 @@
     </message>
 </context>
 <context>
+    <name>Export</name>
+    <message>
+        <source>largest error %1 mm, with every z-map point</source>
+        <translation>최대 오차 %1 mm, 모든 Z맵 점 포함</translation>
+    </message>
+    <message>
+        <source>largest error measured %1 mm, not a bound</source>
+        <translation>측정된 최대 오차 %1 mm, 한계로 보장되지 않음</translation>
+    </message>
+    <message>
+        <source>largest error %1 mm, beyond the allowance of %2 mm</source>
+        <translation>최대 오차 %1 mm, 허용 오차 %2 mm 초과</translation>
+    </message>
+    <message>
+        <source>largest error %1 mm, certified within %2 mm at every z-map point</source>
+        <translation>최대 오차 %1 mm, 모든 Z맵 점에서 %2 mm 이내 보증</translation>
+    </message>
+    <message>
+        <source>%1 exists already. Replace it?</source>
+        <translation>%1 파일이 이미 있습니다. 바꿀까요?</translation>
+    </message>
+    <message>
+        <source>Wrote %1: %2</source>
+        <translation>%1 저장됨: %2</translation>
+    </message>
+    <message>
+        <source>%1: %2 triangles, %3</source>
+        <translation>%1: 삼각형 %2개, %3</translation>
+    </message>
+</context>
+<context>
     <name>FileChangedBar</name>
     <message>
         <source>The file was changed on the disk.</source>
@@ -2815,10 +2846,6 @@ This file is no longer there.</source>
     <message>
         <source>F rapid</source>
         <translation>F 급속</translation>
-    </message>
-    <message>
-        <source>Wrote %1: %2 triangles, %3, largest error %4 mm</source>
-        <translation>%1 저장됨: 삼각형 %2개, %3, 최대 오차 %4 mm</translation>
     </message>
 </context>
 <context>

@@ -2,11 +2,13 @@
 #include "ui/export_dialog.h"
 
 #include <algorithm>
-#include <cstring>
 #include <vector>
 
+#include <QCoreApplication>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
+#include <QMessageBox>
 
 #include "ui/diagnostic_text.h"
 #include "ui/file_paths.h"
@@ -52,12 +54,33 @@ QString standardEnding(const FileFormat& format) {
     return QString::fromLatin1(format.extensions.front() + 1);
 }
 
-/// The name with the ending of another mesh format; other endings are the user's own.
+/// The name with the ending of the format, in the place of that of another mesh format.
 QString withEndingOf(const QString& file, const FileFormat& format) {
-    if (!meshFormatOf(toPath(file)) || endsAs(file, format))
+    if (endsAs(file, format))
         return file;
     const QFileInfo name(file);
-    return name.dir().filePath(name.completeBaseName() + QLatin1Char('.') + standardEnding(format));
+    const bool ofAnother = meshFormatOf(toPath(file)).has_value() || file.endsWith(QLatin1Char('.'));
+    return name.dir().filePath((ofAnother ? name.completeBaseName() : name.fileName()) + QLatin1Char('.') +
+                               standardEnding(format));
+}
+
+/// What to write where this name was typed and this filter chosen. An ending that no mesh format has is part
+/// of the name: "bracket 1.5", and no program is overwritten by a mesh.
+ExportTarget targetOf(const QString& typed, const FileFormat& chosen) {
+    const auto named = meshFormatOf(toPath(typed));
+    if (named && !endsAs(typed, chosen))
+        return {typed, *named};
+    return {withEndingOf(typed, chosen), &chosen};
+}
+
+bool mayReplace(QWidget& dialog, const QString& file) {
+    QMessageBox question(QMessageBox::Warning, dialog.windowTitle(),
+                         QCoreApplication::translate("Export", "%1 exists already. Replace it?")
+                             .arg(QFileInfo(file).fileName()),
+                         QMessageBox::Yes | QMessageBox::No, &dialog);
+    question.setTextFormat(Qt::PlainText); // the name is the user's
+    question.setDefaultButton(QMessageBox::No);
+    return question.exec() == QMessageBox::Yes;
 }
 
 } // namespace
@@ -70,21 +93,21 @@ std::optional<ExportTarget> askForExport(QWidget& parent, const QString& title, 
     QFileDialog dialog(&parent, title);
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setFileMode(QFileDialog::AnyFile);
+    dialog.setOption(QFileDialog::DontConfirmOverwrite); // asked below, of the completed name
     dialog.setNameFilters(texts);
-    // The dialog itself completes a name without an ending, so that it asks before it replaces that file.
-    dialog.setDefaultSuffix(standardEnding(*filters.front().format));
     dialog.selectFile(proposal + QLatin1Char('.') + standardEnding(*filters.front().format));
     QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, [&](const QString& text) {
-        const FileFormat& format = *formatOf(filters, text);
-        dialog.setDefaultSuffix(standardEnding(format));
-        dialog.selectFile(withEndingOf(dialog.selectedFiles().value(0), format));
+        const QString typed = dialog.selectedFiles().value(0);
+        if (!QFileInfo(typed).isDir()) // nothing is typed
+            dialog.selectFile(withEndingOf(typed, *formatOf(filters, text)));
     });
-    if (dialog.exec() != QDialog::Accepted)
-        return std::nullopt;
-    const QString file = dialog.selectedFiles().value(0);
-    const FileFormat* chosen = formatOf(filters, dialog.selectedNameFilter());
-    const auto named = meshFormatOf(toPath(file));
-    return ExportTarget{file, named && !endsAs(file, *chosen) ? *named : chosen};
+    while (dialog.exec() == QDialog::Accepted) {
+        const ExportTarget target =
+            targetOf(dialog.selectedFiles().value(0), *formatOf(filters, dialog.selectedNameFilter()));
+        if (!QFileInfo::exists(target.file) || mayReplace(dialog, target.file))
+            return target;
+    }
+    return std::nullopt;
 }
 
 } // namespace proveout

@@ -16,8 +16,8 @@ struct ExportTarget {
 };
 
 /// Asks for the mesh file to write: one filter a format of the table. Choosing a filter changes the ending;
-/// an ending that was typed outranks the filter where it names another mesh format. Nothing where the user
-/// cancelled. UI thread.
+/// an ending that was typed outranks the filter where it names another mesh format, any other name gets the
+/// ending of the filter. Asks before a file is replaced. Nothing where the user cancelled. UI thread.
 [[nodiscard]] std::optional<ExportTarget> askForExport(QWidget& parent, const QString& title,
                                                        const QString& proposal);
 

@@ -22,12 +22,16 @@ namespace {
 constexpr double kDecimated = 0.6;
 constexpr double kClosed = 0.7;
 
-std::vector<LatticeTriangle> surfaceTriangles(const Frame& frame, const ExportOptions& options,
-                                              const WorkContext& context) {
+DecimationParameters parametersOf(const Frame& frame, const ExportOptions& options) {
     DecimationParameters parameters = frame.parameters;
     parameters.borders = BorderRule::shared;
     if (!options.decimated)
         parameters.method = DecimationMethod::none;
+    return parameters;
+}
+
+std::vector<LatticeTriangle> surfaceTriangles(const Frame& frame, const DecimationParameters& parameters,
+                                              const WorkContext& context) {
     const Grid& grid = frame.zmap.grid();
     Surface surface(grid.nx, grid.ny, parameters);
     surface.decimateDirty(frame.zmap, context);
@@ -60,8 +64,9 @@ Result<ExportSummary> write(const Frame& frame, const QString& file, const Expor
         options.format != nullptr ? options.format : meshFormatOf(toPath(file));
     if (!format)
         return tl::unexpected(format.error());
+    const DecimationParameters parameters = parametersOf(frame, options);
     const std::vector<LatticeTriangle> triangles =
-        surfaceTriangles(frame, options, context.part(0, kDecimated));
+        surfaceTriangles(frame, parameters, context.part(0, kDecimated));
     if (context.stopped())
         return cancelled();
     const TriangleMesh solid = closeSolid(frame.zmap, triangles, context.part(kDecimated, kClosed));
@@ -70,11 +75,17 @@ Result<ExportSummary> write(const Frame& frame, const QString& file, const Expor
     if (solid.triangles.empty())
         return failure("nothing-left", PROVEOUT_TEXT("Core", "Nothing of the stock is left to export."));
     auto exported = exportSolid(toPath(file), *(*format)->meshWriter(), solid, frame.zmap,
-                                frame.parameters.allowance, context.part(kClosed, 1));
+                                parameters.allowance, context.part(kClosed, 1));
     if (!exported)
         return tl::unexpected(std::move(exported.error()));
-    return ExportSummary{file, exported->file.triangles, exported->file.bytes, exported->largestErrorMm,
-                         std::move(exported->warnings)};
+    const bool decimates = parameters.method != DecimationMethod::none && parameters.allowance > 0;
+    return ExportSummary{.file = file,
+                         .triangles = exported->file.triangles,
+                         .bytes = exported->file.bytes,
+                         .largestErrorMm = exported->largestErrorMm,
+                         .allowanceMm = decimates ? parameters.allowance : 0,
+                         .certified = decimates && parameters.certify,
+                         .warnings = std::move(exported->warnings)};
 }
 
 Diagnostics about(const QString& file, Diagnostics errors) {

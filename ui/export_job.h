@@ -27,6 +27,8 @@ struct ExportSummary {
     std::uint64_t triangles = 0;
     std::uint64_t bytes = 0;
     double largestErrorMm = 0; ///< of what the file holds, measured against the z-map
+    double allowanceMm = 0;    ///< of the decimation; 0: every point of the z-map was written
+    bool certified = false;    ///< the decimation keeps every z-map point within the allowance
     Diagnostics warnings;      ///< about the file
 };
 

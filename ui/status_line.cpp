@@ -9,6 +9,8 @@
 #include <QStatusBar>
 #include <QToolButton>
 
+#include "ui/export_text.h"
+
 namespace proveout {
 
 namespace {
@@ -56,13 +58,12 @@ StatusLine::StatusLine(Session& session, QStatusBar& bar)
     connect(&session, &Session::tick, this, &StatusLine::onTick);
     connect(&session, &Session::programChanged, this, &StatusLine::fitBlockField);
     connect(&session, &Session::workChanged, &session, &Session::requestTick);
+    connect(&bar, &QStatusBar::messageChanged, &bar, [&bar] { bar.setToolTip({}); });
     connect(&session, &Session::exported, this, [this](const ExportSummary& summary) {
-        const QLocale locale = m_bar.locale();
-        m_bar.showMessage(tr("Wrote %1: %2 triangles, %3, largest error %4 mm")
-                              .arg(summary.file, locale.toString(static_cast<qulonglong>(summary.triangles)),
-                                   locale.formattedDataSize(static_cast<qint64>(summary.bytes), 1,
-                                                            QLocale::DataSizeSIFormat),
-                                   locale.toString(summary.largestErrorMm, 'f', 4)));
+        const QString text = exportText(summary, m_bar.locale());
+        m_bar.showMessage(text);
+        // A narrow window cuts the message off.
+        m_bar.setToolTip(text + QLatin1Char('\n') + exportDetails(summary, m_bar.locale()));
     });
     retranslate();
 }

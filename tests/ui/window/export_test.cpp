@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <functional>
 #include <memory>
+#include <utility>
 
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QLineEdit>
@@ -52,18 +54,27 @@ void save(QFileDialog& dialog) {
     dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Save)->click();
 }
 
+/// Lets `work` deal with the next dialog of this kind, once it is open.
+template<class Dialog>
+void whenOpen(const std::function<void(Dialog&)>& work) {
+    auto* wait = new QTimer(qApp);
+    QObject::connect(wait, &QTimer::timeout, [wait, work] {
+        if (auto* dialog = qobject_cast<Dialog*>(QApplication::activeModalWidget())) {
+            wait->stop();
+            wait->deleteLater();
+            work(*dialog);
+        }
+    });
+    wait->start(20);
+}
+
 /// Triggers an action that opens a file dialog, and lets `work` deal with it.
 void inDialog(MainWindow& window, const char* action, const std::function<void(QFileDialog&)>& work) {
     bool met = false;
-    QTimer wait;
-    QObject::connect(&wait, &QTimer::timeout, [&] {
-        auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-        if (dialog == nullptr || met)
-            return;
+    whenOpen<QFileDialog>([&](QFileDialog& dialog) {
         met = true;
-        work(*dialog);
+        work(dialog);
     });
-    wait.start(20);
     window.action(QLatin1String(action))->trigger();
     QVERIFY(met);
 }
@@ -127,9 +138,35 @@ private slots:
         QVERIFY(bytes.has_value());
         QVERIFY(QByteArray::fromStdString(bytes->substr(0, 100)).startsWith(begins));
         const QString told = station.window.statusBar()->currentMessage();
-        for (const QString& part : {wanted, QLocale().toString(static_cast<qulonglong>(summary.triangles)),
-                                    QLocale().toString(summary.largestErrorMm, 'f', 4)})
+        for (const QString& part :
+             {QFileInfo(wanted).fileName(), QLocale().toString(summary.largestErrorMm, 'f', 6)})
             QVERIFY2(told.contains(part), qPrintable(told));
+        const QString more = station.window.statusBar()->toolTip();
+        for (const QString& part : {wanted, QLocale().toString(static_cast<qulonglong>(summary.triangles))})
+            QVERIFY2(more.contains(part), qPrintable(more));
+    }
+
+    void theMessageSaysWhatTheErrorIsWorth() {
+        QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("part.ply"));
+        Workstation station(true);
+        const auto toldAfter = [&](const ExportOptions& options) {
+            QSignalSpy exported(&station.session, &Session::exported);
+            station.session.exportMesh(file, options);
+            return QTest::qWaitFor([&] { return exported.count() == 1; }, kPatience)
+                       ? station.window.statusBar()->currentMessage()
+                       : QString();
+        };
+        DecimationParameters parameters = station.session.parameters();
+        parameters.allowance = 0.0325;
+        station.session.setParameters(parameters);
+        QTRY_COMPARE_WITH_TIMEOUT(station.session.frame()->parameters, parameters, kPatience);
+        QVERIFY(toldAfter({}).endsWith(QLatin1String("certified within 0.0325 mm at every z-map point")));
+        QVERIFY(toldAfter({false}).endsWith(QLatin1String("with every z-map point")));
+        parameters.certify = false;
+        station.session.setParameters(parameters);
+        QTRY_COMPARE_WITH_TIMEOUT(station.session.frame()->parameters, parameters, kPatience);
+        QVERIFY(toldAfter({}).endsWith(QLatin1String("mm, not a bound")));
     }
 
     void anEndingThatIsTypedOutranksTheFilter() {
@@ -156,6 +193,57 @@ private slots:
         });
         QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, kPatience);
         QVERIFY(QFileInfo::exists(folder.filePath(QStringLiteral("part.obj"))));
+    }
+
+    /// What no mesh format has is part of the name; so no program is overwritten by a mesh.
+    void anyOtherEndingStaysPartOfTheName() {
+        QTemporaryDir folder;
+        Workstation station(true);
+        int done = 0;
+        for (const auto& [typed, written] :
+             {std::pair{"Hülse 1.5", "Hülse 1.5.stl"}, {"part.nc", "part.nc.stl"}, {"금형.", "금형.stl"}}) {
+            QSignalSpy exported(&station.session, &Session::exported);
+            inDialog(station.window, "export-mesh", [&, name = typed](QFileDialog& dialog) {
+                nameOf(dialog).setText(folder.filePath(QString::fromUtf8(name)));
+                save(dialog);
+            });
+            QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, kPatience);
+            QVERIFY(QFileInfo::exists(folder.filePath(QString::fromUtf8(written))));
+            QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), ++done);
+        }
+    }
+
+    void aFileIsReplacedOnlyWhereTheUserSaysSo() {
+        QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("part.stl"));
+        for (const bool replace : {false, true}) {
+            QVERIFY(writeFile(toPath(file), "mine"));
+            Workstation station(true);
+            QSignalSpy exported(&station.session, &Session::exported);
+            inDialog(station.window, "export-mesh", [&](QFileDialog& dialog) {
+                nameOf(dialog).setText(folder.filePath(QStringLiteral("part")));
+                save(dialog);
+                whenOpen<QMessageBox>([replace](QMessageBox& question) {
+                    question.button(replace ? QMessageBox::Yes : QMessageBox::No)->click();
+                    if (!replace) // then the dialog is open again
+                        whenOpen<QFileDialog>([](QFileDialog& again) { again.reject(); });
+                });
+            });
+            if (replace)
+                QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, kPatience);
+            QVERIFY(!station.session.work());
+            QCOMPARE(*readFile(toPath(file)) == "mine", !replace);
+        }
+    }
+
+    void aFilterChosenBeforeANameIsTypedWritesNoName() {
+        Workstation station(true);
+        inDialog(station.window, "export-mesh", [](QFileDialog& dialog) {
+            nameOf(dialog).clear();
+            chooseFilter(dialog, 3);
+            QCOMPARE(nameOf(dialog).text(), QString());
+            dialog.reject();
+        });
     }
 
     /// Where steps of float32 are 1/32 mm, an STL cannot keep what the mesh keeps.
@@ -186,6 +274,8 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 2, kPatience);
         QVERIFY(warned());
         QVERIFY(station.session.lastExport()->largestErrorMm > station.session.parameters().allowance);
+        const QString told = station.window.statusBar()->currentMessage();
+        QVERIFY2(told.endsWith(QLatin1String("beyond the allowance of 0.05 mm")), qPrintable(told));
     }
 
 private:

@@ -154,7 +154,7 @@ private slots:
         const Result<TriangleMesh> mesh = readStl(toPath(file));
         QVERIFY(mesh.has_value());
         QCOMPARE(std::uint64_t{mesh->triangles.size()}, session.lastExport()->triangles);
-        QVERIFY(station.window.statusBar()->currentMessage().contains(file));
+        QVERIFY(station.window.statusBar()->toolTip().contains(file));
         session.setTextModified(false);
     }
 

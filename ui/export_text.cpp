@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/export_text.h"
+
+#include <QCoreApplication>
+#include <QDir>
+#include <QFileInfo>
+
+namespace proveout {
+
+namespace {
+
+constexpr int kErrorDecimals = 6;
+
+QString translated(const char* text) {
+    return QCoreApplication::translate("Export", text);
+}
+
+/// A long name keeps its ends: what follows it is what the user waits for.
+QString shortName(const QString& file) {
+    constexpr int kLongest = 24;
+    const QString name = QFileInfo(file).fileName();
+    if (name.size() <= kLongest)
+        return name;
+    return name.first(kLongest / 2) + QChar(0x2026) + name.last(kLongest / 2 - 1);
+}
+
+/// The error of the file, and whether the allowance bounds it.
+QString errorText(const ExportSummary& summary, const QLocale& locale) {
+    const QString error = locale.toString(summary.largestErrorMm, 'f', kErrorDecimals);
+    const QString allowance = locale.toString(summary.allowanceMm);
+    if (summary.allowanceMm == 0)
+        return translated(QT_TRANSLATE_NOOP("Export", "largest error %1 mm, with every z-map point"))
+            .arg(error);
+    if (!summary.certified)
+        return translated(QT_TRANSLATE_NOOP("Export", "largest error measured %1 mm, not a bound"))
+            .arg(error);
+    if (summary.largestErrorMm > summary.allowanceMm)
+        return translated(QT_TRANSLATE_NOOP("Export", "largest error %1 mm, beyond the allowance of %2 mm"))
+            .arg(error, allowance);
+    return translated(QT_TRANSLATE_NOOP("Export",
+                                        "largest error %1 mm, certified within %2 mm at every z-map point"))
+        .arg(error, allowance);
+}
+
+} // namespace
+
+QString exportText(const ExportSummary& summary, const QLocale& locale) {
+    return translated(QT_TRANSLATE_NOOP("Export", "Wrote %1: %2"))
+        .arg(shortName(summary.file), errorText(summary, locale));
+}
+
+QString exportDetails(const ExportSummary& summary, const QLocale& locale) {
+    return translated(QT_TRANSLATE_NOOP("Export", "%1: %2 triangles, %3"))
+        .arg(QDir::toNativeSeparators(summary.file),
+             locale.toString(static_cast<qulonglong>(summary.triangles)),
+             locale.formattedDataSize(static_cast<qint64>(summary.bytes), 1, QLocale::DataSizeSIFormat));
+}
+
+} // namespace proveout
