@@ -18,7 +18,7 @@ QString translated(const char* text) {
 /// A long name keeps its ends: what follows it is what the user waits for.
 QString shortName(const QString& file) {
     constexpr int kLongest = 24;
-    const QString name = QFileInfo(file).fileName();
+    QString name = QFileInfo(file).fileName();
     if (name.size() <= kLongest)
         return name;
     return name.first(kLongest / 2) + QChar(0x2026) + name.last(kLongest / 2 - 1);

@@ -75,6 +75,7 @@ ExitCode run(const DecimateOptions& options) {
     if (!options.json) {
         fmt::print("{} of {} triangles, largest vertical error {:.6f} mm, {:.3f} s\n", result.faces,
                    result.facesFull, error, seconds);
+        printFiles(written);
         return report.exitCode();
     }
     nlohmann::ordered_json out{{"facesIn", result.facesFull},

@@ -2,8 +2,10 @@
 #include "app/cli/mesh_outputs.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <utility>
 
+#include "core/base/memory.h"
 #include "core/decimation/solid.h"
 
 namespace proveout::cli {
@@ -72,6 +74,12 @@ void MeshOutputs::addTo(nlohmann::ordered_json& object, const std::vector<MeshOu
         rows.push_back(std::move(row));
     }
     object["exports"] = std::move(rows);
+}
+
+void printFiles(const std::vector<MeshOutput>& written) {
+    for (const auto& [file, format, exported] : written)
+        fmt::print("{}: {} triangles, {}, largest vertical error {:.6f} mm\n", file, exported.file.triangles,
+                   readableBytes(static_cast<double>(exported.file.bytes)), exported.largestErrorMm);
 }
 
 double largestErrorMm(double surfaceErrorMm, const std::vector<MeshOutput>& written, double allowance) {

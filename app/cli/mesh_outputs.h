@@ -46,6 +46,9 @@ private:
     bool m_asciiStl = false;
 };
 
+/// One line a file.
+void printFiles(const std::vector<MeshOutput>& written);
+
 /// The largest error of a surface and of the files that it was written to. What rounding adds counts where it
 /// is more than a hundredth of the error allowance.
 [[nodiscard]] double largestErrorMm(double surfaceErrorMm, const std::vector<MeshOutput>& written,

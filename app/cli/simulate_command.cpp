@@ -214,11 +214,7 @@ private:
     void printSummary() const {
         fmt::print("{} of {} moving blocks, {:.1f} mm³ removed, {:.3f} s\n", m_frame.block,
                    m_program->blockCount(), m_frame.removedMm3, m_seconds.total);
-        for (const MeshOutput& output : m_written)
-            fmt::print("{}: {} triangles, {}, largest vertical error {:.6f} mm\n", output.file,
-                       output.exported.file.triangles,
-                       readableBytes(static_cast<double>(output.exported.file.bytes)),
-                       output.exported.largestErrorMm);
+        printFiles(m_written);
     }
 
     const SimulateOptions& m_options;

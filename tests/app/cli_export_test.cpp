@@ -128,6 +128,17 @@ TEST_F(CliExport, DecimateWritesTheSameFiles) {
     EXPECT_TRUE(read("a.ply") == read("b.ply"));
 }
 
+TEST_F(CliExport, TheSummaryHasALineForEachFile) {
+    const auto simulated = simulate("--zmap a.npy --export a.ply --export a.stl");
+    const auto decimated = run("decimate a.npy --grid 0.5 --export b.ply --export b.stl");
+    for (const std::string& line : {std::string(".ply: "), std::string(".stl: ")}) {
+        EXPECT_THAT(simulated.out, testing::ContainsRegex(
+                                       "\na\\" + line + "[0-9]+ triangles, .*largest vertical error 0\\.0"));
+        EXPECT_THAT(decimated.out, testing::ContainsRegex(
+                                       "\nb\\" + line + "[0-9]+ triangles, .*largest vertical error 0\\.0"));
+    }
+}
+
 TEST_F(CliExport, FormatsListTheTypeOfCoordinates) {
     const auto rows = run("formats --json").json()["formats"];
     std::map<std::string, std::string> coordinates;
