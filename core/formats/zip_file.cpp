@@ -36,7 +36,8 @@ ZipFile::ZipFile(std::filesystem::path target, bool zip64)
 }
 
 ZipFile::~ZipFile() {
-    archive_write_fail(m_archive); // else it would be completed first
+    // Completes the archive first, where commit() has not, into a file that is thrown away: told to give up
+    // (archive_write_fail), libarchive 3.6 would never free what the compression holds.
     archive_write_free(m_archive);
 }
 

@@ -236,6 +236,30 @@ private slots:
         }
     }
 
+    void aCancelKeepsTheFileOfBefore() {
+        QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("part.obj"));
+        QVERIFY(writeFile(toPath(file), "mine"));
+        Workstation station(true);
+        Session& session = station.session;
+        Setup setup = session.setup();
+        setup.spacing = 0.1;
+        QVERIFY(session.setSetup(setup));
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame()->zmap.grid().nx > 1000, kPatience);
+        for (const double from : {0.0, 0.65}) { // from the first, and from the writing on
+            session.exportMesh(file, {false});
+            QTRY_VERIFY_WITH_TIMEOUT(!session.work() || session.work()->done > from, kPatience);
+            QVERIFY2(session.work(), "done before it could be cancelled");
+            session.cancelWork();
+            QTRY_VERIFY_WITH_TIMEOUT(!session.work(), kPatience);
+            QCOMPARE(session.problems().front().id, "cancelled");
+            QCOMPARE(*readFile(toPath(file)), "mine");
+            QCOMPARE(
+                QDir(folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).size(),
+                1);
+        }
+    }
+
     void aFilterChosenBeforeANameIsTypedWritesNoName() {
         Workstation station(true);
         inDialog(station.window, "export-mesh", [](QFileDialog& dialog) {
