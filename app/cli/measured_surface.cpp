@@ -11,7 +11,7 @@ MeasuredSurface measure(const SurfaceSnapshot& surface, const ZMapSnapshot& zmap
         return {};
     const IndexRect all{0, 0, zmap.grid().nx, zmap.grid().ny};
     const auto error = measureVerticalError(zmap, all, surface.triangles(), parameters.allowance);
-    return {error.largest, parameters.certify ? "sample" : "measured"};
+    return {error.largest, isBounded(parameters) ? "sample" : "measured"};
 }
 
 } // namespace proveout::cli

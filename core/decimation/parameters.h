@@ -10,9 +10,10 @@
 namespace proveout {
 
 enum class DecimationMethod : std::uint8_t {
-    lee,    ///< the paper's local decimation, region by region
-    global, ///< the paper's §2.1, the whole map at once, for comparison
-    none,   ///< always the full mesh
+    certified, ///< insertion and removal under a bound; see certified_decimator.h
+    lee,       ///< the paper's local decimation, region by region
+    global,    ///< the paper's §2.1, the whole map at once, for comparison
+    none,      ///< always the full mesh
 };
 
 enum class BorderRule : std::uint8_t {
@@ -21,6 +22,12 @@ enum class BorderRule : std::uint8_t {
 };
 
 enum class RemovalOrder : std::uint8_t { random, sequential };
+
+/// Where the certified method keeps its surface within the allowance.
+enum class ErrorLevel : std::uint8_t {
+    sample,  ///< at every z-map point; between two of them, at a wall, it may be farther off
+    surface, ///< everywhere
+};
 
 /// The parameters of the paper (§5: region size, period s, error allowance e) and of the product. Value type.
 struct DecimationParameters {
@@ -32,11 +39,13 @@ struct DecimationParameters {
     BorderRule borders = BorderRule::shared;
     RemovalOrder order = RemovalOrder::random;
     int seed = 1;
+    ErrorLevel level = ErrorLevel::sample;
 
     friend bool operator==(const DecimationParameters&, const DecimationParameters&) = default;
 };
 
 inline constexpr std::array kMethodChoices{
+    Choice{"certified", PROVEOUT_TEXT("Core", "Certified")},
     Choice{"lee", PROVEOUT_TEXT("Core", "Lee & Lee (local)")},
     Choice{"global", PROVEOUT_TEXT("Core", "Global")},
     Choice{"none", PROVEOUT_TEXT("Core", "None (full mesh)")},
@@ -48,6 +57,11 @@ inline constexpr std::array kBorderChoices{
 inline constexpr std::array kOrderChoices{
     Choice{"random", PROVEOUT_TEXT("Core", "Random")},
     Choice{"sequential", PROVEOUT_TEXT("Core", "Sequential")},
+};
+
+inline constexpr std::array kLevelChoices{
+    Choice{"sample", PROVEOUT_TEXT("Core", "At every z-map point")},
+    Choice{"surface", PROVEOUT_TEXT("Core", "Everywhere")},
 };
 
 /// Names every field once; see field.h.
@@ -83,6 +97,10 @@ void describe(Params& params, Visitor&& visit) {
           Field{"seed", PROVEOUT_TEXT("Core", "Random seed"), "",
                 PROVEOUT_TEXT("Core", "Start of the random order; equal seeds give equal meshes."), 0,
                 1000000, 1});
+    visit(params.level, Field{"level", PROVEOUT_TEXT("Core", "Error level"), "",
+                              PROVEOUT_TEXT("Core", "Where the certified method keeps its surface within "
+                                                    "the error allowance."),
+                              0, 0, 0, kLevelChoices});
 }
 
 } // namespace proveout

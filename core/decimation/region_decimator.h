@@ -15,6 +15,15 @@
 
 namespace proveout {
 
+/// The samples of one border. `heights` run along it, `step` mm apart; `seed` decides the random order;
+/// `extras` (ascending offsets) are to be kept whatever the rule says.
+struct BorderSamples {
+    std::span<const float> heights;
+    double step = 1;
+    std::uint64_t seed = 0;
+    std::span<const std::uint32_t> extras;
+};
+
 /// The samples of one region. `heights` are (rect.width() × rect.height()) values, row by row, mm.
 struct RegionSamples {
     IndexRect rect; ///< grid points; global indices decide the diagonals
@@ -23,10 +32,10 @@ struct RegionSamples {
     std::span<const float> heights;
 };
 
-/// Simplifies one border by its own samples and nothing else: distance to the line through the two neighbours
-/// plus accumulated error within the allowance; with `certify`, also every sample within the allowance of the
-/// polyline, vertically. `step` is the spacing along the border; `seed` decides the random order. Pure
-/// function.
+/// Border rule of the paper's method. Simplifies one border by its own samples and nothing else: distance to
+/// the line through the two neighbours plus accumulated error within the allowance; with `certify`, also
+/// every sample within the allowance of the polyline, vertically. `step` is the spacing along the border;
+/// `seed` decides the random order. Pure function.
 [[nodiscard]] BorderLine simplifyBorder(std::span<const float> heights, double step, std::uint64_t seed,
                                         const DecimationParameters& parameters);
 
@@ -51,11 +60,16 @@ struct DecimationMethodRow {
     int standardRegion;                           ///< cells, used where none is given
     int standardPeriod;                           ///< blocks, likewise
     std::unique_ptr<RegionDecimator> (*create)(); ///< null for `none`
+    /// Simplifies a border by its own samples; a pure function, so that both its regions find the same.
+    BorderLine (*simplifyBorder)(const BorderSamples&, const DecimationParameters&);
 };
 [[nodiscard]] std::span<const DecimationMethodRow> decimationMethods();
 [[nodiscard]] const DecimationMethodRow& row(DecimationMethod method);
 
 /// Gives region size and period the standards of the method, where nobody gave them a value.
 void useStandards(DecimationParameters& parameters, bool regionGiven, bool periodGiven);
+
+/// Whether the allowance is a bound of the error at least at the z-map points.
+[[nodiscard]] bool isBounded(const DecimationParameters& parameters);
 
 } // namespace proveout

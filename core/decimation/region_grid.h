@@ -70,6 +70,7 @@ private:
 /// ascending, both ends (the corners) always kept. Immutable, shared by both regions.
 struct BorderLine {
     std::vector<std::uint32_t> kept;
+    std::vector<std::uint32_t> extras{}; ///< those of them that a region needed beyond the border's own rule
 };
 using BorderLinePtr = std::shared_ptr<const BorderLine>;
 

@@ -15,10 +15,20 @@ namespace proveout {
 /// point.
 using LatticeTriangle = std::array<std::uint32_t, 3>;
 
+/// A point of a region's border, by its offset from the border's first point.
+struct BorderPoint {
+    Side side;
+    std::uint32_t offset;
+};
+
 /// The decimated mesh of one region. Immutable once published.
 struct RegionMesh {
     std::vector<LatticeTriangle> triangles;
     double largestError = 0; ///< largest vertical distance of a z-map point of the region, mm, measured
+    /// Border points that the mesh needs beyond those it was given (ErrorLevel::surface). Where there are
+    /// any, it fits to no neighbour: all regions at these borders are to be decimated again, with them. Empty
+    /// once published.
+    std::vector<BorderPoint> wanted;
 };
 using RegionMeshPtr = std::shared_ptr<const RegionMesh>;
 

@@ -120,6 +120,36 @@ std::size_t Surface::decimateRegions(std::span<const std::size_t> regions, const
     if (m_parameters.borders == BorderRule::shared)
         drawMissingBorders(regions, moment);
 
+    std::vector<std::size_t> batch(regions.begin(), regions.end());
+    std::vector<std::size_t> worked = batch;
+    while (!batch.empty()) {
+        std::vector<RegionMeshPtr> meshes = decimateBatch(batch, moment, context);
+        ExtrasOfBorders wanted;
+        for (std::size_t k = 0; k < batch.size(); ++k) {
+            if (!meshes[k])
+                continue;
+            for (const BorderPoint& point : meshes[k]->wanted)
+                wanted[grid().border(batch[k], point.side)].push_back(point.offset);
+            if (meshes[k]->wanted.empty())
+                publish(batch[k], std::move(meshes[k]));
+        }
+        batch.clear();
+        if (!wanted.empty() && !context.stopped())
+            batch = drawAnew(std::move(wanted), regions, moment);
+        worked.insert(worked.end(), batch.begin(), batch.end());
+    }
+    const auto done = static_cast<std::size_t>(
+        std::count_if(regions.begin(), regions.end(), [&](std::size_t region) { return !isDirty(region); }));
+    for (const std::size_t region : worked) // stopped: no border stays drawn between two dirty regions
+        if (isDirty(region))
+            for (const std::size_t border : grid().borders(region))
+                releaseBorderIfUnused(border);
+    return done;
+}
+
+std::vector<RegionMeshPtr> Surface::decimateBatch(std::span<const std::size_t> regions,
+                                                  const ZMapSnapshot& moment,
+                                                  const WorkContext& context) const {
     std::vector<RegionMeshPtr> meshes(regions.size());
     Tally tally(context, regions.size());
     tbb::parallel_for(std::size_t{0}, regions.size(), [&](std::size_t k) {
@@ -131,19 +161,41 @@ std::size_t Surface::decimateRegions(std::span<const std::size_t> regions, const
         meshes[k] = std::move(mesh);
         tally.finished();
     });
+    return meshes;
+}
 
-    std::size_t done = 0;
-    for (std::size_t k = 0; k < regions.size(); ++k) {
-        if (meshes[k]) {
-            publish(regions[k], std::move(meshes[k]));
-            ++done;
+/// Draws borders with more points than before, and returns the regions at them, dirty now, that are to be
+/// decimated with those: of the dirty ones only those `asked` for. Points only ever come: it ends, in
+/// practice after two or three rounds.
+std::vector<std::size_t> Surface::drawAnew(ExtrasOfBorders wanted, std::span<const std::size_t> asked,
+                                           const ZMapSnapshot& moment) {
+    std::vector<std::size_t> regions;
+    for (const auto& [border, offsets] : wanted)
+        for (const std::size_t region : grid().sharers(border))
+            if (region != RegionGrid::kNoRegion &&
+                (!isDirty(region) || std::binary_search(asked.begin(), asked.end(), region)))
+                regions.push_back(region);
+    std::sort(regions.begin(), regions.end());
+    regions.erase(std::unique(regions.begin(), regions.end()), regions.end());
+    // All borders of these regions keep the extra points they have.
+    for (const std::size_t region : regions) {
+        for (const std::size_t border : grid().borders(region)) {
+            const BorderLinePtr& line = m_state.borders[border];
+            if (line && !line->extras.empty())
+                wanted[border].insert(wanted[border].end(), line->extras.begin(), line->extras.end());
         }
     }
-    if (done < regions.size()) // stopped: no border stays drawn between two dirty regions
-        for (const std::size_t region : regions)
-            for (const std::size_t border : grid().borders(region))
-                releaseBorderIfUnused(border);
-    return done;
+    for (auto& [border, offsets] : wanted) {
+        std::sort(offsets.begin(), offsets.end());
+        offsets.erase(std::unique(offsets.begin(), offsets.end()), offsets.end());
+    }
+    for (const std::size_t region : regions) {
+        touchRegion(region);
+        for (const std::size_t border : grid().borders(region))
+            releaseBorderIfUnused(border);
+    }
+    drawMissingBorders(regions, moment, wanted);
+    return regions;
 }
 
 std::vector<std::size_t> Surface::dirtyList() const {
@@ -155,7 +207,8 @@ std::vector<std::size_t> Surface::dirtyList() const {
     return regions;
 }
 
-void Surface::drawMissingBorders(std::span<const std::size_t> regions, const ZMapSnapshot& moment) {
+void Surface::drawMissingBorders(std::span<const std::size_t> regions, const ZMapSnapshot& moment,
+                                 const ExtrasOfBorders& extras) {
     std::vector<std::size_t> missing;
     for (const std::size_t region : regions)
         for (const std::size_t border : grid().borders(region))
@@ -172,7 +225,12 @@ void Surface::drawMissingBorders(std::span<const std::size_t> regions, const ZMa
         moment.read(rect, heights);
         const std::uint64_t seed = mixSeed(m_parameters.seed, kBorderSeeds, missing[k]);
         const double step = alongX ? moment.grid().hx : moment.grid().hy;
-        lines[k] = std::make_shared<const BorderLine>(simplifyBorder(heights, step, seed, m_parameters));
+        const auto found = extras.find(missing[k]);
+        BorderSamples border{heights, step, seed, {}};
+        if (found != extras.end())
+            border.extras = found->second;
+        lines[k] =
+            std::make_shared<const BorderLine>(row(m_parameters.method).simplifyBorder(border, m_parameters));
     });
     for (std::size_t k = 0; k < missing.size(); ++k)
         drawBorder(missing[k], std::move(lines[k]));

@@ -39,7 +39,7 @@ TEST_F(CliUsage, MistakesPrintTheUsageOnStderrAndExitWith3) {
                                          simulate + "--period -2",
                                          simulate + "--allowance nan",
                                          simulate + "--allowance -0.1",
-                                         simulate + "--method certified",
+                                         simulate + "--method certifiable",
                                          simulate + "--mesh coarse",
                                          simulate + "--until X3",
                                          simulate + "--until L",

@@ -5,7 +5,10 @@
 #include <atomic>
 #include <cstdlib>
 #include <new>
+#include <numeric>
 
+#include "core/decimation/certified_border.h"
+#include "core/decimation/certified_decimator.h"
 #include "core/decimation/lee_decimator.h"
 #include "tests/core/decimation/maps.h"
 
@@ -48,6 +51,30 @@ TEST(LeeDecimator, allocatesNothingPerRegionButTheTrianglesItGives) {
         const RegionMesh mesh = decimator.decimate(grid, {rect, 0.5, 0.5, heights}, {}, 1, {});
         EXPECT_EQ(allocations - before, 1U);
         EXPECT_FALSE(mesh.triangles.empty());
+    }
+}
+
+TEST(CertifiedDecimator, allocatesNothingPerRegionButTheTrianglesItGives) {
+    const RegionGrid grid(65, 65, 64);
+    const IndexRect rect = grid.points(0);
+    DecimationParameters parameters;
+    parameters.method = DecimationMethod::certified;
+    CertifiedDecimator decimator;
+    std::vector<std::uint32_t> all(65);
+    std::iota(all.begin(), all.end(), 0U);
+    const auto line = std::make_shared<const BorderLine>(BorderLine{all, {}});
+    const std::array<BorderLinePtr, 4> borders{line, line, line, line};
+    for (const bool isFirst : {true, false}) { // the first round lets the storage grow
+        for (const auto& kind : test::mapKinds()) {
+            const test::Heights heights = kind.make(65, 65, 0.5, 4);
+            const std::size_t before = allocations;
+            const RegionMesh mesh =
+                decimator.decimate(grid, {rect, 0.5, 0.5, heights}, borders, 1, parameters);
+            EXPECT_FALSE(mesh.triangles.empty());
+            if (!isFirst) {
+                EXPECT_EQ(allocations - before, 1U) << kind.name;
+            }
+        }
     }
 }
 

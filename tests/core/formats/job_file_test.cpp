@@ -239,6 +239,7 @@ Job randomJob(std::mt19937& random, const fs::path& folder) {
     parameters.borders = static_cast<BorderRule>(random() % kBorderChoices.size());
     parameters.order = static_cast<RemovalOrder>(random() % kOrderChoices.size());
     parameters.seed = static_cast<int>(random() % 1000);
+    parameters.level = static_cast<ErrorLevel>(random() % kLevelChoices.size());
     return job;
 }
 

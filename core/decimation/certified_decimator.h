@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Decimation with a bound: every z-map point, or the whole surface, lies within the allowance of the mesh,
+// vertically. From above: insertion until the bound holds, then removal of what is not needed for it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+
+#include "core/decimation/greedy_insertion.h"
+#include "core/decimation/lattice_triangulation.h"
+#include "core/decimation/region_decimator.h"
+#include "core/decimation/region_patch.h"
+#include "core/decimation/vertex_removal.h"
+
+namespace proveout {
+
+class CertifiedDecimator final : public RegionDecimator {
+public:
+    /// Uses of the parameters the allowance and the level. `largestError` of the mesh is a bound that counts
+    /// all rounding: no z-map point lies farther off. Where floats are too coarse for the heights of a region
+    /// (their rounding may exceed half the allowance), the mesh is the full one.
+    [[nodiscard]] RegionMesh decimate(const RegionGrid& grid, const RegionSamples& samples,
+                                      const std::array<BorderLinePtr, 4>& borders, std::uint64_t seed,
+                                      const DecimationParameters& parameters,
+                                      const std::stop_token& stop = {}) override;
+
+private:
+    [[nodiscard]] RegionMesh result(const RegionGrid& grid, const RegionSamples& samples,
+                                    double allowance) const;
+    [[nodiscard]] float outlineDistance(Side side) const;
+    [[nodiscard]] BorderPoint borderPoint(std::int32_t vertex) const;
+
+    RegionPatch m_patch;
+    LatticeTriangulation m_mesh;
+    GreedyInsertion m_insertion;
+    VertexRemoval m_removal;
+};
+
+} // namespace proveout

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "core/decimation/region_decimator.h"
+
+namespace proveout {
+
+/// The heights of one region as the certified method works on them: relative to the region's first point, in
+/// rows with room to read a whole vector from any point. Owned by one decimator, allocated once.
+class RegionPatch {
+public:
+    /// Widest vector that is read from a point: 64 bytes.
+    static constexpr int kReadAhead = 16;
+
+    void load(const RegionSamples& samples);
+
+    [[nodiscard]] int width() const { return m_width; }
+    [[nodiscard]] int height() const { return m_height; }
+    [[nodiscard]] int stride() const { return m_stride; }
+    [[nodiscard]] const float* heights() const { return m_heights.data(); }
+    [[nodiscard]] float at(int i, int j) const { return m_heights[index(i, j)]; }
+    /// The largest magnitude of a height: what rounding is proportional to.
+    [[nodiscard]] double largest() const { return m_largest; }
+    /// What the float heights may differ from the true ones, twice, and the rounding of a result.
+    [[nodiscard]] double guard(double result) const {
+        return (3 * m_largest + result) * double{std::numeric_limits<float>::epsilon()} / 2;
+    }
+    /// Diagonals of the canonical mesh lie where i + j (of the patch) plus this is even: 0 or 1.
+    [[nodiscard]] int parity() const { return m_parity; }
+
+private:
+    [[nodiscard]] std::size_t index(int i, int j) const {
+        return static_cast<std::size_t>(j) * static_cast<std::size_t>(m_stride) + static_cast<std::size_t>(i);
+    }
+
+    std::vector<float> m_heights;
+    int m_width = 0;
+    int m_height = 0;
+    int m_stride = 0;
+    int m_parity = 0;
+    double m_largest = 0;
+};
+
+} // namespace proveout
