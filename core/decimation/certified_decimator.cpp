@@ -2,9 +2,9 @@
 #include "core/decimation/certified_decimator.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "core/decimation/certified_border.h"
+#include "core/decimation/patch_mesh.h"
 
 namespace proveout {
 
@@ -50,10 +50,7 @@ RegionMesh CertifiedDecimator::decimate(const RegionGrid& grid, const RegionSamp
     if (!(m_patch.guard(parameters.allowance) <= parameters.allowance / 2))
         return fullMesh(grid, samples, borders, parameters);
 
-    // The largest float that is not above the allowance.
-    auto limit = static_cast<float>(parameters.allowance);
-    if (double{limit} > parameters.allowance)
-        limit = std::nextafter(limit, 0.0F);
+    const float limit = floatNotAbove(parameters.allowance);
     std::array<BorderLine, 4> own;
     std::array<std::span<const std::uint32_t>, 4> kept;
     for (const Side side : kSides) {
@@ -67,57 +64,11 @@ RegionMesh CertifiedDecimator::decimate(const RegionGrid& grid, const RegionSamp
                           m_removal.run(m_patch, limit, surface, m_insertion.extras(), m_mesh, stop);
     if (!finished)
         return {};
-    RegionMesh mesh = result(grid, samples, parameters.allowance);
+    RegionMesh mesh = regionMeshOf(m_mesh, m_patch, grid, samples.rect, parameters);
     for (const std::int32_t v : m_insertion.extras())
         if (!m_removal.isRemoved(v) && borders[static_cast<std::size_t>(borderPoint(v).side)])
             mesh.wanted.push_back(borderPoint(v));
     return mesh;
-}
-
-RegionMesh CertifiedDecimator::result(const RegionGrid& grid, const RegionSamples& samples,
-                                      double allowance) const {
-    RegionMesh mesh;
-    float largest = 0;
-    std::size_t count = 0;
-    for (std::size_t t = 0; t < m_mesh.triangleSlots(); ++t)
-        count += m_mesh.isAlive(static_cast<std::int32_t>(t)) ? 1 : 0;
-    mesh.triangles.reserve(count);
-    const auto lattice = [&](std::int32_t v) {
-        const PatchVertex& p = m_mesh.vertex(v);
-        return grid.lattice(samples.rect.i0 + p.i, samples.rect.j0 + p.j);
-    };
-    for (std::size_t t = 0; t < m_mesh.triangleSlots(); ++t) {
-        if (!m_mesh.isAlive(static_cast<std::int32_t>(t)))
-            continue;
-        const LatticeTriangulation::Triangle& triangle = m_mesh.triangle(static_cast<std::int32_t>(t));
-        mesh.triangles.push_back(
-            {lattice(triangle.vertex[0]), lattice(triangle.vertex[1]), lattice(triangle.vertex[2])});
-        largest = std::max(largest, triangle.distance);
-    }
-    for (const Side side : kSides)
-        largest = std::max(largest, outlineDistance(side));
-    // Borders are certified in doubles: what floats add to them here may go beyond the allowance.
-    mesh.largestError = std::min(double{largest}, allowance);
-    return mesh;
-}
-
-float CertifiedDecimator::outlineDistance(Side side) const {
-    constexpr std::array kFirstCorner{0, 3, 0,
-                                      1}; // in the order of kSides; the outline runs counter-clockwise
-    constexpr std::array kLastCorner{1, 2, 3, 2};
-    const bool runsBackwards = side == Side::north || side == Side::west;
-    const auto k = static_cast<std::size_t>(side);
-    const std::int32_t last = runsBackwards ? kFirstCorner[k] : kLastCorner[k];
-    std::int32_t v = runsBackwards ? kLastCorner[k] : kFirstCorner[k];
-    float largest = 0;
-    while (v != last) {
-        const std::int32_t edge = m_mesh.outlineFrom(v);
-        const std::int32_t next = m_mesh.origin(LatticeTriangulation::next(edge));
-        largest =
-            std::max(largest, farthestBorderPoint(m_patch, m_mesh.vertex(v), m_mesh.vertex(next)).distance);
-        v = next;
-    }
-    return largest;
 }
 
 BorderPoint CertifiedDecimator::borderPoint(std::int32_t v) const {

@@ -25,9 +25,6 @@ public:
                                       const std::stop_token& stop = {}) override;
 
 private:
-    [[nodiscard]] RegionMesh result(const RegionGrid& grid, const RegionSamples& samples,
-                                    double allowance) const;
-    [[nodiscard]] float outlineDistance(Side side) const;
     [[nodiscard]] BorderPoint borderPoint(std::int32_t vertex) const;
 
     RegionPatch m_patch;

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/decimation/error_measure.h"
 
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_reduce.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
 #include <limits>
 #include <vector>
+
+#include "core/decimation/canonical_surface.h"
 
 namespace proveout {
 
@@ -118,6 +123,29 @@ VerticalError measureVerticalError(const ZMapSnapshot& zmap, const IndexRect& re
     for (const LatticeTriangle& triangle : triangles)
         measurement.add(triangle);
     return measurement.result(allowance);
+}
+
+double measureSurfaceError(const ZMapSnapshot& zmap, std::span<const LatticeTriangle> triangles) {
+    const IndexRect all{0, 0, zmap.grid().nx, zmap.grid().ny};
+    const CanonicalSurface full(zmap);
+    const auto nx = static_cast<std::uint32_t>(zmap.grid().nx);
+    const auto corner = [&](std::uint32_t lattice) {
+        const auto i = static_cast<int>(lattice % nx);
+        const auto j = static_cast<int>(lattice / nx);
+        return Vec3(i, j, static_cast<double>(zmap.height(i, j)));
+    };
+    using Range = tbb::blocked_range<std::size_t>;
+    const double alongEdges = tbb::parallel_reduce(
+        Range(0, triangles.size()), 0.0,
+        [&](const Range& range, double largest) {
+            for (std::size_t t = range.begin(); t < range.end(); ++t)
+                for (std::size_t k = 0; k < 3; ++k)
+                    largest = std::max(largest, full.distanceAlong(corner(triangles[t][k]),
+                                                                   corner(triangles[t][(k + 1) % 3])));
+            return largest;
+        },
+        [](double a, double b) { return std::max(a, b); });
+    return std::max(alongEdges, measureVerticalError(zmap, all, triangles, 0).largest);
 }
 
 } // namespace proveout

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/decimation/lattice_triangulation.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <tuple>
 
 namespace proveout {
 
@@ -39,6 +41,29 @@ void LatticeTriangulation::reset(const RegionPatch& patch) {
         write(0, {0, 1, 3}, {kNone, 6, kNone});
         write(1, {1, 2, 3}, {kNone, kNone, 1});
     }
+}
+
+void LatticeTriangulation::assign(std::span<const PatchVertex> vertices,
+                                  std::span<const std::array<std::int32_t, 3>> triangles) {
+    m_vertices.assign(vertices.begin(), vertices.end());
+    m_edgeFrom.assign(vertices.size(), kNone);
+    m_triangles.clear();
+    m_halfEdges.clear();
+    for (const std::array<std::int32_t, 3>& corners : triangles) {
+        const std::int32_t t = addTriangle();
+        write(t, corners, {kNone, kNone, kNone});
+        for (std::int32_t k = 0; k < 3; ++k) {
+            const auto [low, high] = std::minmax(corners[static_cast<std::size_t>(k)],
+                                                 corners[static_cast<std::size_t>((k + 1) % 3)]);
+            m_halfEdges.push_back({low, high, 4 * t + k});
+        }
+    }
+    std::sort(m_halfEdges.begin(), m_halfEdges.end(), [](const HalfEdge& a, const HalfEdge& b) {
+        return std::tie(a.low, a.high, a.edge) < std::tie(b.low, b.high, b.edge);
+    });
+    for (std::size_t k = 1; k < m_halfEdges.size(); ++k)
+        if (m_halfEdges[k].low == m_halfEdges[k - 1].low && m_halfEdges[k].high == m_halfEdges[k - 1].high)
+            link(m_halfEdges[k].edge, m_halfEdges[k - 1].edge);
 }
 
 std::int32_t LatticeTriangulation::addVertex(const PatchVertex& point) {

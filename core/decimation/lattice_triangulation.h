@@ -30,6 +30,10 @@ public:
     /// Two triangles over the corners; vertices 0 … 3 are south-west, south-east, north-east, north-west.
     void reset(const RegionPatch& patch);
 
+    /// The given triangles, counter-clockwise, over the given vertices; they must cover a rectangle once.
+    void assign(std::span<const PatchVertex> vertices,
+                std::span<const std::array<std::int32_t, 3>> triangles);
+
     /// Inserts the point into the triangle that holds it, in its interior or on an edge, and restores
     /// Delaunay. Triangles made or changed are appended to `touched`, perhaps more than once.
     std::int32_t insert(std::int32_t triangle, const PatchVertex& point, std::vector<std::int32_t>& touched);
@@ -85,6 +89,11 @@ private:
     std::vector<PatchVertex> m_vertices;
     std::vector<std::int32_t> m_edgeFrom;
     std::vector<Triangle> m_triangles;
+    struct HalfEdge {
+        std::int32_t low, high; ///< its vertices
+        std::int32_t edge;
+    };
+    std::vector<HalfEdge> m_halfEdges;    ///< of assign(), kept for its storage
     std::vector<std::int32_t> m_suspects; ///< edges opposite the vertex that was inserted
     std::int32_t m_parity = 0;
 };

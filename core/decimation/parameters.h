@@ -23,7 +23,7 @@ enum class BorderRule : std::uint8_t {
 
 enum class RemovalOrder : std::uint8_t { random, sequential };
 
-/// Where the certified method keeps its surface within the allowance.
+/// Where a surface keeps within its allowance, or where an error is measured.
 enum class ErrorLevel : std::uint8_t {
     sample,  ///< at every z-map point; between two of them, at a wall, it may be farther off
     surface, ///< everywhere
@@ -31,15 +31,15 @@ enum class ErrorLevel : std::uint8_t {
 
 /// The parameters of the paper (§5: region size, period s, error allowance e) and of the product. Value type.
 struct DecimationParameters {
-    DecimationMethod method = DecimationMethod::lee;
-    int regionCells = 8;     ///< a region is regionCells × regionCells cells
+    DecimationMethod method = DecimationMethod::certified;
+    int regionCells = 64;    ///< a region is regionCells × regionCells cells
     int period = 20;         ///< s: every s-th block that moves; -1 once at the start, 0 never
     double allowance = 0.05; ///< e, mm; 0 means no decimation
     bool certify = true;     ///< refuse a removal that would leave a z-map point farther than e vertically
     BorderRule borders = BorderRule::shared;
     RemovalOrder order = RemovalOrder::random;
     int seed = 1;
-    ErrorLevel level = ErrorLevel::sample;
+    ErrorLevel level = ErrorLevel::surface; ///< of the certified method; while cutting it is `sample`
 
     friend bool operator==(const DecimationParameters&, const DecimationParameters&) = default;
 };
@@ -99,7 +99,8 @@ void describe(Params& params, Visitor&& visit) {
                 1000000, 1});
     visit(params.level, Field{"level", PROVEOUT_TEXT("Core", "Error level"), "",
                               PROVEOUT_TEXT("Core", "Where the certified method keeps its surface within "
-                                                    "the error allowance."),
+                                                    "the error allowance, at rest and in exports; while "
+                                                    "cutting, it is at every z-map point."),
                               0, 0, 0, kLevelChoices});
 }
 

@@ -10,6 +10,8 @@
 #include <utility>
 #include <vector>
 
+#include "core/decimation/canonical_surface.h"
+
 namespace proveout {
 
 namespace {
@@ -93,8 +95,8 @@ Vec2 stretchAt(double y, const Corners& at) {
 
 class Measurement {
 public:
-    Measurement(const ZMapSnapshot& zmap, CoordinateType type, const std::stop_token& stop)
-        : m_zmap(zmap), m_type(type), m_stop(stop),
+    Measurement(const ZMapSnapshot& zmap, CoordinateType type, ErrorLevel level, const std::stop_token& stop)
+        : m_zmap(zmap), m_full(zmap), m_type(type), m_level(level), m_stop(stop),
           m_columns(zmap.grid().nx, zmap.grid().x0, zmap.grid().hx, ends().first),
           m_rows(zmap.grid().ny, zmap.grid().y0, zmap.grid().hy, ends().second),
           m_covered(m_columns.size() * m_rows.size()) {}
@@ -107,6 +109,9 @@ public:
         const Vec2 other = at[2] - at[0];
         if (one.x * other.y <= one.y * other.x)
             return; // a wall, or the floor
+        if (m_level == ErrorLevel::surface)
+            for (std::size_t k = 0; k < at.size(); ++k)
+                m_largest = std::max(m_largest, m_full.distanceAlong(inCells(at[k]), inCells(at[(k + 1) % 3])));
         const auto [low, high] = std::minmax({at[0].y, at[1].y, at[2].y});
         // Two triangles may cover the whole map.
         for (std::size_t j = m_rows.firstFrom(low); j <= m_rows.lastTo(high) && !m_stop.stop_requested();
@@ -144,6 +149,12 @@ private:
                static_cast<double>(m_zmap.height(static_cast<int>(i), static_cast<int>(j)));
     }
 
+    /// As CanonicalSurface wants it.
+    [[nodiscard]] Vec3 inCells(const Vec3& at) const {
+        const Grid& grid = m_zmap.grid();
+        return {(at.x - grid.x0) / grid.hx, (at.y - grid.y0) / grid.hy, at.z - m_zmap.stock().topZ()};
+    }
+
     void addPoint(std::size_t i, std::size_t j, const Corners& at) {
         const auto weights = weightsAt({m_columns[i], m_rows[j]}, at);
         if (!weights)
@@ -159,7 +170,9 @@ private:
     }
 
     const ZMapSnapshot& m_zmap;
+    CanonicalSurface m_full;
     CoordinateType m_type;
+    ErrorLevel m_level;
     const std::stop_token& m_stop;
     Axis m_columns;
     Axis m_rows;
@@ -175,8 +188,8 @@ Vec3 roundedTo(CoordinateType type, const Vec3& point) {
 }
 
 double measureSolidError(const ZMapSnapshot& zmap, const TriangleMesh& solid, CoordinateType type,
-                         const WorkContext& context) {
-    Measurement measurement(zmap, type, context.stop);
+                         ErrorLevel level, const WorkContext& context) {
+    Measurement measurement(zmap, type, level, context.stop);
     for (std::size_t t = 0; t < solid.triangles.size(); ++t) {
         if (t % kBatch == 0) {
             if (context.stopped())

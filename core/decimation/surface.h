@@ -51,6 +51,8 @@ public:
     std::size_t touch(const IndexRect& changed);
     /// The same for one region.
     void touchRegion(std::size_t region);
+    /// Null where the region is dirty.
+    [[nodiscard]] const RegionMeshPtr& mesh(std::size_t region) const { return m_state.meshes[region]; }
     [[nodiscard]] bool isDirty(std::size_t region) const { return m_state.meshes[region] == nullptr; }
     [[nodiscard]] std::size_t dirtyRegions() const { return m_state.dirtyRegions; }
     [[nodiscard]] std::size_t faces() const { return m_state.faces; }

@@ -16,6 +16,25 @@ constexpr std::int8_t kImpossible = -2;
 bool VertexRemoval::run(const RegionPatch& patch, float limit, bool surface,
                         std::span<const std::int32_t> extras, LatticeTriangulation& mesh,
                         const std::stop_token& stop) {
+    begin(patch, limit, surface, mesh);
+    for (const std::int32_t v : extras)
+        m_state[static_cast<std::size_t>(v)] = State::idle;
+    for (std::size_t v = 0; v < mesh.vertexCount(); ++v)
+        push(static_cast<std::int32_t>(v));
+    return drain(stop);
+}
+
+bool VertexRemoval::runFrom(const RegionPatch& patch, float limit, bool surface,
+                            std::span<const std::int32_t> seeds, LatticeTriangulation& mesh,
+                            const std::stop_token& stop) {
+    begin(patch, limit, surface, mesh);
+    for (const std::int32_t v : seeds)
+        push(v);
+    return drain(stop);
+}
+
+/// Nothing is queued; the outline stays.
+void VertexRemoval::begin(const RegionPatch& patch, float limit, bool surface, LatticeTriangulation& mesh) {
     m_surface = surface;
     m_patch = &patch;
     m_mesh = &mesh;
@@ -27,10 +46,9 @@ bool VertexRemoval::run(const RegionPatch& patch, float limit, bool surface,
         if (p.i == 0 || p.j == 0 || p.i == patch.width() - 1 || p.j == patch.height() - 1)
             m_state[v] = State::fixed;
     }
-    for (const std::int32_t v : extras)
-        m_state[static_cast<std::size_t>(v)] = State::idle;
-    for (std::size_t v = 0; v < mesh.vertexCount(); ++v)
-        push(static_cast<std::int32_t>(v));
+}
+
+bool VertexRemoval::drain(const std::stop_token& stop) {
     for (std::size_t at = 0; at < m_queue.size(); ++at) {
         if (stop.stop_requested())
             return false;

@@ -19,6 +19,9 @@ public:
     /// `limit` in mm; `extras` are vertices of the outline that may go as well. False where it was stopped.
     bool run(const RegionPatch& patch, float limit, bool surface, std::span<const std::int32_t> extras,
              LatticeTriangulation& mesh, const std::stop_token& stop);
+    /// The same for a mesh of which only `seeds` may have become removable, and what their going frees.
+    bool runFrom(const RegionPatch& patch, float limit, bool surface, std::span<const std::int32_t> seeds,
+                 LatticeTriangulation& mesh, const std::stop_token& stop);
     [[nodiscard]] bool isRemoved(std::int32_t vertex) const {
         return m_state[static_cast<std::size_t>(vertex)] == State::removed;
     }
@@ -37,6 +40,8 @@ private:
         float distance;   ///< of that triangle
     };
 
+    void begin(const RegionPatch& patch, float limit, bool surface, LatticeTriangulation& mesh);
+    bool drain(const std::stop_token& stop);
     [[nodiscard]] bool tryRemove(std::int32_t vertex);
     void push(std::int32_t vertex);
     [[nodiscard]] bool gatherStar(std::int32_t vertex);

@@ -5,6 +5,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/base/work_context.h"
+#include "core/decimation/parameters.h"
 #include "core/formats/formats.h"
 #include "core/zmap/zmap.h"
 
@@ -17,11 +18,12 @@ struct ExportedSolid {
     Diagnostics warnings;
 };
 
-/// Writes a solid of closeSolid(zmap, …) and measures what the file holds. A warning (id
+/// Writes a solid of closeSolid(zmap, …) and measures what the file holds at the given level. A warning (id
 /// "export-rounded-beyond") says where the rounding of coordinates, and not the decimation, has led beyond
 /// the error allowance (mm; 0: none was given). Any thread. Errors: those of the writer, cancelled.
 [[nodiscard]] Result<ExportedSolid> exportSolid(const std::filesystem::path& file, const MeshFormat& format,
                                                 const TriangleMesh& solid, const ZMapSnapshot& zmap,
-                                                double allowance, const WorkContext& context = {});
+                                                double allowance, ErrorLevel level,
+                                                const WorkContext& context = {});
 
 } // namespace proveout

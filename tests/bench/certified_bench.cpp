@@ -18,6 +18,7 @@
 #include <string>
 #include <vector>
 
+#include "core/decimation/refined_surface.h"
 #include "core/decimation/surface.h"
 #include "core/formats/npy.h"
 #include "tests/core/decimation/surface_oracle.h"
@@ -100,6 +101,23 @@ double meshoptimizerSeconds([[maybe_unused]] const BenchMap& map, [[maybe_unused
 #endif
 }
 
+void reportRefined(const BenchMap& map, const ZMapSnapshot& zmap, double allowance) {
+    DecimationParameters parameters;
+    parameters.method = DecimationMethod::certified;
+    parameters.regionCells = kRegion;
+    parameters.allowance = allowance;
+    SurfaceSnapshot shown;
+    const double seconds = leastSeconds(3, [&] {
+        RefinedSurface surface(map.nx, map.ny, parameters);
+        (void)surface.follow(zmap, {});
+        shown = surface.snapshot();
+    });
+    const test::SurfaceDistance error = test::surfaceDistance(map.nx, map.ny, map.heights, shown.triangles());
+    std::printf("%-8s %5.2f %-7s %8zu faces %8.1f Mtri/s  at points %.5f  surface %.5f\n", map.name.c_str(),
+                allowance, "merged", shown.faces, trianglesIn(map) / seconds * 1e-6, error.samples,
+                error.surface);
+}
+
 void report(const BenchMap& map) {
     const ZMapSnapshot zmap = test::zmapOf(map.nx, map.ny, map.spacing, map.heights);
     for (const double allowance : {0.05, 0.01}) {
@@ -126,6 +144,7 @@ void report(const BenchMap& map) {
                             trianglesIn(map) / theirs * 1e-6, theirs / seconds);
             std::printf("\n");
         }
+        reportRefined(map, zmap, allowance);
     }
 }
 

@@ -114,7 +114,7 @@ TEST_F(JobFile, ErrorsNameTheFieldAndWhatIsAllowed) {
     EXPECT_THAT(told(with("16", "16.5")), HasSubstr("\"decimation.region\" must be a whole number."));
     EXPECT_THAT(told(with("16", "1e300")), HasSubstr("\"decimation.region\""));
     EXPECT_THAT(told(with("\"global\"", "\"best\"")),
-                HasSubstr("\"decimation.method\" must be one of \"lee\", \"global\", \"none\"."));
+                HasSubstr("\"decimation.method\" must be one of \"certified\", \"lee\", \"global\", \"none\"."));
     EXPECT_THAT(told(with("\"global\"", "3")), HasSubstr("\"decimation.method\" must be one of"));
     EXPECT_THAT(told(with("false", "0")), HasSubstr("\"decimation.certify\" must be true or false."));
     EXPECT_THAT(told(with("flat:d=6", "flat:d=-6")), HasSubstr("\"tools.12\" is no cutter: "));
@@ -286,7 +286,7 @@ TEST_F(JobFile, HasTheLayoutThatOthersWrite) {
               R"("depth":101.0,"height":50.0},"grid":0.5,"tools":{"1":"ball:d=11,l=50","12":"flat:d=6"},)"
               R"("start":[0.0,0.0,50.0],"blockDelete":true,"decimation":{"method":"global","region":16,)"
               R"("period":-1,"allowance":0.02,"certify":false,"borders":"paper","order":"sequential",)"
-              R"("seed":7}})");
+              R"("seed":7,"level":"surface"}})");
 }
 
 TEST_F(JobFile, AProgramNameThatIsNotUtf8IsTold) {

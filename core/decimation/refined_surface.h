@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The best picture of a z-map that rests: within the allowance everywhere, and neighbouring regions merged.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+#include <vector>
+
+#include "core/decimation/surface.h"
+
+namespace proveout {
+
+/// A surface of the certified method at ErrorLevel::surface, on which quads of regions are one mesh, quads of
+/// these again, and so on up to kMostCells along a side. It is a function of z-map and parameters, whatever
+/// moments it followed before: what did not change is kept, not what was there. Owned by one thread.
+class RefinedSurface {
+public:
+    /// Floats hold the products of coordinates exactly up to here, and rows of the row scan.
+    static constexpr int kMostCells = 1024;
+
+    RefinedSurface() = default;
+    RefinedSurface(int nx, int ny, const DecimationParameters& parameters);
+
+    [[nodiscard]] const RegionGrid& grid() const { return m_surface.grid(); }
+
+    /// Follows the z-map to a moment that differs from the one followed before in the regions `changed` at
+    /// most. False where it was stopped: it is to be called again with what changed since, and has no
+    /// snapshot until it succeeds.
+    [[nodiscard]] bool follow(const ZMapSnapshot& moment, std::span<const std::size_t> changed,
+                              const WorkContext& context = {});
+
+    /// Of the last moment followed. The mesh of a merged block stands at its first region; the meshes of its
+    /// other regions have no triangles.
+    [[nodiscard]] const SurfaceSnapshot& snapshot() const { return m_merged; }
+
+private:
+    /// A block of up to 2 × 2 blocks of the layer below.
+    struct Block {
+        std::array<RegionMeshPtr, 4> parts; ///< what its mesh was made of
+        RegionMeshPtr mesh;                 ///< null: cannot be merged
+    };
+    struct Layer {
+        int regions = 1; ///< along a side of a block
+        int blocksX = 1;
+        int blocksY = 1;
+        std::vector<Block> blocks;
+    };
+
+    struct Worker;
+
+    void touchRegionsWithExtras();
+    [[nodiscard]] bool mergeLayer(std::size_t layer, const ZMapSnapshot& moment, const WorkContext& context);
+    [[nodiscard]] RegionMeshPtr meshBelow(std::size_t layer, int bx, int by) const;
+    [[nodiscard]] RegionMeshPtr merged(const Layer& layer, std::size_t block, const ZMapSnapshot& moment,
+                                       Worker& worker, const std::stop_token& stop) const;
+    void assemble();
+    void cover(SurfaceSnapshot& shown, std::size_t layer, int bx, int by) const;
+
+    Surface m_surface; ///< every region by itself
+    std::vector<Layer> m_layers;
+    SurfaceSnapshot m_merged;
+};
+
+} // namespace proveout
