@@ -1782,6 +1782,26 @@
         <source>The coordinates of an STL file are too coarse for this mesh so far from the origin: {} triangles would collapse or turn over, {} vertices meet others; OBJ or PLY can hold it.</source>
         <translation>Die Koordinaten einer STL-Datei sind für dieses Netz so weit vom Nullpunkt zu grob: {} Dreiecke fielen zusammen oder kehrten sich um, {} Eckpunkte träfen auf andere; OBJ oder PLY können es halten.</translation>
     </message>
+    <message>
+        <source>Certified</source>
+        <translation>Zertifiziert</translation>
+    </message>
+    <message>
+        <source>At every z-map point</source>
+        <translation>An jedem Punkt der Z-Map</translation>
+    </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>Überall</translation>
+    </message>
+    <message>
+        <source>Error level</source>
+        <translation>Fehlerschranke gilt</translation>
+    </message>
+    <message>
+        <source>Where the certified method keeps its surface within the error allowance, at rest and in exports; while cutting, it is at every z-map point.</source>
+        <translation>Wo das zertifizierte Verfahren seine Fläche innerhalb des zulässigen Fehlers hält, in Ruhe und beim Export; während des Schneidens ist es jeder Punkt der Z-Map.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>
@@ -1949,6 +1969,10 @@
     <message>
         <source>%1: %2 triangles, %3</source>
         <translation>%1: %2 Dreiecke, %3</translation>
+    </message>
+    <message>
+        <source>largest error %1 mm, certified within %2 mm everywhere</source>
+        <translation>größter Fehler %1 mm, überall zertifiziert innerhalb %2 mm</translation>
     </message>
 </context>
 <context>
@@ -3052,10 +3076,6 @@ Vorgabe: die nächste freie Nummer</translation>
         <translation>Aus der Z-Map gezeichnete Regionen: %1 von %2</translation>
     </message>
     <message>
-        <source>Largest error: %1 mm, within the allowance of %2 mm</source>
-        <translation>Größter Fehler: %1 mm, innerhalb der zulässigen %2 mm</translation>
-    </message>
-    <message>
         <source>Largest error: %1 mm beside an allowance of %2 mm, which is not a bound while Certify is off</source>
         <translation>Größter Fehler: %1 mm neben zulässigen %2 mm, die ohne Zertifizieren keine Schranke sind</translation>
     </message>
@@ -3078,6 +3098,14 @@ Vorgabe: %3 mm</translation>
     <message>
         <source>Measured effect</source>
         <translation>Gemessene Wirkung</translation>
+    </message>
+    <message>
+        <source>Largest error: %1 mm anywhere, within the allowance of %2 mm</source>
+        <translation>Größter Fehler: %1 mm irgendwo, innerhalb der zulässigen %2 mm</translation>
+    </message>
+    <message>
+        <source>Largest error: %1 mm at the z-map points, within the allowance of %2 mm</source>
+        <translation>Größter Fehler: %1 mm an den Punkten der Z-Map, innerhalb der zulässigen %2 mm</translation>
     </message>
 </context>
 <context>

@@ -1782,6 +1782,26 @@
         <source>The coordinates of an STL file are too coarse for this mesh so far from the origin: {} triangles would collapse or turn over, {} vertices meet others; OBJ or PLY can hold it.</source>
         <translation>원점에서 이렇게 먼 메시에는 STL 파일의 좌표가 너무 거칩니다. 삼각형 {}개가 뭉개지거나 뒤집히고 정점 {}개가 다른 정점과 겹칩니다. OBJ나 PLY로는 담을 수 있습니다.</translation>
     </message>
+    <message>
+        <source>Certified</source>
+        <translation>오차 보증 방식</translation>
+    </message>
+    <message>
+        <source>At every z-map point</source>
+        <translation>모든 Z맵 점에서</translation>
+    </message>
+    <message>
+        <source>Everywhere</source>
+        <translation>모든 곳에서</translation>
+    </message>
+    <message>
+        <source>Error level</source>
+        <translation>오차 수준</translation>
+    </message>
+    <message>
+        <source>Where the certified method keeps its surface within the error allowance, at rest and in exports; while cutting, it is at every z-map point.</source>
+        <translation>오차 보증 방식이 정지 상태와 내보내기에서 표면을 허용 오차 안에 유지하는 범위입니다. 절삭 중에는 모든 Z맵 점에서 유지합니다.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>
@@ -1949,6 +1969,10 @@
     <message>
         <source>%1: %2 triangles, %3</source>
         <translation>%1: 삼각형 %2개, %3</translation>
+    </message>
+    <message>
+        <source>largest error %1 mm, certified within %2 mm everywhere</source>
+        <translation>최대 오차 %1 mm, 모든 곳에서 %2 mm 이내로 보증됨</translation>
     </message>
 </context>
 <context>
@@ -3051,10 +3075,6 @@ Default: the next free number</source>
         <translation>Z맵으로 그린 영역: %2개 중 %1개</translation>
     </message>
     <message>
-        <source>Largest error: %1 mm, within the allowance of %2 mm</source>
-        <translation>최대 오차: %1 mm, 허용 오차 %2 mm 이내</translation>
-    </message>
-    <message>
         <source>Largest error: %1 mm beside an allowance of %2 mm, which is not a bound while Certify is off</source>
         <translation>최대 오차: %1 mm. 오차 보증이 꺼져 있어 허용 오차 %2 mm가 한계로 보장되지 않습니다</translation>
     </message>
@@ -3077,6 +3097,14 @@ Default: %3 mm</source>
     <message>
         <source>Measured effect</source>
         <translation>측정된 효과</translation>
+    </message>
+    <message>
+        <source>Largest error: %1 mm anywhere, within the allowance of %2 mm</source>
+        <translation>최대 오차: 모든 곳에서 %1 mm, 허용 오차 %2 mm 이내</translation>
+    </message>
+    <message>
+        <source>Largest error: %1 mm at the z-map points, within the allowance of %2 mm</source>
+        <translation>최대 오차: Z맵 점에서 %1 mm, 허용 오차 %2 mm 이내</translation>
     </message>
 </context>
 <context>

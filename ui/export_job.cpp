@@ -9,8 +9,8 @@
 
 #include "core/base/text.h"
 #include "core/decimation/mesh_memory.h"
+#include "core/decimation/refined_surface.h"
 #include "core/decimation/solid.h"
-#include "core/decimation/surface.h"
 #include "core/formats/solid_export.h"
 #include "ui/file_paths.h"
 
@@ -23,19 +23,10 @@ constexpr double kDecimated = 0.6;
 constexpr double kClosed = 0.7;
 
 DecimationParameters parametersOf(const Frame& frame, const ExportOptions& options) {
-    DecimationParameters parameters = frame.parameters;
-    parameters.borders = BorderRule::shared;
+    DecimationParameters parameters = forExport(frame.parameters);
     if (!options.decimated)
         parameters.method = DecimationMethod::none;
     return parameters;
-}
-
-std::vector<LatticeTriangle> surfaceTriangles(const Frame& frame, const DecimationParameters& parameters,
-                                              const WorkContext& context) {
-    const Grid& grid = frame.zmap.grid();
-    Surface surface(grid.nx, grid.ny, parameters);
-    surface.decimateDirty(frame.zmap, context);
-    return surface.snapshot().triangles();
 }
 
 tl::unexpected<Diagnostics> cancelled() {
@@ -66,7 +57,7 @@ Result<ExportSummary> write(const Frame& frame, const QString& file, const Expor
         return tl::unexpected(format.error());
     const DecimationParameters parameters = parametersOf(frame, options);
     const std::vector<LatticeTriangle> triangles =
-        surfaceTriangles(frame, parameters, context.part(0, kDecimated));
+        decimatedWhole(frame.zmap, parameters, context.part(0, kDecimated)).triangles();
     if (context.stopped())
         return cancelled();
     const TriangleMesh solid = closeSolid(frame.zmap, triangles, context.part(kDecimated, kClosed));
@@ -75,7 +66,7 @@ Result<ExportSummary> write(const Frame& frame, const QString& file, const Expor
     if (solid.triangles.empty())
         return failure("nothing-left", PROVEOUT_TEXT("Core", "Nothing of the stock is left to export."));
     auto exported = exportSolid(toPath(file), *(*format)->meshWriter(), solid, frame.zmap,
-                                parameters.allowance, context.part(kClosed, 1));
+                                parameters.allowance, errorLevel(parameters), context.part(kClosed, 1));
     if (!exported)
         return tl::unexpected(std::move(exported.error()));
     const bool decimates = parameters.method != DecimationMethod::none && parameters.allowance > 0;
@@ -84,7 +75,8 @@ Result<ExportSummary> write(const Frame& frame, const QString& file, const Expor
                          .bytes = exported->file.bytes,
                          .largestErrorMm = exported->largestErrorMm,
                          .allowanceMm = decimates ? parameters.allowance : 0,
-                         .certified = decimates && parameters.certify,
+                         .certified = decimates && isBounded(parameters),
+                         .level = errorLevel(parameters),
                          .warnings = std::move(exported->warnings)};
 }
 

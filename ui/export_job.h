@@ -26,10 +26,11 @@ struct ExportSummary {
     QString file;
     std::uint64_t triangles = 0;
     std::uint64_t bytes = 0;
-    double largestErrorMm = 0; ///< of what the file holds, measured against the z-map
-    double allowanceMm = 0;    ///< of the decimation; 0: every point of the z-map was written
-    bool certified = false;    ///< the decimation keeps every z-map point within the allowance
-    Diagnostics warnings;      ///< about the file
+    double largestErrorMm = 0;             ///< of what the file holds, measured against the z-map
+    double allowanceMm = 0;                ///< of the decimation; 0: every point of the z-map was written
+    bool certified = false;                ///< the decimation keeps within the allowance …
+    ErrorLevel level = ErrorLevel::sample; ///< … there, where the error was measured
+    Diagnostics warnings;                  ///< about the file
 };
 
 /// Writes the stock of a frame: the surface, closed by walls and a floor. Any thread. Borders between regions

@@ -37,6 +37,10 @@ QString errorText(const ExportSummary& summary, const QLocale& locale) {
     if (summary.largestErrorMm > summary.allowanceMm)
         return translated(QT_TRANSLATE_NOOP("Export", "largest error %1 mm, beyond the allowance of %2 mm"))
             .arg(error, allowance);
+    if (summary.level == ErrorLevel::surface)
+        return translated(
+                   QT_TRANSLATE_NOOP("Export", "largest error %1 mm, certified within %2 mm everywhere"))
+            .arg(error, allowance);
     return translated(QT_TRANSLATE_NOOP("Export",
                                         "largest error %1 mm, certified within %2 mm at every z-map point"))
         .arg(error, allowance);

@@ -17,6 +17,7 @@
 #include "app/cli/zmap_file.h"
 #include "core/base/stop_watch.h"
 #include "core/decimation/mesh_memory.h"
+#include "core/decimation/refined_surface.h"
 
 namespace proveout::cli {
 
@@ -55,6 +56,8 @@ ExitCode run(const DecimateOptions& options) {
     Report report(options.zmap);
     DecimationParameters parameters;
     options.decimation.apply(parameters, true);
+    if (options.meshes.wanted())
+        parameters.regionCells = forExport(parameters).regionCells;
     const auto zmap = prepare(options, parameters);
     if (!zmap) {
         report.addFatal(zmap.error());
@@ -63,14 +66,12 @@ ExitCode run(const DecimateOptions& options) {
         return report.exitCode();
     }
     const StopWatch watch;
-    Surface surface(zmap->grid().nx, zmap->grid().ny, parameters);
-    (void)surface.decimateDirty(*zmap);
+    const SurfaceSnapshot result = decimatedWhole(*zmap, parameters);
     const double seconds = watch.seconds();
-    const SurfaceSnapshot result = surface.snapshot();
     const MeasuredSurface measured = measure(result, *zmap, parameters);
     std::vector<MeshOutput> written;
     if (options.meshes.wanted())
-        written = options.meshes.write(*zmap, result, parameters.allowance, report);
+        written = options.meshes.write(*zmap, result, parameters, report);
     const double error = largestErrorMm(measured.largestErrorMm, written, parameters.allowance);
     if (!options.json) {
         fmt::print("{} of {} triangles, largest vertical error {:.6f} mm, {:.3f} s\n", result.faces,

@@ -9,8 +9,11 @@ MeasuredSurface measure(const SurfaceSnapshot& surface, const ZMapSnapshot& zmap
                         const DecimationParameters& parameters) {
     if (surface.dirtyRegions == surface.grid.regionCount())
         return {};
+    const std::vector<LatticeTriangle> triangles = surface.triangles();
+    if (errorLevel(parameters) == ErrorLevel::surface)
+        return {measureSurfaceError(zmap, triangles), "surface"};
     const IndexRect all{0, 0, zmap.grid().nx, zmap.grid().ny};
-    const auto error = measureVerticalError(zmap, all, surface.triangles(), parameters.allowance);
+    const auto error = measureVerticalError(zmap, all, triangles, parameters.allowance);
     return {error.largest, isBounded(parameters) ? "sample" : "measured"};
 }
 

@@ -9,7 +9,7 @@ namespace proveout::cli {
 /// How far a surface lies from its z-map, and what that figure is worth.
 struct MeasuredSurface {
     double largestErrorMm = 0;
-    const char* level = "none"; ///< "sample", "measured" or "none"
+    const char* level = "none"; ///< "surface", "sample", "measured" or "none"
 };
 
 /// Measures a surface anew from its triangles, without asking the decimator.

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/memory.h"
+#include "core/decimation/region_decimator.h"
 #include "core/decimation/solid.h"
 
 namespace proveout::cli {
@@ -42,12 +43,13 @@ const FileFormat& MeshOutputs::formatOf(const std::string& file) const {
 }
 
 std::vector<MeshOutput> MeshOutputs::write(const ZMapSnapshot& zmap, const SurfaceSnapshot& surface,
-                                           double allowance, Report& report) const {
+                                           const DecimationParameters& parameters, Report& report) const {
     std::vector<MeshOutput> written;
     const TriangleMesh solid = closeSolid(zmap, surface.triangles());
     for (const std::string& file : files()) {
         const FileFormat& format = formatOf(file);
-        auto exported = exportSolid(file, *format.meshWriter(), solid, zmap, allowance);
+        auto exported = exportSolid(file, *format.meshWriter(), solid, zmap, parameters.allowance,
+                                    errorLevel(parameters));
         if (!exported) {
             report.addFatal(std::move(exported.error()));
             continue;

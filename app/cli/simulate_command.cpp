@@ -171,8 +171,7 @@ private:
         if (!m_options.records.empty())
             fine(writeRecords(m_options.records, m_frame));
         if (m_options.meshes.wanted())
-            m_written =
-                m_options.meshes.write(m_frame.zmap, *m_surface, m_job.parameters.allowance, m_report);
+            m_written = m_options.meshes.write(m_frame.zmap, *m_surface, m_job.parameters, m_report);
         m_seconds.write = watch.seconds();
     }
 

@@ -13,9 +13,7 @@ double CanonicalSurface::height(double i, double j) const {
     const int south = static_cast<int>(std::clamp(std::floor(j), 0.0, grid.ny - 2.0));
     const double u = i - west;
     const double v = j - south;
-    const auto at = [&](int di, int dj) {
-        return static_cast<double>(m_zmap.height(west + di, south + dj));
-    };
+    const auto at = [&](int di, int dj) { return static_cast<double>(m_zmap.height(west + di, south + dj)); };
     if ((west + south) % 2 == 0) // the diagonal "/": two of the triangle's edges are grid lines
         return at(0, 0) + (u >= v ? u * (at(1, 0) - at(0, 0)) + v * (at(1, 1) - at(1, 0))
                                   : v * (at(0, 1) - at(0, 0)) + u * (at(1, 1) - at(0, 1)));

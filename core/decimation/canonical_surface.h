@@ -15,8 +15,8 @@ public:
 
     [[nodiscard]] double height(double i, double j) const;
     /// The largest vertical distance between the surface and the straight line from `a` to `b`, mm. The
-    /// difference of two piecewise linear surfaces is largest over a vertex of one of them or where an edge of
-    /// one crosses an edge of the other; for the latter it is enough to ask this of each edge of one.
+    /// difference of two piecewise linear surfaces is largest over a vertex of one of them or where an edge
+    /// of one crosses an edge of the other; for the latter it is enough to ask this of each edge of one.
     [[nodiscard]] double distanceAlong(const Vec3& a, const Vec3& b) const;
 
 private:

@@ -22,8 +22,8 @@ struct VerticalError {
                                                  std::span<const LatticeTriangle> triangles,
                                                  double allowance);
 
-/// The largest vertical distance between the triangles and the canonical full mesh, anywhere over the map, mm;
-/// infinity where a point is not covered.
+/// The largest vertical distance between the triangles and the canonical full mesh, anywhere over the map,
+/// mm; infinity where a point is not covered.
 [[nodiscard]] double measureSurfaceError(const ZMapSnapshot& zmap,
                                          std::span<const LatticeTriangle> triangles);
 

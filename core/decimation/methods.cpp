@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <cassert>
 
 #include "core/decimation/certified_border.h"
@@ -26,10 +27,11 @@ BorderLine certifiedBorderLine(const BorderSamples& border, const DecimationPara
     return certifiedBorder(border.heights, borderAllowance(parameters), border.extras);
 }
 
-// In the order of DecimationMethod. The paper's figures stand on regions of 8 × 8 cells and a period of 20;
-// its global decimation follows every movement of the tool (§2.1).
+// In the order of DecimationMethod. Regions of the certified method are small, because a cut that touches one
+// costs all of it; at rest they are merged. The paper's figures stand on regions of 8 × 8 cells and a period
+// of 20; its global decimation follows every movement of the tool (§2.1).
 constexpr std::array kMethods{
-    DecimationMethodRow{DecimationMethod::certified, false, 64, 20, createCertified, certifiedBorderLine},
+    DecimationMethodRow{DecimationMethod::certified, false, 16, 5, createCertified, certifiedBorderLine},
     DecimationMethodRow{DecimationMethod::lee, false, 8, 20, createLee, leeBorder},
     DecimationMethodRow{DecimationMethod::global, true, 8, 1, createLee, leeBorder},
     DecimationMethodRow{DecimationMethod::none, false, 8, 0, nullptr, nullptr},
@@ -56,6 +58,26 @@ void useStandards(DecimationParameters& parameters, bool regionGiven, bool perio
 
 bool isBounded(const DecimationParameters& parameters) {
     return parameters.method == DecimationMethod::certified || parameters.certify;
+}
+
+ErrorLevel errorLevel(const DecimationParameters& parameters) {
+    return parameters.method == DecimationMethod::certified ? parameters.level : ErrorLevel::sample;
+}
+
+bool canMerge(const DecimationParameters& parameters) {
+    return parameters.method == DecimationMethod::certified && parameters.borders == BorderRule::shared &&
+           parameters.allowance > 0;
+}
+
+DecimationParameters whileCutting(DecimationParameters parameters) {
+    parameters.level = ErrorLevel::sample;
+    return parameters;
+}
+
+DecimationParameters forExport(DecimationParameters parameters) {
+    parameters.borders = BorderRule::shared;
+    parameters.regionCells = std::min(parameters.regionCells, kMostExportCells);
+    return parameters;
 }
 
 } // namespace proveout

@@ -32,8 +32,8 @@ enum class ErrorLevel : std::uint8_t {
 /// The parameters of the paper (§5: region size, period s, error allowance e) and of the product. Value type.
 struct DecimationParameters {
     DecimationMethod method = DecimationMethod::certified;
-    int regionCells = 64;    ///< a region is regionCells × regionCells cells
-    int period = 20;         ///< s: every s-th block that moves; -1 once at the start, 0 never
+    int regionCells = 16;    ///< a region is regionCells × regionCells cells
+    int period = 5;          ///< s: every s-th block that moves; -1 once at the start, 0 never
     double allowance = 0.05; ///< e, mm; 0 means no decimation
     bool certify = true;     ///< refuse a removal that would leave a z-map point farther than e vertically
     BorderRule borders = BorderRule::shared;

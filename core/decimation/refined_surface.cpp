@@ -18,11 +18,6 @@ struct RefinedSurface::Worker {
 
 namespace {
 
-DecimationParameters atSurfaceLevel(DecimationParameters parameters) {
-    parameters.level = ErrorLevel::surface;
-    return parameters;
-}
-
 /// Stands for the regions of a merged block but its first.
 const RegionMeshPtr& nothingLeft() {
     static const auto mesh = std::make_shared<const RegionMesh>();
@@ -31,12 +26,12 @@ const RegionMeshPtr& nothingLeft() {
 
 } // namespace
 
-RefinedSurface::RefinedSurface(int nx, int ny, const DecimationParameters& parameters)
-    : m_surface(nx, ny, atSurfaceLevel(parameters)) {
+RefinedSurface::RefinedSurface(int nx, int ny, const DecimationParameters& parameters, int mostCells)
+    : m_surface(nx, ny, parameters) {
     const RegionGrid& regions = grid();
     int side = 1;
     while (side < std::max(regions.regionsX(), regions.regionsY()) &&
-           2 * side * regions.cells() <= kMostCells) {
+           2 * side * regions.cells() <= mostCells) {
         side *= 2;
         Layer layer;
         layer.regions = side;
@@ -52,11 +47,7 @@ bool RefinedSurface::follow(const ZMapSnapshot& moment, std::span<const std::siz
                             const WorkContext& context) {
     for (const std::size_t region : changed)
         m_surface.touchRegion(region);
-    if (m_surface.dirtyRegions() > 0) {
-        touchRegionsWithExtras();
-        (void)m_surface.decimateDirty(moment, context);
-    }
-    if (m_surface.dirtyRegions() > 0)
+    if (m_surface.dirtyRegions() > 0 && !decimateAnew(moment, context))
         return false;
     for (std::size_t layer = 0; layer < m_layers.size(); ++layer)
         if (!mergeLayer(layer, moment, context))
@@ -65,17 +56,54 @@ bool RefinedSurface::follow(const ZMapSnapshot& moment, std::span<const std::siz
     return true;
 }
 
-/// Points that a border kept for a region that is decimated again may not be needed any more. All regions at
-/// such borders begin anew, so that the outcome is that of a surface where all regions do.
-void RefinedSurface::touchRegionsWithExtras() {
-    const SurfaceSnapshot before = m_surface.snapshot();
-    for (std::size_t border = 0; border < before.borders.size(); ++border) {
-        const BorderLinePtr& line = before.borders[border];
-        if (!line || line->extras.empty())
-            continue;
-        for (const std::size_t region : grid().sharers(border))
-            if (region != RegionGrid::kNoRegion)
+/// Points that a border kept for one of its regions may not be needed any more once that is decimated again.
+/// So all regions that such borders join begin anew, without these points; and where a region beyond them
+/// turns out to need one, it joins them and all begin again. The outcome is that of a surface where all
+/// regions do.
+bool RefinedSurface::decimateAnew(const ZMapSnapshot& moment, const WorkContext& context) {
+    m_isTogether.resize(grid().regionCount());
+    const auto join = [this](std::size_t region) {
+        if (!m_isTogether[region])
+            m_together.push_back(region);
+        m_isTogether[region] = true;
+    };
+    for (std::size_t region = 0; region < grid().regionCount(); ++region)
+        if (m_surface.isDirty(region))
+            join(region);
+    for (std::size_t joined = 0; joined != m_together.size();) {
+        const SurfaceSnapshot before = m_surface.snapshot();
+        spreadAlongExtras(before);
+        joined = m_together.size();
+        if (m_surface.parameters().level == ErrorLevel::surface)
+            for (const std::size_t region : m_together)
                 m_surface.touchRegion(region);
+        (void)m_surface.decimateDirty(moment, context);
+        if (m_surface.dirtyRegions() > 0)
+            return false;
+        for (std::size_t region = 0; region < grid().regionCount(); ++region)
+            if (m_surface.mesh(region) != before.meshes[region])
+                join(region);
+    }
+    for (const std::size_t region : m_together)
+        m_isTogether[region] = false;
+    m_together.clear();
+    return true;
+}
+
+/// Joins the regions that borders with extra points connect with those that are joined already.
+void RefinedSurface::spreadAlongExtras(const SurfaceSnapshot& shown) {
+    for (std::size_t k = 0; k < m_together.size(); ++k) {
+        for (const std::size_t border : grid().borders(m_together[k])) {
+            const BorderLinePtr& line = shown.borders[border];
+            if (!line || line->extras.empty())
+                continue;
+            for (const std::size_t region : grid().sharers(border)) {
+                if (region == RegionGrid::kNoRegion || m_isTogether[region])
+                    continue;
+                m_isTogether[region] = true;
+                m_together.push_back(region);
+            }
+        }
     }
 }
 
@@ -175,6 +203,19 @@ void RefinedSurface::cover(SurfaceSnapshot& shown, std::size_t layer, int bx, in
         for (int x = bx * own.regions; x < endX; ++x)
             shown.meshes.edit(grid().regionAt(x, y)) = nothingLeft();
     shown.meshes.edit(grid().regionAt(bx * own.regions, by * own.regions)) = mesh;
+}
+
+SurfaceSnapshot decimatedWhole(const ZMapSnapshot& zmap, const DecimationParameters& parameters,
+                               const WorkContext& context) {
+    const Grid& grid = zmap.grid();
+    if (canMerge(parameters)) {
+        RefinedSurface surface(grid.nx, grid.ny, parameters, kMostExportCells);
+        (void)surface.follow(zmap, {}, context);
+        return surface.snapshot();
+    }
+    Surface surface(grid.nx, grid.ny, parameters);
+    (void)surface.decimateDirty(zmap, context);
+    return surface.snapshot();
 }
 
 } // namespace proveout

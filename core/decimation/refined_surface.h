@@ -11,16 +11,17 @@
 
 namespace proveout {
 
-/// A surface of the certified method at ErrorLevel::surface, on which quads of regions are one mesh, quads of
-/// these again, and so on up to kMostCells along a side. It is a function of z-map and parameters, whatever
-/// moments it followed before: what did not change is kept, not what was there. Owned by one thread.
+/// A surface of the certified method, at the level of its parameters, on which quads of regions are one mesh,
+/// quads of these again, and so on up to a number of cells along a side. It is a function of z-map and
+/// parameters, whatever moments it followed before: what did not change is kept, not what was there. Owned by
+/// one thread.
 class RefinedSurface {
 public:
     /// Floats hold the products of coordinates exactly up to here, and rows of the row scan.
     static constexpr int kMostCells = 1024;
 
     RefinedSurface() = default;
-    RefinedSurface(int nx, int ny, const DecimationParameters& parameters);
+    RefinedSurface(int nx, int ny, const DecimationParameters& parameters, int mostCells = kMostCells);
 
     [[nodiscard]] const RegionGrid& grid() const { return m_surface.grid(); }
 
@@ -49,7 +50,8 @@ private:
 
     struct Worker;
 
-    void touchRegionsWithExtras();
+    [[nodiscard]] bool decimateAnew(const ZMapSnapshot& moment, const WorkContext& context);
+    void spreadAlongExtras(const SurfaceSnapshot& shown);
     [[nodiscard]] bool mergeLayer(std::size_t layer, const ZMapSnapshot& moment, const WorkContext& context);
     [[nodiscard]] RegionMeshPtr meshBelow(std::size_t layer, int bx, int by) const;
     [[nodiscard]] RegionMeshPtr merged(const Layer& layer, std::size_t block, const ZMapSnapshot& moment,
@@ -58,8 +60,16 @@ private:
     void cover(SurfaceSnapshot& shown, std::size_t layer, int bx, int by) const;
 
     Surface m_surface; ///< every region by itself
+    std::vector<std::size_t>
+        m_together;                 ///< regions that are to be decimated together, from their own borders
+    std::vector<bool> m_isTogether; ///< per region
     std::vector<Layer> m_layers;
     SurfaceSnapshot m_merged;
 };
+
+/// The surface of a z-map with every region decimated, for files: regions of the certified method are merged
+/// as far as rounding to single precision allows. Stopped, what it returns is no surface.
+[[nodiscard]] SurfaceSnapshot decimatedWhole(const ZMapSnapshot& zmap, const DecimationParameters& parameters,
+                                             const WorkContext& context = {});
 
 } // namespace proveout

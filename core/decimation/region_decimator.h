@@ -72,4 +72,20 @@ void useStandards(DecimationParameters& parameters, bool regionGiven, bool perio
 /// Whether the allowance is a bound of the error at least at the z-map points.
 [[nodiscard]] bool isBounded(const DecimationParameters& parameters);
 
+/// Where the error of a surface with these parameters is measured: where it is bounded, else at the points.
+[[nodiscard]] ErrorLevel errorLevel(const DecimationParameters& parameters);
+
+/// Whether neighbouring meshes can become one: see RefinedSurface.
+[[nodiscard]] bool canMerge(const DecimationParameters& parameters);
+
+/// The same while regions are decimated again and again: the level is `sample`.
+[[nodiscard]] DecimationParameters whileCutting(DecimationParameters parameters);
+
+/// Cells along a side of a region, beyond which rounding to single precision was seen to move slivers by more
+/// than the allowance.
+inline constexpr int kMostExportCells = 128;
+
+/// The same for files: borders that leave no crack, and no regions beyond kMostExportCells.
+[[nodiscard]] DecimationParameters forExport(DecimationParameters parameters);
+
 } // namespace proveout

@@ -22,7 +22,11 @@ RegionMeshPtr RegionMerge::merge(const RegionGrid& grid, const RegionSamples& sa
         if (m_vertices[v].i == split[0] || m_vertices[v].j == split[1])
             m_seeds.push_back(static_cast<std::int32_t>(v));
     const bool surface = parameters.level == ErrorLevel::surface;
-    if (!m_removal.runFrom(m_patch, floatNotAbove(parameters.allowance), surface, m_seeds, m_mesh, stop))
+    const IndexRect& rect = samples.rect;
+    const std::array<bool, 4> isMapEdge{rect.j0 == 0, rect.j1 == grid.ny(), rect.i0 == 0,
+                                        rect.i1 == grid.nx()};
+    if (!m_removal.runFrom(m_patch, floatNotAbove(parameters.allowance), surface, m_seeds, isMapEdge, m_mesh,
+                           stop))
         return nullptr;
     return std::make_shared<const RegionMesh>(regionMeshOf(m_mesh, m_patch, grid, samples.rect, parameters));
 }

@@ -13,8 +13,8 @@
 namespace proveout {
 
 /// Makes one mesh of the certified meshes of neighbouring regions: what they had to keep along the borders
-/// between them goes where the allowance lets it. The outline stays as it is, so neighbours need not know.
-/// Owned by one thread; keeps its storage.
+/// between them goes where the allowance lets it. The outline stays as it is but for the edge of the map, so
+/// neighbours need not know. Owned by one thread; keeps its storage.
 class RegionMerge {
 public:
     /// `parts` are the meshes (no null among them) that together cover `samples.rect` once; `split` is the

@@ -111,7 +111,8 @@ public:
             return; // a wall, or the floor
         if (m_level == ErrorLevel::surface)
             for (std::size_t k = 0; k < at.size(); ++k)
-                m_largest = std::max(m_largest, m_full.distanceAlong(inCells(at[k]), inCells(at[(k + 1) % 3])));
+                m_largest =
+                    std::max(m_largest, m_full.distanceAlong(inCells(at[k]), inCells(at[(k + 1) % 3])));
         const auto [low, high] = std::minmax({at[0].y, at[1].y, at[2].y});
         // Two triangles may cover the whole map.
         for (std::size_t j = m_rows.firstFrom(low); j <= m_rows.lastTo(high) && !m_stop.stop_requested();

@@ -25,9 +25,17 @@ bool VertexRemoval::run(const RegionPatch& patch, float limit, bool surface,
 }
 
 bool VertexRemoval::runFrom(const RegionPatch& patch, float limit, bool surface,
-                            std::span<const std::int32_t> seeds, LatticeTriangulation& mesh,
-                            const std::stop_token& stop) {
+                            std::span<const std::int32_t> seeds, const std::array<bool, 4>& freeSides,
+                            LatticeTriangulation& mesh, const std::stop_token& stop) {
     begin(patch, limit, surface, mesh);
+    for (std::size_t v = 0; v < mesh.vertexCount(); ++v) {
+        const PatchVertex& p = mesh.vertex(static_cast<std::int32_t>(v));
+        const std::array<bool, 4> isOn{p.j == 0, p.j == patch.height() - 1, p.i == 0,
+                                       p.i == patch.width() - 1};
+        for (std::size_t side = 0; side < isOn.size(); ++side)
+            if (isOn[side] && freeSides[side] && std::count(isOn.begin(), isOn.end(), true) == 1)
+                m_state[v] = State::idle;
+    }
     for (const std::int32_t v : seeds)
         push(v);
     return drain(stop);

@@ -19,9 +19,11 @@ public:
     /// `limit` in mm; `extras` are vertices of the outline that may go as well. False where it was stopped.
     bool run(const RegionPatch& patch, float limit, bool surface, std::span<const std::int32_t> extras,
              LatticeTriangulation& mesh, const std::stop_token& stop);
-    /// The same for a mesh of which only `seeds` may have become removable, and what their going frees.
+    /// The same for a mesh of which only `seeds` may have become removable, and what their going frees. Those
+    /// on the sides of the patch in `freeSides` (in the order of kSides) may go too.
     bool runFrom(const RegionPatch& patch, float limit, bool surface, std::span<const std::int32_t> seeds,
-                 LatticeTriangulation& mesh, const std::stop_token& stop);
+                 const std::array<bool, 4>& freeSides, LatticeTriangulation& mesh,
+                 const std::stop_token& stop);
     [[nodiscard]] bool isRemoved(std::int32_t vertex) const {
         return m_state[static_cast<std::size_t>(vertex)] == State::removed;
     }

@@ -47,11 +47,12 @@ Result<ExportedSolid> exportSolid(const std::filesystem::path& file, const MeshF
                                   const TriangleMesh& solid, const ZMapSnapshot& zmap, double allowance,
                                   ErrorLevel level, const WorkContext& context) {
     ExportedSolid exported;
-    exported.largestErrorMm = measureSolidError(zmap, solid, format.coordinates, level, context.part(0, kMeasured));
+    exported.largestErrorMm =
+        measureSolidError(zmap, solid, format.coordinates, level, context.part(0, kMeasured));
     const bool rounded = format.coordinates != CoordinateType::float64;
     if (rounded && allowance > 0 && exported.largestErrorMm > allowance) {
-        const double exact =
-            measureSolidError(zmap, solid, CoordinateType::float64, level, context.part(kMeasured, kMeasured));
+        const double exact = measureSolidError(zmap, solid, CoordinateType::float64, level,
+                                               context.part(kMeasured, kMeasured));
         if (exact <= allowance)
             exported.warnings.push_back(roundedBeyond(file, exported.largestErrorMm, allowance, exact));
     }

@@ -26,6 +26,7 @@ struct Frame {
     DecimationParameters parameters;
     ZMapSnapshot zmap;
     SurfaceSnapshot surface;
+    ErrorLevel level = ErrorLevel::sample; ///< where the errors of the surface were measured
     PersistentArray<BlockStatistics>
         statistics; ///< row k: block k+1; may reach beyond `block` after a seek back
     /// Of the simulation: what is known of program and tools before any block, from block 0 on; then what the

@@ -17,6 +17,8 @@ public:
 
     /// Whether anything is ever decimated with these parameters.
     [[nodiscard]] bool decimates() const { return m_period != 0; }
+    /// Whether what is cut is ever decimated again.
+    [[nodiscard]] bool repeats() const { return m_period > 0; }
     /// Whether the dirty regions are decimated when `block` blocks have been executed.
     [[nodiscard]] bool isMoment(std::size_t block) const { return lastMoment(block) == block; }
     /// The newest moment at or before `block`; none where nothing is decimated.

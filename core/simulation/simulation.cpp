@@ -12,6 +12,7 @@
 #include "core/base/memory.h"
 #include "core/base/stop_watch.h"
 #include "core/base/text.h"
+#include "core/decimation/refined_surface.h"
 #include "core/simulation/block_cutter.h"
 #include "core/simulation/changed_regions.h"
 #include "core/simulation/checkpoints.h"
@@ -79,6 +80,14 @@ struct Simulation::State {
     };
     std::optional<UnfinishedRow> unfinished;
 
+    /// What is shown at rest, and the z-map that it follows.
+    struct AtRest {
+        RefinedSurface surface;
+        std::optional<ZMapSnapshot> zmap;
+        bool isShown = false;
+    };
+    AtRest atRest;
+
     Checkpoints checkpoints;
     PersistentArray<BlockStatistics> rows;
     FindingLog findings;
@@ -94,6 +103,7 @@ struct Simulation::State {
         effort.cutSeconds += seconds;
         if (!record)
             return std::nullopt;
+        atRest.isShown = false;
         ++run.block;
         run.removedMm3 += record->removedMm3;
         run.cutSeconds += seconds;
@@ -172,6 +182,17 @@ struct Simulation::State {
         return out;
     }
 
+    void refine(const WorkContext& context) {
+        std::vector<std::size_t> changed;
+        ZMapSnapshot now = stock.zmap.snapshot();
+        if (atRest.zmap)
+            changed = differingRegions(*atRest.zmap, now, atRest.surface.grid());
+        else
+            atRest.surface = RefinedSurface(now.grid().nx, now.grid().ny, parameters);
+        atRest.zmap = std::move(now);
+        atRest.isShown = atRest.surface.follow(*atRest.zmap, changed, context);
+    }
+
     /// The row of the present block tells of the present surface.
     void noteSurface() {
         if (stock.block == 0 || stock.block > rows.size())
@@ -248,6 +269,7 @@ struct Simulation::State {
             if (!replay(run, block, replaying))
                 return;
             abandonUnfinished();
+            atRest.isShown = false;
             stock = std::move(run);
         }
         if (newBase) {
@@ -277,7 +299,8 @@ struct Simulation::State {
     void useParameters(const DecimationParameters& wanted) {
         parameters = wanted;
         schedule = Schedule(wanted);
-        surface = Surface(stock.zmap.grid().nx, stock.zmap.grid().ny, wanted);
+        surface = Surface(stock.zmap.grid().nx, stock.zmap.grid().ny, whileCutting(wanted));
+        atRest = {};
     }
 };
 
@@ -365,8 +388,21 @@ void Simulation::setCheckpointBudget(std::size_t bytes) {
     m_state->checkpoints.setBudget(bytes);
 }
 
+bool Simulation::canRefine() const {
+    const State& state = *m_state;
+    return canMerge(state.parameters) && state.schedule.repeats() && !state.atRest.isShown;
+}
+
+void Simulation::refine(const WorkContext& context) {
+    if (canRefine())
+        m_state->refine(context);
+}
+
 SurfaceSnapshot Simulation::decimatedNow(const WorkContext& context) const {
-    Surface surface = m_state->surface;
+    const DecimationParameters wanted = forExport(m_state->parameters);
+    if (canMerge(wanted) || !(wanted == m_state->surface.parameters()))
+        return decimatedWhole(zmap(), wanted, context);
+    Surface surface = m_state->surface; // its meshes are those wanted
     (void)surface.decimateDirty(zmap(), context);
     return surface.snapshot();
 }
@@ -387,7 +423,8 @@ Frame Simulation::frame() const {
     frame.setup = state.setup;
     frame.parameters = state.parameters;
     frame.zmap = zmap();
-    frame.surface = state.surface.snapshot();
+    frame.surface = state.atRest.isShown ? state.atRest.surface.snapshot() : state.surface.snapshot();
+    frame.level = state.atRest.isShown ? state.parameters.level : ErrorLevel::sample;
     frame.statistics = state.rows;
     frame.findings = state.findings.diagnostics(*state.program, state.tools);
     frame.removedMm3 = state.stock.removedMm3;

@@ -50,8 +50,15 @@ public:
     /// Bytes for checkpoints; the oldest detail is thinned out beyond them.
     void setCheckpointBudget(std::size_t bytes);
 
-    /// The surface of this moment with every region decimated, whatever the schedule (for export). Does not
-    /// change the simulation.
+    /// Whether refine() has anything to do: the certified method shows its surface at the level asked for,
+    /// and merges regions, while nothing is cut.
+    [[nodiscard]] bool canRefine() const;
+    /// Makes the surface that frame() shows until the next block; it is a function of z-map and parameters
+    /// too. Statistics tell of the surface by the schedule. A stopped context leaves the latter shown.
+    void refine(const WorkContext& context = {});
+
+    /// The surface of this moment with every region decimated, whatever the schedule, by forExport(). Does
+    /// not change the simulation.
     [[nodiscard]] SurfaceSnapshot decimatedNow(const WorkContext& context = {}) const;
     [[nodiscard]] ZMapSnapshot zmap() const;
     /// Wall time spent so far, replays included.

@@ -23,6 +23,8 @@ using Clock = std::chrono::steady_clock;
 
 /// Playback looks for commands at least this often.
 constexpr std::chrono::milliseconds kSlice{10};
+/// Whoever steps from block to block does not rest.
+constexpr std::chrono::milliseconds kBeforeRefining{150};
 /// Shorter work is not worth a progress bar.
 constexpr std::chrono::milliseconds kQuietWork{50};
 constexpr std::chrono::milliseconds kBetweenTellings{30};
@@ -86,6 +88,7 @@ struct SimulationThread::State {
     bool playing = false;
     bool everyBlock = false;
     bool resting = false; ///< cancelled: nothing is taken up again before the next command
+    Clock::time_point restsFrom;
     bool patient = false; ///< the work before was cut short
     std::uint64_t generation = 0;
     std::uint64_t sequence = 0;
@@ -113,6 +116,8 @@ struct SimulationThread::State {
             work();
         else if (simulation && playing)
             playSlice();
+        else if (simulation && !resting && simulation->canRefine())
+            rest();
         else
             queue.wait();
     }
@@ -126,6 +131,7 @@ struct SimulationThread::State {
     }
 
     void publish() {
+        restsFrom = Clock::now() + kBeforeRefining;
         auto frame = std::make_shared<Frame>(simulation->frame());
         frame->generation = generation;
         frame->sequence = ++sequence;
@@ -222,6 +228,19 @@ struct SimulationThread::State {
         }
         clock.start(simulation->position(), clock.blocksPerSecond(), Clock::now());
         publish();
+    }
+
+    /// Nothing is asked for: the better picture, which any command stops.
+    void rest() {
+        if (const auto now = Clock::now(); now < restsFrom) {
+            queue.waitUntil(restsFrom);
+            return;
+        }
+        simulation->refine({queue.beginWork(false), {}});
+        if (queue.endWork())
+            resting = true;
+        if (!simulation->canRefine())
+            publish();
     }
 
     void playSlice() {

@@ -13,14 +13,11 @@ std::string jobText(std::string_view program, int width, int depth, int height) 
   "grid": 1.0,
   "tools": {{"1": "ball:d=11,l=50"}},
   "decimation": {{
-    "method": "lee",
-    "region": 8,
-    "period": 20,
+    "method": "certified",
+    "region": 16,
+    "period": 5,
     "allowance": 0.05,
-    "certify": true,
-    "borders": "shared",
-    "order": "random",
-    "seed": 1
+    "level": "surface"
   }}
 }}
 )",

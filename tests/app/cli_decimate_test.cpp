@@ -34,9 +34,17 @@ TEST_F(CliDecimate, JsonHasTheKeysOfTheContract) {
     EXPECT_GE(json["seconds"], 0);
     EXPECT_LE(json["largestErrorMm"], 0.05);
     EXPECT_GT(json["largestErrorMm"], 0);
-    EXPECT_EQ(json["errorLevel"], "sample");
-    EXPECT_EQ(json["regions"], 5 * 4);
-    EXPECT_EQ(json["method"], "lee");
+    EXPECT_EQ(json["errorLevel"], "surface");
+    EXPECT_EQ(json["regions"], 3 * 2);
+    EXPECT_EQ(json["method"], "certified");
+    const auto sample = run("decimate a.npy --grid 0.5 --level sample --json").json();
+    EXPECT_EQ(sample["errorLevel"], "sample");
+    EXPECT_LE(sample["facesOut"], json["facesOut"]);
+    const auto lee = run("decimate a.npy --grid 0.5 --method lee --json").json();
+    EXPECT_EQ(lee["errorLevel"], "sample");
+    EXPECT_EQ(lee["regions"], 5 * 4);
+    EXPECT_EQ(run("decimate a.npy --grid 0.5 --method lee --no-certify --json").json()["errorLevel"],
+              "measured");
     EXPECT_EQ(run("decimate a.npy --grid 0.5 --region 16 --json").json()["regions"], 3 * 2);
     EXPECT_EQ(run("decimate a.npy --grid 0.5 --method global --json").json()["regions"], 1);
 }

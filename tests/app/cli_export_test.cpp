@@ -19,8 +19,8 @@ protected:
 
     /// A slot on a stock far out, where float32 has steps of 1/32 mm.
     Finished simulateFarOut(const std::string& more) {
-        write("far.nc", "T1 M6\nG0 X500005 Y5 Z5\nG1 Z-2 F100\nX500030\nG0 Z5\nM30\n");
-        return run("simulate far.nc --stock 40x30x10 --grid 0.5 --stock-origin 500000.013,0,0" + kTool +
+        write("far.nc", "T1 M6\nG0 X2000005 Y5 Z5\nG1 Z-2 F100\nX2000030\nG0 Z5\nM30\n");
+        return run("simulate far.nc --stock 40x30x10 --grid 0.5 --stock-origin 2000000.05,0,0" + kTool +
                    more);
     }
 };
@@ -97,7 +97,8 @@ TEST_F(CliExport, AFileThatCannotBeWrittenKeepsNoOtherBack) {
 TEST_F(CliExport, OutputsMustDiffer) {
     EXPECT_TRUE(simulate("--export a.stl --stl a.stl").tells("a.stl: error: ", "output-overwrites"));
     EXPECT_TRUE(simulate("--export a.obj --export ./a.obj").tells("./a.obj: error: ", "output-overwrites"));
-    EXPECT_TRUE(simulate("--borders paper --export a.3mf").tells("p.nc: error: ", "borders-not-exported"));
+    EXPECT_TRUE(simulate("--method lee --borders paper --export a.3mf")
+                    .tells("p.nc: error: ", "borders-not-exported"));
 }
 
 TEST_F(CliExport, RoundingBeyondTheAllowanceIsTold) {

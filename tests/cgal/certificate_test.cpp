@@ -132,7 +132,7 @@ TEST_P(Certificate, HoldsForEveryRegionSizeAndAllowance) {
     for (const double allowance : kAllowances) {
         for (const int region : kRegions) {
             SCOPED_TRACE(testing::Message() << "region " << region << ", allowance " << allowance);
-            DecimationParameters parameters;
+            DecimationParameters parameters = leeParameters();
             parameters.regionCells = region;
             parameters.allowance = allowance;
             CertificateRow row;
@@ -162,7 +162,7 @@ INSTANTIATE_TEST_SUITE_P(Maps, Certificate,
 /// Per-region borders crack: the checks must see that too.
 TEST(CertificateControl, SurfacesWithCracksAreSeen) {
     const ZMapSnapshot zmap = zmapOf(33, 33, 1.0, mapKind("walls").make(33, 33, 1.0, 1));
-    DecimationParameters parameters;
+    DecimationParameters parameters = leeParameters();
     parameters.borders = BorderRule::paper;
     parameters.certify = false;
     const TriangleMesh solid = closeSolid(zmap, decimated(zmap, parameters).triangles());
@@ -183,7 +183,7 @@ TEST(Hausdorff, IsReportedForSmallMaps) {
         const TriangleMesh full = closeSolid(zmap, Surface(kSize, kSize, {}).snapshot().triangles());
         std::cout << std::left << std::setw(10) << name << std::right << std::fixed << std::setprecision(4);
         for (const bool certified : {true, false}) {
-            DecimationParameters parameters;
+            DecimationParameters parameters = leeParameters();
             parameters.certify = certified;
             const TriangleMesh solid = closeSolid(zmap, decimated(zmap, parameters).triangles());
             const double distance = symmetricHausdorff(solid, full, kBound);

@@ -120,8 +120,12 @@ void TuningPanel::showEffect(const FramePtr& frame) {
                                 locale().toString(static_cast<qulonglong>(surface.grid.regionCount()))));
     const QString error = locale().toString(surface.largestError(), 'f', 4);
     const QString allowance = locale().toString(frame->parameters.allowance);
+    const QString bounded =
+        frame->level == ErrorLevel::surface
+            ? tr("Largest error: %1 mm anywhere, within the allowance of %2 mm")
+            : tr("Largest error: %1 mm at the z-map points, within the allowance of %2 mm");
     m_error->setText(isBounded(frame->parameters)
-                         ? tr("Largest error: %1 mm, within the allowance of %2 mm").arg(error, allowance)
+                         ? bounded.arg(error, allowance)
                          : tr("Largest error: %1 mm beside an allowance of %2 mm, which is not a bound while "
                               "Certify is off")
                                .arg(error, allowance));

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "core/decimation/region_decimator.h"
+#include "tests/core/decimation/maps.h"
 
 namespace proveout {
 namespace {
@@ -43,7 +44,7 @@ TEST(SimplifyBorder, certifiedStaysWithinTheAllowanceVertically) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         std::mt19937 random(seed);
         const std::vector<float> heights = randomBorder(random, 2 + random() % 200);
-        DecimationParameters parameters;
+        DecimationParameters parameters = test::leeParameters();
         parameters.allowance = 0.01 * (1.0 + static_cast<double>(random() % 20));
         const BorderLine line = simplifyBorder(heights, 0.1, seed, parameters);
         EXPECT_TRUE(std::is_sorted(line.kept.begin(), line.kept.end()));
@@ -63,7 +64,7 @@ TEST(SimplifyBorder, uncertifiedIsSeenToExceedTheAllowance) {
     for (unsigned seed = 0; seed < 100; ++seed) {
         std::mt19937 random(seed);
         const std::vector<float> heights = randomBorder(random, 200);
-        DecimationParameters parameters;
+        DecimationParameters parameters = test::leeParameters();
         parameters.certify = false;
         worst = std::max(worst, largestDistance(heights, simplifyBorder(heights, 0.1, seed, parameters)));
     }
@@ -90,7 +91,7 @@ TEST(SimplifyBorder, keepsEverythingWithoutAllowanceAndOnTwoCells) {
 TEST(SimplifyBorder, followsTheSeedInRandomOrderOnly) {
     std::mt19937 random(1);
     const std::vector<float> heights = randomBorder(random, 200);
-    DecimationParameters parameters;
+    DecimationParameters parameters = test::leeParameters();
     EXPECT_NE(simplifyBorder(heights, 0.1, 1, parameters).kept,
               simplifyBorder(heights, 0.1, 2, parameters).kept);
     parameters.order = RemovalOrder::sequential;

@@ -13,6 +13,7 @@
 #include "core/decimation/decimator_pool.h"
 #include "core/decimation/error_measure.h"
 #include "core/decimation/surface.h"
+#include "tests/core/decimation/maps.h"
 #include "tests/core/decimation/topology.h"
 
 namespace proveout {
@@ -47,7 +48,7 @@ protected:
         return surface.snapshot();
     }
     DecimationParameters parameters() const {
-        DecimationParameters parameters;
+        DecimationParameters parameters = test::leeParameters();
         parameters.regionCells = GetParam().region;
         parameters.allowance = GetParam().allowance;
         return parameters;
@@ -113,7 +114,7 @@ TEST_P(LeeOn, withThePapersBordersEachRegionIsCoveredAndCertified) {
 TEST(Uncertified, isSeenToExceedTheAllowanceAtWalls) {
     const Heights heights = test::mapKind("walls").make(98, 66, 0.5, 17);
     const ZMapSnapshot zmap = test::zmapOf(98, 66, 0.5, heights);
-    DecimationParameters parameters;
+    DecimationParameters parameters = test::leeParameters();
     parameters.certify = false;
     Surface surface(98, 66, parameters);
     surface.decimateDirty(zmap);
@@ -126,7 +127,7 @@ TEST(Uncertified, isSeenToExceedTheAllowanceAtWalls) {
 /// The paper's borders open cracks, which the topology check must see.
 TEST(PaperBorders, areSeenToCrack) {
     const Heights heights = test::mapKind("spheres").make(98, 66, 0.5, 17);
-    DecimationParameters parameters;
+    DecimationParameters parameters = test::leeParameters();
     parameters.borders = BorderRule::paper;
     Surface surface(98, 66, parameters);
     surface.decimateDirty(test::zmapOf(98, 66, 0.5, heights));
@@ -221,7 +222,7 @@ TEST(LeeDecimator, standsFlatConstantAndExtremeHeights) {
     for (const float extreme : {0.0F, -1e-30F, 1e6F, -1e20F, std::numeric_limits<float>::max()}) {
         for (const bool certify : {true, false}) {
             SCOPED_TRACE(std::to_string(extreme) + (certify ? " certified" : ""));
-            DecimationParameters parameters;
+            DecimationParameters parameters = test::leeParameters();
             parameters.certify = certify;
             Heights heights(289, extreme);
             const auto check = [&] {
@@ -254,7 +255,7 @@ TEST(LeeDecimator, standsRegionsOfOneCell) {
             SCOPED_TRACE(kind.name + " " + std::to_string(nx) + "x" + std::to_string(ny));
             const Heights heights = kind.make(nx, ny, 0.5, 23);
             for (const BorderRule borders : {BorderRule::shared, BorderRule::paper}) {
-                DecimationParameters parameters;
+                DecimationParameters parameters = test::leeParameters();
                 parameters.regionCells = cells;
                 parameters.borders = borders;
                 Surface surface(nx, ny, parameters);

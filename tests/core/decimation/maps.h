@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "core/decimation/parameters.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout::test {
@@ -26,5 +27,13 @@ const MapKind& mapKind(const std::string& name);
 
 /// A z-map with these heights; they must lie in [-100, 0].
 ZMapSnapshot zmapOf(int nx, int ny, double spacing, const Heights& heights);
+
+/// The paper's method with the paper's region size, certified.
+inline DecimationParameters leeParameters() {
+    DecimationParameters parameters;
+    parameters.method = DecimationMethod::lee;
+    parameters.regionCells = 8;
+    return parameters;
+}
 
 } // namespace proveout::test

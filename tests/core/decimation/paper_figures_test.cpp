@@ -13,6 +13,7 @@
 #include "core/decimation/random_order.h"
 #include "core/decimation/region_half_edges.h"
 #include "core/decimation/vertex_error.h"
+#include "tests/core/decimation/maps.h"
 #include "tests/core/decimation/topology.h"
 
 namespace proveout {
@@ -156,7 +157,7 @@ TEST(Figure6, aBorderCollapseTakesOneFaceTwoEdgesAndAVertex) {
 TEST(Figure6, onlyTheTwoBorderEdgesAreCandidatesAndCornersStay) {
     // Cells are three times as wide as deep, so that the shortest edges of the southern and northern borders
     // lead inwards: the border rule must not take them.
-    DecimationParameters parameters;
+    DecimationParameters parameters = test::leeParameters();
     parameters.borders = BorderRule::paper;
     parameters.certify = false;
     parameters.allowance = 100;

@@ -86,7 +86,8 @@ TEST(SolidError, ofAFullMeshInDoubleIsZero) {
             height = random() % 100 < percentOnFloor ? kFloor : -static_cast<float>(random() % 1000) / 31;
         const ZMapSnapshot zmap = movedTo({-1000.03, 77.7, 33.3}, test::zmapOf(33, 21, 0.1, heights));
         const TriangleMesh solid = closeSolid(zmap, test::fullTriangulation(33, 21));
-        EXPECT_EQ(measureSolidError(zmap, solid, CoordinateType::float64), 0) << percentOnFloor;
+        EXPECT_EQ(measureSolidError(zmap, solid, CoordinateType::float64, ErrorLevel::sample), 0)
+            << percentOnFloor;
     }
 }
 
@@ -101,8 +102,9 @@ TEST(SolidError, inDoubleIsThatOfTheSurface) {
         surface.decimateDirty(zmap);
         const auto triangles = surface.snapshot().triangles();
         const double wanted = measureVerticalError(zmap, {0, 0, 70, 55}, triangles, 0).largest;
-        EXPECT_NEAR(measureSolidError(zmap, closeSolid(zmap, triangles), CoordinateType::float64), wanted,
-                    1e-9)
+        EXPECT_NEAR(
+            measureSolidError(zmap, closeSolid(zmap, triangles), CoordinateType::float64, ErrorLevel::sample),
+            wanted, 1e-9)
             << name;
     }
 }
@@ -128,7 +130,8 @@ TEST(SolidError, ofRoundedCoordinatesAgreesWithBruteForce) {
             closeSolid(zmap, test::randomTriangulation(nx, ny, random() % 300, random));
         // A point on an edge may fall on either side of it by its own rounding; steep as these triangles
         // are, that is worth 1e-6 mm.
-        EXPECT_NEAR(measureSolidError(zmap, solid, CoordinateType::float32), bruteForce(zmap, solid), 1e-6);
+        EXPECT_NEAR(measureSolidError(zmap, solid, CoordinateType::float32, ErrorLevel::sample),
+                    bruteForce(zmap, solid), 1e-6);
     }
 }
 
@@ -144,7 +147,7 @@ TEST(SolidError, growsWithTheDistanceFromTheOrigin) {
         double moved = 0;
         for (int i = 1; i < 8; ++i) // the ends are measured at the rounded outline
             moved = std::max(moved, std::abs(inFloat({zmap.grid().x(i), 0, 0}).x - zmap.grid().x(i)));
-        const double error = measureSolidError(zmap, solid, CoordinateType::float32);
+        const double error = measureSolidError(zmap, solid, CoordinateType::float32, ErrorLevel::sample);
         EXPECT_NEAR(error, kSlope * moved, 0.03 * kSlope * moved) << far;
     }
 }
@@ -153,11 +156,11 @@ TEST(SolidError, whereNothingIsTheFloorIsTheTop) {
     test::Heights heights(25, -1.0F);
     const ZMapSnapshot zmap = test::zmapOf(5, 5, 1, heights);
     TriangleMesh solid = closeSolid(zmap, test::fullTriangulation(5, 5));
-    EXPECT_EQ(measureSolidError(zmap, solid, CoordinateType::float32), 0);
+    EXPECT_EQ(measureSolidError(zmap, solid, CoordinateType::float32, ErrorLevel::sample), 0);
     std::erase_if(solid.triangles, [&solid](const auto& triangle) {
         return std::ranges::all_of(triangle, [&solid](std::uint32_t v) { return solid.vertices[v].x < 1.5; });
     });
-    EXPECT_EQ(measureSolidError(zmap, solid, CoordinateType::float32), 99);
+    EXPECT_EQ(measureSolidError(zmap, solid, CoordinateType::float32, ErrorLevel::sample), 99);
 }
 
 TEST(SolidError, canBeStopped) {
@@ -172,7 +175,7 @@ TEST(SolidError, canBeStopped) {
         if (done > 0.3)
             stop.request_stop();
     };
-    static_cast<void>(measureSolidError(zmap, solid, CoordinateType::float32, context));
+    static_cast<void>(measureSolidError(zmap, solid, CoordinateType::float32, ErrorLevel::sample, context));
     EXPECT_TRUE(std::ranges::is_sorted(told));
     EXPECT_LT(told.back(), 0.6);
 }

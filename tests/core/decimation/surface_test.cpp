@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/decimation/error_measure.h"
+#include "tests/core/decimation/maps.h"
 #include "tests/core/decimation/topology.h"
 
 namespace proveout {
@@ -17,7 +18,7 @@ namespace {
 using test::Heights;
 
 DecimationParameters withRegion(int cells, double allowance) {
-    DecimationParameters parameters;
+    DecimationParameters parameters = test::leeParameters();
     parameters.regionCells = cells;
     parameters.allowance = allowance;
     return parameters;
@@ -90,7 +91,7 @@ TEST(Surface, withoutAllowanceOrMethodNothingIsDecimated) {
     Surface exact(20, 20, withRegion(8, 0));
     EXPECT_EQ(exact.decimateDirty(zmap), 0U);
     EXPECT_EQ(exact.faces(), exact.facesFull());
-    DecimationParameters parameters;
+    DecimationParameters parameters = test::leeParameters();
     parameters.method = DecimationMethod::none;
     Surface none(20, 20, parameters);
     EXPECT_EQ(none.decimateDirty(zmap), 0U);
@@ -98,7 +99,7 @@ TEST(Surface, withoutAllowanceOrMethodNothingIsDecimated) {
 }
 
 TEST(Surface, globalIsOneRegion) {
-    DecimationParameters parameters;
+    DecimationParameters parameters = test::leeParameters();
     parameters.method = DecimationMethod::global;
     Surface surface(50, 31, parameters);
     EXPECT_EQ(surface.grid().regionCount(), 1U);

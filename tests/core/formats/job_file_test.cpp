@@ -113,8 +113,9 @@ TEST_F(JobFile, ErrorsNameTheFieldAndWhatIsAllowed) {
     EXPECT_THAT(told(with("16", "1")), HasSubstr("\"decimation.region\" must be a number from 2 to 256."));
     EXPECT_THAT(told(with("16", "16.5")), HasSubstr("\"decimation.region\" must be a whole number."));
     EXPECT_THAT(told(with("16", "1e300")), HasSubstr("\"decimation.region\""));
-    EXPECT_THAT(told(with("\"global\"", "\"best\"")),
-                HasSubstr("\"decimation.method\" must be one of \"certified\", \"lee\", \"global\", \"none\"."));
+    EXPECT_THAT(
+        told(with("\"global\"", "\"best\"")),
+        HasSubstr("\"decimation.method\" must be one of \"certified\", \"lee\", \"global\", \"none\"."));
     EXPECT_THAT(told(with("\"global\"", "3")), HasSubstr("\"decimation.method\" must be one of"));
     EXPECT_THAT(told(with("false", "0")), HasSubstr("\"decimation.certify\" must be true or false."));
     EXPECT_THAT(told(with("flat:d=6", "flat:d=-6")), HasSubstr("\"tools.12\" is no cutter: "));

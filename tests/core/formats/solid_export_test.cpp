@@ -49,7 +49,8 @@ protected:
                                    const TriangleMesh& solid, double allowance = kAllowance,
                                    const WorkContext& context = {}) {
         const auto file = m_folder / name;
-        return exportSolid(file, *meshFormatOf(file).value()->meshWriter(), solid, zmap, allowance, context);
+        return exportSolid(file, *meshFormatOf(file).value()->meshWriter(), solid, zmap, allowance,
+                           ErrorLevel::sample, context);
     }
 
     TemporaryFolder m_folder;
@@ -64,9 +65,11 @@ TEST_F(SolidExport, TheErrorToldIsThatOfTheFile) {
         const auto back = readStl(m_folder / "a.stl");
         ASSERT_TRUE(back);
         EXPECT_EQ(stl->file.triangles, back->triangles.size());
-        EXPECT_EQ(measureSolidError(zmap, *back, CoordinateType::float32), stl->largestErrorMm) << far;
+        EXPECT_EQ(measureSolidError(zmap, *back, CoordinateType::float32, ErrorLevel::sample),
+                  stl->largestErrorMm)
+            << far;
         EXPECT_EQ(exportTo("a.ply", zmap, solid)->largestErrorMm,
-                  measureSolidError(zmap, solid, CoordinateType::float64))
+                  measureSolidError(zmap, solid, CoordinateType::float64, ErrorLevel::sample))
             << far;
     }
 }

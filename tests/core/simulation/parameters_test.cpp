@@ -83,6 +83,8 @@ TEST(Parameters, AreKeptAndStatisticsStay) {
 TEST(DecimatedNow, DecimatesEverythingAndChangesNothing) {
     DecimationParameters never;
     never.period = 0;
+    never.method = DecimationMethod::lee; // whose meshes are those of the schedule
+    never.regionCells = 8;
     const auto program = programOf(randomProgram(2, 45));
     const auto simulation = startedSimulation(program, smallSetup(), never);
     simulation->seek(33);
@@ -93,7 +95,7 @@ TEST(DecimatedNow, DecimatesEverythingAndChangesNothing) {
     EXPECT_EQ(difference(simulation->frame(), before), "");
     EXPECT_EQ(before.surface.faces, before.surface.facesFull);
     // The schedule's own meshes at a moment are the same ones.
-    DecimationParameters every;
+    DecimationParameters every = never;
     every.period = 33;
     const auto scheduled = startedSimulation(program, smallSetup(), every);
     scheduled->seek(33);

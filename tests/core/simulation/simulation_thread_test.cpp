@@ -31,6 +31,15 @@ constexpr auto kCancelLimit = 2000ms;
 constexpr auto kCancelLimit = 200ms;
 #endif
 
+/// A method that shows the surface of the schedule at rest too, so that frames do not depend on the clock.
+DecimationParameters bySchedule() {
+    DecimationParameters parameters;
+    parameters.method = DecimationMethod::lee;
+    parameters.regionCells = 8;
+    parameters.period = 20;
+    return parameters;
+}
+
 /// A thread with a listener that lets a test wait for frames.
 class Listening {
 public:
@@ -119,10 +128,10 @@ private:
 
 TEST(SimulationThread, LoadsSeeksAndSteps) {
     const auto program = programOf(randomProgram(21, 100));
-    const auto straight = straightRun(program, smallSetup(), {});
+    const auto straight = straightRun(program, smallSetup(), bySchedule());
     Listening listening;
     auto& thread = listening.thread();
-    thread.post(LoadCommand{program, smallSetup(), {}, 5});
+    thread.post(LoadCommand{program, smallSetup(), bySchedule(), 5});
     const auto first = listening.waitForBlock(0);
     ASSERT_NE(first, nullptr);
     EXPECT_EQ(first->generation, 5U);
@@ -147,10 +156,10 @@ TEST(SimulationThread, LoadsSeeksAndSteps) {
 
 TEST(SimulationThread, PlaysToTheEndAndStops) {
     const auto program = programOf(randomProgram(22, 200));
-    const auto straight = straightRun(program, smallSetup(), {});
+    const auto straight = straightRun(program, smallSetup(), bySchedule());
     Listening listening;
     auto& thread = listening.thread();
-    thread.post(LoadCommand{program, smallSetup(), {}, 1});
+    thread.post(LoadCommand{program, smallSetup(), bySchedule(), 1});
     thread.post(PlayCommand{kInfinity, false});
     const auto end =
         listening.waitFor([](const Frame& frame) { return frame.block == 200 && !frame.playing; });
@@ -161,7 +170,7 @@ TEST(SimulationThread, PlaysToTheEndAndStops) {
 TEST(SimulationThread, PlaysByTheWallClock) {
     Listening listening;
     auto& thread = listening.thread();
-    thread.post(LoadCommand{programOf(randomProgram(23, 400)), smallSetup(), {}, 1});
+    thread.post(LoadCommand{programOf(randomProgram(23, 400)), smallSetup(), bySchedule(), 1});
     ASSERT_NE(listening.waitForBlock(0), nullptr);
     const auto start = Clock::now();
     thread.post(PlayCommand{200, false});
@@ -174,7 +183,7 @@ TEST(SimulationThread, PlaysByTheWallClock) {
 TEST(SimulationThread, PaperModeShowsEveryBlock) {
     Listening listening;
     auto& thread = listening.thread();
-    thread.post(LoadCommand{programOf(randomProgram(24, 50)), smallSetup(), {}, 1});
+    thread.post(LoadCommand{programOf(randomProgram(24, 50)), smallSetup(), bySchedule(), 1});
     ASSERT_NE(listening.waitForBlock(0), nullptr);
     thread.post(PlayCommand{kInfinity, true});
     std::vector<std::size_t> blocks{0}; // seen above, and not always published a second time
@@ -192,7 +201,7 @@ TEST(SimulationThread, PaperModeShowsEveryBlock) {
 TEST(SimulationThread, PaperModeAnswersCommandsWhileNobodyDraws) {
     Listening listening;
     auto& thread = listening.thread();
-    thread.post(LoadCommand{programOf(randomProgram(24, 50)), smallSetup(), {}, 1});
+    thread.post(LoadCommand{programOf(randomProgram(24, 50)), smallSetup(), bySchedule(), 1});
     ASSERT_NE(listening.waitForBlock(0), nullptr);
     thread.post(PlayCommand{kInfinity, true});
     ASSERT_TRUE(listening.waitForUndrawn(1));
@@ -206,7 +215,7 @@ TEST(SimulationThread, PaperModeAnswersCommandsWhileNobodyDraws) {
 TEST(SimulationThread, PauseHoldsThePosition) {
     Listening listening;
     auto& thread = listening.thread();
-    thread.post(LoadCommand{programOf(randomProgram(25, 3000)), smallSetup(), {}, 1});
+    thread.post(LoadCommand{programOf(randomProgram(25, 3000)), smallSetup(), bySchedule(), 1});
     thread.post(PlayCommand{500, false});
     ASSERT_NE(listening.waitFor([](const Frame& frame) { return frame.block > 10; }), nullptr);
     thread.post(PauseCommand{});
@@ -214,7 +223,7 @@ TEST(SimulationThread, PauseHoldsThePosition) {
         listening.waitFor([](const Frame& frame) { return !frame.playing && frame.block > 0; });
     ASSERT_NE(paused, nullptr);
     // What is executed after the pause finds the same block.
-    DecimationParameters marked;
+    DecimationParameters marked = bySchedule();
     marked.seed = 77;
     thread.post(ParametersCommand{marked});
     const auto later = listening.waitFor([&](const Frame& frame) { return frame.parameters == marked; });
@@ -225,12 +234,12 @@ TEST(SimulationThread, PauseHoldsThePosition) {
 TEST(SimulationThread, AppliesEditsAndParametersInOrder) {
     const auto before = programOf(randomProgram(26, 60));
     const auto after = programOf(randomProgram(27, 60));
-    DecimationParameters coarse;
+    DecimationParameters coarse = bySchedule();
     coarse.allowance = 0.4;
     const auto straight = straightRun(after, smallSetup(), coarse);
     Listening listening;
     auto& thread = listening.thread();
-    thread.post(LoadCommand{before, smallSetup(), {}, 1});
+    thread.post(LoadCommand{before, smallSetup(), bySchedule(), 1});
     thread.post(SeekCommand{50});
     thread.post(ParametersCommand{coarse});
     thread.post(EditCommand{after, 2});
@@ -240,6 +249,29 @@ TEST(SimulationThread, AppliesEditsAndParametersInOrder) {
     });
     ASSERT_NE(frame, nullptr);
     EXPECT_EQ(difference(*frame, straight[60]), "");
+}
+
+TEST(SimulationThread, ShowsABetterPictureAtRestUntilTheNextBlock) {
+    const auto program = programOf(randomProgram(28, 60));
+    const DecimationParameters certified;
+    const auto straight = straightRun(program, smallSetup(), certified);
+    Listening listening;
+    auto& thread = listening.thread();
+    thread.post(LoadCommand{program, smallSetup(), certified, 1});
+    thread.post(SeekCommand{43});
+    const auto atRest = [](std::size_t block) {
+        return [block](const Frame& shown) {
+            return shown.block == block && shown.level == ErrorLevel::surface;
+        };
+    };
+    const auto rested = listening.waitFor(atRest(43));
+    ASSERT_NE(rested, nullptr);
+    EXPECT_EQ(rested->surface.dirtyRegions, 0U);
+    EXPECT_LT(rested->surface.faces, straight[43].surface.faces);
+    thread.post(StepCommand{1});
+    const auto stepped = listening.waitFor(atRest(44));
+    ASSERT_NE(stepped, nullptr);
+    EXPECT_NE(stepped->surface.triangles(), rested->surface.triangles());
 }
 
 TEST(SimulationThread, TellsWhyALoadFailed) {
@@ -252,7 +284,7 @@ TEST(SimulationThread, TellsWhyALoadFailed) {
     EXPECT_EQ(listening.failedGeneration(), 7U);
     // Commands without a simulation are harmless, and the next load works.
     listening.thread().post(SeekCommand{3});
-    listening.thread().post(LoadCommand{programOf(randomProgram(28, 10)), smallSetup(), {}, 8});
+    listening.thread().post(LoadCommand{programOf(randomProgram(28, 10)), smallSetup(), bySchedule(), 8});
     EXPECT_NE(listening.waitFor([](const Frame& frame) { return frame.generation == 8; }), nullptr);
 }
 
@@ -281,7 +313,7 @@ TEST(SimulationThread, AnswersACancelOfLongWorkSoon) {
 TEST(SimulationThread, AnswersACancelAndItsEndInTheMiddleOfABlock) {
     auto listening = std::make_unique<Listening>();
     auto& thread = listening->thread();
-    DecimationParameters parameters;
+    DecimationParameters parameters = bySchedule();
     parameters.method = DecimationMethod::none;
     thread.post(LoadCommand{programOfOneLongBlock(), wideSetup(), parameters, 1});
     ASSERT_NE(listening->waitFor([](const Frame&) { return true; }), nullptr);
@@ -310,7 +342,7 @@ TEST(SimulationThread, SurvivesAStormOfCommands) {
     const std::vector<std::shared_ptr<const Program>> programs{programOf(randomProgram(31, 150)),
                                                                programOf(randomProgram(32, 150)),
                                                                programOf(randomProgram(33, 90))};
-    DecimationParameters parameters;
+    DecimationParameters parameters = bySchedule();
     Listening listening;
     auto& thread = listening.thread();
     thread.post(LoadCommand{programs[0], smallSetup(), parameters, 1});

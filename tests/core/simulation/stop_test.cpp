@@ -58,6 +58,7 @@ TEST(Stop, AnywhereIsCompletedLater) {
     const auto setup = smallSetup();
     DecimationParameters fine;
     fine.period = 10;
+    fine.regionCells = 8;
     DecimationParameters coarse = fine;
     coarse.allowance = 0.2;
     const auto straight = straightRun(program, setup, fine);

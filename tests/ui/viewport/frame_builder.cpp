@@ -11,7 +11,8 @@ Grid gridOf(const StockBox& stock, double spacing) {
 } // namespace
 
 FrameBuilder::FrameBuilder(const StockBox& stock, double spacing, const DecimationParameters& parameters)
-    : m_zmap(stock, gridOf(stock, spacing)), m_surface(m_zmap.grid().nx, m_zmap.grid().ny, parameters) {
+    : m_zmap(stock, gridOf(stock, spacing)),
+      m_surface(m_zmap.grid().nx, m_zmap.grid().ny, whileCutting(parameters)) {
     m_frame.parameters = parameters;
 }
 

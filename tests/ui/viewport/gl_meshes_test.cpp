@@ -90,7 +90,9 @@ void GlMeshesTest::cutterIsClosedAndToScale() {
 
 void GlMeshesTest::wallsCloseTheSurface() {
     // Top, walls and underside together: every edge has its opposite, whatever is decimated.
-    FrameBuilder builder({{0, 0, 0}, 33, 21, 10}, 1);
+    DecimationParameters parameters;
+    parameters.regionCells = 8;
+    FrameBuilder builder({{0, 0, 0}, 33, 21, 10}, 1, parameters);
     builder.cutAll([](double x, double y) { return -3 + std::sin(x * 0.3) + std::cos(y * 0.5); });
     builder.decimate();
     builder.cut({0, 0, 12, 9}, [](double x, double) { return -5 - 0.1 * x; });
