@@ -19,6 +19,7 @@ void addInterpretCommand(CLI::App& app, ExitCode& exitCode);
 void addSimulateCommand(CLI::App& app, ExitCode& exitCode);
 void addDecimateCommand(CLI::App& app, ExitCode& exitCode);
 void addToolsCommand(CLI::App& app, ExitCode& exitCode);
+void addHeadlessStudyCommand(CLI::App& app, ExitCode& exitCode);
 void addFormatsCommand(CLI::App& app, ExitCode& exitCode);
 
 } // namespace proveout::cli

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "app/cli/command.h"
+#include "app/cli/load_program.h"
 #include "app/cli/measured_surface.h"
 #include "app/cli/mesh_outputs.h"
 #include "app/cli/outputs.h"
@@ -20,7 +21,6 @@
 #include "core/base/memory.h"
 #include "core/base/stop_watch.h"
 #include "core/decimation/mesh_memory.h"
-#include "core/nc/interpreter.h"
 #include "core/simulation/simulation.h"
 
 namespace proveout::cli {
@@ -109,18 +109,11 @@ private:
 
     bool interpretProgram() {
         const StopWatch watch;
-        auto text = NcText::load(m_job.program);
-        if (!text)
-            return fine(std::move(text));
-        InterpretOptions options;
-        options.file = m_job.program.string();
-        options.blockDelete = m_job.setup.blockDelete;
-        options.start = m_job.setup.start;
-        m_program = interpret(*text, options);
+        auto program = loadProgram(m_job, m_report);
+        if (!program)
+            return fine(std::move(program));
+        m_program = std::move(*program);
         m_seconds.interpret = watch.seconds();
-        m_report.add(m_program->diagnostics());
-        if (m_program->unverified() || m_program->motionCount() == 0)
-            m_report.markUnverified();
         return true;
     }
 

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/load_program.h"
+
+#include <utility>
+
+#include "core/nc/interpreter.h"
+
+namespace proveout::cli {
+
+Result<std::shared_ptr<const Program>> loadProgram(const Job& job, Report& report) {
+    auto text = NcText::load(job.program);
+    if (!text)
+        return tl::unexpected(std::move(text.error()));
+    InterpretOptions options;
+    options.file = job.program.string();
+    options.blockDelete = job.setup.blockDelete;
+    options.start = job.setup.start;
+    std::shared_ptr<const Program> program = interpret(*text, options);
+    report.add(program->diagnostics());
+    if (program->unverified() || program->motionCount() == 0)
+        report.markUnverified();
+    return program;
+}
+
+} // namespace proveout::cli

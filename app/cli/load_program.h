@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "app/cli/report.h"
+#include "core/formats/job_file.h"
+#include "core/nc/program.h"
+
+namespace proveout::cli {
+
+/// Reads and interprets the program of a job, and tells `report` what there is to say about it.
+[[nodiscard]] Result<std::shared_ptr<const Program>> loadProgram(const Job& job, Report& report);
+
+} // namespace proveout::cli

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli/command.h"
+
+namespace proveout::cli {
+
+/// Reads the arguments and runs the command that they name; `exitCode` is what its commands set. Help goes to
+/// stdout; what cannot be read is told in one sentence, with how the command is used.
+[[nodiscard]] ExitCode runCommand(CLI::App& app, const ExitCode& exitCode, int argc, char** argv);
+
+} // namespace proveout::cli

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/cli/study_command.h"
+#include "core/study/chart.h"
+#include "core/study/sweep.h"
+
+namespace proveout::cli {
+
+/// The files of a study, in one folder.
+class StudyFiles {
+public:
+    StudyFiles(std::filesystem::path folder, const StudyEquipment& equipment)
+        : m_folder(std::move(folder)), m_equipment(equipment) {}
+
+    /// Makes the folder where it is missing.
+    [[nodiscard]] Result<void> prepare() const;
+    /// ID.csv and ID.svg, and ID.png where this binary can draw one.
+    [[nodiscard]] Result<void> write(const Chart& chart);
+    /// NAME.csv, a row a run.
+    [[nodiscard]] Result<void> write(const std::string& name, std::span<const SweptPoint> points);
+    /// What was written, in order.
+    [[nodiscard]] const std::vector<std::string>& names() const { return m_names; }
+
+private:
+    [[nodiscard]] Result<void> writeText(const std::string& name, const std::string& text);
+
+    std::filesystem::path m_folder;
+    const StudyEquipment& m_equipment;
+    std::vector<std::string> m_names;
+};
+
+} // namespace proveout::cli

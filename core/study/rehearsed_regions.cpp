@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/study/rehearsed_regions.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "core/base/stop_watch.h"
+#include "core/decimation/region_decimator.h"
+
+namespace proveout {
+
+namespace {
+
+/// Of the uncut stock: all its regions are alike, but for the narrow ones at the edge.
+constexpr std::size_t kStartRegions = 16;
+
+/// A sample decimates about as many points whatever the region size, at least one region.
+std::size_t regionsToSample(int cells) {
+    constexpr std::size_t kPoints = 1500;
+    const auto side = static_cast<std::size_t>(cells) + 1;
+    return std::clamp<std::size_t>(kPoints / (side * side), 1, 32);
+}
+
+/// Every region's triangles: those decimated have theirs, the others as many for their size.
+std::vector<double> facesOf(const Surface& surface) {
+    const SurfaceSnapshot now = surface.snapshot();
+    double made = 0;
+    double full = 0;
+    for (std::size_t region = 0; region < now.meshes.size(); ++region)
+        if (now.meshes[region]) {
+            made += static_cast<double>(now.meshes[region]->triangles.size());
+            full += static_cast<double>(fullRegionFaces(now.grid, region));
+        }
+    std::vector<double> faces;
+    for (std::size_t region = 0; region < now.meshes.size(); ++region)
+        faces.push_back(now.meshes[region]
+                            ? static_cast<double>(now.meshes[region]->triangles.size())
+                            : made / full * static_cast<double>(fullRegionFaces(now.grid, region)));
+    return faces;
+}
+
+} // namespace
+
+RehearsedRegions::RehearsedRegions(const ZMapSnapshot& uncut, const DecimationParameters& parameters,
+                                   std::span<const int> periods, bool all, const std::stop_token& stop)
+    : m_surface(startSurface(uncut, parameters, all, stop, m_perStartRegion)),
+      m_trace(m_surface.grid(), periods, facesOf(m_surface)) {}
+
+Surface RehearsedRegions::startSurface(const ZMapSnapshot& uncut, const DecimationParameters& parameters,
+                                       bool all, const std::stop_token& stop, double& perRegion) {
+    Surface surface(uncut.grid().nx, uncut.grid().ny, whileCutting(parameters)); // as in a run
+    const std::size_t regions = surface.grid().regionCount();
+    const std::size_t wanted = all ? regions : std::min(regions, kStartRegions);
+    std::vector<std::size_t> chosen;
+    for (std::size_t k = 0; k < wanted; ++k)
+        chosen.push_back(k * regions / wanted);
+    const StopWatch watch;
+    surface.decimateRegions(chosen, uncut, {stop, {}});
+    perRegion = watch.seconds() / static_cast<double>(wanted);
+    return surface;
+}
+
+void RehearsedRegions::block(const ZMapSnapshot& before, const ZMapSnapshot& after,
+                             const IndexRect& changed) {
+    m_lastTouched.clear();
+    const RegionGrid& grid = m_trace.grid();
+    const IndexRect near = changed.empty() ? IndexRect{} : grid.regionsTouching(changed);
+    for (int ry = near.j0; ry < near.j1; ++ry)
+        for (int rx = near.i0; rx < near.i1; ++rx) {
+            const std::size_t region = grid.regionAt(rx, ry);
+            if (!before.sameHeights(after, intersection(grid.points(region), changed)))
+                m_lastTouched.push_back(region);
+        }
+    for (const std::size_t region : m_lastTouched)
+        m_surface.touchRegion(region);
+    m_trace.block(m_lastTouched);
+}
+
+std::size_t RehearsedRegions::sample(const ZMapSnapshot& now) {
+    const std::vector<std::size_t> touched = m_trace.touchedSinceSample();
+    const std::size_t limit = regionsToSample(m_surface.parameters().regionCells);
+    std::vector<std::size_t> last = m_lastTouched;
+    last.resize(std::min(last.size(), limit));
+    std::vector<std::size_t> others;
+    std::ranges::set_difference(touched, last, std::back_inserter(others));
+    std::vector<std::size_t> chosen;
+    std::ranges::sample(others, std::back_inserter(chosen), static_cast<std::ptrdiff_t>(limit), m_random);
+    measure(last, now);
+    measure(chosen, now);
+
+    const SurfaceSnapshot surface = m_surface.snapshot();
+    double made = 0;
+    double full = 0;
+    for (const auto& batch : {last, chosen})
+        for (const std::size_t region : batch) {
+            made += static_cast<double>(surface.meshes[region]->triangles.size());
+            full += static_cast<double>(fullRegionFaces(surface.grid, region));
+        }
+    std::vector<double> faces;
+    for (const std::size_t region : touched)
+        faces.push_back(surface.meshes[region]
+                            ? static_cast<double>(surface.meshes[region]->triangles.size())
+                            : made / full * static_cast<double>(fullRegionFaces(surface.grid, region)));
+    m_trace.sample(faces);
+    return static_cast<std::size_t>(made);
+}
+
+void RehearsedRegions::measure(std::span<const std::size_t> regions, const ZMapSnapshot& now) {
+    if (regions.empty())
+        return;
+    const StopWatch watch;
+    m_surface.decimateRegions(regions, now);
+    const double seconds = watch.seconds();
+    double made = 0;
+    const SurfaceSnapshot surface = m_surface.snapshot();
+    for (const std::size_t region : regions)
+        made += static_cast<double>(surface.meshes[region]->triangles.size());
+    m_samples.push_back({{1, static_cast<double>(regions.size()), made}, seconds});
+}
+
+CostModel::Decimation RehearsedRegions::fitted(Slowdown& slowdown) const {
+    const Coefficients coefficients = fitCost(m_samples);
+    slowdown.add(m_samples, coefficients);
+    return {m_perStartRegion, coefficients};
+}
+
+} // namespace proveout

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <random>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/decimation/surface.h"
+#include "core/study/cost_model.h"
+#include "core/study/schedule_trace.h"
+
+namespace proveout {
+
+/// One region size in a rehearsal: the trace of its schedules, and a surface of which some regions are
+/// decimated and measured. Owned by one thread.
+class RehearsedRegions {
+public:
+    /// Decimates some regions of the uncut stock, or all of them where the surface is to be drawn.
+    /// Stopped, it is good for nothing but to be destroyed.
+    RehearsedRegions(const ZMapSnapshot& uncut, const DecimationParameters& parameters,
+                     std::span<const int> periods, bool all, const std::stop_token& stop);
+
+    /// The next block was cut: the two moments differ within `changed` at most.
+    void block(const ZMapSnapshot& before, const ZMapSnapshot& after, const IndexRect& changed);
+    /// Decimates regions that were touched since the last sample: those of the last block together, as a
+    /// short period would, then others, chosen at random. Returns how many triangles that gave.
+    std::size_t sample(const ZMapSnapshot& now);
+
+    [[nodiscard]] SurfaceSnapshot surface() const { return m_surface.snapshot(); }
+    [[nodiscard]] const DecimationParameters& parameters() const { return m_surface.parameters(); }
+    [[nodiscard]] WorkCount count(std::size_t period) const { return m_trace.count(period); }
+    /// The coefficients of this size; adds what they leave out to `slowdown`.
+    [[nodiscard]] CostModel::Decimation fitted(Slowdown& slowdown) const;
+
+private:
+    [[nodiscard]] static Surface startSurface(const ZMapSnapshot& uncut,
+                                              const DecimationParameters& parameters, bool all,
+                                              const std::stop_token& stop, double& perRegion);
+    void measure(std::span<const std::size_t> regions, const ZMapSnapshot& now);
+
+    double m_perStartRegion = 0; ///< seconds
+    Surface m_surface;
+    ScheduleTrace m_trace;
+    std::vector<std::size_t> m_lastTouched; ///< by the last block
+    std::vector<CostSample> m_samples;      ///< moments, regions, triangles made
+    std::mt19937 m_random{1};               ///< which regions are sampled; the same in every rehearsal
+};
+
+} // namespace proveout

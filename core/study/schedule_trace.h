@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What every period would do to the regions of one size, found out without decimating.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "core/decimation/region_grid.h"
+#include "core/study/study_run.h"
+
+namespace proveout {
+
+/// Follows one run of the cutting and keeps, for every period at once, which regions are dirty. Frames,
+/// moments and regions are counted exactly, as a run with that period has them. Triangles are exact where a
+/// region is drawn from the z-map (its border to a decimated neighbour aside); those of decimated regions are
+/// told from time to time by the caller, and between two such samples are taken to change with each touch by
+/// the same amount. Owned by one thread.
+class ScheduleTrace {
+public:
+    /// `periods`: as in DecimationParameters, without 0. `startFaces`: triangles of each region after the
+    /// start.
+    ScheduleTrace(const RegionGrid& grid, std::span<const int> periods, std::vector<double> startFaces);
+
+    [[nodiscard]] const RegionGrid& grid() const { return m_grid; }
+    /// The next block has lowered points of these regions.
+    void block(std::span<const std::size_t> touched);
+    /// Regions touched since the last sample, ascending.
+    [[nodiscard]] std::vector<std::size_t> touchedSinceSample() const;
+    /// Sets the triangles of regions, decimated now: one value for each of touchedSinceSample().
+    void sample(std::span<const double> faces);
+    /// The work of a run with periods[k], after all blocks and a last sample().
+    [[nodiscard]] WorkCount count(std::size_t k) const;
+
+private:
+    /// What one period makes of one region.
+    struct Shown {
+        bool dirty = false;
+        bool fresh = false;        ///< decimated since the last sample: its triangles are not known yet
+        std::uint32_t since = 1;   ///< first frame that shows it so
+        std::uint32_t touches = 0; ///< of the region since the last sample, when it was decimated
+        double faces = 0;          ///< of its mesh, where known
+    };
+    /// Frames that showed a mesh whose triangles are not known yet.
+    struct Pending {
+        std::size_t region;
+        std::uint32_t touches;
+        double frames; ///< 0: only that it was made counts
+        bool made;
+    };
+    struct Period {
+        int period = 0;
+        std::vector<Shown> regions;
+        std::vector<std::size_t> dirty;
+        std::vector<Pending> pending;
+        WorkCount count;
+        double faces = 0;
+        double facesMade = 0;
+    };
+
+    void touch(Period& period, std::size_t region) const;
+    void decimate(Period& period) const;
+    void close(Period& period, std::size_t region, std::uint32_t until) const;
+
+    RegionGrid m_grid;
+    std::vector<Period> m_periods;
+    std::vector<double> m_fullFaces;
+    std::vector<double> m_faces;          ///< at the last sample
+    std::vector<std::uint32_t> m_touches; ///< since the last sample
+    std::uint32_t m_block = 0;
+};
+
+} // namespace proveout
