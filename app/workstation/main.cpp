@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The workstation: composes session, appearance and window, and reads the command line.
 #include <cstdio>
+#include <cstring>
 #include <exception>
 #include <optional>
 
@@ -11,6 +12,7 @@
 #include <QTemporaryDir>
 
 #include "app/workstation/screenshot_run.h"
+#include "app/workstation/study_main.h"
 #include "ui/appearance.h"
 #include "ui/main_window.h"
 #include "ui/session.h"
@@ -132,12 +134,13 @@ int run() {
 int main(int argc, char** argv) {
     // Keeps the GL objects of the view when it moves to another window.
     QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    const bool studies = argc > 1 && std::strcmp(argv[1], "study") == 0;
     const QApplication application(argc, argv);
     QCoreApplication::setOrganizationName(QStringLiteral("Proveout"));
     QCoreApplication::setApplicationName(QStringLiteral("Proveout"));
     QCoreApplication::setApplicationVersion(QStringLiteral(PROVEOUT_VERSION));
     try {
-        return proveout::run();
+        return studies ? proveout::studyMain(argc, argv) : proveout::run();
     } catch (const std::exception& problem) {
         std::fprintf(stderr, "proveout: error: %s\n", problem.what());
         return 1;
