@@ -1802,6 +1802,162 @@
         <source>Where the certified method keeps its surface within the error allowance, at rest and in exports; while cutting, it is at every z-map point.</source>
         <translation>Wo das zertifizierte Verfahren seine Fläche innerhalb des zulässigen Fehlers hält, in Ruhe und beim Export; während des Schneidens ist es jeder Punkt der Z-Map.</translation>
     </message>
+    <message>
+        <source>ε = 0 (no decimation)</source>
+        <translation>ε = 0 (ohne Dezimierung)</translation>
+    </message>
+    <message>
+        <source>certified</source>
+        <translation>zertifiziert</translation>
+    </message>
+    <message>
+        <source>to the letter</source>
+        <translation>buchstabengetreu</translation>
+    </message>
+    <message>
+        <source>regions {} × {}</source>
+        <translation>Regionen {} × {}</translation>
+    </message>
+    <message>
+        <source>No decimation</source>
+        <translation>Ohne Dezimierung</translation>
+    </message>
+    <message>
+        <source>Global, after each block</source>
+        <translation>Global, nach jedem Satz</translation>
+    </message>
+    <message>
+        <source>Local, s = {}</source>
+        <translation>Lokal, s = {}</translation>
+    </message>
+    <message>
+        <source>averages over {} steps</source>
+        <translation>Mittel über {} Schritte</translation>
+    </message>
+    <message>
+        <source>Step (block)</source>
+        <translation>Schritt (Satz)</translation>
+    </message>
+    <message>
+        <source>Region size, cells</source>
+        <translation>Regionsgröße, Zellen</translation>
+    </message>
+    <message>
+        <source>Decimation time, s</source>
+        <translation>Dezimierungszeit, s</translation>
+    </message>
+    <message>
+        <source>Faces shown in all frames</source>
+        <translation>Gezeigte Dreiecke aller Bilder</translation>
+    </message>
+    <message>
+        <source>Time, random</source>
+        <translation>Zeit, zufällig</translation>
+    </message>
+    <message>
+        <source>Time, sequential</source>
+        <translation>Zeit, der Reihe nach</translation>
+    </message>
+    <message>
+        <source>Faces, random</source>
+        <translation>Dreiecke, zufällig</translation>
+    </message>
+    <message>
+        <source>Faces, sequential</source>
+        <translation>Dreiecke, der Reihe nach</translation>
+    </message>
+    <message>
+        <source>Error allowance ε, mm</source>
+        <translation>Zulässiger Fehler ε, mm</translation>
+    </message>
+    <message>
+        <source>Ratio to ε = 0</source>
+        <translation>Verhältnis zu ε = 0</translation>
+    </message>
+    <message>
+        <source>Number of faces</source>
+        <translation>Anzahl der Dreiecke</translation>
+    </message>
+    <message>
+        <source>each step</source>
+        <translation>jeder Schritt</translation>
+    </message>
+    <message>
+        <source>straight line</source>
+        <translation>Gerade</translation>
+    </message>
+    <message>
+        <source>Decimation period s, blocks</source>
+        <translation>Dezimierungsperiode s, Sätze</translation>
+    </message>
+    <message>
+        <source>Time, s = -1</source>
+        <translation>Zeit, s = -1</translation>
+    </message>
+    <message>
+        <source>Time, no decimation</source>
+        <translation>Zeit, ohne Dezimierung</translation>
+    </message>
+    <message>
+        <source>Methods</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Global and local decimation: rendering time of each frame</source>
+        <translation>Globale und lokale Dezimierung: Darstellungszeit jedes Bildes</translation>
+    </message>
+    <message>
+        <source>Decimation time and faces by the order of removal</source>
+        <translation>Dezimierungszeit und Dreiecke nach Reihenfolge des Entfernens</translation>
+    </message>
+    <message>
+        <source>Rendering time and region size</source>
+        <translation>Darstellungszeit und Regionsgröße</translation>
+    </message>
+    <message>
+        <source>Faces and rendering time against no decimation</source>
+        <translation>Dreiecke und Darstellungszeit im Verhältnis zu ohne Dezimierung</translation>
+    </message>
+    <message>
+        <source>Number of faces of each frame</source>
+        <translation>Anzahl der Dreiecke jedes Bildes</translation>
+    </message>
+    <message>
+        <source>Rendering time of each frame, averages over 20 steps</source>
+        <translation>Darstellungszeit jedes Bildes, Mittel über 20 Schritte</translation>
+    </message>
+    <message>
+        <source>Number of faces and rendering time by the decimation period</source>
+        <translation>Anzahl der Dreiecke und Darstellungszeit nach Dezimierungsperiode</translation>
+    </message>
+    <message>
+        <source>Predicted cost by region size and period</source>
+        <translation>Vorhergesagter Aufwand nach Regionsgröße und Periode</translation>
+    </message>
+    <message>
+        <source>Cost of the program, s</source>
+        <translation>Aufwand des Programms, s</translation>
+    </message>
+    <message>
+        <source>The study was stopped.</source>
+        <translation>Die Studie wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Only a method that decimates region by region, with an allowance above 0, has a region size and a period to choose.</source>
+        <translation>Nur ein Verfahren, das Region für Region dezimiert, mit einem zulässigen Fehler über 0, hat eine Regionsgröße und eine Periode zu wählen.</translation>
+    </message>
+    <message>
+        <source>The study needs more memory than there is.</source>
+        <translation>Die Studie braucht mehr Speicher, als da ist.</translation>
+    </message>
+    <message>
+        <source>The study had to stop: {}.</source>
+        <translation>Die Studie musste abgebrochen werden: {}.</translation>
+    </message>
+    <message>
+        <source>OpenGL 3.3 is not to be had on this display.</source>
+        <translation>OpenGL 3.3 ist auf dieser Anzeige nicht verfügbar.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>
@@ -1828,6 +1984,10 @@
     <message>
         <source>Timeline</source>
         <translation>Zeitleiste</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
     </message>
 </context>
 <context>
@@ -2942,6 +3102,93 @@ Default: %4 mm</source>
         <translation>%1
 Bereich: %2 bis %3 mm
 Vorgabe: %4 mm</translation>
+    </message>
+</context>
+<context>
+    <name>StudyPanel</name>
+    <message>
+        <source>Measured, chosen</source>
+        <translation>Gemessen, gewählt</translation>
+    </message>
+    <message>
+        <source>Measured, as set</source>
+        <translation>Gemessen, wie eingestellt</translation>
+    </message>
+    <message>
+        <source>Rendering time</source>
+        <translation>Darstellungszeit</translation>
+    </message>
+    <message>
+        <source>Fig. %1</source>
+        <translation>Abb. %1</translation>
+    </message>
+    <message>
+        <source>The present method has nothing that this sweep could go through.</source>
+        <translation>Das jetzige Verfahren hat nichts, was diese Messreihe durchlaufen könnte.</translation>
+    </message>
+    <message>
+        <source>Region size %1, period %2: predicted %3 s, without decimation %4 s</source>
+        <translation>Regionsgröße %1, Periode %2: vorhergesagt %3 s, ohne Dezimierung %4 s</translation>
+    </message>
+    <message>
+        <source>measured %1 s, with the present parameters %2 s</source>
+        <translation>gemessen %1 s, mit den jetzigen Parametern %2 s</translation>
+    </message>
+    <message>
+        <source>Export Figure</source>
+        <translation>Abbildung exportieren</translation>
+    </message>
+    <message>
+        <source>Figures (*.svg *.png *.csv)</source>
+        <translation>Abbildungen (*.svg *.png *.csv)</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>What the sweep goes through</source>
+        <translation>Was die Messreihe durchläuft</translation>
+    </message>
+    <message>
+        <source>Run a sweep: its figures are drawn here while it runs.</source>
+        <translation>Eine Messreihe starten: Ihre Abbildungen werden hier gezeichnet, während sie läuft.</translation>
+    </message>
+    <message>
+        <source>The figure of the paper that is drawn</source>
+        <translation>Die Abbildung des Aufsatzes, die gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>&amp;Run Sweep</source>
+        <translation>&amp;Messreihe starten</translation>
+    </message>
+    <message>
+        <source>Run the program once for each point of the paper&apos;s curves</source>
+        <translation>Das Programm einmal für jeden Punkt der Kurven des Aufsatzes ausführen</translation>
+    </message>
+    <message>
+        <source>&amp;Optimise</source>
+        <translation>&amp;Optimieren</translation>
+    </message>
+    <message>
+        <source>Choose region size and period from a short rehearsal, then measure the choice</source>
+        <translation>Regionsgröße und Periode nach einer kurzen Probe wählen, dann die Wahl messen</translation>
+    </message>
+    <message>
+        <source>&amp;Use</source>
+        <translation>Über&amp;nehmen</translation>
+    </message>
+    <message>
+        <source>Take the chosen region size and period</source>
+        <translation>Die gewählte Regionsgröße und Periode übernehmen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>&amp;Exportieren…</translation>
     </message>
 </context>
 <context>

@@ -1802,6 +1802,162 @@
         <source>Where the certified method keeps its surface within the error allowance, at rest and in exports; while cutting, it is at every z-map point.</source>
         <translation>오차 보증 방식이 정지 상태와 내보내기에서 표면을 허용 오차 안에 유지하는 범위입니다. 절삭 중에는 모든 Z맵 점에서 유지합니다.</translation>
     </message>
+    <message>
+        <source>ε = 0 (no decimation)</source>
+        <translation>ε = 0 (간략화 없음)</translation>
+    </message>
+    <message>
+        <source>certified</source>
+        <translation>오차 보증</translation>
+    </message>
+    <message>
+        <source>to the letter</source>
+        <translation>논문 그대로</translation>
+    </message>
+    <message>
+        <source>regions {} × {}</source>
+        <translation>영역 {} × {}</translation>
+    </message>
+    <message>
+        <source>No decimation</source>
+        <translation>간략화 없음</translation>
+    </message>
+    <message>
+        <source>Global, after each block</source>
+        <translation>전체, 블록마다</translation>
+    </message>
+    <message>
+        <source>Local, s = {}</source>
+        <translation>지역적, s = {}</translation>
+    </message>
+    <message>
+        <source>averages over {} steps</source>
+        <translation>{}단계 평균</translation>
+    </message>
+    <message>
+        <source>Step (block)</source>
+        <translation>단계(블록)</translation>
+    </message>
+    <message>
+        <source>Region size, cells</source>
+        <translation>영역 크기, 셀</translation>
+    </message>
+    <message>
+        <source>Decimation time, s</source>
+        <translation>간략화 시간, s</translation>
+    </message>
+    <message>
+        <source>Faces shown in all frames</source>
+        <translation>모든 프레임에 표시된 면 수</translation>
+    </message>
+    <message>
+        <source>Time, random</source>
+        <translation>시간, 무작위</translation>
+    </message>
+    <message>
+        <source>Time, sequential</source>
+        <translation>시간, 순차</translation>
+    </message>
+    <message>
+        <source>Faces, random</source>
+        <translation>면, 무작위</translation>
+    </message>
+    <message>
+        <source>Faces, sequential</source>
+        <translation>면, 순차</translation>
+    </message>
+    <message>
+        <source>Error allowance ε, mm</source>
+        <translation>허용 오차 ε, mm</translation>
+    </message>
+    <message>
+        <source>Ratio to ε = 0</source>
+        <translation>ε = 0에 대한 비율</translation>
+    </message>
+    <message>
+        <source>Number of faces</source>
+        <translation>면 수</translation>
+    </message>
+    <message>
+        <source>each step</source>
+        <translation>각 단계</translation>
+    </message>
+    <message>
+        <source>straight line</source>
+        <translation>직선</translation>
+    </message>
+    <message>
+        <source>Decimation period s, blocks</source>
+        <translation>간략화 주기 s, 블록</translation>
+    </message>
+    <message>
+        <source>Time, s = -1</source>
+        <translation>시간, s = -1</translation>
+    </message>
+    <message>
+        <source>Time, no decimation</source>
+        <translation>시간, 간략화 없음</translation>
+    </message>
+    <message>
+        <source>Methods</source>
+        <translation>방법</translation>
+    </message>
+    <message>
+        <source>Global and local decimation: rendering time of each frame</source>
+        <translation>전체 및 국소 간략화: 프레임별 렌더링 시간</translation>
+    </message>
+    <message>
+        <source>Decimation time and faces by the order of removal</source>
+        <translation>제거 순서에 따른 간략화 시간과 면 수</translation>
+    </message>
+    <message>
+        <source>Rendering time and region size</source>
+        <translation>렌더링 시간과 영역 크기</translation>
+    </message>
+    <message>
+        <source>Faces and rendering time against no decimation</source>
+        <translation>간략화하지 않은 경우 대비 면 수와 렌더링 시간</translation>
+    </message>
+    <message>
+        <source>Number of faces of each frame</source>
+        <translation>프레임별 면 수</translation>
+    </message>
+    <message>
+        <source>Rendering time of each frame, averages over 20 steps</source>
+        <translation>프레임별 렌더링 시간, 20단계 평균</translation>
+    </message>
+    <message>
+        <source>Number of faces and rendering time by the decimation period</source>
+        <translation>간략화 주기에 따른 면 수와 렌더링 시간</translation>
+    </message>
+    <message>
+        <source>Predicted cost by region size and period</source>
+        <translation>영역 크기와 주기에 따른 예측 비용</translation>
+    </message>
+    <message>
+        <source>Cost of the program, s</source>
+        <translation>프로그램 비용, s</translation>
+    </message>
+    <message>
+        <source>The study was stopped.</source>
+        <translation>연구가 중지되었습니다.</translation>
+    </message>
+    <message>
+        <source>Only a method that decimates region by region, with an allowance above 0, has a region size and a period to choose.</source>
+        <translation>영역별로 간략화하고 허용 오차가 0보다 큰 방법에서만 영역 크기와 주기를 고를 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>The study needs more memory than there is.</source>
+        <translation>연구에 필요한 메모리가 부족합니다.</translation>
+    </message>
+    <message>
+        <source>The study had to stop: {}.</source>
+        <translation>연구를 중단해야 했습니다: {}.</translation>
+    </message>
+    <message>
+        <source>OpenGL 3.3 is not to be had on this display.</source>
+        <translation>이 디스플레이에서는 OpenGL 3.3을 사용할 수 없습니다.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>
@@ -1828,6 +1984,10 @@
     <message>
         <source>Timeline</source>
         <translation>타임라인</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>연구</translation>
     </message>
 </context>
 <context>
@@ -2941,6 +3101,93 @@ Default: %4 mm</source>
         <translation>%1
 범위: %2~%3 mm
 기본값: %4 mm</translation>
+    </message>
+</context>
+<context>
+    <name>StudyPanel</name>
+    <message>
+        <source>Measured, chosen</source>
+        <translation>측정값, 선택됨</translation>
+    </message>
+    <message>
+        <source>Measured, as set</source>
+        <translation>측정값, 현재 설정</translation>
+    </message>
+    <message>
+        <source>Rendering time</source>
+        <translation>렌더링 시간</translation>
+    </message>
+    <message>
+        <source>Fig. %1</source>
+        <translation>그림 %1</translation>
+    </message>
+    <message>
+        <source>The present method has nothing that this sweep could go through.</source>
+        <translation>현재 방법에는 이 스윕이 바꿀 항목이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Region size %1, period %2: predicted %3 s, without decimation %4 s</source>
+        <translation>영역 크기 %1, 주기 %2: 예측 %3 s, 간략화 없이 %4 s</translation>
+    </message>
+    <message>
+        <source>measured %1 s, with the present parameters %2 s</source>
+        <translation>측정 %1 s, 현재 매개변수로 %2 s</translation>
+    </message>
+    <message>
+        <source>Export Figure</source>
+        <translation>그림 내보내기</translation>
+    </message>
+    <message>
+        <source>Figures (*.svg *.png *.csv)</source>
+        <translation>그림(*.svg *.png *.csv)</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>연구</translation>
+    </message>
+    <message>
+        <source>What the sweep goes through</source>
+        <translation>스윕에서 변화시키는 값</translation>
+    </message>
+    <message>
+        <source>Run a sweep: its figures are drawn here while it runs.</source>
+        <translation>스윕을 실행하면 실행되는 동안 그림이 여기에 그려집니다.</translation>
+    </message>
+    <message>
+        <source>The figure of the paper that is drawn</source>
+        <translation>그려지는 논문의 그림</translation>
+    </message>
+    <message>
+        <source>&amp;Run Sweep</source>
+        <translation>스윕 실행(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Run the program once for each point of the paper&apos;s curves</source>
+        <translation>논문 곡선의 각 점마다 프로그램을 한 번씩 실행합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Optimise</source>
+        <translation>최적화(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Choose region size and period from a short rehearsal, then measure the choice</source>
+        <translation>짧은 예행으로 영역 크기와 주기를 고른 다음 그 선택을 측정합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Use</source>
+        <translation>적용(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Take the chosen region size and period</source>
+        <translation>선택된 영역 크기와 주기를 적용합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>취소(&amp;C)</translation>
+    </message>
+    <message>
+        <source>&amp;Export…</source>
+        <translation>내보내기(&amp;E)…</translation>
     </message>
 </context>
 <context>

@@ -40,7 +40,7 @@ namespace proveout {
 
 namespace {
 
-constexpr int kLayoutVersion = 1; // raise it when docks change: older layouts are then left alone
+constexpr int kLayoutVersion = 2; // raise it when docks change: older layouts are then left alone
 const QString kGeometryKey = QStringLiteral("window/geometry");
 const QString kStateKey = QStringLiteral("window/state");
 const QString kViewGroup = QStringLiteral("view");
@@ -116,8 +116,8 @@ void MainWindow::makeDocks() {
 }
 
 void MainWindow::arrangeDocks() {
-    const auto [program, setup, tuning, plots, problems, timeline] =
-        std::tuple(m_docks[0], m_docks[1], m_docks[2], m_docks[3], m_docks[4], m_docks[5]);
+    const auto [program, setup, tuning, plots, problems, timeline, study] =
+        std::tuple(m_docks[0], m_docks[1], m_docks[2], m_docks[3], m_docks[4], m_docks[5], m_docks[6]);
     setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
     addDockWidget(Qt::LeftDockWidgetArea, program);
@@ -126,6 +126,7 @@ void MainWindow::arrangeDocks() {
     addDockWidget(Qt::BottomDockWidgetArea, plots);
     splitDockWidget(plots, timeline, Qt::Vertical);
     tabifyDockWidget(plots, problems);
+    tabifyDockWidget(problems, study);
     for (QDockWidget* dock : m_docks) {
         dock->setFloating(false);
         dock->show();

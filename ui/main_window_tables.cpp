@@ -9,10 +9,23 @@
 #include "ui/findings/problems_panel.h"
 #include "ui/plots/plots_panel.h"
 #include "ui/setup/setup_panel.h"
+#include "ui/study/study_panel.h"
 #include "ui/timeline/timeline_panel.h"
 #include "ui/tuning/tuning_panel.h"
+#include "ui/viewport/offscreen_drawing.h"
 
 namespace proveout {
+
+namespace {
+
+constexpr QSize kStudyPicture{1280, 800};
+
+/// A study draws as the viewport does, and neither panel knows the other.
+Result<std::unique_ptr<DrawCost>> makeStudyDrawing(QThread* thread) {
+    return OffscreenDrawing::create(kStudyPicture.width(), kStudyPicture.height(), thread);
+}
+
+} // namespace
 
 const std::vector<MainWindow::Dock>& MainWindow::docks() {
     static const std::vector<Dock> kDocks{
@@ -28,6 +41,10 @@ const std::vector<MainWindow::Dock>& MainWindow::docks() {
          [](MainWindow& window) -> QWidget* { return window.m_problems; }},
         {"dock-timeline", QT_TRANSLATE_NOOP("Docks", "Timeline"), "play", "Ctrl+6", false,
          [](MainWindow& window) -> QWidget* { return window.m_timeline; }},
+        {"dock-study", QT_TRANSLATE_NOOP("Docks", "Study"), "study", "Ctrl+7", true,
+         [](MainWindow& window) -> QWidget* {
+             return new StudyPanel(window.m_session, makeStudyDrawing, &window);
+         }},
     };
     return kDocks;
 }

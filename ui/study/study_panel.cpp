@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/study/study_panel.h"
+
+#include <initializer_list>
+#include <utility>
+
+#include <QComboBox>
+#include <QEvent>
+#include <QFileDialog>
+#include <QGridLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLocale>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include "core/base/atomic_file.h"
+#include "core/study/study_csv.h"
+#include "ui/diagnostic_text.h"
+#include "ui/file_paths.h"
+#include "ui/panel_layout.h"
+#include "ui/study/chart_view.h"
+
+namespace proveout {
+
+namespace {
+
+/// The words of the core, in the user's language.
+std::string words(const char* text) {
+    return coreText(text).toStdString();
+}
+
+} // namespace
+
+StudyPanel::StudyPanel(Session& session, MakeDrawing makeDrawing, QWidget* parent)
+    : QWidget(parent), m_session(session), m_runner(std::move(makeDrawing)), m_sweeps(new QComboBox(this)),
+      m_run(new QPushButton(this)), m_optimise(new QPushButton(this)), m_cancel(new QPushButton(this)),
+      m_use(new QPushButton(this)), m_export(new QPushButton(this)), m_figures(new QComboBox(this)),
+      m_progress(new QProgressBar(this)), m_result(wrappedLabel(this)), m_view(new ChartView(this)) {
+    auto* controls = new QGridLayout; // beside the chart, which needs the height of a low dock
+    controls->addWidget(m_sweeps, 0, 0, 1, 2);
+    controls->addWidget(m_run, 1, 0);
+    controls->addWidget(m_cancel, 1, 1);
+    controls->addWidget(m_optimise, 2, 0);
+    controls->addWidget(m_use, 2, 1);
+    controls->addWidget(m_figures, 3, 0);
+    controls->addWidget(m_export, 3, 1);
+    controls->addWidget(m_progress, 4, 0, 1, 2);
+    controls->setRowStretch(5, 1);
+    auto* drawn = new QVBoxLayout;
+    drawn->addWidget(m_result);
+    drawn->addWidget(m_view, 1);
+    auto* layout = new QHBoxLayout(this);
+    layout->setContentsMargins(4, 4, 4, 4);
+    layout->addLayout(controls);
+    layout->addLayout(drawn, 1);
+    m_result->setTextFormat(Qt::PlainText);
+    m_result->hide();
+    m_result->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_run->setObjectName(QStringLiteral("study-run"));
+    m_optimise->setObjectName(QStringLiteral("study-optimise"));
+    m_progress->setRange(0, 100);
+    QSizePolicy keepsItsPlace = m_progress->sizePolicy();
+    keepsItsPlace.setRetainSizeWhenHidden(true);
+    m_progress->setSizePolicy(keepsItsPlace);
+
+    for (std::size_t k = 0; k < sweepTable().size(); ++k)
+        m_sweeps->addItem(QString());
+    m_sweeps->setCurrentIndex(static_cast<int>(SweepKind::allowance));
+    setTexts();
+    connect(m_run, &QPushButton::clicked, this, &StudyPanel::startSweep);
+    connect(m_optimise, &QPushButton::clicked, this, &StudyPanel::startOptimising);
+    connect(m_cancel, &QPushButton::clicked, &m_runner, &StudyRunner::cancel);
+    connect(m_use, &QPushButton::clicked, this, &StudyPanel::useChoice);
+    connect(m_export, &QPushButton::clicked, this, &StudyPanel::askAndExport);
+    connect(m_figures, &QComboBox::currentIndexChanged, this, &StudyPanel::refresh);
+    connect(&session, &Session::programChanged, this, &StudyPanel::enable);
+    connect(&m_runner, &StudyRunner::progressed, this,
+            [this](double done) { m_progress->setValue(static_cast<int>(100 * done)); });
+    connect(&m_runner, &StudyRunner::ran, this, [this](const auto& run) { addRun(*run); });
+    connect(&m_runner, &StudyRunner::rehearsed, this, [this](const auto& rehearsal) {
+        m_rehearsal = rehearsal;
+        showForecast();
+    });
+    connect(&m_runner, &StudyRunner::measured, this, [this](const Measured& chosen, const Measured& given) {
+        const Forecast& choice = cheapest(*m_rehearsal);
+        m_measured = {
+            {choice.regionCells, choice.period, chosen.median, tr("Measured, chosen").toStdString()},
+            {m_subject.base.regionCells, m_subject.base.period, given.median,
+             tr("Measured, as set").toStdString()}};
+        showForecast();
+    });
+    connect(&m_runner, &StudyRunner::failed, &session, &Session::tell);
+    connect(&m_runner, &StudyRunner::ended, this, &StudyPanel::enable);
+    enable();
+}
+
+bool StudyPanel::takeJob() {
+    if (!m_session.program() || m_runner.busy())
+        return false;
+    m_subject = {{m_session.program(), std::make_shared<const Setup>(m_session.setup())},
+                 m_session.parameters(),
+                 tr("Rendering time").toStdString(),
+                 words};
+    m_runs.clear();
+    m_rehearsal.reset();
+    m_measured.clear();
+    m_progress->setValue(0);
+    tell(QString());
+    return true;
+}
+
+void StudyPanel::startSweep() {
+    if (!takeJob())
+        return;
+    const SweepRow& sweep = sweepTable()[static_cast<std::size_t>(m_sweeps->currentIndex())];
+    const QSignalBlocker quiet(m_figures);
+    m_figures->clear();
+    for (std::size_t k = 0; k < figureTable().size(); ++k)
+        if (figureTable()[k].sweep == sweep.kind)
+            m_figures->addItem(tr("Fig. %1").arg(QLatin1String(figureTable()[k].paper)), static_cast<int>(k));
+    std::vector<StudyPoint> points = sweep.points(m_subject);
+    if (points.empty())
+        tell(tr("The present method has nothing that this sweep could go through."));
+    else
+        m_runner.sweep(m_subject.job, std::move(points));
+    refresh();
+    enable();
+}
+
+void StudyPanel::startOptimising() {
+    if (!takeJob())
+        return;
+    const QSignalBlocker quiet(m_figures);
+    m_figures->clear();
+    m_runner.optimise(m_subject.job, m_subject.base);
+    enable();
+}
+
+void StudyPanel::addRun(const StudyRun& run) {
+    m_runs.push_back(run);
+    refresh();
+}
+
+void StudyPanel::refresh() {
+    const QVariant figure = m_figures->currentData();
+    if (!figure.isValid())
+        return;
+    const FigureRow& row = figureTable()[static_cast<std::size_t>(figure.toInt())];
+    Chart chart = row.chart(m_subject, m_runs);
+    chart.id = row.id;
+    chart.title = words(row.title);
+    m_view->setChart(chart);
+}
+
+void StudyPanel::showForecast() {
+    m_view->setChart(forecastChart(*m_rehearsal, m_measured, words));
+    const Forecast& choice = cheapest(*m_rehearsal);
+    const QLocale locale;
+    QString text = tr("Region size %1, period %2: predicted %3 s, without decimation %4 s")
+                       .arg(choice.regionCells)
+                       .arg(choice.period)
+                       .arg(locale.toString(choice.seconds, 'f', 2),
+                            locale.toString(m_rehearsal->undecimated.seconds, 'f', 2));
+    if (!m_measured.empty())
+        text += QLatin1String("; ") + tr("measured %1 s, with the present parameters %2 s")
+                                          .arg(locale.toString(m_measured[0].seconds, 'f', 2),
+                                               locale.toString(m_measured[1].seconds, 'f', 2));
+    tell(text);
+    enable();
+}
+
+void StudyPanel::tell(const QString& text) {
+    m_result->setText(text);
+    m_result->setVisible(!text.isEmpty()); // its line is the chart's else
+}
+
+void StudyPanel::useChoice() {
+    if (m_rehearsal)
+        m_session.setParameters(withSchedule(m_session.parameters(), cheapest(*m_rehearsal)));
+}
+
+bool StudyPanel::exportTo(const QString& file) {
+    QByteArray bytes = m_view->svg();
+    if (file.endsWith(QLatin1String(".png"), Qt::CaseInsensitive))
+        bytes = m_view->png();
+    else if (file.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive))
+        bytes = QByteArray::fromStdString(chartCsv(m_view->chart()));
+    const auto written = writeFile(toPath(file), bytes.toStdString());
+    if (!written)
+        m_session.tell(written.error());
+    return written.has_value();
+}
+
+void StudyPanel::askAndExport() {
+    const QString file = QFileDialog::getSaveFileName(
+        this, tr("Export Figure"), QString::fromStdString(m_view->chart().id) + QStringLiteral(".svg"),
+        tr("Figures (*.svg *.png *.csv)"));
+    if (!file.isEmpty())
+        exportTo(file);
+}
+
+void StudyPanel::enable() {
+    const bool busy = m_runner.busy();
+    const bool possible = !busy && m_session.blockCount() > 0;
+    m_run->setEnabled(possible);
+    m_optimise->setEnabled(possible);
+    m_sweeps->setEnabled(!busy);
+    m_cancel->setEnabled(busy);
+    m_progress->setVisible(busy);
+    m_use->setEnabled(m_rehearsal != nullptr);
+    m_figures->setEnabled(m_figures->count() > 0);
+    m_export->setEnabled(!m_view->empty());
+}
+
+void StudyPanel::setTexts() {
+    setAccessibleName(tr("Study"));
+    for (std::size_t k = 0; k < sweepTable().size(); ++k)
+        m_sweeps->setItemText(static_cast<int>(k), coreText(sweepTable()[k].title));
+    m_sweeps->setToolTip(tr("What the sweep goes through"));
+    m_view->setPlaceholder(tr("Run a sweep: its figures are drawn here while it runs."));
+    m_figures->setToolTip(tr("The figure of the paper that is drawn"));
+    m_run->setText(tr("&Run Sweep"));
+    m_run->setToolTip(tr("Run the program once for each point of the paper's curves"));
+    m_optimise->setText(tr("&Optimise"));
+    m_optimise->setToolTip(
+        tr("Choose region size and period from a short rehearsal, then measure the choice"));
+    m_use->setText(tr("&Use"));
+    m_use->setToolTip(tr("Take the chosen region size and period"));
+    m_cancel->setText(tr("&Cancel"));
+    m_export->setText(tr("&Export…"));
+}
+
+void StudyPanel::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange)
+        setTexts();
+    QWidget::changeEvent(event);
+}
+
+} // namespace proveout

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/study/study_runner.h"
+
+#include <algorithm>
+#include <exception>
+#include <new>
+#include <utility>
+
+#include <QMetaObject>
+#include <QThread>
+
+#include "core/base/text.h"
+
+namespace proveout {
+
+namespace {
+constexpr std::size_t kFramesARun = 64; ///< drawn, so that a sweep is not all waiting for pictures
+constexpr int kCheckingRuns = 3;
+constexpr double kRehearsed = 0.2; ///< the share of progress in which choosing ends
+
+using Work = std::function<Result<void>(DrawCost&, const WorkContext&)>;
+
+/// What should not happen is told as well, and ends no more than the study.
+Result<void> carriedOut(const Work& work, DrawCost& drawing, const WorkContext& context) {
+    try {
+        return work(drawing, context);
+    } catch (const std::bad_alloc&) {
+        return failure("out-of-memory", PROVEOUT_TEXT("Core", "The study needs more memory than there is."));
+    } catch (const std::exception& exception) {
+        return failure("internal-error", PROVEOUT_TEXT("Core", "The study had to stop: {}."),
+                       {exception.what()});
+    }
+}
+
+} // namespace
+
+StudyRunner::StudyRunner(MakeDrawing makeDrawing, QObject* parent)
+    : QObject(parent), m_makeDrawing(std::move(makeDrawing)) {}
+
+StudyRunner::~StudyRunner() {
+    cancel();
+    if (m_thread != nullptr) {
+        m_thread->wait();
+        delete m_thread;
+    }
+}
+
+void StudyRunner::post(std::function<void()> call) {
+    QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection);
+}
+
+SweepOptions StudyRunner::options(DrawCost& drawing, const StudyJob& job, int repeats) const {
+    return {&drawing, std::max<std::size_t>(1, job.program->blockCount() / kFramesARun), repeats, {}};
+}
+
+void StudyRunner::sweep(StudyJob job, std::vector<StudyPoint> points) {
+    start([this, job = std::move(job),
+           points = std::move(points)](DrawCost& drawing, const WorkContext& context) -> Result<void> {
+        SweepOptions sweeping = options(drawing, job, 1);
+        sweeping.finished = [this](const StudyRun& run) {
+            post([this, shared = std::make_shared<const StudyRun>(run)] { emit ran(shared); });
+        };
+        const auto swept = runSweep(job, points, sweeping, context);
+        return swept ? Result<void>() : tl::unexpected(swept.error());
+    });
+}
+
+void StudyRunner::optimise(StudyJob job, const DecimationParameters& given) {
+    start([this, job = std::move(job), given](DrawCost& drawing, const WorkContext& context) -> Result<void> {
+        auto found = rehearse(job, given, rehearsalFor(job), drawing,
+                              {context.stop, [&](double done) { context.tell(kRehearsed * done); }});
+        if (!found)
+            return tl::unexpected(std::move(found.error()));
+        const auto rehearsal = std::make_shared<const Rehearsal>(std::move(*found));
+        post([this, rehearsal] { emit rehearsed(rehearsal); });
+        const std::vector<StudyPoint> points{{withSchedule(given, cheapest(*rehearsal))}, {given}};
+        const auto swept = runSweep(
+            job, points, options(drawing, job, kCheckingRuns),
+            {context.stop, [&](double done) { context.tell(kRehearsed + (1 - kRehearsed) * done); }});
+        if (!swept)
+            return tl::unexpected(swept.error());
+        post([this, chosen = (*swept)[0].seconds, as = (*swept)[1].seconds] { emit measured(chosen, as); });
+        return {};
+    });
+}
+
+void StudyRunner::start(std::function<Result<void>(DrawCost&, const WorkContext&)> work) {
+    if (busy())
+        return;
+    m_stop = std::stop_source();
+    m_thread = QThread::create([this, work = std::move(work)] {
+        int told = 0;
+        const WorkContext context{m_stop.get_token(), [&](double done) {
+                                      if (const int percent = static_cast<int>(100 * done); percent > told) {
+                                          told = percent;
+                                          post([this, done] { emit progressed(done); });
+                                      }
+                                  }};
+        const Result<void> done = carriedOut(work, *m_drawing, context);
+        m_drawing->end();
+        if (!done && !context.stopped())
+            post([this, problems = done.error()] { emit failed(problems); });
+    });
+    auto drawing = m_makeDrawing(m_thread);
+    if (!drawing) {
+        delete std::exchange(m_thread, nullptr);
+        emit failed(drawing.error());
+        emit ended();
+        return;
+    }
+    m_drawing = std::move(*drawing);
+    connect(m_thread, &QThread::finished, this, [this] {
+        m_thread->wait();
+        delete std::exchange(m_thread, nullptr);
+        m_drawing.reset();
+        emit ended();
+    });
+    m_thread->start(QThread::LowPriority); // the window comes first
+}
+
+} // namespace proveout
