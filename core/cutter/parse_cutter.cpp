@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "core/base/text.h"
+#include "core/base/tool_number.h"
 #include "core/cutter/shapes.h"
 #include "core/cutter/tool_table.h"
 
@@ -153,17 +154,16 @@ Result<std::pair<int, Cutter>> parseToolOption(std::string_view option) {
     std::string_view number = takeUntil(spec, '=');
     if (!number.empty() && (number.front() == 'T' || number.front() == 't'))
         number.remove_prefix(1);
-    int tool = 0;
-    const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), tool);
-    if (error != std::errc{} || end != number.data() + number.size() || tool < 1)
+    const auto tool = parseToolNumber(number);
+    if (!tool)
         return failure(
             "tool-number",
-            PROVEOUT_TEXT("Core", "“{}” does not begin with a tool number of 1 or more, as in {}."),
-            {std::string(option), "1=ball:d=11,l=50"});
+            PROVEOUT_TEXT("Core", "“{}” does not begin with a tool number from 1 to {}, as in {}."),
+            {std::string(option), std::to_string(kLargestTool), "1=ball:d=11,l=50"});
     auto cutter = parseCutter(spec);
     if (!cutter)
         return tl::unexpected(std::move(cutter.error()));
-    return std::pair{tool, std::move(*cutter)};
+    return std::pair{*tool, std::move(*cutter)};
 }
 
 } // namespace proveout

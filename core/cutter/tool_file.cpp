@@ -5,7 +5,6 @@
 #include <array>
 #include <cstdint>
 #include <fmt/format.h>
-#include <limits>
 #include <set>
 #include <span>
 #include <string>
@@ -17,6 +16,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/nearest_name.h"
 #include "core/base/text.h"
+#include "core/base/tool_number.h"
 
 namespace proveout {
 
@@ -70,9 +70,10 @@ private:
     /// 0 where the row has no usable number.
     int readNumber(const toml::table& row) {
         const auto number = row["number"].value_exact<std::int64_t>();
-        if (!number || *number < 1 || *number > std::numeric_limits<int>::max()) {
+        if (!number || *number < 1 || *number > kLargestTool) {
             fail(placeOf(row, "number"), "tool-number",
-                 PROVEOUT_TEXT("Core", "A tool needs a number, a whole one from 1 on."));
+                 PROVEOUT_TEXT("Core", "A tool needs a number, a whole one from 1 to {}."),
+                 {std::to_string(kLargestTool)});
             return 0;
         }
         if (!m_numbers.insert(*number).second) {

@@ -2,9 +2,9 @@
 #include "core/formats/job_file.h"
 
 #include <algorithm>
-#include <charconv>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <string>
 #include <system_error>
 #include <type_traits>
@@ -12,6 +12,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/text.h"
+#include "core/base/tool_number.h"
 #include "core/decimation/region_decimator.h"
 #include "core/formats/job_json.h"
 
@@ -25,7 +26,6 @@ using nlohmann::ordered_json;
 constexpr int kSchema = 1;
 constexpr std::uint64_t kSizeLimit = 16'000'000; ///< bytes; a job has a few hundred
 constexpr int kDepthLimit = 32;
-constexpr int kLargestToolNumber = 99'999'999;
 
 constexpr JsonRange kSize{0, 1e6, true};  ///< mm, of a stock or a grid
 constexpr JsonRange kPosition{-1e7, 1e7}; ///< mm
@@ -44,16 +44,19 @@ void readStock(JsonFields& job, StockBox& stock) {
 }
 
 void readTools(JsonFields tools, ToolTable& table) {
+    std::set<int> numbers; // "1" and "01" are the same
     tools.eachString([&](const std::string& key, const std::string& spec) {
-        int number = -1;
-        const auto [end, error] = std::from_chars(key.data(), key.data() + key.size(), number);
-        if (error != std::errc() || end != key.data() + key.size() || number < 0 ||
-            number > kLargestToolNumber) {
-            tools.fail(key, PROVEOUT_TEXT("Core", "\"{}\" is no tool number."), {});
+        const auto number = parseToolNumber(key);
+        if (!number) {
+            tools.fail(
+                key, PROVEOUT_TEXT("Core", "\"{}\" is no tool number; they are whole numbers from 1 to {}."),
+                {std::to_string(kLargestTool)});
             return;
         }
-        if (auto cutter = parseCutter(spec))
-            table.set(number, std::move(*cutter));
+        if (!numbers.insert(*number).second)
+            tools.fail(key, PROVEOUT_TEXT("Core", "\"{}\" is a tool that the table has already."), {});
+        else if (auto cutter = parseCutter(spec))
+            table.set(*number, std::move(*cutter));
         else
             tools.fail(key, PROVEOUT_TEXT("Core", "The field \"{}\" is no cutter: {}"),
                        {message(cutter.error().front())});

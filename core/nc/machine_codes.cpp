@@ -2,14 +2,13 @@
 #include <cmath>
 #include <string>
 
+#include "core/base/tool_number.h"
 #include "core/nc/execution.h"
 #include "core/nc/handlers.h"
 
 namespace proveout {
 
 namespace {
-
-constexpr int kLargestTool = 99'999'999;
 
 bool tellNegative(Execution& execution, const Word& word) {
     if (word.value >= 0)

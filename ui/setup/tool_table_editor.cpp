@@ -11,6 +11,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "core/base/tool_number.h"
 #include "ui/diagnostic_text.h"
 #include "ui/setup/tool_form.h"
 
@@ -18,7 +19,6 @@ namespace proveout {
 
 namespace {
 
-constexpr int kLargestNumber = 99999;
 constexpr int kRowsShown = 5;
 
 QString description(const Cutter& cutter, const QLocale& locale) {
@@ -37,7 +37,7 @@ ToolTableEditor::ToolTableEditor(QWidget* parent)
     m_list->setColumnCount(2);
     m_list->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     m_list->setFixedHeight(m_list->header()->sizeHint().height() + kRowsShown * (fontMetrics().height() + 6));
-    m_number->setRange(0, kLargestNumber);
+    m_number->setRange(1, kLargestTool);
     m_number->setKeyboardTracking(false);
     m_number->setPrefix(QStringLiteral("T"));
     m_numberLabel->setBuddy(m_number);
@@ -175,8 +175,8 @@ void ToolTableEditor::retranslate() {
     m_remove->setToolTip(tr("Remove the selected tool"));
     m_numberLabel->setText(tr("Number"));
     m_number->setToolTip(
-        tr("The T word that calls this tool (no unit)\nRange: 0 to %1\nDefault: the next free number")
-            .arg(kLargestNumber));
+        tr("The T word that calls this tool (no unit)\nRange: 1 to %1\nDefault: the next free number")
+            .arg(kLargestTool));
     m_number->setAccessibleName(tr("Tool number"));
 }
 

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "core/base/atomic_file.h"
+#include "core/base/tool_number.h"
 #include "tests/core/formats/random_bytes.h"
 #include "tests/core/temporary_folder.h"
 
@@ -119,9 +120,13 @@ TEST_F(JobFile, ErrorsNameTheFieldAndWhatIsAllowed) {
     EXPECT_THAT(told(with("\"global\"", "3")), HasSubstr("\"decimation.method\" must be one of"));
     EXPECT_THAT(told(with("false", "0")), HasSubstr("\"decimation.certify\" must be true or false."));
     EXPECT_THAT(told(with("flat:d=6", "flat:d=-6")), HasSubstr("\"tools.12\" is no cutter: "));
-    EXPECT_THAT(told(with("\"12\"", "\"T12\"")), HasSubstr("\"tools.T12\" is no tool number."));
-    EXPECT_THAT(told(with("\"12\"", "\"-1\"")), HasSubstr("\"tools.-1\" is no tool number."));
-    EXPECT_THAT(told(with("\"12\"", "\"99999999999\"")), HasSubstr("is no tool number."));
+    EXPECT_THAT(told(with("\"12\"", "\"T12\"")), HasSubstr("\"tools.T12\" is no tool number"));
+    EXPECT_THAT(told(with("\"12\"", "\"-1\"")), HasSubstr("\"tools.-1\" is no tool number"));
+    EXPECT_THAT(told(with("\"12\"", "\"0\"")), HasSubstr("\"tools.0\" is no tool number"))
+        << "0 means that there is none";
+    EXPECT_THAT(told(with("\"12\"", "\"100000000\"")), HasSubstr("from 1 to 99999999."));
+    EXPECT_THAT(told(with("\"12\"", "\"01\"")), HasSubstr("\"tools.1\" is a tool that the table has"));
+    EXPECT_THAT(told(with("\"12\"", "\"99999999999\"")), HasSubstr("is no tool number"));
     EXPECT_THAT(told(with("\"flat:d=6\"", "6")), HasSubstr("\"tools.12\" must be a text."));
     EXPECT_THAT(told(with("core-insert.nc", "")), HasSubstr("\"program\" must name a file."));
     EXPECT_THAT(told(with("core-insert.nc", "a\\u0000b")), HasSubstr("\"program\" must be a text."));
@@ -226,8 +231,8 @@ Job randomJob(std::mt19937& random, const fs::path& folder) {
     job.setup.stock = {
         {real(random) - 2500, -real(random), real(random)}, real(random), real(random), real(random)};
     job.setup.spacing = real(random);
-    job.setup.tools.set(static_cast<int>(random() % 1000), parseCutter("ball:d=11,l=50").value());
-    job.setup.tools.set(0, parseCutter("flat:d=6.35").value());
+    job.setup.tools.set(static_cast<int>(1 + random() % 1000), parseCutter("ball:d=11,l=50").value());
+    job.setup.tools.set(kLargestTool, parseCutter("flat:d=6.35").value());
     if (random() % 2 == 0)
         job.setup.start = Vec3(real(random), -real(random), 0.1);
     job.setup.blockDelete = random() % 2 == 0;

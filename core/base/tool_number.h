@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tool numbers, alike in programs, tool tables, job files and on the command line.
+#pragma once
+
+#include <optional>
+#include <string_view>
+
+namespace proveout {
+
+/// Tools are numbered from 1 on; 0 in a program empties the spindle.
+inline constexpr int kLargestTool = 99'999'999;
+
+/// The number that `text` is as a whole; nothing where it is none from 1 to kLargestTool.
+[[nodiscard]] std::optional<int> parseToolNumber(std::string_view text);
+
+} // namespace proveout
