@@ -60,11 +60,18 @@ class Told {
 public:
     [[nodiscard]] bool full() const { return m_messages.size() >= FindingLog::kMaxFindings; }
 
+    /// Findings for which there is no room.
+    void leave(const FindingRow& row, std::size_t count) {
+        if (count == 0)
+            return;
+        m_left += count;
+        m_worst = std::max(m_worst, row.severity);
+        m_unverified = m_unverified || row.unverified;
+    }
+
     void tell(const FindingRow& row, std::string value, std::uint32_t line) {
         if (full()) {
-            ++m_left;
-            m_worst = std::max(m_worst, row.severity);
-            m_unverified = m_unverified || row.unverified;
+            leave(row, 1);
             return;
         }
         m_messages.push_back({row.severity,
@@ -116,10 +123,13 @@ void FindingLog::add(std::size_t block, FindingKind kind, double value) {
             return;
         }
     m_findings.push_back({index, kind, value});
+    ++m_counts[static_cast<std::size_t>(kind)];
 }
 
 void FindingLog::truncate(std::size_t block) {
     const auto first = std::ranges::lower_bound(m_findings, block, {}, &Finding::block);
+    for (auto gone = first; gone != m_findings.end(); ++gone)
+        --m_counts[static_cast<std::size_t>(gone->kind)];
     m_findings.erase(first, m_findings.end());
 }
 
@@ -127,12 +137,19 @@ Diagnostics FindingLog::diagnostics(const Program& program, const ToolChoice& to
     Told out;
     tellAboutTools(program, tools, out);
     std::set<std::pair<std::uint32_t, FindingKind>> told;
+    static_assert(kRows.size() == kKinds);
+    auto left = m_counts;
     for (const Finding& finding : m_findings) {
-        const FindingRow& row = kRows[static_cast<std::size_t>(finding.kind)];
+        if (out.full())
+            break;
+        const auto kind = static_cast<std::size_t>(finding.kind);
+        --left[kind];
         const auto line = program.blockLine(finding.block);
-        if (out.full() || told.emplace(line, finding.kind).second)
-            out.tell(row, fmt::format("{:.3f}", finding.value), line);
+        if (told.emplace(line, finding.kind).second)
+            out.tell(kRows[kind], fmt::format("{:.3f}", finding.value), line);
     }
+    for (std::size_t kind = 0; kind < kKinds; ++kind)
+        out.leave(kRows[kind], left[kind]);
     return out.take();
 }
 

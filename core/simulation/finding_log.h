@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -28,7 +29,8 @@ public:
     void truncate(std::size_t block);
     /// First what is known before any block, about the tools (each missing one once); then what was found, at
     /// most one message of a kind per line; `kMaxFindings` in all, and a last one tells how many more there
-    /// are, as severe as the worst of them. `file` is left empty.
+    /// are, as severe as the worst of them. `file` is left empty. Takes the same time however many were
+    /// found, because every frame asks.
     [[nodiscard]] Diagnostics diagnostics(const Program& program, const ToolChoice& tools) const;
 
     static constexpr std::size_t kMaxFindings = 100;
@@ -39,7 +41,10 @@ private:
         FindingKind kind;
         double value;
     };
+    static constexpr std::size_t kKinds = 4;
+
     std::vector<Finding> m_findings;
+    std::array<std::size_t, kKinds> m_counts{}; ///< of m_findings, by kind
 };
 
 } // namespace proveout

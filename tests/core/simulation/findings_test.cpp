@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "core/base/stop_watch.h"
+#include "core/simulation/finding_log.h"
 #include "tests/core/simulation/moments.h"
 #include "tests/core/simulation/programs.h"
 
@@ -148,6 +150,21 @@ TEST(Findings, AreBoundedAndTheLastTellsTheRest) {
     EXPECT_EQ(findings.back().arguments.front(), std::to_string(cutting - 100));
     EXPECT_EQ(findings.back().severity, Severity::fault) << "as severe as the worst of the rest";
     EXPECT_FALSE(findings.back().unverified);
+}
+
+TEST(Findings, TakeNoLongerWhereThereAreMany) {
+    const auto program = programOf(manyRapids(400));
+    const ToolChoice tools(*program, smallSetup()->tools);
+    const auto millisecondsOfAFrame = [&](int count) {
+        FindingLog log;
+        for (int block = 0; block < count; ++block)
+            log.add(static_cast<std::size_t>(block), FindingKind::rapidCuts, 1);
+        const StopWatch watch;
+        for (int frame = 0; frame < 100; ++frame)
+            (void)log.diagnostics(*program, tools);
+        return watch.seconds() * 10;
+    };
+    EXPECT_LT(millisecondsOfAFrame(3'000'000), 5);
 }
 
 /// "LINE id argument" of each.
