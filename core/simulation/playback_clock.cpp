@@ -27,6 +27,14 @@ std::size_t PlaybackClock::due(Time now) const {
     return static_cast<std::size_t>(std::min(m_from + std::max(seconds, 0.0) * m_rate, kFarBlocks));
 }
 
+void PlaybackClock::reached(std::size_t block, Time now) {
+    // The slices in which playback works are shorter, so that it keeps its rate in the long run.
+    constexpr double kOwedSeconds = 0.05;
+    const double blocksLate = static_cast<double>(due(now)) - static_cast<double>(block);
+    if (blocksLate > 1 && blocksLate > kOwedSeconds * m_rate)
+        start(block, m_rate, now);
+}
+
 PlaybackClock::Time PlaybackClock::next(std::size_t block, Time now) const {
     const double blocks = static_cast<double>(block) + 1 - m_from;
     const double sinceNow =

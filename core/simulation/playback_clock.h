@@ -16,6 +16,9 @@ public:
     void start(std::size_t block, double blocksPerSecond, Time now);
     /// The block to be reached at `now`.
     [[nodiscard]] std::size_t due(Time now) const;
+    /// Block `block` was reached at `now`. Where that is late by more than the wink of an eye, playback goes
+    /// on from there: what was lost is not caught up.
+    void reached(std::size_t block, Time now);
     /// When the block after `block` is due; at most a minute ahead of `now`.
     [[nodiscard]] Time next(std::size_t block, Time now) const;
     [[nodiscard]] double blocksPerSecond() const { return m_rate; }

@@ -35,5 +35,24 @@ TEST(PlaybackClock, KnowsNoHurryAndNoEnd) {
     EXPECT_GT(clock.due(start + 1s), 1'000'000U);
 }
 
+TEST(PlaybackClock, OwesNothingAfterASlowBlock) {
+    const PlaybackClock::Time start{};
+    PlaybackClock clock;
+    clock.start(0, 10, start);
+    // Block 1 takes 3 s: 30 blocks are due, and none of them is caught up.
+    clock.reached(1, start + 3s);
+    EXPECT_EQ(clock.due(start + 3s), 1U);
+    EXPECT_EQ(clock.next(1, start + 3s), start + 3s + 100ms);
+}
+
+TEST(PlaybackClock, KeepsItsRateThroughSlicesOfWork) {
+    const PlaybackClock::Time start{};
+    PlaybackClock clock;
+    clock.start(0, 1000, start);
+    for (auto now = start; now < start + 2s; now += 10ms)
+        clock.reached(clock.due(now), now + 8ms); // the work of a slice takes most of it
+    EXPECT_EQ(clock.due(start + 2s), 2000U);
+}
+
 } // namespace
 } // namespace proveout
