@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "core/base/atomic_file.h"
+#include "core/base/bounded_diagnostics.h"
 #include "core/base/nearest_name.h"
 #include "core/base/text.h"
 #include "core/base/tool_number.h"
@@ -32,7 +33,7 @@ TextRange place(const toml::source_region& region) {
     return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column), 0};
 }
 
-/// Reads the rows; every error is told, each at its place.
+/// Reads the rows; errors are told at their places.
 class RowReader {
 public:
     Result<ToolTable> read(const toml::table& document) {
@@ -47,10 +48,8 @@ public:
                 readNode(row);
         if (m_errors.empty())
             return std::move(m_tools);
-        std::ranges::stable_sort(m_errors, {}, [](const Diagnostic& error) {
-            return std::pair(error.where.line, error.where.column);
-        });
-        return tl::unexpected(std::move(m_errors));
+        m_errors.sortByPlace();
+        return tl::unexpected(m_errors.take());
     }
 
 private:
@@ -99,7 +98,7 @@ private:
         }
         for (Diagnostic& error : cutter.error()) {
             error.where = placeOf(row, "cutter");
-            m_errors.push_back(std::move(error));
+            m_errors.add(std::move(error));
         }
     }
 
@@ -123,13 +122,14 @@ private:
     }
 
     void fail(TextRange where, const char* id, const char* text, std::vector<std::string> arguments = {}) {
-        m_errors.push_back(failure(id, text, std::move(arguments)).value().front());
-        m_errors.back().where = where;
+        Diagnostic error = failure(id, text, std::move(arguments)).value().front();
+        error.where = where;
+        m_errors.add(std::move(error));
     }
 
     ToolTable m_tools;
     std::set<std::int64_t> m_numbers; ///< of all rows so far, those without a cutter too
-    Diagnostics m_errors;
+    BoundedDiagnostics m_errors;
 };
 
 } // namespace

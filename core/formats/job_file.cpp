@@ -2,7 +2,6 @@
 #include "core/formats/job_file.h"
 
 #include <algorithm>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -120,12 +119,9 @@ fs::path absolutePath(const fs::path& path) {
 /// Warnings in the order of the text; where the job cannot be read they follow the errors, because a field
 /// that is missing may be one whose name is misspelt.
 Diagnostics told(JsonComplaints& complaints) {
-    const auto place = [](const Diagnostic& diagnostic) {
-        return std::pair(diagnostic.where.line, diagnostic.where.column);
-    };
-    std::ranges::stable_sort(complaints.warnings, {}, place);
-    std::ranges::move(complaints.warnings, std::back_inserter(complaints.errors));
-    return std::move(complaints.errors);
+    complaints.warnings.sortByPlace();
+    complaints.errors.append(std::move(complaints.warnings));
+    return complaints.errors.take();
 }
 
 Result<Job> parse(std::string_view text, const fs::path& file) {

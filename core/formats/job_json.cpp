@@ -15,9 +15,6 @@ namespace {
 
 using nlohmann::json;
 
-/// A file that is no job at all shall not flood whoever reads the messages.
-constexpr std::size_t kMostWarnings = 100;
-
 /// What stands for an object that is not there.
 const json& emptyObject() {
     static const json kEmpty = json::object();
@@ -46,7 +43,7 @@ void JsonFields::fail(std::string_view key, std::string_view element, const char
     const auto place = m_document->places.find({m_here.object, std::string(key)});
     Diagnostic error = failure("job-field", text, std::move(arguments)).value().front();
     error.where = place == m_document->places.end() ? m_here.where : place->second.where;
-    m_complaints->errors.push_back(std::move(error));
+    m_complaints->errors.add(std::move(error));
 }
 
 void JsonFields::warnAboutUnknown() {
@@ -57,8 +54,12 @@ void JsonFields::warnAboutUnknown() {
     };
     for (auto field = places.lower_bound({m_here.object, {}}); isThere(field); ++field) {
         const std::string& name = field->first.second;
-        if (m_asked.contains(name) || m_complaints->warnings.size() == kMostWarnings)
+        if (m_asked.contains(name))
             continue;
+        if (m_complaints->warnings.full()) {
+            m_complaints->warnings.leaveOut(Severity::warning, false, 1);
+            continue;
+        }
         Diagnostic warning;
         warning.severity = Severity::warning;
         warning.id = "job-field-unknown";
@@ -71,7 +72,7 @@ void JsonFields::warnAboutUnknown() {
         }
         warning.hint = PROVEOUT_TEXT("Core", "Correct its name, or remove it.");
         warning.where = field->second.where;
-        m_complaints->warnings.push_back(std::move(warning));
+        m_complaints->warnings.add(std::move(warning));
     }
 }
 

@@ -12,6 +12,7 @@
 #include <string_view>
 #include <vector>
 
+#include "core/base/bounded_diagnostics.h"
 #include "core/base/diagnostic.h"
 #include "core/base/field.h"
 #include "core/base/geometry.h"
@@ -28,8 +29,8 @@ struct JsonRange {
 
 /// What was found wrong while the fields were read.
 struct JsonComplaints {
-    Diagnostics errors;
-    Diagnostics warnings;
+    BoundedDiagnostics errors;
+    BoundedDiagnostics warnings;
 };
 
 /// An object of the file, read field by field. A field that is missing leaves the value as it is; a wrong one
@@ -67,7 +68,7 @@ public:
     void fail(std::string_view key, const char* text, std::vector<std::string> arguments);
 
     /// Call it when everything known has been asked for: warns about every field that was not, and names the
-    /// known one that was probably meant. At most 100 of them are told.
+    /// known one that was probably meant.
     void warnAboutUnknown();
 
 private:

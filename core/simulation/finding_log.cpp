@@ -8,6 +8,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/bounded_diagnostics.h"
 #include "core/base/text.h"
 
 namespace proveout {
@@ -55,61 +56,23 @@ constexpr FindingRow kNoTool{Severity::error, true, "no-tool",
                              PROVEOUT_TEXT("Core", "The program cuts with no tool in the spindle."),
                              PROVEOUT_TEXT("Core", "Select a tool with T and M6 before the first cut.")};
 
-/// The messages, as far as there is room for them, and what is left over.
-class Told {
-public:
-    [[nodiscard]] bool full() const { return m_messages.size() >= FindingLog::kMaxFindings; }
+void tell(BoundedDiagnostics& out, const FindingRow& row, std::string value, std::uint32_t line) {
+    out.add({row.severity,
+             row.unverified,
+             row.id,
+             row.text,
+             {std::move(value)},
+             row.hint,
+             {},
+             {static_cast<int>(line), 1, 0}});
+}
 
-    /// Findings for which there is no room.
-    void leave(const FindingRow& row, std::size_t count) {
-        if (count == 0)
-            return;
-        m_left += count;
-        m_worst = std::max(m_worst, row.severity);
-        m_unverified = m_unverified || row.unverified;
-    }
-
-    void tell(const FindingRow& row, std::string value, std::uint32_t line) {
-        if (full()) {
-            leave(row, 1);
-            return;
-        }
-        m_messages.push_back({row.severity,
-                              row.unverified,
-                              row.id,
-                              row.text,
-                              {std::move(value)},
-                              row.hint,
-                              {},
-                              {static_cast<int>(line), 1, 0}});
-    }
-
-    [[nodiscard]] Diagnostics take() {
-        if (m_left > 0)
-            m_messages.push_back({m_worst,
-                                  m_unverified,
-                                  "more-findings",
-                                  PROVEOUT_TEXT("Core", "{} more findings of the simulation are not shown."),
-                                  {std::to_string(m_left)},
-                                  "",
-                                  {},
-                                  {}});
-        return std::move(m_messages);
-    }
-
-private:
-    Diagnostics m_messages;
-    std::size_t m_left = 0;
-    Severity m_worst = Severity::note;
-    bool m_unverified = false;
-};
-
-void tellAboutTools(const Program& program, const ToolChoice& tools, Told& out) {
+void tellAboutTools(const Program& program, const ToolChoice& tools, BoundedDiagnostics& out) {
     if (tools.assumed() && program.blockCount() > 0)
-        out.tell(kToolAssumed, std::to_string(*tools.assumed()), program.blockLine(0));
+        tell(out, kToolAssumed, std::to_string(*tools.assumed()), program.blockLine(0));
     for (const MissingTool& missing : tools.missing())
-        out.tell(missing.number == 0 ? kNoTool : kToolUndefined, std::to_string(missing.number),
-                 missing.line);
+        tell(out, missing.number == 0 ? kNoTool : kToolUndefined, std::to_string(missing.number),
+             missing.line);
 }
 
 } // namespace
@@ -134,7 +97,7 @@ void FindingLog::truncate(std::size_t block) {
 }
 
 Diagnostics FindingLog::diagnostics(const Program& program, const ToolChoice& tools) const {
-    Told out;
+    BoundedDiagnostics out;
     tellAboutTools(program, tools, out);
     std::set<std::pair<std::uint32_t, FindingKind>> told;
     static_assert(kRows.size() == kKinds);
@@ -146,11 +109,12 @@ Diagnostics FindingLog::diagnostics(const Program& program, const ToolChoice& to
         --left[kind];
         const auto line = program.blockLine(finding.block);
         if (told.emplace(line, finding.kind).second)
-            out.tell(kRows[kind], fmt::format("{:.3f}", finding.value), line);
+            tell(out, kRows[kind], fmt::format("{:.3f}", finding.value), line);
     }
     for (std::size_t kind = 0; kind < kKinds; ++kind)
-        out.leave(kRows[kind], left[kind]);
-    return out.take();
+        out.leaveOut(kRows[kind].severity, kRows[kind].unverified, left[kind]);
+    return out.take("more-findings",
+                    PROVEOUT_TEXT("Core", "{} more findings of the simulation are not shown."));
 }
 
 } // namespace proveout

@@ -28,12 +28,10 @@ public:
     /// Forgets everything about blocks from `block` on.
     void truncate(std::size_t block);
     /// First what is known before any block, about the tools (each missing one once); then what was found, at
-    /// most one message of a kind per line; `kMaxFindings` in all, and a last one tells how many more there
-    /// are, as severe as the worst of them. `file` is left empty. Takes the same time however many were
-    /// found, because every frame asks.
+    /// most one message of a kind per line; no more in all than BoundedDiagnostics holds, and a last one
+    /// tells how many more there are, as severe as the worst of them. `file` is left empty. Takes the same
+    /// time however many were found, because every frame asks.
     [[nodiscard]] Diagnostics diagnostics(const Program& program, const ToolChoice& tools) const;
-
-    static constexpr std::size_t kMaxFindings = 100;
 
 private:
     struct Finding {

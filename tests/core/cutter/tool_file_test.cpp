@@ -45,6 +45,17 @@ TEST_F(ToolFile, ReadsNumbersAndCutters) {
     EXPECT_EQ(tools->find(12)->spec(), "flat:d=6");
 }
 
+TEST_F(ToolFile, TellsAHundredErrorsAndHowManyMoreThereAre) {
+    std::string text;
+    for (int row = 0; row < 20'000; ++row)
+        text += "[[tool]]\nnumber = 0\n";
+    const auto tools = read(text);
+    ASSERT_FALSE(tools);
+    ASSERT_EQ(tools.error().size(), 101U);
+    EXPECT_EQ(message(tools.error().back()), "19900 more messages are not shown.");
+    EXPECT_EQ(tools.error().back().severity, Severity::error);
+}
+
 TEST_F(ToolFile, KeysOfARowThatAreNotKnownAreErrorsWithTheirPlace) {
     EXPECT_EQ(told("[[tool]]\nnumber = 1\ncuter = \"ball:d=4\"\n"),
               "1:1 Tool 1 needs a cutter, e.g. cutter = \"ball:d=11,l=50\". [tool-cutter]\n"

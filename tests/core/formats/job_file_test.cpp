@@ -184,7 +184,23 @@ TEST_F(JobFile, WarningsAreBounded) {
         text += ",\n\"x" + std::to_string(i) + "\": {}";
     const auto job = read(text + "}");
     ASSERT_TRUE(job);
-    EXPECT_EQ(job->warnings.size(), 100U);
+    ASSERT_EQ(job->warnings.size(), 101U);
+    EXPECT_EQ(message(job->warnings.back()), "199900 more messages are not shown.");
+    EXPECT_EQ(job->warnings.back().severity, Severity::warning);
+}
+
+TEST_F(JobFile, ErrorsAndWarningsTogetherAreBounded) {
+    std::string wrongTools = "\"tools\": {\"x\": \"ball:d=1\"";
+    std::string unknown = "\"gridd\": 0";
+    for (int i = 0; i < 20'000; ++i) {
+        wrongTools += ", \"x" + std::to_string(i) + "\": \"ball:d=1\"";
+        unknown += ", \"y" + std::to_string(i) + "\": 0";
+    }
+    const auto job = read(with("\"tools\": {", unknown + ", " + wrongTools + ", "));
+    ASSERT_FALSE(job);
+    ASSERT_EQ(job.error().size(), 101U);
+    EXPECT_EQ(message(job.error().back()), "39902 more messages are not shown.");
+    EXPECT_EQ(job.error().back().severity, Severity::error);
 }
 
 TEST_F(JobFile, SyntaxErrorsHaveLineAndColumn) {

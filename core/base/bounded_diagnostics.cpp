@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/bounded_diagnostics.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "core/base/text.h"
+
+namespace proveout {
+
+void BoundedDiagnostics::add(Diagnostic diagnostic) {
+    if (full())
+        leaveOut(diagnostic.severity, diagnostic.unverified, 1);
+    else
+        m_first.push_back(std::move(diagnostic));
+}
+
+void BoundedDiagnostics::leaveOut(Severity severity, bool unverified, std::size_t count) {
+    if (count == 0)
+        return;
+    m_left += count;
+    m_worst = std::max(m_worst, severity);
+    m_unverified = m_unverified || unverified;
+}
+
+void BoundedDiagnostics::sortByPlace() {
+    std::ranges::stable_sort(m_first, {}, [](const Diagnostic& diagnostic) {
+        return std::pair(diagnostic.where.line, diagnostic.where.column);
+    });
+}
+
+void BoundedDiagnostics::append(BoundedDiagnostics others) {
+    for (Diagnostic& diagnostic : others.m_first)
+        add(std::move(diagnostic));
+    leaveOut(others.m_worst, others.m_unverified, others.m_left);
+}
+
+Diagnostics BoundedDiagnostics::take(const char* id, const char* text) {
+    BoundedDiagnostics all = std::exchange(*this, {});
+    if (all.m_left > 0) {
+        Diagnostic more;
+        more.severity = all.m_worst;
+        more.unverified = all.m_unverified;
+        more.id = id;
+        more.text = text;
+        more.arguments = {std::to_string(all.m_left)};
+        all.m_first.push_back(std::move(more));
+    }
+    return std::move(all.m_first);
+}
+
+Diagnostics BoundedDiagnostics::take() {
+    return take("too-many-messages", PROVEOUT_TEXT("Core", "{} more messages are not shown."));
+}
+
+} // namespace proveout
