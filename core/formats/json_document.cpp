@@ -12,6 +12,10 @@ namespace {
 
 using nlohmann::json;
 
+// How the library numbers and words its errors.
+constexpr int kOutOfRange = 406;
+constexpr std::string_view kUnexpectedEnd = "unexpected end of input";
+
 /// Bytes of a text, one after the other. Copies share the position, so that its owner sees how far the parser
 /// is.
 class SharedIterator {
@@ -74,10 +78,18 @@ public:
     bool start_array(std::size_t /*size*/) override { return enter(JsonPlace::kNoObject); }
     bool end_object() override { return leave(); }
     bool end_array() override { return leave(); }
-    bool parse_error(std::size_t /*offset*/, const std::string& /*token*/,
-                     const nlohmann::detail::exception& /*error*/) override {
-        // The last byte read is the wrong one; at the end of the text there was none to read.
-        const bool atEnd = m_next == m_end;
+    bool parse_error(std::size_t /*offset*/, const std::string& token,
+                     const nlohmann::detail::exception& error) override {
+        if (error.id == kOutOfRange) {
+            // What ends a number was read already, unless the end of the text did.
+            const char* end = *(m_next - 1) == token.back() ? m_next : m_next - 1;
+            m_error = placeOf(end - token.size());
+            m_error.length = static_cast<int>(token.size());
+            return false;
+        }
+        // The last byte read is the wrong one; at the end of the text there was none to read. Only the
+        // sentence tells the two apart where the text ends.
+        const bool atEnd = std::string_view(error.what()).find(kUnexpectedEnd) != std::string_view::npos;
         m_error = placeOf(atEnd ? m_next : m_next - 1);
         return false;
     }

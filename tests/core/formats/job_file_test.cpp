@@ -206,7 +206,12 @@ TEST_F(JobFile, ErrorsAndWarningsTogetherAreBounded) {
 TEST_F(JobFile, SyntaxErrorsHaveLineAndColumn) {
     EXPECT_EQ(told("{\n  \"proveout\": 1,\n  \"grid\": x\n}"),
               "3:11 This is not valid JSON. [json-syntax]\n");
-    EXPECT_THAT(told("{\n  \"grid\": 1e999\n}"), HasSubstr("2:"));
+    EXPECT_THAT(told("{\n  \"grid\": 1e999\n}"), HasSubstr("2:11 "));
+    EXPECT_THAT(told("{\"grid\": 1e999}"), HasSubstr("1:10 "));
+    EXPECT_THAT(told("1e999"), HasSubstr("1:1 "));
+    for (const char* end : {"", "\n", "x"})
+        EXPECT_THAT(told(std::string("{\"proveout\": 1, \"a\": 1]") + end), HasSubstr("1:23 ")) << end;
+    EXPECT_THAT(told("{\"proveout\": 1"), HasSubstr("1:15 "));
     EXPECT_THAT(told(""), HasSubstr("1:1 This is not valid JSON."));
     EXPECT_THAT(told("{\"a\": \"\xff\"}"), HasSubstr("1:8 This is not valid JSON."));
     EXPECT_THAT(told(kWhole + "x"), HasSubstr("[json-syntax]"));
