@@ -1,21 +1,45 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/diagnostic.h"
 
+#include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <iterator>
+
+#include "core/base/utf8.h"
 
 namespace proveout {
 
 namespace {
 
+struct CodeRange {
+    char32_t first;
+    char32_t last;
+};
+
+/// What a terminal obeys in place of showing it: control codes, marks that turn the direction of the text
+/// around, ends of lines and paragraphs.
+constexpr std::array kObeyed{CodeRange{0, 0x1f},        CodeRange{0x7f, 0x9f},     CodeRange{0x61c, 0x61c},
+                             CodeRange{0x200e, 0x200f}, CodeRange{0x2028, 0x202e}, CodeRange{0x2066, 0x2069},
+                             CodeRange{0xfeff, 0xfeff}};
+
+bool isShown(const Utf8Character& character) {
+    return character.valid && std::ranges::none_of(kObeyed, [&](const CodeRange& range) {
+               return character.code >= range.first && character.code <= range.last;
+           });
+}
+
 std::string escaped(std::string_view text) {
     std::string out;
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        if (byte < 0x20 || byte == 0x7f)
-            fmt::format_to(std::back_inserter(out), "\\x{:02x}", byte);
+    while (!text.empty()) {
+        const Utf8Character character = firstCharacter(text);
+        const std::string_view bytes = text.substr(0, character.length);
+        if (isShown(character))
+            out += bytes;
         else
-            out.push_back(c);
+            for (const char byte : bytes)
+                fmt::format_to(std::back_inserter(out), "\\x{:02x}", static_cast<unsigned char>(byte));
+        text.remove_prefix(character.length);
     }
     return out;
 }

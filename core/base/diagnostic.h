@@ -56,7 +56,7 @@ using Result = tl::expected<T, Diagnostics>;
 /// The English sentence of a diagnostic.
 [[nodiscard]] std::string message(const Diagnostic& diagnostic);
 
-/// `FILE:LINE:COLUMN: error: sentence [id]`; control characters of the file name are escaped.
+/// `FILE:LINE:COLUMN: error: sentence [id]`; what terminals obey, and bytes that are no UTF-8, are escaped.
 [[nodiscard]] std::string oneLine(const Diagnostic& diagnostic);
 
 /// "note", "warning", "error" or "fault".

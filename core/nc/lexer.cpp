@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/base/utf8.h"
 #include "core/nc/number.h"
 
 namespace proveout {
@@ -10,9 +11,17 @@ namespace proveout {
 namespace {
 
 constexpr std::size_t kLongestBlockNumber = 15; ///< digits; more than any control can hold
+constexpr std::size_t kLongestShown = 40;       ///< bytes of a line in a message
 
 bool isBlank(char c) {
     return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
+
+constexpr int kMostContinuations = 3;
+
+/// A byte within a character of UTF-8.
+bool isContinuation(char c) {
+    return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
 }
 
 /// DC1 to DC4 of a serial line, the end-of-file byte of DOS.
@@ -27,19 +36,6 @@ char upper(char c) {
 bool isLetter(char c) {
     const char u = upper(c);
     return u >= 'A' && u <= 'Z';
-}
-
-/// Bytes of the UTF-8 character at the begin of `text`; 1 where it is none.
-std::size_t characterLength(std::string_view text) {
-    const auto lead = static_cast<unsigned char>(text.front());
-    const std::size_t length = lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : lead >= 0xc0 ? 2 : 1;
-    if (length > text.size())
-        return 1;
-    for (std::size_t i = 1; i < length; ++i) {
-        if ((static_cast<unsigned char>(text[i]) & 0xc0) != 0x80)
-            return 1;
-    }
-    return length;
 }
 
 class LineReader {
@@ -103,13 +99,16 @@ private:
     }
 
     void failOnCharacter() {
-        const std::size_t end = m_at + characterLength(m_text.substr(m_at));
+        const std::size_t end = m_at + firstCharacter(m_text.substr(m_at)).length;
         fail(nc_message::kBadCharacter, m_at, end, m_text.substr(m_at, end - m_at));
     }
 
     /// The text from `begin`, cut where it would make a message unreadable.
     [[nodiscard]] std::string_view shortened(std::size_t begin) const {
-        std::string_view rest = m_text.substr(begin, 40);
+        std::size_t end = std::min(m_text.size(), begin + kLongestShown);
+        for (int i = 0; i < kMostContinuations && end < m_text.size() && isContinuation(m_text[end]); ++i)
+            --end;
+        std::string_view rest = m_text.substr(begin, end - begin);
         const std::size_t comment = rest.find_first_of("(;");
         rest = rest.substr(0, comment);
         while (!rest.empty() && isBlank(rest.back()))

@@ -44,6 +44,14 @@ TEST(Diagnostic, IsOneLineWhateverTheInputHolds) {
                                    "[unknown-word]");
 }
 
+TEST(Diagnostic, NothingInItTurnsTheTextAroundOrIsNoText) {
+    auto diagnostic = unknownWord();
+    diagnostic.file = "a\u202egnp.nc";
+    diagnostic.arguments = {"Größe 공구 \u0085\u2066\xff\xc3"};
+    EXPECT_EQ(oneLine(diagnostic), "a\\xe2\\x80\\xaegnp.nc: error: The word Größe 공구 "
+                                   "\\xc2\\x85\\xe2\\x81\\xa6\\xff\\xc3 is not known. [unknown-word]");
+}
+
 TEST(Diagnostic, FailureIsOneError) {
     const auto failed = failure("id", "Text {}.", {"a"}, "file");
     ASSERT_EQ(failed.value().size(), 1U);

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace proveout {
+
+/// A character of a text in UTF-8.
+struct Utf8Character {
+    char32_t code = 0;      ///< the byte itself where it belongs to none
+    std::size_t length = 1; ///< bytes
+    bool valid = false;
+};
+
+/// The character at the begin of `text`, which is not empty. Bytes that are no UTF-8 (also overlong forms and
+/// surrogates) come one by one, as not valid.
+[[nodiscard]] Utf8Character firstCharacter(std::string_view text);
+
+} // namespace proveout
