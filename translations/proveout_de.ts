@@ -123,10 +123,6 @@
         <translation>Kegel- oder V-Fräser</translation>
     </message>
     <message>
-        <source>A tool needs a number, a whole one from 1 on.</source>
-        <translation>Ein Werkzeug braucht eine Nummer, eine ganze Zahl ab 1.</translation>
-    </message>
-    <message>
         <source>Tool {} stands in the table twice.</source>
         <translation>Werkzeug {} steht zweimal in der Tabelle.</translation>
     </message>
@@ -265,10 +261,6 @@
     <message>
         <source>a program with its stock, tools and parameters</source>
         <translation>ein Programm mit Rohteil, Werkzeugen und Parametern</translation>
-    </message>
-    <message>
-        <source>&quot;{}&quot; is no tool number.</source>
-        <translation>„{}“ ist keine Werkzeugnummer.</translation>
     </message>
     <message>
         <source>The field &quot;{}&quot; is no cutter: {}</source>
@@ -1431,10 +1423,6 @@
         <translation>Die Schneidenlänge l={} ist kleiner als die Höhe des Fräserprofils, {} mm.</translation>
     </message>
     <message>
-        <source>“{}” does not begin with a tool number of 1 or more, as in {}.</source>
-        <translation>„{}“ beginnt nicht mit einer Werkzeugnummer ab 1 wie in {}.</translation>
-    </message>
-    <message>
         <source>The corner radius r={} is larger than half the diameter, {} mm.</source>
         <translation>Der Eckenradius r={} ist größer als der halbe Durchmesser, {} mm.</translation>
     </message>
@@ -1957,6 +1945,26 @@
     <message>
         <source>OpenGL 3.3 is not to be had on this display.</source>
         <translation>OpenGL 3.3 ist auf dieser Anzeige nicht verfügbar.</translation>
+    </message>
+    <message>
+        <source>The program has more than {} tool changes, stops, dwells and the like; interpretation ends here.</source>
+        <translation>Das Programm hat mehr als {} Werkzeugwechsel, Halte, Verweilzeiten und dergleichen; die Interpretation endet hier.</translation>
+    </message>
+    <message>
+        <source>“{}” does not begin with a tool number from 1 to {}, as in {}.</source>
+        <translation>„{}“ beginnt nicht mit einer Werkzeugnummer von 1 bis {}, wie in {}.</translation>
+    </message>
+    <message>
+        <source>A tool needs a number, a whole one from 1 to {}.</source>
+        <translation>Ein Werkzeug braucht eine Nummer, eine ganze Zahl von 1 bis {}.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is no tool number; they are whole numbers from 1 to {}.</source>
+        <translation>„{}“ ist keine Werkzeugnummer; das sind ganze Zahlen von 1 bis {}.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is a tool that the table has already.</source>
+        <translation>„{}“ ist ein Werkzeug, das die Tabelle schon hat.</translation>
     </message>
 </context>
 <context>
@@ -3296,16 +3304,17 @@ Vorgabe: %5 %4</translation>
         <translation>Nummer</translation>
     </message>
     <message>
-        <source>The T word that calls this tool (no unit)
-Range: 0 to %1
-Default: the next free number</source>
-        <translation>Das T-Wort, das dieses Werkzeug ruft (ohne Einheit)
-Bereich: 0 bis %1
-Vorgabe: die nächste freie Nummer</translation>
-    </message>
-    <message>
         <source>Tool number</source>
         <translation>Werkzeugnummer</translation>
+    </message>
+    <message>
+        <source>The T word that calls this tool (no unit)
+Range: 1 to %1
+Default: the next free number</source>
+        <translation>Das T-Wort, das dieses Werkzeug ruft (ohne Einheit)
+Bereich: 1 bis %1
+Vorgabe: die nächste freie Nummer {1 ?} {1
+?}</translation>
     </message>
 </context>
 <context>

@@ -123,10 +123,6 @@
         <translation>원추형 또는 V형 커터</translation>
     </message>
     <message>
-        <source>A tool needs a number, a whole one from 1 on.</source>
-        <translation>공구에는 1 이상의 정수 번호가 필요합니다.</translation>
-    </message>
-    <message>
         <source>Tool {} stands in the table twice.</source>
         <translation>공구 {}이(가) 테이블에 두 번 있습니다.</translation>
     </message>
@@ -265,10 +261,6 @@
     <message>
         <source>a program with its stock, tools and parameters</source>
         <translation>소재, 공구, 매개변수를 포함한 프로그램</translation>
-    </message>
-    <message>
-        <source>&quot;{}&quot; is no tool number.</source>
-        <translation>&quot;{}&quot;은(는) 공구 번호가 아닙니다.</translation>
     </message>
     <message>
         <source>The field &quot;{}&quot; is no cutter: {}</source>
@@ -1431,10 +1423,6 @@
         <translation>날 길이 l={}이(가) 공구 윤곽의 높이 {} mm보다 짧습니다.</translation>
     </message>
     <message>
-        <source>“{}” does not begin with a tool number of 1 or more, as in {}.</source>
-        <translation>“{}”이(가) {}처럼 1 이상의 공구 번호로 시작하지 않습니다.</translation>
-    </message>
-    <message>
         <source>The corner radius r={} is larger than half the diameter, {} mm.</source>
         <translation>코너 반경 r={}이(가) 지름의 절반 {} mm보다 큽니다.</translation>
     </message>
@@ -1957,6 +1945,26 @@
     <message>
         <source>OpenGL 3.3 is not to be had on this display.</source>
         <translation>이 디스플레이에서는 OpenGL 3.3을 사용할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>The program has more than {} tool changes, stops, dwells and the like; interpretation ends here.</source>
+        <translation>프로그램의 공구 교환, 정지, 드웰 등이 {}개를 넘어 여기서 해석을 끝냅니다.</translation>
+    </message>
+    <message>
+        <source>“{}” does not begin with a tool number from 1 to {}, as in {}.</source>
+        <translation>“{}”이(가) 1에서 {}까지의 공구 번호로 시작하지 않습니다. 예: {}.</translation>
+    </message>
+    <message>
+        <source>A tool needs a number, a whole one from 1 to {}.</source>
+        <translation>공구에는 1에서 {}까지의 정수 번호가 필요합니다.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is no tool number; they are whole numbers from 1 to {}.</source>
+        <translation>&quot;{}&quot;은(는) 공구 번호가 아닙니다. 공구 번호는 1에서 {}까지의 정수입니다.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is a tool that the table has already.</source>
+        <translation>&quot;{}&quot;은(는) 표에 이미 있는 공구입니다.</translation>
     </message>
 </context>
 <context>
@@ -3295,16 +3303,17 @@ Default: %5 %4</source>
         <translation>번호</translation>
     </message>
     <message>
-        <source>The T word that calls this tool (no unit)
-Range: 0 to %1
-Default: the next free number</source>
-        <translation>이 공구를 부르는 T 워드(단위 없음)
-범위: 0~%1
-기본값: 다음 빈 번호</translation>
-    </message>
-    <message>
         <source>Tool number</source>
         <translation>공구 번호</translation>
+    </message>
+    <message>
+        <source>The T word that calls this tool (no unit)
+Range: 1 to %1
+Default: the next free number</source>
+        <translation>이 공구를 부르는 T 워드(단위 없음)
+범위: 1~%1
+기본값: 다음 빈 번호 {1 ?} {1
+?}</translation>
     </message>
 </context>
 <context>

@@ -83,7 +83,7 @@ private:
         Execution execution{m_line.block, m_state, *m_program, m_reporter,
                             static_cast<std::uint32_t>(index + 1)};
         executeBlock(execution);
-        m_finished = m_state.ended || tooManyMotions();
+        m_finished = m_state.ended || tooLong();
     }
 
     void tellAboutLine(std::string_view text) {
@@ -132,10 +132,12 @@ private:
         return index;
     }
 
-    bool tooManyMotions() {
-        if (m_program->motionCount() < m_options.maxMotions)
+    bool tooLong() {
+        const bool motions = m_program->motionCount() > m_options.maxMotions;
+        if (!motions && m_program->events().size() <= m_options.maxMotions)
             return false;
-        m_reporter.tellInAnyCase(nc_message::kTooManyMotions, 1, 0, {std::to_string(m_options.maxMotions)});
+        m_reporter.tellInAnyCase(motions ? nc_message::kTooManyMotions : nc_message::kTooManyEvents, 1, 0,
+                                 {std::to_string(m_options.maxMotions)});
         m_cutShort = true;
         return true;
     }

@@ -18,6 +18,7 @@ struct InterpretOptions {
     bool blockDelete = false;       ///< skip blocks that begin with "/"
     std::optional<Vec3> start;      ///< the position before the first block; without it no axis is known
     bool assumeStartAtZero = false; ///< `interpret`: start at 0,0,0, every motion counts as known
+    /// Of motions, and of events: the block with one more is the last one.
     std::size_t maxMotions = 50'000'000;
     std::size_t maxDiagnostics = 100; ///< further ones are counted in one last message
 };

@@ -114,6 +114,11 @@ inline constexpr Message kTooManyMotions{
     Severity::error, true, "too-many-motions",
     PROVEOUT_TEXT("Core", "The program has more than {} motions; interpretation ends here."),
     PROVEOUT_TEXT("Core", "Raise the limit, or split the program.")};
+inline constexpr Message kTooManyEvents{
+    Severity::error, true, "too-many-events",
+    PROVEOUT_TEXT("Core", "The program has more than {} tool changes, stops, dwells and the like; "
+                          "interpretation ends here."),
+    PROVEOUT_TEXT("Core", "Raise the limit, or split the program.")};
 inline constexpr Message kTooManyMessages{Severity::warning, false, "too-many-messages",
                                           PROVEOUT_TEXT("Core", "{} more messages are not shown."), ""};
 inline constexpr Message kStopped{Severity::warning, true, "interpretation-stopped",

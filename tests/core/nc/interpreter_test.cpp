@@ -136,9 +136,35 @@ TEST(Interpreter, StopsAtTheLimitOfMotions) {
     options.assumeStartAtZero = true;
     options.maxMotions = 10;
     const auto program = interpret(NcText(repeated("G91 G0 X1\n", 20)), options);
-    EXPECT_EQ(program->motionCount(), 10U);
-    EXPECT_TRUE(has(*program, "too-many-motions"));
+    EXPECT_EQ(program->motionCount(), 11U);
+    ASSERT_TRUE(has(*program, "too-many-motions"));
+    EXPECT_EQ(program->diagnostics().back().where.line, 11);
     EXPECT_TRUE(program->unverified());
+
+    const auto justWithin = interpret(NcText(repeated("G91 G0 X1\n", 10) + "M2\n"), options);
+    EXPECT_EQ(justWithin->motionCount(), 10U);
+    EXPECT_TRUE(justWithin->diagnostics().empty());
+}
+
+TEST(Interpreter, StopsAtTheLimitOfEvents) {
+    InterpretOptions options;
+    options.assumeStartAtZero = true;
+    options.maxMotions = 10;
+    const auto program = interpret(NcText("G0 X1\n" + repeated("M0\n", 20)), options);
+    EXPECT_EQ(program->events().size(), 11U);
+    ASSERT_TRUE(has(*program, "too-many-events"));
+    EXPECT_EQ(program->diagnostics().back().where.line, 12);
+    EXPECT_TRUE(program->unverified());
+
+    const auto justWithin = interpret(NcText("G0 X1\n" + repeated("M0\n", 9) + "M2\n"), options);
+    EXPECT_EQ(justWithin->events().size(), 10U);
+    EXPECT_TRUE(justWithin->diagnostics().empty());
+}
+
+TEST(Interpreter, CutsTheTextInAMessageBetweenCharacters) {
+    const auto program = interpret(NcText("#" + repeated("ä", 30) + "\n"));
+    ASSERT_FALSE(program->diagnostics().empty());
+    EXPECT_EQ(program->diagnostics().front().arguments.at(0), "#" + repeated("ä", 19));
 }
 
 TEST(Interpreter, AnswersAStopAndSaysSo) {
