@@ -97,6 +97,7 @@ std::size_t RehearsedRegions::sample(const ZMapSnapshot& now) {
             full += static_cast<double>(fullRegionFaces(surface.grid, region));
         }
     std::vector<double> faces;
+    faces.reserve(touched.size());
     for (const std::size_t region : touched)
         faces.push_back(surface.meshes[region]
                             ? static_cast<double>(surface.meshes[region]->triangles.size())
