@@ -24,7 +24,7 @@ void HeightTexture::allocate(Gl& gl, const Grid& grid) {
     gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
 }
 
-void HeightTexture::upload(Gl& gl, const ZMapSnapshot& moment, std::size_t index) {
+std::size_t HeightTexture::upload(Gl& gl, const ZMapSnapshot& moment, std::size_t index) {
     const IndexRect rect = moment.tileRect(index);
     const Tile& tile = *moment.tile(index);
     gl.glTexSubImage2D(GL_TEXTURE_2D, 0, rect.i0, rect.j0, rect.width(), rect.height(), GL_RED, GL_FLOAT,
@@ -38,9 +38,10 @@ void HeightTexture::upload(Gl& gl, const ZMapSnapshot& moment, std::size_t index
     if (onFloor != m_onFloor[index])
         m_tilesOnFloor = onFloor ? m_tilesOnFloor + 1 : m_tilesOnFloor - 1;
     m_onFloor[index] = onFloor;
+    return sizeof(float) * static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height());
 }
 
-std::size_t HeightTexture::update(Gl& gl, const ZMapSnapshot& moment) {
+HeightTexture::Uploaded HeightTexture::update(Gl& gl, const ZMapSnapshot& moment) {
     const bool anew = m_texture == 0 || m_moment.tileCount() == 0 || !(moment.grid() == m_moment.grid()) ||
                       moment.floor() != m_moment.floor();
     if (anew) {
@@ -50,13 +51,13 @@ std::size_t HeightTexture::update(Gl& gl, const ZMapSnapshot& moment) {
     } else {
         gl.glBindTexture(GL_TEXTURE_2D, m_texture);
     }
-    std::size_t uploaded = 0;
+    Uploaded uploaded;
     gl.glPixelStorei(GL_UNPACK_ROW_LENGTH, Tile::kSize);
     for (std::size_t index = 0; index < moment.tileCount(); ++index) {
         if (!anew && moment.tile(index) == m_moment.tile(index))
             continue;
-        upload(gl, moment, index);
-        ++uploaded;
+        uploaded.bytes += upload(gl, moment, index);
+        ++uploaded.tiles;
     }
     gl.glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
     m_moment = moment;

@@ -19,8 +19,13 @@ public:
     /// Whether the driver takes a texture of that many points.
     [[nodiscard]] static bool fits(Gl& gl, const Grid& grid);
 
-    /// Makes the texture hold `moment`; returns how many tiles went up. The grid must fit.
-    std::size_t update(Gl& gl, const ZMapSnapshot& moment);
+    struct Uploaded {
+        std::size_t tiles = 0;
+        std::size_t bytes = 0;
+    };
+
+    /// Makes the texture hold `moment`. The grid must fit.
+    Uploaded update(Gl& gl, const ZMapSnapshot& moment);
     void release(Gl& gl);
 
     [[nodiscard]] GLuint id() const { return m_texture; }
@@ -29,7 +34,8 @@ public:
 
 private:
     void allocate(Gl& gl, const Grid& grid);
-    void upload(Gl& gl, const ZMapSnapshot& moment, std::size_t index);
+    /// Returns its bytes.
+    std::size_t upload(Gl& gl, const ZMapSnapshot& moment, std::size_t index);
 
     GLuint m_texture = 0;
     ZMapSnapshot m_moment;

@@ -27,10 +27,12 @@ UploadCounts SurfaceRenderer::upload(Gl& gl, const Frame& frame) {
     m_floor = frame.zmap.floor();
     m_regionCells = frame.surface.grid.cells();
     UploadCounts counts;
-    counts.tiles = m_heights.update(gl, frame.zmap);
+    const HeightTexture::Uploaded heights = m_heights.update(gl, frame.zmap);
+    counts.tiles = heights.tiles;
     const SurfaceBuffer::Uploaded uploaded = m_surface.update(gl, frame.surface);
     counts.lists = uploaded.lists;
     counts.indices = uploaded.indices + m_wallBuffer.update(gl, frame.surface);
+    counts.bytes = heights.bytes + counts.indices * sizeof(std::uint32_t);
     return counts;
 }
 

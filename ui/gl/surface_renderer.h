@@ -15,6 +15,7 @@ struct UploadCounts {
     std::size_t tiles = 0;
     std::size_t lists = 0;   ///< lists of triangles of regions, shared patterns included
     std::size_t indices = 0; ///< of those lists and of the walls
+    std::size_t bytes = 0;   ///< heights and indices
 };
 
 /// Draws the stock: top surface, walls, underside. All methods need the same context to be current.
