@@ -3363,6 +3363,14 @@ Vorgabe: %3 mm</translation>
         <source>Largest error: %1 mm at the z-map points, within the allowance of %2 mm</source>
         <translation>Größter Fehler: %1 mm an den Punkten der Z-Map, innerhalb der zulässigen %2 mm</translation>
     </message>
+    <message>
+        <source>Decimation is held back while playing: a frame takes %1 ms without it and %2 ms with it.</source>
+        <translation>Die Dezimierung wird beim Abspielen zurückgehalten: Ein Bild dauert ohne sie %1 ms und mit ihr %2 ms.</translation>
+    </message>
+    <message>
+        <source>Decimation is held back while playing: there are only %1 faces to draw without it.</source>
+        <translation>Die Dezimierung wird beim Abspielen zurückgehalten: Ohne sie sind nur %1 Dreiecke zu zeichnen.</translation>
+    </message>
 </context>
 <context>
     <name>Viewport</name>

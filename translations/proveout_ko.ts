@@ -3362,6 +3362,14 @@ Default: %3 mm</source>
         <source>Largest error: %1 mm at the z-map points, within the allowance of %2 mm</source>
         <translation>최대 오차: Z맵 점에서 %1 mm, 허용 오차 %2 mm 이내</translation>
     </message>
+    <message>
+        <source>Decimation is held back while playing: a frame takes %1 ms without it and %2 ms with it.</source>
+        <translation>재생하는 동안 간략화를 보류합니다. 한 프레임에 간략화 없이 %1 ms, 간략화하면 %2 ms가 걸립니다.</translation>
+    </message>
+    <message>
+        <source>Decimation is held back while playing: there are only %1 faces to draw without it.</source>
+        <translation>재생하는 동안 간략화를 보류합니다. 간략화하지 않아도 그릴 면이 %1개뿐입니다.</translation>
+    </message>
 </context>
 <context>
     <name>Viewport</name>

@@ -19,6 +19,7 @@
 #include "core/decimation/parameters.h"
 #include "core/nc/program.h"
 #include "core/simulation/frame.h"
+#include "core/simulation/hold_back.h"
 #include "core/simulation/setup.h"
 #include "core/simulation/simulation_thread.h"
 #include "core/simulation/statistics.h"
@@ -83,6 +84,9 @@ public:
     /// One row per frame that was drawn, ascending by lastBlock; rows beyond a seek back are dropped when the
     /// blocks are drawn anew.
     [[nodiscard]] const std::vector<FrameStatistics>& frameStatistics() const { return m_frameLog.rows(); }
+    /// Where playback shows all faces because decimation costs more than it saves: the figures; null else.
+    /// parameters() stay what the user wants, and hold again at rest.
+    [[nodiscard]] const HoldBack* heldBack() const;
     /// Messages about files, then those of the program, then those of the simulation.
     [[nodiscard]] const Diagnostics& problems() const { return m_problems; }
     /// Whether the place of a problem is one of the open text; others name their file (a job file, say).
@@ -178,6 +182,9 @@ private:
     void takeFrame();
     void onTick();
     void stopPlaying();
+    void restartHoldBack();
+    void postParameters();
+    void weighDecimation();
     void refreshProblems();
     void setWork(std::optional<Work> work);
     void exportDone(const Result<ExportSummary>& result);
@@ -193,6 +200,8 @@ private:
     FramePtr m_frame;
 
     FrameLog m_frameLog;
+    std::optional<HoldBack> m_holdBack;      ///< for this map and these parameters
+    DecimationParameters m_playedParameters; ///< what the simulation was last told
     QTimer m_paperWatchdog; ///< lets paper mode go on while nobody draws (a minimised window)
 
     Diagnostics m_messages;         ///< about files and jobs

@@ -29,7 +29,7 @@ TuningPanel::TuningPanel(Session& session, QWidget* parent)
     : QWidget(parent), m_session(session), m_form(new ParameterForm(this)), m_gridLabel(new QLabel(this)),
       m_grid(new QDoubleSpinBox(this)), m_problemIcon(new QLabel(this)), m_problem(wrappedLabel(this)),
       m_effectTitle(sectionLabel(this)), m_faces(wrappedLabel(this)), m_error(wrappedLabel(this)),
-      m_regions(wrappedLabel(this)) {
+      m_regions(wrappedLabel(this)), m_heldBack(wrappedLabel(this)) {
     auto* content = new QWidget;
     auto* layout = new QVBoxLayout(content);
     m_form->addRow(m_gridLabel, m_grid);
@@ -39,7 +39,7 @@ TuningPanel::TuningPanel(Session& session, QWidget* parent)
     problem->addWidget(m_problem, 1);
     layout->addLayout(problem);
     layout->addSpacing(8);
-    for (QLabel* label : {m_effectTitle, m_faces, m_error, m_regions})
+    for (QLabel* label : {m_effectTitle, m_faces, m_error, m_regions, m_heldBack})
         layout->addWidget(label);
     layout->addStretch(1);
     fillScrolled(*this, content);
@@ -105,8 +105,10 @@ void TuningPanel::showEffect(const FramePtr& frame) {
         m_faces->setText(tr("Open a program to see it."));
         m_error->clear();
         m_regions->clear();
+        m_heldBack->clear();
         return;
     }
+    m_heldBack->setText(heldBackText(*frame));
     const SurfaceSnapshot& surface = frame->surface;
     const double share = surface.facesFull == 0 ? 0
                                                 : 100.0 * static_cast<double>(surface.faces) /
@@ -129,6 +131,20 @@ void TuningPanel::showEffect(const FramePtr& frame) {
                          : tr("Largest error: %1 mm beside an allowance of %2 mm, which is not a bound while "
                               "Certify is off")
                                .arg(error, allowance));
+}
+
+QString TuningPanel::heldBackText(const Frame& frame) const {
+    const HoldBack* heldBack = m_session.heldBack();
+    if (heldBack == nullptr)
+        return {};
+    const auto with = heldBack->frameSeconds(false);
+    const auto without = heldBack->frameSeconds(true);
+    const auto milliseconds = [this](double seconds) { return locale().toString(1e3 * seconds, 'f', 2); };
+    if (with && without)
+        return tr("Decimation is held back while playing: a frame takes %1 ms without it and %2 ms with it.")
+            .arg(milliseconds(*without), milliseconds(*with));
+    return tr("Decimation is held back while playing: there are only %1 faces to draw without it.")
+        .arg(locale().toString(static_cast<qulonglong>(frame.surface.facesFull)));
 }
 
 void TuningPanel::retranslate() {

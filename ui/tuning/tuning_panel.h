@@ -32,6 +32,7 @@ private:
     void showProblem(const QString& text);
     void colourProblem();
     void showEffect(const FramePtr& frame);
+    [[nodiscard]] QString heldBackText(const Frame& frame) const;
 
     Session& m_session;
     ParameterForm* m_form;
@@ -43,6 +44,7 @@ private:
     QLabel* m_faces;
     QLabel* m_error;
     QLabel* m_regions;
+    QLabel* m_heldBack;
     QTimer m_rest; ///< changes are applied after a short rest
 };
 

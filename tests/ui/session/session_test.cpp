@@ -119,6 +119,43 @@ private slots:
         }
     }
 
+    void holdsBackOnATinyMapWhilePlayingOnly() {
+        QTemporaryDir folder;
+        Session session;
+        QVERIFY(session.openFile(write(folder, "square.nc", kSquare)));
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
+        Setup setup = session.setup();
+        setup.tools.set(1, parseCutter("flat:d=4,l=20").value());
+        setup.spacing = 1;
+        QVERIFY(session.setSetup(setup).has_value());
+        const DecimationParameters wanted = session.parameters();
+        std::size_t held = 0;
+        std::size_t played = 0;
+        connect(&session, &Session::tick, this, [&](const FramePtr& frame) {
+            if (!frame)
+                return;
+            if (frame->playing) {
+                ++played;
+                held += frame->parameters.method == DecimationMethod::none ? 1U : 0U;
+            }
+            session.reportDrawn(frame->sequence, 0.0001, 0.001);
+        });
+        session.setSpeed(std::numeric_limits<double>::infinity(), true);
+        session.seek(0);
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame()->surface.facesFull < 2000 && session.block() == 0,
+                                 kPatience);
+        QVERIFY(session.frame()->parameters == wanted);
+        session.play();
+        QVERIFY(session.heldBack() != nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(!session.playback().playing, kPatience);
+        QVERIFY(played > 0);
+        QCOMPARE(held, played);
+        QVERIFY(session.parameters() == wanted);
+        QVERIFY(session.heldBack() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame()->parameters == wanted, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame()->surface.dirtyRegions == 0, kPatience);
+    }
+
     void anEditGoesOnFromTheFirstChangedBlock() {
         QTemporaryDir folder;
         Session session;

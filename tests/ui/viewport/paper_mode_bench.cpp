@@ -3,11 +3,12 @@
 // drawn, with decimation and without. Both runs of a pair advance in turn, and take turns in going first, so
 // that the machine's other work hits them alike. On every frame triangles drawn and bytes uploaded are
 // compared; exits with 1 where decimation drew or uploaded more.
-//     paper_mode_bench JOB [--size 1280x800] [--every N] [--pairs N] [--blocks N] [--grid MM]
+//     paper_mode_bench JOB [--size 1280x800] [--every N] [--pairs N] [--blocks N] [--grid MM] [--hold-back]
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include <QCommandLineParser>
@@ -19,15 +20,15 @@
 
 #include "core/formats/job_file.h"
 #include "core/nc/interpreter.h"
+#include "core/simulation/hold_back.h"
 #include "core/simulation/simulation.h"
+#include "tests/ui/viewport/frame_figures.h"
 #include "ui/gl/scene_renderer.h"
 #include "ui/viewport/camera.h"
 
 using namespace proveout;
 
 namespace {
-
-constexpr int kTold = 10; ///< frames that break the promise are told up to here, then counted
 
 double seconds(const QElapsedTimer& timer) {
     return static_cast<double>(timer.nsecsElapsed()) * 1e-9;
@@ -40,16 +41,7 @@ struct Options {
     int pairs = 1;
     std::size_t blocks = 0; ///< 0: all
     double grid = 0;        ///< 0: the job's
-};
-
-struct FrameFigures {
-    double simulate = 0; ///< seconds: cutting, decimation, bookkeeping
-    double upload = 0;
-    double draw = 0;
-    std::size_t triangles = 0;
-    std::size_t bytes = 0;
-
-    [[nodiscard]] double total() const { return simulate + upload + draw; }
+    bool holdBack = false;  ///< as playback does in the window; else decimation is carried out come what may
 };
 
 /// One of the two runs of a pair.
@@ -58,6 +50,32 @@ struct Run {
     std::unique_ptr<SceneRenderer> renderer;
     double waiting = 0; ///< seconds of blocks that were not drawn, for the next frame
     std::vector<FrameFigures> frames;
+    std::optional<HoldBack> holdBack;
+    DecimationParameters wanted;
+
+    /// Tells the simulation what is decided after the frame shown last.
+    void follow() {
+        DecimationParameters played = wanted;
+        if (holdBack->held())
+            played.method = DecimationMethod::none;
+        simulation->setParameters(played);
+    }
+
+    void weigh(const Frame& frame, const FrameFigures& figures) {
+        const BlockStatistics row = frame.statistics[frame.block - 1];
+        const FrameCost cost{row.decimationSeconds,
+                             figures.upload,
+                             figures.draw,
+                             frame.surface.faces,
+                             frame.surface.facesFull,
+                             row.regionsDecimated,
+                             frame.surface.grid.regionCount()};
+        QElapsedTimer timer;
+        timer.start();
+        if (holdBack->add(cost))
+            follow();
+        waiting = seconds(timer);
+    }
 
     void show(const View& view, const QElapsedTimer& simulated) {
         FrameFigures figures;
@@ -76,6 +94,8 @@ struct Run {
         figures.triangles = renderer->triangles(SurfaceBuffer::Part::fromZMap) +
                             renderer->triangles(SurfaceBuffer::Part::decimated);
         frames.push_back(figures);
+        if (holdBack && frame->block > 0)
+            weigh(*frame, figures);
     }
 
     void step(const View& view, bool drawn) {
@@ -138,6 +158,11 @@ Result<Pair> runPair(const Workload& workload, const Options& options, std::size
         runs[k].renderer = SceneRenderer::create();
         if (!runs[k].renderer)
             return failure("no-renderer", "The driver refuses a shader.");
+        runs[k].wanted = workload.parameters[k];
+        if (options.holdBack && k == 0) {
+            runs[k].holdBack.emplace(runs[k].wanted.period, runs[k].simulation->frame().surface.facesFull);
+            runs[k].follow();
+        }
         runs[k].show(workload.view, timer);
     }
     const std::size_t all = workload.program->blockCount();
@@ -150,64 +175,6 @@ Result<Pair> runPair(const Workload& workload, const Options& options, std::size
         run.simulation.reset();
     }
     return runs;
-}
-
-void print(const char* name, const std::vector<FrameFigures>& frames, int pairs) {
-    FrameFigures sum;
-    double triangles = 0;
-    double bytes = 0;
-    for (const FrameFigures& frame : frames) {
-        sum.simulate += frame.simulate;
-        sum.upload += frame.upload;
-        sum.draw += frame.draw;
-        triangles += static_cast<double>(frame.triangles);
-        bytes += static_cast<double>(frame.bytes);
-    }
-    const auto count = static_cast<double>(frames.size());
-    std::printf("%-20s %8.2f s a run = cutting and decimation %7.3f + upload %7.3f + drawing %8.2f   "
-                "%8.0f triangles and %8.0f bytes a frame\n",
-                name, sum.total() / pairs, sum.simulate / pairs, sum.upload / pairs, sum.draw / pairs,
-                triangles / count, bytes / count);
-}
-
-double percentile(const std::vector<double>& sorted, int percent) {
-    return sorted[(sorted.size() - 1) * static_cast<std::size_t>(percent) / 100];
-}
-
-std::vector<double> sortedTimes(const std::vector<FrameFigures>& frames) {
-    std::vector<double> times;
-    for (const FrameFigures& frame : frames)
-        times.push_back(frame.total());
-    std::ranges::sort(times);
-    return times;
-}
-
-void printPercentiles(const std::vector<FrameFigures>& with, const std::vector<FrameFigures>& without) {
-    const auto a = sortedTimes(with);
-    const auto b = sortedTimes(without);
-    for (const int percent : {50, 95, 99})
-        std::printf("p%d of a frame        %8.3f ms / %8.3f ms = %6.3f\n", percent,
-                    1e3 * percentile(a, percent), 1e3 * percentile(b, percent),
-                    percentile(a, percent) / percentile(b, percent));
-}
-
-/// How many frames break "at most as many as without".
-template<class Figure>
-std::size_t compare(const char* name, const Pair& pair, const Options& options, Figure figure) {
-    std::size_t broken = 0;
-    double excess = 0;
-    for (std::size_t k = 0; k < pair[0].frames.size(); ++k) {
-        const std::size_t with = pair[0].frames[k].*figure;
-        const std::size_t without = pair[1].frames[k].*figure;
-        if (with <= without)
-            continue;
-        excess += static_cast<double>(with - without);
-        if (++broken <= kTold)
-            std::printf("block %zu: %zu %s with decimation, %zu without\n", k * options.every, with, name,
-                        without);
-    }
-    std::printf("%s: more on %zu of %zu frames, %.0f in all\n", name, broken, pair[0].frames.size(), excess);
-    return broken;
 }
 
 int bench(const QString& file, const Options& options) {
@@ -225,15 +192,17 @@ int bench(const QString& file, const Options& options) {
             return 3;
         }
         if (number == 0) // the others have the same figures
-            broken = compare("triangles", *pair, options, &FrameFigures::triangles) +
-                     compare("bytes", *pair, options, &FrameFigures::bytes);
+            broken =
+                compare("triangles", (*pair)[0].frames, (*pair)[1].frames, options.every,
+                        &FrameFigures::triangles) +
+                compare("bytes", (*pair)[0].frames, (*pair)[1].frames, options.every, &FrameFigures::bytes);
         for (std::size_t k = 0; k < frames.size(); ++k)
             frames[k].insert(frames[k].end(), (*pair)[k].frames.begin(), (*pair)[k].frames.end());
     }
     std::printf("%d pairs, %zu frames of %d x %d each\n", options.pairs,
                 frames[0].size() / static_cast<std::size_t>(options.pairs), options.width, options.height);
-    print("with decimation", frames[0], options.pairs);
-    print("without", frames[1], options.pairs);
+    printSums("with decimation", frames[0], options.pairs);
+    printSums("without", frames[1], options.pairs);
     printPercentiles(frames[0], frames[1]);
     return broken == 0 ? 0 : 1;
 }
@@ -249,7 +218,8 @@ int main(int argc, char** argv) {
                        {"every", "Draw only each N-th block.", "N", "1"},
                        {"pairs", "Pairs of runs.", "N", "1"},
                        {"blocks", "Stop after so many blocks; 0: at the end.", "N", "0"},
-                       {"grid", "Another distance of the points; 0: the job's.", "MM", "0"}});
+                       {"grid", "Another distance of the points; 0: the job's.", "MM", "0"},
+                       {"hold-back", "Decide as playback does whether to decimate."}});
     parser.process(application);
     Options options;
     const QByteArray size = parser.value("size").toLatin1();
@@ -259,6 +229,7 @@ int main(int argc, char** argv) {
     options.every = std::max<std::size_t>(1, parser.value("every").toULongLong());
     options.pairs = std::max(1, parser.value("pairs").toInt());
     options.blocks = parser.value("blocks").toULongLong();
+    options.holdBack = parser.isSet("hold-back");
     options.grid = parser.value("grid").toDouble();
 
     QSurfaceFormat format;
