@@ -31,6 +31,35 @@ std::vector<std::uint32_t> patternIndices(int nx, const IndexRect& points) {
     return indices;
 }
 
+/// The points of a region without those on its borders.
+IndexRect inner(const IndexRect& points) {
+    return {points.i0 + 1, points.j0 + 1, points.i1 - 1, points.j1 - 1};
+}
+
+bool hasCells(const IndexRect& points) {
+    return points.width() > 1 && points.height() > 1;
+}
+
+bool meetsPolyline(const std::array<BorderLinePtr, 4>& borders) {
+    return std::ranges::any_of(borders, [](const auto& line) { return line != nullptr; });
+}
+
+/// The triangles of a region drawn from the z-map that have a corner on its borders.
+std::vector<LatticeTriangle> transitionStrip(const RegionGrid& grid, std::size_t region,
+                                             const std::array<BorderLinePtr, 4>& borders) {
+    std::vector<LatticeTriangle> triangles = fullRegionMesh(grid, region, borders);
+    const IndexRect within = inner(grid.points(region));
+    const auto nx = static_cast<std::uint32_t>(grid.nx());
+    std::erase_if(triangles, [&](const LatticeTriangle& triangle) {
+        return std::ranges::all_of(triangle, [&](std::uint32_t point) {
+            const auto i = static_cast<int>(point % nx);
+            const auto j = static_cast<int>(point / nx);
+            return i >= within.i0 && i < within.i1 && j >= within.j0 && j < within.j1;
+        });
+    });
+    return triangles;
+}
+
 std::span<const std::uint32_t> flat(const std::vector<LatticeTriangle>& triangles) {
     static_assert(sizeof(LatticeTriangle) == 3 * sizeof(std::uint32_t));
     return {triangles.front().data(), triangles.size() * 3};
@@ -98,11 +127,10 @@ SurfaceBuffer::Uploaded SurfaceBuffer::update(Gl& gl, const SurfaceSnapshot& sur
                 continue;
             region.mesh = nullptr;
             region.borders = borders;
-            const bool full = std::ranges::all_of(borders, [](const auto& line) { return line == nullptr; });
-            if (full)
-                region.count = 0;
+            if (meetsPolyline(borders))
+                writeList(gl, region, transitionStrip(m_grid, index, borders), uploaded);
             else
-                writeList(gl, region, fullRegionMesh(m_grid, index, borders), uploaded);
+                region.count = 0;
         }
         region.known = true;
         changed = true;
@@ -119,20 +147,19 @@ void SurfaceBuffer::collect(Gl& gl, Uploaded& uploaded) {
     for (std::size_t index = 0; index < m_regions.size(); ++index) {
         const Region& region = m_regions[index];
         const auto part = static_cast<std::size_t>(region.mesh ? Part::decimated : Part::fromZMap);
-        const bool own = region.mesh != nullptr || std::ranges::any_of(region.borders, [](const auto& line) {
-                             return line != nullptr;
-                         });
-        if (own && region.count == 0)
-            continue; // Nothing left of this region.
-        if (own) {
+        if (region.count > 0) {
             m_lists[part].add(region.slot.offset, region.count, 0);
             m_triangles[part] += region.count / 3;
-        } else {
-            const IndexRect points = m_grid.points(index);
-            const Pattern& shared = pattern(gl, points, uploaded);
-            m_lists[part].add(shared.slot.offset, shared.count, m_grid.lattice(points.i0, points.j0));
-            m_triangles[part] += shared.count / 3;
         }
+        if (region.mesh != nullptr)
+            continue;
+        const IndexRect all = m_grid.points(index);
+        const IndexRect points = meetsPolyline(region.borders) ? inner(all) : all;
+        if (!hasCells(points))
+            continue;
+        const Pattern& shared = pattern(gl, points, uploaded);
+        m_lists[part].add(shared.slot.offset, shared.count, m_grid.lattice(points.i0, points.j0));
+        m_triangles[part] += shared.count / 3;
     }
 }
 

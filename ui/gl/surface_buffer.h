@@ -15,8 +15,8 @@ namespace proveout {
 /// The triangles of a surface on the graphics side, as indices into the lattice. A decimated region has an
 /// own list, written again only when its mesh is another pointer. A region drawn from the z-map with full
 /// borders costs nothing: all of one size share one pattern, moved to its place by the base vertex. Where
-/// such a region meets a decimated one, it has an own list that meets the polyline. All methods need the same
-/// context to be current.
+/// such a region meets a decimated one, an own list of the triangles along its borders meets the polyline,
+/// and a smaller pattern fills it. All methods need the same context to be current.
 class SurfaceBuffer {
 public:
     struct Uploaded {
@@ -38,7 +38,7 @@ private:
         RegionMeshPtr mesh;
         std::array<BorderLinePtr, 4> borders; ///< of a region drawn from the z-map only
         IndexBuffer::Slot slot;
-        std::uint32_t count = 0; ///< indices in the slot; 0: drawn with a pattern
+        std::uint32_t count = 0; ///< indices in the slot; 0: drawn with a pattern alone, if at all
         bool known = false;
     };
     struct Pattern {

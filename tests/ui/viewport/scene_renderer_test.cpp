@@ -363,11 +363,17 @@ void SceneRendererTest::uploadsOnlyWhatChanged() {
     QCOMPARE(picture.uploaded().lists, std::size_t{0});
     QCOMPARE(picture.uploaded().indices, std::size_t{0});
 
-    // One region becomes dirty: its heights go up, and a list that meets its neighbours' polylines.
+    // One region becomes dirty: its heights go up, a list that meets its neighbours' polylines, and, once for
+    // all regions of this size, the pattern that fills it.
     builder.cut({81, 81, 87, 87}, [](double, double) { return -2.0; });
     static_cast<void>(picture.draw(builder.frame(), view));
     QCOMPARE(picture.uploaded().tiles, std::size_t{1});
+    QCOMPARE(picture.uploaded().lists, std::size_t{2});
+    builder.cut({145, 145, 151, 151}, [](double, double) { return -2.0; });
+    static_cast<void>(picture.draw(builder.frame(), view));
     QCOMPARE(picture.uploaded().lists, std::size_t{1});
+    const auto cells = static_cast<std::size_t>(builder.frame()->surface.grid.cells());
+    QVERIFY(picture.uploaded().indices <= 6 * 4 * (cells - 1)); // of the cells along its borders
 
     // Cut again while it is dirty: heights alone.
     builder.cut({81, 81, 87, 87}, [](double, double) { return -3.0; });
@@ -378,7 +384,7 @@ void SceneRendererTest::uploadsOnlyWhatChanged() {
     builder.decimate();
     static_cast<void>(picture.draw(builder.frame(), view));
     QCOMPARE(picture.uploaded().tiles, std::size_t{0});
-    QCOMPARE(picture.uploaded().lists, std::size_t{1});
+    QCOMPARE(picture.uploaded().lists, std::size_t{2});
 }
 
 void SceneRendererTest::anotherGridIsTakenAnew() {
