@@ -8,7 +8,7 @@ namespace {
 constexpr std::uint32_t kFirstCapacity = 1u << 16;
 
 GLsizeiptr bytes(std::size_t count) {
-    return static_cast<GLsizeiptr>(count * sizeof(std::uint32_t));
+    return static_cast<GLsizeiptr>(count * sizeof(std::uint16_t));
 }
 } // namespace
 
@@ -29,15 +29,15 @@ void IndexBuffer::reserve(Gl& gl, std::uint32_t count) {
     m_capacity = capacity;
 }
 
-IndexBuffer::Slot IndexBuffer::write(Gl& gl, Slot slot, std::span<const std::uint32_t> indices) {
-    const auto count = static_cast<std::uint32_t>(indices.size());
+IndexBuffer::Slot IndexBuffer::write(Gl& gl, Slot slot, std::span<const std::uint16_t> halves) {
+    const auto count = static_cast<std::uint32_t>(halves.size());
     if (count > slot.capacity) {
         m_slots.free(slot);
         slot = m_slots.allocate(count);
         reserve(gl, m_slots.extent());
     }
     gl.glBindBuffer(GL_COPY_WRITE_BUFFER, m_buffer);
-    gl.glBufferSubData(GL_COPY_WRITE_BUFFER, bytes(slot.offset), bytes(indices.size()), indices.data());
+    gl.glBufferSubData(GL_COPY_WRITE_BUFFER, bytes(slot.offset), bytes(halves.size()), halves.data());
     return slot;
 }
 

@@ -9,7 +9,8 @@
 
 namespace proveout {
 
-/// A buffer of indices on the graphics side with places for many lists; it grows and keeps what it holds.
+/// A buffer of indices on the graphics side with places for many lists; it grows and keeps what it holds. It
+/// counts in halves of 32 bits, whatever the indices are.
 /// All methods need the same context to be current.
 class IndexBuffer {
 public:
@@ -20,7 +21,7 @@ public:
     IndexBuffer& operator=(const IndexBuffer&) = delete;
 
     /// Writes a list (not empty) into `slot`, or into a new place where it does not fit there.
-    [[nodiscard]] Slot write(Gl& gl, Slot slot, std::span<const std::uint32_t> indices);
+    [[nodiscard]] Slot write(Gl& gl, Slot slot, std::span<const std::uint16_t> halves);
     void free(Slot slot) { m_slots.free(slot); }
     void clear() { m_slots.clear(); }
     void release(Gl& gl);

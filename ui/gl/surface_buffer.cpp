@@ -2,6 +2,8 @@
 #include "ui/gl/surface_buffer.h"
 
 #include <algorithm>
+#include <cstring>
+#include <limits>
 
 namespace proveout {
 namespace {
@@ -36,6 +38,12 @@ IndexRect inner(const IndexRect& points) {
     return {points.i0 + 1, points.j0 + 1, points.i1 - 1, points.j1 - 1};
 }
 
+/// Whether 16 bits hold every point of a region, counted from its first one.
+bool fitsShort(const RegionGrid& grid) {
+    const auto cells = static_cast<std::int64_t>(grid.cells());
+    return cells * grid.nx() + cells <= std::numeric_limits<std::uint16_t>::max();
+}
+
 bool hasCells(const IndexRect& points) {
     return points.width() > 1 && points.height() > 1;
 }
@@ -60,9 +68,13 @@ std::vector<LatticeTriangle> transitionStrip(const RegionGrid& grid, std::size_t
     return triangles;
 }
 
-std::span<const std::uint32_t> flat(const std::vector<LatticeTriangle>& triangles) {
-    static_assert(sizeof(LatticeTriangle) == 3 * sizeof(std::uint32_t));
-    return {triangles.front().data(), triangles.size() * 3};
+std::vector<std::uint32_t> indicesFrom(std::uint32_t first, const std::vector<LatticeTriangle>& triangles) {
+    std::vector<std::uint32_t> indices;
+    indices.reserve(triangles.size() * 3);
+    for (const LatticeTriangle& triangle : triangles)
+        for (const std::uint32_t point : triangle)
+            indices.push_back(point - first);
+    return indices;
 }
 
 } // namespace
@@ -75,18 +87,38 @@ void SurfaceBuffer::DrawList::clear() {
 
 void SurfaceBuffer::DrawList::add(std::uint32_t offset, std::uint32_t count, std::uint32_t baseVertex) {
     counts.push_back(static_cast<GLsizei>(count));
-    offsets.push_back(bufferPlace(std::size_t{offset} * sizeof(std::uint32_t)));
+    offsets.push_back(bufferPlace(std::size_t{offset} * sizeof(std::uint16_t)));
     baseVertices.push_back(static_cast<GLint>(baseVertex));
 }
 
-void SurfaceBuffer::writeList(Gl& gl, Region& region, const std::vector<LatticeTriangle>& triangles,
-                              Uploaded& uploaded) {
-    region.count = static_cast<std::uint32_t>(triangles.size() * 3);
-    if (triangles.empty())
-        return;
-    region.slot = m_indices.write(gl, region.slot, flat(triangles));
+IndexBuffer::Slot SurfaceBuffer::write(Gl& gl, IndexBuffer::Slot slot,
+                                       const std::vector<std::uint32_t>& indices, Uploaded& uploaded) {
+    std::vector<std::uint16_t> halves;
+    if (m_short) {
+        halves.reserve(indices.size());
+        for (const std::uint32_t index : indices)
+            halves.push_back(static_cast<std::uint16_t>(index));
+    } else {
+        halves.resize(2 * indices.size());
+        std::memcpy(halves.data(), indices.data(), indices.size() * sizeof(std::uint32_t));
+    }
     ++uploaded.lists;
-    uploaded.indices += region.count;
+    uploaded.indices += indices.size();
+    uploaded.bytes += halves.size() * sizeof(std::uint16_t);
+    return m_indices.write(gl, slot, halves);
+}
+
+void SurfaceBuffer::writeList(Gl& gl, std::size_t index, const std::vector<LatticeTriangle>& triangles,
+                              Uploaded& uploaded) {
+    Region& region = m_regions[index];
+    region.count = static_cast<std::uint32_t>(triangles.size() * 3);
+    if (!triangles.empty())
+        region.slot = write(gl, region.slot, indicesFrom(firstPoint(index), triangles), uploaded);
+}
+
+std::uint32_t SurfaceBuffer::firstPoint(std::size_t region) const {
+    const IndexRect points = m_grid.points(region);
+    return m_grid.lattice(points.i0, points.j0);
 }
 
 const SurfaceBuffer::Pattern& SurfaceBuffer::pattern(Gl& gl, const IndexRect& points, Uploaded& uploaded) {
@@ -94,10 +126,8 @@ const SurfaceBuffer::Pattern& SurfaceBuffer::pattern(Gl& gl, const IndexRect& po
     auto found = m_patterns.find(key);
     if (found == m_patterns.end()) {
         const std::vector<std::uint32_t> indices = patternIndices(m_grid.nx(), points);
-        const Pattern made{m_indices.write(gl, {}, indices), static_cast<std::uint32_t>(indices.size())};
+        const Pattern made{write(gl, {}, indices, uploaded), static_cast<std::uint32_t>(indices.size())};
         found = m_patterns.emplace(key, made).first;
-        ++uploaded.lists;
-        uploaded.indices += made.count;
     }
     return found->second;
 }
@@ -110,6 +140,7 @@ SurfaceBuffer::Uploaded SurfaceBuffer::update(Gl& gl, const SurfaceSnapshot& sur
         m_regions.assign(surface.meshes.size(), {});
         m_patterns.clear();
         m_indices.clear();
+        m_short = fitsShort(m_grid);
         changed = true;
     }
     for (std::size_t index = 0; index < m_regions.size(); ++index) {
@@ -120,7 +151,7 @@ SurfaceBuffer::Uploaded SurfaceBuffer::update(Gl& gl, const SurfaceSnapshot& sur
                 continue;
             region.mesh = mesh;
             region.borders = {};
-            writeList(gl, region, mesh->triangles, uploaded);
+            writeList(gl, index, mesh->triangles, uploaded);
         } else {
             const std::array<BorderLinePtr, 4> borders = surface.regionBorders(index);
             if (region.known && region.mesh == nullptr && region.borders == borders)
@@ -128,7 +159,7 @@ SurfaceBuffer::Uploaded SurfaceBuffer::update(Gl& gl, const SurfaceSnapshot& sur
             region.mesh = nullptr;
             region.borders = borders;
             if (meetsPolyline(borders))
-                writeList(gl, region, transitionStrip(m_grid, index, borders), uploaded);
+                writeList(gl, index, transitionStrip(m_grid, index, borders), uploaded);
             else
                 region.count = 0;
         }
@@ -148,7 +179,7 @@ void SurfaceBuffer::collect(Gl& gl, Uploaded& uploaded) {
         const Region& region = m_regions[index];
         const auto part = static_cast<std::size_t>(region.mesh ? Part::decimated : Part::fromZMap);
         if (region.count > 0) {
-            m_lists[part].add(region.slot.offset, region.count, 0);
+            m_lists[part].add(region.slot.offset, region.count, firstPoint(index));
             m_triangles[part] += region.count / 3;
         }
         if (region.mesh != nullptr)
@@ -168,7 +199,8 @@ void SurfaceBuffer::draw(Gl& gl, Part part) {
     if (list.counts.empty())
         return;
     gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_indices.id());
-    gl.glMultiDrawElementsBaseVertex(GL_TRIANGLES, list.counts.data(), GL_UNSIGNED_INT, list.offsets.data(),
+    gl.glMultiDrawElementsBaseVertex(GL_TRIANGLES, list.counts.data(),
+                                     m_short ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT, list.offsets.data(),
                                      static_cast<GLsizei>(list.counts.size()), list.baseVertices.data());
 }
 

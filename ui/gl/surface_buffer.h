@@ -22,6 +22,7 @@ public:
     struct Uploaded {
         std::size_t lists = 0;
         std::size_t indices = 0;
+        std::size_t bytes = 0;
     };
     enum class Part : std::uint8_t { fromZMap, decimated };
 
@@ -54,13 +55,18 @@ private:
         void add(std::uint32_t offset, std::uint32_t count, std::uint32_t baseVertex);
     };
 
-    void writeList(Gl& gl, Region& region, const std::vector<LatticeTriangle>& triangles, Uploaded& uploaded);
+    [[nodiscard]] IndexBuffer::Slot write(Gl& gl, IndexBuffer::Slot slot,
+                                          const std::vector<std::uint32_t>& indices, Uploaded& uploaded);
+    void writeList(Gl& gl, std::size_t index, const std::vector<LatticeTriangle>& triangles,
+                   Uploaded& uploaded);
     const Pattern& pattern(Gl& gl, const IndexRect& points, Uploaded& uploaded);
+    [[nodiscard]] std::uint32_t firstPoint(std::size_t region) const;
     void collect(Gl& gl, Uploaded& uploaded);
 
     RegionGrid m_grid;
     std::vector<Region> m_regions;
     IndexBuffer m_indices;
+    bool m_short = false; ///< indices, counted from the region's first point, have 16 bits
     std::map<std::tuple<int, int, int>, Pattern> m_patterns; ///< by width, height, parity of the first point
     std::array<DrawList, 2> m_lists;
     std::array<std::size_t, 2> m_triangles{};

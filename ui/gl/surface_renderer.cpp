@@ -31,8 +31,9 @@ UploadCounts SurfaceRenderer::upload(Gl& gl, const Frame& frame) {
     counts.tiles = heights.tiles;
     const SurfaceBuffer::Uploaded uploaded = m_surface.update(gl, frame.surface);
     counts.lists = uploaded.lists;
-    counts.indices = uploaded.indices + m_wallBuffer.update(gl, frame.surface);
-    counts.bytes = heights.bytes + counts.indices * sizeof(std::uint32_t);
+    const std::size_t ofWalls = m_wallBuffer.update(gl, frame.surface);
+    counts.indices = uploaded.indices + ofWalls;
+    counts.bytes = heights.bytes + uploaded.bytes + ofWalls * sizeof(std::uint32_t);
     return counts;
 }
 

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <random>
+#include <vector>
 
 #include <QTest>
 
@@ -114,6 +115,7 @@ private slots:
     void tintTellsDirtyFromDecimated();
     void wireframeShowsRegionBorders();
     void decimationDoesNotShow();
+    void indicesOfAnyWidthDrawTheSame();
     void noCracksInHalfDirtyStates();
     void cracksWouldBeSeen();
     void uploadsOnlyWhatChanged();
@@ -313,6 +315,26 @@ void SceneRendererTest::decimationDoesNotShow() {
     const int pixels = full.width() * full.height();
     QVERIFY2(sum / pixels < 1, qPrintable(QString::number(sum / pixels)));
     QVERIFY2(unlike < pixels / 200, qPrintable(QString::number(unlike)));
+}
+
+void SceneRendererTest::indicesOfAnyWidthDrawTheSame() {
+    // 501 points a row: 100 rows are counted with 16 bits, 256 are not.
+    const Camera camera = cameraAt(StandardView::iso, true);
+    std::vector<QImage> pictures;
+    for (const int cells : {100, 256}) {
+        DecimationParameters parameters;
+        parameters.regionCells = cells;
+        FrameBuilder builder(kStock, 0.2, parameters);
+        builder.cutAll(hills);
+        const QImage full = draw(builder.frame(), camera, testOptions());
+        pictures.push_back(full);
+        builder.decimate();
+        QCOMPARE(cracks(draw(builder.frame(), camera, testOptions()), full), 0);
+        builder.cut({120, 120, 140, 140},
+                    [](double, double) { return -6.0; }); // one dirty among decimated ones
+        QCOMPARE(cracks(draw(builder.frame(), camera, testOptions()), full), 0);
+    }
+    QCOMPARE(pictures[0], pictures[1]);
 }
 
 void SceneRendererTest::noCracksInHalfDirtyStates() {
