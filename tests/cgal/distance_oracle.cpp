@@ -83,4 +83,11 @@ double symmetricHausdorff(const TriangleMesh& a, const TriangleMesh& b, double b
     return pmp::bounded_error_symmetric_Hausdorff_distance<CGAL::Sequential_tag>(*first, *second, bound);
 }
 
+bool isHausdorffLarger(const TriangleMesh& a, const TriangleMesh& b, double distance, double error) {
+    const auto first = toSurfaceMesh(a);
+    const auto second = toSurfaceMesh(b);
+    return !first || !second ||
+           pmp::is_Hausdorff_distance_larger<CGAL::Sequential_tag>(*first, *second, distance, error);
+}
+
 } // namespace proveout::test

@@ -17,4 +17,9 @@ struct PointDistances {
 /// The two-sided Hausdorff distance of two meshes, within `bound` above the true one.
 [[nodiscard]] double symmetricHausdorff(const TriangleMesh& a, const TriangleMesh& b, double bound);
 
+/// Whether that distance is larger than `distance`, which CGAL tells within `error`; sooner than the
+/// distance.
+[[nodiscard]] bool isHausdorffLarger(const TriangleMesh& a, const TriangleMesh& b, double distance,
+                                     double error);
+
 } // namespace proveout::test
