@@ -128,8 +128,10 @@ bool RefinedSurface::mergeLayer(std::size_t index, const ZMapSnapshot& moment, c
         for (int k = 0; k < 4; ++k) {
             const int x = 2 * bx + k % 2;
             const int y = 2 * by + k / 2;
-            if (x < belowX && y < belowY)
-                whole &= (parts[static_cast<std::size_t>(k)] = meshBelow(index, x, y)) != nullptr;
+            if (x >= belowX || y >= belowY)
+                continue;
+            const RegionMeshPtr& part = parts[static_cast<std::size_t>(k)] = meshBelow(index, x, y);
+            whole &= part && parts[0] && part->allowance == parts[0]->allowance;
         }
         if (parts == layer.blocks[block].parts && layer.blocks[block].mesh)
             continue;
@@ -165,8 +167,10 @@ RegionMeshPtr RefinedSurface::merged(const Layer& layer, std::size_t block, cons
                          std::min(j0 + cells + 1, grid().ny())};
     worker.heights.resize(static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height()));
     moment.read(rect, worker.heights);
+    DecimationParameters parameters = m_surface.parameters();
+    parameters.allowance = parts.front()->allowance;
     return worker.merge.merge(grid(), {rect, moment.grid().hx, moment.grid().hy, worker.heights}, parts,
-                              {cells / 2, cells / 2}, m_surface.parameters(), stop);
+                              {cells / 2, cells / 2}, parameters, stop);
 }
 
 void RefinedSurface::assemble() {

@@ -23,6 +23,9 @@ public:
     RefinedSurface() = default;
     RefinedSurface(int nx, int ny, const DecimationParameters& parameters, int mostCells = kMostCells);
 
+    /// See Surface::followView(). Only regions of the same allowance are merged.
+    void followView(std::span<const double> allowances) { (void)m_surface.followView(allowances); }
+
     [[nodiscard]] const RegionGrid& grid() const { return m_surface.grid(); }
 
     /// Follows the z-map to a moment that differs from the one followed before in the regions `changed` at

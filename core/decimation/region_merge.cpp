@@ -28,7 +28,9 @@ RegionMeshPtr RegionMerge::merge(const RegionGrid& grid, const RegionSamples& sa
     if (!m_removal.runFrom(m_patch, floatNotAbove(parameters.allowance), surface, m_seeds, isMapEdge, m_mesh,
                            stop))
         return nullptr;
-    return std::make_shared<const RegionMesh>(regionMeshOf(m_mesh, m_patch, grid, samples.rect, parameters));
+    RegionMesh mesh = regionMeshOf(m_mesh, m_patch, grid, samples.rect, parameters);
+    mesh.allowance = parameters.allowance;
+    return std::make_shared<const RegionMesh>(std::move(mesh));
 }
 
 void RegionMerge::load(const RegionGrid& grid, const IndexRect& rect, std::span<const RegionMeshPtr> parts) {

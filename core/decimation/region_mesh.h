@@ -24,6 +24,7 @@ struct BorderPoint {
 /// The decimated mesh of one region. Immutable once published.
 struct RegionMesh {
     std::vector<LatticeTriangle> triangles;
+    double allowance = 0;    ///< mm, that it was made within
     double largestError = 0; ///< largest vertical distance of a z-map point of the region, mm, measured
     /// Border points that the mesh needs beyond those it was given (ErrorLevel::surface). Where there are
     /// any, it fits to no neighbour: all regions at these borders are to be decimated again, with them. Empty

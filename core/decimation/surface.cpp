@@ -81,6 +81,7 @@ Surface::Surface(int nx, int ny, const DecimationParameters& parameters)
     m_state.grid = RegionGrid(nx, ny, cellsOfRegions(nx, ny, parameters));
     m_state.meshes = PersistentArray<RegionMeshPtr>(m_state.grid.regionCount());
     m_state.borders = PersistentArray<BorderLinePtr>(m_state.grid.borderCount());
+    m_allowances = RegionAllowances(m_state.grid, parameters.allowance);
     m_state.facesFull = 2 * static_cast<std::size_t>(nx - 1) * static_cast<std::size_t>(ny - 1);
     m_state.faces = m_state.facesFull;
     m_state.dirtyRegions = m_state.grid.regionCount();
@@ -104,6 +105,13 @@ void Surface::touchRegion(std::size_t region) {
     ++m_state.dirtyRegions;
     for (const std::size_t border : grid().borders(region))
         releaseBorderIfUnused(border);
+}
+
+std::vector<std::size_t> Surface::followView(std::span<const double> allowances) {
+    std::vector<std::size_t> outdated = m_allowances.follow(allowances);
+    for (const std::size_t region : outdated)
+        touchRegion(region);
+    return outdated;
 }
 
 std::size_t Surface::decimateDirty(const ZMapSnapshot& moment, const WorkContext& context) {
@@ -229,8 +237,10 @@ void Surface::drawMissingBorders(std::span<const std::size_t> regions, const ZMa
         BorderSamples border{heights, step, seed, {}};
         if (found != extras.end())
             border.extras = found->second;
+        DecimationParameters parameters = m_parameters;
+        parameters.allowance = m_allowances.border(missing[k]);
         lines[k] =
-            std::make_shared<const BorderLine>(row(m_parameters.method).simplifyBorder(border, m_parameters));
+            std::make_shared<const BorderLine>(row(m_parameters.method).simplifyBorder(border, parameters));
     });
     for (std::size_t k = 0; k < missing.size(); ++k)
         drawBorder(missing[k], std::move(lines[k]));
@@ -245,9 +255,12 @@ RegionMeshPtr Surface::decimated(std::size_t region, const ZMapSnapshot& moment,
     heights.resize(static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height()));
     moment.read(rect, heights);
     const RegionSamples samples{rect, moment.grid().hx, moment.grid().hy, heights};
-    return std::make_shared<const RegionMesh>(
-        decimator.decimate(grid(), samples, m_state.regionBorders(region),
-                           mixSeed(m_parameters.seed, kRegionSeeds, region), m_parameters, stop));
+    DecimationParameters parameters = m_parameters;
+    parameters.allowance = m_allowances.region(region);
+    RegionMesh mesh = decimator.decimate(grid(), samples, m_state.regionBorders(region),
+                                         mixSeed(m_parameters.seed, kRegionSeeds, region), parameters, stop);
+    mesh.allowance = parameters.allowance;
+    return std::make_shared<const RegionMesh>(std::move(mesh));
 }
 
 void Surface::publish(std::size_t region, RegionMeshPtr mesh) {

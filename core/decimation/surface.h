@@ -10,6 +10,7 @@
 
 #include "core/base/persistent_array.h"
 #include "core/base/work_context.h"
+#include "core/decimation/region_allowances.h"
 #include "core/decimation/region_decimator.h"
 #include "core/zmap/zmap.h"
 
@@ -58,6 +59,13 @@ public:
     [[nodiscard]] std::size_t faces() const { return m_state.faces; }
     [[nodiscard]] std::size_t facesFull() const { return m_state.facesFull; }
 
+    /// Regions keep to allowances of their own from now on: to what a view can stand, mm, region by region,
+    /// but no less than the allowance of the parameters (see RegionAllowances). Regions made within others
+    /// are drawn from the z-map until they are decimated again; returns them, ascending.
+    std::vector<std::size_t> followView(std::span<const double> allowances);
+    /// mm.
+    [[nodiscard]] double allowance(std::size_t region) const { return m_allowances.region(region); }
+
     /// Paper §3, step 4: decimates every dirty region of `moment` (in parallel), borders first. Does nothing
     /// for method none or an allowance of 0. Returns how many regions were decimated. A stopped context
     /// leaves those that were not reached dirty.
@@ -88,6 +96,7 @@ private:
     [[nodiscard]] std::size_t facesHidden(std::size_t border) const;
 
     DecimationParameters m_parameters;
+    RegionAllowances m_allowances;
     SurfaceSnapshot m_state;
     std::shared_ptr<DecimatorPool> m_pool; ///< copies of a surface borrow from the same pool
 };

@@ -9,8 +9,8 @@
 namespace proveout {
 
 namespace {
-constexpr std::int8_t kUntried = -1;
-constexpr std::int8_t kImpossible = -2;
+constexpr std::int32_t kUntried = -1;
+constexpr std::int32_t kImpossible = -2;
 } // namespace
 
 bool VertexRemoval::run(const RegionPatch& patch, float limit, bool surface,
@@ -57,10 +57,11 @@ void VertexRemoval::begin(const RegionPatch& patch, float limit, bool surface, L
 }
 
 bool VertexRemoval::drain(const std::stop_token& stop) {
-    for (std::size_t at = 0; at < m_queue.size(); ++at) {
+    std::size_t taken = 0;
+    while (taken < m_queue.size()) { // it grows meanwhile
         if (stop.stop_requested())
             return false;
-        const std::int32_t v = m_queue[at];
+        const std::int32_t v = m_queue[taken++];
         m_state[static_cast<std::size_t>(v)] = State::idle;
         if (!tryRemove(v))
             continue;
@@ -200,7 +201,7 @@ bool VertexRemoval::triangulate(std::int32_t from, std::int32_t to) {
                                             m_ring[static_cast<std::size_t>(to)].at, m_limit);
         if (distance > m_limit || !triangulate(from, apex) || !triangulate(apex, to))
             continue;
-        chord = {static_cast<std::int8_t>(apex), distance};
+        chord = {apex, distance};
         return true;
     }
     return false;

@@ -38,8 +38,8 @@ private:
         std::int32_t outside;  ///< twin of the edge to the next
     };
     struct Chord {
-        std::int8_t apex; ///< third corner of the triangle at the chord's inner side
-        float distance;   ///< of that triangle
+        std::int32_t apex; ///< third corner of the triangle at the chord's inner side
+        float distance;    ///< of that triangle
     };
 
     void begin(const RegionPatch& patch, float limit, bool surface, LatticeTriangulation& mesh);

@@ -30,7 +30,7 @@ DecimationParameters certified(int region, double allowance, ErrorLevel level) {
 
 SurfaceSnapshot decimated(const HardMap& map, const DecimationParameters& parameters) {
     Surface surface(map.nx, map.ny, parameters);
-    surface.decimateDirty(test::zmapOf(map.nx, map.ny, 1, map.heights));
+    surface.decimateDirty(test::zmapOf(map.nx, map.ny, map.spacing, map.heights));
     EXPECT_EQ(surface.dirtyRegions(), 0U);
     return surface.snapshot();
 }
@@ -102,7 +102,7 @@ TEST(Certified, dirtyRegionsMeetDecimatedOnesWithoutACrack) {
         const RandomCase made = randomCase(seed, seed % 2 == 0 ? ErrorLevel::sample : ErrorLevel::surface);
         SCOPED_TRACE(tell(seed, made));
         Surface surface(made.map.nx, made.map.ny, made.parameters);
-        const ZMapSnapshot zmap = test::zmapOf(made.map.nx, made.map.ny, 1, made.map.heights);
+        const ZMapSnapshot zmap = test::zmapOf(made.map.nx, made.map.ny, made.map.spacing, made.map.heights);
         surface.decimateDirty(zmap);
         std::mt19937 random(seed);
         for (int round = 0; round < 3; ++round) {

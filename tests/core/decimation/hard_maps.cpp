@@ -147,6 +147,7 @@ HardMap hardMap(std::uint32_t seed, int most) {
     const auto& [kind, make] = kFields[seed % kFields.size()];
     map.kind = kind;
     make(random, map);
+    map.spacing = random.logUniform(0.01, 2);
     return map;
 }
 

@@ -13,6 +13,7 @@ struct HardMap {
     std::string kind;
     int nx = 2;
     int ny = 2;
+    double spacing = 1; ///< mm, 0.01 to 2
     Heights heights;
 };
 

@@ -53,7 +53,7 @@ TEST(RefinedSurface, keepsTheAllowanceOnHardMapsWithRegionsOfAnySize) {
         const DecimationParameters parameters = certified(region, allowance, level);
         SCOPED_TRACE(map.kind + " of seed " + std::to_string(seed) + ", region " + std::to_string(region));
         RefinedSurface surface(map.nx, map.ny, parameters);
-        ASSERT_TRUE(surface.follow(test::zmapOf(map.nx, map.ny, 1, map.heights), {}));
+        ASSERT_TRUE(surface.follow(test::zmapOf(map.nx, map.ny, map.spacing, map.heights), {}));
         expectHolds(surface.snapshot(), map.heights, parameters);
     }
 }

@@ -97,13 +97,20 @@ SurfaceDistance surfaceDistance(int nx, int ny, const Heights& heights,
                         static_cast<std::size_t>(i)] = true;
             }
         }
-        for (std::size_t k = 0; k < 3; ++k)
-            found.surface = std::max(found.surface, edgeDistance(nx, heights, p[k], p[(k + 1) % 3]));
     }
     if (!std::all_of(covered.begin(), covered.end(), [](bool is) { return is; }))
         found.samples = std::numeric_limits<double>::infinity();
-    found.surface = std::max(found.surface, found.samples);
+    found.surface = std::max(found.samples, edgesDistance(nx, heights, triangles));
     return found;
+}
+
+double edgesDistance(int nx, const Heights& heights, std::span<const LatticeTriangle> triangles) {
+    double largest = 0;
+    for (const LatticeTriangle& triangle : triangles)
+        for (std::size_t k = 0; k < 3; ++k)
+            largest = std::max(largest, edgeDistance(nx, heights, placeOf(nx, heights, triangle[k]),
+                                                     placeOf(nx, heights, triangle[(k + 1) % 3])));
+    return largest;
 }
 
 } // namespace proveout::test

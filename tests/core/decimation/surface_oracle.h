@@ -20,6 +20,9 @@ struct SurfaceDistance {
 SurfaceDistance surfaceDistance(int nx, int ny, const Heights& heights,
                                 std::span<const LatticeTriangle> triangles);
 
+/// Largest vertical distance of the triangles' edges, anywhere, from the canonical full mesh, mm.
+double edgesDistance(int nx, const Heights& heights, std::span<const LatticeTriangle> triangles);
+
 /// Height of the canonical full mesh over any place of the map, in cells.
 double canonicalHeight(int nx, const Heights& heights, double x, double y);
 
