@@ -12,6 +12,7 @@
 #include "ui/export_dialog.h"
 #include "ui/file_paths.h"
 #include "ui/resource_paths.h"
+#include "ui/save_dialog.h"
 
 namespace proveout {
 
@@ -63,8 +64,7 @@ bool FileFlow::saveAs() {
         proposal = QDir(startFolder()).filePath(QStringLiteral("program.nc"));
     else if (isSample(proposal))
         proposal = QDir(startFolder()).filePath(QFileInfo(proposal).fileName());
-    const QString file =
-        QFileDialog::getSaveFileName(&m_window, tr("Save NC Program As"), proposal, tr("All files (*)"));
+    const QString file = askWhereToSave(m_window, tr("Save NC Program As"), proposal, tr("All files (*)"));
     if (file.isEmpty() || !m_session.saveAs(file))
         return false;
     if (isSample(m_session.jobFile()))
@@ -82,13 +82,9 @@ bool FileFlow::saveJobAs() {
         const QDir folder = isSample(program.filePath()) ? QDir(startFolder()) : program.dir();
         proposal = folder.filePath(program.completeBaseName() + QStringLiteral(".proveout"));
     }
-    QString file = QFileDialog::getSaveFileName(&m_window, tr("Save Job As"), proposal,
-                                                tr("Proveout jobs (*.proveout)"));
-    if (file.isEmpty())
-        return false;
-    if (QFileInfo(file).suffix().isEmpty())
-        file += QStringLiteral(".proveout");
-    if (!m_session.saveJobAs(file))
+    const QString file = askWhereToSave(m_window, tr("Save Job As"), proposal,
+                                        tr("Proveout jobs (*.proveout)"), QStringLiteral("proveout"));
+    if (file.isEmpty() || !m_session.saveJobAs(file))
         return false;
     m_recent.add(file);
     return true;

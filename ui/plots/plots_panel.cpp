@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plots_panel.h"
 
+#include <array>
+
 #include <QClipboard>
-#include <QFileDialog>
+#include <QFile>
 #include <QGuiApplication>
 #include <QMenu>
 #include <QSplitter>
@@ -11,12 +13,30 @@
 
 #include "core/base/atomic_file.h"
 #include "ui/plots/plot_csv.h"
+#include "ui/save_dialog.h"
 
 namespace proveout {
 namespace {
 
 constexpr std::size_t kShownAtFirst = 2; ///< the paper's two figures
 constexpr double kPngScale = 2;
+
+struct ExportRow {
+    PlotFormat format;
+    const char* suffix;
+    const char* action;
+    const char* filter;
+};
+
+/// In the order of PlotFormat.
+constexpr std::array kExports{
+    ExportRow{PlotFormat::csv, "csv", QT_TRANSLATE_NOOP("PlotsPanel", "Export as &CSV…"),
+              QT_TRANSLATE_NOOP("PlotsPanel", "CSV (*.csv)")},
+    ExportRow{PlotFormat::png, "png", QT_TRANSLATE_NOOP("PlotsPanel", "Export as &PNG…"),
+              QT_TRANSLATE_NOOP("PlotsPanel", "PNG (*.png)")},
+    ExportRow{PlotFormat::svg, "svg", QT_TRANSLATE_NOOP("PlotsPanel", "Export as &SVG…"),
+              QT_TRANSLATE_NOOP("PlotsPanel", "SVG (*.svg)")},
+};
 
 } // namespace
 
@@ -113,14 +133,19 @@ QString PlotsPanel::csv(const PlotView& view) const {
     return QString::fromStdString(plotCsv(view.spec(), {m_history.blocks(), m_history.frames()}));
 }
 
-bool PlotsPanel::exportTo(PlotView& view, const QString& file) {
+bool PlotsPanel::exportTo(PlotView& view, const QString& file, PlotFormat format) {
     QByteArray bytes;
-    if (file.endsWith(QLatin1String(".png"), Qt::CaseInsensitive))
-        bytes = view.png(kPngScale);
-    else if (file.endsWith(QLatin1String(".svg"), Qt::CaseInsensitive))
-        bytes = view.svg();
-    else
+    switch (format) {
+    case PlotFormat::csv:
         bytes = csv(view).toUtf8();
+        break;
+    case PlotFormat::png:
+        bytes = view.png(kPngScale);
+        break;
+    case PlotFormat::svg:
+        bytes = view.svg();
+        break;
+    }
     const auto written =
         writeFile(QFile::encodeName(file).toStdString(),
                   std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
@@ -129,24 +154,18 @@ bool PlotsPanel::exportTo(PlotView& view, const QString& file) {
     return written.has_value();
 }
 
-void PlotsPanel::askAndExport(PlotView& view, const QString& filter, const QString& ending) {
-    QString file =
-        QFileDialog::getSaveFileName(this, tr("Export Plot"), QLatin1String(view.spec().id) + ending, filter);
-    if (file.isEmpty())
-        return;
-    if (!file.endsWith(ending, Qt::CaseInsensitive))
-        file += ending;
-    exportTo(view, file);
+bool PlotsPanel::askAndExport(PlotView& view, PlotFormat format) {
+    const ExportRow& row = kExports[static_cast<std::size_t>(format)];
+    const QString suffix = QLatin1String(row.suffix);
+    const QString file = askWhereToSave(
+        *this, tr("Export Plot"), QLatin1String(view.spec().id) + u'.' + suffix, tr(row.filter), suffix);
+    return !file.isEmpty() && exportTo(view, file, format);
 }
 
 void PlotsPanel::openMenu(PlotView& view, const QPoint& position) {
     QMenu menu(this);
-    menu.addAction(tr("Export as &CSV…"),
-                   [&] { askAndExport(view, tr("CSV (*.csv)"), QStringLiteral(".csv")); });
-    menu.addAction(tr("Export as &PNG…"),
-                   [&] { askAndExport(view, tr("PNG (*.png)"), QStringLiteral(".png")); });
-    menu.addAction(tr("Export as &SVG…"),
-                   [&] { askAndExport(view, tr("SVG (*.svg)"), QStringLiteral(".svg")); });
+    for (const ExportRow& row : kExports)
+        menu.addAction(tr(row.action), [this, &view, format = row.format] { askAndExport(view, format); });
     menu.addAction(tr("C&opy Data as CSV"), [&] { QGuiApplication::clipboard()->setText(csv(view)); });
     menu.addSeparator();
     menu.addAction(tr("Show &All Blocks"), [&] { view.showAll(); });

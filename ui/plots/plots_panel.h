@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <vector>
 
 #include <QAction>
@@ -16,6 +17,9 @@ class QToolBar;
 
 namespace proveout {
 
+/// What a plot is exported as.
+enum class PlotFormat : std::uint8_t { csv, png, svg };
+
 /// The plots of the catalogue side by side, live; a button shows or hides each. Clicking a plot seeks.
 /// Thread: UI.
 class PlotsPanel : public QWidget {
@@ -27,8 +31,10 @@ public:
     /// In the order of plotCatalogue().
     [[nodiscard]] const std::vector<PlotView*>& views() const { return m_views; }
     [[nodiscard]] QString csv(const PlotView& view) const;
-    /// Writes by the name's ending: .csv, .png or .svg. What went wrong is told to the session.
-    bool exportTo(PlotView& view, const QString& file);
+    /// Whatever the name's ending. What went wrong is told to the session.
+    bool exportTo(PlotView& view, const QString& file, PlotFormat format);
+    /// Asks for the file; false where the user cancels, too.
+    bool askAndExport(PlotView& view, PlotFormat format);
 
 protected:
     void showEvent(QShowEvent* event) override;
@@ -39,7 +45,6 @@ private:
     void addView(const PlotSpec& spec, bool shown);
     void setTexts();
     void openMenu(PlotView& view, const QPoint& position);
-    void askAndExport(PlotView& view, const QString& filter, const QString& ending);
 
     Session& m_session;
     PlotHistory m_history;

@@ -12,6 +12,7 @@
 #include <QTest>
 #include <QWheelEvent>
 
+#include "tests/ui/save_dialog_user.h"
 #include "ui/plots/parameter_trace.h"
 #include "ui/plots/plot_changes.h"
 #include "ui/plots/plot_csv.h"
@@ -113,6 +114,7 @@ private slots:
     void restylesWithThePalette();
     void manyRowsCostLittle();
     void panelShowsARunAndExportsIt();
+    void exportAsksBeforeItOverwrites();
 };
 
 void PlotsTest::catalogueRowsAreComplete() {
@@ -421,7 +423,7 @@ void PlotsTest::panelShowsARunAndExportsIt() {
         QCOMPARE(faces.value(1, row), static_cast<double>(frame->statistics[row].facesShown));
     }
     QTemporaryDir folder;
-    QVERIFY(panel.exportTo(faces, folder.filePath(QStringLiteral("faces.csv"))));
+    QVERIFY(panel.exportTo(faces, folder.filePath(QStringLiteral("faces.csv")), PlotFormat::csv));
     QFile csv(folder.filePath(QStringLiteral("faces.csv")));
     QVERIFY(csv.open(QIODevice::ReadOnly));
     QCOMPARE(csv.readLine(), QByteArray("block,facesFull,facesShown\n"));
@@ -429,16 +431,31 @@ void PlotsTest::panelShowsARunAndExportsIt() {
                                  .arg(frame->statistics[0].facesFull)
                                  .arg(frame->statistics[0].facesShown)
                                  .toLatin1());
-    QVERIFY(panel.exportTo(faces, folder.filePath(QStringLiteral("faces.png"))));
+    QVERIFY(panel.exportTo(faces, folder.filePath(QStringLiteral("faces.png")), PlotFormat::png));
     QVERIFY(QImage(folder.filePath(QStringLiteral("faces.png"))).width() >= faces.width());
-    QVERIFY(panel.exportTo(faces, folder.filePath(QStringLiteral("faces.svg"))));
+    QVERIFY(panel.exportTo(faces, folder.filePath(QStringLiteral("faces.svg")), PlotFormat::svg));
     QFile svg(folder.filePath(QStringLiteral("faces.svg")));
     QVERIFY(svg.open(QIODevice::ReadOnly) && svg.readAll().contains("<svg"));
     // A folder that is not there is told, not shown in a dialog.
-    QVERIFY(!panel.exportTo(faces, folder.filePath(QStringLiteral("missing/faces.csv"))));
+    QVERIFY(!panel.exportTo(faces, folder.filePath(QStringLiteral("missing/faces.csv")), PlotFormat::csv));
     QVERIFY(!session.problems().empty());
     emit faces.blockClicked(60);
     QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{60}, 10000);
+}
+
+void PlotsTest::exportAsksBeforeItOverwrites() {
+    QTemporaryDir folder;
+    QFile there(folder.filePath(QStringLiteral("faces.csv")));
+    QVERIFY(there.open(QIODevice::WriteOnly));
+    there.write("mine");
+    there.close();
+    Session session;
+    PlotsPanel panel(session);
+    SaveDialogUser user(folder.filePath(QStringLiteral("faces")));
+    QVERIFY(!panel.askAndExport(*panel.views().front(), PlotFormat::csv));
+    QVERIFY2(user.question().contains(QLatin1String("faces.csv")), qPrintable(user.question()));
+    QVERIFY(there.open(QIODevice::ReadOnly));
+    QCOMPARE(there.readAll(), QByteArray("mine"));
 }
 
 QTEST_MAIN(PlotsTest)

@@ -15,6 +15,7 @@
 #include <QTest>
 #include <QTimer>
 
+#include "tests/ui/save_dialog_user.h"
 #include "tests/ui/window/workstation.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
@@ -106,6 +107,22 @@ private slots:
         QVERIFY2(questionOf(station.window).contains(QLatin1String("new program")),
                  qPrintable(questionOf(station.window)));
         station.session.setTextModified(false);
+    }
+
+    void aJobIsNotOverwrittenWithoutAQuestion() {
+        QTemporaryDir folder;
+        const QString program = folder.filePath(QStringLiteral("bracket.nc"));
+        const QString job = folder.filePath(QStringLiteral("fixture.proveout"));
+        write(program, "G21 G90\nT1 M6\nG0 X0 Y0 Z5\nG1 X5 F100\n");
+        write(job, "mine");
+        Workstation station(false);
+        station.open(program);
+        SaveDialogUser user(folder.filePath(QStringLiteral("fixture")));
+        QVERIFY(!station.window.files().saveJobAs());
+        QVERIFY2(user.question().contains(QLatin1String("fixture.proveout")), qPrintable(user.question()));
+        QFile kept(job);
+        QVERIFY(kept.open(QIODevice::ReadOnly));
+        QCOMPARE(kept.readAll(), QByteArray("mine"));
     }
 
     void missingFilesAreGreyedAndToldWhy() {
