@@ -2,6 +2,7 @@
 #include "ui/status_line.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QLabel>
 #include <QLocale>
@@ -17,10 +18,10 @@ namespace {
 
 constexpr int kProgressWidth = 140;
 constexpr int kProgressSteps = 100;
-/// The widest text of each field, in the order of the fields.
-constexpr std::array<const char*, 8> kWidest{"X -0000.000",     "Y -0000.000",    "Z -0000.000",
-                                             "F 00000",         "S 00000",        "T 000",
-                                             "Block 000 / 000", "Faces 0,000,000"};
+constexpr int kMargin = 6;                 // px
+constexpr double kFarPosition = -8888.888; // mm, as wide as any within it
+const QString kWideWord = QStringLiteral("88888");
+const QString kWideTool = QStringLiteral("888");
 
 QString millimetres(const QLocale& locale, double value) {
     return locale.toString(value, 'f', 3);
@@ -45,10 +46,9 @@ StatusLine::StatusLine(Session& session, QStatusBar& bar)
     bar.addPermanentWidget(m_workLabel);
     bar.addPermanentWidget(m_progress);
     bar.addPermanentWidget(m_cancel);
-    for (std::size_t i = 0; i < m_fields.size(); ++i) {
-        m_fields[i] = new QLabel(&bar);
-        m_fields[i]->setFixedWidth(bar.fontMetrics().horizontalAdvance(QLatin1String(kWidest[i])) + 6);
-        bar.addPermanentWidget(m_fields[i]);
+    for (QLabel*& field : m_fields) {
+        field = new QLabel(&bar);
+        bar.addPermanentWidget(field);
     }
     m_progress->setRange(0, kProgressSteps);
     m_progress->setFixedWidth(kProgressWidth);
@@ -56,7 +56,7 @@ StatusLine::StatusLine(Session& session, QStatusBar& bar)
     m_cancel->setAutoRaise(true);
     connect(m_cancel, &QToolButton::clicked, &session, &Session::cancelWork);
     connect(&session, &Session::tick, this, &StatusLine::onTick);
-    connect(&session, &Session::programChanged, this, &StatusLine::fitBlockField);
+    connect(&session, &Session::programChanged, this, &StatusLine::fitFields);
     connect(&session, &Session::workChanged, &session, &Session::requestTick);
     connect(&bar, &QStatusBar::messageChanged, &bar, [&bar] { bar.setToolTip({}); });
     connect(&session, &Session::exported, this, [this](const ExportSummary& summary) {
@@ -81,26 +81,35 @@ void StatusLine::retranslate() {
                                                 tr("Triangles shown")};
     for (std::size_t i = 0; i < m_fields.size(); ++i)
         m_fields[i]->setToolTip(tips[i]);
-    fitFeedField();
-    fitBlockField();
+    fitFields();
     showFrame(m_session.frame());
     showWork();
 }
 
-void StatusLine::fitFeedField() {
-    const int rapid = m_bar.fontMetrics().horizontalAdvance(tr("F rapid"));
-    m_fields[kFeed]->setFixedWidth(std::max(m_fields[kFeed]->width(), rapid + 6));
-}
-
-void StatusLine::fitBlockField() {
-    // As wide as the last block needs it, so that it stays while the number grows.
-    const QString last = m_bar.locale().toString(static_cast<qulonglong>(m_session.blockCount()));
-    m_fields[kBlock]->setFixedWidth(
-        m_bar.fontMetrics().horizontalAdvance(tr("Block %1 / %2").arg(last, last)) + 6);
+void StatusLine::fitFields() {
+    const QLocale locale = m_bar.locale();
+    const auto fit = [this](Field field, const QStringList& texts) {
+        int widest = 0;
+        for (const QString& text : texts)
+            widest = std::max(widest, m_bar.fontMetrics().horizontalAdvance(text));
+        m_fields[field]->setFixedWidth(widest + kMargin);
+    };
+    const QString far = millimetres(locale, kFarPosition);
+    fit(kX, {QStringLiteral("X ") + far});
+    fit(kY, {QStringLiteral("Y ") + far});
+    fit(kZ, {QStringLiteral("Z ") + far});
+    fit(kFeed, {QStringLiteral("F ") + kWideWord, tr("F rapid")});
+    fit(kSpindle, {QStringLiteral("S ") + kWideWord});
+    fit(kTool, {QStringLiteral("T ") + kWideTool});
+    const QString last = locale.toString(static_cast<qulonglong>(m_session.blockCount()));
+    fit(kBlock, {tr("Block %1 / %2").arg(last, last)});
+    fit(kFaces, {tr("Faces %1").arg(locale.toString(static_cast<qulonglong>(m_facesFull)))});
 }
 
 void StatusLine::onTick(const FramePtr& frame) {
     showWork();
+    if (frame && std::exchange(m_facesFull, frame->surface.facesFull) != frame->surface.facesFull)
+        fitFields();
     // At every tick, like all other panels: two counts of one moment must be the same.
     showFrame(frame);
 }

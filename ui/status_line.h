@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 
 #include <QObject>
 
@@ -29,8 +30,8 @@ private:
     void onTick(const FramePtr& frame);
     void showFrame(const FramePtr& frame);
     void showWork();
-    void fitFeedField();
-    void fitBlockField();
+    /// Makes each field as wide as the widest text that it will show for this program and stock.
+    void fitFields();
     void set(Field field, const QString& text);
 
     Session& m_session;
@@ -39,6 +40,7 @@ private:
     QLabel* m_workLabel;
     QProgressBar* m_progress;
     QToolButton* m_cancel;
+    std::size_t m_facesFull = 0; ///< of the newest frame
 };
 
 } // namespace proveout

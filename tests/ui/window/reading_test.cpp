@@ -10,6 +10,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QScrollBar>
+#include <QStatusBar>
 #include <QStyleOptionComboBox>
 #include <QTest>
 
@@ -91,6 +92,32 @@ private slots:
                                                                          .arg(dock->width())
                                                                          .arg(found.join(u'\n'))));
         }
+        station.appearance.setLanguage(QStringLiteral("en"));
+    }
+
+    void theStatusBarHoldsLargeNumbers_data() { textsEndInSightInEveryLanguage_data(); }
+    void theStatusBarHoldsLargeNumbers() {
+        QFETCH(QString, language);
+        Workstation station(true);
+        station.appearance.setLanguage(language);
+        Setup setup = station.session.setup();
+        setup.spacing = 0.12;
+        QVERIFY(station.session.setSetup(setup));
+        const auto fine = [&] {
+            return station.session.frame() && station.session.frame()->surface.facesFull > 1'000'000;
+        };
+        QVERIFY(QTest::qWaitFor(fine, kPatience));
+        const QString faces = QLocale().toString(qulonglong{station.session.frame()->surface.facesFull});
+        const auto find = [&]() -> const QLabel* {
+            for (const QLabel* label : station.window.statusBar()->findChildren<QLabel*>())
+                if (label->text().endsWith(faces))
+                    return label;
+            return nullptr;
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(find() != nullptr, kPatience);
+        for (const QLabel* label : station.window.statusBar()->findChildren<QLabel*>())
+            QVERIFY2(!label->isVisible() || label->width() >= label->sizeHint().width(),
+                     qPrintable(label->text()));
         station.appearance.setLanguage(QStringLiteral("en"));
     }
 
