@@ -17,6 +17,7 @@
 #include <QSpinBox>
 #include <QToolButton>
 
+#include "core/decimation/region_decimator.h"
 #include "ui/choice_box.h"
 #include "ui/diagnostic_text.h"
 #include "ui/icons.h"
@@ -64,20 +65,27 @@ void ParameterForm::addRow(T& place, const Field& field) {
 
 ParameterForm::ParameterForm(QWidget* parent) : QWidget(parent), m_layout(new QFormLayout(this)) {
     describe(m_values, [this](auto& place, const Field& field) { addRow(place, field); });
-    std::map<std::string_view, double> standards;
-    const DecimationParameters standard;
-    describe(standard, [&](const auto& value, const Field& field) {
-        standards[field.key] = static_cast<double>(value);
-    });
     m_layout->setContentsMargins(0, 0, 0, 0);
     m_layout->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
     // In a narrow panel an editor with long choices goes under its label, and is read to its end there.
     m_layout->setRowWrapPolicy(QFormLayout::WrapLongRows);
-    for (std::size_t i = 0; i < m_rows.size(); ++i) {
-        m_rows[i].standard = standards[m_rows[i].field.key];
+    for (std::size_t i = 0; i < m_rows.size(); ++i)
         place(i);
-    }
-    retranslate();
+    showMethod();
+}
+
+void ParameterForm::findStandards() {
+    const DecimationParameters untouched;
+    DecimationParameters standard;
+    standard.method = m_values.method;
+    useStandards(standard, false, false);
+    standard.method = untouched.method;
+    std::map<std::string_view, double> standards;
+    describe(standard, [&](const auto& value, const Field& field) {
+        standards[field.key] = static_cast<double>(value);
+    });
+    for (Row& row : m_rows)
+        row.standard = standards[row.field.key];
 }
 
 QWidget* ParameterForm::makeChoices(Row& row) {
@@ -148,9 +156,17 @@ void ParameterForm::place(std::size_t index) {
 }
 
 void ParameterForm::setValues(const DecimationParameters& values) {
+    const bool otherMethod = values.method != m_values.method;
     m_values = values;
+    if (otherMethod)
+        showMethod();
     for (const Row& row : m_rows)
         showRow(row);
+}
+
+void ParameterForm::showMethod() {
+    findStandards();
+    retranslate(); // tool tips name the standards
 }
 
 void ParameterForm::showRow(const Row& row) {
@@ -160,7 +176,13 @@ void ParameterForm::showRow(const Row& row) {
 }
 
 void ParameterForm::change(std::size_t row, double value) {
+    const DecimationMethodRow& before = proveout::row(m_values.method);
     m_rows[row].setValue(value);
+    if (m_values.method != before.method) {
+        useStandards(m_values, m_values.regionCells != before.standardRegion,
+                     m_values.period != before.standardPeriod);
+        showMethod();
+    }
     showRow(m_rows[row]);
     emit edited(m_values);
 }

@@ -16,7 +16,8 @@ class QToolButton;
 namespace proveout {
 
 /// One row per field of DecimationParameters, made from describe(): label, editor with unit and range, and a
-/// button that brings the default back. Text that is no number never leaves an editor.
+/// button that brings the default back. Another method brings its own defaults, where the values were those
+/// of the one before. Text that is no number never leaves an editor.
 class ParameterForm final : public QWidget {
     Q_OBJECT
 
@@ -39,7 +40,7 @@ private:
     /// One field; its value passes as a double, whatever its type.
     struct Row {
         Field field;
-        double standard = 0;
+        double standard = 0;                  ///< with the present method
         std::function<double()> value;        ///< in m_values
         std::function<void(double)> setValue; ///< in m_values
         std::function<void(double)> show;     ///< in the editor
@@ -58,6 +59,9 @@ private:
     QWidget* makeNumber(Row& row);
     void place(std::size_t row);
     void change(std::size_t row, double value);
+    /// Standards and all rows, for the method of m_values.
+    void showMethod();
+    void findStandards();
     void showRow(const Row& row);
     void retranslate();
     [[nodiscard]] QString valueText(const Row& row, double value) const;

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tuning/parameter_form.h"
+
+#include <QComboBox>
+#include <QSignalSpy>
+#include <QSpinBox>
+#include <QTest>
+
+#include "core/decimation/region_decimator.h"
+
+namespace proveout {
+
+class ParameterFormTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void anotherMethodBringsItsStandards() {
+        ParameterForm form;
+        QSignalSpy edited(&form, &ParameterForm::edited);
+        for (const DecimationMethodRow& method : decimationMethods()) {
+            edited.clear();
+            choose(form, method.method);
+            QCOMPARE(edited.size(), 1);
+            QCOMPARE(form.values().method, method.method);
+            QCOMPARE(form.values().regionCells, method.standardRegion);
+            QCOMPARE(form.values().period, method.standardPeriod);
+            QCOMPARE(box(form, "region").value(), method.standardRegion);
+            QCOMPARE(box(form, "period").value(), method.standardPeriod);
+            QVERIFY2(box(form, "period").toolTip().endsWith(box(form, "period").text()),
+                     qPrintable(box(form, "period").toolTip()));
+        }
+    }
+
+    void valuesOfTheUserStayWithAnotherMethod() {
+        ParameterForm form;
+        choose(form, DecimationMethod::lee);
+        box(form, "region").setValue(16);
+        choose(form, DecimationMethod::global);
+        QCOMPARE(form.values().regionCells, 16);
+        QCOMPARE(form.values().period, row(DecimationMethod::global).standardPeriod);
+    }
+
+private:
+    static QSpinBox& box(ParameterForm& form, const char* key) {
+        return *form.findChild<QSpinBox*>(QLatin1String(key));
+    }
+    static void choose(ParameterForm& form, DecimationMethod method) {
+        auto* methods = form.findChild<QComboBox*>(QStringLiteral("method"));
+        methods->setCurrentIndex(static_cast<int>(method));
+        emit methods->activated(methods->currentIndex());
+    }
+};
+
+} // namespace proveout
+
+QTEST_MAIN(proveout::ParameterFormTest)
+#include "parameter_form_test.moc"
