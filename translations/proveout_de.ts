@@ -2985,6 +2985,14 @@ This file is no longer there.</source>
         <translation>%1
 Diese Datei ist nicht mehr da.</translation>
     </message>
+    <message>
+        <source>Back to %1</source>
+        <translation>Zurück zu %1</translation>
+    </message>
+    <message>
+        <source>Show what is open again (Esc)</source>
+        <translation>Wieder zeigen, was geöffnet ist (Esc)</translation>
+    </message>
 </context>
 <context>
     <name>StatusLine</name>

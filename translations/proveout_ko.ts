@@ -2984,6 +2984,14 @@ This file is no longer there.</source>
         <translation>%1
 이 파일은 더 이상 없습니다.</translation>
     </message>
+    <message>
+        <source>Back to %1</source>
+        <translation>%1(으)로 돌아가기</translation>
+    </message>
+    <message>
+        <source>Show what is open again (Esc)</source>
+        <translation>열려 있는 문서를 다시 표시합니다 (Esc)</translation>
+    </message>
 </context>
 <context>
     <name>StatusLine</name>

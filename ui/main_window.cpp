@@ -72,12 +72,14 @@ MainWindow::MainWindow(Session& session, Appearance& appearance)
     makeDocks();
     makeMenus();
     makeToolBar();
-    connect(&session, &Session::documentChanged, this, &MainWindow::showDocument);
+    connect(&session, &Session::documentChanged, this, &MainWindow::titleWindow);
+    connect(&session, &Session::textReplaced, this, &MainWindow::showDocument);
     connect(&session, &Session::problemsChanged, this, &MainWindow::titleDocks);
     connect(&session, &Session::troubled, this, &MainWindow::showProblems);
     connect(m_startPage, &StartPage::openWanted, m_files, &FileFlow::openByDialog);
     connect(m_startPage, &StartPage::newWanted, m_files, &FileFlow::newFile);
     connect(m_startPage, &StartPage::fileWanted, m_files, &FileFlow::open);
+    connect(m_startPage, &StartPage::backWanted, this, &MainWindow::showDocument);
     retranslate();
     m_viewOptions = new KeptSwitches(kViewGroup, m_viewport->actions() + m_plots->actions(), this);
     restore();
@@ -251,7 +253,7 @@ void MainWindow::retranslate() {
     m_toolBar->toggleViewAction()->setVisible(false); // it stays
     fillChoices();
     fillSamples();
-    showDocument();
+    titleWindow();
 }
 
 void MainWindow::titleDocks() {
@@ -325,12 +327,16 @@ void MainWindow::showShortcuts() {
 
 void MainWindow::showDocument() {
     m_centre->setCurrentWidget(m_session.hasDocument() ? m_viewport : static_cast<QWidget*>(m_startPage));
+}
+
+void MainWindow::titleWindow() {
     if (!m_session.hasDocument()) {
         setWindowTitle(QStringLiteral("Proveout"));
         return;
     }
     const QString path = toQString(m_session.document().path);
     QString name = path.isEmpty() ? tr("untitled") : QFileInfo(path).fileName();
+    m_startPage->setOpenDocument(name);
     if (!m_session.jobFile().isEmpty())
         name += QStringLiteral(" (%1)").arg(QFileInfo(m_session.jobFile()).fileName());
     setWindowTitle(QStringLiteral("%1[*] – Proveout").arg(name));

@@ -77,6 +77,7 @@ private:
     void showProblems();
     void restore();
     void showDocument();
+    void titleWindow();
 
     Session& m_session;
     Appearance& m_appearance;

@@ -35,7 +35,7 @@ void clear(QVBoxLayout& layout) {
 StartPage::StartPage(Appearance& appearance, RecentFiles& recent, QWidget* parent)
     : QWidget(parent), m_appearance(appearance), m_recent(recent), m_logo(new QLabel(this)),
       m_title(new QLabel(this)), m_subtitle(new QLabel(this)), m_open(new QPushButton(this)),
-      m_new(new QPushButton(this)) {
+      m_new(new QPushButton(this)), m_back(new QPushButton(this)) {
     m_logo->setPixmap(icon(QStringLiteral("proveout")).pixmap(kLogoSize, kLogoSize));
     QFont large = m_title->font();
     large.setPointSizeF(large.pointSizeF() * kTitleScale);
@@ -45,6 +45,10 @@ StartPage::StartPage(Appearance& appearance, RecentFiles& recent, QWidget* paren
     m_open->setIcon(icon(QStringLiteral("open")));
     m_new->setIcon(icon(QStringLiteral("new")));
     m_open->setDefault(true);
+    m_back->setObjectName(QStringLiteral("back"));
+    m_back->setShortcut(Qt::Key_Escape);
+    m_back->hide();
+    connect(m_back, &QPushButton::clicked, this, &StartPage::backWanted);
     connect(m_open, &QPushButton::clicked, this, &StartPage::openWanted);
     connect(m_new, &QPushButton::clicked, this, &StartPage::newWanted);
     connect(&recent, &RecentFiles::changed, this, &StartPage::refresh);
@@ -61,6 +65,7 @@ StartPage::StartPage(Appearance& appearance, RecentFiles& recent, QWidget* paren
     auto* buttons = new QHBoxLayout;
     buttons->addWidget(m_open);
     buttons->addWidget(m_new);
+    buttons->addWidget(m_back);
     buttons->addStretch(1);
     auto* columns = new QHBoxLayout;
     columns->setSpacing(kColumnGap);
@@ -162,6 +167,13 @@ void StartPage::refresh() {
     m_recentTitle->setVisible(!m_recent.files().isEmpty());
 }
 
+void StartPage::setOpenDocument(const QString& name) {
+    m_openDocument = name;
+    m_back->setVisible(!name.isEmpty());
+    m_back->setText(tr("Back to %1").arg(name).replace(u'&', QLatin1String("&&")));
+    m_back->setShortcut(Qt::Key_Escape); // a new text drops the old one's
+}
+
 void StartPage::retranslate() {
     m_title->setText(QStringLiteral("Proveout"));
     m_subtitle->setText(tr("See what an NC program cuts before the machine does."));
@@ -169,6 +181,8 @@ void StartPage::retranslate() {
     m_open->setToolTip(tr("Open an NC program or a job"));
     m_new->setText(tr("New Program"));
     m_new->setToolTip(tr("Begin an empty NC program"));
+    m_back->setToolTip(tr("Show what is open again (Esc)"));
+    setOpenDocument(m_openDocument);
     m_samplesTitle->setText(tr("Samples"));
     m_recentTitle->setText(tr("Recent files"));
     m_dropHint->setText(tr("Or drop a file anywhere on this window."));

@@ -13,7 +13,8 @@ class QVBoxLayout;
 
 namespace proveout {
 
-/// Shown while nothing is open: open a file, a recent one, or a sample; choose the language.
+/// Shown while nothing is open, and when it is asked for: open a file, a recent one, or a sample; choose the
+/// language; go back to what is open.
 class StartPage final : public QWidget {
     Q_OBJECT
 
@@ -21,10 +22,14 @@ public:
     /// All arguments outlive the page.
     StartPage(Appearance& appearance, RecentFiles& recent, QWidget* parent = nullptr);
 
+    /// What is open, for the way back to it; empty where nothing is.
+    void setOpenDocument(const QString& name);
+
 signals:
     void openWanted();
     void newWanted();
     void fileWanted(const QString& file);
+    void backWanted();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -45,6 +50,8 @@ private:
     QLabel* m_subtitle;
     QPushButton* m_open;
     QPushButton* m_new;
+    QPushButton* m_back;
+    QString m_openDocument;
     QLabel* m_samplesTitle;
     QVBoxLayout* m_samples;
     QLabel* m_recentTitle;

@@ -37,6 +37,7 @@
 #include "ui/main_window.h"
 #include "ui/resource_paths.h"
 #include "ui/session.h"
+#include "ui/start_page.h"
 #include "ui/timeline/timeline_scale.h"
 
 namespace proveout {
@@ -80,6 +81,32 @@ private slots:
         QCOMPARE(station.session.blockCount(), std::size_t{255});
         QVERIFY(!station.window.viewport().isHidden());
         QCOMPARE(station.window.files().recent().files().size(), 1);
+    }
+
+    void startPageStaysUntilItIsLeft() {
+        Workstation station(true);
+        auto* page = station.window.findChild<StartPage*>();
+        auto* back = page->findChild<QPushButton*>(QStringLiteral("back"));
+        station.window.showStartPage();
+        QVERIFY(page->isVisible());
+        station.appearance.setLanguage(QStringLiteral("de"));
+        QTRY_VERIFY_WITH_TIMEOUT(back->text().startsWith(QStringLiteral("Zurück")), kPatience);
+        station.appearance.setLanguage(QStringLiteral("en"));
+        QTRY_COMPARE_WITH_TIMEOUT(back->text(), QStringLiteral("Back to core-insert.nc"), kPatience);
+        DecimationParameters parameters = station.session.parameters();
+        parameters.allowance = 0.3;
+        station.session.setParameters(parameters); // the document is modified now
+        QVERIFY(page->isVisible());
+        QTest::keyClick(page, Qt::Key_Escape);
+        QTRY_VERIFY_WITH_TIMEOUT(station.window.viewport().isVisible(), kPatience);
+        station.window.showStartPage();
+        QTest::mouseClick(back, Qt::LeftButton);
+        QVERIFY(station.window.viewport().isVisible());
+    }
+
+    void theFirstStartPageHasNoWayBack() {
+        Workstation station(false);
+        QVERIFY(!station.window.findChild<QPushButton*>(QStringLiteral("back"))->isVisible());
     }
 
     void aSampleIsSavedElsewhere() {
