@@ -2287,6 +2287,26 @@
         <source>Export Full-Resolution Mesh</source>
         <translation>Netz in voller Auflösung exportieren</translation>
     </message>
+    <message>
+        <source>Export under way</source>
+        <translation>Laufender Export</translation>
+    </message>
+    <message>
+        <source>An export is still being written.</source>
+        <translation>Ein Export wird noch geschrieben.</translation>
+    </message>
+    <message>
+        <source>Close when the file is written, or now, without it?</source>
+        <translation>Schließen, wenn die Datei geschrieben ist, oder jetzt, ohne sie?</translation>
+    </message>
+    <message>
+        <source>&amp;Wait for the File</source>
+        <translation>Auf die Datei &amp;warten</translation>
+    </message>
+    <message>
+        <source>&amp;Drop the Export</source>
+        <translation>Export &amp;verwerfen</translation>
+    </message>
 </context>
 <context>
     <name>FindBar</name>

@@ -2287,6 +2287,26 @@
         <source>Export Full-Resolution Mesh</source>
         <translation>전체 해상도 메시 내보내기</translation>
     </message>
+    <message>
+        <source>Export under way</source>
+        <translation>내보내기 진행 중</translation>
+    </message>
+    <message>
+        <source>An export is still being written.</source>
+        <translation>내보내기가 아직 진행 중입니다.</translation>
+    </message>
+    <message>
+        <source>Close when the file is written, or now, without it?</source>
+        <translation>파일을 다 쓴 뒤에 닫을까요, 아니면 파일 없이 지금 닫을까요?</translation>
+    </message>
+    <message>
+        <source>&amp;Wait for the File</source>
+        <translation>파일을 기다리기(&amp;W)</translation>
+    </message>
+    <message>
+        <source>&amp;Drop the Export</source>
+        <translation>내보내기 버리기(&amp;D)</translation>
+    </message>
 </context>
 <context>
     <name>FindBar</name>

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/file_flow.h"
 
+#include <utility>
+
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QUrl>
 
 #include "core/formats/formats.h"
@@ -17,7 +20,13 @@
 namespace proveout {
 
 FileFlow::FileFlow(Session& session, QWidget& window)
-    : QObject(&window), m_session(session), m_window(window) {}
+    : QObject(&window), m_session(session), m_window(window) {
+    connect(&session, &Session::troubled, this, [this] { m_closeAfterExport = false; });
+    connect(&session, &Session::exported, this, [this] {
+        if (std::exchange(m_closeAfterExport, false))
+            emit closeWanted();
+    });
+}
 
 QString FileFlow::startFolder() const {
     const QString file =
@@ -125,6 +134,34 @@ bool FileFlow::mayDiscard() {
     if (answer == QMessageBox::Save)
         return save() && (!m_session.modified() || saveJobAs());
     return answer == QMessageBox::Discard;
+}
+
+FileFlow::ExportAnswer FileFlow::askAboutExport() {
+    QMessageBox question(QMessageBox::Warning, tr("Export under way"),
+                         tr("An export is still being written."), QMessageBox::Cancel, &m_window);
+    question.setInformativeText(tr("Close when the file is written, or now, without it?"));
+    const QPushButton* wait = question.addButton(tr("&Wait for the File"), QMessageBox::AcceptRole);
+    const QPushButton* drop = question.addButton(tr("&Drop the Export"), QMessageBox::DestructiveRole);
+    question.setDefaultButton(QMessageBox::Cancel);
+    bool failed = false; // while the question was read
+    connect(&m_session, &Session::troubled, &question, [&failed] { failed = true; });
+    question.exec();
+    if (question.clickedButton() == drop)
+        return ExportAnswer::drop;
+    if (question.clickedButton() != wait || failed)
+        return ExportAnswer::stay;
+    return m_session.exporting() ? ExportAnswer::wait : ExportAnswer::written;
+}
+
+bool FileFlow::mayClose() {
+    m_closeAfterExport = false; // else its end would close the window while a question is open
+    const ExportAnswer answer = m_session.exporting() ? askAboutExport() : ExportAnswer::written;
+    m_closeAfterExport = answer == ExportAnswer::wait;
+    if (answer == ExportAnswer::wait || answer == ExportAnswer::stay || !mayDiscard())
+        return false;
+    if (m_session.exporting())
+        m_session.cancelWork();
+    return true;
 }
 
 QString FileFlow::droppedFile(const QMimeData& data, QString& reason) {

@@ -12,8 +12,8 @@ class QMimeData;
 
 namespace proveout {
 
-/// Opening, saving and exporting with their file dialogs, and the question about unsaved changes, which is
-/// the only one that interrupts. UI thread.
+/// Opening, saving and exporting with their file dialogs, and the only questions that interrupt: about
+/// unsaved changes, and about an export that is still being written when the window closes. UI thread.
 class FileFlow final : public QObject {
     Q_OBJECT
 
@@ -32,17 +32,27 @@ public:
     void exportByDialog(bool decimated);
     /// Names what is not on the disk and offers to save it. False: the user wants to go on with it.
     bool mayDiscard();
+    /// Whether the window may close: asks about an export under way, then as mayDiscard(). Where the user
+    /// waits for the export, it may not yet, and closeWanted() comes when the file is written.
+    bool mayClose();
 
     /// What a drop would open; empty with `reason` set where it cannot be used.
     static QString droppedFile(const QMimeData& data, QString& reason);
 
+signals:
+    void closeWanted();
+
 private:
+    enum class ExportAnswer { stay, wait, drop, written };
+
+    ExportAnswer askAboutExport();
     [[nodiscard]] QString startFolder() const;
     [[nodiscard]] QString unsaved() const;
 
     Session& m_session;
     QWidget& m_window;
     RecentFiles m_recent;
+    bool m_closeAfterExport = false;
 };
 
 } // namespace proveout

@@ -80,6 +80,7 @@ MainWindow::MainWindow(Session& session, Appearance& appearance)
     connect(m_startPage, &StartPage::newWanted, m_files, &FileFlow::newFile);
     connect(m_startPage, &StartPage::fileWanted, m_files, &FileFlow::open);
     connect(m_startPage, &StartPage::backWanted, this, &MainWindow::showDocument);
+    connect(m_files, &FileFlow::closeWanted, this, &QWidget::close);
     retranslate();
     m_viewOptions = new KeptSwitches(kViewGroup, m_viewport->actions() + m_plots->actions(), this);
     restore();
@@ -348,7 +349,7 @@ QAction* MainWindow::action(const QString& id) const {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
-    if (!m_files->mayDiscard()) {
+    if (!m_files->mayClose()) {
         event->ignore();
         return;
     }

@@ -92,6 +92,7 @@ public:
     /// Whether the place of a problem is one of the open text; others name their file (a job file, say).
     [[nodiscard]] static bool isInText(const Diagnostic& problem);
     [[nodiscard]] const std::optional<Work>& work() const { return m_work; }
+    [[nodiscard]] bool exporting() const { return m_exporting; }
     /// What the last export wrote; empty before the first one.
     [[nodiscard]] const std::optional<ExportSummary>& lastExport() const { return m_lastExport; }
 

@@ -17,6 +17,7 @@ namespace proveout {
 class SaveDialogUser : public QObject {
 public:
     explicit SaveDialogUser(const QString& name) : m_name(name) {
+        QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs); // there is no working those
         connect(&m_look, &QTimer::timeout, this, [this] { act(QApplication::activeModalWidget()); });
         m_look.start(20);
     }

@@ -59,6 +59,48 @@ QAction* entryOf(const QMenu& menu, const QString& file) {
     return found == actions.end() ? nullptr : *found;
 }
 
+/// Answers the message boxes that come up while it lives, by the button of this name.
+class AnswerTo {
+public:
+    explicit AnswerTo(const QString& button) {
+        QObject::connect(&m_look, &QTimer::timeout, [this, button] {
+            auto* box = qobject_cast<QMessageBox*>(QApplication::activeModalWidget());
+            if (box == nullptr)
+                return;
+            ++m_asked;
+            for (QAbstractButton* each : box->buttons())
+                if (each->text().remove(u'&') == button)
+                    each->click();
+        });
+        m_look.start(20);
+    }
+    [[nodiscard]] int asked() const { return m_asked; }
+
+private:
+    QTimer m_look;
+    int m_asked = 0;
+};
+
+/// The full mesh of a fine grid: seconds of work. Nothing is left unsaved.
+QString startLongExport(Workstation& station, const QTemporaryDir& folder) {
+    station.open(sampleJobs().front().file);
+    Setup setup = station.session.setup();
+    setup.spacing = 0.1;
+    const QString file = folder.filePath(QStringLiteral("part.stl"));
+    if (!station.session.setSetup(setup) ||
+        !station.session.saveJobAs(folder.filePath(QStringLiteral("fine.proveout"))))
+        qFatal("the grid cannot be set");
+    const auto fine = [&] {
+        return station.session.frame() && station.session.frame()->zmap.grid().hx < 0.11;
+    };
+    if (!QTest::qWaitFor(fine, kPatience))
+        qFatal("no frame of the fine grid");
+    ExportOptions full;
+    full.decimated = false;
+    station.session.exportMesh(file, full);
+    return file;
+}
+
 } // namespace
 
 class FilesTest : public QObject {
@@ -186,6 +228,38 @@ private slots:
         answer.set_value();
         QTest::qWait(50);
         QCOMPARE(asked->load(), 3);
+    }
+
+    void closingWaitsForAnExport() {
+        QTemporaryDir folder;
+        Workstation station(false);
+        const QString file = startLongExport(station, folder);
+        QSignalSpy exported(&station.session, &Session::exported);
+        {
+            AnswerTo answer(QStringLiteral("Cancel"));
+            QVERIFY(!station.window.close());
+            QCOMPARE(answer.asked(), 1);
+        }
+        {
+            AnswerTo answer(QStringLiteral("Wait for the File"));
+            QVERIFY(!station.window.close());
+            QCOMPARE(answer.asked(), 1);
+        }
+        QVERIFY(station.session.exporting());
+        QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(station.window.isHidden(), kPatience);
+        QVERIFY(QFile::exists(file));
+    }
+
+    void closingDropsAnExportWhenTold() {
+        QTemporaryDir folder;
+        Workstation station(false);
+        const QString file = startLongExport(station, folder);
+        AnswerTo answer(QStringLiteral("Drop the Export"));
+        QVERIFY(station.window.close());
+        QCOMPARE(answer.asked(), 1);
+        QTRY_VERIFY_WITH_TIMEOUT(!station.session.exporting(), kPatience);
+        QVERIFY(!QFile::exists(file));
     }
 
 private:
