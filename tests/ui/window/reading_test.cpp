@@ -103,8 +103,11 @@ private slots:
         Setup setup = station.session.setup();
         setup.spacing = 0.12;
         QVERIFY(station.session.setSetup(setup));
+        DecimationParameters never = station.session.parameters();
+        never.period = 0;
+        station.session.setParameters(never);
         const auto fine = [&] {
-            return station.session.frame() && station.session.frame()->surface.facesFull > 1'000'000;
+            return station.session.frame() && station.session.frame()->surface.faces > 1'000'000;
         };
         QVERIFY(QTest::qWaitFor(fine, kPatience));
         const QString faces = QLocale().toString(qulonglong{station.session.frame()->surface.facesFull});
