@@ -1795,8 +1795,8 @@
         <translation>ε = 0 (ohne Dezimierung)</translation>
     </message>
     <message>
-        <source>certified</source>
-        <translation>zertifiziert</translation>
+        <source>with certificate</source>
+        <translation>mit Zertifikat</translation>
     </message>
     <message>
         <source>to the letter</source>

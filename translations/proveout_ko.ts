@@ -1795,7 +1795,7 @@
         <translation>ε = 0 (간략화 없음)</translation>
     </message>
     <message>
-        <source>certified</source>
+        <source>with certificate</source>
         <translation>오차 보증</translation>
     </message>
     <message>

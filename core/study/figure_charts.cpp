@@ -39,7 +39,7 @@ std::string methodText(const StudySubject& subject) {
     const DecimationParameters& base = subject.base;
     std::string method = subject.words(kMethodChoices[static_cast<std::size_t>(base.method)].label);
     if (base.method == DecimationMethod::lee)
-        method += ", " + subject.words(base.certify ? PROVEOUT_TEXT("Core", "certified")
+        method += ", " + subject.words(base.certify ? PROVEOUT_TEXT("Core", "with certificate")
                                                     : PROVEOUT_TEXT("Core", "to the letter"));
     return method;
 }
