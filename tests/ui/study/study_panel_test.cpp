@@ -36,15 +36,18 @@ private:
     QTemporaryDir m_folder;
 
     /// A session with a small job, ready to be studied.
-    std::unique_ptr<Session> ready(int rows = 20) {
+    std::unique_ptr<Session> ready(int rows = 20, double grid = 1.0) {
         QFile nc(m_folder.filePath(QStringLiteral("a.nc")));
         [&] { QVERIFY(nc.open(QIODevice::WriteOnly)); }();
         nc.write(program(rows).toUtf8());
         nc.close();
         QFile job(m_folder.filePath(QStringLiteral("a.proveout")));
         [&] { QVERIFY(job.open(QIODevice::WriteOnly)); }();
-        job.write(R"({"proveout": 1, "program": "a.nc", "grid": 1.0, "tools": {"1": "ball:d=6,l=20"},
-                      "stock": {"corner": [0, 0, 0], "width": 60, "depth": 40, "height": 10}})");
+        job.write(QStringLiteral(
+                      R"({"proveout": 1, "program": "a.nc", "grid": %1, "tools": {"1": "ball:d=6,l=20"},
+                      "stock": {"corner": [0, 0, 0], "width": 60, "depth": 40, "height": 10}})")
+                      .arg(grid)
+                      .toUtf8());
         job.close();
         auto session = std::make_unique<Session>();
         [&] {
@@ -78,7 +81,7 @@ private slots:
     }
 
     void cancelsSoon() {
-        const auto session = ready(400);
+        const auto session = ready(80, 0.05); // each run takes much longer than the way of a signal
         StudyPanel panel(*session, rated);
         QSignalSpy ran(&panel.runner(), &StudyRunner::ran);
         QSignalSpy ended(&panel.runner(), &StudyRunner::ended);
