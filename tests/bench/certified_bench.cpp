@@ -118,6 +118,31 @@ void reportRefined(const BenchMap& map, const ZMapSnapshot& zmap, double allowan
                 error.surface);
 }
 
+/// How long regions take that a cut of 200 × 200 points has touched, over places all over the map: until they
+/// can be drawn again, on one thread.
+void reportCuts(const BenchMap& map, const ZMapSnapshot& zmap, int region) {
+    constexpr int kCut = 200;
+    DecimationParameters parameters;
+    parameters.regionCells = region;
+    parameters.level = ErrorLevel::sample;
+    Surface surface(map.nx, map.ny, parameters);
+    surface.decimateDirty(zmap);
+    std::vector<double> milliseconds;
+    for (int j = 0; j + kCut < map.ny; j += kCut / 2)
+        for (int i = 0; i + kCut < map.nx; i += kCut / 2) {
+            surface.touch({i, j, i + kCut, j + kCut});
+            const double begin = cpuSeconds();
+            surface.decimateDirty(zmap);
+            milliseconds.push_back((cpuSeconds() - begin) * 1e3);
+        }
+    if (milliseconds.empty())
+        return;
+    std::sort(milliseconds.begin(), milliseconds.end());
+    std::printf("%-8s %5.2f a cut of %d x %d points, regions of %d: median %.2f ms, 99 %% within %.2f ms\n",
+                map.name.c_str(), parameters.allowance, kCut, kCut, region,
+                milliseconds[milliseconds.size() / 2], milliseconds[milliseconds.size() * 99 / 100]);
+}
+
 void report(const BenchMap& map) {
     const ZMapSnapshot zmap = test::zmapOf(map.nx, map.ny, map.spacing, map.heights);
     for (const double allowance : {0.05, 0.01}) {
@@ -146,6 +171,8 @@ void report(const BenchMap& map) {
         }
         reportRefined(map, zmap, allowance);
     }
+    for (const int region : {16, 64})
+        reportCuts(map, zmap, region);
 }
 
 } // namespace
