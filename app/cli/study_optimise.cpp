@@ -61,7 +61,7 @@ Result<Optimised::Exhaustive> searchAll(const StudyJob& job, const DecimationPar
 } // namespace
 
 Result<Optimised> Optimised::of(const StudyJob& job, const DecimationParameters& given,
-                                SweepOptions measuring, bool exhaustive) {
+                                const SweepOptions& measuring, bool exhaustive) {
     auto rehearsal = rehearse(job, given, rehearsalFor(job), *measuring.drawing);
     if (!rehearsal)
         return tl::unexpected(std::move(rehearsal.error()));

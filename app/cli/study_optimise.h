@@ -26,7 +26,7 @@ struct Optimised {
 
     /// Chooses, then runs the chosen and the given parameters in turns (and the best, where `exhaustive`).
     [[nodiscard]] static Result<Optimised> of(const StudyJob& job, const DecimationParameters& given,
-                                              SweepOptions measuring, bool exhaustive);
+                                              const SweepOptions& measuring, bool exhaustive);
 
     [[nodiscard]] nlohmann::ordered_json json() const;
     void print() const;
