@@ -12,6 +12,7 @@ namespace {
 /// Of the runs of one point, the one in the middle.
 SweptPoint summedUp(std::vector<StudyRun> runs) {
     std::vector<double> totals;
+    totals.reserve(runs.size());
     for (const StudyRun& run : runs)
         totals.push_back(run.seconds.total());
     const auto middle = runs.begin() + static_cast<std::ptrdiff_t>(runs.size() / 2);
@@ -44,6 +45,7 @@ Result<std::vector<SweptPoint>> runSweep(const StudyJob& job, std::span<const St
             runs[place].push_back(std::move(*run));
         }
     std::vector<SweptPoint> swept;
+    swept.reserve(runs.size());
     for (std::vector<StudyRun>& ofPoint : runs)
         swept.push_back(summedUp(std::move(ofPoint)));
     return swept;
