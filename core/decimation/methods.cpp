@@ -27,17 +27,29 @@ BorderLine certifiedBorderLine(const BorderSamples& border, const DecimationPara
     return certifiedBorder(border.heights, borderAllowance(parameters), border.extras);
 }
 
+constexpr std::array<std::string_view, 5> kCertifiedFields{"region", "period", "allowance", "borders",
+                                                           "level"};
+constexpr std::array<std::string_view, 7> kLeeFields{"region",  "period", "allowance", "certify",
+                                                     "borders", "order",  "seed"};
+constexpr std::array<std::string_view, 6> kGlobalFields{"period",  "allowance", "certify",
+                                                        "borders", "order",     "seed"};
+
 // In the order of DecimationMethod. Regions of the certified method are small, because a cut that touches one
 // costs all of it; at rest they are merged. The paper's figures stand on regions of 8 × 8 cells and a period
 // of 20; its global decimation follows every movement of the tool (§2.1).
 constexpr std::array kMethods{
-    DecimationMethodRow{DecimationMethod::certified, false, 16, 5, createCertified, certifiedBorderLine},
-    DecimationMethodRow{DecimationMethod::lee, false, 8, 20, createLee, leeBorder},
-    DecimationMethodRow{DecimationMethod::global, true, 8, 1, createLee, leeBorder},
-    DecimationMethodRow{DecimationMethod::none, false, 8, 0, nullptr, nullptr},
+    DecimationMethodRow{DecimationMethod::certified, false, 16, 5, createCertified, certifiedBorderLine,
+                        kCertifiedFields},
+    DecimationMethodRow{DecimationMethod::lee, false, 8, 20, createLee, leeBorder, kLeeFields},
+    DecimationMethodRow{DecimationMethod::global, true, 8, 1, createLee, leeBorder, kGlobalFields},
+    DecimationMethodRow{DecimationMethod::none, false, 8, 0, nullptr, nullptr, {}},
 };
 
 } // namespace
+
+bool DecimationMethodRow::uses(std::string_view field) const {
+    return field == "method" || std::find(fields.begin(), fields.end(), field) != fields.end();
+}
 
 std::span<const DecimationMethodRow> decimationMethods() {
     return kMethods;

@@ -7,6 +7,7 @@
 #include <memory>
 #include <span>
 #include <stop_token>
+#include <string_view>
 #include <vector>
 
 #include "core/decimation/parameters.h"
@@ -62,6 +63,9 @@ struct DecimationMethodRow {
     std::unique_ptr<RegionDecimator> (*create)(); ///< null for `none`
     /// Simplifies a border by its own samples; a pure function, so that both its regions find the same.
     BorderLine (*simplifyBorder)(const BorderSamples&, const DecimationParameters&);
+    std::span<const std::string_view> fields; ///< keys of the parameters that it looks at, but for "method"
+
+    [[nodiscard]] bool uses(std::string_view field) const;
 };
 [[nodiscard]] std::span<const DecimationMethodRow> decimationMethods();
 [[nodiscard]] const DecimationMethodRow& row(DecimationMethod method);

@@ -5,6 +5,7 @@
 #include <QSignalSpy>
 #include <QSpinBox>
 #include <QTest>
+#include <QToolButton>
 
 #include "core/decimation/region_decimator.h"
 
@@ -38,6 +39,25 @@ private slots:
         choose(form, DecimationMethod::global);
         QCOMPARE(form.values().regionCells, 16);
         QCOMPARE(form.values().period, row(DecimationMethod::global).standardPeriod);
+    }
+
+    void onlyWhatTheMethodLooksAtIsOffered() {
+        ParameterForm form;
+        form.show();
+        const auto offers = [&form](const char* key) {
+            const auto* editor = form.findChild<QWidget*>(QLatin1String(key));
+            return editor->isVisible();
+        };
+        choose(form, DecimationMethod::lee);
+        box(form, "seed").setValue(5);
+        QVERIFY(offers("seed") && offers("certify") && !offers("level"));
+        choose(form, DecimationMethod::certified);
+        QVERIFY(!offers("seed") && !offers("certify") && offers("level"));
+        for (const QToolButton* button : form.findChildren<QToolButton*>())
+            QVERIFY2(!button->isVisible(), qPrintable(button->accessibleName()));
+        choose(form, DecimationMethod::none);
+        QVERIFY(offers("method") && !offers("region") && !offers("allowance"));
+        QCOMPARE(form.values().seed, 5); // kept for the method that looks at it
     }
 
 private:

@@ -166,13 +166,17 @@ void ParameterForm::setValues(const DecimationParameters& values) {
 
 void ParameterForm::showMethod() {
     findStandards();
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        m_rows[i].used = proveout::row(m_values.method).uses(m_rows[i].field.key);
+        m_layout->setRowVisible(static_cast<int>(i), m_rows[i].used);
+    }
     retranslate(); // tool tips name the standards
 }
 
 void ParameterForm::showRow(const Row& row) {
     const QSignalBlocker quiet(row.editor);
     row.show(row.value());
-    row.reset->setVisible(row.value() != row.standard);
+    row.reset->setVisible(row.used && row.value() != row.standard);
 }
 
 void ParameterForm::change(std::size_t row, double value) {

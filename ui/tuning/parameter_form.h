@@ -15,9 +15,9 @@ class QToolButton;
 
 namespace proveout {
 
-/// One row per field of DecimationParameters, made from describe(): label, editor with unit and range, and a
-/// button that brings the default back. Another method brings its own defaults, where the values were those
-/// of the one before. Text that is no number never leaves an editor.
+/// One row per field of DecimationParameters that the method looks at, made from describe(): label, editor
+/// with unit and range, and a button that brings the default back. Another method brings its own defaults,
+/// where the values were those of the one before. Text that is no number never leaves an editor.
 class ParameterForm final : public QWidget {
     Q_OBJECT
 
@@ -41,6 +41,7 @@ private:
     struct Row {
         Field field;
         double standard = 0;                  ///< with the present method
+        bool used = true;                     ///< the present method looks at it
         std::function<double()> value;        ///< in m_values
         std::function<void(double)> setValue; ///< in m_values
         std::function<void(double)> show;     ///< in the editor

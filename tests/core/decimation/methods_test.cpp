@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <string_view>
+#include <type_traits>
+
+#include "core/decimation/surface.h"
+#include "tests/core/decimation/maps.h"
+
+namespace proveout {
+namespace {
+
+/// Another value of one field than the one it has.
+void change(DecimationParameters& parameters, std::string_view key) {
+    describe(parameters, [key](auto& value, const Field& field) {
+        using Value = std::remove_cvref_t<decltype(value)>;
+        if (key != field.key)
+            return;
+        if constexpr (std::is_same_v<Value, bool>)
+            value = !value;
+        else if constexpr (std::is_enum_v<Value>)
+            value = static_cast<Value>(static_cast<int>(value) == 0 ? 1 : 0);
+        else
+            value = static_cast<Value>(value * 2 + 1);
+    });
+}
+
+std::vector<LatticeTriangle> decimated(const DecimationParameters& parameters) {
+    constexpr int kSize = 61;
+    const ZMapSnapshot zmap =
+        test::zmapOf(kSize, kSize, 0.3, test::mapKind("spheres").make(kSize, kSize, 0.3, 12));
+    Surface surface(kSize, kSize, parameters);
+    surface.decimateDirty(zmap);
+    std::vector<LatticeTriangle> triangles = surface.snapshot().triangles();
+    std::sort(triangles.begin(), triangles.end()); // which region they come from is no matter
+    return triangles;
+}
+
+/// The panel offers what the row of a method names. What it does not name must change nothing, and what it
+/// names must change something; the period is no matter of a single decimation.
+TEST(Methods, lookAtTheFieldsOfTheirRowAndAtNoOthers) {
+    for (const DecimationMethodRow& method : decimationMethods()) {
+        DecimationParameters parameters;
+        parameters.method = method.method;
+        useStandards(parameters, false, false);
+        const auto before = decimated(parameters);
+        describe(parameters, [&](const auto&, const Field& field) {
+            const std::string_view key = field.key;
+            if (key == "method" || key == "period")
+                return;
+            DecimationParameters other = parameters;
+            change(other, key);
+            EXPECT_EQ(decimated(other) != before, method.uses(key))
+                << kMethodChoices[static_cast<std::size_t>(method.method)].key << ", " << key;
+        });
+    }
+}
+
+} // namespace
+} // namespace proveout
