@@ -2,13 +2,28 @@
 #include "ui/gl/index_buffer.h"
 
 #include <algorithm>
+#include <cstring>
+#include <vector>
 
 namespace proveout {
 namespace {
 constexpr std::uint32_t kFirstCapacity = 1u << 16;
 
 GLsizeiptr bytes(std::size_t count) {
-    return static_cast<GLsizeiptr>(count * sizeof(std::uint16_t));
+    return static_cast<GLsizeiptr>(count * IndexBuffer::kHalf);
+}
+
+std::vector<std::uint16_t> halvesOf(std::span<const std::uint32_t> indices, IndexWidth width) {
+    std::vector<std::uint16_t> halves;
+    if (width == IndexWidth::bits16) {
+        halves.reserve(indices.size());
+        for (const std::uint32_t index : indices)
+            halves.push_back(static_cast<std::uint16_t>(index));
+    } else {
+        halves.resize(2 * indices.size());
+        std::memcpy(halves.data(), indices.data(), indices.size_bytes());
+    }
+    return halves;
 }
 } // namespace
 
@@ -29,7 +44,9 @@ void IndexBuffer::reserve(Gl& gl, std::uint32_t count) {
     m_capacity = capacity;
 }
 
-IndexBuffer::Slot IndexBuffer::write(Gl& gl, Slot slot, std::span<const std::uint16_t> halves) {
+IndexBuffer::Slot IndexBuffer::write(Gl& gl, Slot slot, std::span<const std::uint32_t> indices,
+                                     IndexWidth width) {
+    const std::vector<std::uint16_t> halves = halvesOf(indices, width);
     const auto count = static_cast<std::uint32_t>(halves.size());
     if (count > slot.capacity) {
         m_slots.free(slot);

@@ -2,7 +2,6 @@
 #include "ui/gl/surface_buffer.h"
 
 #include <algorithm>
-#include <cstring>
 #include <limits>
 
 namespace proveout {
@@ -38,10 +37,11 @@ IndexRect inner(const IndexRect& points) {
     return {points.i0 + 1, points.j0 + 1, points.i1 - 1, points.j1 - 1};
 }
 
-/// Whether 16 bits hold every point of a region, counted from its first one.
-bool fitsShort(const RegionGrid& grid) {
+/// 16 bits where they hold every point of a region, counted from its first one.
+IndexWidth widthFor(const RegionGrid& grid) {
     const auto cells = static_cast<std::int64_t>(grid.cells());
-    return cells * grid.nx() + cells <= std::numeric_limits<std::uint16_t>::max();
+    const bool fits = cells * grid.nx() + cells <= std::numeric_limits<std::uint16_t>::max();
+    return fits ? IndexWidth::bits16 : IndexWidth::bits32;
 }
 
 bool hasCells(const IndexRect& points) {
@@ -87,25 +87,16 @@ void SurfaceBuffer::DrawList::clear() {
 
 void SurfaceBuffer::DrawList::add(std::uint32_t offset, std::uint32_t count, std::uint32_t baseVertex) {
     counts.push_back(static_cast<GLsizei>(count));
-    offsets.push_back(bufferPlace(std::size_t{offset} * sizeof(std::uint16_t)));
+    offsets.push_back(bufferPlace(std::size_t{offset} * IndexBuffer::kHalf));
     baseVertices.push_back(static_cast<GLint>(baseVertex));
 }
 
 IndexBuffer::Slot SurfaceBuffer::write(Gl& gl, IndexBuffer::Slot slot,
                                        const std::vector<std::uint32_t>& indices, Uploaded& uploaded) {
-    std::vector<std::uint16_t> halves;
-    if (m_short) {
-        halves.reserve(indices.size());
-        for (const std::uint32_t index : indices)
-            halves.push_back(static_cast<std::uint16_t>(index));
-    } else {
-        halves.resize(2 * indices.size());
-        std::memcpy(halves.data(), indices.data(), indices.size() * sizeof(std::uint32_t));
-    }
     ++uploaded.lists;
     uploaded.indices += indices.size();
-    uploaded.bytes += halves.size() * sizeof(std::uint16_t);
-    return m_indices.write(gl, slot, halves);
+    uploaded.bytes += indices.size() * (m_width == IndexWidth::bits16 ? 1 : 2) * IndexBuffer::kHalf;
+    return m_indices.write(gl, slot, indices, m_width);
 }
 
 void SurfaceBuffer::writeList(Gl& gl, std::size_t index, const std::vector<LatticeTriangle>& triangles,
@@ -140,7 +131,7 @@ SurfaceBuffer::Uploaded SurfaceBuffer::update(Gl& gl, const SurfaceSnapshot& sur
         m_regions.assign(surface.meshes.size(), {});
         m_patterns.clear();
         m_indices.clear();
-        m_short = fitsShort(m_grid);
+        m_width = widthFor(m_grid);
         changed = true;
     }
     for (std::size_t index = 0; index < m_regions.size(); ++index) {
@@ -199,9 +190,9 @@ void SurfaceBuffer::draw(Gl& gl, Part part) {
     if (list.counts.empty())
         return;
     gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_indices.id());
-    gl.glMultiDrawElementsBaseVertex(GL_TRIANGLES, list.counts.data(),
-                                     m_short ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT, list.offsets.data(),
-                                     static_cast<GLsizei>(list.counts.size()), list.baseVertices.data());
+    gl.glMultiDrawElementsBaseVertex(
+        GL_TRIANGLES, list.counts.data(), m_width == IndexWidth::bits16 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT,
+        list.offsets.data(), static_cast<GLsizei>(list.counts.size()), list.baseVertices.data());
 }
 
 void SurfaceBuffer::release(Gl& gl) {

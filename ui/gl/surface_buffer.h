@@ -66,7 +66,7 @@ private:
     RegionGrid m_grid;
     std::vector<Region> m_regions;
     IndexBuffer m_indices;
-    bool m_short = false; ///< indices, counted from the region's first point, have 16 bits
+    IndexWidth m_width = IndexWidth::bits32; ///< of the indices, counted from the region's first point
     std::map<std::tuple<int, int, int>, Pattern> m_patterns; ///< by width, height, parity of the first point
     std::array<DrawList, 2> m_lists;
     std::array<std::size_t, 2> m_triangles{};

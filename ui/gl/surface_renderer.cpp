@@ -69,9 +69,9 @@ void SurfaceRenderer::drawWalls(Gl& gl, const StockView& view, const SceneOption
     m_walls.bind(gl);
     setView(gl, m_walls, view);
     setStock(gl, m_walls, options);
-    for (std::size_t face = 0; face < WallMesh::kFaces; ++face) {
+    for (std::size_t face = 0; face < WallBuffer::kFaces; ++face) {
         m_walls.set(gl, "normal", kNormals[face]);
-        m_walls.set(gl, "underside", face == WallMesh::kUnderside);
+        m_walls.set(gl, "underside", face == WallBuffer::kUnderside);
         m_wallBuffer.draw(gl, face);
     }
 }

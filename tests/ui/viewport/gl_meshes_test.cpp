@@ -107,9 +107,12 @@ void GlMeshesTest::wallsCloseTheSurface() {
     };
     for (const LatticeTriangle& triangle : frame->surface.triangles())
         add(triangle[0], triangle[1], triangle[2]);
-    for (const auto& face : wallMesh(frame->surface).faces)
-        for (std::size_t k = 0; k < face.size(); k += 3)
-            add(face[k], face[k + 1], face[k + 2]);
+    for (const EdgeBorder& edge : edgeBorders(frame->surface.grid)) {
+        const WallMesh mesh = wallMesh(frame->surface, edge);
+        for (const auto& face : {mesh.wall, mesh.underside})
+            for (std::size_t k = 0; k < face.size(); k += 3)
+                add(face[k], face[k + 1], face[k + 2]);
+    }
     for (const auto& [edge, count] : edges) {
         QCOMPARE(count, 1);
         QCOMPARE((edges.contains({edge.second, edge.first})), true);
