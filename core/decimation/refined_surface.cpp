@@ -125,6 +125,7 @@ bool RefinedSurface::mergeLayer(std::size_t index, const ZMapSnapshot& moment, c
         const int by = static_cast<int>(block) / layer.blocksX;
         std::array<RegionMeshPtr, 4> parts;
         bool whole = true;
+        std::size_t triangles = 0;
         for (int k = 0; k < 4; ++k) {
             const int x = 2 * bx + k % 2;
             const int y = 2 * by + k / 2;
@@ -132,11 +133,12 @@ bool RefinedSurface::mergeLayer(std::size_t index, const ZMapSnapshot& moment, c
                 continue;
             const RegionMeshPtr& part = parts[static_cast<std::size_t>(k)] = meshBelow(index, x, y);
             whole &= part && parts[0] && part->allowance == parts[0]->allowance;
+            triangles += part ? part->triangles.size() : 0;
         }
         if (parts == layer.blocks[block].parts && layer.blocks[block].mesh)
             continue;
         layer.blocks[block] = {parts, nullptr};
-        if (whole)
+        if (whole && triangles <= kMostTriangles)
             changed.push_back(block);
     }
     std::vector<RegionMeshPtr> meshes(changed.size());

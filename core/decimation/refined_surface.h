@@ -19,6 +19,9 @@ class RefinedSurface {
 public:
     /// Floats hold the products of coordinates exactly up to here, and rows of the row scan.
     static constexpr int kMostCells = 1024;
+    /// Blocks with more are left in parts: there is little to gain, and a wish to stop would wait for their
+    /// loading.
+    static constexpr std::size_t kMostTriangles = 200'000;
 
     RefinedSurface() = default;
     RefinedSurface(int nx, int ny, const DecimationParameters& parameters, int mostCells = kMostCells);
@@ -42,7 +45,7 @@ private:
     /// A block of up to 2 × 2 blocks of the layer below.
     struct Block {
         std::array<RegionMeshPtr, 4> parts; ///< what its mesh was made of
-        RegionMeshPtr mesh;                 ///< null: cannot be merged
+        RegionMeshPtr mesh;                 ///< null: stays in parts
     };
     struct Layer {
         int regions = 1; ///< along a side of a block

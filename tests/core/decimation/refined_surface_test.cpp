@@ -181,6 +181,20 @@ TEST(RefinedSurface, isTheSameWithAnyNumberOfThreads) {
     EXPECT_EQ(meshes[0], meshes[2]);
 }
 
+TEST(RefinedSurface, leavesBlocksOfNoiseInParts) {
+    constexpr int kSize = 401;
+    const Heights heights = test::mapKind("noise").make(kSize, kSize, 0.5, 9);
+    const DecimationParameters parameters = certified(16, 0.001);
+    RefinedSurface surface(kSize, kSize, parameters);
+    ASSERT_TRUE(surface.follow(test::zmapOf(kSize, kSize, 0.5, heights), {}));
+    std::size_t largest = 0;
+    for (std::size_t region = 0; region < surface.grid().regionCount(); ++region)
+        largest = std::max(largest, surface.snapshot().meshes[region]->triangles.size());
+    EXPECT_GT(surface.snapshot().faces, RefinedSurface::kMostTriangles);
+    EXPECT_LE(largest, RefinedSurface::kMostTriangles);
+    expectHolds(surface.snapshot(), heights, parameters);
+}
+
 TEST(RefinedSurface, leavesRegionsAloneWhoseHeightsAreTooCoarse) {
     constexpr int kSize = 65;
     Heights heights(kSize * kSize, 0.0F);
