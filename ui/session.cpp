@@ -9,7 +9,6 @@
 
 #include "core/base/memory.h"
 #include "core/base/text.h"
-#include "core/simulation/schedule.h"
 #include "ui/file_paths.h"
 #include "ui/program_index.h"
 
@@ -212,8 +211,7 @@ void Session::load() {
     m_loadedSetup = m_job.setup();
     m_frameLog.clear();
     m_loadGeneration = ++m_generation;
-    m_holdBack.reset();
-    m_playedParameters = parameters();
+    m_played.loaded(parameters());
     m_simulation->post(LoadCommand{m_program, m_job.setup(), parameters(), m_generation});
     if (block() > 0)
         m_simulation->post(SeekCommand{std::min(block(), blockCount())});
@@ -255,51 +253,13 @@ void Session::stopPlaying() {
     emit playbackChanged();
 }
 
-const HoldBack* Session::heldBack() const {
-    return m_playback.playing && m_holdBack && m_holdBack->held() ? &*m_holdBack : nullptr;
-}
-
 void Session::restartHoldBack() {
-    m_holdBack.reset();
-    if (m_frame && m_frame->generation == m_generation && Schedule(parameters()).repeats())
-        m_holdBack.emplace(parameters().period, m_frame->surface.facesFull);
+    m_played.restart(parameters(), m_frame && m_frame->generation == m_generation ? m_frame.get() : nullptr);
 }
 
-/// Holding back is another method to the simulation: its state stays a function of what it is told.
 void Session::postParameters() {
-    DecimationParameters played = parameters();
-    if (heldBack() != nullptr)
-        played.method = DecimationMethod::none;
-    if (played == m_playedParameters)
-        return;
-    m_playedParameters = played;
-    m_simulation->post(ParametersCommand{played});
-}
-
-/// The newest frame was drawn in playback: whether the next ones are to be decimated.
-void Session::weighDecimation() {
-    if (!m_holdBack) {
-        restartHoldBack();
-        postParameters();
-    }
-    const bool isPlayed = m_playback.playing && m_frame->playing && m_frame->parameters == m_playedParameters;
-    if (!m_holdBack || !isPlayed || m_frameLog.rows().empty())
-        return;
-    const FrameStatistics& row = m_frameLog.rows().back();
-    if (row.lastBlock != m_frame->block)
-        return;
-    FrameCost cost{row.decimationSeconds,
-                   row.uploadSeconds,
-                   row.drawSeconds,
-                   m_frame->surface.faces,
-                   m_frame->surface.facesFull,
-                   0,
-                   m_frame->surface.grid.regionCount()};
-    const std::size_t end = std::min<std::size_t>(row.lastBlock, m_frame->statistics.size());
-    for (std::size_t block = row.firstBlock; block < end; ++block)
-        cost.regionsDecimated += m_frame->statistics[block].regionsDecimated;
-    if (m_holdBack->add(cost))
-        postParameters();
+    if (const auto due = m_played.due(parameters(), m_playback.playing))
+        m_simulation->post(ParametersCommand{*due});
 }
 
 void Session::onTick() {
@@ -313,7 +273,11 @@ void Session::reportDrawn(std::uint64_t sequence, double uploadSeconds, double d
     if (!m_frame || m_frame->sequence != sequence || !m_frameLog.add(*m_frame, uploadSeconds, drawSeconds))
         return;
     m_paperWatchdog.stop();
-    weighDecimation();
+    if (!m_played.isWeighing())
+        restartHoldBack();
+    if (m_playback.playing && !m_frameLog.rows().empty())
+        m_played.weigh(*m_frame, m_frameLog.rows().back());
+    postParameters();
     if (m_playback.everyBlock)
         m_simulation->frameShown(sequence);
     if (!m_playback.playing)
@@ -331,7 +295,7 @@ void Session::play() {
     if (block() == blockCount())
         m_simulation->post(SeekCommand{0});
     m_playback.playing = true;
-    if (!m_holdBack)
+    if (!m_played.isWeighing())
         restartHoldBack();
     postParameters();
     m_simulation->post(PlayCommand{m_playback.blocksPerSecond, m_playback.everyBlock});

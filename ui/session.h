@@ -19,7 +19,6 @@
 #include "core/decimation/parameters.h"
 #include "core/nc/program.h"
 #include "core/simulation/frame.h"
-#include "core/simulation/hold_back.h"
 #include "core/simulation/setup.h"
 #include "core/simulation/simulation_thread.h"
 #include "core/simulation/statistics.h"
@@ -27,6 +26,7 @@
 #include "ui/file_watch.h"
 #include "ui/frame_log.h"
 #include "ui/job_document.h"
+#include "ui/played_parameters.h"
 #include "ui/program_source.h"
 #include "ui/repaint_tick.h"
 
@@ -86,7 +86,7 @@ public:
     [[nodiscard]] const std::vector<FrameStatistics>& frameStatistics() const { return m_frameLog.rows(); }
     /// Where playback shows all faces because decimation costs more than it saves: the figures; null else.
     /// parameters() stay what the user wants, and hold again at rest.
-    [[nodiscard]] const HoldBack* heldBack() const;
+    [[nodiscard]] const HoldBack* heldBack() const { return m_played.held(m_playback.playing); }
     /// Messages about files, then those of the program, then those of the simulation.
     [[nodiscard]] const Diagnostics& problems() const { return m_problems; }
     /// Whether the place of a problem is one of the open text; others name their file (a job file, say).
@@ -185,7 +185,6 @@ private:
     void stopPlaying();
     void restartHoldBack();
     void postParameters();
-    void weighDecimation();
     void refreshProblems();
     void setWork(std::optional<Work> work);
     void exportDone(const Result<ExportSummary>& result);
@@ -201,8 +200,7 @@ private:
     FramePtr m_frame;
 
     FrameLog m_frameLog;
-    std::optional<HoldBack> m_holdBack;      ///< for this map and these parameters
-    DecimationParameters m_playedParameters; ///< what the simulation was last told
+    PlayedParameters m_played;
     QTimer m_paperWatchdog; ///< lets paper mode go on while nobody draws (a minimised window)
 
     Diagnostics m_messages;         ///< about files and jobs
