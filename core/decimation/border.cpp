@@ -15,13 +15,6 @@ namespace proveout {
 
 namespace {
 
-double largestHeight(std::span<const float> heights) {
-    double largest = 0;
-    for (const float height : heights)
-        largest = std::max(largest, std::abs(double{height}));
-    return largest;
-}
-
 class BorderPolyline {
 public:
     BorderPolyline(std::span<const float> heights, double step)
@@ -90,7 +83,7 @@ BorderLine simplifyBorder(std::span<const float> heights, double step, std::uint
     std::vector<std::uint32_t> order(heights.size() - 2);
     std::iota(order.begin(), order.end(), 1U);
     arrange(order, parameters.order, seed);
-    const double limit = parameters.allowance - roundingGuard(largestHeight(heights));
+    const double limit = parameters.allowance - roundingGuard(heights);
     for (const std::uint32_t k : order)
         polyline.tryRemove(k, parameters, limit);
     return polyline.kept();

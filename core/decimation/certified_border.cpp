@@ -144,10 +144,7 @@ bool chordHolds(std::span<const float> heights, double limit) {
 
 BorderLine certifiedBorder(std::span<const float> heights, double allowance,
                            std::span<const std::uint32_t> extras) {
-    double largest = 0;
-    for (const float z : heights)
-        largest = std::max(largest, std::abs(double{z}));
-    const double limit = allowance - roundingGuard(largest);
+    const double limit = allowance - roundingGuard(heights);
     // The middle of two cells is next to both corners; see snapToKept().
     if (heights.size() <= 3 || limit <= 0) {
         BorderLine line;

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <limits>
 #include <span>
@@ -27,13 +28,17 @@ struct LatticeRun {
     double slope;
 };
 
-/// What evaluating a triangle may add to an error by rounding. Each height of a run is Σ w_k z_k / A with
-/// weights and area that are whole numbers below 2⁵³, hence exact: three products, two sums, a division and
-/// the step along the run, whose slope times its length stays below 3 max|z|, err by less than 16 u max|z|
-/// (u = 2⁻⁵³). As much again is left to whoever checks the result by another formula, and then doubled.
-[[nodiscard]] inline double roundingGuard(double largestHeight) {
+/// What evaluating a triangle over z-map points of these heights may add to an error by rounding, mm. Each
+/// height of a run is Σ w_k z_k / A with weights and area that are whole numbers below 2⁵³, hence exact:
+/// three products, two sums, a division and the step along the run, whose slope times its length stays below
+/// 3 max|z|, err by less than 16 u max|z| (u = 2⁻⁵³). As much again is left to whoever checks the result by
+/// another formula, and then doubled.
+[[nodiscard]] inline double roundingGuard(std::span<const float> heights) {
     constexpr double kUnit = std::numeric_limits<double>::epsilon() / 2;
-    return 64 * kUnit * largestHeight;
+    double largest = 0;
+    for (const float height : heights)
+        largest = std::max(largest, std::abs(double{height}));
+    return 64 * kUnit * largest;
 }
 
 /// Calls visit(LatticeRun) for each row of the points in the closed triangle, border points included; stops

@@ -39,10 +39,7 @@ void LeeDecimator::build(const RegionSamples& samples, const std::array<BorderLi
     m_hy = samples.hy;
     m_allowance = parameters.allowance;
     m_certify = parameters.certify;
-    double largest = 0;
-    for (const float height : samples.heights)
-        largest = std::max(largest, std::abs(double{height}));
-    m_limit = m_allowance - roundingGuard(largest);
+    m_limit = m_allowance - roundingGuard(samples.heights);
 }
 
 void LeeDecimator::orderVertices(const std::array<BorderLinePtr, 4>& borders, std::uint64_t seed,

@@ -19,11 +19,7 @@ constexpr double kAllowance = 0.05;
 constexpr double kError = 2e-4; // within which CGAL tells
 
 DecimationParameters certified(int region, ErrorLevel level) {
-    DecimationParameters parameters;
-    parameters.regionCells = region;
-    parameters.allowance = kAllowance;
-    parameters.level = level;
-    return parameters;
+    return certifiedParameters(region, kAllowance, level);
 }
 
 /// A surface as it is, open, in mm.

@@ -19,15 +19,6 @@ namespace {
 using test::HardMap;
 using test::Heights;
 
-DecimationParameters certified(int region, double allowance, ErrorLevel level) {
-    DecimationParameters parameters;
-    parameters.method = DecimationMethod::certified;
-    parameters.regionCells = region;
-    parameters.allowance = allowance;
-    parameters.level = level;
-    return parameters;
-}
-
 SurfaceSnapshot decimated(const HardMap& map, const DecimationParameters& parameters) {
     Surface surface(map.nx, map.ny, parameters);
     surface.decimateDirty(test::zmapOf(map.nx, map.ny, map.spacing, map.heights));
@@ -46,7 +37,7 @@ RandomCase randomCase(std::uint32_t seed, ErrorLevel level) {
     RandomCase made;
     made.map = test::hardMap(seed, level == ErrorLevel::surface ? 90 : 150);
     const double allowance = 0.001 * std::pow(1000.0, static_cast<double>(random()) / 4294967296.0);
-    made.parameters = certified(kRegions[random() % kRegions.size()], allowance, level);
+    made.parameters = test::certifiedParameters(kRegions[random() % kRegions.size()], allowance, level);
     return made;
 }
 
@@ -91,7 +82,7 @@ TEST(Certified, atSampleLevelIsSeenToLeaveTheSurfaceAtWalls) {
     map.nx = map.ny = 65;
     map.heights = test::mapKind("walls").make(65, 65, 0.5, 3);
     const std::vector<LatticeTriangle> triangles =
-        decimated(map, certified(64, 0.05, ErrorLevel::sample)).triangles();
+        decimated(map, test::certifiedParameters(64, 0.05, ErrorLevel::sample)).triangles();
     const test::SurfaceDistance distance = test::surfaceDistance(65, 65, map.heights, triangles);
     EXPECT_LE(distance.samples, 0.05);
     EXPECT_GT(distance.surface, 0.05);
@@ -134,7 +125,7 @@ TEST(Certified, givesTheSameMeshesWithAnyNumberOfThreads) {
         std::vector<std::vector<LatticeTriangle>> meshes;
         for (const std::size_t threads : {1U, 2U, 8U}) {
             const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
-            meshes.push_back(decimated(map, certified(32, 0.02, level)).triangles());
+            meshes.push_back(decimated(map, test::certifiedParameters(32, 0.02, level)).triangles());
         }
         EXPECT_EQ(meshes[0], meshes[1]);
         EXPECT_EQ(meshes[0], meshes[2]);
@@ -149,7 +140,7 @@ TEST(Certified, flatAndPlanarRegionsAreTwoTriangles) {
             for (int i = 0; i < 129; ++i)
                 map.heights.push_back(static_cast<float>(slope * i - 10));
         for (const ErrorLevel level : {ErrorLevel::sample, ErrorLevel::surface})
-            EXPECT_EQ(decimated(map, certified(64, 0.001, level)).faces, 8U);
+            EXPECT_EQ(decimated(map, test::certifiedParameters(64, 0.001, level)).faces, 8U);
     }
 }
 
@@ -158,7 +149,7 @@ TEST(Certified, regionsWhoseHeightsAreTooCoarseStayFull) {
     map.nx = map.ny = 17;
     for (int k = 0; k < 17 * 17; ++k)
         map.heights.push_back(static_cast<float>(k % 2 == 0 ? 0 : 1e6));
-    const SurfaceSnapshot surface = decimated(map, certified(8, 0.001, ErrorLevel::surface));
+    const SurfaceSnapshot surface = decimated(map, test::certifiedParameters(8, 0.001, ErrorLevel::surface));
     EXPECT_EQ(surface.faces, surface.facesFull);
 }
 

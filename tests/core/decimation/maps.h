@@ -28,6 +28,16 @@ const MapKind& mapKind(const std::string& name);
 /// A z-map with these heights; they must lie in [-100, 0].
 ZMapSnapshot zmapOf(int nx, int ny, double spacing, const Heights& heights);
 
+/// The certified method.
+inline DecimationParameters certifiedParameters(int region, double allowance, ErrorLevel level) {
+    DecimationParameters parameters;
+    parameters.method = DecimationMethod::certified;
+    parameters.regionCells = region;
+    parameters.allowance = allowance;
+    parameters.level = level;
+    return parameters;
+}
+
 /// The paper's method with the paper's region size, certified.
 inline DecimationParameters leeParameters() {
     DecimationParameters parameters;

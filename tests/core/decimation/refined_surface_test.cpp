@@ -20,11 +20,7 @@ namespace {
 using test::Heights;
 
 DecimationParameters certified(int region, double allowance, ErrorLevel level = ErrorLevel::surface) {
-    DecimationParameters parameters;
-    parameters.regionCells = region;
-    parameters.allowance = allowance;
-    parameters.level = level;
-    return parameters;
+    return test::certifiedParameters(region, allowance, level);
 }
 
 /// Everything that a snapshot tells about itself, recounted, and what holds of every surface.
