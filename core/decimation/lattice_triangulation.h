@@ -21,7 +21,7 @@ public:
 
     struct Triangle {
         std::array<std::int32_t, 3> vertex;
-        float distance; ///< of the z-map, as last told by setDistance()
+        float distance; ///< of the z-map, mm, as whoever works on it has found it
         std::array<std::int32_t, 3> twin;
         std::uint32_t state; ///< bits of whoever works on it; kDead once it is gone
     };
