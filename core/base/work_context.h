@@ -7,9 +7,9 @@
 namespace proveout {
 
 /// What a long job is given by its caller: the wish to stop, and a place to tell how far it is.
-/// Value type; the default one never stops and tells nobody. `progress` is called from the thread that works,
-/// with values that rise from 0 to 1. A job that sees `stopped()` leaves its outputs in a valid state and
-/// returns early.
+/// Value type; the default one never stops and tells nobody. `progress` is called on the thread that was
+/// given the context, with values that rise from 0 to 1. A job that sees `stopped()` leaves its outputs in a
+/// valid state and returns early.
 struct WorkContext {
     std::stop_token stop;
     std::function<void(double)> progress;
@@ -19,14 +19,14 @@ struct WorkContext {
         if (progress)
             progress(done);
     }
-    /// For a step of a job: the same wish to stop, and 0 to 1 of the step told as `from` to `to` of the
-    /// whole.
+    /// The context of a step of the work, which is the share [from, to] of the whole.
     [[nodiscard]] WorkContext part(double from, double to) const {
-        return {stop, [whole = progress, from, to](double done) {
-                    if (whole)
-                        whole(from + (to - from) * done);
-                }};
+        if (!progress)
+            return {stop, {}};
+        return {stop, [whole = progress, from, to](double done) { whole(from + (to - from) * done); }};
     }
+    /// The context of a step that is too short to tell of.
+    [[nodiscard]] WorkContext quiet() const { return {stop, {}}; }
 };
 
 } // namespace proveout

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/decimation/region_merge.h"
+#include "core/decimation/tally.h"
 
 namespace proveout {
 
@@ -17,6 +18,9 @@ struct RefinedSurface::Worker {
 };
 
 namespace {
+
+/// What regions by themselves cost of the whole, as measured where none was known before.
+constexpr double kShareOfRegions = 0.4;
 
 /// Stands for the regions of a merged block but its first.
 const RegionMeshPtr& nothingLeft() {
@@ -47,11 +51,15 @@ bool RefinedSurface::follow(const ZMapSnapshot& moment, std::span<const std::siz
                             const WorkContext& context) {
     for (const std::size_t region : changed)
         m_surface.touchRegion(region);
-    if (m_surface.dirtyRegions() > 0 && !decimateAnew(moment, context))
+    if (m_surface.dirtyRegions() > 0 && !decimateAnew(moment, context.part(0, kShareOfRegions)))
         return false;
-    for (std::size_t layer = 0; layer < m_layers.size(); ++layer)
-        if (!mergeLayer(layer, moment, context))
+    const double share =
+        (1 - kShareOfRegions) / static_cast<double>(std::max<std::size_t>(m_layers.size(), 1));
+    for (std::size_t layer = 0; layer < m_layers.size(); ++layer) {
+        const double begin = kShareOfRegions + share * static_cast<double>(layer);
+        if (!mergeLayer(layer, moment, context.part(begin, begin + share)))
             return false;
+    }
     assemble();
     return true;
 }
@@ -70,6 +78,7 @@ bool RefinedSurface::decimateAnew(const ZMapSnapshot& moment, const WorkContext&
     for (std::size_t region = 0; region < grid().regionCount(); ++region)
         if (m_surface.isDirty(region))
             join(region);
+    bool again = false;
     for (std::size_t joined = 0; joined != m_together.size();) {
         const SurfaceSnapshot before = m_surface.snapshot();
         spreadAlongExtras(before);
@@ -77,7 +86,8 @@ bool RefinedSurface::decimateAnew(const ZMapSnapshot& moment, const WorkContext&
         if (m_surface.parameters().level == ErrorLevel::surface)
             for (const std::size_t region : m_together)
                 m_surface.touchRegion(region);
-        (void)m_surface.decimateDirty(moment, context);
+        (void)m_surface.decimateDirty(moment, again ? context.quiet() : context);
+        again = true;
         if (m_surface.dirtyRegions() > 0)
             return false;
         for (std::size_t region = 0; region < grid().regionCount(); ++region)
@@ -143,9 +153,12 @@ bool RefinedSurface::mergeLayer(std::size_t index, const ZMapSnapshot& moment, c
     }
     std::vector<RegionMeshPtr> meshes(changed.size());
     tbb::enumerable_thread_specific<Worker> workers;
+    Tally tally(context, changed.size());
     tbb::parallel_for(std::size_t{0}, changed.size(), [&](std::size_t k) {
-        if (!context.stopped())
-            meshes[k] = merged(layer, changed[k], moment, workers.local(), context.stop);
+        if (context.stopped())
+            return;
+        meshes[k] = merged(layer, changed[k], moment, workers.local(), context.stop);
+        tally.finished();
     });
     if (context.stopped())
         return false;

@@ -5,11 +5,11 @@
 
 #include <algorithm>
 #include <cassert>
-#include <mutex>
 #include <utility>
 
 #include "core/decimation/decimator_pool.h"
 #include "core/decimation/random_order.h"
+#include "core/decimation/tally.h"
 
 namespace proveout {
 
@@ -22,25 +22,6 @@ constexpr std::uint64_t kRegionSeeds = 2;
 int cellsOfRegions(int nx, int ny, const DecimationParameters& parameters) {
     return row(parameters.method).wholeMap ? std::max(nx, ny) - 1 : parameters.regionCells;
 }
-
-/// Tells a context how many of a number of jobs are done, from whichever thread finished one.
-class Tally {
-public:
-    Tally(const WorkContext& context, std::size_t jobs) : m_context(context), m_jobs(jobs) {}
-    void finished() {
-        if (!m_context.progress)
-            return;
-        const std::lock_guard lock(m_mutex); // the values must rise
-        ++m_done;
-        m_context.tell(static_cast<double>(m_done) / static_cast<double>(m_jobs));
-    }
-
-private:
-    const WorkContext& m_context;
-    std::size_t m_jobs;
-    std::size_t m_done = 0;
-    std::mutex m_mutex;
-};
 
 } // namespace
 
@@ -126,12 +107,12 @@ std::size_t Surface::decimateRegions(std::span<const std::size_t> regions, const
         return 0;
     // Borders first: each by its own samples, so that both its regions find the same polyline.
     if (m_parameters.borders == BorderRule::shared)
-        drawMissingBorders(regions, moment);
+        drawMissingBorders(regions, moment, {}, context);
 
     std::vector<std::size_t> batch(regions.begin(), regions.end());
     std::vector<std::size_t> worked = batch;
-    while (!batch.empty()) {
-        std::vector<RegionMeshPtr> meshes = decimateBatch(batch, moment, context);
+    for (bool again = false; !batch.empty(); again = true) {
+        std::vector<RegionMeshPtr> meshes = decimateBatch(batch, moment, again ? context.quiet() : context);
         ExtrasOfBorders wanted;
         for (std::size_t k = 0; k < batch.size(); ++k) {
             if (!meshes[k])
@@ -143,7 +124,7 @@ std::size_t Surface::decimateRegions(std::span<const std::size_t> regions, const
         }
         batch.clear();
         if (!wanted.empty() && !context.stopped())
-            batch = drawAnew(std::move(wanted), regions, moment);
+            batch = drawAnew(std::move(wanted), regions, moment, context);
         worked.insert(worked.end(), batch.begin(), batch.end());
     }
     const auto done = static_cast<std::size_t>(
@@ -176,7 +157,7 @@ std::vector<RegionMeshPtr> Surface::decimateBatch(std::span<const std::size_t> r
 /// decimated with those: of the dirty ones only those `asked` for. Points only ever come: it ends, in
 /// practice after two or three rounds.
 std::vector<std::size_t> Surface::drawAnew(ExtrasOfBorders wanted, std::span<const std::size_t> asked,
-                                           const ZMapSnapshot& moment) {
+                                           const ZMapSnapshot& moment, const WorkContext& context) {
     std::vector<std::size_t> regions;
     for (const auto& [border, offsets] : wanted)
         for (const std::size_t region : grid().sharers(border))
@@ -202,7 +183,7 @@ std::vector<std::size_t> Surface::drawAnew(ExtrasOfBorders wanted, std::span<con
         for (const std::size_t border : grid().borders(region))
             releaseBorderIfUnused(border);
     }
-    drawMissingBorders(regions, moment, wanted);
+    drawMissingBorders(regions, moment, wanted, context);
     return regions;
 }
 
@@ -215,8 +196,9 @@ std::vector<std::size_t> Surface::dirtyList() const {
     return regions;
 }
 
+/// A stopped context leaves some out; no region is decimated then either.
 void Surface::drawMissingBorders(std::span<const std::size_t> regions, const ZMapSnapshot& moment,
-                                 const ExtrasOfBorders& extras) {
+                                 const ExtrasOfBorders& extras, const WorkContext& context) {
     std::vector<std::size_t> missing;
     for (const std::size_t region : regions)
         for (const std::size_t border : grid().borders(region))
@@ -227,6 +209,8 @@ void Surface::drawMissingBorders(std::span<const std::size_t> regions, const ZMa
 
     std::vector<BorderLinePtr> lines(missing.size());
     tbb::parallel_for(std::size_t{0}, missing.size(), [&](std::size_t k) {
+        if (context.stopped())
+            return;
         const IndexRect rect = grid().borderPoints(missing[k]);
         const bool alongX = rect.height() == 1 && rect.width() > 1;
         std::vector<float> heights(static_cast<std::size_t>(rect.width() * rect.height()));
@@ -243,7 +227,8 @@ void Surface::drawMissingBorders(std::span<const std::size_t> regions, const ZMa
             std::make_shared<const BorderLine>(row(m_parameters.method).simplifyBorder(border, parameters));
     });
     for (std::size_t k = 0; k < missing.size(); ++k)
-        drawBorder(missing[k], std::move(lines[k]));
+        if (lines[k])
+            drawBorder(missing[k], std::move(lines[k]));
 }
 
 RegionMeshPtr Surface::decimated(std::size_t region, const ZMapSnapshot& moment,

@@ -82,12 +82,13 @@ private:
     /// Extra points that borders are to keep, ascending.
     using ExtrasOfBorders = std::map<std::size_t, std::vector<std::uint32_t>>;
     void drawMissingBorders(std::span<const std::size_t> regions, const ZMapSnapshot& moment,
-                            const ExtrasOfBorders& extras = {});
+                            const ExtrasOfBorders& extras, const WorkContext& context);
     [[nodiscard]] std::vector<RegionMeshPtr> decimateBatch(std::span<const std::size_t> regions,
                                                            const ZMapSnapshot& moment,
                                                            const WorkContext& context) const;
-    [[nodiscard]] std::vector<std::size_t>
-    drawAnew(ExtrasOfBorders wanted, std::span<const std::size_t> asked, const ZMapSnapshot& moment);
+    [[nodiscard]] std::vector<std::size_t> drawAnew(ExtrasOfBorders wanted,
+                                                    std::span<const std::size_t> asked,
+                                                    const ZMapSnapshot& moment, const WorkContext& context);
     [[nodiscard]] RegionMeshPtr decimated(std::size_t region, const ZMapSnapshot& moment,
                                           const std::stop_token& stop) const;
     void publish(std::size_t region, RegionMeshPtr mesh);

@@ -16,7 +16,7 @@ namespace proveout {
 struct InterpretOptions {
     std::string file;               ///< name for diagnostics
     bool blockDelete = false;       ///< skip blocks that begin with "/"
-    std::optional<Vec3> start;      ///< the position before the first block; without it no axis is known
+    std::optional<Vec3> start;      ///< mm, before the first block; without it no axis is known
     bool assumeStartAtZero = false; ///< `interpret`: start at 0,0,0, every motion counts as known
     /// Of motions, and of events: the block with one more is the last one.
     std::size_t maxMotions = 50'000'000;

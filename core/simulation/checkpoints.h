@@ -29,6 +29,8 @@ public:
     /// Forgets checkpoints behind `block`.
     void truncate(std::size_t block);
     void setBudget(std::size_t bytes);
+    /// False where the budget is 0: then a moment is not worth its snapshot, after which tiles are copied.
+    [[nodiscard]] bool wanted() const { return m_budget > 0; }
 
     /// The newest checkpoint at or before `block`. Valid until the next change.
     [[nodiscard]] const Checkpoint& before(std::size_t block) const;

@@ -23,6 +23,9 @@ void CommandQueue::post(SimulationCommand command) {
     const std::scoped_lock lock(m_mutex);
     if (!m_patient || !(is<SeekCommand>(command) || is<StepCommand>(command)))
         m_work.request_stop();
+    // A cancel is about what was asked for before it; work under way still tells of it at its end.
+    if (!m_working)
+        m_cancelled = false;
     if (is<LoadCommand>(command))
         m_commands.clear();
     if (!m_commands.empty() && supersedes(command, m_commands.back()))
@@ -34,8 +37,9 @@ void CommandQueue::post(SimulationCommand command) {
 
 void CommandQueue::cancel() {
     const std::scoped_lock lock(m_mutex);
-    m_cancelled = m_working;
+    m_cancelled = m_busy;
     m_work.request_stop();
+    m_changed.notify_all();
 }
 
 void CommandQueue::close() {
@@ -56,17 +60,13 @@ bool CommandQueue::closed() const {
     return m_closed;
 }
 
-bool CommandQueue::hasCommand() const {
-    const std::scoped_lock lock(m_mutex);
-    return awake();
-}
-
 std::optional<SimulationCommand> CommandQueue::take() {
     std::optional<SimulationCommand> command;
     const std::scoped_lock lock(m_mutex);
     if (!m_commands.empty()) {
         command.emplace(std::move(m_commands.front()));
         m_commands.pop_front();
+        m_busy = true;
     }
     return command;
 }
@@ -76,8 +76,7 @@ std::stop_token CommandQueue::beginWork(bool patient) {
     m_work = std::stop_source();
     m_working = true;
     m_patient = patient;
-    m_cancelled = false;
-    if (awake())
+    if (awake() || m_cancelled)
         m_work.request_stop();
     return m_work.get_token();
 }
@@ -91,17 +90,19 @@ bool CommandQueue::endWork() {
 
 void CommandQueue::wait() {
     std::unique_lock lock(m_mutex);
+    m_busy = false;
+    m_cancelled = false;
     m_changed.wait(lock, [this] { return awake(); });
 }
 
 void CommandQueue::waitUntil(Time time) {
     std::unique_lock lock(m_mutex);
-    m_changed.wait_until(lock, time, [this] { return awake(); });
+    m_changed.wait_until(lock, time, [this] { return awake() || m_cancelled; });
 }
 
 void CommandQueue::waitForShown(std::uint64_t sequence) {
     std::unique_lock lock(m_mutex);
-    m_changed.wait(lock, [&] { return awake() || m_shown >= sequence; });
+    m_changed.wait(lock, [&] { return awake() || m_cancelled || m_shown >= sequence; });
 }
 
 } // namespace proveout

@@ -21,7 +21,8 @@ public:
     using Time = std::chrono::steady_clock::time_point;
 
     void post(SimulationCommand command);
-    /// Stops the work under way; nothing where there is none.
+    /// Stops the work under way, or that which follows from the command under way; nothing where the thread
+    /// rests.
     void cancel();
     /// Stops the work and ends every wait, now and later.
     void close();
@@ -29,7 +30,6 @@ public:
     void frameShown(std::uint64_t sequence);
 
     [[nodiscard]] bool closed() const;
-    [[nodiscard]] bool hasCommand() const;
     /// The next command, if there is one.
     [[nodiscard]] std::optional<SimulationCommand> take();
 
@@ -39,9 +39,10 @@ public:
     /// True where the work was cancelled.
     bool endWork();
 
+    /// The thread has nothing left to do: until a command comes.
     void wait();
     void waitUntil(Time time);
-    /// Until frame `sequence` was shown.
+    /// Until frame `sequence` was shown, or somebody cancels.
     void waitForShown(std::uint64_t sequence);
 
 private:
@@ -52,6 +53,7 @@ private:
     std::deque<SimulationCommand> m_commands;
     std::stop_source m_work;
     std::uint64_t m_shown = 0;
+    bool m_busy = false; ///< from a command on until the thread has nothing left to do
     bool m_working = false;
     bool m_patient = false;
     bool m_cancelled = false;

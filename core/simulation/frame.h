@@ -18,7 +18,7 @@ namespace proveout {
 /// Everything a viewer shows of one moment of a simulation. Immutable, published as shared_ptr<const Frame>,
 /// any thread. Tiles, meshes and borders that did not change are the same pointers as in the frame before.
 struct Frame {
-    std::uint64_t generation = 0; ///< of the load command this frame belongs to
+    std::uint64_t generation = 0; ///< of the load or edit command this frame belongs to
     std::uint64_t sequence = 0;   ///< rises by one with each frame published
     std::size_t block = 0;        ///< blocks executed so far: 0 … program->blockCount()
     std::shared_ptr<const Program> program;

@@ -107,7 +107,8 @@ struct Simulation::State {
         ++run.block;
         run.removedMm3 += record->removedMm3;
         run.cutSeconds += seconds;
-        if (run.cutSeconds - checkpoints.before(run.block).cutSeconds > kCheckpointSeconds)
+        if (checkpoints.wanted() &&
+            run.cutSeconds - checkpoints.before(run.block).cutSeconds > kCheckpointSeconds)
             checkpoints.add(run.moment());
         return record;
     }
@@ -150,7 +151,7 @@ struct Simulation::State {
         if (schedule.isMoment(stock.block)) {
             base = stock.moment();
             row.regionsDecimated = static_cast<std::uint32_t>(surface.dirtyRegions());
-            row.decimationSeconds = static_cast<float>(decimate(dirtyRegions({}), context));
+            row.decimationSeconds = static_cast<float>(decimate(dirtyRegions({}), context.quiet()));
             behind = surface.dirtyRegions() > 0;
         }
         if (first)
@@ -243,22 +244,24 @@ struct Simulation::State {
 
     /// Replays up to `block`; false where it was stopped.
     bool replay(StockRun& run, std::size_t block, const WorkContext& context) {
-        while (run.block < block && !context.stopped())
+        const std::size_t from = run.block;
+        while (run.block < block && !context.stopped()) {
             (void)cutNext(run, nullptr, context);
+            context.tell(static_cast<double>(run.block - from) / static_cast<double>(block - from));
+        }
         return run.block == block;
     }
 
     /// Goes to a block that has been executed before, and settles the surface there.
-    void jump(std::size_t block, const WorkContext& context) { jump(block, context, context); }
-    void jump(std::size_t block, const WorkContext& replaying, const WorkContext& settling) {
-        if (stock.block == rows.size())
+    void jump(std::size_t block, const WorkContext& context) {
+        if (stock.block == rows.size() && checkpoints.wanted())
             checkpoints.add(stock.moment()); // the way back to the farthest block
         StockRun run;
         std::optional<Checkpoint> newBase;
         const auto moment = schedule.lastMoment(block);
         if (moment && *moment != base.block) {
             run.goOnFrom(nearest(*moment));
-            if (!replay(run, *moment, replaying))
+            if (!replay(run, *moment, context.part(0, 0.4)))
                 return;
             newBase = run.moment();
         }
@@ -266,7 +269,7 @@ struct Simulation::State {
             const Checkpoint start = nearest(block);
             if (!newBase || start.block > run.block)
                 run.goOnFrom(start);
-            if (!replay(run, block, replaying))
+            if (!replay(run, block, context.part(0.4, 0.6)))
                 return;
             abandonUnfinished();
             atRest.isShown = false;
@@ -277,7 +280,22 @@ struct Simulation::State {
                 surface.touchRegion(region);
             base = std::move(*newBase);
         }
-        settle(settling);
+        settle(context.part(0.6, 1));
+    }
+
+    /// To the nearest checkpoint at or before `kept`, without any work: nothing may stay of what came behind.
+    void fallBack(std::size_t kept) {
+        const Checkpoint saved = checkpoints.before(kept);
+        const ZMapSnapshot shown = base.zmap;
+        unfinished.reset();
+        atRest.isShown = false;
+        stock.goOnFrom(saved);
+        if (base.block > kept)
+            base = saved;
+        for (const ZMapSnapshot& other : {base.zmap, saved.zmap})
+            for (const auto region : differingRegions(shown, other, surface.grid()))
+                surface.touchRegion(region);
+        behind = true;
     }
 
     void seek(std::size_t block, const WorkContext& context) {
@@ -286,7 +304,7 @@ struct Simulation::State {
             return;
         }
         if (behind || stock.block != rows.size())
-            jump(rows.size(), context);
+            jump(rows.size(), context.quiet());
         const std::size_t from = stock.block;
         if (from != rows.size())
             return; // stopped on the way
@@ -369,7 +387,7 @@ void Simulation::setParameters(const DecimationParameters& parameters, const Wor
     m_state->jump(position(), context);
 }
 
-void Simulation::replaceProgram(std::shared_ptr<const Program> program, const WorkContext& context) {
+std::size_t Simulation::replaceProgram(std::shared_ptr<const Program> program, const WorkContext& context) {
     State& state = *m_state;
     const ToolChoice tools(*program, state.setup->tools);
     // Another tool at work changes every block, though no block reads differently.
@@ -380,8 +398,13 @@ void Simulation::replaceProgram(std::shared_ptr<const Program> program, const Wo
     state.checkpoints.truncate(kept);
     state.program = std::move(program);
     state.tools = tools;
-    if (state.stock.block > kept)
-        state.jump(kept, {}, context); // the stock of the old program must not stay
+    const std::size_t wanted = std::min(position(), kept);
+    if (position() > kept) {
+        state.jump(kept, context);
+        if (position() != kept)
+            state.fallBack(kept); // the stock of the old program must not stay
+    }
+    return wanted;
 }
 
 void Simulation::setCheckpointBudget(std::size_t bytes) {

@@ -44,10 +44,11 @@ public:
     /// stay, but for the row of this block. Parameters out of range are ignored.
     void setParameters(const DecimationParameters& parameters, const WorkContext& context = {});
     /// Goes on with an edited program: everything before the first block that differs is kept; the position
-    /// stays, or becomes the last block kept, whichever is smaller. A stopped context may leave the surface
-    /// unsettled.
-    void replaceProgram(std::shared_ptr<const Program> program, const WorkContext& context = {});
-    /// Bytes for checkpoints; the oldest detail is thinned out beyond them.
+    /// stays, or becomes the last block kept, whichever is smaller: that is returned. A stopped context may
+    /// leave the surface unsettled, or the position at an earlier block; `seek` goes on from there.
+    std::size_t replaceProgram(std::shared_ptr<const Program> program, const WorkContext& context = {});
+    /// Bytes for checkpoints; the oldest detail is thinned out beyond them. 0: none are kept but the uncut
+    /// stock, for runs that only go forward.
     void setCheckpointBudget(std::size_t bytes);
 
     /// Whether refine() has anything to do: the certified method shows its surface at the level asked for,

@@ -172,8 +172,12 @@ struct SimulationThread::State {
 
     void take(EditCommand&& edit) {
         generation = edit.generation;
-        simulation->replaceProgram(std::move(edit.program), {stopped(), {}});
-        publish();
+        // What has to be cut anew is work that can be stopped: here the stock only goes back.
+        const std::size_t wanted = simulation->replaceProgram(std::move(edit.program), {stopped(), {}});
+        if (simulation->position() == wanted)
+            publish();
+        else if (!goal)
+            goal = wanted;
     }
 
     void take(ParametersCommand&& command) {
@@ -221,26 +225,29 @@ struct SimulationThread::State {
                 goal.reset();
         }
         patient = cut;
-        if (queue.endWork()) {
-            goal.reset();
-            playing = false;
-            resting = true;
-        }
+        if (queue.endWork())
+            giveUp();
         clock.start(simulation->position(), clock.blocksPerSecond(), Clock::now());
         publish();
     }
 
     /// Nothing is asked for: the better picture, which any command stops.
     void rest() {
-        if (const auto now = Clock::now(); now < restsFrom) {
-            queue.waitUntil(restsFrom);
-            return;
-        }
-        simulation->refine({queue.beginWork(false), {}});
+        queue.waitUntil(restsFrom);
+        const WorkContext context{queue.beginWork(false), {}};
+        if (!context.stopped())
+            simulation->refine(context);
         if (queue.endWork())
-            resting = true;
+            giveUp();
         if (!simulation->canRefine())
             publish();
+    }
+
+    /// Cancelled.
+    void giveUp() {
+        goal.reset();
+        playing = false;
+        resting = true;
     }
 
     void playSlice() {
@@ -250,11 +257,11 @@ struct SimulationThread::State {
         while (simulation->position() < due && !simulation->atEnd() && !context.stopped() &&
                Clock::now() - begin < kSlice)
             simulation->step(context);
-        (void)queue.endWork();
+        if (queue.endWork())
+            giveUp();
 
         const auto now = Clock::now();
-        if (simulation->position() < due)
-            clock.start(simulation->position(), clock.blocksPerSecond(), now);
+        clock.reached(simulation->position(), now);
         if (simulation->atEnd())
             playing = false;
         publish();

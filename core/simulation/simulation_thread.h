@@ -35,7 +35,8 @@ struct PauseCommand {};
 struct SeekCommand {
     std::size_t block = 0;
 };
-/// Relative to the position when the command is executed, so that quick key presses add up.
+/// Relative to where the simulation stands or is on its way to when the command is executed, so that quick
+/// key presses add up.
 struct StepCommand {
     std::ptrdiff_t blocks = 1;
 };

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <random>
 #include <string>
+#include <thread>
 #include <utility>
 
 #include "tests/core/decimation/hard_maps.h"
@@ -80,6 +81,23 @@ TEST(RefinedSurface, ofAPlaneIsTwoTriangles) {
     RefinedSurface surface(150, 200, certified(8, 0.001));
     ASSERT_TRUE(surface.follow(test::zmapOf(150, 200, 1, heights), {}));
     EXPECT_EQ(surface.snapshot().faces, 2U);
+}
+
+TEST(RefinedSurface, tellsItsProgressRisingOnItsOwnThread) {
+    const ZMapSnapshot zmap = test::zmapOf(301, 257, 0.2, test::mapKind("spheres").make(301, 257, 0.2, 8));
+    RefinedSurface surface(301, 257, certified(16, 0.05));
+    double last = 0;
+    std::size_t told = 0;
+    const auto self = std::this_thread::get_id();
+    ASSERT_TRUE(surface.follow(zmap, {}, {{}, [&](double done) {
+                                              EXPECT_GE(done, last);
+                                              EXPECT_LE(done, 1 + 1e-9);
+                                              EXPECT_EQ(std::this_thread::get_id(), self);
+                                              last = done;
+                                              ++told;
+                                          }}));
+    EXPECT_GT(told, 50U);
+    EXPECT_GT(last, 0.9);
 }
 
 /// Lowers a random disc; returns the rectangle that it lies in.

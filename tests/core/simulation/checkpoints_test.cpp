@@ -65,5 +65,12 @@ TEST(Checkpoints, AreForgottenBehindAnEdit) {
     EXPECT_EQ(checkpoints.bytes(), uncut);
 }
 
+TEST(Checkpoints, AreNotWantedWithoutABudget) {
+    Checkpoints checkpoints;
+    EXPECT_TRUE(checkpoints.wanted());
+    checkpoints.setBudget(0);
+    EXPECT_FALSE(checkpoints.wanted());
+}
+
 } // namespace
 } // namespace proveout

@@ -109,5 +109,34 @@ TEST(Edit, ThatSelectsAToolStartsAnew) {
     EXPECT_EQ(simulation->frame().removedMm3, 0);
 }
 
+TEST(Edit, StoppedGoesBackToAValidBlockOfTheNewProgram) {
+    const std::uint32_t seed = std::random_device{}();
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    const std::string text = randomProgram(seed, 120);
+    std::string edited = text;
+    edited.insert(edited.find("M30"), "G1 X3 Y3 Z-4 F100\n");
+    for (const int line : {60, 90}) {
+        std::size_t at = 0;
+        for (int k = 0; k < line; ++k)
+            at = edited.find('\n', at) + 1;
+        edited.insert(at, "G1 X20 Y20 Z-5 F100\n");
+        const auto simulation = startedSimulation(programOf(text), smallSetup(), {});
+        simulation->seek(110);
+        simulation->refine(); // the picture at rest must not outlive the edit
+        const auto program = programOf(edited);
+        std::stop_source source;
+        source.request_stop();
+        const std::size_t wanted = simulation->replaceProgram(program, {source.get_token(), {}});
+        EXPECT_LE(simulation->position(), wanted);
+        EXPECT_EQ(simulation->frame().level, ErrorLevel::sample);
+        const auto straight = straightRun(program, smallSetup(), {});
+        EXPECT_TRUE(sameZMap(simulation->zmap(), straight[simulation->position()].zmap));
+        simulation->seek(wanted);
+        EXPECT_EQ(difference(simulation->frame(), straight[wanted]), "");
+        simulation->seek(program->blockCount());
+        EXPECT_EQ(difference(simulation->frame(), straight.back()), "");
+    }
+}
+
 } // namespace
 } // namespace proveout

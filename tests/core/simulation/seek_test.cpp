@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 #include <random>
+#include <thread>
 
 #include "tests/core/simulation/moments.h"
 #include "tests/core/simulation/programs.h"
@@ -97,6 +98,24 @@ TEST(Simulation, SeeksShareTheTilesThatDidNotChange) {
     const ZMapSnapshot after = simulation->zmap();
     for (std::size_t tile = 0; tile < before.tileCount(); ++tile)
         EXPECT_EQ(before.tile(tile), after.tile(tile)) << "tile " << tile;
+}
+
+TEST(Seek, TellsItsProgressRisingOnItsOwnThread) {
+    const auto program = programOf(randomProgram(17, 300));
+    const auto simulation = startedSimulation(program, smallSetup(), {});
+    for (const std::size_t block : {300U, 250U, 37U, 300U, 0U}) {
+        double last = 0;
+        std::size_t told = 0;
+        const auto self = std::this_thread::get_id();
+        simulation->seek(block, {{}, [&](double done) {
+                                     EXPECT_GE(done, last) << "towards block " << block;
+                                     EXPECT_LE(done, 1);
+                                     EXPECT_EQ(std::this_thread::get_id(), self);
+                                     last = done;
+                                     ++told;
+                                 }});
+        EXPECT_GT(told, 0U) << "towards block " << block;
+    }
 }
 
 } // namespace

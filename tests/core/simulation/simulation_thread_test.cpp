@@ -334,6 +334,49 @@ TEST(SimulationThread, AnswersACancelAndItsEndInTheMiddleOfABlock) {
     EXPECT_LT(Clock::now() - asked, kCancelLimit);
 }
 
+TEST(SimulationThread, ACancelBeforeAnythingIsRefinedKeepsThePicture) {
+    Listening listening;
+    auto& thread = listening.thread();
+    thread.post(LoadCommand{programOf(randomProgram(33, 60)), smallSetup(), {}, 1});
+    const auto asked = Clock::now();
+    thread.post(SeekCommand{30});
+    ASSERT_NE(listening.waitFor([](const Frame& shown) { return shown.block == 30; }), nullptr);
+    thread.cancel();
+    if (Clock::now() - asked > 140ms)
+        GTEST_SKIP() << "this machine is too busy to be quicker than the picture at rest";
+    std::this_thread::sleep_for(400ms); // more than passes before a picture at rest
+    const auto frame = listening.waitFor([](const Frame&) { return true; });
+    EXPECT_EQ(frame->level, ErrorLevel::sample);
+}
+
+TEST(SimulationThread, ACancelOfPlaybackPauses) {
+    Listening listening;
+    auto& thread = listening.thread();
+    thread.post(LoadCommand{programOf(randomProgram(31, 20'000)), smallSetup(), {}, 1});
+    thread.post(PlayCommand{200, false});
+    ASSERT_NE(listening.waitFor([](const Frame& shown) { return shown.playing && shown.block > 5; }),
+              nullptr);
+    thread.cancel();
+    const auto rested = listening.waitFor([](const Frame& shown) { return !shown.playing; });
+    ASSERT_NE(rested, nullptr);
+    std::this_thread::sleep_for(100ms);
+    const auto later = thread.takeFrame();
+    EXPECT_TRUE(later == nullptr || later->block == rested->block);
+}
+
+TEST(SimulationThread, ACancelOfALoadHoldsForWhatFollowsFromIt) {
+    Listening listening;
+    auto& thread = listening.thread();
+    thread.post(LoadCommand{programOf(randomProgram(32, 20'000)), smallSetup(0.05), {}, 1});
+    thread.post(SeekCommand{20'000});
+    std::this_thread::sleep_for(1ms); // most likely within the load
+    thread.cancel();
+    const auto frame = listening.waitFor([](const Frame&) { return true; });
+    ASSERT_NE(frame, nullptr);
+    std::this_thread::sleep_for(300ms);
+    EXPECT_LT(listening.waitFor([](const Frame&) { return true; })->block, 20'000U);
+}
+
 /// Random commands from another thread for some seconds, then the state must be what the last ones ask for.
 TEST(SimulationThread, SurvivesAStormOfCommands) {
     const std::uint32_t seed = std::random_device{}();

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Work that was stopped leaves a state that later work completes to what it would have been.
-#include <atomic>
 #include <chrono>
 #include <gtest/gtest.h>
 #include <random>
@@ -33,7 +32,7 @@ public:
 
 private:
     std::stop_source m_source;
-    std::atomic<std::uint_fast32_t> m_left; ///< progress is told by whichever thread worked
+    std::uint_fast32_t m_left;
 };
 
 TEST(Stop, AtOnceLeavesAValidState) {

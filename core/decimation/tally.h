@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <cstddef>
+#include <thread>
+
+#include "core/base/work_context.h"
+
+namespace proveout {
+
+/// Counts jobs that any thread finishes; tells of them on the thread that made the tally, which takes its
+/// share of the jobs. The context must outlive it.
+class Tally {
+public:
+    Tally(const WorkContext& context, std::size_t jobs) : m_context(context), m_jobs(jobs) {}
+    void finished() {
+        const std::size_t done = ++m_done;
+        if (std::this_thread::get_id() == m_teller)
+            m_context.tell(static_cast<double>(done) / static_cast<double>(m_jobs));
+    }
+
+private:
+    const WorkContext& m_context;
+    std::size_t m_jobs;
+    std::atomic<std::size_t> m_done = 0;
+    std::thread::id m_teller = std::this_thread::get_id();
+};
+
+} // namespace proveout
