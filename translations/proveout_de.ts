@@ -1679,14 +1679,6 @@
         <translation>Die Rasterweite {} mm geht im Runden so großer Koordinaten wie {} mm verloren.</translation>
     </message>
     <message>
-        <source>The z-map needs {}, but the machine has only {} left.</source>
-        <translation>Die Z-Map braucht {}, aber der Rechner hat nur noch {}.</translation>
-    </message>
-    <message>
-        <source>A grid of {} × {} points needs {}, but the machine has only {} left; the finest spacing that fits is {} mm.</source>
-        <translation>Ein Raster von {} × {} Punkten braucht {}, aber der Rechner hat nur noch {}; die feinste passende Rasterweite ist {} mm.</translation>
-    </message>
-    <message>
         <source>“{}” is not a stock size of the form WxDxH in mm, as in {}.</source>
         <translation>„{}“ ist keine Rohteilgröße der Form BxTxH in mm wie in {}.</translation>
     </message>
@@ -1733,10 +1725,6 @@
     <message>
         <source>The export needs about {}, but the machine has only {} left.</source>
         <translation>Der Export braucht etwa {}, der Rechner hat aber nur noch {} frei.</translation>
-    </message>
-    <message>
-        <source>Export the decimated stock, choose a wider grid spacing, or close programs.</source>
-        <translation>Exportieren Sie das dezimierte Rohteil, wählen Sie eine größere Rasterweite, oder schließen Sie Programme.</translation>
     </message>
     <message>
         <source>Wavefront OBJ</source>
@@ -1965,6 +1953,22 @@
     <message>
         <source>&quot;{}&quot; is a tool that the table has already.</source>
         <translation>„{}“ ist ein Werkzeug, das die Tabelle schon hat.</translation>
+    </message>
+    <message>
+        <source>The method “{}” works on maps of {} points at most; this one has {}.</source>
+        <translation>Das Verfahren „{}“ arbeitet auf Karten mit höchstens {} Punkten; diese hat {}.</translation>
+    </message>
+    <message>
+        <source>The z-map needs {}; {} may be taken.</source>
+        <translation>Die Z-Map braucht {}; {} dürfen belegt werden.</translation>
+    </message>
+    <message>
+        <source>A grid of {} × {} points needs {}; {} may be taken, which is enough for a spacing of {} mm.</source>
+        <translation>Ein Raster von {} × {} Punkten braucht {}; {} dürfen belegt werden, was für eine Rasterweite von {} mm reicht.</translation>
+    </message>
+    <message>
+        <source>Choose a wider grid spacing, or close programs.</source>
+        <translation>Wählen Sie eine größere Rasterweite, oder schließen Sie Programme.</translation>
     </message>
 </context>
 <context>

@@ -1679,14 +1679,6 @@
         <translation>격자 간격 {} mm은 {} mm만큼 큰 좌표의 반올림에서 사라집니다.</translation>
     </message>
     <message>
-        <source>The z-map needs {}, but the machine has only {} left.</source>
-        <translation>Z맵에 {}가 필요하지만 남은 메모리는 {}뿐입니다.</translation>
-    </message>
-    <message>
-        <source>A grid of {} × {} points needs {}, but the machine has only {} left; the finest spacing that fits is {} mm.</source>
-        <translation>{} × {}점의 격자에는 {}가 필요하지만 남은 메모리는 {}뿐입니다. 맞는 가장 작은 간격은 {} mm입니다.</translation>
-    </message>
-    <message>
         <source>“{}” is not a stock size of the form WxDxH in mm, as in {}.</source>
         <translation>“{}”은(는) {}처럼 WxDxH 형식의 소재 크기(mm)가 아닙니다.</translation>
     </message>
@@ -1733,10 +1725,6 @@
     <message>
         <source>The export needs about {}, but the machine has only {} left.</source>
         <translation>내보내기에는 약 {}이(가) 필요하지만 컴퓨터에 {}만 남아 있습니다.</translation>
-    </message>
-    <message>
-        <source>Export the decimated stock, choose a wider grid spacing, or close programs.</source>
-        <translation>간략화된 소재를 내보내거나, 격자 간격을 넓히거나, 다른 프로그램을 닫으십시오.</translation>
     </message>
     <message>
         <source>Wavefront OBJ</source>
@@ -1965,6 +1953,22 @@
     <message>
         <source>&quot;{}&quot; is a tool that the table has already.</source>
         <translation>&quot;{}&quot;은(는) 표에 이미 있는 공구입니다.</translation>
+    </message>
+    <message>
+        <source>The method “{}” works on maps of {} points at most; this one has {}.</source>
+        <translation>“{}” 방법은 최대 {}점의 맵에서 동작합니다. 이 맵은 {}점입니다.</translation>
+    </message>
+    <message>
+        <source>The z-map needs {}; {} may be taken.</source>
+        <translation>Z맵에 {}가 필요하지만 사용할 수 있는 메모리는 {}입니다.</translation>
+    </message>
+    <message>
+        <source>A grid of {} × {} points needs {}; {} may be taken, which is enough for a spacing of {} mm.</source>
+        <translation>{} × {}점의 격자에는 {}가 필요하지만 사용할 수 있는 메모리는 {}입니다. 이 메모리로는 {} mm 간격까지 가능합니다.</translation>
+    </message>
+    <message>
+        <source>Choose a wider grid spacing, or close programs.</source>
+        <translation>격자 간격을 넓히거나 다른 프로그램을 닫으십시오.</translation>
     </message>
 </context>
 <context>

@@ -8,7 +8,7 @@
 #include <QMetaObject>
 
 #include "core/base/text.h"
-#include "core/decimation/mesh_memory.h"
+#include "core/decimation/map_memory.h"
 #include "core/decimation/refined_surface.h"
 #include "core/decimation/solid.h"
 #include "core/formats/solid_export.h"
@@ -37,15 +37,15 @@ tl::unexpected<Diagnostics> cancelled() {
 Result<void> checkMeshMemory(const Frame& frame, const ExportOptions& options, double availableBytes) {
     const Grid& grid = frame.zmap.grid();
     const double points = static_cast<double>(grid.nx) * grid.ny;
-    const double needed = points * meshBytesPerPoint(frame.parameters, !options.decimated, true);
+    const MapOutputs outputs{.schedule = false, .whole = true, .solid = true};
+    const double needed = points * meshBytesPerPoint(parametersOf(frame, options), outputs);
     if (needed <= availableBytes)
         return {};
     auto refused =
         failure("export-needs-too-much-memory",
                 PROVEOUT_TEXT("Core", "The export needs about {}, but the machine has only {} left."),
                 {readableBytes(needed), readableBytes(availableBytes)});
-    refused.value().front().hint =
-        PROVEOUT_TEXT("Core", "Export the decimated stock, choose a wider grid spacing, or close programs.");
+    refused.value().front().hint = PROVEOUT_TEXT("Core", "Choose a wider grid spacing, or close programs.");
     return refused;
 }
 

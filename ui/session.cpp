@@ -9,6 +9,7 @@
 
 #include "core/base/memory.h"
 #include "core/base/text.h"
+#include "core/decimation/map_memory.h"
 #include "ui/file_paths.h"
 #include "ui/program_index.h"
 
@@ -366,7 +367,8 @@ Result<void> Session::setSetup(const Setup& setup) {
     const Result<Grid> grid = makeGrid(setup.stock, setup.spacing);
     if (!grid)
         return tl::unexpected(grid.error());
-    Result<void> fits = checkMemory(setup.stock, *grid, static_cast<double>(availableMemoryBytes()));
+    Result<void> fits =
+        checkMapMemory(setup.stock, *grid, m_job.parameters(), {}, static_cast<double>(memoryLimitBytes()));
     if (!fits)
         return fits;
     const bool otherProgram = setup.blockDelete != before.blockDelete || setup.start != before.start;

@@ -15,8 +15,8 @@
 #include "app/cli/report.h"
 #include "app/cli/thread_limit.h"
 #include "app/cli/zmap_file.h"
+#include "core/base/memory.h"
 #include "core/base/stop_watch.h"
-#include "core/decimation/mesh_memory.h"
 #include "core/decimation/refined_surface.h"
 
 namespace proveout::cli {
@@ -48,8 +48,8 @@ Result<ZMapSnapshot> prepare(const DecimateOptions& options, const DecimationPar
         return aboutOption(
             "--origin",
             failure("point-form", "“{}” is not a point of the form X,Y in mm.", {options.origin}).value());
-    return readZMap(options.zmap, options.spacing, Vec2(*origin), options.floor,
-                    meshBytesPerPoint(parameters, false, solid));
+    return readZMap(options.zmap, options.spacing, Vec2(*origin), options.floor, parameters,
+                    MapOutputs{.schedule = false, .whole = true, .solid = solid});
 }
 
 ExitCode run(const DecimateOptions& options) {
@@ -86,6 +86,7 @@ ExitCode run(const DecimateOptions& options) {
                                {"errorLevel", measured.level},
                                {"regions", result.grid.regionCount()},
                                {"method", kMethodChoices[static_cast<std::size_t>(parameters.method)].key}};
+    out["peakBytes"] = peakMemoryBytes();
     options.meshes.addTo(out, written);
     out["findings"] = report.findings();
     out["unverified"] = report.unverified();

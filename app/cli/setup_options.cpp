@@ -103,12 +103,12 @@ Result<void> SetupOptions::applyTools(Setup& setup) const {
     return {};
 }
 
-Result<void> SetupOptions::checkGrid(const Setup& setup, double bytesPerPoint) const {
-    const auto grid = makeGrid(setup.stock, setup.spacing);
+Result<void> SetupOptions::checkGrid(const Job& job, const MapOutputs& outputs) const {
+    const auto grid = makeGrid(job.setup.stock, job.setup.spacing);
     if (!grid)
         return aboutGrid(grid.error());
-    const auto available = static_cast<double>(availableMemoryBytes());
-    if (auto fits = checkMemory(setup.stock, *grid, available, bytesPerPoint); !fits)
+    const auto limit = static_cast<double>(memoryLimitBytes());
+    if (auto fits = checkMapMemory(job.setup.stock, *grid, job.parameters, outputs, limit); !fits)
         return aboutGrid(std::move(fits.error()));
     return {};
 }

@@ -9,6 +9,7 @@
 
 #include "app/cli/decimation_options.h"
 #include "core/base/diagnostic.h"
+#include "core/decimation/map_memory.h"
 #include "core/formats/job_file.h"
 
 namespace proveout::cli {
@@ -20,9 +21,8 @@ public:
     void addTo(CLI::App& command);
 
     [[nodiscard]] Result<Job> job() const;
-    /// Refuses a stock and a grid that cannot be, or need more memory than there is; `bytesPerPoint` as in
-    /// checkMemory().
-    [[nodiscard]] Result<void> checkGrid(const Setup& setup, double bytesPerPoint) const;
+    /// Refuses a stock and a grid that cannot be, or need more memory than may be taken.
+    [[nodiscard]] Result<void> checkGrid(const Job& job, const MapOutputs& outputs) const;
     [[nodiscard]] const DecimationOptions& decimation() const { return m_decimation; }
     [[nodiscard]] std::vector<std::string> inputs() const { return {m_program, m_jobFile, m_toolsFile}; }
     /// What messages without a place of their own are about.

@@ -20,7 +20,6 @@
 #include "app/cli/zmap_file.h"
 #include "core/base/memory.h"
 #include "core/base/stop_watch.h"
-#include "core/decimation/mesh_memory.h"
 #include "core/simulation/simulation.h"
 
 namespace proveout::cli {
@@ -95,16 +94,18 @@ private:
         if (m_options.meshes.wanted() && m_options.mesh == "decimated" &&
             !fine(checkExportable(m_job.parameters)))
             return false;
-        if (!fine(m_options.setup.checkGrid(m_job.setup, meshBytes())))
+        if (!fine(m_options.setup.checkGrid(m_job, mapOutputs())))
             return false;
         return interpretProgram();
     }
 
-    [[nodiscard]] double meshBytes() const {
+    [[nodiscard]] MapOutputs mapOutputs() const {
         const bool solid = m_options.meshes.wanted();
-        if (!solid && !m_options.json && !followsSchedule())
-            return 0;
-        return meshBytesPerPoint(m_job.parameters, m_options.mesh == "full", solid);
+        const bool full = m_options.mesh == "full";
+        return {.schedule = followsSchedule(),
+                .whole = !full && (solid || m_options.json),
+                .solid = solid,
+                .fullMesh = full && solid};
     }
 
     bool interpretProgram() {
@@ -132,6 +133,7 @@ private:
         if (!simulation)
             return fine(std::move(simulation));
         m_simulation = std::move(*simulation);
+        m_simulation->setCheckpointBudget(0); // nobody goes back
         m_simulation->seek(blocksToRun(parseStopBlock(m_options.until), *m_program));
         m_frame = m_simulation->frame();
         Diagnostics findings = m_frame.findings;

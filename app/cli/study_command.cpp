@@ -41,7 +41,6 @@ struct StudyOptions {
 constexpr int kCheckingRuns = 3; ///< of the choice, and of what was given
 constexpr int kSmallestPicture = 16;
 constexpr int kLargestPicture = 8192;
-constexpr double kSweptBytesPerPoint = 25; ///< as in meshBytesPerPoint(): every region decimated
 
 struct PictureSize {
     int width = 0;
@@ -110,7 +109,7 @@ private:
         if (!job)
             return tl::unexpected(std::move(job.error()));
         m_report.add(job->warnings);
-        if (auto fits = m_options.setup.checkGrid(job->setup, kSweptBytesPerPoint); !fits)
+        if (auto fits = m_options.setup.checkGrid(*job, {}); !fits)
             return fits;
         auto program = loadProgram(*job, m_report);
         if (!program)

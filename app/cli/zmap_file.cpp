@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -73,21 +74,16 @@ tl::unexpected<Diagnostics> about(const std::filesystem::path& file, Diagnostics
 
 Result<void> writeZMap(const std::filesystem::path& file, const ZMapSnapshot& zmap) {
     const Grid& grid = zmap.grid();
-    NpyArray array;
-    array.rows = grid.ny;
-    array.columns = grid.nx;
-    array.values.reserve(static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny));
-    std::vector<float> row(static_cast<std::size_t>(grid.nx));
-    for (int j = 0; j < grid.ny; ++j) {
+    return writeNpy(file, grid.ny, grid.nx, [&](int j, std::span<float> row) {
         zmap.read({0, j, grid.nx, j + 1}, row);
-        for (const float height : row)
-            array.values.push_back(zmap.stock().topZ() + static_cast<double>(height));
-    }
-    return writeNpy(file, array);
+        for (float& height : row)
+            height = static_cast<float>(zmap.stock().topZ() + static_cast<double>(height));
+    });
 }
 
 Result<ZMapSnapshot> readZMap(const std::filesystem::path& file, double spacing, Vec2 origin,
-                              std::optional<double> floor, double bytesPerPoint) {
+                              std::optional<double> floor, const DecimationParameters& parameters,
+                              const MapOutputs& outputs) {
     if (auto fine = checkSpacing(spacing); !fine)
         return aboutOption("--grid", std::move(fine.error()));
     const auto array = readNpy(file);
@@ -104,8 +100,8 @@ Result<ZMapSnapshot> readZMap(const std::filesystem::path& file, double spacing,
     grid->ny = array->rows;
     grid->hx = spacing;
     grid->hy = spacing;
-    if (auto fits = checkMemory(*stock, *grid, static_cast<double>(availableMemoryBytes()), bytesPerPoint);
-        !fits)
+    const auto limit = static_cast<double>(memoryLimitBytes());
+    if (auto fits = checkMapMemory(*stock, *grid, parameters, outputs, limit); !fits)
         return about(file, std::move(fits.error()));
     return filled(*array, *stock, *grid);
 }

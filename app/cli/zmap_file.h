@@ -6,6 +6,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/base/geometry.h"
+#include "core/decimation/map_memory.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout::cli {
@@ -15,9 +16,10 @@ namespace proveout::cli {
 
 /// Reads absolute heights as the top of a stock: point (row j, column i) at origin + (i, j) · spacing, floor
 /// at `floor` or 5 mm below the least height. Errors: as readNpy; fewer than 2 × 2 points; heights that are
-/// not finite or not above the floor; more memory than there is, with `bytesPerPoint` for what will be made
-/// of the map.
+/// not finite or not above the floor; more memory than may be taken for the map and what is made of it.
 [[nodiscard]] Result<ZMapSnapshot> readZMap(const std::filesystem::path& file, double spacing, Vec2 origin,
-                                            std::optional<double> floor, double bytesPerPoint = 0);
+                                            std::optional<double> floor,
+                                            const DecimationParameters& parameters,
+                                            const MapOutputs& outputs);
 
 } // namespace proveout::cli

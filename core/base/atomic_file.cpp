@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <limits>
 #include <random>
 #include <sys/stat.h>
 #include <system_error>
@@ -29,6 +30,10 @@ constexpr int kNotRegular = -1;
 std::string reason(int error) {
     return error == kNotRegular ? "not a regular file"
                                 : std::error_code(error, std::generic_category()).message();
+}
+
+bool lacksRoom(int error) {
+    return error == ENOSPC || error == EDQUOT || error == EFBIG;
 }
 
 /// Where the bytes shall stand in the end: symbolic links are followed, so that they stay links, even one
@@ -82,8 +87,8 @@ tl::unexpected<Diagnostics> cannotRead(const std::filesystem::path& file, int er
 
 } // namespace
 
-AtomicFile::AtomicFile(std::filesystem::path target)
-    : m_target(resolved(std::move(target))), m_error(refusal(m_target)) {
+AtomicFile::AtomicFile(std::filesystem::path target, std::uint64_t expectedBytes)
+    : m_target(resolved(std::move(target))), m_expected(expectedBytes), m_error(refusal(m_target)) {
     if (failed())
         return;
     struct stat old {};
@@ -103,11 +108,22 @@ AtomicFile::AtomicFile(std::filesystem::path target)
     if (replaces && ::fchmod(m_descriptor, old.st_mode & 07777) != 0)
         m_error = errno;
     m_buffer.reserve(kBufferSize);
+    reserve();
+}
+
+/// Only a lack of room is an error: file systems that cannot reserve say so in several ways.
+void AtomicFile::reserve() {
+    if (failed() || m_expected == 0 ||
+        m_expected > static_cast<std::uint64_t>(std::numeric_limits<off_t>::max()))
+        return;
+    if (::fallocate(m_descriptor, FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(m_expected)) != 0 &&
+        lacksRoom(errno))
+        m_error = errno;
 }
 
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept
     : m_target(std::move(other.m_target)), m_temporary(std::exchange(other.m_temporary, {})),
-      m_buffer(std::move(other.m_buffer)), m_written(other.m_written),
+      m_buffer(std::move(other.m_buffer)), m_written(other.m_written), m_expected(other.m_expected),
       m_descriptor(std::exchange(other.m_descriptor, -1)), m_error(other.m_error) {}
 
 AtomicFile::~AtomicFile() {
@@ -157,20 +173,27 @@ Result<void> AtomicFile::commit() {
         m_error = errno;
     if (failed()) {
         discard();
-        if (m_written == 0)
-            return failure("file-unwritable", PROVEOUT_TEXT("Core", "The file cannot be written: {}."),
-                           {reason(m_error)}, m_target.string());
-        return failure("file-unwritable",
-                       PROVEOUT_TEXT("Core", "The file cannot be written ({} needed): {}."),
-                       {readableBytes(static_cast<double>(m_written)), reason(m_error)}, m_target.string());
+        return tl::unexpected(unwritable());
     }
     m_temporary.clear();
     syncFolder(m_target);
     return {};
 }
 
+Diagnostics AtomicFile::unwritable() const {
+    const std::uint64_t needed = std::max(m_expected, m_written);
+    const std::string file = m_target.string();
+    if (needed == 0 || (m_written == 0 && !lacksRoom(m_error)))
+        return failure("file-unwritable", PROVEOUT_TEXT("Core", "The file cannot be written: {}."),
+                       {reason(m_error)}, file)
+            .value();
+    return failure("file-unwritable", PROVEOUT_TEXT("Core", "The file cannot be written ({} needed): {}."),
+                   {readableBytes(static_cast<double>(needed)), reason(m_error)}, file)
+        .value();
+}
+
 Result<void> writeFile(const std::filesystem::path& target, std::string_view bytes) {
-    AtomicFile file(target);
+    AtomicFile file(target, bytes.size());
     file.write(bytes);
     return file.commit();
 }

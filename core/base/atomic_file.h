@@ -19,7 +19,8 @@ namespace proveout {
 /// files and write-protected files are never replaced.
 class AtomicFile {
 public:
-    explicit AtomicFile(std::filesystem::path target);
+    /// `expectedBytes`, where it is known, is reserved at once, so that a full disk is told before the work.
+    explicit AtomicFile(std::filesystem::path target, std::uint64_t expectedBytes = 0);
     AtomicFile(AtomicFile&& other) noexcept;
     AtomicFile(const AtomicFile&) = delete;
     AtomicFile& operator=(const AtomicFile&) = delete;
@@ -35,13 +36,16 @@ public:
     [[nodiscard]] Result<void> commit();
 
 private:
+    void reserve();
     void flush();
     void discard();
+    [[nodiscard]] Diagnostics unwritable() const;
 
     std::filesystem::path m_target;
     std::filesystem::path m_temporary;
     std::string m_buffer;
     std::uint64_t m_written = 0;
+    std::uint64_t m_expected = 0; ///< 0: not known
     int m_descriptor = -1;
     int m_error = 0; ///< errno of the first failure, below 0 for those that have none
 };

@@ -50,6 +50,16 @@ std::uint64_t availableMemoryBytes() {
     return std::min(kibibytes ? *kibibytes * 1024 : kCautiousGuess, containerAvailable());
 }
 
+std::uint64_t memoryLimitBytes() {
+    std::uint64_t installed = kNoLimit;
+    if (const auto kibibytes = numberOf("MemTotal:", "/proc/meminfo"))
+        installed = *kibibytes * 1024;
+    std::uint64_t container = 0;
+    if (std::ifstream("/sys/fs/cgroup/memory.max") >> container)
+        installed = std::min(installed, container);
+    return std::min(availableMemoryBytes(), installed / 2);
+}
+
 std::uint64_t peakMemoryBytes() {
     rusage usage{};
     if (getrusage(RUSAGE_SELF, &usage) != 0)

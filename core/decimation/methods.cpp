@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cassert>
+#include <cstdint>
+#include <limits>
 
 #include "core/decimation/certified_border.h"
 #include "core/decimation/certified_decimator.h"
@@ -34,15 +36,20 @@ constexpr std::array<std::string_view, 7> kLeeFields{"region",  "period", "allow
 constexpr std::array<std::string_view, 6> kGlobalFields{"period",  "allowance", "certify",
                                                         "borders", "order",     "seed"};
 
-// In the order of DecimationMethod. Regions of the certified method are small, because a cut that touches one
-// costs all of it; at rest they are merged. The paper's figures stand on regions of 8 × 8 cells and a period
-// of 20; its global decimation follows every movement of the tool (§2.1).
+constexpr double kMostPoints = std::numeric_limits<std::int32_t>::max();
+
+// In the order of DecimationMethod. A mesh of the paper's has six half-edges a point, and counts them by int.
+// Regions of the certified method are small, because a cut that touches one costs all of it; at rest they are
+// merged. The paper's figures stand on regions of 8 × 8 cells and a period of 20; its global decimation
+// follows every movement of the tool (§2.1).
 constexpr std::array kMethods{
-    DecimationMethodRow{DecimationMethod::certified, false, 16, 5, createCertified, certifiedBorderLine,
-                        kCertifiedFields},
-    DecimationMethodRow{DecimationMethod::lee, false, 8, 20, createLee, leeBorder, kLeeFields},
-    DecimationMethodRow{DecimationMethod::global, true, 8, 1, createLee, leeBorder, kGlobalFields},
-    DecimationMethodRow{DecimationMethod::none, false, 8, 0, nullptr, nullptr, {}},
+    DecimationMethodRow{DecimationMethod::certified, false, 16, 5, 25, kMostPoints, createCertified,
+                        certifiedBorderLine, kCertifiedFields},
+    DecimationMethodRow{DecimationMethod::lee, false, 8, 20, 25, kMostPoints, createLee, leeBorder,
+                        kLeeFields},
+    DecimationMethodRow{DecimationMethod::global, true, 8, 1, 220, kMostPoints / 6, createLee, leeBorder,
+                        kGlobalFields},
+    DecimationMethodRow{DecimationMethod::none, false, 8, 0, 25, kMostPoints, nullptr, nullptr, {}},
 };
 
 } // namespace

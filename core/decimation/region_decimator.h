@@ -60,6 +60,8 @@ struct DecimationMethodRow {
     bool wholeMap;                                ///< works on one region that holds the whole map
     int standardRegion;                           ///< cells, used where none is given
     int standardPeriod;                           ///< blocks, likewise
+    double bytesPerPoint;                         ///< of its meshes and workers, where nothing can be removed
+    double mostPoints;                            ///< of a map: what its indices can count
     std::unique_ptr<RegionDecimator> (*create)(); ///< null for `none`
     /// Simplifies a border by its own samples; a pure function, so that both its regions find the same.
     BorderLine (*simplifyBorder)(const BorderSamples&, const DecimationParameters&);

@@ -118,18 +118,28 @@ Result<NpyArray> readNpy(const std::filesystem::path& file) {
     return array;
 }
 
+Result<void> writeNpy(const std::filesystem::path& file, int rows, int columns,
+                      const std::function<void(int, std::span<float>)>& fill) {
+    std::vector<float> row(static_cast<std::size_t>(columns));
+    const std::string header = npyHeader(rows, columns);
+    const std::size_t rowBytes = row.size() * sizeof(float);
+    AtomicFile out(file, header.size() + static_cast<std::uint64_t>(rows) * rowBytes);
+    out.write(header);
+    for (int j = 0; j < rows && !out.failed(); ++j) {
+        fill(j, row);
+        out.write(row.data(), rowBytes);
+    }
+    return out.commit();
+}
+
 Result<void> writeNpy(const std::filesystem::path& file, const NpyArray& array) {
     assert(array.values.size() ==
            static_cast<std::size_t>(array.rows) * static_cast<std::size_t>(array.columns));
-    AtomicFile out(file);
-    out.write(npyHeader(array.rows, array.columns));
-    std::vector<float> row(static_cast<std::size_t>(array.columns));
-    for (auto from = array.values.begin(); from != array.values.end(); from += array.columns) {
-        std::transform(from, from + array.columns, row.begin(),
+    return writeNpy(file, array.rows, array.columns, [&array](int j, std::span<float> row) {
+        const double* from = array.values.data() + static_cast<std::size_t>(j) * row.size();
+        std::transform(from, from + row.size(), row.begin(),
                        [](double value) { return static_cast<float>(value); });
-        out.write(row.data(), row.size() * sizeof(float));
-    }
-    return out.commit();
+    });
 }
 
 } // namespace proveout

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
+#include <span>
 #include <vector>
 
 #include "core/base/diagnostic.h"
@@ -18,6 +20,11 @@ struct NpyArray {
 /// Reads little-endian float32 or float64, C order, two dimensions, format versions 1 to 3; anything else is
 /// an error that names it. Every value must be finite and within float32, for these arrays are heights.
 [[nodiscard]] Result<NpyArray> readNpy(const std::filesystem::path& file);
+
+/// Writes float32, atomically. `fill(row, values)` is called once a row, in ascending order, so that the
+/// array need not be held.
+[[nodiscard]] Result<void> writeNpy(const std::filesystem::path& file, int rows, int columns,
+                                    const std::function<void(int, std::span<float>)>& fill);
 
 /// Writes float32, atomically. `values` must be rows × columns.
 [[nodiscard]] Result<void> writeNpy(const std::filesystem::path& file, const NpyArray& array);

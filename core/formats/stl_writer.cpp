@@ -137,6 +137,13 @@ std::string opening(StlEncoding encoding, std::size_t count) {
     return header;
 }
 
+/// 0 where it depends on the digits.
+std::uint64_t expectedBytes(StlEncoding encoding, std::size_t count) {
+    return encoding == StlEncoding::ascii
+               ? 0
+               : kHeaderSize + sizeof(std::uint32_t) + static_cast<std::uint64_t>(count) * kFacetSize;
+}
+
 Result<void> checkStl(const std::filesystem::path& file, const TriangleMesh& mesh) {
     if (mesh.triangles.size() > std::numeric_limits<std::uint32_t>::max())
         return failure("stl-too-many-triangles",
@@ -160,7 +167,7 @@ Result<WrittenFile> writeStl(const std::filesystem::path& file, const TriangleMe
                              StlEncoding encoding, const WorkContext& context) {
     if (auto fine = checkNotEmpty(file, mesh).and_then([&] { return checkStl(file, mesh); }); !fine)
         return tl::unexpected(std::move(fine.error()));
-    AtomicFile out(file);
+    AtomicFile out(file, expectedBytes(encoding, mesh.triangles.size()));
     Rounding rounding(mesh);
     const std::size_t looks = rounding.verticesMayMeet() ? mesh.vertices.size() : 0;
     MeshBatches batches(file, mesh.triangles.size() + looks, context);

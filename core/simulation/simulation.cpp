@@ -12,6 +12,7 @@
 #include "core/base/memory.h"
 #include "core/base/stop_watch.h"
 #include "core/base/text.h"
+#include "core/decimation/map_memory.h"
 #include "core/decimation/refined_surface.h"
 #include "core/simulation/block_cutter.h"
 #include "core/simulation/changed_regions.h"
@@ -84,7 +85,14 @@ struct Simulation::State {
     struct AtRest {
         RefinedSurface surface;
         std::optional<ZMapSnapshot> zmap;
+        double bytes = 0; ///< what it takes
         bool isShown = false;
+        bool fits = true; ///< false: there is no memory for it now
+
+        void outdate() {
+            isShown = false;
+            fits = true;
+        }
     };
     AtRest atRest;
 
@@ -103,7 +111,7 @@ struct Simulation::State {
         effort.cutSeconds += seconds;
         if (!record)
             return std::nullopt;
-        atRest.isShown = false;
+        atRest.outdate();
         ++run.block;
         run.removedMm3 += record->removedMm3;
         run.cutSeconds += seconds;
@@ -186,6 +194,13 @@ struct Simulation::State {
     void refine(const WorkContext& context) {
         std::vector<std::size_t> changed;
         ZMapSnapshot now = stock.zmap.snapshot();
+        const double needed = bytesAtRest(parameters, now.grid(), surface.faces());
+        if (needed - atRest.bytes > static_cast<double>(memoryLimitBytes())) {
+            atRest = {};
+            atRest.fits = false;
+            return;
+        }
+        atRest.bytes = needed;
         if (atRest.zmap)
             changed = differingRegions(*atRest.zmap, now, atRest.surface.grid());
         else
@@ -272,7 +287,7 @@ struct Simulation::State {
             if (!replay(run, block, context.part(0.4, 0.6)))
                 return;
             abandonUnfinished();
-            atRest.isShown = false;
+            atRest.outdate();
             stock = std::move(run);
         }
         if (newBase) {
@@ -288,7 +303,7 @@ struct Simulation::State {
         const Checkpoint saved = checkpoints.before(kept);
         const ZMapSnapshot shown = base.zmap;
         unfinished.reset();
-        atRest.isShown = false;
+        atRest.outdate();
         stock.goOnFrom(saved);
         if (base.block > kept)
             base = saved;
@@ -334,7 +349,8 @@ Result<std::unique_ptr<Simulation>> Simulation::create(std::shared_ptr<const Pro
     const auto grid = makeGrid(setup->stock, setup->spacing);
     if (!grid)
         return tl::unexpected(grid.error());
-    if (auto fits = checkMemory(setup->stock, *grid, static_cast<double>(availableMemoryBytes())); !fits)
+    const auto limit = static_cast<double>(memoryLimitBytes());
+    if (auto fits = checkMapMemory(setup->stock, *grid, parameters, {}, limit); !fits)
         return tl::unexpected(std::move(fits.error()));
 
     const StopWatch watch;
@@ -346,7 +362,8 @@ Result<std::unique_ptr<Simulation>> Simulation::create(std::shared_ptr<const Pro
     state->useParameters(parameters);
     state->base = state->stock.moment();
     state->checkpoints.restart(state->base);
-    const auto quarter = static_cast<std::size_t>(availableMemoryBytes() / 4);
+    // Of what is left beside the map, and no more than a part of it: other programs want to live too.
+    const auto quarter = static_cast<std::size_t>(memoryLimitBytes() / 4);
     state->checkpoints.setBudget(std::min(Checkpoints::kStandardBudget, quarter));
     state->effort.allocateSeconds = watch.seconds();
     state->settle(context);
@@ -413,7 +430,8 @@ void Simulation::setCheckpointBudget(std::size_t bytes) {
 
 bool Simulation::canRefine() const {
     const State& state = *m_state;
-    return canMerge(state.parameters) && state.schedule.repeats() && !state.atRest.isShown;
+    return canMerge(state.parameters) && state.schedule.repeats() && state.atRest.fits &&
+           !state.atRest.isShown;
 }
 
 void Simulation::refine(const WorkContext& context) {

@@ -55,7 +55,8 @@ public:
     /// and merges regions, while nothing is cut.
     [[nodiscard]] bool canRefine() const;
     /// Makes the surface that frame() shows until the next block; it is a function of z-map and parameters
-    /// too. Statistics tell of the surface by the schedule. A stopped context leaves the latter shown.
+    /// too. Statistics tell of the surface by the schedule. A stopped context leaves the latter shown, and so
+    /// does a lack of memory.
     void refine(const WorkContext& context = {});
 
     /// The surface of this moment with every region decimated, whatever the schedule, by forExport(). Does

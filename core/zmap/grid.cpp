@@ -22,7 +22,7 @@ constexpr double kLargestStock = 1e7;
 constexpr double kFarthestCorner = 1e7;
 /// Neighbouring points of a grid are at least so many steps of a double apart.
 constexpr double kLeastSteps = 16;
-/// The map that is cut and, at worst, as much again for the checkpoints' copies of its tiles.
+/// The map that is cut and the uncut one, from which it can begin again.
 constexpr double kMapsHeld = 2;
 /// A tile with its reference count and its place in the array.
 constexpr double kTileBytes = sizeof(Tile) + 64;
@@ -150,12 +150,11 @@ Result<void> checkMemory(const StockBox& stock, const Grid& grid, double availab
         return {};
     // Even one tile does not fit: then no spacing can be proposed.
     if (bytesOf(2, 2, bytesPerPoint) > availableBytes)
-        return failure("memory-too-small",
-                       PROVEOUT_TEXT("Core", "The z-map needs {}, but the machine has only {} left."),
+        return failure("memory-too-small", PROVEOUT_TEXT("Core", "The z-map needs {}; {} may be taken."),
                        {readableBytes(needed), readableBytes(availableBytes)});
     return failure("grid-needs-too-much-memory",
-                   PROVEOUT_TEXT("Core", "A grid of {} × {} points needs {}, but the machine has only {} "
-                                         "left; the finest spacing that fits is {} mm."),
+                   PROVEOUT_TEXT("Core", "A grid of {} × {} points needs {}; {} may be taken, which is "
+                                         "enough for a spacing of {} mm."),
                    {fmt::format("{}", grid.nx), fmt::format("{}", grid.ny), readableBytes(needed),
                     readableBytes(availableBytes),
                     fmt::format("{:g}", finestSpacing(stock, kMostPoints, availableBytes, bytesPerPoint))});

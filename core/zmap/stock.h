@@ -42,11 +42,12 @@ struct Grid {
 /// of the size of its coordinates cannot hold, less than one cell, more points than an index holds.
 [[nodiscard]] Result<Grid> makeGrid(const StockBox& stock, double spacing);
 
-/// Bytes that a z-map over the grid takes, and with it a simulation with its checkpoints' reserve.
+/// Bytes that a z-map over the grid takes while it is cut, without meshes and checkpoints.
 [[nodiscard]] double zmapBytes(const Grid& grid);
 
-/// Refuses a grid that needs more memory than the machine has; the message tells the figure and the finest
-/// spacing that would fit. `bytesPerPoint`: what else will be made of each point, meshes above all.
+/// Refuses a grid that needs more memory than may be taken (memoryLimitBytes()); the message tells the figure
+/// and the finest spacing that would fit. `bytesPerPoint`: what else will be made of each point, meshes above
+/// all.
 [[nodiscard]] Result<void> checkMemory(const StockBox& stock, const Grid& grid, double availableBytes,
                                        double bytesPerPoint = 0);
 

@@ -4,7 +4,7 @@
 #include <QTest>
 
 #include "core/base/atomic_file.h"
-#include "core/decimation/mesh_memory.h"
+#include "core/decimation/map_memory.h"
 #include "core/zmap/zmap.h"
 #include "ui/diagnostic_text.h"
 #include "ui/export_job.h"
@@ -38,14 +38,20 @@ private slots:
         const Result<ExportSummary> refused = exportFrame(frame, file, full, {}, 20'000);
         QVERIFY(!refused);
         QCOMPARE(refused.error().front().id, "export-needs-too-much-memory");
-        const double needed = 41 * 21 * meshBytesPerPoint(frame.parameters, true, true);
+        DecimationParameters none = frame.parameters;
+        none.method = DecimationMethod::none;
+        const double needed =
+            41 * 21 * meshBytesPerPoint(none, {.schedule = false, .whole = true, .solid = true});
         QVERIFY2(sentence(refused.error().front()).contains(QString::fromStdString(readableBytes(needed))),
                  qPrintable(sentence(refused.error().front())));
         QVERIFY(sentence(refused.error().front()).contains(QLatin1String("20 kB")));
         QVERIFY(!hint(refused.error().front()).isEmpty());
         QVERIFY(!QFile::exists(file));
-        QVERIFY(exportFrame(frame, file, full, {}, 100'000));
-        QVERIFY(exportFrame(frame, file, {}, {}, 30'000)); // decimated, it needs less
+        QVERIFY(exportFrame(frame, file, full, {}, needed));
+        QVERIFY(exportFrame(
+            frame, file, {}, {},
+            41 * 21 *
+                meshBytesPerPoint(frame.parameters, {.schedule = false, .whole = true, .solid = true})));
     }
 
     void theEndingNamesTheFormatWhereNoneIsChosen() {

@@ -176,6 +176,17 @@ TEST(AtomicFile, FullDiskTellsTheBytesOfAllThatWasWritten) {
     EXPECT_THAT(message(result.error().front()), HasSubstr("50 MB needed"));
 }
 
+TEST(AtomicFile, FullDiskTellsTheBytesThatAreExpected) {
+    const TemporaryFolder folder;
+    const FileSizeLimit limit(2'000'000);
+    AtomicFile file(folder / "a", 9'000'000);
+    file.write(std::string(3'000'000, 'x'));
+    const auto result = file.commit();
+    ASSERT_FALSE(result);
+    EXPECT_THAT(message(result.error().front()), HasSubstr("(9.0 MB needed)"));
+    EXPECT_EQ(folder.entries(), 0U);
+}
+
 /// Saves "A…A" and "B…B" in turn until it is killed.
 [[noreturn]] void saveForever(const fs::path& target) {
     for (char letter = 'A';; letter = letter == 'A' ? 'B' : 'A')

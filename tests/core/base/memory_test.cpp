@@ -15,6 +15,13 @@ TEST(Memory, AvailableIsPartOfWhatTheMachineHas) {
     EXPECT_LE(availableMemoryBytes(), installed);
 }
 
+TEST(Memory, AJobMayTakeHalfOfTheMachineAtMost) {
+    const auto installed = static_cast<std::uint64_t>(::sysconf(_SC_PHYS_PAGES)) *
+                           static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+    EXPECT_GT(memoryLimitBytes(), 10'000'000U);
+    EXPECT_LE(memoryLimitBytes(), installed / 2);
+}
+
 TEST(Memory, PeakRisesWithWhatIsTouched) {
     const auto before = peakMemoryBytes();
     const std::vector<char> taken(std::size_t{before} + 50'000'000, 'x');

@@ -4,30 +4,46 @@
 
 #include <atomic>
 #include <cstdlib>
+#include <malloc.h>
 #include <new>
 #include <numeric>
+#include <string>
 
 #include "core/decimation/certified_border.h"
 #include "core/decimation/certified_decimator.h"
 #include "core/decimation/lee_decimator.h"
+#include "core/decimation/map_memory.h"
+#include "core/decimation/refined_surface.h"
 #include "tests/core/decimation/maps.h"
 
 namespace {
 std::atomic<std::size_t> allocations{0};
+std::atomic<std::size_t> bytesHeld{0};
+std::atomic<std::size_t> bytesPeak{0};
+
+void take(std::size_t bytes) {
+    const std::size_t held = bytesHeld += bytes;
+    std::size_t peak = bytesPeak;
+    while (peak < held && !bytesPeak.compare_exchange_weak(peak, held)) {
+    }
+}
 } // namespace
 
 // Were one of them inlined and the other not, GCC would take them for a mismatched pair.
 [[gnu::noinline]] void* operator new(std::size_t size) {
     ++allocations;
-    if (void* memory = std::malloc(size == 0 ? 1 : size))
+    if (void* memory = std::malloc(size == 0 ? 1 : size)) {
+        take(malloc_usable_size(memory));
         return memory;
+    }
     throw std::bad_alloc();
 }
 [[gnu::noinline]] void operator delete(void* memory) noexcept {
+    bytesHeld -= malloc_usable_size(memory);
     std::free(memory);
 }
 [[gnu::noinline]] void operator delete(void* memory, std::size_t) noexcept {
-    std::free(memory);
+    operator delete(memory);
 }
 
 namespace proveout {
@@ -74,6 +90,36 @@ TEST(CertifiedDecimator, allocatesNothingPerRegionButTheTrianglesItGives) {
             if (!isFirst) {
                 EXPECT_EQ(allocations - before, 1U) << kind.name;
             }
+        }
+    }
+}
+
+TEST(MapMemory, IsNoLessThanSurfacesTake) {
+    constexpr int kSize = 501;
+    for (const auto& kind : test::mapKinds()) {
+        const ZMapSnapshot zmap = test::zmapOf(kSize, kSize, 0.1, kind.make(kSize, kSize, 0.1, 3));
+        for (const int region : {8, 16}) {
+            SCOPED_TRACE(kind.name + ", region " + std::to_string(region));
+            DecimationParameters parameters;
+            parameters.regionCells = region;
+            const auto peakOf = [](const auto& work) {
+                const std::size_t before = bytesHeld;
+                bytesPeak = before;
+                work();
+                return static_cast<double>(bytesPeak - before);
+            };
+            Surface cut(kSize, kSize, whileCutting(parameters));
+            const double cutting = peakOf([&] { (void)cut.decimateDirty(zmap); });
+            EXPECT_LE(cutting, kSize * kSize * meshBytesPerPoint(parameters, {}));
+            const double whole = peakOf([&] { (void)decimatedWhole(zmap, parameters); });
+            EXPECT_LE(whole,
+                      1e7 + kSize * kSize * meshBytesPerPoint(parameters, {.schedule = false, .whole = true}))
+                << "10 MB: what the decimators work with";
+            const double atRest = peakOf([&] {
+                RefinedSurface refined(kSize, kSize, parameters);
+                EXPECT_TRUE(refined.follow(zmap, {}));
+            });
+            EXPECT_LE(atRest, bytesAtRest(parameters, zmap.grid(), cut.faces()));
         }
     }
 }

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether a map and what is made of it fit, before any of it is taken.
+#pragma once
+
+#include <cstddef>
+
+#include "core/base/diagnostic.h"
+#include "core/decimation/parameters.h"
+#include "core/zmap/stock.h"
+
+namespace proveout {
+
+/// What is made of a map beside cutting it.
+struct MapOutputs {
+    bool schedule = true;  ///< regions that are decimated while it is cut
+    bool whole = false;    ///< all of it decimated in the end (decimatedWhole()), as one list of triangles
+    bool solid = false;    ///< that list, or the full mesh, closed for export
+    bool fullMesh = false; ///< of all points, whatever the method
+};
+
+/// Bytes a point of the grid that the meshes take at most, also where no triangle goes.
+[[nodiscard]] double meshBytesPerPoint(const DecimationParameters& parameters, const MapOutputs& outputs);
+
+/// Refuses a grid whose map and meshes need more than `limitBytes` (checkMemory() of core/zmap), or that is
+/// larger than the method can count.
+[[nodiscard]] Result<void> checkMapMemory(const StockBox& stock, const Grid& grid,
+                                          const DecimationParameters& parameters, const MapOutputs& outputs,
+                                          double limitBytes);
+
+/// Bytes that a RefinedSurface takes beside one of the same regions that has `faces` while it is cut. Noise
+/// takes six times what the map does, machined parts a tenth: so this asks what is there, not the worst.
+[[nodiscard]] double bytesAtRest(const DecimationParameters& parameters, const Grid& grid, std::size_t faces);
+
+} // namespace proveout

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The memory that is asked first is the memory that is taken: no peak beyond 1.2 times the prediction.
+#include <fmt/format.h>
+#include <random>
+
+#include "core/decimation/map_memory.h"
+#include "core/decimation/region_decimator.h"
+#include "core/formats/npy.h"
+#include "tests/app/command_line.h"
+
+namespace proveout {
+namespace {
+
+/// The program with its libraries, whatever the size of the map.
+constexpr double kProgram = 12e6;
+
+class CliMemory : public CommandLine {
+protected:
+    void SetUp() override {
+#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
+        GTEST_SKIP() << "sanitizers take memory of their own";
+#endif
+    }
+
+    static double predicted(int nx, int ny, DecimationMethod method, const MapOutputs& outputs) {
+        DecimationParameters parameters;
+        parameters.method = method;
+        useStandards(parameters, false, false);
+        Grid grid;
+        grid.nx = nx;
+        grid.ny = ny;
+        return zmapBytes(grid) + static_cast<double>(nx) * ny * meshBytesPerPoint(parameters, outputs);
+    }
+
+    void expectWithin(const Finished& done, double prediction) {
+        ASSERT_LT(done.exitCode, 3) << done.err;
+        EXPECT_LE(done.json()["peakBytes"].get<double>(), 1.2 * prediction + kProgram) << prediction;
+    }
+
+    /// A map of which no triangle can be removed.
+    void writeNoise(int points) {
+        std::mt19937 random(1);
+        NpyArray noise{points, points, std::vector<double>(static_cast<std::size_t>(points) * points)};
+        for (double& height : noise.values)
+            height = std::uniform_real_distribution<double>(0, 5)(random);
+        ASSERT_TRUE(writeNpy(folder / "noise.npy", noise));
+    }
+};
+
+TEST_F(CliMemory, OfALongRunIsThatOfItsMap) {
+    std::string program = "T1 M6\nG0 X0 Y0 Z5\nF1000\n";
+    std::mt19937 random(2);
+    for (int block = 0; block < 800; ++block)
+        program += fmt::format("G1 X{} Y{} Z{:.3f}\n", random() % 400, random() % 400, -0.01 * block);
+    write("long.nc", program);
+    const auto done = run("simulate long.nc --stock 400x400x60 --grid 0.2 --method none --json" + kTool);
+    expectWithin(done, predicted(2001, 2001, DecimationMethod::none, {.schedule = false}));
+}
+
+TEST_F(CliMemory, OfAWrittenZMapIsThatOfTheMap) {
+    write("p.nc", kSound);
+    const auto done =
+        run("simulate p.nc --stock 400x400x60 --grid 0.2 --method none --zmap z.npy --json" + kTool);
+    expectWithin(done, predicted(2001, 2001, DecimationMethod::none, {.schedule = false}));
+}
+
+TEST_F(CliMemory, OfNoiseDecimatedAndExportedIsPredicted) {
+    writeNoise(601);
+    for (const DecimationMethod method : {DecimationMethod::certified, DecimationMethod::lee}) {
+        const auto* key = kMethodChoices[static_cast<std::size_t>(method)].key;
+        const auto done = run(
+            fmt::format("decimate noise.npy --grid 1 --method {} --allowance 0.05 --stl n.stl --json", key));
+        expectWithin(done, predicted(601, 601, method, {.schedule = false, .whole = true, .solid = true}));
+    }
+}
+
+TEST_F(CliMemory, OfNoiseDecimatedAloneIsPredicted) {
+    writeNoise(801);
+    const auto done = run("decimate noise.npy --grid 1 --allowance 0.05 --json");
+    expectWithin(done, predicted(801, 801, DecimationMethod::certified, {.schedule = false, .whole = true}));
+}
+
+TEST_F(CliMemory, OfTheGlobalMethodIsPredicted) {
+    writeNoise(401);
+    const auto done = run("decimate noise.npy --grid 1 --method global --allowance 0.05 --json");
+    expectWithin(done, predicted(401, 401, DecimationMethod::global, {.schedule = false, .whole = true}));
+}
+
+} // namespace
+} // namespace proveout

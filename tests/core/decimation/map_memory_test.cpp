@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/decimation/map_memory.h"
+
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace proveout {
+namespace {
+
+constexpr double kEndless = std::numeric_limits<double>::infinity();
+
+TEST(MapMemory, RefusesMapsThatTheGlobalMethodCannotCount) {
+    const StockBox stock{{0, 0, 0}, 18'900, 18'999, 20};
+    const Grid small = makeGrid({{0, 0, 0}, 18'000, 18'000, 20}, 1).value();
+    const Grid large = makeGrid(stock, 1).value();
+    DecimationParameters parameters;
+    parameters.method = DecimationMethod::global;
+    EXPECT_TRUE(checkMapMemory(stock, small, parameters, {}, kEndless));
+    const auto refused = checkMapMemory(stock, large, parameters, {}, kEndless);
+    ASSERT_FALSE(refused);
+    EXPECT_STREQ(refused.error()[0].id, "method-map-too-large");
+    parameters.method = DecimationMethod::lee;
+    EXPECT_TRUE(checkMapMemory(stock, large, parameters, {}, kEndless));
+}
+
+TEST(MapMemory, CountsWhatIsAskedFor) {
+    DecimationParameters parameters;
+    parameters.method = DecimationMethod::lee;
+    const double surface = meshBytesPerPoint(parameters, {});
+    EXPECT_GT(surface, 24) << "two triangles of three indices";
+    const double solid = meshBytesPerPoint(parameters, {.schedule = false, .whole = true, .solid = true});
+    EXPECT_GT(solid, surface);
+    EXPECT_EQ(meshBytesPerPoint(parameters, {.schedule = false}), 0);
+    parameters.period = 0;
+    EXPECT_EQ(meshBytesPerPoint(parameters, {}), 0) << "nothing is ever decimated";
+    parameters.period = 20;
+    parameters.method = DecimationMethod::global;
+    EXPECT_GT(meshBytesPerPoint(parameters, {}), surface);
+    parameters.method = DecimationMethod::certified;
+    EXPECT_GT(meshBytesPerPoint(parameters, {.schedule = false, .whole = true, .solid = true}), solid)
+        << "merging keeps what it merged";
+}
+
+} // namespace
+} // namespace proveout
