@@ -69,11 +69,30 @@ std::filesystem::path temporaryName(const std::filesystem::path& target, std::ra
     return target.parent_path() / fmt::format(".proveout-{:08x}{:08x}.part", random(), random());
 }
 
+std::filesystem::path folderOf(const std::filesystem::path& file) {
+    return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
+/// The link under which the system shows an open file, through which a nameless one gets its name.
+std::string shownAs(int descriptor) {
+    return fmt::format("/proc/self/fd/{}", descriptor);
+}
+
+/// An open file without a name, of which nothing stays behind when the program is killed; below 0 where the
+/// system or the file system knows no such.
+int openNameless(const std::filesystem::path& folder, mode_t mode) {
+    const int descriptor = ::open(folder.c_str(), O_TMPFILE | O_WRONLY | O_CLOEXEC, mode);
+    if (descriptor >= 0 && ::access(shownAs(descriptor).c_str(), F_OK) != 0) {
+        ::close(descriptor);
+        return -1;
+    }
+    return descriptor;
+}
+
 /// Makes the rename itself survive a power cut. Some file systems refuse to sync a folder: then nothing can
 /// be done about it.
 void syncFolder(const std::filesystem::path& file) {
-    const auto folder = file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
-    const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    const int descriptor = ::open(folderOf(file).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     if (descriptor < 0)
         return;
     static_cast<void>(::fsync(descriptor));
@@ -96,19 +115,39 @@ AtomicFile::AtomicFile(std::filesystem::path target, std::uint64_t expectedBytes
     // The mode goes through open(), where the system applies the umask: asking for the umask means setting
     // it, which other threads would see.
     const mode_t mode = replaces ? 0600 : 0666;
+    m_descriptor = openNameless(folderOf(m_target), mode);
+    if (m_descriptor < 0)
+        openNamed(mode);
+    if (failed())
+        return;
+    if (replaces && ::fchmod(m_descriptor, old.st_mode & 07777) != 0)
+        m_error = errno;
+    m_buffer.reserve(kBufferSize);
+    reserve();
+}
+
+void AtomicFile::openNamed(unsigned mode) {
     std::random_device random;
     do {
         m_temporary = temporaryName(m_target, random);
         m_descriptor = ::open(m_temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
     } while (m_descriptor < 0 && (errno == EEXIST || errno == EINTR));
-    if (m_descriptor < 0) {
+    if (m_descriptor < 0)
         m_error = errno;
-        return;
+}
+
+void AtomicFile::giveName() {
+    std::random_device random;
+    const std::string shown = shownAs(m_descriptor);
+    int result = 0;
+    do {
+        m_temporary = temporaryName(m_target, random);
+        result = ::linkat(AT_FDCWD, shown.c_str(), AT_FDCWD, m_temporary.c_str(), AT_SYMLINK_FOLLOW);
+    } while (result != 0 && errno == EEXIST);
+    if (result != 0) {
+        m_error = errno;
+        m_temporary.clear();
     }
-    if (replaces && ::fchmod(m_descriptor, old.st_mode & 07777) != 0)
-        m_error = errno;
-    m_buffer.reserve(kBufferSize);
-    reserve();
 }
 
 /// Only a lack of room is an error: file systems that cannot reserve say so in several ways.
@@ -166,6 +205,8 @@ Result<void> AtomicFile::commit() {
         flush();
     if (!failed() && ::fsync(m_descriptor) != 0)
         m_error = errno;
+    if (!failed() && m_temporary.empty())
+        giveName();
     // Network file systems tell late errors of writing at the close, so it comes before the rename.
     if (!failed() && ::close(std::exchange(m_descriptor, -1)) != 0)
         m_error = errno;

@@ -13,7 +13,8 @@ namespace proveout {
 
 /// A file that appears whole or not at all: bytes go to a temporary beside the target, `commit()` flushes
 /// them to the disk and renames. Without a successful commit the temporary is removed and an older file stays
-/// as it was. Ownership: holds an open descriptor, movable. Errors: kept and told by `commit()`, writing
+/// as it was; on most file systems it has no name until then, so that it is gone even where the program is
+/// killed. Ownership: holds an open descriptor, movable. Errors: kept and told by `commit()`, writing
 /// after one is harmless and counted, so that the message can tell how many bytes are needed. The permissions
 /// of an existing target are kept; a symbolic link is followed, so that the link survives; folders, special
 /// files and write-protected files are never replaced.
@@ -36,13 +37,15 @@ public:
     [[nodiscard]] Result<void> commit();
 
 private:
+    void openNamed(unsigned mode); ///< permissions, to which the system applies the umask
+    void giveName();
     void reserve();
     void flush();
     void discard();
     [[nodiscard]] Diagnostics unwritable() const;
 
     std::filesystem::path m_target;
-    std::filesystem::path m_temporary;
+    std::filesystem::path m_temporary; ///< empty while the file has no name
     std::string m_buffer;
     std::uint64_t m_written = 0;
     std::uint64_t m_expected = 0; ///< 0: not known

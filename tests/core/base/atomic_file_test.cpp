@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <fcntl.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <random>
@@ -212,6 +213,23 @@ TEST(AtomicFile, KilledWhileSavingLeavesTheOldOrTheNewFile) {
         ASSERT_EQ(bytes->size(), 200'000U);
         ASSERT_EQ(*bytes, std::string(200'000, bytes->front()));
     }
+}
+
+TEST(AtomicFile, KilledWhileWritingLeavesNothingBehind) {
+    const TemporaryFolder folder;
+    const int nameless = ::open((folder / ".").c_str(), O_TMPFILE | O_WRONLY, 0600);
+    if (nameless < 0)
+        GTEST_SKIP() << "this file system has no files without a name";
+    ::close(nameless);
+    const pid_t child = ::fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        AtomicFile file(folder / "a");
+        file.write(std::string(3'000'000, 'x'));
+        ::kill(::getpid(), SIGKILL);
+    }
+    ::waitpid(child, nullptr, 0);
+    EXPECT_EQ(folder.entries(), 0U);
 }
 
 TEST(AtomicFile, ThreadsThatWriteOneFileLeaveOneOfTheirs) {
