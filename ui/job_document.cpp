@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "core/decimation/region_decimator.h"
 #include "core/formats/job_file.h"
 #include "ui/file_paths.h"
 
@@ -39,6 +40,7 @@ Result<JobDocument> JobDocument::open(const QString& file) {
         document.m_wantsStock = false;
         document.m_setup = std::make_shared<const Setup>(std::move(job->setup));
         document.m_parameters = job->parameters;
+        document.m_regionNamed = job->regionNamed;
     }
     Result<Document> text = readText(program);
     if (!text)
@@ -68,7 +70,7 @@ Result<void> JobDocument::saveTextAs(const QString& file) {
 }
 
 Result<void> JobDocument::saveJobAs(const QString& file) {
-    const Job job{std::filesystem::absolute(m_text.path), *m_setup, m_parameters, {}};
+    const Job job{std::filesystem::absolute(m_text.path), *m_setup, m_parameters};
     if (Result<void> written = writeJob(toPath(file), job); !written)
         return written;
     m_jobFile = file;
@@ -101,6 +103,10 @@ bool JobDocument::setTextModified(bool modified) {
     return before != m_text.modified;
 }
 
+int JobDocument::standardRegionHere(DecimationMethod method) const {
+    return standardRegion(method, gridPoints(m_setup->stock, m_setup->spacing));
+}
+
 void JobDocument::setSetup(std::shared_ptr<const Setup> setup) {
     fitSetup(std::move(setup));
     m_jobModified = true;
@@ -109,9 +115,13 @@ void JobDocument::setSetup(std::shared_ptr<const Setup> setup) {
 void JobDocument::fitSetup(std::shared_ptr<const Setup> setup) {
     m_setup = std::move(setup);
     m_wantsStock = false;
+    if (!m_regionNamed)
+        m_parameters.regionCells = standardRegionHere(m_parameters.method);
 }
 
 void JobDocument::setParameters(const DecimationParameters& parameters) {
+    if (parameters.regionCells != m_parameters.regionCells || parameters.method != m_parameters.method)
+        m_regionNamed = parameters.regionCells != standardRegionHere(parameters.method);
     m_parameters = parameters;
     m_jobModified = m_jobModified || !m_jobFile.isEmpty();
 }

@@ -54,12 +54,15 @@ public:
     void keepMine();
     /// True where that changed something.
     bool setTextModified(bool modified);
+    /// A region size that nobody named becomes the standard on the new map; then parameters() are others.
     void setSetup(std::shared_ptr<const Setup> setup);
     /// Like setSetup, but found out by us: nothing that the user would miss.
     void fitSetup(std::shared_ptr<const Setup> setup);
     void setParameters(const DecimationParameters& parameters);
 
 private:
+    [[nodiscard]] int standardRegionHere(DecimationMethod method) const;
+
     Document m_text;
     bool m_keptMine = false;
     QString m_jobFile;
@@ -68,6 +71,7 @@ private:
     bool m_wantsStock = true;
     std::shared_ptr<const Setup> m_setup = std::make_shared<const Setup>();
     DecimationParameters m_parameters;
+    bool m_regionNamed = false; ///< else its size is the standard, and follows the map
 };
 
 } // namespace proveout

@@ -184,8 +184,9 @@ void Session::programReady(const std::shared_ptr<const Program>& program) {
         Setup fitted = setup();
         fitted.stock = fittedStock(*program, fitted);
         fitted.spacing = fittedSpacing(fitted.stock);
+        const DecimationParameters before = parameters();
         m_job.fitSetup(std::make_shared<const Setup>(std::move(fitted)));
-        emit setupChanged();
+        tellSetup(before);
     }
     if (m_loadedSetup == m_job.setup() && m_frame)
         continueWithEdit();
@@ -372,14 +373,22 @@ Result<void> Session::setSetup(const Setup& setup) {
     if (!fits)
         return fits;
     const bool otherProgram = setup.blockDelete != before.blockDelete || setup.start != before.start;
+    const DecimationParameters parametersBefore = parameters();
     m_job.setSetup(std::make_shared<const Setup>(setup));
     if (otherProgram)
         interpret();
     else
         load();
-    emit setupChanged();
+    tellSetup(parametersBefore);
     emit documentChanged();
     return {};
+}
+
+/// The region size may have followed the map.
+void Session::tellSetup(const DecimationParameters& before) {
+    emit setupChanged();
+    if (!(before == parameters()))
+        emit parametersChanged();
 }
 
 StockBox Session::stockFittedToProgram() const {

@@ -178,6 +178,7 @@ private:
     void programReady(const std::shared_ptr<const Program>& program);
     void continueWithEdit();
     void load();
+    void tellSetup(const DecimationParameters& before);
     void simulationProgressed(double done);
     void simulationFailed(const Diagnostics& errors, std::uint64_t generation);
     void takeFrame();

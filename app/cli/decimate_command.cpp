@@ -17,6 +17,7 @@
 #include "app/cli/zmap_file.h"
 #include "core/base/memory.h"
 #include "core/base/stop_watch.h"
+#include "core/decimation/map_memory.h"
 #include "core/decimation/refined_surface.h"
 
 namespace proveout::cli {
@@ -34,8 +35,8 @@ struct DecimateOptions {
     bool json = false;
 };
 
-/// The map, once all that can be refused without decimating has been.
-Result<ZMapSnapshot> prepare(const DecimateOptions& options, const DecimationParameters& parameters) {
+/// The map, once all that can be refused without decimating has been, and the parameters for it.
+Result<ZMapSnapshot> prepare(const DecimateOptions& options, DecimationParameters& parameters) {
     const bool solid = options.meshes.wanted();
     if (auto known = options.meshes.check(); !known)
         return tl::unexpected(std::move(known.error()));
@@ -48,16 +49,21 @@ Result<ZMapSnapshot> prepare(const DecimateOptions& options, const DecimationPar
         return aboutOption(
             "--origin",
             failure("point-form", "“{}” is not a point of the form X,Y in mm.", {options.origin}).value());
-    return readZMap(options.zmap, options.spacing, Vec2(*origin), options.floor, parameters,
-                    MapOutputs{.schedule = false, .whole = true, .solid = solid});
+    return readZMap(options.zmap, options.spacing, Vec2(*origin), options.floor,
+                    [&](const StockBox& stock, const Grid& grid) {
+                        options.decimation.apply(parameters, {}, static_cast<double>(grid.nx) * grid.ny);
+                        if (solid)
+                            parameters.regionCells = forExport(parameters).regionCells;
+                        return checkMapMemory(stock, grid, parameters,
+                                              {.schedule = false, .whole = true, .solid = solid},
+                                              static_cast<double>(memoryLimitBytes()));
+                    });
 }
 
 ExitCode run(const DecimateOptions& options) {
     Report report(options.zmap);
     DecimationParameters parameters;
-    options.decimation.apply(parameters, true);
-    if (options.meshes.wanted())
-        parameters.regionCells = forExport(parameters).regionCells;
+    options.decimation.apply(parameters, {}, 0);
     const auto zmap = prepare(options, parameters);
     if (!zmap) {
         report.addFatal(zmap.error());

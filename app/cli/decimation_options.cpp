@@ -67,7 +67,9 @@ std::string standardOf(int DecimationMethodRow::*number) {
 template<class Value>
 std::string standardText(const Value& value, const Field& field) {
     if (std::string_view(field.key) == "region")
-        return standardOf(&DecimationMethodRow::standardRegion);
+        return fmt::format("{}; doubled, up to {}, where a map would have more than {} regions",
+                           standardOf(&DecimationMethodRow::standardRegion), kLargestStandardRegion,
+                           kMostStandardRegions);
     if (std::string_view(field.key) == "period")
         return standardOf(&DecimationMethodRow::standardPeriod);
     if constexpr (std::is_enum_v<Value>)
@@ -101,15 +103,15 @@ void DecimationOptions::addTo(CLI::App& command) {
     });
 }
 
-void DecimationOptions::apply(DecimationParameters& parameters, bool standards) const {
+void DecimationOptions::apply(DecimationParameters& parameters, Named named, double points) const {
     const DecimationMethod before = parameters.method;
     describe(parameters, [this](auto& value, const Field& field) {
         if (const auto found = m_given.find(field.key); found != m_given.end())
             set(value, found->second, field);
     });
-    if (!standards && parameters.method == before)
-        return;
-    useStandards(parameters, given("region"), given("period"));
+    const bool sameMethod = parameters.method == before;
+    useStandards(parameters, given("region") || (named.region && sameMethod),
+                 given("period") || (named.period && sameMethod), points);
 }
 
 } // namespace proveout::cli

@@ -16,9 +16,14 @@ public:
     /// This object must outlive the parsing.
     void addTo(CLI::App& command);
     [[nodiscard]] bool given(const std::string& key) const { return m_given.contains(key); }
-    /// Puts what was given over `parameters`. Where `standards` asks for it, or the method has
-    /// become another, what was not given becomes the standard of the method (region size, period).
-    void apply(DecimationParameters& parameters, bool standards) const;
+    /// Whether region size and period of the parameters have been named elsewhere.
+    struct Named {
+        bool region = false;
+        bool period = false;
+    };
+    /// Puts what was given over `parameters`. Region size and period that were neither given nor named, or
+    /// named for another method, become its standards on a map of `points`.
+    void apply(DecimationParameters& parameters, Named named, double points) const;
 
 private:
     std::map<std::string, std::string> m_given; ///< by field key; values that the parser has checked

@@ -57,7 +57,9 @@ Result<Job> SetupOptions::job() const {
         job.setup.start = *start;
     }
     job.setup.blockDelete = job.setup.blockDelete || m_blockDelete;
-    m_decimation.apply(job.parameters, m_jobFile.empty());
+    const bool fromFile = !m_jobFile.empty();
+    m_decimation.apply(job.parameters, {.region = job.regionNamed, .period = fromFile},
+                       gridPoints(job.setup.stock, job.setup.spacing));
     return job;
 }
 

@@ -156,7 +156,7 @@ private:
             return {{kMethodChoices[static_cast<std::size_t>(m_base.method)].key, m_base}};
         std::vector<StudyVariant> all = studyVariants(m_base);
         for (StudyVariant& variant : all)
-            given.apply(variant.base, false);
+            given.apply(variant.base, {.region = true, .period = true}, 0);
         return all;
     }
 

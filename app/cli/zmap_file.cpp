@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "app/cli/option_error.h"
-#include "core/base/memory.h"
 #include "core/formats/npy.h"
 
 namespace proveout::cli {
@@ -82,8 +81,8 @@ Result<void> writeZMap(const std::filesystem::path& file, const ZMapSnapshot& zm
 }
 
 Result<ZMapSnapshot> readZMap(const std::filesystem::path& file, double spacing, Vec2 origin,
-                              std::optional<double> floor, const DecimationParameters& parameters,
-                              const MapOutputs& outputs) {
+                              std::optional<double> floor,
+                              const std::function<Result<void>(const StockBox&, const Grid&)>& check) {
     if (auto fine = checkSpacing(spacing); !fine)
         return aboutOption("--grid", std::move(fine.error()));
     const auto array = readNpy(file);
@@ -100,9 +99,8 @@ Result<ZMapSnapshot> readZMap(const std::filesystem::path& file, double spacing,
     grid->ny = array->rows;
     grid->hx = spacing;
     grid->hy = spacing;
-    const auto limit = static_cast<double>(memoryLimitBytes());
-    if (auto fits = checkMapMemory(*stock, *grid, parameters, outputs, limit); !fits)
-        return about(file, std::move(fits.error()));
+    if (auto fine = check(*stock, *grid); !fine)
+        return about(file, std::move(fine.error()));
     return filled(*array, *stock, *grid);
 }
 

@@ -68,9 +68,17 @@ const DecimationMethodRow& row(DecimationMethod method) {
     return found;
 }
 
-void useStandards(DecimationParameters& parameters, bool regionGiven, bool periodGiven) {
+int standardRegion(DecimationMethod method, double points) {
+    int cells = row(method).standardRegion;
+    while (cells < kLargestStandardRegion &&
+           points > kMostStandardRegions * static_cast<double>(cells * cells))
+        cells *= 2;
+    return cells;
+}
+
+void useStandards(DecimationParameters& parameters, bool regionGiven, bool periodGiven, double points) {
     if (!regionGiven)
-        parameters.regionCells = row(parameters.method).standardRegion;
+        parameters.regionCells = standardRegion(parameters.method, points);
     if (!periodGiven)
         parameters.period = row(parameters.method).standardPeriod;
 }

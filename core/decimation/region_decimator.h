@@ -57,11 +57,11 @@ public:
 /// One row a method; panel, command line and tests read the table.
 struct DecimationMethodRow {
     DecimationMethod method;
-    bool wholeMap;                                ///< works on one region that holds the whole map
-    int standardRegion;                           ///< cells, used where none is given
-    int standardPeriod;                           ///< blocks, likewise
-    double bytesPerPoint;                         ///< of its meshes and workers, where nothing can be removed
-    double mostPoints;                            ///< of a map: what its indices can count
+    bool wholeMap;        ///< works on one region that holds the whole map
+    int standardRegion;   ///< cells, where none is given and the map is not large: see standardRegion()
+    int standardPeriod;   ///< blocks, likewise
+    double bytesPerPoint; ///< of its meshes and workers, where nothing can be removed
+    double mostPoints;    ///< of a map: what its indices can count
     std::unique_ptr<RegionDecimator> (*create)(); ///< null for `none`
     /// Simplifies a border by its own samples; a pure function, so that both its regions find the same.
     BorderLine (*simplifyBorder)(const BorderSamples&, const DecimationParameters&);
@@ -72,8 +72,18 @@ struct DecimationMethodRow {
 [[nodiscard]] std::span<const DecimationMethodRow> decimationMethods();
 [[nodiscard]] const DecimationMethodRow& row(DecimationMethod method);
 
-/// Gives region size and period the standards of the method, where nobody gave them a value.
-void useStandards(DecimationParameters& parameters, bool regionGiven, bool periodGiven);
+/// Beyond so many regions, what every block and every frame do for each of them was measured to cost more
+/// than small regions save.
+inline constexpr int kMostStandardRegions = 16'384;
+inline constexpr int kLargestStandardRegion = 128;
+
+/// Cells along a side of a region, where none is given, on a map of `points`: the standard of the method,
+/// doubled up to kLargestStandardRegion while there were more than kMostStandardRegions regions.
+[[nodiscard]] int standardRegion(DecimationMethod method, double points);
+
+/// Gives region size and period the standards of the method on a map of `points`, where nobody gave them a
+/// value.
+void useStandards(DecimationParameters& parameters, bool regionGiven, bool periodGiven, double points);
 
 /// Whether the allowance is a bound of the error at least at the z-map points.
 [[nodiscard]] bool isBounded(const DecimationParameters& parameters);

@@ -62,7 +62,8 @@ void readTools(JsonFields tools, ToolTable& table) {
     });
 }
 
-void readParameters(JsonFields fields, DecimationParameters& parameters) {
+void readParameters(JsonFields fields, Job& job) {
+    DecimationParameters& parameters = job.parameters;
     describe(parameters, [&fields](auto& value, const Field& field) {
         using Value = std::remove_cvref_t<decltype(value)>;
         if constexpr (std::is_enum_v<Value>) {
@@ -75,7 +76,9 @@ void readParameters(JsonFields fields, DecimationParameters& parameters) {
             fields.read(field.key, value, JsonRange{field.minimum, field.maximum});
         }
     });
-    useStandards(parameters, fields.has("region"), fields.has("period"));
+    job.regionNamed = fields.has("region");
+    useStandards(parameters, job.regionNamed, fields.has("period"),
+                 gridPoints(job.setup.stock, job.setup.spacing));
     fields.warnAboutUnknown();
 }
 
@@ -147,7 +150,7 @@ Result<Job> parse(std::string_view text, const fs::path& file) {
         job.setup.start = start;
     }
     fields.read("blockDelete", job.setup.blockDelete);
-    readParameters(fields.object("decimation"), job.parameters);
+    readParameters(fields.object("decimation"), job);
     fields.warnAboutUnknown();
     const bool usable = complaints.errors.empty();
     Diagnostics all = told(complaints);

@@ -15,13 +15,15 @@ struct Job {
     Setup setup;
     DecimationParameters parameters;
     Diagnostics warnings = {}; ///< about the file it was read from; never written
+    bool regionNamed =
+        false; ///< by that file; never written. Else the size is the standard of method and map
 };
 
 /// Reads a job; the program itself is not opened. Region size and period that are not given are the standards
-/// of the method. Errors name the JSON path of the field (e.g. "stock.width") and what is allowed there, all
-/// of them at once, with line and column. A field that is not known is a warning of the job with its place
-/// and name; where the job is refused, the warnings follow the errors. A newer schema is refused, and so are
-/// files larger or nested deeper than any job.
+/// of the method, on a map of this stock and grid. Errors name the JSON path of the field (e.g.
+/// "stock.width") and what is allowed there, all of them at once, with line and column. A field that is not
+/// known is a warning of the job with its place and name; where the job is refused, the warnings follow the
+/// errors. A newer schema is refused, and so are files larger or nested deeper than any job.
 [[nodiscard]] Result<Job> readJob(const std::filesystem::path& file);
 
 /// Writes a job atomically. Errors: the file cannot be written, or the program's name is not UTF-8.

@@ -139,6 +139,11 @@ Result<Grid> makeGrid(const StockBox& stock, double spacing) {
     return grid;
 }
 
+double gridPoints(const StockBox& stock, double spacing) {
+    const Result<Grid> grid = makeGrid(stock, spacing);
+    return grid ? static_cast<double>(grid->nx) * grid->ny : 0;
+}
+
 double zmapBytes(const Grid& grid) {
     return bytesOf(grid.nx, grid.ny);
 }

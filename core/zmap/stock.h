@@ -42,6 +42,9 @@ struct Grid {
 /// of the size of its coordinates cannot hold, less than one cell, more points than an index holds.
 [[nodiscard]] Result<Grid> makeGrid(const StockBox& stock, double spacing);
 
+/// The points of that grid; 0 where there can be none.
+[[nodiscard]] double gridPoints(const StockBox& stock, double spacing);
+
 /// Bytes that a z-map over the grid takes while it is cut, without meshes and checkpoints.
 [[nodiscard]] double zmapBytes(const Grid& grid);
 

@@ -25,7 +25,7 @@ protected:
     static double predicted(int nx, int ny, DecimationMethod method, const MapOutputs& outputs) {
         DecimationParameters parameters;
         parameters.method = method;
-        useStandards(parameters, false, false);
+        useStandards(parameters, false, false, static_cast<double>(nx) * ny);
         Grid grid;
         grid.nx = nx;
         grid.ny = ny;

@@ -32,6 +32,21 @@ protected:
     }
 };
 
+TEST_F(CliSimulate, ALargeMapHasLargerRegionsUnlessTheirSizeIsGiven) {
+    const std::string large =
+        "simulate p.nc --stock 220x220x10 --grid 0.1 --json" + kTool; // 2201 × 2201 points
+    EXPECT_EQ(run(large).json()["regions"], 69 * 69);
+    EXPECT_EQ(run(large + "--region 16").json()["regions"], 138 * 138);
+    write("large.proveout", R"({"proveout": 1, "program": "p.nc", "tools": {"1": "ball:d=4,l=20"}, "grid": 1,
+                                "stock": {"width": 220, "depth": 220, "height": 10}})");
+    EXPECT_EQ(run("simulate --job large.proveout --grid 0.1 --json").json()["regions"], 69 * 69)
+        << "the job names none";
+    write("named.proveout", R"({"proveout": 1, "program": "p.nc", "tools": {"1": "ball:d=4,l=20"}, "grid": 1,
+                                "stock": {"width": 220, "depth": 220, "height": 10},
+                                "decimation": {"region": 16}})");
+    EXPECT_EQ(run("simulate --job named.proveout --grid 0.1 --json").json()["regions"], 138 * 138);
+}
+
 TEST_F(CliSimulate, JsonHasTheKeysOfTheContract) {
     const auto done = simulate("--json");
     ASSERT_EQ(done.exitCode, 0) << done.err;

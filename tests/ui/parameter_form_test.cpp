@@ -32,6 +32,21 @@ private slots:
         }
     }
 
+    void aLargeMapHasLargerRegionsAsItsDefault() {
+        ParameterForm form;
+        form.show();
+        form.setPoints(12e6);
+        QVERIFY2(box(form, "region").toolTip().contains(QLatin1String("32")),
+                 qPrintable(box(form, "region").toolTip()));
+        DecimationParameters values;
+        values.regionCells = 32;
+        form.setValues(values);
+        choose(form, DecimationMethod::lee);
+        QCOMPARE(form.values().regionCells, standardRegion(DecimationMethod::lee, 12e6));
+        choose(form, DecimationMethod::certified);
+        QCOMPARE(form.values().regionCells, 32);
+    }
+
     void valuesOfTheUserStayWithAnotherMethod() {
         ParameterForm form;
         choose(form, DecimationMethod::lee);

@@ -78,7 +78,7 @@ void ParameterForm::findStandards() {
     const DecimationParameters untouched;
     DecimationParameters standard;
     standard.method = m_values.method;
-    useStandards(standard, false, false);
+    useStandards(standard, false, false, m_points);
     standard.method = untouched.method;
     std::map<std::string_view, double> standards;
     describe(standard, [&](const auto& value, const Field& field) {
@@ -164,6 +164,13 @@ void ParameterForm::setValues(const DecimationParameters& values) {
         showRow(row);
 }
 
+void ParameterForm::setPoints(double points) {
+    m_points = points;
+    showMethod();
+    for (const Row& row : m_rows)
+        showRow(row);
+}
+
 void ParameterForm::showMethod() {
     findStandards();
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
@@ -183,8 +190,8 @@ void ParameterForm::change(std::size_t row, double value) {
     const DecimationMethodRow& before = proveout::row(m_values.method);
     m_rows[row].setValue(value);
     if (m_values.method != before.method) {
-        useStandards(m_values, m_values.regionCells != before.standardRegion,
-                     m_values.period != before.standardPeriod);
+        useStandards(m_values, m_values.regionCells != standardRegion(before.method, m_points),
+                     m_values.period != before.standardPeriod, m_points);
         showMethod();
     }
     showRow(m_rows[row]);

@@ -29,6 +29,8 @@ public:
     QToolButton* addRow(QLabel* label, QWidget* editor);
     /// Shows other values; emits nothing.
     void setValues(const DecimationParameters& values);
+    /// The map has so many points, on which the default of the region size depends. Emits nothing.
+    void setPoints(double points);
 
 signals:
     void edited(const DecimationParameters& values);
@@ -40,7 +42,7 @@ private:
     /// One field; its value passes as a double, whatever its type.
     struct Row {
         Field field;
-        double standard = 0;                  ///< with the present method
+        double standard = 0;                  ///< with the present method and map
         bool used = true;                     ///< the present method looks at it
         std::function<double()> value;        ///< in m_values
         std::function<void(double)> setValue; ///< in m_values
@@ -70,6 +72,7 @@ private:
 
     QFormLayout* m_layout;
     DecimationParameters m_values;
+    double m_points = 0;
     std::vector<Row> m_rows;
 };
 

@@ -62,6 +62,7 @@ TuningPanel::TuningPanel(Session& session, QWidget* parent)
     const auto showSetup = [this] {
         showGrid();
         showProblem({});
+        m_form->setPoints(gridPoints(m_session.setup().stock, m_session.setup().spacing));
     };
     connect(&session, &Session::parametersChanged, this, showParameters);
     connect(&session, &Session::setupChanged, this, showSetup);

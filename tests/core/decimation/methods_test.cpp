@@ -43,7 +43,7 @@ TEST(Methods, lookAtTheFieldsOfTheirRowAndAtNoOthers) {
     for (const DecimationMethodRow& method : decimationMethods()) {
         DecimationParameters parameters;
         parameters.method = method.method;
-        useStandards(parameters, false, false);
+        useStandards(parameters, false, false, 0);
         const auto before = decimated(parameters);
         describe(parameters, [&](const auto&, const Field& field) {
             const std::string_view key = field.key;
@@ -55,6 +55,36 @@ TEST(Methods, lookAtTheFieldsOfTheirRowAndAtNoOthers) {
                 << kMethodChoices[static_cast<std::size_t>(method.method)].key << ", " << key;
         });
     }
+}
+
+TEST(Methods, standardRegionsGrowWithTheMapSoThatTheirNumberDoesNot) {
+    for (const DecimationMethodRow& method : decimationMethods()) {
+        SCOPED_TRACE(kMethodChoices[static_cast<std::size_t>(method.method)].key);
+        EXPECT_EQ(standardRegion(method.method, 0), method.standardRegion);
+        EXPECT_EQ(standardRegion(method.method, 1e6), method.standardRegion);
+        int last = method.standardRegion;
+        for (double points = 1e6; points < 3e9; points *= 1.1) {
+            const int cells = standardRegion(method.method, points);
+            EXPECT_TRUE(cells == last || cells == 2 * last) << points;
+            EXPECT_TRUE(points <= kMostStandardRegions * static_cast<double>(cells * cells) ||
+                        cells == kLargestStandardRegion)
+                << points;
+            EXPECT_TRUE(cells == method.standardRegion ||
+                        points > kMostStandardRegions * static_cast<double>(cells * cells) / 4)
+                << points << ": no larger than it must be";
+            last = cells;
+        }
+        EXPECT_EQ(last, kLargestStandardRegion);
+    }
+}
+
+TEST(Methods, aRegionSizeThatWasNamedStaysOnAnyMap) {
+    DecimationParameters parameters;
+    parameters.regionCells = 16;
+    useStandards(parameters, true, false, 2e8);
+    EXPECT_EQ(parameters.regionCells, 16);
+    useStandards(parameters, false, false, 2e8);
+    EXPECT_EQ(parameters.regionCells, 128);
 }
 
 } // namespace

@@ -102,6 +102,19 @@ TEST_F(JobFile, RegionAndPeriodAreTheStandardsOfTheMethodUnlessTheyAreGiven) {
     EXPECT_EQ(parameters("{}"), DecimationParameters());
 }
 
+TEST_F(JobFile, RegionsGrowWithTheMapUnlessTheirSizeIsGiven) {
+    const auto job = [this](const std::string& decimation) {
+        return read(R"({"proveout": 1, "program": "a.nc", "grid": 0.05,
+                        "stock": {"width": 200, "depth": 150, "height": 3}, "decimation": )" +
+                    decimation + "}")
+            .value();
+    };
+    EXPECT_EQ(job("{}").parameters.regionCells, 32); // 12 million points
+    EXPECT_FALSE(job("{}").regionNamed);
+    EXPECT_EQ(job(R"({"region": 16})").parameters.regionCells, 16);
+    EXPECT_TRUE(job(R"({"region": 16})").regionNamed);
+}
+
 TEST_F(JobFile, ErrorsNameTheFieldAndWhatIsAllowed) {
     EXPECT_EQ(told(with("140", "-1")),
               "4:40 The field \"stock.width\" must be a number above 0 and at most 1000000. [job-field]\n");

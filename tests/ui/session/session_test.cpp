@@ -191,6 +191,38 @@ private slots:
         QCOMPARE(heightDifference(fresh.frame()->zmap, session.frame()->zmap), 0.0);
     }
 
+    void regionsFollowTheMapUnlessTheirSizeIsNamed() {
+        QTemporaryDir folder;
+        Session session;
+        QVERIFY(session.openFile(write(folder, "square.nc", kSquare)));
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
+        QCOMPARE(session.parameters().regionCells, 16);
+        int told = 0;
+        connect(&session, &Session::parametersChanged, this, [&told] { ++told; });
+        Setup setup = session.setup();
+        setup.stock.width = 40;
+        setup.stock.depth = 30;
+        const auto useSpacing = [&](double spacing) {
+            setup.spacing = spacing;
+            return session.setSetup(setup).has_value();
+        };
+        QVERIFY(useSpacing(0.0125)); // 3201 × 2401 points
+        QCOMPARE(session.parameters().regionCells, 32);
+        QCOMPARE(told, 1);
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame() && session.frame()->surface.grid.cells() == 32, kPatience);
+        QVERIFY(useSpacing(0.5));
+        QCOMPARE(session.parameters().regionCells, 16);
+        DecimationParameters named = session.parameters();
+        named.regionCells = 24;
+        session.setParameters(named);
+        QVERIFY(useSpacing(0.0125));
+        QCOMPARE(session.parameters().regionCells, 24);
+        named.regionCells = 32; // the standard again
+        session.setParameters(named);
+        QVERIFY(useSpacing(0.5));
+        QCOMPARE(session.parameters().regionCells, 16);
+    }
+
     void aChangedAllowanceChangesTheFaces() {
         Session session;
         QVERIFY(session.openFile(kSample));
