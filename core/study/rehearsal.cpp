@@ -72,6 +72,10 @@ private:
             if (isDrawn)
                 m_drawn.push_back(m_sizes.back().get());
         }
+        // The others are told from the smallest, whose regions lie in theirs with the least left over.
+        const auto cells = [](const auto& size) { return size->parameters().regionCells; };
+        if (!m_sizes.empty())
+            m_reference = std::ranges::min_element(m_sizes, {}, cells)->get();
         m_drawing.begin();
     }
 
@@ -97,14 +101,19 @@ private:
             const Surface full(m_zmap.grid().nx, m_zmap.grid().ny, turn->parameters());
             drawFrame(turn->parameters(), full.snapshot(), kOtherSurface);
         }
-        for (const auto& size : m_sizes) {
-            if (size.get() == turn) // dirty as it is, and the graphics side comes to know it
-                drawFrame(turn->parameters(), turn->surface(), kOtherSurface);
-            const std::size_t made = size->sample(m_moment);
-            if (size.get() == turn)
-                drawFrame(turn->parameters(), turn->surface(), static_cast<double>(made));
-        }
+        sample(*m_reference, turn);
+        for (const auto& size : m_sizes)
+            if (size.get() != m_reference)
+                sample(*size, turn);
         m_drawNext = turn; // one frame more, of an ordinary block
+    }
+
+    void sample(RehearsedRegions& size, const RehearsedRegions* turn) {
+        if (&size == turn) // dirty as it is, and the graphics side comes to know it
+            drawFrame(size.parameters(), size.surface(), kOtherSurface);
+        const std::size_t made = size.sample(m_moment, &size == m_reference ? nullptr : m_reference);
+        if (&size == turn)
+            drawFrame(size.parameters(), size.surface(), static_cast<double>(made));
     }
 
     /// Draws a surface of this moment after `made` new triangles.
@@ -175,6 +184,7 @@ private:
     double m_cutSeconds = 0;
     std::vector<std::unique_ptr<RehearsedRegions>> m_sizes;
     std::vector<RehearsedRegions*> m_drawn;
+    RehearsedRegions* m_reference = nullptr;
     const RehearsedRegions* m_drawNext = nullptr;
     std::vector<CostSample> m_draws;   ///< frames, triangles shown, regions shown
     std::vector<CostSample> m_uploads; ///< frames, triangles made, regions shown

@@ -14,14 +14,10 @@ namespace {
 /// Of the uncut stock: all its regions are alike, but for the narrow ones at the edge.
 constexpr std::size_t kStartRegions = 16;
 
-/// A sample decimates about as many points whatever the region size, at least one region.
-std::size_t regionsToSample(int cells) {
-    constexpr std::size_t kPoints = 1500;
-    const auto side = static_cast<std::size_t>(cells) + 1;
-    return std::clamp<std::size_t>(kPoints / (side * side), 1, 32);
-}
+/// Of the regions that all schedules of a size decimate, a rehearsal decimates this share.
+constexpr double kSampledShare = 0.03;
 
-/// Every region's triangles: those decimated have theirs, the others as many for their size.
+/// Triangles of the uncut stock's regions: those decimated have theirs, the others as many for their size.
 std::vector<double> facesOf(const Surface& surface) {
     const SurfaceSnapshot now = surface.snapshot();
     double made = 0;
@@ -44,7 +40,7 @@ std::vector<double> facesOf(const Surface& surface) {
 RehearsedRegions::RehearsedRegions(const ZMapSnapshot& uncut, const DecimationParameters& parameters,
                                    std::span<const int> periods, bool all, const std::stop_token& stop)
     : m_surface(startSurface(uncut, parameters, all, stop, m_perStartRegion)),
-      m_trace(m_surface.grid(), periods, facesOf(m_surface)) {}
+      m_faces(m_surface.grid(), facesOf(m_surface)), m_trace(m_surface.grid(), periods, m_faces.now()) {}
 
 Surface RehearsedRegions::startSurface(const ZMapSnapshot& uncut, const DecimationParameters& parameters,
                                        bool all, const std::stop_token& stop, double& perRegion) {
@@ -54,9 +50,11 @@ Surface RehearsedRegions::startSurface(const ZMapSnapshot& uncut, const Decimati
     std::vector<std::size_t> chosen;
     for (std::size_t k = 0; k < wanted; ++k)
         chosen.push_back(k * regions / wanted);
+    // The first one finds threads asleep and no storage yet.
+    const std::size_t first = wanted > 1 ? surface.decimateRegions(std::span(chosen).first(1), uncut) : 0;
     const StopWatch watch;
-    surface.decimateRegions(chosen, uncut, {stop, {}});
-    perRegion = watch.seconds() / static_cast<double>(wanted);
+    surface.decimateRegions(std::span(chosen).subspan(first), uncut, {stop, {}});
+    perRegion = watch.seconds() / static_cast<double>(wanted - first);
     return surface;
 }
 
@@ -76,34 +74,38 @@ void RehearsedRegions::block(const ZMapSnapshot& before, const ZMapSnapshot& aft
     m_trace.block(m_lastTouched);
 }
 
-std::size_t RehearsedRegions::sample(const ZMapSnapshot& now) {
+std::size_t RehearsedRegions::affordable() const {
+    const auto share = static_cast<std::size_t>(kSampledShare * double(m_trace.decimatedByAll()));
+    return share > m_sampled ? share - m_sampled : 1;
+}
+
+std::size_t RehearsedRegions::sample(const ZMapSnapshot& now, const RehearsedRegions* reference) {
     const std::vector<std::size_t> touched = m_trace.touchedSinceSample();
-    const std::size_t limit = regionsToSample(m_surface.parameters().regionCells);
-    std::vector<std::size_t> last = m_lastTouched;
-    last.resize(std::min(last.size(), limit));
+    const auto pick = [this](const std::vector<std::size_t>& from, std::size_t most) {
+        std::vector<std::size_t> picked;
+        std::ranges::sample(from, std::back_inserter(picked), static_cast<std::ptrdiff_t>(most), m_random);
+        return picked;
+    };
+    const std::size_t most = reference == nullptr ? touched.size() : affordable();
+    const std::vector<std::size_t> last = pick(m_lastTouched, (most + 1) / 2);
     std::vector<std::size_t> others;
     std::ranges::set_difference(touched, last, std::back_inserter(others));
-    std::vector<std::size_t> chosen;
-    std::ranges::sample(others, std::back_inserter(chosen), static_cast<std::ptrdiff_t>(limit), m_random);
+    others = pick(others, most - last.size());
+    // Some go first, unmeasured: a run decimates so often that it finds its storage in the caches.
+    const std::size_t early = (others.size() + 3) / 4;
+    m_surface.decimateRegions(std::span(others).first(early), now);
+    measure(std::span(others).subspan(early), now);
     measure(last, now);
-    measure(chosen, now);
+    m_sampled += others.size() + last.size();
 
     const SurfaceSnapshot surface = m_surface.snapshot();
-    double made = 0;
-    double full = 0;
-    for (const auto& batch : {last, chosen})
-        for (const std::size_t region : batch) {
-            made += static_cast<double>(surface.meshes[region]->triangles.size());
-            full += static_cast<double>(fullRegionFaces(surface.grid, region));
-        }
-    std::vector<double> faces;
-    faces.reserve(touched.size());
-    for (const std::size_t region : touched)
-        faces.push_back(surface.meshes[region]
-                            ? static_cast<double>(surface.meshes[region]->triangles.size())
-                            : made / full * static_cast<double>(fullRegionFaces(surface.grid, region)));
-    m_trace.sample(faces);
-    return static_cast<std::size_t>(made);
+    m_trace.sample(
+        m_faces.update(touched, others, surface, (reference == nullptr ? *this : *reference).m_faces));
+    std::size_t made = 0;
+    for (const auto& batch : {last, others})
+        for (const std::size_t region : batch)
+            made += surface.meshes[region]->triangles.size();
+    return made;
 }
 
 void RehearsedRegions::measure(std::span<const std::size_t> regions, const ZMapSnapshot& now) {

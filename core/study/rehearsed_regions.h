@@ -9,6 +9,7 @@
 
 #include "core/decimation/surface.h"
 #include "core/study/cost_model.h"
+#include "core/study/region_faces.h"
 #include "core/study/schedule_trace.h"
 
 namespace proveout {
@@ -24,13 +25,17 @@ public:
 
     /// The next block was cut: the two moments differ within `changed` at most.
     void block(const ZMapSnapshot& before, const ZMapSnapshot& after, const IndexRect& changed);
-    /// Decimates regions that were touched since the last sample: those of the last block together, as a
-    /// short period would, then others, chosen at random. Returns how many triangles that gave.
-    std::size_t sample(const ZMapSnapshot& now);
+    /// Decimates regions that were touched since the last sample and measures that: some chosen at random
+    /// together, as a long period would, and those of the last block together, as a short period would.
+    /// The triangles of the others are told from `reference`, which has been sampled at this moment; the
+    /// reference itself (null) decimates all. Returns how many triangles that gave.
+    std::size_t sample(const ZMapSnapshot& now, const RehearsedRegions* reference);
 
     [[nodiscard]] SurfaceSnapshot surface() const { return m_surface.snapshot(); }
     [[nodiscard]] const DecimationParameters& parameters() const { return m_surface.parameters(); }
     [[nodiscard]] WorkCount count(std::size_t period) const { return m_trace.count(period); }
+    /// What was measured so far, by moments, regions and triangles made.
+    [[nodiscard]] std::span<const CostSample> samples() const { return m_samples; }
     /// The coefficients of this size; adds what they leave out to `slowdown`.
     [[nodiscard]] CostModel::Decimation fitted(Slowdown& slowdown) const;
 
@@ -38,11 +43,15 @@ private:
     [[nodiscard]] static Surface startSurface(const ZMapSnapshot& uncut,
                                               const DecimationParameters& parameters, bool all,
                                               const std::stop_token& stop, double& perRegion);
+    /// How many regions may be decimated now, at least one.
+    [[nodiscard]] std::size_t affordable() const;
     void measure(std::span<const std::size_t> regions, const ZMapSnapshot& now);
 
     double m_perStartRegion = 0; ///< seconds
     Surface m_surface;
+    RegionFaces m_faces;
     ScheduleTrace m_trace;
+    std::size_t m_sampled = 0;              ///< regions decimated in samples
     std::vector<std::size_t> m_lastTouched; ///< by the last block
     std::vector<CostSample> m_samples;      ///< moments, regions, triangles made
     std::mt19937 m_random{1};               ///< which regions are sampled; the same in every rehearsal

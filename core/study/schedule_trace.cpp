@@ -67,11 +67,12 @@ void ScheduleTrace::touch(Period& period, std::size_t region) const {
     period.dirty.push_back(region);
 }
 
-void ScheduleTrace::decimate(Period& period) const {
+void ScheduleTrace::decimate(Period& period) {
     if (period.dirty.empty())
         return;
     ++period.count.moments;
     period.count.regionsDecimated += period.dirty.size();
+    m_decimatedByAll += period.dirty.size();
     for (const std::size_t region : period.dirty) {
         close(period, region, m_block);
         Shown& shown = period.regions[region];

@@ -30,6 +30,8 @@ public:
     [[nodiscard]] std::vector<std::size_t> touchedSinceSample() const;
     /// Sets the triangles of regions, decimated now: one value for each of touchedSinceSample().
     void sample(std::span<const double> faces);
+    /// Regions that the schedules of all periods together have decimated since the start.
+    [[nodiscard]] std::uint64_t decimatedByAll() const { return m_decimatedByAll; }
     /// The work of a run with periods[k], after all blocks and a last sample().
     [[nodiscard]] WorkCount count(std::size_t k) const;
 
@@ -60,7 +62,7 @@ private:
     };
 
     void touch(Period& period, std::size_t region) const;
-    void decimate(Period& period) const;
+    void decimate(Period& period);
     void close(Period& period, std::size_t region, std::uint32_t until) const;
 
     RegionGrid m_grid;
@@ -69,6 +71,7 @@ private:
     std::vector<double> m_faces;          ///< at the last sample
     std::vector<std::uint32_t> m_touches; ///< since the last sample
     std::uint32_t m_block = 0;
+    std::uint64_t m_decimatedByAll = 0;
 };
 
 } // namespace proveout

@@ -42,6 +42,7 @@ TEST(ScheduleTrace, ByHand) {
     EXPECT_EQ(once.faces, 4U + 10U + 16U + 16U);
     EXPECT_EQ(once.moments, 1U);
     EXPECT_EQ(once.regionsDecimated, 2U);
+    EXPECT_EQ(trace.decimatedByAll(), 3U);
 }
 
 TEST(ScheduleTrace, ARegionNotTouchedSinceASampleKeepsItsTriangles) {
@@ -57,12 +58,16 @@ TEST(ScheduleTrace, ARegionNotTouchedSinceASampleKeepsItsTriangles) {
     EXPECT_EQ(trace.count(0).faces, 3 * 8U + 2 * 11U);
 }
 
-class Forecasts : public testing::TestWithParam<std::uint_fast32_t> {};
+struct Rehearsed {
+    DecimationMethod method;
+    std::uint_fast32_t seed;
+};
+class Forecasts : public testing::TestWithParam<Rehearsed> {};
 
 TEST_P(Forecasts, CountWhatStraightRunsCount) {
-    const StudyJob job{programOf(randomProgram(GetParam(), 160)), smallSetup()};
+    const StudyJob job{programOf(randomProgram(GetParam().seed, 160)), smallSetup()};
     DecimationParameters base;
-    base.method = DecimationMethod::lee;
+    base.method = GetParam().method;
     RatedDrawing drawing;
     const RehearsalOptions options{{5, 8, 20}, {-1, 1, 3, 20, 500}, 16};
     const auto rehearsal = rehearse(job, base, options, drawing);
@@ -74,7 +79,7 @@ TEST_P(Forecasts, CountWhatStraightRunsCount) {
         parameters.period = forecast.period;
         const WorkCount counted = runStudy(job, {parameters}, nullptr)->count;
         SCOPED_TRACE(testing::Message() << "region " << forecast.regionCells << " period " << forecast.period
-                                        << " seed " << GetParam());
+                                        << " seed " << GetParam().seed);
         EXPECT_EQ(forecast.count.frames, counted.frames);
         EXPECT_EQ(forecast.count.regionsShown, counted.regionsShown);
         EXPECT_EQ(forecast.count.moments, counted.moments);
@@ -87,7 +92,11 @@ TEST_P(Forecasts, CountWhatStraightRunsCount) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Seeds, Forecasts, testing::Values(1, 2, 3));
+INSTANTIATE_TEST_SUITE_P(
+    Seeds, Forecasts,
+    testing::Values(Rehearsed{DecimationMethod::lee, 1}, Rehearsed{DecimationMethod::lee, 2},
+                    Rehearsed{DecimationMethod::lee, 3}, Rehearsed{DecimationMethod::certified, 1},
+                    Rehearsed{DecimationMethod::certified, 2}, Rehearsed{DecimationMethod::certified, 3}));
 
 } // namespace
 } // namespace proveout
