@@ -75,6 +75,17 @@ PointDistances distancesToTop(const std::vector<Vec3>& points, const TriangleMes
     return distances;
 }
 
+double farthestFrom(const TriangleMesh& mesh, const std::vector<Vec3>& points) {
+    const auto surface = toSurfaceMesh(mesh);
+    if (!surface || surface->is_empty())
+        return infinity();
+    std::vector<Kernel::Point_3> places;
+    places.reserve(points.size());
+    for (const Vec3& point : points)
+        places.emplace_back(point.x, point.y, point.z);
+    return pmp::max_distance_to_triangle_mesh<CGAL::Sequential_tag>(places, *surface);
+}
+
 double symmetricHausdorff(const TriangleMesh& a, const TriangleMesh& b, double bound) {
     const auto first = toSurfaceMesh(a);
     const auto second = toSurfaceMesh(b);

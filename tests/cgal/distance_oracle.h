@@ -14,6 +14,10 @@ struct PointDistances {
 };
 [[nodiscard]] PointDistances distancesToTop(const std::vector<Vec3>& points, const TriangleMesh& solid);
 
+/// How far the farthest of the points lies from the nearest point of a mesh, by CGAL's AABB tree; infinity
+/// where CGAL finds the triangles to be no mesh.
+[[nodiscard]] double farthestFrom(const TriangleMesh& mesh, const std::vector<Vec3>& points);
+
 /// The two-sided Hausdorff distance of two meshes, within `bound` above the true one.
 [[nodiscard]] double symmetricHausdorff(const TriangleMesh& a, const TriangleMesh& b, double bound);
 
