@@ -13,6 +13,7 @@
 #include "core/simulation/command_queue.h"
 #include "core/simulation/mailbox.h"
 #include "core/simulation/playback_clock.h"
+#include "core/simulation/progress_teller.h"
 #include "core/simulation/simulation.h"
 
 namespace proveout {
@@ -25,9 +26,6 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kSlice{10};
 /// Whoever steps from block to block does not rest.
 constexpr std::chrono::milliseconds kBeforeRefining{150};
-/// Shorter work is not worth a progress bar.
-constexpr std::chrono::milliseconds kQuietWork{50};
-constexpr std::chrono::milliseconds kBetweenTellings{30};
 
 template<class... Handlers>
 struct Overloaded : Handlers... {
@@ -35,31 +33,6 @@ struct Overloaded : Handlers... {
 };
 template<class... Handlers>
 Overloaded(Handlers...) -> Overloaded<Handlers...>;
-
-/// Tells of long work only, not too often, and of its end.
-class ProgressTeller {
-public:
-    explicit ProgressTeller(const std::function<void(double)>& listener) : m_listener(listener) {}
-    ProgressTeller(const ProgressTeller&) = delete;
-    ProgressTeller& operator=(const ProgressTeller&) = delete;
-    ~ProgressTeller() {
-        if (m_told)
-            m_listener(1.0);
-    }
-    void tell(double done) {
-        const auto now = Clock::now();
-        if (!m_listener || now < m_next || done >= 1)
-            return;
-        m_listener(done);
-        m_told = true;
-        m_next = now + kBetweenTellings;
-    }
-
-private:
-    const std::function<void(double)>& m_listener;
-    Clock::time_point m_next = Clock::now() + kQuietWork;
-    bool m_told = false;
-};
 
 /// A token that is stopped: what is asked for is noted, and the work for it follows when no command waits.
 std::stop_token stopped() {

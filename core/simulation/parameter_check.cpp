@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/parameter_check.h"
+
+#include <fmt/format.h>
+
+#include "core/base/text.h"
+
+namespace proveout {
+
+Result<void> checkRanges(const DecimationParameters& parameters) {
+    Result<void> result;
+    describe(parameters, [&result](const auto& value, const Field& field) {
+        if (field.minimum == field.maximum)
+            return;
+        const auto number = static_cast<double>(value);
+        if (!(number >= field.minimum && number <= field.maximum) && result)
+            result = failure("parameter-out-of-range",
+                             PROVEOUT_TEXT("Core", "The parameter \"{}\" is {}; it must lie in {} … {}."),
+                             {field.key, fmt::format("{}", number), fmt::format("{}", field.minimum),
+                              fmt::format("{}", field.maximum)});
+    });
+    return result;
+}
+
+} // namespace proveout

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/surface_at_rest.h"
+
+#include <utility>
+#include <vector>
+
+#include "core/base/memory.h"
+#include "core/decimation/map_memory.h"
+#include "core/simulation/changed_regions.h"
+
+namespace proveout {
+
+void SurfaceAtRest::follow(ZMapSnapshot now, const DecimationParameters& parameters, std::size_t faces,
+                           const WorkContext& context) {
+    const double needed = bytesAtRest(parameters, now.grid(), faces);
+    if (needed - m_bytes > static_cast<double>(memoryLimitBytes())) {
+        *this = {};
+        m_fits = false;
+        return;
+    }
+    m_bytes = needed;
+    std::vector<std::size_t> changed;
+    if (m_zmap)
+        changed = differingRegions(*m_zmap, now, m_surface.grid());
+    else
+        m_surface = RefinedSurface(now.grid().nx, now.grid().ny, parameters);
+    m_zmap = std::move(now);
+    m_isShown = m_surface.follow(*m_zmap, changed, context);
+}
+
+void SurfaceAtRest::outdate() {
+    m_isShown = false;
+    m_fits = true;
+}
+
+} // namespace proveout
