@@ -4,7 +4,9 @@
 #include <cstdint>
 
 #include "core/nc/block.h"
+#include "core/nc/control_flow.h"
 #include "core/nc/machine_state.h"
+#include "core/nc/parameters.h"
 #include "core/nc/program.h"
 #include "core/nc/reporter.h"
 
@@ -14,6 +16,8 @@ namespace proveout {
 struct Execution {
     const Block& block;
     MachineState& state;
+    Parameters& parameters;
+    FlowRequest& request;
     Program& program;
     Reporter& reporter;
     std::uint32_t line; ///< source line, 1-based

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/interpreter.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
+#include "core/nc/control_flow.h"
 #include "core/nc/execution.h"
 #include "core/nc/lexer.h"
+#include "core/nc/machine_values.h"
 #include "core/nc/motion_building.h"
 
 namespace proveout {
@@ -15,18 +18,31 @@ constexpr std::size_t kLongestLine = 252;   ///< characters that LinuxCNC reads
 constexpr std::size_t kLinesPerLook = 1024; ///< lines between two looks at the stop token
 constexpr std::size_t kLinesPerTell = 65536;
 
-/// A part of a line for a message; a byte that no font can show appears as its number.
+constexpr std::size_t kLongestShown = 40; ///< bytes of a line in a message
+constexpr std::uint8_t kContinuationMask = 0xc0; ///< of a byte within a character of UTF-8
+constexpr std::uint8_t kContinuation = 0x80;
+
+/// A part of a line for a message: not longer than is readable, cut between characters; a byte that no font
+/// can show appears as its number.
 std::string readable(std::string_view text) {
-    const bool single = text.size() == 1;
-    const auto byte = static_cast<unsigned char>(single ? text.front() : 'x');
-    return byte < 0x20 || byte >= 0x7f ? fmt::format("\\x{:02x}", byte) : std::string(text);
+    if (text.size() == 1) {
+        const auto byte = static_cast<unsigned char>(text.front());
+        return byte < 0x20 || byte >= 0x7f ? fmt::format("\\x{:02x}", byte) : std::string(text);
+    }
+    std::size_t end = std::min(text.size(), kLongestShown);
+    while (end > 0 && end < text.size() &&
+           (static_cast<unsigned char>(text[end]) & kContinuationMask) == kContinuation)
+        --end;
+    return std::string(text.substr(0, end));
 }
 
 class Interpreter {
 public:
     Interpreter(const NcText& text, const InterpretOptions& options, const WorkContext& context)
         : m_text(text), m_options(options), m_context(context), m_program(std::make_shared<Program>()),
-          m_reporter(*m_program, options.file, options.maxDiagnostics) {
+          m_reporter(*m_program, options.file, options.maxDiagnostics), m_values(m_state),
+          m_flow(text, options.file, {options.maxSteps, options.subprogramFolders}, m_parameters, m_values,
+                 m_reporter) {
         if (options.start || options.assumeStartAtZero) {
             m_state.position = options.start.value_or(Vec3(0));
             m_state.known = kAllAxes;
@@ -35,28 +51,17 @@ public:
 
     std::shared_ptr<const Program> run() {
         const std::size_t count = m_text.lineCount();
-        const std::size_t loneCr = m_text.firstLoneCr();
-        std::size_t index = 0;
-        while (index < count && !m_finished) {
-            m_reporter.beginLine(static_cast<std::uint32_t>(index + 1));
-            if (index % kLinesPerLook == 0 && m_context.stopped()) {
-                m_reporter.tellInAnyCase(nc_message::kStopped, 1, 0);
-                m_cutShort = true;
-                break;
-            }
-            if (index % kLinesPerTell == 0)
-                m_context.tell(static_cast<double>(index) / static_cast<double>(count));
-            if (index == 0 && m_text.hadByteOrderMark())
-                m_reporter.tell(nc_message::kByteOrderMark, 1, 0);
-            if (index == loneCr)
-                m_reporter.tell(nc_message::kLoneCr, static_cast<int>(m_text.line(index).size() + 1), 1);
-            runLine(m_text.line(index), index);
-            ++index;
+        m_loneCr = m_text.firstLoneCr();
+        while (!m_finished && (!m_flow.atEnd() || m_flow.leaveFile())) {
+            if (!lookUp(count) || !m_flow.step())
+                m_finished = m_cutShort = true;
+            else
+                runLine();
         }
-        if (index == count)
+        if (m_linesRead == count)
             m_reporter.beginLine(static_cast<std::uint32_t>(count));
         if (!m_cutShort)
-            tellAboutTheWhole(index);
+            tellAboutTheWhole(m_linesRead);
         m_reporter.tellSuppressed();
         m_program->setSourceBlockCount(m_sourceBlocks);
         m_context.tell(1);
@@ -64,26 +69,88 @@ public:
     }
 
 private:
-    void runLine(std::string_view text, std::size_t index) {
-        readLine(text, m_line);
+    /// Once in many lines: whether to stop, and how far it is. False where it has to stop.
+    bool lookUp(std::size_t count) {
+        m_reporter.beginLine(static_cast<std::uint32_t>(m_flow.line() + 1));
+        const std::size_t step = m_steps++;
+        if (step % kLinesPerLook == 0 && m_context.stopped()) {
+            m_reporter.tellInAnyCase(nc_message::kStopped, 1, 0);
+            return false;
+        }
+        if (step % kLinesPerTell == 0)
+            m_context.tell(static_cast<double>(m_linesRead) / static_cast<double>(count));
+        return true;
+    }
+
+    /// What is told about a line of the main text when it is reached first.
+    void firstLook(std::size_t index, std::string_view text) {
+        m_linesRead = index + 1;
+        if (index == 0 && m_text.hadByteOrderMark())
+            m_reporter.tell(nc_message::kByteOrderMark, 1, 0);
+        if (index == m_loneCr)
+            m_reporter.tell(nc_message::kLoneCr, static_cast<int>(text.size() + 1), 1);
+    }
+
+    void runLine() {
+        const std::size_t index = m_flow.at();
+        const std::string_view text = m_flow.text().line(index);
+        const bool first = m_flow.inMainText() && index >= m_linesRead;
+        if (first)
+            firstLook(index, text);
+        readLine(text, m_readContext, m_line);
         if (m_line.deleteMark && m_options.blockDelete)
             return;
-        tellAboutLine(text);
+        if (first)
+            tellAboutLine(text);
         if (m_line.error) {
-            skipUnreadable(text);
+            skipUnreadable(text, first);
             return;
         }
         if (m_line.percent) {
-            handlePercent(index);
+            if (m_flow.inMainText())
+                handlePercent(index);
             return;
         }
+        if (m_line.flow)
+            runFlow(first);
+        else if (!m_line.block.empty() || !m_line.assignments.empty())
+            runBlock(first);
+    }
+
+    void runFlow(bool first) {
+        m_sourceBlocks += first ? 1 : 0;
+        if (!m_flow.run(*m_line.flow))
+            m_state.forget(LetterSet("XYZ"));
+    }
+
+    void runBlock(bool first) {
+        m_sourceBlocks += first ? 1 : 0;
+        assign();
         if (m_line.block.empty())
             return;
-        ++m_sourceBlocks;
-        Execution execution{m_line.block, m_state, *m_program, m_reporter,
-                            static_cast<std::uint32_t>(index + 1)};
+        FlowRequest request;
+        Execution execution{m_line.block, m_state, m_parameters, request, *m_program, m_reporter,
+                            static_cast<std::uint32_t>(m_flow.mainLine() + 1)};
         executeBlock(execution);
+        if (!m_flow.run(request))
+            m_state.forget(LetterSet("XYZ"));
         m_finished = m_state.ended || tooLong();
+    }
+
+    void assign() {
+        for (const Assignment& order : m_line.assignments) {
+            const std::string& name = order.target.name;
+            const bool readOnly = name.empty() ? m_values.numbered(order.target.number).has_value()
+                                               : m_values.named(name).has_value();
+            const std::string shown = name.empty() ? fmt::format("#{}", order.target.number)
+                                                   : fmt::format("#<{}>", name);
+            if (readOnly)
+                m_reporter.tell(nc_message::kParameterReadOnly, order.column, order.length, {shown});
+            else if (name.empty())
+                m_parameters.setNumbered(order.target.number, order.value);
+            else if (!m_parameters.setNamed(name, order.value))
+                m_reporter.tell(nc_message::kNamesTooMany, order.column, order.length, {shown});
+        }
     }
 
     void tellAboutLine(std::string_view text) {
@@ -101,10 +168,10 @@ private:
     }
 
     /// What the line orders is not known, so the axes that it names may be anywhere afterwards.
-    void skipUnreadable(std::string_view text) {
+    void skipUnreadable(std::string_view text, bool first) {
         const ReadError& error = *m_line.error;
         m_reporter.tell(*error.message, error.column, error.length, {readable(error.argument)});
-        ++m_sourceBlocks;
+        m_sourceBlocks += first ? 1 : 0;
         m_state.forget(axisLetters(text));
     }
 
@@ -168,7 +235,14 @@ private:
     std::shared_ptr<Program> m_program;
     Reporter m_reporter;
     MachineState m_state;
+    Parameters m_parameters;
+    MachineValues m_values;
+    ControlFlow m_flow;
+    ReadContext m_readContext{m_parameters, m_values};
     Line m_line;
+    std::size_t m_loneCr = 0;
+    std::size_t m_linesRead = 0; ///< of the main text, counted to the last one that was reached
+    std::size_t m_steps = 0;
     std::size_t m_sourceBlocks = 0;
     bool m_percentOpen = false;
     bool m_percentClosed = false;

@@ -2,9 +2,12 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/base/geometry.h"
 #include "core/base/work_context.h"
@@ -20,6 +23,8 @@ struct InterpretOptions {
     bool assumeStartAtZero = false; ///< `interpret`: start at 0,0,0, every motion counts as known
     /// Of motions, and of events: the block with one more is the last one.
     std::size_t maxMotions = 50'000'000;
+    std::uint64_t maxSteps = 100'000'000; ///< lines run through, those of loops and subprograms each time
+    std::vector<std::filesystem::path> subprogramFolders; ///< of O-word subprograms in files of their own
     std::size_t maxDiagnostics = 100; ///< further ones are counted in one last message
 };
 

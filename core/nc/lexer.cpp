@@ -11,17 +11,9 @@ namespace proveout {
 namespace {
 
 constexpr std::size_t kLongestBlockNumber = 15; ///< digits; more than any control can hold
-constexpr std::size_t kLongestShown = 40;       ///< bytes of a line in a message
 
 bool isBlank(char c) {
     return c == ' ' || c == '\t' || c == '\v' || c == '\f';
-}
-
-constexpr int kMostContinuations = 3;
-
-/// A byte within a character of UTF-8.
-bool isContinuation(char c) {
-    return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
 }
 
 /// DC1 to DC4 of a serial line, the end-of-file byte of DOS.
@@ -40,7 +32,8 @@ bool isLetter(char c) {
 
 class LineReader {
 public:
-    LineReader(std::string_view text, Line& line) : m_text(text), m_line(line) {}
+    LineReader(std::string_view text, const ReadContext& context, Line& line)
+        : m_text(text), m_context(context), m_line(line) {}
 
     void read() {
         skipBlanks();
@@ -69,8 +62,7 @@ private:
     }
 
     void fail(const Message& message, std::size_t begin, std::size_t end, std::string_view argument = {}) {
-        m_line.error = ReadError{&message, static_cast<int>(begin + 1),
-                                 static_cast<int>(std::max(end, begin + 1) - begin), argument};
+        m_line.error = readError(message, begin, end, argument);
     }
 
     void readPercent() {
@@ -93,7 +85,7 @@ private:
         else if (c == ';')
             m_at = m_text.size();
         else if (c == '#')
-            fail(nc_message::kExpression, m_at, m_text.size(), shortened(m_at));
+            readAssignment();
         else
             failOnCharacter();
     }
@@ -101,19 +93,6 @@ private:
     void failOnCharacter() {
         const std::size_t end = m_at + firstCharacter(m_text.substr(m_at)).length;
         fail(nc_message::kBadCharacter, m_at, end, m_text.substr(m_at, end - m_at));
-    }
-
-    /// The text from `begin`, cut where it would make a message unreadable.
-    [[nodiscard]] std::string_view shortened(std::size_t begin) const {
-        std::size_t end = std::min(m_text.size(), begin + kLongestShown);
-        for (int i = 0; i < kMostContinuations && end < m_text.size() && isContinuation(m_text[end]); ++i)
-            --end;
-        std::string_view rest = m_text.substr(begin, end - begin);
-        const std::size_t comment = rest.find_first_of("(;");
-        rest = rest.substr(0, comment);
-        while (!rest.empty() && isBlank(rest.back()))
-            rest.remove_suffix(1);
-        return rest;
     }
 
     void readComment() {
@@ -132,16 +111,60 @@ private:
             return;
         }
         if (letter == 'O') {
-            readProgramNumber();
+            readFlow();
             return;
         }
         const std::size_t begin = m_at;
         const NumberRead number = readNumber(m_text, begin + 1);
-        if (number.status != NumberStatus::good) {
+        if (number.status == NumberStatus::good)
+            addWord(letter, number.value, begin, number.end);
+        else if (beginsExpression(number))
+            readExpression(letter);
+        else
             failOnNumber(number, begin);
+    }
+
+    [[nodiscard]] bool beginsExpression(const NumberRead& number) const {
+        if (number.status == NumberStatus::expression)
+            return true;
+        std::size_t place = number.place;
+        while (place < m_text.size() && isBlank(m_text[place]))
+            ++place;
+        return number.status == NumberStatus::missing && place < m_text.size() && isLetter(m_text[place]);
+    }
+
+    void readExpression(char letter) {
+        const std::size_t begin = m_at;
+        std::size_t end = begin + 1;
+        const auto value = ExpressionReader(m_text, m_context.parameters, m_context.system)
+                               .value(end, m_text.substr(begin, 1));
+        if (value)
+            addWord(letter, *value, begin, end);
+        else
+            m_line.error = value.error();
+    }
+
+    void readAssignment() {
+        const std::size_t begin = m_at++;
+        ExpressionReader reader(m_text, m_context.parameters, m_context.system);
+        auto target = reader.parameterName(m_at);
+        if (!target) {
+            m_line.error = target.error();
             return;
         }
-        addWord(letter, number.value, begin, number.end);
+        skipBlanks();
+        if (atEnd() || m_text[m_at] != '=') {
+            fail(nc_message::kAssignmentForm, begin, m_at, m_text.substr(begin, m_at - begin));
+            return;
+        }
+        ++m_at;
+        const auto value = reader.value(m_at, m_text.substr(begin, 1));
+        if (!value) {
+            m_line.error = value.error();
+            return;
+        }
+        m_line.assignments.push_back(
+            {std::move(*target), *value, static_cast<int>(begin + 1), static_cast<int>(m_at - begin)});
     }
 
     void addWord(char letter, double value, std::size_t begin, std::size_t end) {
@@ -171,8 +194,7 @@ private:
             fail(nc_message::kNumberOutOfRange, begin, number.end, letter);
             return;
         case NumberStatus::expression:
-            fail(nc_message::kExpression, number.place, m_text.size(), shortened(number.place));
-            return;
+            return; // never failed on
         }
     }
 
@@ -214,24 +236,22 @@ private:
         m_at = number.end;
     }
 
-    /// An O word alone names the program; with anything behind it, it is control flow.
-    void readProgramNumber() {
+    void readFlow() {
         const std::size_t begin = m_at;
-        const NumberRead number = readNumber(m_text, begin + 1);
-        if (number.status != NumberStatus::good || !m_line.block.empty()) {
-            fail(nc_message::kFlowControl, begin, m_text.size(), shortened(begin));
+        if (!m_line.block.empty() || !m_line.assignments.empty()) {
+            fail(nc_message::kFlowNotFirst, begin, begin + 1);
             return;
         }
-        addWord('O', number.value, begin, number.end);
-        while (skipBlanks(), !atEnd() && !m_line.error) {
-            if (m_text[m_at] == '(' || m_text[m_at] == ';')
-                readItem();
-            else
-                fail(nc_message::kFlowControl, begin, m_text.size(), shortened(begin));
-        }
+        auto word = readFlowWord(m_text);
+        if (word)
+            m_line.flow = std::move(*word);
+        else
+            m_line.error = word.error();
+        m_at = m_text.size();
     }
 
     std::string_view m_text;
+    const ReadContext& m_context;
     Line& m_line;
     std::size_t m_at = 0;
     bool m_seenBlockNumber = false;
@@ -239,14 +259,16 @@ private:
 
 } // namespace
 
-void readLine(std::string_view text, Line& line) {
+void readLine(std::string_view text, const ReadContext& context, Line& line) {
     line.block.clear();
+    line.assignments.clear();
+    line.flow.reset();
     line.percent = false;
     line.deleteMark = false;
     line.controlCodeColumn = 0;
     line.longBlockNumber = {};
     line.error.reset();
-    LineReader(text, line).read();
+    LineReader(text, context, line).read();
 }
 
 LetterSet axisLetters(std::string_view text) {

@@ -4,18 +4,20 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 #include "core/nc/block.h"
-#include "core/nc/messages.h"
+#include "core/nc/expression.h"
+#include "core/nc/flow_word.h"
 
 namespace proveout {
 
-/// Why a line could not be read: the first thing in it that is no word.
-struct ReadError {
-    const Message* message = nullptr;
+/// "#…=…" of a line.
+struct Assignment {
+    ParameterName target;
+    double value = 0;
     int column = 0;
     int length = 0;
-    std::string_view argument; ///< a part of the line
 };
 
 /// Columns of a line, 1-based; column 0: nowhere.
@@ -27,6 +29,8 @@ struct Place {
 /// One line of an NC program, taken apart. `block` is meant to be used again for the next line.
 struct Line {
     Block block;
+    std::vector<Assignment> assignments; ///< take effect after the whole line was read, in this order
+    std::optional<FlowWord> flow;        ///< then the line has nothing else, and its arguments are not read
     bool percent = false;           ///< a line with nothing but "%"
     bool deleteMark = false;        ///< begins with "/"
     int controlCodeColumn = 0;      ///< of a control code that was skipped, 0: none
@@ -34,9 +38,16 @@ struct Line {
     std::optional<ReadError> error; ///< `block` holds the words before it
 };
 
+/// What expressions are evaluated with.
+struct ReadContext {
+    const Parameters& parameters;
+    const SystemValues& system;
+};
+
 /// Reads a line without its line end: N word, words, comments, in any mixture of cases and blanks. Comments
-/// order nothing. After an error the rest of the line is not read.
-void readLine(std::string_view text, Line& line);
+/// order nothing. Parameters have the values of before the line. After an error the rest of the line is not
+/// read.
+void readLine(std::string_view text, const ReadContext& context, Line& line);
 
 /// The letters of the axes that a line seems to name, also where it cannot be read: for the interpreter,
 /// which then no longer knows where these axes stand.

@@ -6,6 +6,7 @@
 #include "core/base/geometry.h"
 #include "core/nc/codes.h"
 #include "core/nc/motion.h"
+#include "core/nc/work_frame.h"
 
 namespace proveout {
 
@@ -29,7 +30,10 @@ struct MachineState {
     int selectedTool = -1;    ///< by T; -1: none yet
     int tool = 0;             ///< in the spindle; 0: none
 
-    Vec3 position{0};
+    WorkFrame frame;
+    int workOffset = 1; ///< 1 for G54 to 9 for G59.3
+
+    Vec3 position{0};           ///< of the tip of the cutter, in machine coordinates
     std::uint8_t known = 0;     ///< AxisBits of `position`
     std::uint8_t everKnown = 0; ///< AxisBits that were known at the end of any motion
 
@@ -38,6 +42,7 @@ struct MachineState {
     bool missingFeedTold = false;
 
     [[nodiscard]] double toMm(double value) const { return inch ? value * kMmPerInch : value; }
+    [[nodiscard]] double fromMm(double value) const { return inch ? value / kMmPerInch : value; }
 
     /// From now on nobody knows where these axes stand.
     void forget(LetterSet axes) {

@@ -35,14 +35,133 @@ inline constexpr Message kNumberOutOfRange{
     Severity::error, true, "number-out-of-range",
     PROVEOUT_TEXT("Core", "The number of {} is out of range: larger than 1e12."),
     PROVEOUT_TEXT("Core", "Check the number.")};
-inline constexpr Message kExpression{
-    Severity::error, true, "expression-unsupported",
-    PROVEOUT_TEXT("Core", "Parameters and expressions are not supported yet: {}."),
-    PROVEOUT_TEXT("Core", "Replace it by its value, or let the CAM system write plain numbers.")};
-inline constexpr Message kFlowControl{
-    Severity::error, true, "o-word-unsupported",
-    PROVEOUT_TEXT("Core", "Subprograms, loops and branches are not supported yet: {}."),
-    PROVEOUT_TEXT("Core", "Let the CAM system write the motions out.")};
+inline constexpr Message kNestedTooDeep{
+    Severity::error, true, "nested-too-deep",
+    PROVEOUT_TEXT("Core", "The expression is nested deeper than 100 levels."),
+    PROVEOUT_TEXT("Core", "Compute it in several steps.")};
+inline constexpr Message kParameterUnset{
+    Severity::error, true, "parameter-unset",
+    PROVEOUT_TEXT("Core", "The parameter {} was never set."),
+    PROVEOUT_TEXT("Core", "Set it first; a name without _ at its front is known in its own subprogram only.")};
+inline constexpr Message kParameterNotWhole{
+    Severity::error, true, "parameter-not-whole",
+    PROVEOUT_TEXT("Core", "{} is not a whole number, so that it names no parameter."),
+    PROVEOUT_TEXT("Core", "Round it with FIX or ROUND.")};
+inline constexpr Message kParameterNumber{
+    Severity::error, true, "parameter-number",
+    PROVEOUT_TEXT("Core", "There is no parameter with the number {}: they go from 1 to 5601."),
+    PROVEOUT_TEXT("Core", "Use another number, or a name.")};
+inline constexpr Message kParameterReadOnly{
+    Severity::error, true, "parameter-read-only",
+    PROVEOUT_TEXT("Core", "The parameter {} can be read only."),
+    PROVEOUT_TEXT("Core", "Use another number.")};
+inline constexpr Message kNameUnclosed{
+    Severity::error, true, "name-unclosed",
+    PROVEOUT_TEXT("Core", "The name is not closed."),
+    PROVEOUT_TEXT("Core", "Close it with \">\".")};
+inline constexpr Message kNameEmpty{
+    Severity::error, true, "name-empty",
+    PROVEOUT_TEXT("Core", "The name is empty."),
+    PROVEOUT_TEXT("Core", "Write a name between \"<\" and \">\".")};
+inline constexpr Message kNameLong{
+    Severity::error, true, "name-long",
+    PROVEOUT_TEXT("Core", "The name has more than 256 characters."),
+    PROVEOUT_TEXT("Core", "Use a shorter one.")};
+inline constexpr Message kNamesTooMany{
+    Severity::error, true, "names-too-many",
+    PROVEOUT_TEXT("Core", "The program has more than 100000 named parameters at once; {} was not set."),
+    PROVEOUT_TEXT("Core", "Use fewer names, or numbers.")};
+inline constexpr Message kBracketUnclosed{
+    Severity::error, true, "bracket-unclosed",
+    PROVEOUT_TEXT("Core", "The bracket is not closed."),
+    PROVEOUT_TEXT("Core", "Close it with \"]\" in the same line.")};
+inline constexpr Message kBracketMissing{
+    Severity::error, true, "bracket-missing",
+    PROVEOUT_TEXT("Core", "{} has no argument in brackets."),
+    PROVEOUT_TEXT("Core", "Write for example SIN[30].")};
+inline constexpr Message kOperatorMissing{
+    Severity::error, true, "operator-missing",
+    PROVEOUT_TEXT("Core", "\"{}\" stands where an operator or \"]\" belongs."),
+    PROVEOUT_TEXT("Core", "Check the expression.")};
+inline constexpr Message kNoResult{
+    Severity::error, true, "no-result",
+    PROVEOUT_TEXT("Core", "{} has no result for these values."),
+    PROVEOUT_TEXT("Core", "Check for a division by zero, the root of a negative number, an arc sine beyond 1.")};
+inline constexpr Message kArcTangentForm{
+    Severity::error, true, "atan-form",
+    PROVEOUT_TEXT("Core", "ATAN needs two arguments: ATAN[y]/[x]."),
+    PROVEOUT_TEXT("Core", "Add the second one; for a plain ratio write ATAN[ratio]/[1].")};
+inline constexpr Message kExistsForm{
+    Severity::error, true, "exists-form",
+    PROVEOUT_TEXT("Core", "EXISTS asks for a named parameter: EXISTS[#<name>]."),
+    PROVEOUT_TEXT("Core", "Write the name between \"<\" and \">\".")};
+inline constexpr Message kAssignmentForm{
+    Severity::error, true, "assignment-form",
+    PROVEOUT_TEXT("Core", "{} is not followed by \"=\" and a value."),
+    PROVEOUT_TEXT("Core", "A parameter at the beginning of a word is set, for example #1=10.")};
+inline constexpr Message kLabelNotWhole{
+    Severity::error, true, "label-not-whole",
+    PROVEOUT_TEXT("Core", "The number behind O is no whole number from 0 on."),
+    PROVEOUT_TEXT("Core", "Use a whole number, or a name: O<name>.")};
+inline constexpr Message kFlowKeyword{
+    Severity::error, true, "flow-keyword",
+    PROVEOUT_TEXT("Core", "\"{}\" is none of the words that may follow an O word."),
+    PROVEOUT_TEXT("Core", "sub, endsub, call, return, if, elseif, else, endif, do, while, endwhile, repeat, endrepeat, break, continue.")};
+inline constexpr Message kFlowNotFirst{
+    Severity::error, true, "flow-not-first",
+    PROVEOUT_TEXT("Core", "The O word does not begin the block."),
+    PROVEOUT_TEXT("Core", "Put it on a line of its own.")};
+inline constexpr Message kFlowRest{
+    Severity::error, true, "flow-rest",
+    PROVEOUT_TEXT("Core", "\"{}\" stands behind the O word and its arguments."),
+    PROVEOUT_TEXT("Core", "Put it on a line of its own.")};
+inline constexpr Message kFlowPartner{
+    Severity::error, true, "flow-partner",
+    PROVEOUT_TEXT("Core", "O{} {} has no {} that belongs to it."),
+    PROVEOUT_TEXT("Core", "Both need the same label, in the same subprogram.")};
+inline constexpr Message kLabelTwice{
+    Severity::error, true, "label-twice",
+    PROVEOUT_TEXT("Core", "The label O{} is used already in line {} of this subprogram or main program."),
+    PROVEOUT_TEXT("Core", "Give each branch and each loop a label of its own.")};
+inline constexpr Message kSubNested{
+    Severity::error, true, "sub-nested", PROVEOUT_TEXT("Core", "O{} sub stands within another subprogram."),
+    PROVEOUT_TEXT("Core", "Close the other one with endsub before it.")};
+inline constexpr Message kFlowCondition{
+    Severity::error, true, "flow-condition",
+    PROVEOUT_TEXT("Core", "{} needs a condition in brackets."),
+    PROVEOUT_TEXT("Core", "Write for example: O1 if [#1 GT 0].")};
+inline constexpr Message kSubUnknown{
+    Severity::error, true, "sub-unknown",
+    PROVEOUT_TEXT("Core", "There is no subprogram {}, in this file or as {}."),
+    PROVEOUT_TEXT("Core", "Check the name and the folders of subprograms.")};
+inline constexpr Message kSubFolder{
+    Severity::error, true, "sub-folder",
+    PROVEOUT_TEXT("Core", "The subprogram {} is not opened: its name leads out of the folders of subprograms."),
+    PROVEOUT_TEXT("Core", "Use a name without \"/\" and \"..\".")};
+inline constexpr Message kSubUnreadable{
+    Severity::error, true, "sub-unreadable",
+    PROVEOUT_TEXT("Core", "The subprogram {} cannot be read: {}"),
+    PROVEOUT_TEXT("Core", "Check the file.")};
+inline constexpr Message kSubEndMissing{
+    Severity::error, true, "sub-end-missing",
+    PROVEOUT_TEXT("Core", "The file ends within the subprogram {}."),
+    PROVEOUT_TEXT("Core", "Close it with endsub or M99.")};
+inline constexpr Message kCallTooDeep{
+    Severity::error, true, "call-too-deep",
+    PROVEOUT_TEXT("Core", "Subprograms call each other deeper than {} levels: {}."),
+    PROVEOUT_TEXT("Core", "Check for a subprogram that calls itself without end.")};
+inline constexpr Message kTooManyArguments{
+    Severity::error, true, "too-many-arguments",
+    PROVEOUT_TEXT("Core", "The call has more than 30 arguments."),
+    PROVEOUT_TEXT("Core", "Pass the others in global parameters.")};
+inline constexpr Message kReturnOutside{
+    Severity::error, true, "return-outside",
+    PROVEOUT_TEXT("Core", "{} stands outside of a subprogram."),
+    PROVEOUT_TEXT("Core", "Remove it, or put it between sub and endsub.")};
+inline constexpr Message kTooManySteps{
+    Severity::error, true, "too-many-steps",
+    PROVEOUT_TEXT("Core", "The program runs through more than {} lines; interpretation ends in {}."),
+    PROVEOUT_TEXT("Core", "Check the loop for an end.")};
 inline constexpr Message kCommentUnclosed{Severity::error, true, "comment-unclosed",
                                           PROVEOUT_TEXT("Core", "The comment is not closed."),
                                           PROVEOUT_TEXT("Core", "Close it with \")\" in the same line.")};

@@ -19,6 +19,8 @@ public:
         : m_program(program), m_file(std::move(file)),
           m_limit(limit > kReserved ? limit - kReserved : limit) {}
 
+    /// Of the messages that follow.
+    void setFile(std::string file) { m_file = std::move(file); }
     void beginLine(std::uint32_t line) { m_line = static_cast<int>(line); }
     void tell(const Message& message, int column, int length, std::vector<std::string> arguments = {});
     void tell(const Message& message, const Word& word, std::vector<std::string> arguments = {}) {

@@ -170,9 +170,9 @@ TEST(Interpreter, StopsAtTheLimitOfEvents) {
 }
 
 TEST(Interpreter, CutsTheTextInAMessageBetweenCharacters) {
-    const auto program = interpret(NcText("#" + repeated("ä", 30) + "\n"));
+    const auto program = interpret(NcText("#<" + repeated("ä", 30) + ">\n"));
     ASSERT_FALSE(program->diagnostics().empty());
-    EXPECT_EQ(program->diagnostics().front().arguments.at(0), "#" + repeated("ä", 19));
+    EXPECT_EQ(program->diagnostics().front().arguments.at(0), "#<" + repeated("ä", 19));
 }
 
 TEST(Interpreter, AnswersAStopAndSaysSo) {

@@ -8,9 +8,14 @@ namespace proveout {
 
 namespace {
 
+struct NoValues : SystemValues {
+    [[nodiscard]] std::optional<double> numbered(int /*number*/) const override { return {}; }
+    [[nodiscard]] std::optional<double> named(std::string_view /*name*/) const override { return {}; }
+};
+
 Line lineOf(std::string_view text) {
     Line line;
-    readLine(text, line);
+    readLine(text, {Parameters(), NoValues()}, line);
     return line;
 }
 
@@ -53,7 +58,8 @@ TEST(Lexer, KnowsLinesThatOrderNothing) {
     EXPECT_TRUE(lineOf("/ G0").deleteMark);
     EXPECT_TRUE(lineOf(" % ").percent);
     EXPECT_TRUE(lineOf("%(tape)").percent);
-    EXPECT_TRUE(lineOf("O1234 (part)").block.has('O'));
+    EXPECT_EQ(lineOf("O1234 (part)").flow->kind, FlowKind::programNumber);
+    EXPECT_EQ(lineOf("O1234 (part)").flow->label, "1234");
 }
 
 TEST(Lexer, SkipsControlCodesOfSerialLines) {
@@ -87,10 +93,14 @@ TEST(Lexer, PointsAtWhatItCannotRead) {
                           Case{"(a (b) c) X1", "comment-nested", 4, 1},
                           Case{"G0 X1 X2", "word-twice", 7, 2},
                           Case{"G0 X9999999999999", "number-out-of-range", 4, 14},
-                          Case{"G0 X[1+2]", "expression-unsupported", 5, 5},
-                          Case{"#1=5 (five)", "expression-unsupported", 1, 11},
-                          Case{"O100 sub", "o-word-unsupported", 1, 8},
-                          Case{"o<name> call", "o-word-unsupported", 1, 12},
+                          Case{"G0 X[1+2", "bracket-unclosed", 5, 1},
+                          Case{"G0 X[1 2 Y]", "operator-missing", 10, 1},
+                          Case{"G0 X[1/0]", "no-result", 7, 2},
+                          Case{"G0 X#<none>", "parameter-unset", 5, 7},
+                          Case{"#1 (a)", "assignment-form", 1, 3},
+                          Case{"O100 sup", "flow-keyword", 6, 3},
+                          Case{"o<name call", "name-unclosed", 2, 10},
+                          Case{"X1 o1 endif", "flow-not-first", 4, 1},
                           Case{"G0 N5", "n-not-first", 4, 1},
                           Case{"N-5 G0", "n-negative", 1, 3},
                           Case{"% G0", "percent-not-alone", 1, 1}}) {

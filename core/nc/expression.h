@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers, parameters and expressions as they stand in an NC line. Source: LinuxCNC's documentation of
+// expressions, checked against its stand-alone interpreter.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+#include "core/nc/parameters.h"
+#include "core/nc/read_error.h"
+
+namespace proveout {
+
+/// A parameter that a line names: by number, or by name where `name` is not empty.
+struct ParameterName {
+    int number = 0;
+    std::string name; ///< lower case, without blanks
+
+    bool operator==(const ParameterName&) const = default;
+};
+
+/// Reads values from one line. Blanks may stand anywhere, letters may be of either case. Keeps references to
+/// its arguments. Not for lines of which nobody has looked at the length: linear in the line.
+class ExpressionReader {
+public:
+    static constexpr int kDeepest = 100; ///< levels of brackets, signs and parameters of parameters
+
+    ExpressionReader(std::string_view line, const Parameters& parameters, const SystemValues& system)
+        : m_line(line), m_parameters(parameters), m_system(system) {}
+
+    /// The value that begins at `at`, which then points behind it: a number, a parameter, a bracket or a
+    /// function, with a sign or without. `letter` names in messages what the value belongs to.
+    [[nodiscard]] tl::expected<double, ReadError> value(std::size_t& at, std::string_view letter);
+
+    /// What follows "#"; `at` points at it, and then behind the name.
+    [[nodiscard]] tl::expected<ParameterName, ReadError> parameterName(std::size_t& at);
+
+private:
+    using Value = tl::expected<double, ReadError>;
+
+    [[nodiscard]] char peek(std::size_t& at) const; ///< upper case, behind blanks; 0 at the end
+    bool take(std::size_t& at, std::string_view word) const;
+    Value signedValue(std::size_t& at, std::string_view letter);
+    Value plainNumber(std::size_t& at, std::string_view letter);
+    Value parameter(std::size_t& at);
+    Value bracket(std::size_t& at);
+    Value operand(std::size_t& at, int strength);
+    Value operation(double left, std::size_t& at, int strength);
+    Value function(std::size_t& at, std::string_view letter);
+    Value arcTangent(double opposite, std::size_t& at);
+    Value existence(std::size_t& at);
+    tl::expected<std::string, ReadError> quotedName(std::size_t& at);
+
+    std::string_view m_line;
+    const Parameters& m_parameters;
+    const SystemValues& m_system;
+    int m_depth = 0;
+};
+
+} // namespace proveout

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/nc/machine_values.h"
+
+#include <algorithm>
+#include <array>
+
+namespace proveout {
+
+namespace {
+
+constexpr int kToolNumber = 5400;
+constexpr int kPosition = 5420; ///< X; Y and Z follow
+constexpr int kActiveOffset = 5220;
+
+double position(const MachineState& state, int axis) {
+    return state.fromMm(state.frame.toProgram(state.position)[axis]);
+}
+
+double planeNumber(const MachineState& state) {
+    constexpr std::array kNumbers{170.0, 180.0, 190.0};
+    return kNumbers[static_cast<std::size_t>(state.plane)];
+}
+
+double truth(bool value) {
+    return value ? 1.0 : 0.0;
+}
+
+double motionNumber(const MachineState& state) {
+    return state.motion == nullptr ? 800.0 : static_cast<double>(state.motion->tenths);
+}
+
+struct NamedValue {
+    std::string_view name;
+    double (*value)(const MachineState&);
+};
+
+// In alphabetical order.
+constexpr NamedValue kNamed[] = {
+    {"_absolute", [](const MachineState& s) { return truth(!s.incremental); }},
+    {"_coord_system", [](const MachineState& s) {
+         return s.workOffset <= 6 ? 530.0 + 10.0 * s.workOffset : 590.0 + (s.workOffset - 6);
+     }},
+    {"_current_tool", [](const MachineState& s) { return static_cast<double>(s.tool); }},
+    {"_feed", [](const MachineState& s) { return s.fromMm(s.feedMmPerMin); }},
+    {"_flood", [](const MachineState& s) { return truth(s.flood); }},
+    {"_ijk_absolute_mode", [](const MachineState& s) { return truth(s.arcCentreAbsolute); }},
+    {"_imperial", [](const MachineState& s) { return truth(s.inch); }},
+    {"_incremental", [](const MachineState& s) { return truth(s.incremental); }},
+    {"_metric", [](const MachineState& s) { return truth(!s.inch); }},
+    {"_mist", [](const MachineState& s) { return truth(s.mist); }},
+    {"_motion_mode", motionNumber},
+    {"_plane", planeNumber},
+    {"_rpm", [](const MachineState& s) { return s.spindleRpm; }},
+    {"_selected_tool", [](const MachineState& s) { return static_cast<double>(s.selectedTool); }},
+    {"_spindle_cw", [](const MachineState& s) { return truth(s.spindleDirection > 0); }},
+    {"_spindle_on", [](const MachineState& s) { return truth(s.spindleDirection != 0); }},
+    {"_task", [](const MachineState&) { return 0.0; }},
+    {"_vmajor", [](const MachineState&) { return 2.9; }},
+    {"_vminor", [](const MachineState&) { return 0.0; }},
+    {"_x", [](const MachineState& s) { return position(s, 0); }},
+    {"_y", [](const MachineState& s) { return position(s, 1); }},
+    {"_z", [](const MachineState& s) { return position(s, 2); }},
+};
+
+} // namespace
+
+std::optional<double> MachineValues::numbered(int number) const {
+    if (number >= kPosition && number < kPosition + 9)
+        return number < kPosition + 3 ? position(m_state, number - kPosition) : 0.0;
+    if (number == kToolNumber)
+        return m_state.tool;
+    if (number == kActiveOffset)
+        return m_state.workOffset;
+    return {};
+}
+
+std::optional<double> MachineValues::named(std::string_view name) const {
+    const auto* row = std::ranges::lower_bound(kNamed, name, {}, &NamedValue::name);
+    return row != std::end(kNamed) && row->name == name ? std::optional(row->value(m_state)) : std::nullopt;
+}
+
+} // namespace proveout

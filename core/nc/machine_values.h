@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/nc/machine_state.h"
+#include "core/nc/parameters.h"
+
+namespace proveout {
+
+/// What LinuxCNC's parameters tell of the machine: #5420 to #5428, #<_x>, #<_metric> and the like. Keeps a
+/// reference to the state.
+class MachineValues : public SystemValues {
+public:
+    explicit MachineValues(const MachineState& state) : m_state(state) {}
+
+    [[nodiscard]] std::optional<double> numbered(int number) const override;
+    [[nodiscard]] std::optional<double> named(std::string_view name) const override;
+
+private:
+    const MachineState& m_state;
+};
+
+} // namespace proveout
