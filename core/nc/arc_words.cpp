@@ -31,7 +31,9 @@ class ArcWords {
 public:
     ArcWords(Execution& execution, const Word& word, const Motion& motion, bool clockwise)
         : m_execution(execution), m_word(word),
-          m_plane(axes(motion.plane)), m_ends{inPlane(motion.start), inPlane(motion.end), clockwise} {}
+          m_plane(axes(motion.plane)), m_ends{inPlane(execution.state.frame.toProgram(motion.start)),
+                                              inPlane(execution.state.frame.toProgram(motion.end)),
+                                              clockwise} {}
 
     /// Nothing where the words make no arc, which is then told.
     std::optional<Arc> read() {
@@ -157,14 +159,21 @@ bool fitForSize(Execution& execution, const Word& word, Motion& motion) {
 } // namespace
 
 bool shapeArc(Execution& execution, const Word& word, Motion& motion, bool clockwise) {
+    const WorkFrame& frame = execution.state.frame;
+    if (frame.rotation != 0 && motion.plane != Plane::xy) {
+        execution.reporter.tell(nc_message::kArcTurned, word);
+        return false;
+    }
     ArcWords words(execution, word, motion, clockwise);
     const std::optional<Arc> arc = words.read();
     const std::optional<int> turns = arc ? words.extraTurns() : std::nullopt;
     if (!arc || !turns)
         return false;
     const PlaneAxes plane = axes(motion.plane);
-    motion.centre[plane.first] = arc->centre.x;
-    motion.centre[plane.second] = arc->centre.y;
+    Vec3 centre = frame.toProgram(motion.start);
+    centre[plane.first] = arc->centre.x;
+    centre[plane.second] = arc->centre.y;
+    motion.centre = frame.toMachine(centre);
     motion.centre[plane.normal] = motion.start[plane.normal];
     motion.sweep = arc->sweep + std::copysign(2 * std::numbers::pi * *turns, arc->sweep);
     return fitForSize(execution, word, motion);

@@ -4,6 +4,8 @@
 #include <fmt/format.h>
 #include <string>
 
+#include "core/nc/handlers.h"
+
 namespace proveout {
 
 namespace {
@@ -13,6 +15,7 @@ constexpr LetterSet kOtherAxes("ABCUVW");
 constexpr LetterSet kArcLetters("IJKR");
 constexpr LetterSet kOwnMeaning("FSTNO");
 constexpr int kMostMWords = 4;
+constexpr int kIncrementalTenths = 910; ///< G91
 
 std::string asText(const Word& word) {
     return fmt::format("{}{:g}", word.letter, word.value);
@@ -55,6 +58,8 @@ private:
             m_motionRow = row;
         if (!row->supported())
             planUnsupported(*row, word);
+        else if (row->axisUse != AxisUse::none && !planAxisUse(*row, word))
+            return false;
         else if (row->group != ModalGroup::motion && row->group != ModalGroup::motionOff)
             m_plan.add(row->step, row->handler, word);
         m_used.add(row->letters);
@@ -71,6 +76,21 @@ private:
             m_execution.state.forget(kAxes);
     }
 
+    /// A supported code with a claim on the axis words.
+    bool planAxisUse(const CodeRow& row, const Word& word) {
+        if (row.axisUse == AxisUse::machine) {
+            m_machineWord = &word;
+            m_execution.machineCoordinates = true;
+        } else if (m_axisWord != nullptr) {
+            return refuse(nc_message::kAxesTwice, word, {asText(*m_axisWord), asText(word)});
+        } else {
+            m_axisWord = &word;
+        }
+        if (row.group != ModalGroup::motion)
+            m_plan.add(row.step, row.handler, word);
+        return true;
+    }
+
     void tellOtherAxes() {
         if (!m_block.letters().any(kOtherAxes))
             return;
@@ -85,6 +105,10 @@ private:
     bool planMotion() {
         MachineState& state = m_execution.state;
         const bool named = m_block.letters().any(kAxes);
+        if (m_axisWord != nullptr && !m_axesTaken && !m_unknownCode)
+            return planWithoutMotion(named);
+        if (m_machineWord != nullptr && !checkMachineMotion())
+            return false;
         if (m_motionRow != nullptr && m_motionRow->handler == nullptr)
             state.motion = m_motionRow;
         if (m_axesTaken || (m_unknownCode && m_motionRow == nullptr)) {
@@ -95,7 +119,7 @@ private:
             return true;
         }
         if (m_motionRow != nullptr) {
-            m_plan.add(Step::motion, m_motionRow->handler, groupWord(ModalGroup::motion));
+            m_plan.add(Step::motion, m_motionRow->handler, *groupWord(ModalGroup::motion));
             state.motion = m_motionRow;
             return true;
         }
@@ -105,6 +129,32 @@ private:
         if (!named && !(arc && m_block.letters().any(kArcLetters)))
             return true;
         return planMotionInForce();
+    }
+
+    /// The axis words belong to a code that is no motion.
+    bool planWithoutMotion(bool named) {
+        if (m_motionRow == nullptr)
+            return true;
+        const Word& motion = *groupWord(ModalGroup::motion);
+        if (named)
+            return refuse(nc_message::kAxesTwice, motion, {asText(*m_axisWord), asText(motion)});
+        m_execution.state.motion = m_motionRow;
+        return true;
+    }
+
+    bool checkMachineMotion() {
+        const CodeRow* row = m_motionRow != nullptr ? m_motionRow : m_execution.state.motion;
+        const bool straight = row != nullptr && (row->handler == moveRapid || row->handler == moveFeed);
+        if (!straight)
+            return refuse(nc_message::kMachineMotion, *m_machineWord);
+        if (m_execution.state.incremental || groupIs(ModalGroup::distance, kIncrementalTenths))
+            return refuse(nc_message::kMachineIncremental, *m_machineWord);
+        return true;
+    }
+
+    [[nodiscard]] bool groupIs(ModalGroup group, int tenths) const {
+        const Word* word = m_groups[static_cast<std::size_t>(group)];
+        return word != nullptr && findCode(*word)->tenths == tenths;
     }
 
     bool planMotionOff(bool named) {
@@ -148,8 +198,8 @@ private:
 
     void forgetNamedAxes() { m_execution.state.forget(m_block.letters()); }
 
-    [[nodiscard]] const Word& groupWord(ModalGroup group) const {
-        return *m_groups[static_cast<std::size_t>(group)];
+    [[nodiscard]] const Word* groupWord(ModalGroup group) const {
+        return m_groups[static_cast<std::size_t>(group)];
     }
     [[nodiscard]] const Word& firstAxisWord() const {
         for (const char letter : {'X', 'Y', 'Z'}) {
@@ -183,7 +233,9 @@ private:
     int m_mWords = 0;
     bool m_strange = false;     ///< something in the block is not supported: other words may belong to it
     bool m_unknownCode = false; ///< it may use the axis words, unless a motion code does
-    bool m_axesTaken = false;
+    bool m_axesTaken = false;   ///< by a code that is not supported
+    const Word* m_axisWord = nullptr;    ///< a supported code that uses the axis words itself
+    const Word* m_machineWord = nullptr; ///< G53
 };
 
 } // namespace

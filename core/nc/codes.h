@@ -63,17 +63,21 @@ enum class Step : std::uint8_t {
     pathControl,
     distance,
     arcDistance,
+    retract,
+    nonModal, ///< G10, G28, G30, G52, G92
     motion,
     stop,
+    subprogram,
     count,
     none = count ///< takes no effect of its own
 };
 
-/// What a code that is not supported does with the axis words of its block.
+/// What a code does with the axis words of its block.
 enum class AxisUse : std::uint8_t {
-    none,   ///< they belong to the motion in force
-    takes,  ///< they are its own: no motion, and the axes named are somewhere else afterwards
-    allAxes ///< as `takes`, and without axis words it moves every axis
+    none,    ///< they belong to the motion in force
+    takes,   ///< they are its own: no motion; if it is not supported, the axes are somewhere else afterwards
+    allAxes, ///< as `takes`, and without axis words it moves every axis
+    machine, ///< they belong to the motion in force, but count in machine coordinates
 };
 
 struct CodeRow {

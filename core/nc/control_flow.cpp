@@ -170,7 +170,7 @@ std::optional<bool> ControlFlow::condition(const FlowWord& word) {
     return *value != 0;
 }
 
-std::optional<std::size_t> ControlFlow::partner(const FlowWord& word, std::size_t FlowLine::* which,
+std::optional<std::size_t> ControlFlow::partner(const FlowWord& word, std::size_t FlowLine::*which,
                                                 std::string_view missing) {
     const FlowLine* row = index().at(m_at);
     const std::size_t line = row == nullptr ? FlowLine::kNone : row->*which;
@@ -352,7 +352,9 @@ bool ControlFlow::run(const FlowRequest& request) {
     if (request.kind == FlowRequest::Kind::none)
         return true;
     if (request.kind == FlowRequest::Kind::returns) {
-        if (m_levels.empty() || !m_levels.back().repeats)
+        if (m_levels.empty())
+            return true;
+        if (!m_levels.back().repeats)
             return fail(nc_message::kReturnOutside, {"M99"});
         if (int& repeats = *m_levels.back().repeats; --repeats > 0)
             m_line = m_levels.back().entry;

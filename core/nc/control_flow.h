@@ -35,11 +35,11 @@ struct FlowRequest {
 /// documentation of O-codes. Keeps references to its arguments.
 class ControlFlow {
 public:
-    static constexpr std::size_t kDeepest = 10;        ///< calls within calls, as in LinuxCNC
-    static constexpr std::size_t kMostArguments = 30;  ///< of a call
+    static constexpr std::size_t kDeepest = 9;        ///< calls within calls, as in LinuxCNC
+    static constexpr std::size_t kMostArguments = 30; ///< of a call
 
     struct Limits {
-        std::uint64_t maxSteps; ///< lines that may be run through
+        std::uint64_t maxSteps;                            ///< lines that may be run through
         const std::vector<std::filesystem::path>& folders; ///< of subprograms in files of their own
     };
 
@@ -59,8 +59,10 @@ public:
     [[nodiscard]] bool step();
     /// Carries out the O-word of the line that step() has just left. False, and told, where it cannot be.
     [[nodiscard]] bool run(const FlowWord& word);
-    /// Carries out what a block asked for. False, and told, where it cannot be.
+    /// Carries out what a block asked for. False, and told, where it cannot be. A return from the main
+    /// program is left to the caller.
     [[nodiscard]] bool run(const FlowRequest& request);
+    [[nodiscard]] bool inMainProgram() const { return m_levels.empty(); }
     /// At the end of a text: back to the caller; false in the main program.
     [[nodiscard]] bool leaveFile();
 
@@ -75,7 +77,7 @@ private:
         std::size_t line = 0;     ///< where the caller goes on
         std::size_t entry = 0;    ///< first line of the subprogram
         std::string label;
-        std::optional<int> repeats; ///< further runs, of M98; nothing for O-words
+        std::optional<int> repeats;                            ///< further runs, of M98; nothing for O-words
         std::unordered_map<std::size_t, std::uint64_t> counts; ///< rounds left of "repeat", of the caller
     };
     using Locals = Parameters::Locals;
@@ -90,7 +92,7 @@ private:
     [[nodiscard]] std::optional<double> bracket(const FlowWord& word, std::size_t& at);
     [[nodiscard]] bool nothingBehind(std::size_t at);
     [[nodiscard]] std::optional<bool> condition(const FlowWord& word);
-    [[nodiscard]] std::optional<std::size_t> partner(const FlowWord& word, std::size_t FlowLine::* which,
+    [[nodiscard]] std::optional<std::size_t> partner(const FlowWord& word, std::size_t FlowLine::*which,
                                                      std::string_view missing);
 
     bool beginSub(const FlowWord& word);

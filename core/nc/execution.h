@@ -9,6 +9,7 @@
 #include "core/nc/parameters.h"
 #include "core/nc/program.h"
 #include "core/nc/reporter.h"
+#include "core/nc/tool_offsets.h"
 
 namespace proveout {
 
@@ -17,10 +18,12 @@ struct Execution {
     const Block& block;
     MachineState& state;
     Parameters& parameters;
+    ToolOffsets& tools;
     FlowRequest& request;
     Program& program;
     Reporter& reporter;
-    std::uint32_t line; ///< source line, 1-based
+    std::uint32_t line;              ///< source line, 1-based
+    bool machineCoordinates = false; ///< G53: of this block's axis words
 };
 
 /// Checks a block and executes it: every word at its step, each group at most once. A block that contradicts

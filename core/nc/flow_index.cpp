@@ -10,8 +10,8 @@ namespace {
 
 /// The rows of one construct that is still open, as indices.
 struct Open {
-    std::vector<std::size_t> parts;             ///< if, elseif …; while; repeat; do
-    std::vector<std::size_t> jumps;             ///< break and continue of this label
+    std::vector<std::size_t> parts; ///< if, elseif …; while; repeat; do
+    std::vector<std::size_t> jumps; ///< break and continue of this label
 };
 
 class Matcher {

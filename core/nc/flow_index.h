@@ -17,8 +17,8 @@ struct FlowLine {
     static constexpr std::size_t kNone = static_cast<std::size_t>(-1);
 
     FlowKind kind = FlowKind::programNumber;
-    std::size_t line = 0; ///< 0-based
-    std::size_t next = kNone; ///< sub, if, elseif, else, while, repeat, do: the next line of the construct
+    std::size_t line = 0;      ///< 0-based
+    std::size_t next = kNone;  ///< sub, if, elseif, else, while, repeat, do: the next line of the construct
     std::size_t begin = kNone; ///< of the loop that this line is in (break, continue) or ends
     std::size_t end = kNone;   ///< of the construct
     std::size_t twin = kNone;  ///< the line that used this label first

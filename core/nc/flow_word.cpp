@@ -16,11 +16,21 @@ struct Keyword {
 
 // A word that begins another one stands behind it.
 constexpr Keyword kKeywords[] = {
-    {"sub", FlowKind::sub},           {"endsub", FlowKind::endSub},     {"call", FlowKind::call},
-    {"return", FlowKind::returns},    {"if", FlowKind::ifs},            {"elseif", FlowKind::elseIf},
-    {"else", FlowKind::elses},        {"endif", FlowKind::endIf},       {"do", FlowKind::doLoop},
-    {"while", FlowKind::whileLoop},   {"endwhile", FlowKind::endWhile}, {"repeat", FlowKind::repeat},
-    {"endrepeat", FlowKind::endRepeat}, {"break", FlowKind::breaks},    {"continue", FlowKind::continues},
+    {"sub", FlowKind::sub},
+    {"endsub", FlowKind::endSub},
+    {"call", FlowKind::call},
+    {"return", FlowKind::returns},
+    {"if", FlowKind::ifs},
+    {"elseif", FlowKind::elseIf},
+    {"else", FlowKind::elses},
+    {"endif", FlowKind::endIf},
+    {"do", FlowKind::doLoop},
+    {"while", FlowKind::whileLoop},
+    {"endwhile", FlowKind::endWhile},
+    {"repeat", FlowKind::repeat},
+    {"endrepeat", FlowKind::endRepeat},
+    {"break", FlowKind::breaks},
+    {"continue", FlowKind::continues},
 };
 
 bool isBlank(char c) {

@@ -22,8 +22,32 @@ void setAbsolute(Execution& execution, const Word& word);             ///< G90
 void setIncremental(Execution& execution, const Word& word);          ///< G91
 void setArcCentreAbsolute(Execution& execution, const Word& word);    ///< G90.1
 void setArcCentreIncremental(Execution& execution, const Word& word); ///< G91.1
-void cancelToolLength(Execution& execution, const Word& word);        ///< G49
 void keepState(Execution& execution, const Word& word); ///< a code whose state is the only one there is
+
+// offset_codes.cpp
+void selectWorkOffset(Execution& execution, const Word& word); ///< G54 to G59.3
+void setOffsets(Execution& execution, const Word& word);       ///< G10
+void shiftCoordinates(Execution& execution, const Word& word); ///< G92
+void clearShift(Execution& execution, const Word& word);       ///< G92.1
+void suspendShift(Execution& execution, const Word& word);     ///< G92.2
+void restoreShift(Execution& execution, const Word& word);     ///< G92.3
+void shiftLocally(Execution& execution, const Word& word);     ///< G52
+
+// reference_codes.cpp
+void goHome(Execution& execution, const Word& word);               ///< G28
+void storeHome(Execution& execution, const Word& word);            ///< G28.1
+void goToSecondReference(Execution& execution, const Word& word);  ///< G30
+void storeSecondReference(Execution& execution, const Word& word); ///< G30.1
+
+// length_codes.cpp
+void useToolLength(Execution& execution, const Word& word);    ///< G43
+void useGivenLength(Execution& execution, const Word& word);   ///< G43.1
+void addToolLength(Execution& execution, const Word& word);    ///< G43.2
+void cancelToolLength(Execution& execution, const Word& word); ///< G49
+
+// call_codes.cpp
+void callProgram(Execution& execution, const Word& word);       ///< M98
+void returnFromProgram(Execution& execution, const Word& word); ///< M99
 
 // machine_codes.cpp
 void dwell(Execution& execution, const Word& word);                       ///< G4

@@ -18,7 +18,7 @@ constexpr std::size_t kLongestLine = 252;   ///< characters that LinuxCNC reads
 constexpr std::size_t kLinesPerLook = 1024; ///< lines between two looks at the stop token
 constexpr std::size_t kLinesPerTell = 65536;
 
-constexpr std::size_t kLongestShown = 40; ///< bytes of a line in a message
+constexpr std::size_t kLongestShown = 40;        ///< bytes of a line in a message
 constexpr std::uint8_t kContinuationMask = 0xc0; ///< of a byte within a character of UTF-8
 constexpr std::uint8_t kContinuation = 0x80;
 
@@ -40,13 +40,14 @@ class Interpreter {
 public:
     Interpreter(const NcText& text, const InterpretOptions& options, const WorkContext& context)
         : m_text(text), m_options(options), m_context(context), m_program(std::make_shared<Program>()),
-          m_reporter(*m_program, options.file, options.maxDiagnostics), m_values(m_state),
-          m_flow(text, options.file, {options.maxSteps, options.subprogramFolders}, m_parameters, m_values,
-                 m_reporter) {
+          m_reporter(*m_program, options.file, options.maxDiagnostics), m_tools(options.tools),
+          m_values(m_state), m_flow(text, options.file, {options.maxSteps, options.subprogramFolders},
+                                    m_parameters, m_values, m_reporter) {
         if (options.start || options.assumeStartAtZero) {
             m_state.position = options.start.value_or(Vec3(0));
             m_state.known = kAllAxes;
         }
+        m_state.machineZeroKnown = options.assumeStartAtZero;
     }
 
     std::shared_ptr<const Program> run() {
@@ -129,12 +130,22 @@ private:
         if (m_line.block.empty())
             return;
         FlowRequest request;
-        Execution execution{m_line.block, m_state, m_parameters, request, *m_program, m_reporter,
-                            static_cast<std::uint32_t>(m_flow.mainLine() + 1)};
+        Execution execution{
+            m_line.block, m_state,    m_parameters, m_tools,
+            request,      *m_program, m_reporter,   static_cast<std::uint32_t>(m_flow.mainLine() + 1)};
         executeBlock(execution);
-        if (!m_flow.run(request))
+        if (request.kind == FlowRequest::Kind::returns && m_flow.inMainProgram())
+            endAtReturn(request.word);
+        else if (!m_flow.run(request))
             m_state.forget(LetterSet("XYZ"));
         m_finished = m_state.ended || tooLong();
+    }
+
+    /// A control would start the program again; once is what there is to see.
+    void endAtReturn(const Word& word) {
+        m_reporter.tell(nc_message::kMainReturn, word);
+        m_program->append(ProgramEnd{}, static_cast<std::uint32_t>(m_flow.mainLine() + 1));
+        m_state.ended = true;
     }
 
     void assign() {
@@ -142,8 +153,8 @@ private:
             const std::string& name = order.target.name;
             const bool readOnly = name.empty() ? m_values.numbered(order.target.number).has_value()
                                                : m_values.named(name).has_value();
-            const std::string shown = name.empty() ? fmt::format("#{}", order.target.number)
-                                                   : fmt::format("#<{}>", name);
+            const std::string shown =
+                name.empty() ? fmt::format("#{}", order.target.number) : fmt::format("#<{}>", name);
             if (readOnly)
                 m_reporter.tell(nc_message::kParameterReadOnly, order.column, order.length, {shown});
             else if (name.empty())
@@ -236,6 +247,7 @@ private:
     Reporter m_reporter;
     MachineState m_state;
     Parameters m_parameters;
+    ToolOffsets m_tools;
     MachineValues m_values;
     ControlFlow m_flow;
     ReadContext m_readContext{m_parameters, m_values};

@@ -13,19 +13,22 @@
 #include "core/base/work_context.h"
 #include "core/nc/nc_text.h"
 #include "core/nc/program.h"
+#include "core/nc/tool_offsets.h"
 
 namespace proveout {
 
 struct InterpretOptions {
-    std::string file;               ///< name for diagnostics
-    bool blockDelete = false;       ///< skip blocks that begin with "/"
-    std::optional<Vec3> start;      ///< mm, before the first block; without it no axis is known
-    bool assumeStartAtZero = false; ///< `interpret`: start at 0,0,0, every motion counts as known
+    std::string file;          ///< name for diagnostics
+    bool blockDelete = false;  ///< skip blocks that begin with "/"
+    std::optional<Vec3> start; ///< mm, before the first block; without it no axis is known
+    /// `interpret`: start at 0,0,0, which is the machine's zero too; every motion counts as known.
+    bool assumeStartAtZero = false;
     /// Of motions, and of events: the block with one more is the last one.
     std::size_t maxMotions = 50'000'000;
+    ToolOffsets tools;                    ///< lengths and diameters that the control knows
     std::uint64_t maxSteps = 100'000'000; ///< lines run through, those of loops and subprograms each time
     std::vector<std::filesystem::path> subprogramFolders; ///< of O-word subprograms in files of their own
-    std::size_t maxDiagnostics = 100; ///< further ones are counted in one last message
+    std::size_t maxDiagnostics = 100;                     ///< further ones are counted in one last message
 };
 
 /// Interprets an NC text (RS274 as LinuxCNC reads it, the codes of the table in codes.h). Never fails: what

@@ -31,11 +31,11 @@ struct Line {
     Block block;
     std::vector<Assignment> assignments; ///< take effect after the whole line was read, in this order
     std::optional<FlowWord> flow;        ///< then the line has nothing else, and its arguments are not read
-    bool percent = false;           ///< a line with nothing but "%"
-    bool deleteMark = false;        ///< begins with "/"
-    int controlCodeColumn = 0;      ///< of a control code that was skipped, 0: none
-    Place longBlockNumber;          ///< an N word that no control could hold
-    std::optional<ReadError> error; ///< `block` holds the words before it
+    bool percent = false;                ///< a line with nothing but "%"
+    bool deleteMark = false;             ///< begins with "/"
+    int controlCodeColumn = 0;           ///< of a control code that was skipped, 0: none
+    Place longBlockNumber;               ///< an N word that no control could hold
+    std::optional<ReadError> error;      ///< `block` holds the words before it
 };
 
 /// What expressions are evaluated with.

@@ -30,7 +30,9 @@ struct MachineState {
     int selectedTool = -1;    ///< by T; -1: none yet
     int tool = 0;             ///< in the spindle; 0: none
 
+    bool machineZeroKnown = false; ///< whether machine coordinates can be told from program coordinates
     WorkFrame frame;
+    Vec3 toolOffset{0}; ///< in force, by G43 and its like
     int workOffset = 1; ///< 1 for G54 to 9 for G59.3
 
     Vec3 position{0};           ///< of the tip of the cutter, in machine coordinates
@@ -40,6 +42,7 @@ struct MachineState {
     // What was told already, so that it is told once.
     std::uint8_t unknownTold = 0; ///< AxisBits
     bool missingFeedTold = false;
+    bool referenceTold = false;
 
     [[nodiscard]] double toMm(double value) const { return inch ? value * kMmPerInch : value; }
     [[nodiscard]] double fromMm(double value) const { return inch ? value / kMmPerInch : value; }

@@ -37,7 +37,8 @@ struct NamedValue {
 // In alphabetical order.
 constexpr NamedValue kNamed[] = {
     {"_absolute", [](const MachineState& s) { return truth(!s.incremental); }},
-    {"_coord_system", [](const MachineState& s) {
+    {"_coord_system",
+     [](const MachineState& s) {
          return s.workOffset <= 6 ? 530.0 + 10.0 * s.workOffset : 590.0 + (s.workOffset - 6);
      }},
     {"_current_tool", [](const MachineState& s) { return static_cast<double>(s.tool); }},

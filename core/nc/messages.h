@@ -40,9 +40,9 @@ inline constexpr Message kNestedTooDeep{
     PROVEOUT_TEXT("Core", "The expression is nested deeper than 100 levels."),
     PROVEOUT_TEXT("Core", "Compute it in several steps.")};
 inline constexpr Message kParameterUnset{
-    Severity::error, true, "parameter-unset",
-    PROVEOUT_TEXT("Core", "The parameter {} was never set."),
-    PROVEOUT_TEXT("Core", "Set it first; a name without _ at its front is known in its own subprogram only.")};
+    Severity::error, true, "parameter-unset", PROVEOUT_TEXT("Core", "The parameter {} was never set."),
+    PROVEOUT_TEXT("Core",
+                  "Set it first; a name without _ at its front is known in its own subprogram only.")};
 inline constexpr Message kParameterNotWhole{
     Severity::error, true, "parameter-not-whole",
     PROVEOUT_TEXT("Core", "{} is not a whole number, so that it names no parameter."),
@@ -51,45 +51,38 @@ inline constexpr Message kParameterNumber{
     Severity::error, true, "parameter-number",
     PROVEOUT_TEXT("Core", "There is no parameter with the number {}: they go from 1 to 5601."),
     PROVEOUT_TEXT("Core", "Use another number, or a name.")};
-inline constexpr Message kParameterReadOnly{
-    Severity::error, true, "parameter-read-only",
-    PROVEOUT_TEXT("Core", "The parameter {} can be read only."),
-    PROVEOUT_TEXT("Core", "Use another number.")};
-inline constexpr Message kNameUnclosed{
-    Severity::error, true, "name-unclosed",
-    PROVEOUT_TEXT("Core", "The name is not closed."),
-    PROVEOUT_TEXT("Core", "Close it with \">\".")};
-inline constexpr Message kNameEmpty{
-    Severity::error, true, "name-empty",
-    PROVEOUT_TEXT("Core", "The name is empty."),
-    PROVEOUT_TEXT("Core", "Write a name between \"<\" and \">\".")};
-inline constexpr Message kNameLong{
-    Severity::error, true, "name-long",
-    PROVEOUT_TEXT("Core", "The name has more than 256 characters."),
-    PROVEOUT_TEXT("Core", "Use a shorter one.")};
+inline constexpr Message kParameterReadOnly{Severity::error, true, "parameter-read-only",
+                                            PROVEOUT_TEXT("Core", "The parameter {} can be read only."),
+                                            PROVEOUT_TEXT("Core", "Use another number.")};
+inline constexpr Message kNameUnclosed{Severity::error, true, "name-unclosed",
+                                       PROVEOUT_TEXT("Core", "The name is not closed."),
+                                       PROVEOUT_TEXT("Core", "Close it with \">\".")};
+inline constexpr Message kNameEmpty{Severity::error, true, "name-empty",
+                                    PROVEOUT_TEXT("Core", "The name is empty."),
+                                    PROVEOUT_TEXT("Core", "Write a name between \"<\" and \">\".")};
+inline constexpr Message kNameLong{Severity::error, true, "name-long",
+                                   PROVEOUT_TEXT("Core", "The name has more than 256 characters."),
+                                   PROVEOUT_TEXT("Core", "Use a shorter one.")};
 inline constexpr Message kNamesTooMany{
     Severity::error, true, "names-too-many",
     PROVEOUT_TEXT("Core", "The program has more than 100000 named parameters at once; {} was not set."),
     PROVEOUT_TEXT("Core", "Use fewer names, or numbers.")};
-inline constexpr Message kBracketUnclosed{
-    Severity::error, true, "bracket-unclosed",
-    PROVEOUT_TEXT("Core", "The bracket is not closed."),
-    PROVEOUT_TEXT("Core", "Close it with \"]\" in the same line.")};
-inline constexpr Message kBracketMissing{
-    Severity::error, true, "bracket-missing",
-    PROVEOUT_TEXT("Core", "{} has no argument in brackets."),
-    PROVEOUT_TEXT("Core", "Write for example SIN[30].")};
+inline constexpr Message kBracketUnclosed{Severity::error, true, "bracket-unclosed",
+                                          PROVEOUT_TEXT("Core", "The bracket is not closed."),
+                                          PROVEOUT_TEXT("Core", "Close it with \"]\" in the same line.")};
+inline constexpr Message kBracketMissing{Severity::error, true, "bracket-missing",
+                                         PROVEOUT_TEXT("Core", "{} has no argument in brackets."),
+                                         PROVEOUT_TEXT("Core", "Write for example SIN[30].")};
 inline constexpr Message kOperatorMissing{
     Severity::error, true, "operator-missing",
     PROVEOUT_TEXT("Core", "\"{}\" stands where an operator or \"]\" belongs."),
     PROVEOUT_TEXT("Core", "Check the expression.")};
 inline constexpr Message kNoResult{
-    Severity::error, true, "no-result",
-    PROVEOUT_TEXT("Core", "{} has no result for these values."),
-    PROVEOUT_TEXT("Core", "Check for a division by zero, the root of a negative number, an arc sine beyond 1.")};
+    Severity::error, true, "no-result", PROVEOUT_TEXT("Core", "{} has no result for these values."),
+    PROVEOUT_TEXT("Core",
+                  "Check for a division by zero, the root of a negative number, an arc sine beyond 1.")};
 inline constexpr Message kArcTangentForm{
-    Severity::error, true, "atan-form",
-    PROVEOUT_TEXT("Core", "ATAN needs two arguments: ATAN[y]/[x]."),
+    Severity::error, true, "atan-form", PROVEOUT_TEXT("Core", "ATAN needs two arguments: ATAN[y]/[x]."),
     PROVEOUT_TEXT("Core", "Add the second one; for a plain ratio write ATAN[ratio]/[1].")};
 inline constexpr Message kExistsForm{
     Severity::error, true, "exists-form",
@@ -106,58 +99,57 @@ inline constexpr Message kLabelNotWhole{
 inline constexpr Message kFlowKeyword{
     Severity::error, true, "flow-keyword",
     PROVEOUT_TEXT("Core", "\"{}\" is none of the words that may follow an O word."),
-    PROVEOUT_TEXT("Core", "sub, endsub, call, return, if, elseif, else, endif, do, while, endwhile, repeat, endrepeat, break, continue.")};
-inline constexpr Message kFlowNotFirst{
-    Severity::error, true, "flow-not-first",
-    PROVEOUT_TEXT("Core", "The O word does not begin the block."),
-    PROVEOUT_TEXT("Core", "Put it on a line of its own.")};
+    PROVEOUT_TEXT("Core", "sub, endsub, call, return, if, elseif, else, endif, do, while, endwhile, repeat, "
+                          "endrepeat, break, continue.")};
+inline constexpr Message kFlowNotFirst{Severity::error, true, "flow-not-first",
+                                       PROVEOUT_TEXT("Core", "The O word does not begin the block."),
+                                       PROVEOUT_TEXT("Core", "Put it on a line of its own.")};
 inline constexpr Message kFlowRest{
     Severity::error, true, "flow-rest",
     PROVEOUT_TEXT("Core", "\"{}\" stands behind the O word and its arguments."),
     PROVEOUT_TEXT("Core", "Put it on a line of its own.")};
 inline constexpr Message kFlowPartner{
-    Severity::error, true, "flow-partner",
-    PROVEOUT_TEXT("Core", "O{} {} has no {} that belongs to it."),
+    Severity::error, true, "flow-partner", PROVEOUT_TEXT("Core", "O{} {} has no {} that belongs to it."),
     PROVEOUT_TEXT("Core", "Both need the same label, in the same subprogram.")};
 inline constexpr Message kLabelTwice{
     Severity::error, true, "label-twice",
     PROVEOUT_TEXT("Core", "The label O{} is used already in line {} of this subprogram or main program."),
     PROVEOUT_TEXT("Core", "Give each branch and each loop a label of its own.")};
-inline constexpr Message kSubNested{
-    Severity::error, true, "sub-nested", PROVEOUT_TEXT("Core", "O{} sub stands within another subprogram."),
-    PROVEOUT_TEXT("Core", "Close the other one with endsub before it.")};
-inline constexpr Message kFlowCondition{
-    Severity::error, true, "flow-condition",
-    PROVEOUT_TEXT("Core", "{} needs a condition in brackets."),
-    PROVEOUT_TEXT("Core", "Write for example: O1 if [#1 GT 0].")};
+inline constexpr Message kSubNested{Severity::error, true, "sub-nested",
+                                    PROVEOUT_TEXT("Core", "O{} sub stands within another subprogram."),
+                                    PROVEOUT_TEXT("Core", "Close the other one with endsub before it.")};
+inline constexpr Message kFlowCondition{Severity::error, true, "flow-condition",
+                                        PROVEOUT_TEXT("Core", "{} needs a condition in brackets."),
+                                        PROVEOUT_TEXT("Core", "Write for example: O1 if [#1 GT 0].")};
 inline constexpr Message kSubUnknown{
     Severity::error, true, "sub-unknown",
     PROVEOUT_TEXT("Core", "There is no subprogram {}, in this file or as {}."),
     PROVEOUT_TEXT("Core", "Check the name and the folders of subprograms.")};
 inline constexpr Message kSubFolder{
     Severity::error, true, "sub-folder",
-    PROVEOUT_TEXT("Core", "The subprogram {} is not opened: its name leads out of the folders of subprograms."),
+    PROVEOUT_TEXT("Core",
+                  "The subprogram {} is not opened: its name leads out of the folders of subprograms."),
     PROVEOUT_TEXT("Core", "Use a name without \"/\" and \"..\".")};
-inline constexpr Message kSubUnreadable{
-    Severity::error, true, "sub-unreadable",
-    PROVEOUT_TEXT("Core", "The subprogram {} cannot be read: {}"),
-    PROVEOUT_TEXT("Core", "Check the file.")};
-inline constexpr Message kSubEndMissing{
-    Severity::error, true, "sub-end-missing",
-    PROVEOUT_TEXT("Core", "The file ends within the subprogram {}."),
-    PROVEOUT_TEXT("Core", "Close it with endsub or M99.")};
+inline constexpr Message kSubUnreadable{Severity::error, true, "sub-unreadable",
+                                        PROVEOUT_TEXT("Core", "The subprogram {} cannot be read: {}"),
+                                        PROVEOUT_TEXT("Core", "Check the file.")};
+inline constexpr Message kSubEndMissing{Severity::error, true, "sub-end-missing",
+                                        PROVEOUT_TEXT("Core", "The file ends within the subprogram {}."),
+                                        PROVEOUT_TEXT("Core", "Close it with endsub or M99.")};
 inline constexpr Message kCallTooDeep{
     Severity::error, true, "call-too-deep",
     PROVEOUT_TEXT("Core", "Subprograms call each other deeper than {} levels: {}."),
     PROVEOUT_TEXT("Core", "Check for a subprogram that calls itself without end.")};
-inline constexpr Message kTooManyArguments{
-    Severity::error, true, "too-many-arguments",
-    PROVEOUT_TEXT("Core", "The call has more than 30 arguments."),
-    PROVEOUT_TEXT("Core", "Pass the others in global parameters.")};
+inline constexpr Message kTooManyArguments{Severity::error, true, "too-many-arguments",
+                                           PROVEOUT_TEXT("Core", "The call has more than 30 arguments."),
+                                           PROVEOUT_TEXT("Core", "Pass the others in global parameters.")};
 inline constexpr Message kReturnOutside{
-    Severity::error, true, "return-outside",
-    PROVEOUT_TEXT("Core", "{} stands outside of a subprogram."),
+    Severity::error, true, "return-outside", PROVEOUT_TEXT("Core", "{} stands outside of a subprogram."),
     PROVEOUT_TEXT("Core", "Remove it, or put it between sub and endsub.")};
+inline constexpr Message kMainReturn{
+    Severity::warning, false, "main-return",
+    PROVEOUT_TEXT("Core", "M99 ends the main program: the control starts it again, without end."),
+    PROVEOUT_TEXT("Core", "It is run once here; end it with M30 if that was meant.")};
 inline constexpr Message kTooManySteps{
     Severity::error, true, "too-many-steps",
     PROVEOUT_TEXT("Core", "The program runs through more than {} lines; interpretation ends in {}."),
@@ -281,6 +273,33 @@ inline constexpr Message kNotInteger{
     Severity::error, true, "number-not-integer",
     PROVEOUT_TEXT("Core", "The number of {} must be a whole number from {} to {}."),
     PROVEOUT_TEXT("Core", "The word is ignored.")};
+inline constexpr Message kOffsetKind{Severity::error, true, "offset-kind",
+                                     PROVEOUT_TEXT("Core", "G10 with L{} is not supported."),
+                                     PROVEOUT_TEXT("Core", "Supported are L1, L2, L10, L11 and L20.")};
+inline constexpr Message kOffsetUnknown{
+    Severity::error, true, "offset-unknown", PROVEOUT_TEXT("Core", "No tool has the number {}."),
+    PROVEOUT_TEXT("Core", "Add it to the tool table, or correct the number.")};
+inline constexpr Message kAxesTwice{Severity::error, true, "axes-used-twice",
+                                    PROVEOUT_TEXT("Core", "{} and {} both use the axis words of this block."),
+                                    PROVEOUT_TEXT("Core", "Make two blocks; this block is skipped.")};
+inline constexpr Message kMachineMotion{
+    Severity::error, true, "machine-coordinates-motion",
+    PROVEOUT_TEXT("Core", "G53 needs G0 or G1 in force."),
+    PROVEOUT_TEXT("Core", "Write G53 G0 or G53 G1; this block is skipped.")};
+inline constexpr Message kMachineIncremental{
+    Severity::error, true, "machine-coordinates-incremental",
+    PROVEOUT_TEXT("Core", "G53 cannot be used with incremental distances."),
+    PROVEOUT_TEXT("Core", "Write G90 before it; this block is skipped.")};
+inline constexpr Message kReferenceUnknown{
+    Severity::note, false, "reference-unknown",
+    PROVEOUT_TEXT("Core",
+                  "The machine's zero lies nobody knows where: {} cuts nothing, nor does what follows "
+                  "until the axis is positioned again."),
+    PROVEOUT_TEXT("Core", "Motions to reference positions are taken to lead away from the part.")};
+inline constexpr Message kArcTurned{
+    Severity::error, true, "arc-turned",
+    PROVEOUT_TEXT("Core", "An arc in G18 or G19 under a rotation about Z lies in no plane of the machine."),
+    PROVEOUT_TEXT("Core", "Let the CAM system write it as lines.")};
 inline constexpr Message kFeedInOldUnit{
     Severity::warning, false, "feed-before-units",
     PROVEOUT_TEXT("Core", "The feed is read in the unit that was in force before {}."),

@@ -57,10 +57,6 @@ void setArcCentreIncremental(Execution& execution, const Word& /*word*/) {
     execution.state.arcCentreAbsolute = false;
 }
 
-void cancelToolLength(Execution& execution, const Word& /*word*/) {
-    execution.program.append(ToolLengthOffset{}, execution.line);
-}
-
 void keepState(Execution& /*execution*/, const Word& /*word*/) {}
 
 } // namespace proveout

@@ -27,7 +27,7 @@ std::string namesOfAxes(std::uint8_t axes) {
     return names;
 }
 
-Motion motionToTarget(Execution& execution, MotionKind kind) {
+Motion motionFromHere(const Execution& execution, MotionKind kind) {
     const MachineState& state = execution.state;
     Motion motion;
     motion.kind = kind;
@@ -39,22 +39,85 @@ Motion motionToTarget(Execution& execution, MotionKind kind) {
     motion.feedMmPerMin = kind == MotionKind::rapid ? 0 : state.feedMmPerMin;
     motion.start = motion.end = state.position;
     motion.startKnown = motion.endKnown = state.known;
+    return motion;
+}
+
+void setMachineTarget(Execution& execution, Motion& motion, int axis, double value) {
+    MachineState& state = execution.state;
+    if (state.machineZeroKnown) {
+        motion.end[axis] = value;
+        motion.endKnown |= bit(axis);
+        return;
+    }
+    motion.endKnown &= static_cast<std::uint8_t>(~bit(axis));
+    if (!state.referenceTold) {
+        state.referenceTold = true;
+        execution.reporter.tell(nc_message::kReferenceUnknown, 1, 0,
+                                {std::string(1, kAxisLetters[static_cast<std::size_t>(axis)])});
+    }
+}
+
+namespace {
+
+/// The program coordinate that the word of an axis orders; false where it counts from an unknown place.
+bool axisTarget(Execution& execution, int axis, std::uint8_t known, Vec3& program) {
+    MachineState& state = execution.state;
+    const char letter = kAxisLetters[static_cast<std::size_t>(axis)];
+    const double value = state.toMm(execution.block.value(letter));
+    if (!state.incremental) {
+        program[axis] = value;
+        return true;
+    }
+    if ((known & bit(axis)) != 0) {
+        program[axis] += value;
+        return true;
+    }
+    if ((state.unknownTold & bit(axis)) == 0) {
+        state.unknownTold |= bit(axis);
+        execution.reporter.tell(nc_message::kIncrementalUnknown, execution.block.word(letter),
+                                {std::string(1, letter)});
+    }
+    return false;
+}
+
+/// Under a rotation, X and Y of the machine depend on both of the program.
+std::uint8_t bitsThatTurn(const WorkFrame& frame, std::uint8_t bits) {
+    constexpr std::uint8_t kBoth = kAxisX | kAxisY;
+    const bool mixed = frame.rotation != 0 && (bits & kBoth) != kBoth;
+    return mixed ? static_cast<std::uint8_t>(bits & ~kBoth) : bits;
+}
+
+} // namespace
+
+Motion motionToTarget(Execution& execution, MotionKind kind) {
+    const MachineState& state = execution.state;
+    Motion motion = motionFromHere(execution, kind);
+    const WorkFrame& frame = state.frame;
+    Vec3 program = frame.toProgram(state.position);
+    std::uint8_t named = 0;
+    std::uint8_t known = bitsThatTurn(frame, state.known);
     for (int axis = 0; axis < 3; ++axis) {
         const char letter = kAxisLetters[static_cast<std::size_t>(axis)];
         if (!execution.block.has(letter))
             continue;
-        const double value = state.toMm(execution.block.value(letter));
-        if (!state.incremental) {
-            motion.end[axis] = value;
-            motion.endKnown |= bit(axis);
-        } else if ((state.known & bit(axis)) != 0) {
-            motion.end[axis] += value;
-        } else if ((state.unknownTold & bit(axis)) == 0) {
-            execution.state.unknownTold |= bit(axis);
-            execution.reporter.tell(nc_message::kIncrementalUnknown, execution.block.word(letter),
-                                    {std::string(1, letter)});
+        if (execution.machineCoordinates) {
+            setMachineTarget(execution, motion, axis,
+                             state.toMm(execution.block.value(letter)) - state.toolOffset[axis]);
+        } else if (axisTarget(execution, axis, known, program)) {
+            named |= bit(axis);
+            known |= bit(axis);
         }
     }
+    if (named == 0)
+        return motion;
+    const Vec3 machine = frame.toMachine(program);
+    for (int axis = 0; axis < 3; ++axis) {
+        const bool turns = frame.rotation != 0 && axis < 2 && (named & (kAxisX | kAxisY)) != 0;
+        // Where nothing turns, an axis without a word keeps its place to the last bit.
+        if (turns || (named & bit(axis)) != 0)
+            motion.end[axis] = machine[axis];
+    }
+    motion.endKnown = bitsThatTurn(frame, known);
     return motion;
 }
 

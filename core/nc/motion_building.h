@@ -12,6 +12,12 @@ namespace proveout {
 /// "X, Y": the axes of some AxisBits.
 [[nodiscard]] std::string namesOfAxes(std::uint8_t axes);
 
+/// A motion that begins and ends where the machine stands.
+[[nodiscard]] Motion motionFromHere(const Execution& execution, MotionKind kind);
+
+/// Sends an axis to machine coordinate `value`; where nobody knows the machine's zero, to nobody knows where.
+void setMachineTarget(Execution& execution, Motion& motion, int axis, double value);
+
 /// A motion from where the machine stands to where the axis words of the block send it. An increment from an
 /// unknown place is told.
 [[nodiscard]] Motion motionToTarget(Execution& execution, MotionKind kind);

@@ -34,10 +34,11 @@ TEST(Codes, TakeEffectAtOneStepAGroup) {
     }
 }
 
-TEST(Codes, SupportWhatTheFirstPartPromises) {
-    const std::set<int> g{0,   10,  20,  30,  40,  170, 180, 190, 200, 210, 400,
-                          490, 540, 610, 640, 800, 900, 901, 910, 911, 940};
-    const std::set<int> m{0, 10, 20, 30, 40, 50, 60, 70, 80, 90, 300};
+TEST(Codes, SupportWhatIsListedHere) {
+    const std::set<int> g{0,   10,  20,  30,  40,  100, 170, 180, 190, 200, 210, 280, 281, 300, 301,
+                          400, 430, 431, 432, 490, 520, 530, 540, 550, 560, 570, 580, 590, 591, 592,
+                          593, 610, 640, 800, 900, 901, 910, 911, 920, 921, 922, 923, 940};
+    const std::set<int> m{0, 10, 20, 30, 40, 50, 60, 70, 80, 90, 300, 980, 990};
     for (const CodeRow& row : codes())
         EXPECT_EQ(row.supported(), (row.letter == 'G' ? g : m).contains(row.tenths))
             << row.letter << row.tenths;

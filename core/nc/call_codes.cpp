@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Subprograms by number: M98 and M99.
+#include <cmath>
+#include <fmt/format.h>
+#include <string>
+
+#include "core/nc/execution.h"
+#include "core/nc/handlers.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr double kMostNumber = 1e8;
+constexpr double kMostRepeats = 1e9;
+
+bool whole(const Word& word, double most) {
+    return word.value >= 0 && word.value <= most && word.value == std::round(word.value);
+}
+
+} // namespace
+
+void callProgram(Execution& execution, const Word& word) {
+    const Block& block = execution.block;
+    if (!block.has('P')) {
+        execution.reporter.tell(nc_message::kWordMissing, word, {"M98", "P"});
+        return;
+    }
+    FlowRequest request{FlowRequest::Kind::call, 0, 1, block.word('P')};
+    for (const char letter : {'P', 'L'}) {
+        const double most = letter == 'P' ? kMostNumber : kMostRepeats;
+        if (block.has(letter) && !whole(block.word(letter), most)) {
+            execution.reporter.tell(nc_message::kNotInteger, block.word(letter),
+                                    {std::string(1, letter), "0", fmt::format("{:.0f}", most)});
+            return;
+        }
+    }
+    request.program = static_cast<int>(block.value('P'));
+    request.repeats = block.has('L') ? static_cast<int>(block.value('L')) : 1;
+    execution.request = request;
+}
+
+void returnFromProgram(Execution& execution, const Word& word) {
+    execution.request = {FlowRequest::Kind::returns, 0, 1, word};
+}
+
+} // namespace proveout

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Tool lengths: G43 and its like. The machine stands still; its tip is elsewhere afterwards.
+#include <cmath>
+#include <string>
+
+#include "core/nc/execution.h"
+#include "core/nc/handlers.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr LetterSet kAxes("XYZ");
+constexpr int kLargestOffset = 99999;
+
+void setToolOffset(Execution& execution, const Vec3& offset) {
+    MachineState& state = execution.state;
+    state.position -= offset - state.toolOffset;
+    state.toolOffset = offset;
+    execution.program.append(ToolLengthOffset{offset}, execution.line);
+}
+
+/// The number of the H word, or the tool in the spindle; told where it is none that the control knows.
+const ToolOffset* offsetAsked(Execution& execution, const Word& word) {
+    const bool given = execution.block.has('H');
+    const Word& number = given ? execution.block.word('H') : word;
+    const double whole = given ? number.value : execution.state.tool;
+    if (whole < 0 || whole != std::round(whole) || whole > kLargestOffset) {
+        execution.reporter.tell(nc_message::kNotInteger, number, {"H", "0", std::to_string(kLargestOffset)});
+        return nullptr;
+    }
+    const ToolOffset* offset = execution.tools.find(static_cast<int>(whole));
+    if (offset == nullptr)
+        execution.reporter.tell(nc_message::kOffsetUnknown, number,
+                                {std::to_string(static_cast<int>(whole))});
+    return offset;
+}
+
+/// The offsets that the axis words of the block give.
+Vec3 offsetsGiven(const Execution& execution, Vec3 offset) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const char letter = static_cast<char>('X' + axis);
+        if (execution.block.has(letter))
+            offset[axis] = execution.state.toMm(execution.block.value(letter));
+    }
+    return offset;
+}
+
+} // namespace
+
+void useToolLength(Execution& execution, const Word& word) {
+    if (const ToolOffset* offset = offsetAsked(execution, word))
+        setToolOffset(execution, offset->offset);
+}
+
+void useGivenLength(Execution& execution, const Word& word) {
+    if (!execution.block.letters().any(kAxes)) {
+        execution.reporter.tell(nc_message::kWordMissing, word, {"G43.1", "Z"});
+        return;
+    }
+    setToolOffset(execution, offsetsGiven(execution, execution.state.toolOffset));
+}
+
+void addToolLength(Execution& execution, const Word& word) {
+    Vec3 more(0);
+    if (execution.block.letters().any(kAxes)) {
+        more = offsetsGiven(execution, more);
+    } else if (const ToolOffset* offset = offsetAsked(execution, word)) {
+        more = offset->offset;
+    }
+    setToolOffset(execution, execution.state.toolOffset + more);
+}
+
+void cancelToolLength(Execution& execution, const Word& /*word*/) {
+    setToolOffset(execution, Vec3(0));
+}
+
+} // namespace proveout

@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Work offsets, shifts and tool lengths: what lies between program and machine coordinates. A change moves
+// nothing: the machine stands still, its program coordinates become others.
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+#include <string>
+
+#include "core/base/tool_number.h"
+#include "core/nc/execution.h"
+#include "core/nc/handlers.h"
+#include "core/nc/motion_building.h"
+#include "core/nc/offset_parameters.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr int kG54 = 540;
+constexpr int kG59 = 590;
+constexpr int kSixth = 6; ///< G59; G59.1 to G59.3 follow
+constexpr double kWhole = 1e-4;
+
+// What the L word of G10 means.
+constexpr int kToolItself = 1;
+constexpr int kOffsetItself = 2;
+constexpr int kToolHere = 10;      ///< as if the tool touched these coordinates now
+constexpr int kToolInFixture = 11; ///< the same in the coordinates of G59.3
+constexpr int kOffsetHere = 20;
+
+constexpr std::array kAxisLetters{'X', 'Y', 'Z'};
+
+char axisLetter(int axis) {
+    return kAxisLetters[static_cast<std::size_t>(axis)];
+}
+
+void setFrame(Execution& execution, const WorkFrame& frame) {
+    MachineState& state = execution.state;
+    if (frame == state.frame)
+        return;
+    state.frame = frame;
+    execution.program.append(WorkOffset{state.workOffset, frame.toMachine(Vec3(0))}, execution.line);
+}
+
+WorkFrame frameOf(const Execution& execution, int system) {
+    WorkFrame frame = execution.state.frame;
+    frame.offset = vectorAt(execution.parameters, offsetParameter(system));
+    frame.rotation = execution.parameters.numbered(offsetParameter(system) + kRotationParameter);
+    return frame;
+}
+
+/// The whole number of a word, told where it is none within the limits.
+std::optional<int> wholeNumber(Execution& execution, const Word& word, int least, int most) {
+    const double whole = std::round(word.value);
+    if (std::abs(word.value - whole) < kWhole && whole >= least && whole <= most)
+        return static_cast<int>(whole);
+    execution.reporter.tell(nc_message::kNotInteger, word,
+                            {std::string(1, word.letter), std::to_string(least), std::to_string(most)});
+    return {};
+}
+
+double inMm(const Execution& execution, char letter) {
+    return execution.state.toMm(execution.block.value(letter));
+}
+
+/// G10 L2: the offsets themselves, in G91 too.
+Vec3 offsetsGiven(const Execution& execution, const WorkFrame& frame) {
+    Vec3 offset = frame.offset;
+    for (int axis = 0; axis < 3; ++axis) {
+        const char letter = axisLetter(axis);
+        if (execution.block.has(letter))
+            offset[axis] = inMm(execution, letter);
+    }
+    return offset;
+}
+
+/// G10 L20: such offsets that the machine stands at these coordinates.
+Vec3 offsetsHere(const Execution& execution, const WorkFrame& frame) {
+    WorkFrame without = frame;
+    without.offset = Vec3(0);
+    Vec3 program = frame.toProgram(execution.state.position);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (execution.block.has(axisLetter(axis)))
+            program[axis] = inMm(execution, axisLetter(axis));
+    }
+    return execution.state.position - without.toMachine(program);
+}
+
+void setWorkOffset(Execution& execution, bool here) {
+    if (!execution.block.has('P')) {
+        execution.reporter.tell(nc_message::kWordMissing, execution.block.word('L'), {"G10", "P"});
+        return;
+    }
+    const auto chosen = wholeNumber(execution, execution.block.word('P'), 0, kOffsetCount);
+    if (!chosen)
+        return;
+    const int system = *chosen == 0 ? execution.state.workOffset : *chosen;
+    WorkFrame frame = frameOf(execution, system);
+    if (execution.block.has('R'))
+        frame.rotation = execution.block.value('R');
+    frame.offset = here ? offsetsHere(execution, frame) : offsetsGiven(execution, frame);
+    setVectorAt(execution.parameters, offsetParameter(system), frame.offset);
+    execution.parameters.setNumbered(offsetParameter(system) + kRotationParameter, frame.rotation);
+    if (system == execution.state.workOffset)
+        setFrame(execution, frame);
+}
+
+/// Where the machine stands in the coordinates of a work offset, as if no tool length were in force.
+Vec3 standsWithoutTool(const Execution& execution, const WorkFrame& frame) {
+    return frame.toProgram(execution.state.position) + execution.state.toolOffset;
+}
+
+/// G10 L1, L10, L11: the entry of the tool table.
+void setTool(Execution& execution, int kind) {
+    if (!execution.block.has('P')) {
+        execution.reporter.tell(nc_message::kWordMissing, execution.block.word('L'), {"G10", "P"});
+        return;
+    }
+    const auto number = wholeNumber(execution, execution.block.word('P'), 1, kLargestTool);
+    if (!number)
+        return;
+    const ToolOffset* known = execution.tools.find(*number);
+    if (known == nullptr) {
+        execution.reporter.tell(nc_message::kOffsetUnknown, execution.block.word('P'),
+                                {std::to_string(*number)});
+        return;
+    }
+    ToolOffset tool = *known;
+    WorkFrame frame = execution.state.frame;
+    if (kind == kToolInFixture) {
+        frame = frameOf(execution, kOffsetCount);
+        frame.shift = Vec3(0);
+    }
+    const Vec3 stands = standsWithoutTool(execution, frame);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!execution.block.has(axisLetter(axis)))
+            continue;
+        const double value = inMm(execution, axisLetter(axis));
+        tool.offset[axis] = kind == kToolItself ? value : stands[axis] - value;
+    }
+    if (execution.block.has('R'))
+        tool.diameter = 2 * inMm(execution, 'R');
+    execution.tools.set(*number, tool);
+}
+
+void setShift(Execution& execution, const Vec3& shift) {
+    WorkFrame frame = execution.state.frame;
+    frame.shift = shift;
+    setFrame(execution, frame);
+}
+
+/// What is to be known before coordinates can be counted from where the machine stands.
+void standHere(Execution& execution, const Vec3& program) {
+    MachineState& state = execution.state;
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto bit = static_cast<std::uint8_t>(1U << static_cast<unsigned>(axis));
+        if (!execution.block.has(axisLetter(axis)) || (state.known & bit) != 0)
+            continue;
+        // Nobody knows where the machine stands: the program says that it is here.
+        state.position[axis] = state.frame.toMachine(program)[axis];
+        state.known |= bit;
+        state.everKnown |= bit;
+        state.unknownTold &= static_cast<std::uint8_t>(~bit);
+    }
+}
+
+} // namespace
+
+void selectWorkOffset(Execution& execution, const Word& word) {
+    const int tenths = static_cast<int>(std::lround(word.value * 10));
+    const int system = tenths <= kG59 ? (tenths - kG54) / 10 + 1 : kSixth + (tenths - kG59);
+    if (system == execution.state.workOffset)
+        return;
+    execution.state.workOffset = system;
+    setFrame(execution, frameOf(execution, system));
+}
+
+void setOffsets(Execution& execution, const Word& word) {
+    if (!execution.block.has('L')) {
+        execution.reporter.tell(nc_message::kWordMissing, word, {"G10", "L"});
+        return;
+    }
+    const Word& kind = execution.block.word('L');
+    if (kind.value == kOffsetItself || kind.value == kOffsetHere)
+        setWorkOffset(execution, kind.value == kOffsetHere);
+    else if (kind.value == kToolItself || kind.value == kToolHere || kind.value == kToolInFixture)
+        setTool(execution, static_cast<int>(kind.value));
+    else
+        execution.reporter.tell(nc_message::kOffsetKind, kind, {fmt::format("{:g}", kind.value)});
+}
+
+void shiftCoordinates(Execution& execution, const Word& /*word*/) {
+    MachineState& state = execution.state;
+    Vec3 program = state.frame.toProgram(state.position);
+    Vec3 shift = state.frame.shift;
+    Vec3 wanted = program;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (execution.block.has(axisLetter(axis)))
+            wanted[axis] = inMm(execution, axisLetter(axis));
+    }
+    standHere(execution, wanted);
+    program = state.frame.toProgram(state.position);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (execution.block.has(axisLetter(axis)))
+            shift[axis] += program[axis] - wanted[axis];
+    }
+    setVectorAt(execution.parameters, kShiftParameter, shift);
+    setShift(execution, shift);
+}
+
+void shiftLocally(Execution& execution, const Word& /*word*/) {
+    Vec3 shift = execution.state.frame.shift;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (execution.block.has(axisLetter(axis)))
+            shift[axis] = inMm(execution, axisLetter(axis));
+    }
+    setVectorAt(execution.parameters, kShiftParameter, shift);
+    setShift(execution, shift);
+}
+
+void clearShift(Execution& execution, const Word& /*word*/) {
+    setVectorAt(execution.parameters, kShiftParameter, Vec3(0));
+    setShift(execution, Vec3(0));
+}
+
+void suspendShift(Execution& execution, const Word& /*word*/) {
+    setShift(execution, Vec3(0));
+}
+
+void restoreShift(Execution& execution, const Word& /*word*/) {
+    setShift(execution, vectorAt(execution.parameters, kShiftParameter));
+}
+
+} // namespace proveout

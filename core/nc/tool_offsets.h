@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <utility>
+
+#include "core/base/geometry.h"
+
+namespace proveout {
+
+/// What a control knows of a tool, in mm.
+struct ToolOffset {
+    Vec3 offset{0}; ///< of its tip; Z is its length
+    double diameter = 0;
+};
+
+/// The offsets of the control by number. Where none is given at all, every tool counts as known with length
+/// and diameter 0: programs are then read as if the cutter's tip were what they position.
+class ToolOffsets {
+public:
+    ToolOffsets() = default;
+    explicit ToolOffsets(std::map<int, ToolOffset> offsets)
+        : m_offsets(std::move(offsets)), m_anyNumber(m_offsets.empty()) {}
+
+    /// Nothing where the control does not know the number. Number 0 is no tool.
+    [[nodiscard]] const ToolOffset* find(int number) const {
+        static constexpr ToolOffset kNone;
+        const auto found = m_offsets.find(number);
+        if (found != m_offsets.end())
+            return &found->second;
+        return m_anyNumber || number == 0 ? &kNone : nullptr;
+    }
+    void set(int number, const ToolOffset& offset) { m_offsets[number] = offset; }
+
+private:
+    std::map<int, ToolOffset> m_offsets;
+    bool m_anyNumber = true;
+};
+
+} // namespace proveout
