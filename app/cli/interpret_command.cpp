@@ -36,6 +36,7 @@ ExitCode run(const InterpretCommandOptions& options) {
     InterpretOptions interpreting;
     interpreting.file = options.program;
     interpreting.blockDelete = options.blockDelete;
+    interpreting.subprogramFolders = {std::filesystem::path(options.program).parent_path()};
     interpreting.assumeStartAtZero = options.start.empty();
     if (!options.start.empty()) {
         auto start = parsePoint(options.start);

@@ -15,6 +15,7 @@ Result<std::shared_ptr<const Program>> loadProgram(const Job& job, Report& repor
     options.file = job.program.string();
     options.blockDelete = job.setup.blockDelete;
     options.start = job.setup.start;
+    options.subprogramFolders = {job.program.parent_path()};
     std::shared_ptr<const Program> program = interpret(*text, options);
     report.add(program->diagnostics());
     if (program->unverified() || program->motionCount() == 0)

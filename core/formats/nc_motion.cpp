@@ -109,8 +109,10 @@ private:
             print(R"({{"k":"rapid","l":{},"e":{}{}}})", motion.line, vector(motion.end), unverified);
             return;
         }
-        print(R"({{"k":"{}","l":{},"e":{},"f":{},"fm":"min","s":{},"d":{},"t":{}{}{}}})", kind, motion.line,
-              vector(motion.end), static_cast<float>(motion.feedMmPerMin), motion.orderedRpm,
+        const double turns = motion.perRevolution ? std::abs(motion.spindleRpm) : 1.0;
+        print(R"({{"k":"{}","l":{},"e":{},"f":{},"fm":"{}","s":{},"d":{},"t":{}{}{}}})", kind, motion.line,
+              vector(motion.end), static_cast<float>(turns > 0 ? motion.feedMmPerMin / turns : 0.0),
+              motion.perRevolution ? "rev" : "min", motion.orderedRpm,
               (motion.spindleRpm > 0) - (motion.spindleRpm < 0), motion.tool, arcKeys(motion), unverified);
     }
 

@@ -10,13 +10,13 @@ namespace proveout {
 
 /// A letter with its number, and where it stands in its line (columns are 1-based and count bytes).
 struct Word {
-    char letter = 0; ///< upper case
+    char letter = 0; ///< upper case; "@" and "^" are the radius and the angle of a polar end point
     double value = 0;
     int column = 0;
     int length = 0;
 };
 
-/// A set of upper-case letters.
+/// A set of letters of words.
 class LetterSet {
 public:
     constexpr LetterSet() = default;
@@ -32,7 +32,7 @@ public:
     [[nodiscard]] constexpr bool empty() const { return m_bits == 0; }
 
 private:
-    static constexpr std::uint32_t bit(char letter) { return 1U << static_cast<unsigned>(letter - 'A'); }
+    static constexpr std::uint32_t bit(char letter) { return 1U << static_cast<unsigned>(letter - '@'); }
 
     std::uint32_t m_bits = 0;
 };
@@ -70,11 +70,13 @@ public:
     [[nodiscard]] bool empty() const { return m_letters.empty() && m_codeCount == 0; }
 
 private:
-    static std::size_t index(char letter) { return static_cast<std::size_t>(letter - 'A'); }
+    static std::size_t index(char letter) { return static_cast<std::size_t>(letter - '@'); }
+
+    static constexpr std::size_t kLetters = '^' - '@' + 1;
 
     LetterSet m_letters;
     std::size_t m_codeCount = 0;
-    std::array<Word, 26> m_words;
+    std::array<Word, kLetters> m_words;
     std::array<Word, kMostCodes> m_codes;
 };
 

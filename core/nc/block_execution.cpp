@@ -6,6 +6,7 @@ namespace proveout {
 
 void executeBlock(Execution& execution) {
     const MachineState before = execution.state;
+    execution.motionBefore = before.motion;
     BlockPlan plan;
     if (!makePlan(execution, plan)) {
         execution.state = before;

@@ -10,7 +10,8 @@ namespace proveout {
 
 namespace {
 
-constexpr LetterSet kAxes("XYZ");
+constexpr LetterSet kAxes("XYZ@^");
+constexpr LetterSet kPolar("@^");
 constexpr LetterSet kOtherAxes("ABCUVW");
 constexpr LetterSet kArcLetters("IJKR");
 constexpr LetterSet kOwnMeaning("FSTNO");
@@ -36,6 +37,8 @@ public:
                 m_plan.add(row.step, row.handler, m_block.word(row.letter));
         }
         tellOtherAxes();
+        if (m_block.letters().any(kPolar) && m_block.letters().any(LetterSet("XY")))
+            return refuse(nc_message::kPolarMixed, firstAxisWord());
         return planMotion() && checkUnused();
     }
 
@@ -62,8 +65,15 @@ private:
             return false;
         else if (row->group != ModalGroup::motion && row->group != ModalGroup::motionOff)
             m_plan.add(row->step, row->handler, word);
-        m_used.add(row->letters);
+        use(*row);
         return true;
+    }
+
+    /// Who takes X and Y for the end of a motion takes polar words too.
+    void use(const CodeRow& row) {
+        m_used.add(row.letters);
+        if (row.step == Step::motion && row.letters.has('X'))
+            m_used.add(kPolar);
     }
 
     void planUnsupported(const CodeRow& row, const Word& word) {
@@ -147,6 +157,8 @@ private:
         const bool straight = row != nullptr && (row->handler == moveRapid || row->handler == moveFeed);
         if (!straight)
             return refuse(nc_message::kMachineMotion, *m_machineWord);
+        if (m_block.letters().any(kPolar))
+            return refuse(nc_message::kMachinePolar, *m_machineWord);
         if (m_execution.state.incremental || groupIs(ModalGroup::distance, kIncrementalTenths))
             return refuse(nc_message::kMachineIncremental, *m_machineWord);
         return true;
@@ -172,7 +184,7 @@ private:
                           {std::string(1, firstAxisWord().letter)});
         if (row->supported()) {
             m_plan.add(Step::motion, row->handler, firstMotionWord());
-            m_used.add(row->letters);
+            use(*row);
         } else {
             // Told at its word; every block of it moves the axes somewhere.
             m_strange = true;
@@ -202,14 +214,14 @@ private:
         return m_groups[static_cast<std::size_t>(group)];
     }
     [[nodiscard]] const Word& firstAxisWord() const {
-        for (const char letter : {'X', 'Y', 'Z'}) {
+        for (const char letter : {'X', 'Y', 'Z', '@', '^'}) {
             if (m_block.has(letter))
                 return m_block.word(letter);
         }
         return m_block.word('X');
     }
     [[nodiscard]] const Word& firstMotionWord() const {
-        for (const char letter : {'X', 'Y', 'Z', 'I', 'J', 'K', 'R'}) {
+        for (const char letter : {'X', 'Y', 'Z', '@', '^', 'I', 'J', 'K', 'R'}) {
             if (m_block.has(letter))
                 return m_block.word(letter);
         }

@@ -49,11 +49,15 @@ enum class ModalGroup : std::uint8_t {
 enum class Step : std::uint8_t {
     feedMode,
     feedRate,
+    spindleMode,
     spindleSpeed,
     toolSelection,
+    inputOutput,
     toolChange,
     spindle,
+    spindleOrientation,
     coolant,
+    overrides,
     dwell,
     plane,
     units,
@@ -108,7 +112,7 @@ struct LetterRow {
 /// The row of the code that a G or M word means, null where there is none.
 [[nodiscard]] const CodeRow* findCode(const Word& word);
 
-/// All letters but G and M, in alphabetical order.
+/// All letters but G and M, and the signs of polar words, in the order of ASCII.
 [[nodiscard]] std::span<const LetterRow> letters();
 
 } // namespace proveout

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "core/base/work_context.h"
 #include "core/nc/block.h"
 #include "core/nc/control_flow.h"
 #include "core/nc/machine_state.h"
@@ -22,8 +23,14 @@ struct Execution {
     FlowRequest& request;
     Program& program;
     Reporter& reporter;
-    std::uint32_t line;              ///< source line, 1-based
-    bool machineCoordinates = false; ///< G53: of this block's axis words
+    std::uint32_t line; ///< source line, 1-based
+    std::size_t maxMotions;
+    const WorkContext& context;
+    bool machineCoordinates = false;       ///< G53: of this block's axis words
+    const CodeRow* motionBefore = nullptr; ///< the motion code in force before this block
+
+    /// Whether a block that makes many motions has to stop in between.
+    [[nodiscard]] bool mustEnd() const { return program.motionCount() > maxMotions || context.stopped(); }
 };
 
 /// Checks a block and executes it: every word at its step, each group at most once. A block that contradicts

@@ -24,6 +24,11 @@ void setArcCentreAbsolute(Execution& execution, const Word& word);    ///< G90.1
 void setArcCentreIncremental(Execution& execution, const Word& word); ///< G91.1
 void keepState(Execution& execution, const Word& word); ///< a code whose state is the only one there is
 
+// cycle_codes.cpp
+void runCycle(Execution& execution, const Word& word);              ///< G73, G74, G81 to G89
+void retractToInitialLevel(Execution& execution, const Word& word); ///< G98
+void retractToRLevel(Execution& execution, const Word& word);       ///< G99
+
 // offset_codes.cpp
 void selectWorkOffset(Execution& execution, const Word& word); ///< G54 to G59.3
 void setOffsets(Execution& execution, const Word& word);       ///< G10
@@ -51,6 +56,11 @@ void returnFromProgram(Execution& execution, const Word& word); ///< M99
 
 // machine_codes.cpp
 void dwell(Execution& execution, const Word& word);                       ///< G4
+void feedInverseTime(Execution& execution, const Word& word);             ///< G93
+void feedPerMinute(Execution& execution, const Word& word);               ///< G94
+void feedPerRevolution(Execution& execution, const Word& word);           ///< G95
+void setToolNumber(Execution& execution, const Word& word);               ///< M61
+void changePallet(Execution& execution, const Word& word);                ///< M60
 void setFeed(Execution& execution, const Word& word);                     ///< F
 void setSpindleSpeed(Execution& execution, const Word& word);             ///< S
 void selectTool(Execution& execution, const Word& word);                  ///< T

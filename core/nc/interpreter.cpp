@@ -130,9 +130,16 @@ private:
         if (m_line.block.empty())
             return;
         FlowRequest request;
-        Execution execution{
-            m_line.block, m_state,    m_parameters, m_tools,
-            request,      *m_program, m_reporter,   static_cast<std::uint32_t>(m_flow.mainLine() + 1)};
+        Execution execution{m_line.block,
+                            m_state,
+                            m_parameters,
+                            m_tools,
+                            request,
+                            *m_program,
+                            m_reporter,
+                            static_cast<std::uint32_t>(m_flow.mainLine() + 1),
+                            m_options.maxMotions,
+                            m_context};
         executeBlock(execution);
         if (request.kind == FlowRequest::Kind::returns && m_flow.inMainProgram())
             endAtReturn(request.word);

@@ -25,6 +25,12 @@ char upper(char c) {
     return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
 }
 
+/// What stands in front of the number of a word.
+bool beginsWord(char c) {
+    const char u = upper(c);
+    return (u >= '@' && u <= 'Z') || u == '^';
+}
+
 bool isLetter(char c) {
     const char u = upper(c);
     return u >= 'A' && u <= 'Z';
@@ -78,7 +84,7 @@ private:
 
     void readItem() {
         const char c = m_text[m_at];
-        if (isLetter(c))
+        if (beginsWord(c))
             readWord(upper(c));
         else if (c == '(')
             readComment();
@@ -279,7 +285,7 @@ LetterSet axisLetters(std::string_view text) {
             break;
         comment = (comment || c == '(') && c != ')';
         const char letter = upper(c);
-        if (!comment && letter >= 'X' && letter <= 'Z')
+        if (!comment && ((letter >= 'X' && letter <= 'Z') || letter == '@' || letter == '^'))
             letters.add(letter);
     }
     return letters;

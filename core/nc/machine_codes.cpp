@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <optional>
 #include <string>
 
 #include "core/base/tool_number.h"
@@ -25,6 +26,24 @@ void switchCoolant(Execution& execution, Coolant coolant, bool on) {
     execution.program.append(CoolantSwitch{coolant, on}, execution.line);
 }
 
+/// A feed of one mode means nothing in another.
+void setFeedMode(Execution& execution, FeedMode mode) {
+    if (execution.state.feedMode == mode)
+        return;
+    execution.state.feedMode = mode;
+    execution.state.feed = 0;
+}
+
+/// The number of a tool, told where it is none.
+std::optional<int> toolNumber(Execution& execution, const Word& word) {
+    const bool whole = std::abs(word.value - std::round(word.value)) < 1e-4;
+    if (whole && word.value >= 0 && word.value <= kLargestTool)
+        return static_cast<int>(std::lround(word.value));
+    execution.reporter.tell(nc_message::kNotInteger, word,
+                            {std::string(1, word.letter), "0", std::to_string(kLargestTool)});
+    return {};
+}
+
 } // namespace
 
 void dwell(Execution& execution, const Word& word) {
@@ -40,8 +59,21 @@ void dwell(Execution& execution, const Word& word) {
 void setFeed(Execution& execution, const Word& word) {
     if (tellNegative(execution, word))
         return;
-    execution.state.feedMmPerMin = execution.state.toMm(word.value);
-    execution.state.missingFeedTold = false;
+    MachineState& state = execution.state;
+    state.feed = state.feedMode == FeedMode::inverseTime ? word.value : state.toMm(word.value);
+    state.missingFeedTold = false;
+}
+
+void feedInverseTime(Execution& execution, const Word& /*word*/) {
+    setFeedMode(execution, FeedMode::inverseTime);
+}
+
+void feedPerMinute(Execution& execution, const Word& /*word*/) {
+    setFeedMode(execution, FeedMode::perMinute);
+}
+
+void feedPerRevolution(Execution& execution, const Word& /*word*/) {
+    setFeedMode(execution, FeedMode::perRevolution);
 }
 
 void setSpindleSpeed(Execution& execution, const Word& word) {
@@ -50,12 +82,19 @@ void setSpindleSpeed(Execution& execution, const Word& word) {
 }
 
 void selectTool(Execution& execution, const Word& word) {
-    const bool whole = std::abs(word.value - std::round(word.value)) < 1e-4;
-    if (!whole || word.value < 0 || word.value > kLargestTool) {
-        execution.reporter.tell(nc_message::kNotInteger, word, {"T", "0", std::to_string(kLargestTool)});
+    if (const auto number = toolNumber(execution, word))
+        execution.state.selectedTool = *number;
+}
+
+void setToolNumber(Execution& execution, const Word& word) {
+    if (!execution.block.has('Q')) {
+        execution.reporter.tell(nc_message::kWordMissing, word, {"M61", "Q"});
         return;
     }
-    execution.state.selectedTool = static_cast<int>(std::lround(word.value));
+    if (const auto number = toolNumber(execution, execution.block.word('Q'))) {
+        execution.state.tool = *number;
+        execution.program.append(ToolChange{*number}, execution.line);
+    }
 }
 
 void changeTool(Execution& execution, const Word& word) {
@@ -100,6 +139,10 @@ void stopProgram(Execution& execution, const Word& /*word*/) {
 
 void stopProgramOptionally(Execution& execution, const Word& /*word*/) {
     execution.program.append(ProgramStop{StopKind::optional}, execution.line);
+}
+
+void changePallet(Execution& execution, const Word& /*word*/) {
+    execution.program.append(ProgramStop{StopKind::palletChange}, execution.line);
 }
 
 void endProgram(Execution& execution, const Word& /*word*/) {

@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "core/base/geometry.h"
+#include "core/nc/canned_cycle.h"
 #include "core/nc/codes.h"
 #include "core/nc/motion.h"
 #include "core/nc/work_frame.h"
@@ -11,6 +12,13 @@
 namespace proveout {
 
 constexpr double kMmPerInch = 25.4;
+
+/// What the F word counts.
+enum class FeedMode : std::uint8_t {
+    perMinute,     ///< G94
+    inverseTime,   ///< G93: 1/minutes of the one motion
+    perRevolution, ///< G95
+};
 
 /// Everything that one block leaves behind for the next. A value: saving and restoring it is a copy.
 /// Lengths are in mm whatever the unit of the program.
@@ -20,15 +28,19 @@ struct MachineState {
     bool inch = false;
     bool incremental = false;       ///< G91
     bool arcCentreAbsolute = false; ///< G90.1
+    bool retractToR = true;         ///< G99, with which LinuxCNC begins
     bool ended = false;             ///< M2 or M30 was executed
     bool mist = false;
     bool flood = false;
 
-    double feedMmPerMin = 0;  ///< 0: none given
+    FeedMode feedMode = FeedMode::perMinute;
+    double feed = 0;          ///< mm/min, 1/min or mm by mode; 0: none given
     double spindleRpm = 0;    ///< as S said
     int spindleDirection = 0; ///< 1 clockwise, -1 counter-clockwise, 0 stopped
     int selectedTool = -1;    ///< by T; -1: none yet
     int tool = 0;             ///< in the spindle; 0: none
+
+    CycleState cycle;
 
     bool machineZeroKnown = false; ///< whether machine coordinates can be told from program coordinates
     WorkFrame frame;
@@ -50,7 +62,7 @@ struct MachineState {
     /// From now on nobody knows where these axes stand.
     void forget(LetterSet axes) {
         for (int axis = 0; axis < 3; ++axis) {
-            if (axes.has(static_cast<char>('X' + axis))) {
+            if (axes.has(static_cast<char>('X' + axis)) || (axis < 2 && axes.any(LetterSet("@^")))) {
                 const auto rest = static_cast<std::uint8_t>(~(1U << static_cast<unsigned>(axis)));
                 known &= rest;
                 unknownTold &= rest;

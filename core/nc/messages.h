@@ -286,6 +286,12 @@ inline constexpr Message kMachineMotion{
     Severity::error, true, "machine-coordinates-motion",
     PROVEOUT_TEXT("Core", "G53 needs G0 or G1 in force."),
     PROVEOUT_TEXT("Core", "Write G53 G0 or G53 G1; this block is skipped.")};
+inline constexpr Message kPolarMixed{Severity::error, true, "polar-mixed",
+                                     PROVEOUT_TEXT("Core", "The block has polar words (@ ^) and X or Y."),
+                                     PROVEOUT_TEXT("Core", "Keep one kind; this block is skipped.")};
+inline constexpr Message kMachinePolar{Severity::error, true, "machine-coordinates-polar",
+                                       PROVEOUT_TEXT("Core", "G53 cannot be used with polar words."),
+                                       PROVEOUT_TEXT("Core", "Write X and Y; this block is skipped.")};
 inline constexpr Message kMachineIncremental{
     Severity::error, true, "machine-coordinates-incremental",
     PROVEOUT_TEXT("Core", "G53 cannot be used with incremental distances."),
@@ -300,6 +306,39 @@ inline constexpr Message kArcTurned{
     Severity::error, true, "arc-turned",
     PROVEOUT_TEXT("Core", "An arc in G18 or G19 under a rotation about Z lies in no plane of the machine."),
     PROVEOUT_TEXT("Core", "Let the CAM system write it as lines.")};
+inline constexpr Message kCycleWord{
+    Severity::error, true, "cycle-word-missing", PROVEOUT_TEXT("Core", "The cycle {} needs the word {}."),
+    PROVEOUT_TEXT("Core", "The first block of a cycle must have it; this one drills nothing.")};
+inline constexpr Message kCycleNoAxis{Severity::error, true, "cycle-no-axis",
+                                      PROVEOUT_TEXT("Core", "The cycle has no axis word."),
+                                      PROVEOUT_TEXT("Core", "Name the place of the first hole.")};
+inline constexpr Message kCycleInverseTime{
+    Severity::error, true, "cycle-inverse-time",
+    PROVEOUT_TEXT("Core", "A cycle cannot be used with inverse time feed."),
+    PROVEOUT_TEXT("Core", "Write G94 and a feed before it; the cycle drills nothing.")};
+inline constexpr Message kInverseTimeFeed{
+    Severity::error, true, "inverse-time-feed",
+    PROVEOUT_TEXT("Core", "With inverse time feed (G93) every cutting block needs an F word."),
+    PROVEOUT_TEXT("Core", "Add F, one over the minutes that the motion takes.")};
+inline constexpr Message kFeedWithoutSpindle{
+    Severity::error, true, "feed-without-spindle",
+    PROVEOUT_TEXT("Core", "The feed counts per revolution (G95), but the spindle does not turn."),
+    PROVEOUT_TEXT("Core", "Switch the spindle on, or write G94 and a feed per minute.")};
+inline constexpr Message kCycleLevels{
+    Severity::error, true, "cycle-levels",
+    PROVEOUT_TEXT("Core", "The R level lies below the bottom of the hole."),
+    PROVEOUT_TEXT("Core", "Check R and the depth; the cycle drills nothing.")};
+inline constexpr Message kCyclePeck{Severity::error, true, "cycle-peck",
+                                    PROVEOUT_TEXT("Core", "The depth of a peck must be greater than 0."),
+                                    PROVEOUT_TEXT("Core", "Check the Q word; the cycle drills nothing.")};
+inline constexpr Message kCycleSpindle{
+    Severity::error, true, "cycle-spindle",
+    PROVEOUT_TEXT("Core", "The spindle must turn for this cycle: {} or {}."),
+    PROVEOUT_TEXT("Core", "Switch it on in a block before; the cycle drills nothing.")};
+inline constexpr Message kBackBore{
+    Severity::warning, true, "back-bore",
+    PROVEOUT_TEXT("Core", "G87 cuts from below, which a z-map cannot hold."),
+    PROVEOUT_TEXT("Core", "The motions are shown; what they cut from below cannot be vouched for.")};
 inline constexpr Message kFeedInOldUnit{
     Severity::warning, false, "feed-before-units",
     PROVEOUT_TEXT("Core", "The feed is read in the unit that was in force before {}."),

@@ -34,8 +34,9 @@ struct Motion {
     Vec3 centre{0};          ///< arcs: on the level of the start point
     double sweep = 0;        ///< arcs: signed angle about the plane's normal, right-handed; may exceed a turn
     double feedMmPerMin = 0; ///< 0 for rapids and where no feed was given
-    double spindleRpm = 0;   ///< signed: positive clockwise (M3), 0 stopped
-    double orderedRpm = 0;   ///< as S said, also while the spindle is stopped
+    bool perRevolution = false; ///< the program gave the feed per revolution of the spindle
+    double spindleRpm = 0;      ///< signed: positive clockwise (M3), 0 stopped
+    double orderedRpm = 0;      ///< as S said, also while the spindle is stopped
 
     /// Whether the whole path is known, so that it may cut.
     [[nodiscard]] bool known() const { return (startKnown & endKnown) == kAllAxes; }

@@ -2,6 +2,8 @@
 #include "core/nc/motion_building.h"
 
 #include <array>
+#include <cmath>
+#include <numbers>
 #include <string>
 
 namespace proveout {
@@ -27,6 +29,19 @@ std::string namesOfAxes(std::uint8_t axes) {
     return names;
 }
 
+namespace {
+
+/// The feed, as far as it does not depend on the length of the path.
+void setFeed(Motion& motion, const MachineState& state) {
+    motion.perRevolution = state.feedMode == FeedMode::perRevolution;
+    if (motion.perRevolution)
+        motion.feedMmPerMin = state.feed * std::abs(motion.spindleRpm);
+    else if (state.feedMode == FeedMode::perMinute)
+        motion.feedMmPerMin = state.feed;
+}
+
+} // namespace
+
 Motion motionFromHere(const Execution& execution, MotionKind kind) {
     const MachineState& state = execution.state;
     Motion motion;
@@ -36,7 +51,8 @@ Motion motionFromHere(const Execution& execution, MotionKind kind) {
     motion.tool = state.tool;
     motion.spindleRpm = state.spindleDirection * state.spindleRpm;
     motion.orderedRpm = state.spindleRpm;
-    motion.feedMmPerMin = kind == MotionKind::rapid ? 0 : state.feedMmPerMin;
+    if (kind != MotionKind::rapid)
+        setFeed(motion, state);
     motion.start = motion.end = state.position;
     motion.startKnown = motion.endKnown = state.known;
     return motion;
@@ -55,6 +71,26 @@ void setMachineTarget(Execution& execution, Motion& motion, int axis, double val
         execution.reporter.tell(nc_message::kReferenceUnknown, 1, 0,
                                 {std::string(1, kAxisLetters[static_cast<std::size_t>(axis)])});
     }
+}
+
+std::optional<Vec2> polarTarget(Execution& execution, const Vec3& program, std::uint8_t known) {
+    const Block& block = execution.block;
+    if (!block.letters().any(LetterSet("@^")))
+        return {};
+    const bool incremental = execution.state.incremental;
+    constexpr std::uint8_t kBoth = kAxisX | kAxisY;
+    if ((incremental || !block.has('@') || !block.has('^')) && (known & kBoth) != kBoth) {
+        const Word& word = block.word(block.has('@') ? '@' : '^');
+        execution.reporter.tell(nc_message::kIncrementalUnknown, word, {std::string(1, word.letter)});
+        return {};
+    }
+    double radius = std::hypot(program.x, program.y);
+    double angle = std::atan2(program.y, program.x);
+    if (block.has('@'))
+        radius = execution.state.toMm(block.value('@')) + (incremental ? radius : 0);
+    if (block.has('^'))
+        angle = block.value('^') * std::numbers::pi / 180 + (incremental ? angle : 0);
+    return Vec2(radius * std::cos(angle), radius * std::sin(angle));
 }
 
 namespace {
@@ -108,6 +144,12 @@ Motion motionToTarget(Execution& execution, MotionKind kind) {
             known |= bit(axis);
         }
     }
+    if (const auto polar = polarTarget(execution, program, known)) {
+        program.x = polar->x;
+        program.y = polar->y;
+        named |= kAxisX | kAxisY;
+        known |= kAxisX | kAxisY;
+    }
     if (named == 0)
         return motion;
     const Vec3 machine = frame.toMachine(program);
@@ -122,14 +164,21 @@ Motion motionToTarget(Execution& execution, MotionKind kind) {
 }
 
 bool onlySelectsMode(const Execution& execution) {
-    return execution.state.known != kAllAxes && !execution.block.letters().any(LetterSet("XYZ"));
+    return execution.state.known != kAllAxes && !execution.block.letters().any(LetterSet("XYZ@^"));
 }
 
 void tellMissingFeed(Execution& execution, const Word& word) {
-    if (execution.state.feedMmPerMin > 0 || execution.state.missingFeedTold)
+    MachineState& state = execution.state;
+    const bool inverse = state.feedMode == FeedMode::inverseTime;
+    if (inverse && !execution.block.has('F'))
+        execution.reporter.tell(nc_message::kInverseTimeFeed, word);
+    if (inverse || state.missingFeedTold)
         return;
-    execution.state.missingFeedTold = true;
-    execution.reporter.tell(nc_message::kNoFeed, word);
+    const bool stands = state.feedMode == FeedMode::perRevolution && state.feed > 0 &&
+                        (state.spindleDirection == 0 || state.spindleRpm <= 0);
+    state.missingFeedTold = state.feed <= 0 || stands;
+    if (state.missingFeedTold)
+        execution.reporter.tell(stands ? nc_message::kFeedWithoutSpindle : nc_message::kNoFeed, word);
 }
 
 void tellUnknownStart(Execution& execution, const Motion& motion, const Word& word) {
@@ -150,6 +199,8 @@ void arrive(MachineState& state, const Motion& motion) {
 
 void appendMotion(Execution& execution, Motion motion) {
     motion.unverified = execution.reporter.unverified();
+    if (motion.kind != MotionKind::rapid && execution.state.feedMode == FeedMode::inverseTime)
+        motion.feedMmPerMin = execution.block.has('F') ? execution.state.feed * pathLength(motion) : 0;
     execution.program.append(motion);
     arrive(execution.state, motion);
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 
 #include "core/nc/execution.h"
@@ -17,6 +18,10 @@ namespace proveout {
 
 /// Sends an axis to machine coordinate `value`; where nobody knows the machine's zero, to nobody knows where.
 void setMachineTarget(Execution& execution, Motion& motion, int axis, double value);
+
+/// The end point in X and Y that the polar words of the block give, from where `program` stands; `known`:
+/// AxisBits of it. Nothing where there are none, or where they count from an unknown place, which is told.
+[[nodiscard]] std::optional<Vec2> polarTarget(Execution& execution, const Vec3& program, std::uint8_t known);
 
 /// A motion from where the machine stands to where the axis words of the block send it. An increment from an
 /// unknown place is told.

@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::uint32_t kNoArc = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint8_t kUnverifiedFlag = 1;
+constexpr std::uint8_t kPerRevolutionFlag = 2;
 
 } // namespace
 
@@ -22,6 +23,7 @@ Motion Program::motion(std::size_t index) const {
     motion.startKnown = packed.startKnown;
     motion.endKnown = packed.endKnown;
     motion.unverified = (packed.flags & kUnverifiedFlag) != 0;
+    motion.perRevolution = (packed.flags & kPerRevolutionFlag) != 0;
     motion.tool = m_states[packed.state].tool;
     motion.spindleRpm = m_states[packed.state].spindleRpm;
     motion.orderedRpm = m_states[packed.state].orderedRpm;
@@ -152,7 +154,8 @@ void Program::append(const Motion& motion) {
     packed.kind = static_cast<std::uint8_t>(motion.kind);
     packed.startKnown = motion.startKnown;
     packed.endKnown = motion.endKnown;
-    packed.flags = motion.unverified ? kUnverifiedFlag : std::uint8_t{0};
+    packed.flags = static_cast<std::uint8_t>((motion.unverified ? kUnverifiedFlag : 0) |
+                                             (motion.perRevolution ? kPerRevolutionFlag : 0));
     if (motion.kind == MotionKind::arc) {
         packed.arc = static_cast<std::uint32_t>(m_arcs.size());
         m_arcs.push_back({motion.centre, motion.sweep, motion.plane});

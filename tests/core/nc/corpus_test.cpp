@@ -95,7 +95,10 @@ double distance(const json& point, const Vec3& ours) {
 }
 
 std::string cuttingDifference(const json& record, const Motion& motion) {
-    const double feed = number(record["f"]);
+    const bool perRevolution = record["fm"] == "rev";
+    const double feed = number(record["f"]) * (perRevolution ? std::abs(motion.spindleRpm) : 1.0);
+    if (perRevolution != motion.perRevolution)
+        return "feed mode";
     if (std::abs(feed - motion.feedMmPerMin) > 1e-6 + 1e-6 * feed)
         return fmt::format("feed {} / {}", feed, motion.feedMmPerMin);
     if (record["t"].get<int>() != motion.tool)
@@ -290,11 +293,12 @@ TEST(Corpus, EveryFileIsInterpretedInTime) {
             continue;
         InterpretOptions options;
         options.maxSteps = kSteps;
+        options.maxMotions = kSteps;
         const auto program = interpret(*text, options);
         const double seconds =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
         ++files;
-        const bool endless = firstOf(*program, {"too-many-steps"}) != nullptr;
+        const bool endless = firstOf(*program, {"too-many-steps", "too-many-motions"}) != nullptr;
         const double allowed = 0.1 + 2e-6 * static_cast<double>(entry.file_size()) +
                                (endless ? 1e-6 * static_cast<double>(kSteps) : 0.0);
         EXPECT_LT(seconds, allowed) << name;
