@@ -382,7 +382,8 @@ ControlFlow::Source* ControlFlow::fileOf(const std::string& label, const FlowWor
         fail(nc_message::kSubFolder, word, {label});
         return nullptr;
     }
-    for (const std::filesystem::path& folder : m_limits.folders) {
+    for (const std::filesystem::path& given : m_limits.folders) {
+        const std::filesystem::path folder = given.empty() ? "." : given;
         const std::filesystem::path path = folder / name;
         const auto known = std::ranges::find(m_sources, path.string(), [](const auto& s) { return s->file; });
         if (known != m_sources.end())

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Subprograms in files, limits, and what is told where the flow of a program leads nowhere.
+#include <chrono>
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <stop_token>
+#include <string>
+#include <thread>
+
+#include "core/nc/interpreter.h"
+#include "tests/core/temporary_folder.h"
+
+namespace proveout {
+
+namespace {
+
+std::string toldBy(const std::string& text, const InterpretOptions& options = {}) {
+    std::string told;
+    const auto program = interpret(NcText(text), options);
+    for (const Diagnostic& diagnostic : program->diagnostics()) {
+        if (diagnostic.severity == Severity::error)
+            told += std::to_string(diagnostic.where.line) + ":" + std::to_string(diagnostic.where.column) +
+                    " " + diagnostic.id + "\n";
+    }
+    return told;
+}
+
+InterpretOptions withFolder(const std::filesystem::path& folder) {
+    InterpretOptions options;
+    options.file = "main.ngc";
+    options.assumeStartAtZero = true;
+    options.subprogramFolders = {folder};
+    return options;
+}
+
+} // namespace
+
+TEST(ControlFlow, RunsSubprogramsOfTheirOwnFiles) {
+    const TemporaryFolder folder;
+    folder.put("step.ngc", "o<step> sub\nG91 G1 X#1\nG90\no<step> endsub\n");
+    const auto program =
+        interpret(NcText("F100\nG1 X1\no<Step> call [5]\no<step> call [7]\nM2\n"), withFolder(folder.path()));
+    EXPECT_TRUE(program->diagnostics().empty());
+    ASSERT_EQ(program->motionCount(), 3U);
+    EXPECT_EQ(program->motion(2).end.x, 13);
+    // A motion of such a file belongs to the line that called it.
+    EXPECT_EQ(program->motion(1).line, 3U);
+    EXPECT_EQ(program->motion(2).line, 4U);
+}
+
+TEST(ControlFlow, NamesTheFileOfAMessage) {
+    const TemporaryFolder folder;
+    folder.put("bad.ngc", "o<bad> sub\nG1 X[1/0]\no<bad> endsub\n");
+    const auto program =
+        interpret(NcText("F100\no<bad> call\nG1 X2 Z[1/0]\nM2\n"), withFolder(folder.path()));
+    ASSERT_GE(program->diagnostics().size(), 2U);
+    EXPECT_EQ(program->diagnostics()[0].file, (folder / "bad.ngc").string());
+    EXPECT_EQ(program->diagnostics()[0].where.line, 2);
+    EXPECT_EQ(program->diagnostics()[1].file, "main.ngc");
+    EXPECT_EQ(program->diagnostics()[1].where.line, 3);
+}
+
+TEST(ControlFlow, OpensNothingOutsideOfItsFolders) {
+    const TemporaryFolder outside;
+    outside.put("out.ngc", "o<out> sub\nG0 X1\no<out> endsub\no<link> sub\no<link> endsub\n");
+    const TemporaryFolder folder;
+    std::filesystem::create_symlink(outside / "out.ngc", folder / "link.ngc");
+    std::filesystem::create_directory(folder / "folder.ngc");
+    const std::string up = "../" + outside.path().filename().string() + "/out";
+    const InterpretOptions options = withFolder(folder.path());
+    EXPECT_EQ(toldBy("o<" + up + "> call\nM2\n", options), "1:1 sub-folder\n");
+    EXPECT_EQ(toldBy("o<" + (outside / "out").string() + "> call\nM2\n", options), "1:1 sub-folder\n");
+    EXPECT_EQ(toldBy("o<link> call\nM2\n", options), "1:1 sub-folder\n");
+    EXPECT_EQ(toldBy("o<folder> call\nM2\n", options), "1:1 sub-unknown\n");
+    EXPECT_EQ(toldBy("o<none> call\nM2\n"), "1:1 sub-unknown\n");
+}
+
+TEST(ControlFlow, NamesTheMissingPartner) {
+    EXPECT_EQ(toldBy("o1 if [1]\nM2\n"), "1:1 flow-partner\n");
+    EXPECT_EQ(toldBy("o1 while [1]\no1 endif\nM2\n"), "1:1 flow-partner\n2:1 flow-partner\n");
+    EXPECT_EQ(toldBy("o1 sub\nM2\n"), "1:1 flow-partner\n");
+    EXPECT_EQ(toldBy("o1 break\nM2\n"), "1:1 flow-partner\n");
+    EXPECT_EQ(toldBy("o1 endsub\nM2\n"), "1:1 return-outside\n");
+    EXPECT_EQ(toldBy("o1 if [0]\no1 endif\no1 if [0]\no1 endif\nM2\n"), "3:1 label-twice\n");
+    EXPECT_EQ(toldBy("o1 sub\no2 sub\no2 endsub\no1 endsub\nM2\n"),
+              "1:1 flow-partner\n2:1 sub-nested\n3:1 return-outside\n4:1 return-outside\n");
+    EXPECT_EQ(toldBy("o1 if 1\no1 endif\nM2\n"), "1:1 flow-condition\n");
+    EXPECT_EQ(toldBy("o1 if [1] G0\no1 endif\nM2\n"), "1:11 flow-rest\n");
+    EXPECT_EQ(toldBy("M98 P7\nM2\n"), "1:5 sub-unknown\n");
+}
+
+TEST(ControlFlow, LimitsTheDepthOfCallsAndShowsTheirChain) {
+    const auto program = interpret(NcText("o1 sub\no1 call\no1 endsub\no1 call\nM2\n"));
+    ASSERT_FALSE(program->diagnostics().empty());
+    const Diagnostic& told = program->diagnostics().front();
+    EXPECT_STREQ(told.id, "call-too-deep");
+    EXPECT_EQ(told.arguments, (std::vector<std::string>{"9", "1 > 1 > 1 > 1 > 1 > 1 > 1 > 1 > 1 > 1"}));
+}
+
+TEST(ControlFlow, EndsAnEndlessLoopAtTheLimitOfSteps) {
+    InterpretOptions options;
+    options.maxSteps = 1000;
+    EXPECT_EQ(toldBy("o1 while [1]\no1 endwhile\nM2\n", options), "1:1 too-many-steps\n");
+    EXPECT_EQ(toldBy("o1 repeat [1e12]\nG91\no1 endrepeat\nM2\n", options), "1:13 operator-missing\n");
+    EXPECT_EQ(toldBy("o1 repeat [1000000000]\nG91\no1 endrepeat\nM2\n", options), "3:1 too-many-steps\n");
+    EXPECT_EQ(toldBy("M98 P5 L999999999\nM2\nO5\nG91\nM99\n", options), "5:1 too-many-steps\n");
+}
+
+TEST(ControlFlow, AnEndlessLoopAnswersAStop) {
+    std::stop_source stop;
+    WorkContext context;
+    context.stop = stop.get_token();
+    std::jthread user([&] {
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+        stop.request_stop();
+    });
+    const auto program = interpret(NcText("o1 while [1]\no1 endwhile\nM2\n"), {}, context);
+    EXPECT_STREQ(program->diagnostics().back().id, "interpretation-stopped");
+}
+
+TEST(ControlFlow, LocalParametersComeBackAfterACall) {
+    InterpretOptions options;
+    options.assumeStartAtZero = true;
+    const auto program = interpret(NcText("#1=1 #2=2 #<a>=3 #<_g>=4\no1 sub\n#2=9 #<_g>=[#<_g>+1]\n#<a>=#1\n"
+                                          "o1 endsub\no1 call [7]\nG0 X#1 Y#2 Z[#<a>*10+#<_g>]\nM2\n"),
+                                   options);
+    ASSERT_EQ(program->motionCount(), 1U);
+    EXPECT_EQ(program->motion(0).end, Vec3(1, 2, 35));
+}
+
+} // namespace proveout
