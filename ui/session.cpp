@@ -175,6 +175,8 @@ void Session::interpret() {
     InterpretOptions options;
     options.blockDelete = setup().blockDelete;
     options.start = setup().start;
+    if (!document().path.empty())
+        options.subprogramFolders = {document().path.parent_path()};
     m_source.request(document().text, std::move(options));
 }
 
