@@ -48,7 +48,7 @@ bool ControlFlow::step() {
     if (++m_steps <= m_limits.maxSteps)
         return true;
     m_reporter.tellInAnyCase(nc_message::kTooManySteps, 1, 0,
-                             {std::to_string(m_limits.maxSteps), m_levels.empty() ? "main" : chain("")});
+                             {std::to_string(m_limits.maxSteps), linesOfCalls()});
     return false;
 }
 
@@ -414,7 +414,14 @@ std::string ControlFlow::chain(const std::string& last) const {
     std::string names;
     for (const Level& level : m_levels)
         names += (names.empty() ? "" : " > ") + level.label;
-    return last.empty() ? names : names + " > " + last;
+    return names + " > " + last;
+}
+
+std::string ControlFlow::linesOfCalls() const {
+    std::string lines;
+    for (const Level& level : m_levels)
+        lines += std::to_string(level.line) + " (O" + level.label + ") > ";
+    return lines + std::to_string(m_at + 1);
 }
 
 } // namespace proveout

@@ -108,6 +108,7 @@ private:
     bool endRepeat(const FlowWord& word);
     Source* fileOf(const std::string& label, const FlowWord& word);
     [[nodiscard]] std::string chain(const std::string& last) const;
+    [[nodiscard]] std::string linesOfCalls() const; ///< "12 (O100) > 3"
 
     Limits m_limits;
     Parameters& m_parameters;

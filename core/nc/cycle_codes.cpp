@@ -129,11 +129,11 @@ private:
         case SpindleNeed::any:
             return true;
         case SpindleNeed::turning:
-            return direction != 0 || refuse(nc_message::kCycleSpindle, m_word, {"M3", "M4"});
+            return direction != 0 || refuse(nc_message::kCycleSpindle, m_word, {"M3 / M4"});
         case SpindleNeed::clockwise:
-            return direction > 0 || refuse(nc_message::kCycleSpindle, m_word, {"M3", "M3"});
+            return direction > 0 || refuse(nc_message::kCycleSpindle, m_word, {"M3"});
         case SpindleNeed::counterClockwise:
-            return direction < 0 || refuse(nc_message::kCycleSpindle, m_word, {"M4", "M4"});
+            return direction < 0 || refuse(nc_message::kCycleSpindle, m_word, {"M4"});
         }
         return true;
     }

@@ -152,7 +152,7 @@ inline constexpr Message kMainReturn{
     PROVEOUT_TEXT("Core", "It is run once here; end it with M30 if that was meant.")};
 inline constexpr Message kTooManySteps{
     Severity::error, true, "too-many-steps",
-    PROVEOUT_TEXT("Core", "The program runs through more than {} lines; interpretation ends in {}."),
+    PROVEOUT_TEXT("Core", "The program runs through more than {} lines; interpretation ends in line {}."),
     PROVEOUT_TEXT("Core", "Check the loop for an end.")};
 inline constexpr Message kCommentUnclosed{Severity::error, true, "comment-unclosed",
                                           PROVEOUT_TEXT("Core", "The comment is not closed."),
@@ -333,7 +333,7 @@ inline constexpr Message kCyclePeck{Severity::error, true, "cycle-peck",
                                     PROVEOUT_TEXT("Core", "Check the Q word; the cycle drills nothing.")};
 inline constexpr Message kCycleSpindle{
     Severity::error, true, "cycle-spindle",
-    PROVEOUT_TEXT("Core", "The spindle must turn for this cycle: {} or {}."),
+    PROVEOUT_TEXT("Core", "The spindle must turn for this cycle: {}."),
     PROVEOUT_TEXT("Core", "Switch it on in a block before; the cycle drills nothing.")};
 inline constexpr Message kBackBore{
     Severity::warning, true, "back-bore",

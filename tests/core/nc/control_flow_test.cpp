@@ -106,6 +106,14 @@ TEST(ControlFlow, EndsAnEndlessLoopAtTheLimitOfSteps) {
     EXPECT_EQ(toldBy("M98 P5 L999999999\nM2\nO5\nG91\nM99\n", options), "5:1 too-many-steps\n");
 }
 
+TEST(ControlFlow, TellsTheCallsThatLedIntoAnEndlessLoop) {
+    InterpretOptions options;
+    options.maxSteps = 1000;
+    const auto program =
+        interpret(NcText("o<a> sub\no1 while [1]\no1 endwhile\no<a> endsub\no<a> call\nM2\n"), options);
+    EXPECT_EQ(program->diagnostics().front().arguments, (std::vector<std::string>{"1000", "5 (Oa) > 2"}));
+}
+
 TEST(ControlFlow, AnEndlessLoopAnswersAStop) {
     std::stop_source stop;
     WorkContext context;
