@@ -1091,14 +1091,6 @@
         <translation>Prüfen Sie die Zahl.</translation>
     </message>
     <message>
-        <source>Replace it by its value, or let the CAM system write plain numbers.</source>
-        <translation>Setzen Sie den Wert ein, oder lassen Sie das CAM-System reine Zahlen schreiben.</translation>
-    </message>
-    <message>
-        <source>Let the CAM system write the motions out.</source>
-        <translation>Lassen Sie das CAM-System die Bewegungen ausschreiben.</translation>
-    </message>
-    <message>
         <source>Close it with &quot;)&quot; in the same line.</source>
         <translation>Schließen Sie ihn mit „)“ in derselben Zeile.</translation>
     </message>
@@ -1449,14 +1441,6 @@
     <message>
         <source>The number of {} is out of range: larger than 1e12.</source>
         <translation>Die Zahl von {} ist zu groß: über 1e12.</translation>
-    </message>
-    <message>
-        <source>Parameters and expressions are not supported yet: {}.</source>
-        <translation>Parameter und Ausdrücke werden noch nicht unterstützt: {}.</translation>
-    </message>
-    <message>
-        <source>Subprograms, loops and branches are not supported yet: {}.</source>
-        <translation>Unterprogramme, Schleifen und Verzweigungen werden noch nicht unterstützt: {}.</translation>
     </message>
     <message>
         <source>The comment is not closed.</source>
@@ -1969,6 +1953,418 @@
     <message>
         <source>Choose a wider grid spacing, or close programs.</source>
         <translation>Wählen Sie eine größere Rasterweite, oder schließen Sie Programme.</translation>
+    </message>
+    <message>
+        <source>polar radius</source>
+        <translation>Polarradius</translation>
+    </message>
+    <message>
+        <source>polar angle in degrees</source>
+        <translation>Polarwinkel in Grad</translation>
+    </message>
+    <message>
+        <source>The expression is nested deeper than 100 levels.</source>
+        <translation>Der Ausdruck ist tiefer als 100 Ebenen geschachtelt.</translation>
+    </message>
+    <message>
+        <source>Compute it in several steps.</source>
+        <translation>Berechnen Sie ihn in mehreren Schritten.</translation>
+    </message>
+    <message>
+        <source>The parameter {} was never set.</source>
+        <translation>Der Parameter {} wurde nie gesetzt.</translation>
+    </message>
+    <message>
+        <source>Set it first; a name without _ at its front is known in its own subprogram only.</source>
+        <translation>Setzen Sie ihn zuerst; ein Name ohne _ am Anfang gilt nur in seinem eigenen Unterprogramm.</translation>
+    </message>
+    <message>
+        <source>{} is not a whole number, so that it names no parameter.</source>
+        <translation>{} ist keine ganze Zahl und bezeichnet daher keinen Parameter.</translation>
+    </message>
+    <message>
+        <source>Round it with FIX or ROUND.</source>
+        <translation>Runden Sie sie mit FIX oder ROUND.</translation>
+    </message>
+    <message>
+        <source>There is no parameter with the number {}: they go from 1 to 5601.</source>
+        <translation>Es gibt keinen Parameter mit der Nummer {}: Die Nummern reichen von 1 bis 5601.</translation>
+    </message>
+    <message>
+        <source>Use another number, or a name.</source>
+        <translation>Verwenden Sie eine andere Nummer oder einen Namen.</translation>
+    </message>
+    <message>
+        <source>The parameter {} can be read only.</source>
+        <translation>Der Parameter {} kann nur gelesen werden.</translation>
+    </message>
+    <message>
+        <source>Use another number.</source>
+        <translation>Verwenden Sie eine andere Nummer.</translation>
+    </message>
+    <message>
+        <source>The name is not closed.</source>
+        <translation>Der Name ist nicht geschlossen.</translation>
+    </message>
+    <message>
+        <source>Close it with &quot;&gt;&quot;.</source>
+        <translation>Schließen Sie ihn mit „&gt;“.</translation>
+    </message>
+    <message>
+        <source>The name is empty.</source>
+        <translation>Der Name ist leer.</translation>
+    </message>
+    <message>
+        <source>Write a name between &quot;&lt;&quot; and &quot;&gt;&quot;.</source>
+        <translation>Schreiben Sie einen Namen zwischen „&lt;“ und „&gt;“.</translation>
+    </message>
+    <message>
+        <source>The name has more than 256 characters.</source>
+        <translation>Der Name hat mehr als 256 Zeichen.</translation>
+    </message>
+    <message>
+        <source>Use a shorter one.</source>
+        <translation>Verwenden Sie einen kürzeren.</translation>
+    </message>
+    <message>
+        <source>The program has more than 100000 named parameters at once; {} was not set.</source>
+        <translation>Das Programm hat mehr als 100000 benannte Parameter zugleich; {} wurde nicht gesetzt.</translation>
+    </message>
+    <message>
+        <source>Use fewer names, or numbers.</source>
+        <translation>Verwenden Sie weniger Namen oder stattdessen Nummern.</translation>
+    </message>
+    <message>
+        <source>The bracket is not closed.</source>
+        <translation>Die eckige Klammer ist nicht geschlossen.</translation>
+    </message>
+    <message>
+        <source>Close it with &quot;]&quot; in the same line.</source>
+        <translation>Schließen Sie sie mit „]“ in derselben Zeile.</translation>
+    </message>
+    <message>
+        <source>{} has no argument in brackets.</source>
+        <translation>{} hat kein Argument in eckigen Klammern.</translation>
+    </message>
+    <message>
+        <source>Write for example SIN[30].</source>
+        <translation>Schreiben Sie zum Beispiel SIN[30].</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; stands where an operator or &quot;]&quot; belongs.</source>
+        <translation>„{}“ steht, wo ein Operator oder „]“ hingehört.</translation>
+    </message>
+    <message>
+        <source>Check the expression.</source>
+        <translation>Prüfen Sie den Ausdruck.</translation>
+    </message>
+    <message>
+        <source>{} has no result for these values.</source>
+        <translation>{} hat für diese Werte kein Ergebnis.</translation>
+    </message>
+    <message>
+        <source>Check for a division by zero, the root of a negative number, an arc sine beyond 1.</source>
+        <translation>Prüfen Sie auf eine Division durch null, die Wurzel einer negativen Zahl oder den Arkussinus eines Werts über 1.</translation>
+    </message>
+    <message>
+        <source>ATAN needs two arguments: ATAN[y]/[x].</source>
+        <translation>ATAN braucht zwei Argumente: ATAN[y]/[x].</translation>
+    </message>
+    <message>
+        <source>Add the second one; for a plain ratio write ATAN[ratio]/[1].</source>
+        <translation>Ergänzen Sie das zweite; für ein einfaches Verhältnis schreiben Sie ATAN[Verhältnis]/[1].</translation>
+    </message>
+    <message>
+        <source>EXISTS asks for a named parameter: EXISTS[#&lt;name&gt;].</source>
+        <translation>EXISTS fragt nach einem benannten Parameter: EXISTS[#&lt;Name&gt;].</translation>
+    </message>
+    <message>
+        <source>Write the name between &quot;&lt;&quot; and &quot;&gt;&quot;.</source>
+        <translation>Schreiben Sie den Namen zwischen „&lt;“ und „&gt;“.</translation>
+    </message>
+    <message>
+        <source>{} is not followed by &quot;=&quot; and a value.</source>
+        <translation>Auf {} folgen nicht „=“ und ein Wert.</translation>
+    </message>
+    <message>
+        <source>A parameter at the beginning of a word is set, for example #1=10.</source>
+        <translation>Ein Parameter am Anfang eines Wortes wird gesetzt, zum Beispiel #1=10.</translation>
+    </message>
+    <message>
+        <source>The number behind O is no whole number from 0 on.</source>
+        <translation>Die Zahl hinter O ist keine ganze Zahl ab 0.</translation>
+    </message>
+    <message>
+        <source>Use a whole number, or a name: O&lt;name&gt;.</source>
+        <translation>Verwenden Sie eine ganze Zahl oder einen Namen: O&lt;Name&gt;.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is none of the words that may follow an O word.</source>
+        <translation>„{}“ ist keines der Schlüsselwörter, die auf ein O-Wort folgen dürfen.</translation>
+    </message>
+    <message>
+        <source>sub, endsub, call, return, if, elseif, else, endif, do, while, endwhile, repeat, endrepeat, break, continue.</source>
+        <translation>sub, endsub, call, return, if, elseif, else, endif, do, while, endwhile, repeat, endrepeat, break, continue.</translation>
+    </message>
+    <message>
+        <source>The O word does not begin the block.</source>
+        <translation>Das O-Wort steht nicht am Anfang des Satzes.</translation>
+    </message>
+    <message>
+        <source>Put it on a line of its own.</source>
+        <translation>Schreiben Sie es in eine eigene Zeile.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; stands behind the O word and its arguments.</source>
+        <translation>„{}“ steht hinter dem O-Wort und seinen Argumenten.</translation>
+    </message>
+    <message>
+        <source>O{} {} has no {} that belongs to it.</source>
+        <translation>Zu O{} {} gibt es kein zugehöriges {}.</translation>
+    </message>
+    <message>
+        <source>Both need the same label, in the same subprogram.</source>
+        <translation>Beide brauchen dieselbe Marke, im selben Unterprogramm.</translation>
+    </message>
+    <message>
+        <source>The label O{} is used already in line {} of this subprogram or main program.</source>
+        <translation>Die Marke O{} wird schon in Zeile {} dieses Unterprogramms oder Hauptprogramms verwendet.</translation>
+    </message>
+    <message>
+        <source>Give each branch and each loop a label of its own.</source>
+        <translation>Geben Sie jeder Verzweigung und jeder Schleife eine eigene Marke.</translation>
+    </message>
+    <message>
+        <source>O{} sub stands within another subprogram.</source>
+        <translation>O{} sub steht innerhalb eines anderen Unterprogramms.</translation>
+    </message>
+    <message>
+        <source>Close the other one with endsub before it.</source>
+        <translation>Schließen Sie das andere davor mit endsub ab.</translation>
+    </message>
+    <message>
+        <source>{} needs a condition in brackets.</source>
+        <translation>{} braucht eine Bedingung in eckigen Klammern.</translation>
+    </message>
+    <message>
+        <source>Write for example: O1 if [#1 GT 0].</source>
+        <translation>Schreiben Sie zum Beispiel: O1 if [#1 GT 0].</translation>
+    </message>
+    <message>
+        <source>There is no subprogram {}, in this file or as {}.</source>
+        <translation>Es gibt kein Unterprogramm {}, weder in dieser Datei noch als {}.</translation>
+    </message>
+    <message>
+        <source>Check the name and the folders of subprograms.</source>
+        <translation>Prüfen Sie den Namen und die Unterprogrammordner.</translation>
+    </message>
+    <message>
+        <source>The subprogram {} is not opened: its name leads out of the folders of subprograms.</source>
+        <translation>Das Unterprogramm {} wird nicht geöffnet: Sein Name führt aus den Unterprogrammordnern hinaus.</translation>
+    </message>
+    <message>
+        <source>Use a name without &quot;/&quot; and &quot;..&quot;.</source>
+        <translation>Verwenden Sie einen Namen ohne „/“ und „..“.</translation>
+    </message>
+    <message>
+        <source>The subprogram {} cannot be read: {}</source>
+        <translation>Das Unterprogramm {} lässt sich nicht lesen: {}</translation>
+    </message>
+    <message>
+        <source>Check the file.</source>
+        <translation>Prüfen Sie die Datei.</translation>
+    </message>
+    <message>
+        <source>The file ends within the subprogram {}.</source>
+        <translation>Die Datei endet innerhalb des Unterprogramms {}.</translation>
+    </message>
+    <message>
+        <source>Close it with endsub or M99.</source>
+        <translation>Schließen Sie es mit endsub oder M99 ab.</translation>
+    </message>
+    <message>
+        <source>Subprograms call each other deeper than {} levels: {}.</source>
+        <translation>Unterprogramme rufen einander tiefer als {} Ebenen auf: {}.</translation>
+    </message>
+    <message>
+        <source>Check for a subprogram that calls itself without end.</source>
+        <translation>Prüfen Sie, ob ein Unterprogramm sich endlos selbst aufruft.</translation>
+    </message>
+    <message>
+        <source>The call has more than 30 arguments.</source>
+        <translation>Der Aufruf hat mehr als 30 Argumente.</translation>
+    </message>
+    <message>
+        <source>Pass the others in global parameters.</source>
+        <translation>Übergeben Sie die übrigen in globalen Parametern.</translation>
+    </message>
+    <message>
+        <source>{} stands outside of a subprogram.</source>
+        <translation>{} steht außerhalb eines Unterprogramms.</translation>
+    </message>
+    <message>
+        <source>Remove it, or put it between sub and endsub.</source>
+        <translation>Entfernen Sie es, oder setzen Sie es zwischen sub und endsub.</translation>
+    </message>
+    <message>
+        <source>M99 ends the main program: the control starts it again, without end.</source>
+        <translation>M99 beendet das Hauptprogramm: Die Steuerung startet es endlos immer wieder.</translation>
+    </message>
+    <message>
+        <source>It is run once here; end it with M30 if that was meant.</source>
+        <translation>Hier wird es einmal ausgeführt; beenden Sie es mit M30, wenn das gemeint war.</translation>
+    </message>
+    <message>
+        <source>The program runs through more than {} lines; interpretation ends in line {}.</source>
+        <translation>Das Programm durchläuft mehr als {} Zeilen; die Interpretation endet in Zeile {}.</translation>
+    </message>
+    <message>
+        <source>Check the loop for an end.</source>
+        <translation>Prüfen Sie, ob die Schleife ein Ende hat.</translation>
+    </message>
+    <message>
+        <source>G10 with L{} is not supported.</source>
+        <translation>G10 mit L{} wird nicht unterstützt.</translation>
+    </message>
+    <message>
+        <source>Supported are L1, L2, L10, L11 and L20.</source>
+        <translation>Unterstützt werden L1, L2, L10, L11 und L20.</translation>
+    </message>
+    <message>
+        <source>No tool has the number {}.</source>
+        <translation>Kein Werkzeug hat die Nummer {}.</translation>
+    </message>
+    <message>
+        <source>Add it to the tool table, or correct the number.</source>
+        <translation>Nehmen Sie es in die Werkzeugtabelle auf, oder berichtigen Sie die Nummer.</translation>
+    </message>
+    <message>
+        <source>{} and {} both use the axis words of this block.</source>
+        <translation>{} und {} verwenden beide die Achswörter dieses Satzes.</translation>
+    </message>
+    <message>
+        <source>Make two blocks; this block is skipped.</source>
+        <translation>Machen Sie zwei Sätze daraus; dieser Satz wird übersprungen.</translation>
+    </message>
+    <message>
+        <source>G53 needs G0 or G1 in force.</source>
+        <translation>Für G53 muss G0 oder G1 wirksam sein.</translation>
+    </message>
+    <message>
+        <source>Write G53 G0 or G53 G1; this block is skipped.</source>
+        <translation>Schreiben Sie G53 G0 oder G53 G1; dieser Satz wird übersprungen.</translation>
+    </message>
+    <message>
+        <source>The block has polar words (@ ^) and X or Y.</source>
+        <translation>Der Satz hat Polarkoordinaten (@ ^) und X oder Y.</translation>
+    </message>
+    <message>
+        <source>Keep one kind; this block is skipped.</source>
+        <translation>Behalten Sie nur eine Art; dieser Satz wird übersprungen.</translation>
+    </message>
+    <message>
+        <source>G53 cannot be used with polar words.</source>
+        <translation>G53 lässt sich nicht mit Polarkoordinaten (@ ^) verwenden.</translation>
+    </message>
+    <message>
+        <source>Write X and Y; this block is skipped.</source>
+        <translation>Schreiben Sie X und Y; dieser Satz wird übersprungen.</translation>
+    </message>
+    <message>
+        <source>G53 cannot be used with incremental distances.</source>
+        <translation>G53 lässt sich nicht mit Kettenmaßen verwenden.</translation>
+    </message>
+    <message>
+        <source>Write G90 before it; this block is skipped.</source>
+        <translation>Schreiben Sie G90 davor; dieser Satz wird übersprungen.</translation>
+    </message>
+    <message>
+        <source>The machine&apos;s zero lies nobody knows where: {} cuts nothing, nor does what follows until the axis is positioned again.</source>
+        <translation>Wo der Maschinennullpunkt liegt, ist nicht bekannt: {} fräst nichts, auch das Folgende nicht, bis die Achse wieder positioniert ist.</translation>
+    </message>
+    <message>
+        <source>Motions to reference positions are taken to lead away from the part.</source>
+        <translation>Von Bewegungen zu Referenzpunkten wird angenommen, dass sie vom Werkstück wegführen.</translation>
+    </message>
+    <message>
+        <source>An arc in G18 or G19 under a rotation about Z lies in no plane of the machine.</source>
+        <translation>Ein Kreisbogen in G18 oder G19 liegt bei einer Drehung um Z in keiner Ebene der Maschine.</translation>
+    </message>
+    <message>
+        <source>Let the CAM system write it as lines.</source>
+        <translation>Lassen Sie ihn das CAM-System als Geraden schreiben.</translation>
+    </message>
+    <message>
+        <source>The cycle {} needs the word {}.</source>
+        <translation>Der Zyklus {} braucht das Wort {}.</translation>
+    </message>
+    <message>
+        <source>The first block of a cycle must have it; this one drills nothing.</source>
+        <translation>Der erste Satz eines Zyklus muss es haben; dieser bohrt nichts.</translation>
+    </message>
+    <message>
+        <source>The cycle has no axis word.</source>
+        <translation>Der Zyklus hat kein Achswort.</translation>
+    </message>
+    <message>
+        <source>Name the place of the first hole.</source>
+        <translation>Geben Sie die Lage der ersten Bohrung an.</translation>
+    </message>
+    <message>
+        <source>A cycle cannot be used with inverse time feed.</source>
+        <translation>Ein Zyklus lässt sich nicht mit zeitreziprokem Vorschub verwenden.</translation>
+    </message>
+    <message>
+        <source>Write G94 and a feed before it; the cycle drills nothing.</source>
+        <translation>Schreiben Sie G94 und einen Vorschub davor; der Zyklus bohrt nichts.</translation>
+    </message>
+    <message>
+        <source>With inverse time feed (G93) every cutting block needs an F word.</source>
+        <translation>Mit zeitreziprokem Vorschub (G93) braucht jeder Satz mit einer Vorschubbewegung ein F-Wort.</translation>
+    </message>
+    <message>
+        <source>Add F, one over the minutes that the motion takes.</source>
+        <translation>Ergänzen Sie F, den Kehrwert der Dauer der Bewegung in Minuten.</translation>
+    </message>
+    <message>
+        <source>The feed counts per revolution (G95), but the spindle does not turn.</source>
+        <translation>Der Vorschub gilt je Umdrehung (G95), aber die Spindel dreht sich nicht.</translation>
+    </message>
+    <message>
+        <source>Switch the spindle on, or write G94 and a feed per minute.</source>
+        <translation>Schalten Sie die Spindel ein, oder schreiben Sie G94 und einen Vorschub je Minute.</translation>
+    </message>
+    <message>
+        <source>The R level lies below the bottom of the hole.</source>
+        <translation>Die R-Ebene liegt unter dem Grund der Bohrung.</translation>
+    </message>
+    <message>
+        <source>Check R and the depth; the cycle drills nothing.</source>
+        <translation>Prüfen Sie R und die Tiefe; der Zyklus bohrt nichts.</translation>
+    </message>
+    <message>
+        <source>The depth of a peck must be greater than 0.</source>
+        <translation>Die Zustelltiefe je Bohrhub muss größer als 0 sein.</translation>
+    </message>
+    <message>
+        <source>Check the Q word; the cycle drills nothing.</source>
+        <translation>Prüfen Sie das Q-Wort; der Zyklus bohrt nichts.</translation>
+    </message>
+    <message>
+        <source>The spindle must turn for this cycle: {}.</source>
+        <translation>Für diesen Zyklus muss sich die Spindel drehen: {}.</translation>
+    </message>
+    <message>
+        <source>Switch it on in a block before; the cycle drills nothing.</source>
+        <translation>Schalten Sie sie in einem Satz davor ein; der Zyklus bohrt nichts.</translation>
+    </message>
+    <message>
+        <source>G87 cuts from below, which a z-map cannot hold.</source>
+        <translation>G87 schneidet von unten, was eine Z-Map nicht darstellen kann.</translation>
+    </message>
+    <message>
+        <source>The motions are shown; what they cut from below cannot be vouched for.</source>
+        <translation>Die Bewegungen werden gezeigt; was sie von unten schneiden, ist ungewiss.</translation>
     </message>
 </context>
 <context>

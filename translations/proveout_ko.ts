@@ -1091,14 +1091,6 @@
         <translation>숫자를 확인하십시오.</translation>
     </message>
     <message>
-        <source>Replace it by its value, or let the CAM system write plain numbers.</source>
-        <translation>값으로 바꾸거나 CAM 시스템에서 숫자로 출력하십시오.</translation>
-    </message>
-    <message>
-        <source>Let the CAM system write the motions out.</source>
-        <translation>CAM 시스템에서 이송을 모두 풀어 출력하십시오.</translation>
-    </message>
-    <message>
         <source>Close it with &quot;)&quot; in the same line.</source>
         <translation>같은 줄에서 &quot;)&quot;로 닫으십시오.</translation>
     </message>
@@ -1449,14 +1441,6 @@
     <message>
         <source>The number of {} is out of range: larger than 1e12.</source>
         <translation>{}의 숫자가 범위를 벗어납니다(1e12 초과).</translation>
-    </message>
-    <message>
-        <source>Parameters and expressions are not supported yet: {}.</source>
-        <translation>매개변수와 수식은 아직 지원하지 않습니다: {}.</translation>
-    </message>
-    <message>
-        <source>Subprograms, loops and branches are not supported yet: {}.</source>
-        <translation>부프로그램, 반복, 분기는 아직 지원하지 않습니다: {}.</translation>
     </message>
     <message>
         <source>The comment is not closed.</source>
@@ -1969,6 +1953,418 @@
     <message>
         <source>Choose a wider grid spacing, or close programs.</source>
         <translation>격자 간격을 넓히거나 다른 프로그램을 닫으십시오.</translation>
+    </message>
+    <message>
+        <source>polar radius</source>
+        <translation>극좌표 반경</translation>
+    </message>
+    <message>
+        <source>polar angle in degrees</source>
+        <translation>극좌표 각도(도)</translation>
+    </message>
+    <message>
+        <source>The expression is nested deeper than 100 levels.</source>
+        <translation>수식이 100단계보다 깊게 중첩되어 있습니다.</translation>
+    </message>
+    <message>
+        <source>Compute it in several steps.</source>
+        <translation>여러 단계로 나누어 계산하십시오.</translation>
+    </message>
+    <message>
+        <source>The parameter {} was never set.</source>
+        <translation>매개변수 {}의 값이 설정된 적이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Set it first; a name without _ at its front is known in its own subprogram only.</source>
+        <translation>먼저 값을 설정하십시오. 앞에 _가 없는 이름은 해당 부프로그램 안에서만 유효합니다.</translation>
+    </message>
+    <message>
+        <source>{} is not a whole number, so that it names no parameter.</source>
+        <translation>{}은(는) 정수가 아니어서 매개변수를 가리키지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Round it with FIX or ROUND.</source>
+        <translation>FIX 또는 ROUND로 정수로 만드십시오.</translation>
+    </message>
+    <message>
+        <source>There is no parameter with the number {}: they go from 1 to 5601.</source>
+        <translation>번호가 {}인 매개변수는 없습니다. 번호는 1에서 5601까지입니다.</translation>
+    </message>
+    <message>
+        <source>Use another number, or a name.</source>
+        <translation>다른 번호나 이름을 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The parameter {} can be read only.</source>
+        <translation>매개변수 {}은(는) 읽기 전용입니다.</translation>
+    </message>
+    <message>
+        <source>Use another number.</source>
+        <translation>다른 번호를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The name is not closed.</source>
+        <translation>이름이 닫히지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>Close it with &quot;&gt;&quot;.</source>
+        <translation>&quot;&gt;&quot;로 닫으십시오.</translation>
+    </message>
+    <message>
+        <source>The name is empty.</source>
+        <translation>이름이 비어 있습니다.</translation>
+    </message>
+    <message>
+        <source>Write a name between &quot;&lt;&quot; and &quot;&gt;&quot;.</source>
+        <translation>&quot;&lt;&quot;와 &quot;&gt;&quot; 사이에 이름을 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The name has more than 256 characters.</source>
+        <translation>이름이 256자를 넘습니다.</translation>
+    </message>
+    <message>
+        <source>Use a shorter one.</source>
+        <translation>더 짧은 이름을 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The program has more than 100000 named parameters at once; {} was not set.</source>
+        <translation>이름 있는 매개변수가 동시에 100000개를 넘어 {}을(를) 설정하지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>Use fewer names, or numbers.</source>
+        <translation>이름을 줄이거나 번호를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The bracket is not closed.</source>
+        <translation>대괄호가 닫히지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>Close it with &quot;]&quot; in the same line.</source>
+        <translation>같은 줄에서 &quot;]&quot;로 닫으십시오.</translation>
+    </message>
+    <message>
+        <source>{} has no argument in brackets.</source>
+        <translation>{}에 대괄호로 묶은 인수가 없습니다.</translation>
+    </message>
+    <message>
+        <source>Write for example SIN[30].</source>
+        <translation>예를 들어 SIN[30]처럼 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; stands where an operator or &quot;]&quot; belongs.</source>
+        <translation>연산자나 &quot;]&quot;이(가) 있어야 할 곳에 &quot;{}&quot;이(가) 있습니다.</translation>
+    </message>
+    <message>
+        <source>Check the expression.</source>
+        <translation>수식을 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>{} has no result for these values.</source>
+        <translation>이 값들로는 {}을(를) 계산할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Check for a division by zero, the root of a negative number, an arc sine beyond 1.</source>
+        <translation>0으로 나누기, 음수의 제곱근, 1을 넘는 값의 아크사인이 있는지 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>ATAN needs two arguments: ATAN[y]/[x].</source>
+        <translation>ATAN에는 인수가 두 개 필요합니다: ATAN[y]/[x].</translation>
+    </message>
+    <message>
+        <source>Add the second one; for a plain ratio write ATAN[ratio]/[1].</source>
+        <translation>두 번째 인수를 추가하십시오. 비율 하나만 있으면 ATAN[비율]/[1]로 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>EXISTS asks for a named parameter: EXISTS[#&lt;name&gt;].</source>
+        <translation>EXISTS에는 이름 있는 매개변수가 필요합니다: EXISTS[#&lt;이름&gt;].</translation>
+    </message>
+    <message>
+        <source>Write the name between &quot;&lt;&quot; and &quot;&gt;&quot;.</source>
+        <translation>이름을 &quot;&lt;&quot;와 &quot;&gt;&quot; 사이에 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>{} is not followed by &quot;=&quot; and a value.</source>
+        <translation>{} 뒤에 &quot;=&quot;와 값이 없습니다.</translation>
+    </message>
+    <message>
+        <source>A parameter at the beginning of a word is set, for example #1=10.</source>
+        <translation>워드 맨 앞의 매개변수에는 값을 대입합니다. 예: #1=10.</translation>
+    </message>
+    <message>
+        <source>The number behind O is no whole number from 0 on.</source>
+        <translation>O 뒤의 숫자가 0 이상의 정수가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>Use a whole number, or a name: O&lt;name&gt;.</source>
+        <translation>정수나 이름을 쓰십시오: O&lt;이름&gt;.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is none of the words that may follow an O word.</source>
+        <translation>&quot;{}&quot;은(는) O 워드 뒤에 올 수 있는 키워드가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>sub, endsub, call, return, if, elseif, else, endif, do, while, endwhile, repeat, endrepeat, break, continue.</source>
+        <translation>sub, endsub, call, return, if, elseif, else, endif, do, while, endwhile, repeat, endrepeat, break, continue.</translation>
+    </message>
+    <message>
+        <source>The O word does not begin the block.</source>
+        <translation>O 워드가 블록의 처음에 있지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Put it on a line of its own.</source>
+        <translation>별도의 줄에 두십시오.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; stands behind the O word and its arguments.</source>
+        <translation>O 워드와 그 인수 뒤에 &quot;{}&quot;이(가) 있습니다.</translation>
+    </message>
+    <message>
+        <source>O{} {} has no {} that belongs to it.</source>
+        <translation>O{} {}에 짝이 되는 {}이(가) 없습니다.</translation>
+    </message>
+    <message>
+        <source>Both need the same label, in the same subprogram.</source>
+        <translation>둘 다 같은 부프로그램 안에서 같은 레이블을 써야 합니다.</translation>
+    </message>
+    <message>
+        <source>The label O{} is used already in line {} of this subprogram or main program.</source>
+        <translation>레이블 O{}은(는) 이 부프로그램 또는 주프로그램의 {}번 줄에서 이미 쓰였습니다.</translation>
+    </message>
+    <message>
+        <source>Give each branch and each loop a label of its own.</source>
+        <translation>분기와 반복마다 서로 다른 레이블을 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>O{} sub stands within another subprogram.</source>
+        <translation>O{} sub이(가) 다른 부프로그램 안에 있습니다.</translation>
+    </message>
+    <message>
+        <source>Close the other one with endsub before it.</source>
+        <translation>그 앞에서 다른 부프로그램을 endsub로 끝내십시오.</translation>
+    </message>
+    <message>
+        <source>{} needs a condition in brackets.</source>
+        <translation>{}에는 대괄호로 묶은 조건이 필요합니다.</translation>
+    </message>
+    <message>
+        <source>Write for example: O1 if [#1 GT 0].</source>
+        <translation>예를 들어 다음과 같이 쓰십시오: O1 if [#1 GT 0].</translation>
+    </message>
+    <message>
+        <source>There is no subprogram {}, in this file or as {}.</source>
+        <translation>부프로그램 {}이(가) 이 파일에도 없고 {} 파일로도 없습니다.</translation>
+    </message>
+    <message>
+        <source>Check the name and the folders of subprograms.</source>
+        <translation>이름과 부프로그램 폴더를 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>The subprogram {} is not opened: its name leads out of the folders of subprograms.</source>
+        <translation>부프로그램 {}을(를) 열지 않습니다. 이름이 부프로그램 폴더 밖을 가리킵니다.</translation>
+    </message>
+    <message>
+        <source>Use a name without &quot;/&quot; and &quot;..&quot;.</source>
+        <translation>&quot;/&quot;와 &quot;..&quot;이 없는 이름을 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The subprogram {} cannot be read: {}</source>
+        <translation>부프로그램 {}을(를) 읽을 수 없습니다: {}</translation>
+    </message>
+    <message>
+        <source>Check the file.</source>
+        <translation>파일을 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>The file ends within the subprogram {}.</source>
+        <translation>파일이 부프로그램 {} 안에서 끝납니다.</translation>
+    </message>
+    <message>
+        <source>Close it with endsub or M99.</source>
+        <translation>endsub 또는 M99로 끝내십시오.</translation>
+    </message>
+    <message>
+        <source>Subprograms call each other deeper than {} levels: {}.</source>
+        <translation>부프로그램 호출이 {}단계보다 깊습니다: {}.</translation>
+    </message>
+    <message>
+        <source>Check for a subprogram that calls itself without end.</source>
+        <translation>자신을 끝없이 호출하는 부프로그램이 있는지 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>The call has more than 30 arguments.</source>
+        <translation>호출의 인수가 30개를 넘습니다.</translation>
+    </message>
+    <message>
+        <source>Pass the others in global parameters.</source>
+        <translation>나머지는 전역 매개변수로 넘기십시오.</translation>
+    </message>
+    <message>
+        <source>{} stands outside of a subprogram.</source>
+        <translation>{}이(가) 부프로그램 밖에 있습니다.</translation>
+    </message>
+    <message>
+        <source>Remove it, or put it between sub and endsub.</source>
+        <translation>지우거나 sub와 endsub 사이에 두십시오.</translation>
+    </message>
+    <message>
+        <source>M99 ends the main program: the control starts it again, without end.</source>
+        <translation>M99가 주프로그램을 끝냅니다. 제어기는 주프로그램을 처음부터 끝없이 다시 실행합니다.</translation>
+    </message>
+    <message>
+        <source>It is run once here; end it with M30 if that was meant.</source>
+        <translation>여기서는 한 번만 실행합니다. 한 번만 실행할 의도라면 M30으로 끝내십시오.</translation>
+    </message>
+    <message>
+        <source>The program runs through more than {} lines; interpretation ends in line {}.</source>
+        <translation>프로그램이 실행한 줄이 {}개를 넘어 {}번 줄에서 해석을 끝냅니다.</translation>
+    </message>
+    <message>
+        <source>Check the loop for an end.</source>
+        <translation>반복이 끝나는지 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>G10 with L{} is not supported.</source>
+        <translation>G10 L{}은(는) 지원하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Supported are L1, L2, L10, L11 and L20.</source>
+        <translation>L1, L2, L10, L11, L20을 지원합니다.</translation>
+    </message>
+    <message>
+        <source>No tool has the number {}.</source>
+        <translation>번호가 {}인 공구가 없습니다.</translation>
+    </message>
+    <message>
+        <source>Add it to the tool table, or correct the number.</source>
+        <translation>공구 테이블에 추가하거나 번호를 고치십시오.</translation>
+    </message>
+    <message>
+        <source>{} and {} both use the axis words of this block.</source>
+        <translation>{}와(과) {}이(가) 모두 이 블록의 축 워드를 씁니다.</translation>
+    </message>
+    <message>
+        <source>Make two blocks; this block is skipped.</source>
+        <translation>두 블록으로 나누십시오. 이 블록은 건너뜁니다.</translation>
+    </message>
+    <message>
+        <source>G53 needs G0 or G1 in force.</source>
+        <translation>G53을 쓰려면 G0 또는 G1이 유효해야 합니다.</translation>
+    </message>
+    <message>
+        <source>Write G53 G0 or G53 G1; this block is skipped.</source>
+        <translation>G53 G0 또는 G53 G1을 쓰십시오. 이 블록은 건너뜁니다.</translation>
+    </message>
+    <message>
+        <source>The block has polar words (@ ^) and X or Y.</source>
+        <translation>블록에 극좌표 워드(@ ^)와 X 또는 Y가 함께 있습니다.</translation>
+    </message>
+    <message>
+        <source>Keep one kind; this block is skipped.</source>
+        <translation>한 가지만 남기십시오. 이 블록은 건너뜁니다.</translation>
+    </message>
+    <message>
+        <source>G53 cannot be used with polar words.</source>
+        <translation>G53은 극좌표 워드와 함께 쓸 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Write X and Y; this block is skipped.</source>
+        <translation>X와 Y를 쓰십시오. 이 블록은 건너뜁니다.</translation>
+    </message>
+    <message>
+        <source>G53 cannot be used with incremental distances.</source>
+        <translation>G53은 증분 지령과 함께 쓸 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Write G90 before it; this block is skipped.</source>
+        <translation>그 앞에 G90을 쓰십시오. 이 블록은 건너뜁니다.</translation>
+    </message>
+    <message>
+        <source>The machine&apos;s zero lies nobody knows where: {} cuts nothing, nor does what follows until the axis is positioned again.</source>
+        <translation>기계 원점의 위치를 알 수 없습니다. {}은(는) 아무것도 절삭하지 않으며, 그 축의 위치를 다시 정할 때까지 이어지는 이송도 절삭하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Motions to reference positions are taken to lead away from the part.</source>
+        <translation>기준점으로 가는 이송은 공작물에서 멀어지는 것으로 봅니다.</translation>
+    </message>
+    <message>
+        <source>An arc in G18 or G19 under a rotation about Z lies in no plane of the machine.</source>
+        <translation>Z축을 중심으로 좌표를 회전하면 G18이나 G19의 원호는 기계의 어느 평면에도 놓이지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Let the CAM system write it as lines.</source>
+        <translation>CAM 시스템에서 직선으로 출력하십시오.</translation>
+    </message>
+    <message>
+        <source>The cycle {} needs the word {}.</source>
+        <translation>{} 사이클에는 {} 워드가 필요합니다.</translation>
+    </message>
+    <message>
+        <source>The first block of a cycle must have it; this one drills nothing.</source>
+        <translation>사이클의 첫 블록에는 이 워드가 있어야 합니다. 이 블록은 아무것도 가공하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The cycle has no axis word.</source>
+        <translation>사이클에 축 워드가 없습니다.</translation>
+    </message>
+    <message>
+        <source>Name the place of the first hole.</source>
+        <translation>첫 구멍의 위치를 지정하십시오.</translation>
+    </message>
+    <message>
+        <source>A cycle cannot be used with inverse time feed.</source>
+        <translation>사이클은 역시간 이송과 함께 쓸 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Write G94 and a feed before it; the cycle drills nothing.</source>
+        <translation>그 앞에 G94와 이송 속도를 쓰십시오. 이 사이클은 아무것도 가공하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>With inverse time feed (G93) every cutting block needs an F word.</source>
+        <translation>역시간 이송(G93)에서는 절삭 이송 블록마다 F 워드가 필요합니다.</translation>
+    </message>
+    <message>
+        <source>Add F, one over the minutes that the motion takes.</source>
+        <translation>이송에 걸리는 시간(분)의 역수를 F로 추가하십시오.</translation>
+    </message>
+    <message>
+        <source>The feed counts per revolution (G95), but the spindle does not turn.</source>
+        <translation>회전당 이송(G95)이지만 주축이 회전하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Switch the spindle on, or write G94 and a feed per minute.</source>
+        <translation>주축을 회전시키거나 G94와 분당 이송 속도를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The R level lies below the bottom of the hole.</source>
+        <translation>R점이 구멍 바닥보다 아래에 있습니다.</translation>
+    </message>
+    <message>
+        <source>Check R and the depth; the cycle drills nothing.</source>
+        <translation>R과 깊이를 확인하십시오. 이 사이클은 아무것도 가공하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The depth of a peck must be greater than 0.</source>
+        <translation>1회 절입량은 0보다 커야 합니다.</translation>
+    </message>
+    <message>
+        <source>Check the Q word; the cycle drills nothing.</source>
+        <translation>Q 워드를 확인하십시오. 이 사이클은 아무것도 가공하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The spindle must turn for this cycle: {}.</source>
+        <translation>이 사이클에서는 주축이 회전해야 합니다: {}.</translation>
+    </message>
+    <message>
+        <source>Switch it on in a block before; the cycle drills nothing.</source>
+        <translation>앞 블록에서 주축을 회전시키십시오. 이 사이클은 아무것도 가공하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>G87 cuts from below, which a z-map cannot hold.</source>
+        <translation>G87은 아래쪽에서 절삭하며, 이는 Z맵으로 나타낼 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>The motions are shown; what they cut from below cannot be vouched for.</source>
+        <translation>이송은 표시하지만 아래쪽에서 절삭하는 부분은 보증할 수 없습니다.</translation>
     </message>
 </context>
 <context>
