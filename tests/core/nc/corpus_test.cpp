@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Against LinuxCNC: programs written by others, and what its own interpreter makes of them.
-#include <chrono>
 #include <cmath>
+#include <ctime>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <iostream>
@@ -287,7 +287,7 @@ TEST(Corpus, EveryFileIsInterpretedInTime) {
         const std::string name = entry.path().string();
         if (!entry.is_regular_file() || name.ends_with(".jsonl") || name.ends_with(".gz"))
             continue;
-        const auto begin = std::chrono::steady_clock::now();
+        const std::clock_t begin = std::clock();
         const auto text = NcText::load(entry.path());
         if (!text)
             continue;
@@ -295,8 +295,8 @@ TEST(Corpus, EveryFileIsInterpretedInTime) {
         options.maxSteps = kSteps;
         options.maxMotions = kSteps;
         const auto program = interpret(*text, options);
-        const double seconds =
-            std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+        // Of the processor: what else the machine does is no matter.
+        const double seconds = static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
         ++files;
         const bool endless = firstOf(*program, {"too-many-steps", "too-many-motions"}) != nullptr;
         const double allowed = 0.1 + 2e-6 * static_cast<double>(entry.file_size()) +
