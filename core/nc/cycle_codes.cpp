@@ -257,6 +257,7 @@ private:
             else if (motion.end[axis] != motion.start[axis])
                 motion.end[axis] = motion.start[axis];
         }
+        motion.endAtReference = motion.endAtReference && !depthKnown;
         if (kind == MotionKind::feed)
             tellUnknownStart(m_execution, motion, m_word);
         appendMotion(m_execution, motion);

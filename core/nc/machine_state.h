@@ -49,6 +49,7 @@ struct MachineState {
 
     Vec3 position{0};           ///< of the tip of the cutter, in machine coordinates
     std::uint8_t known = 0;     ///< AxisBits of `position`
+    bool zAtReference = false;  ///< not known, but at the machine's reference position
     std::uint8_t everKnown = 0; ///< AxisBits that were known at the end of any motion
 
     // What was told already, so that it is told once.
@@ -61,6 +62,7 @@ struct MachineState {
 
     /// From now on nobody knows where these axes stand.
     void forget(LetterSet axes) {
+        zAtReference = zAtReference && !axes.has('Z');
         for (int axis = 0; axis < 3; ++axis) {
             if (axes.has(static_cast<char>('X' + axis)) || (axis < 2 && axes.any(LetterSet("@^")))) {
                 const auto rest = static_cast<std::uint8_t>(~(1U << static_cast<unsigned>(axis)));

@@ -26,9 +26,13 @@ struct Motion {
     Plane plane = Plane::xy;
     std::uint8_t startKnown = 0; ///< AxisBits of `start`
     std::uint8_t endKnown = 0;   ///< AxisBits of `end`
-    bool unverified = false;     ///< stands behind something that was not understood
-    int tool = 0;                ///< number of the tool in the spindle, 0: none
-    std::uint32_t line = 0;      ///< source line, 1-based
+    /// Z is not known, but stands at the machine's reference position: clear of the part, as every program
+    /// takes it to be.
+    bool startAtReference = false;
+    bool endAtReference = false;
+    bool unverified = false; ///< stands behind something that was not understood
+    int tool = 0;            ///< number of the tool in the spindle, 0: none
+    std::uint32_t line = 0;  ///< source line, 1-based
     Vec3 start{0};
     Vec3 end{0};
     Vec3 centre{0};          ///< arcs: on the level of the start point

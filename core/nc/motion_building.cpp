@@ -55,6 +55,7 @@ Motion motionFromHere(const Execution& execution, MotionKind kind) {
         setFeed(motion, state);
     motion.start = motion.end = state.position;
     motion.startKnown = motion.endKnown = state.known;
+    motion.startAtReference = motion.endAtReference = state.zAtReference;
     return motion;
 }
 
@@ -66,6 +67,9 @@ void setMachineTarget(Execution& execution, Motion& motion, int axis, double val
         return;
     }
     motion.endKnown &= static_cast<std::uint8_t>(~bit(axis));
+    constexpr int kZ = 2;
+    if (axis == kZ)
+        motion.endAtReference = value == 0;
     if (!state.referenceTold) {
         state.referenceTold = true;
         execution.reporter.tell(nc_message::kReferenceUnknown, 1, 0,
@@ -160,6 +164,7 @@ Motion motionToTarget(Execution& execution, MotionKind kind) {
             motion.end[axis] = machine[axis];
     }
     motion.endKnown = bitsThatTurn(frame, known);
+    motion.endAtReference = motion.endAtReference && (motion.endKnown & kAxisZ) == 0;
     return motion;
 }
 
@@ -193,6 +198,7 @@ void tellUnknownStart(Execution& execution, const Motion& motion, const Word& wo
 void arrive(MachineState& state, const Motion& motion) {
     state.position = motion.end;
     state.known = motion.endKnown;
+    state.zAtReference = motion.endAtReference;
     state.everKnown |= motion.endKnown;
     state.unknownTold &= static_cast<std::uint8_t>(~state.known);
 }

@@ -16,7 +16,8 @@ namespace proveout {
 /// A motion that begins and ends where the machine stands.
 [[nodiscard]] Motion motionFromHere(const Execution& execution, MotionKind kind);
 
-/// Sends an axis to machine coordinate `value`; where nobody knows the machine's zero, to nobody knows where.
+/// Sends an axis to machine coordinate `value`; where nobody knows the machine's zero, to nobody knows where,
+/// but Z 0 is the machine's reference position.
 void setMachineTarget(Execution& execution, Motion& motion, int axis, double value);
 
 /// The end point in X and Y that the polar words of the block give, from where `program` stands; `known`:

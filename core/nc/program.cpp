@@ -13,6 +13,8 @@ namespace {
 constexpr std::uint32_t kNoArc = std::numeric_limits<std::uint32_t>::max();
 constexpr std::uint8_t kUnverifiedFlag = 1;
 constexpr std::uint8_t kPerRevolutionFlag = 2;
+constexpr std::uint8_t kStartAtReferenceFlag = 4;
+constexpr std::uint8_t kEndAtReferenceFlag = 8;
 
 } // namespace
 
@@ -24,6 +26,8 @@ Motion Program::motion(std::size_t index) const {
     motion.endKnown = packed.endKnown;
     motion.unverified = (packed.flags & kUnverifiedFlag) != 0;
     motion.perRevolution = (packed.flags & kPerRevolutionFlag) != 0;
+    motion.startAtReference = (packed.flags & kStartAtReferenceFlag) != 0;
+    motion.endAtReference = (packed.flags & kEndAtReferenceFlag) != 0;
     motion.tool = m_states[packed.state].tool;
     motion.spindleRpm = m_states[packed.state].spindleRpm;
     motion.orderedRpm = m_states[packed.state].orderedRpm;
@@ -155,7 +159,9 @@ void Program::append(const Motion& motion) {
     packed.startKnown = motion.startKnown;
     packed.endKnown = motion.endKnown;
     packed.flags = static_cast<std::uint8_t>((motion.unverified ? kUnverifiedFlag : 0) |
-                                             (motion.perRevolution ? kPerRevolutionFlag : 0));
+                                             (motion.perRevolution ? kPerRevolutionFlag : 0) |
+                                             (motion.startAtReference ? kStartAtReferenceFlag : 0) |
+                                             (motion.endAtReference ? kEndAtReferenceFlag : 0));
     if (motion.kind == MotionKind::arc) {
         packed.arc = static_cast<std::uint32_t>(m_arcs.size());
         m_arcs.push_back({motion.centre, motion.sweep, motion.plane});

@@ -22,6 +22,8 @@ void goToReference(Execution& execution, int parameter) {
         if (!all && !execution.block.has(static_cast<char>('X' + axis)))
             continue;
         setMachineTarget(execution, home, axis, reference[axis]);
+        if (axis == 2 && !execution.state.machineZeroKnown)
+            home.endAtReference = true;
     }
     appendMotion(execution, home);
 }

@@ -36,6 +36,18 @@ bool standsInStock(const ZMap& zmap, const Cutter& cutter, const Motion& motion)
     return cut(trial, cutter, standing).maxDepth > kNothingRemoved;
 }
 
+/// A rapid to, at or from the machine's reference position, above everything, that stays clear of the part:
+/// straight up or down, or beginning above the stock. Where it goes down to is looked at elsewhere.
+bool clearByReference(const StockBox& stock, const Motion& motion) {
+    if (motion.startAtReference && motion.endAtReference)
+        return true;
+    constexpr std::uint8_t kPlan = kAxisX | kAxisY;
+    const bool upright = (motion.startKnown & motion.endKnown & kPlan) == kPlan &&
+                         motion.start.x == motion.end.x && motion.start.y == motion.end.y;
+    const bool above = (motion.startKnown & kAxisZ) != 0 && motion.start.z >= stock.topZ();
+    return motion.endAtReference && (upright || above);
+}
+
 /// A rapid that moves in plan while nobody knows how high may go through the stock. The box of its ends
 /// stands for its path.
 bool mayCrossAtUnknownHeight(const StockBox& stock, const Motion& motion, double radius) {
@@ -53,6 +65,8 @@ bool mayCrossAtUnknownHeight(const StockBox& stock, const Motion& motion, double
 /// not pass for checked.
 void judgeUnknownRapid(const ZMap& zmap, const Cutter& cutter, const Motion& motion, std::size_t block,
                        FindingLog& findings) {
+    if (clearByReference(zmap.stock(), motion))
+        return;
     if (mayCrossAtUnknownHeight(zmap.stock(), motion, cutter.radius())) {
         findings.add(block, FindingKind::rapidAtUnknownHeight, 0);
         return;

@@ -72,9 +72,19 @@ TEST(Findings, RapidFromAnUnknownPositionThatEndsClearOfTheStockIsNone) {
 }
 
 TEST(Findings, RapidFromAnUnknownPositionIsMeasuredAgainstTheStockThatIsLeft) {
-    const std::string pocket = "T1 M6\nG0 X20 Y15 Z5\nG1 Z-8 F100\nG28\n";
+    const std::string pocket = "T1 M6\nG0 X20 Y15 Z5\nG1 Z-8 F100\nG91 G28 Z0\nG90\n";
     EXPECT_EQ(find(findingsOf(pocket + "G0 X20 Y15 Z-7\n"), "rapid-unchecked"), nullptr);
     EXPECT_NE(find(findingsOf(pocket + "G0 X10 Y15 Z-7\n"), "rapid-unchecked"), nullptr);
+}
+
+TEST(Findings, TheReferencePositionIsClearOfThePart) {
+    const std::string pocket = "T1 M6\nG0 X20 Y15 Z5\nG1 Z-8 F100\n";
+    for (const char* rest : {"G91 G28 Z0\nG28 X0 Y0\nG90 G0 X5 Y5\nG0 Z5\n", "G0 Z5\nG28\nG0 X5 Y5\n",
+                             "G53 G0 Z0\nG53 X0 Y0\nG0 X5 Y5\nZ2\n"})
+        EXPECT_TRUE(findingsOf(pocket + rest).empty()) << rest;
+    // All axes at once out of a pocket, and a height of the machine that may be anywhere.
+    for (const char* rest : {"G28\n", "G53 G0 Z-100\nG0 X5 Y5\n", "G91 G28 Z0\nG90 G0 X10 Y15 Z-7\n"})
+        EXPECT_NE(find(findingsOf(pocket + rest), "rapid-unchecked"), nullptr) << rest;
 }
 
 TEST(Findings, TellLargeToolNumbersExactly) {
