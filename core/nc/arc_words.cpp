@@ -137,7 +137,8 @@ private:
     ArcEnds m_ends;
 };
 
-/// Makes the arc a line where it is one; false where it is too large to be computed.
+} // namespace
+
 bool fitForSize(Execution& execution, const Word& word, Motion& motion) {
     const double radius = arcRadius(motion);
     if (radius <= kLargestRadius) {
@@ -155,8 +156,6 @@ bool fitForSize(Execution& execution, const Word& word, Motion& motion) {
     execution.reporter.tell(nc_message::kArcTooLarge, word, {fmt::format("{:.6g}", radius)});
     return false;
 }
-
-} // namespace
 
 bool shapeArc(Execution& execution, const Word& word, Motion& motion, bool clockwise) {
     const WorkFrame& frame = execution.state.frame;

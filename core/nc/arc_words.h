@@ -10,4 +10,7 @@ namespace proveout {
 /// which is then told.
 [[nodiscard]] bool shapeArc(Execution& execution, const Word& word, Motion& motion, bool clockwise);
 
+/// Makes the arc a line where it is one; false where it is too large to be computed, which is then told.
+[[nodiscard]] bool fitForSize(Execution& execution, const Word& word, Motion& motion);
+
 } // namespace proveout

@@ -64,7 +64,7 @@ private:
         else if (row->axisUse != AxisUse::none && !planAxisUse(*row, word))
             return false;
         else if (row->group != ModalGroup::motion && row->group != ModalGroup::motionOff)
-            m_plan.add(row->step, row->handler, word);
+            m_plan.add(row->step, row->handler, word, row->withCompensation);
         use(*row);
         return true;
     }
@@ -97,7 +97,7 @@ private:
             m_axisWord = &word;
         }
         if (row.group != ModalGroup::motion)
-            m_plan.add(row.step, row.handler, word);
+            m_plan.add(row.step, row.handler, word, row.withCompensation);
         return true;
     }
 
@@ -129,7 +129,8 @@ private:
             return true;
         }
         if (m_motionRow != nullptr) {
-            m_plan.add(Step::motion, m_motionRow->handler, *groupWord(ModalGroup::motion));
+            m_plan.add(Step::motion, m_motionRow->handler, *groupWord(ModalGroup::motion),
+                       m_motionRow->withCompensation);
             state.motion = m_motionRow;
             return true;
         }
@@ -183,7 +184,7 @@ private:
             return refuse(nc_message::kAxisWithoutMotion, firstAxisWord(),
                           {std::string(1, firstAxisWord().letter)});
         if (row->supported()) {
-            m_plan.add(Step::motion, row->handler, firstMotionWord());
+            m_plan.add(Step::motion, row->handler, firstMotionWord(), row->withCompensation);
             use(*row);
         } else {
             // Told at its word; every block of it moves the axes somewhere.
@@ -251,6 +252,17 @@ private:
 };
 
 } // namespace
+
+void BlockPlan::run(Execution& execution) const {
+    for (std::uint32_t rest = m_present; rest != 0; rest &= rest - 1) {
+        const Order& order = m_orders[static_cast<std::size_t>(std::countr_zero(rest))];
+        // Asked only now: G40 of the same block comes first.
+        if (order.withCompensation == WithCompensation::refused && execution.state.compensation.on)
+            execution.reporter.tell(nc_message::kCompensationForbids, *order.word, {asText(*order.word)});
+        else
+            order.handler(execution, *order.word);
+    }
+}
 
 bool makePlan(Execution& execution, BlockPlan& plan) {
     return Planner(execution, plan).plan();

@@ -14,22 +14,19 @@ namespace proveout {
 /// What a block orders, sorted by the step at which it takes effect.
 class BlockPlan {
 public:
-    void add(Step step, CodeHandler handler, const Word& word) {
-        m_orders[static_cast<std::size_t>(step)] = {handler, &word};
+    void add(Step step, CodeHandler handler, const Word& word,
+             WithCompensation withCompensation = WithCompensation::allowed) {
+        m_orders[static_cast<std::size_t>(step)] = {handler, &word, withCompensation};
         m_present |= 1U << static_cast<unsigned>(step);
     }
 
-    void run(Execution& execution) const {
-        for (std::uint32_t rest = m_present; rest != 0; rest &= rest - 1) {
-            const Order& order = m_orders[static_cast<std::size_t>(std::countr_zero(rest))];
-            order.handler(execution, *order.word);
-        }
-    }
+    void run(Execution& execution) const;
 
 private:
     struct Order {
         CodeHandler handler;
         const Word* word;
+        WithCompensation withCompensation;
     };
 
     std::uint32_t m_present = 0;

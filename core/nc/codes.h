@@ -84,6 +84,9 @@ enum class AxisUse : std::uint8_t {
     machine, ///< they belong to the motion in force, but count in machine coordinates
 };
 
+/// What happens to a code while cutter compensation is on.
+enum class WithCompensation : std::uint8_t { allowed, refused };
+
 struct CodeRow {
     char letter; ///< G or M
     int tenths;  ///< 382 is G38.2
@@ -93,6 +96,7 @@ struct CodeRow {
     Step step = Step::none;
     LetterSet letters = {}; ///< the words that it uses
     AxisUse axisUse = AxisUse::none;
+    WithCompensation withCompensation = WithCompensation::allowed;
 
     [[nodiscard]] bool supported() const { return handler != nullptr; }
 };

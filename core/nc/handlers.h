@@ -54,6 +54,13 @@ void cancelToolLength(Execution& execution, const Word& word); ///< G49
 void callProgram(Execution& execution, const Word& word);       ///< M98
 void returnFromProgram(Execution& execution, const Word& word); ///< M99
 
+// compensation_codes.cpp
+void endCompensation(Execution& execution, const Word& word);           ///< G40
+void compensateLeft(Execution& execution, const Word& word);            ///< G41
+void compensateRight(Execution& execution, const Word& word);           ///< G42
+void compensateLeftByDiameter(Execution& execution, const Word& word);  ///< G41.1
+void compensateRightByDiameter(Execution& execution, const Word& word); ///< G42.1
+
 // machine_codes.cpp
 void dwell(Execution& execution, const Word& word);                       ///< G4
 void feedInverseTime(Execution& execution, const Word& word);             ///< G93

@@ -61,6 +61,7 @@ public:
         }
         if (m_linesRead == count)
             m_reporter.beginLine(static_cast<std::uint32_t>(count));
+        m_program->settle();
         if (!m_cutShort)
             tellAboutTheWhole(m_linesRead);
         m_reporter.tellSuppressed();
@@ -142,14 +143,15 @@ private:
                             m_context};
         executeBlock(execution);
         if (request.kind == FlowRequest::Kind::returns && m_flow.inMainProgram())
-            endAtReturn(request.word);
+            endAtReturn(execution, request.word);
         else if (!m_flow.run(request))
             m_state.forget(LetterSet("XYZ"));
         m_finished = m_state.ended || tooLong();
     }
 
     /// A control would start the program again; once is what there is to see.
-    void endAtReturn(const Word& word) {
+    void endAtReturn(Execution& execution, const Word& word) {
+        finishCompensated(execution, word);
         m_reporter.tell(nc_message::kMainReturn, word);
         m_program->append(ProgramEnd{}, static_cast<std::uint32_t>(m_flow.mainLine() + 1));
         m_state.ended = true;
@@ -228,6 +230,8 @@ private:
     }
 
     void tellAboutTheWhole(std::size_t linesRead) {
+        if (m_state.compensation.on)
+            m_reporter.tellInAnyCase(nc_message::kCompensationAtEnd, 1, 0);
         const std::size_t rest = firstTextFrom(linesRead);
         if ((m_state.ended || m_percentClosed) && rest < m_text.lineCount()) {
             m_reporter.beginLine(static_cast<std::uint32_t>(rest + 1));

@@ -133,19 +133,23 @@ void switchCoolantOff(Execution& execution, const Word& /*word*/) {
     switchCoolant(execution, Coolant::flood, false);
 }
 
-void stopProgram(Execution& execution, const Word& /*word*/) {
+void stopProgram(Execution& execution, const Word& word) {
+    finishCompensated(execution, word);
     execution.program.append(ProgramStop{StopKind::program}, execution.line);
 }
 
-void stopProgramOptionally(Execution& execution, const Word& /*word*/) {
+void stopProgramOptionally(Execution& execution, const Word& word) {
+    finishCompensated(execution, word);
     execution.program.append(ProgramStop{StopKind::optional}, execution.line);
 }
 
-void changePallet(Execution& execution, const Word& /*word*/) {
+void changePallet(Execution& execution, const Word& word) {
+    finishCompensated(execution, word);
     execution.program.append(ProgramStop{StopKind::palletChange}, execution.line);
 }
 
-void endProgram(Execution& execution, const Word& /*word*/) {
+void endProgram(Execution& execution, const Word& word) {
+    finishCompensated(execution, word);
     execution.program.append(ProgramEnd{}, execution.line);
     execution.state.ended = true;
 }

@@ -6,6 +6,7 @@
 #include "core/base/geometry.h"
 #include "core/nc/canned_cycle.h"
 #include "core/nc/codes.h"
+#include "core/nc/compensated_path.h"
 #include "core/nc/motion.h"
 #include "core/nc/work_frame.h"
 
@@ -47,7 +48,11 @@ struct MachineState {
     Vec3 toolOffset{0}; ///< in force, by G43 and its like
     int workOffset = 1; ///< 1 for G54 to 9 for G59.3
 
-    Vec3 position{0};           ///< of the tip of the cutter, in machine coordinates
+    CutterCompensation compensation;
+
+    /// Of the tip of the cutter, in machine coordinates; where the text says that it is, even if cutter
+    /// compensation displaces it.
+    Vec3 position{0};
     std::uint8_t known = 0;     ///< AxisBits of `position`
     bool zAtReference = false;  ///< not known, but at the machine's reference position
     std::uint8_t everKnown = 0; ///< AxisBits that were known at the end of any motion

@@ -409,6 +409,65 @@ inline constexpr Message kArcTurns{Severity::error, true, "arc-turns",
                                    PROVEOUT_TEXT("Core", "P must be a whole number of turns from 1 to {}."),
                                    PROVEOUT_TEXT("Core", "Check the P word.")};
 
+// Cutter compensation.
+inline constexpr Message kCompensationOnAlready{Severity::error, true, "compensation-on-already",
+                                                PROVEOUT_TEXT("Core", "Cutter compensation is on already."),
+                                                PROVEOUT_TEXT("Core", "Write G40 first; {} has no effect.")};
+inline constexpr Message kCompensationPlane{
+    Severity::error, true, "compensation-plane",
+    PROVEOUT_TEXT("Core", "Cutter compensation works in the planes of G17 and G18 only."),
+    PROVEOUT_TEXT("Core", "Select the plane before; the code has no effect.")};
+inline constexpr Message kCompensationTurned{
+    Severity::error, true, "compensation-turned",
+    PROVEOUT_TEXT("Core", "Cutter compensation in G18 under a rotation about Z is not supported."),
+    PROVEOUT_TEXT("Core", "Take the rotation out of the work offset; the code has no effect.")};
+inline constexpr Message kCompensationForbids{
+    Severity::error, true, "compensation-forbids",
+    PROVEOUT_TEXT("Core", "{} cannot be used while cutter compensation is on."),
+    PROVEOUT_TEXT("Core", "Write G40 before it; the code has no effect.")};
+inline constexpr Message kCompensationNoDiameter{
+    Severity::warning, false, "compensation-without-diameter",
+    PROVEOUT_TEXT("Core", "The diameter for {} is 0, so the tool moves on the programmed path."),
+    PROVEOUT_TEXT("Core", "Check the tool table, if the path is not written for the centre of the tool.")};
+inline constexpr Message kCompensationDiameterUnknown{
+    Severity::warning, true, "compensation-diameter-unknown",
+    PROVEOUT_TEXT("Core", "No diameter is known for {}, so the tool moves on the programmed path."),
+    PROVEOUT_TEXT("Core", "Give the tools of the program.")};
+inline constexpr Message kCompensationUnknownStart{
+    Severity::error, true, "compensation-from-unknown",
+    PROVEOUT_TEXT("Core", "The motion is not compensated: it leads from or to a place that is not known."),
+    PROVEOUT_TEXT("Core", "Position the axes of the plane before G41 or G42.")};
+inline constexpr Message kCompensationEntryShort{
+    Severity::error, true, "compensation-entry-short",
+    PROVEOUT_TEXT("Core", "The motion into cutter compensation is {} mm long, not longer than the tool's "
+                          "radius of {} mm."),
+    PROVEOUT_TEXT("Core", "Begin farther away; the motion is skipped.")};
+inline constexpr Message kCompensationArcSmall{
+    Severity::error, true, "compensation-arc-small",
+    PROVEOUT_TEXT("Core", "The arc has a radius of {} mm, not larger than the tool's radius of {} mm."),
+    PROVEOUT_TEXT("Core", "Use a smaller tool; the motion is skipped.")};
+inline constexpr Message kCompensationCorner{
+    Severity::error, true, "compensation-corner",
+    PROVEOUT_TEXT("Core", "The tool with a radius of {} mm does not fit into this inside corner."),
+    PROVEOUT_TEXT("Core", "Use a smaller tool; the motion is skipped.")};
+inline constexpr Message kCompensationGouge{
+    Severity::error, true, "compensation-gouge",
+    PROVEOUT_TEXT("Core", "The tool with a radius of {} mm gouges between the inside corners of the motion "
+                          "of line {}."),
+    PROVEOUT_TEXT("Core", "Use a smaller tool, or leave the short motion out.")};
+inline constexpr Message kCompensationAfterStop{
+    Severity::warning, true, "compensation-after-stop",
+    PROVEOUT_TEXT("Core", "A stop stands before this inside corner, so the tool goes too far and gouges."),
+    PROVEOUT_TEXT("Core", "Stop elsewhere: the corner is known only when the motion to it is done.")};
+inline constexpr Message kCompensationExitArc{
+    Severity::error, true, "compensation-exit-arc",
+    PROVEOUT_TEXT("Core", "The first motion after G40 must be straight."),
+    PROVEOUT_TEXT("Core", "Lead out with G0 or G1; the arc is skipped.")};
+inline constexpr Message kCompensationAtEnd{
+    Severity::warning, false, "compensation-at-end",
+    PROVEOUT_TEXT("Core", "Cutter compensation is still on at the end of the program."),
+    PROVEOUT_TEXT("Core", "Lead out with G40.")};
+
 } // namespace nc_message
 
 } // namespace proveout

@@ -19,18 +19,27 @@ void setUnits(Execution& execution, const Word& word, bool inch) {
     }
 }
 
+void setPlane(Execution& execution, const Word& word, Plane plane) {
+    if (execution.state.compensation.on && plane != execution.state.plane) {
+        execution.reporter.tell(nc_message::kCompensationForbids, word,
+                                {fmt::format("{}{:g}", word.letter, word.value)});
+        return;
+    }
+    execution.state.plane = plane;
+}
+
 } // namespace
 
-void setPlaneXy(Execution& execution, const Word& /*word*/) {
-    execution.state.plane = Plane::xy;
+void setPlaneXy(Execution& execution, const Word& word) {
+    setPlane(execution, word, Plane::xy);
 }
 
-void setPlaneZx(Execution& execution, const Word& /*word*/) {
-    execution.state.plane = Plane::zx;
+void setPlaneZx(Execution& execution, const Word& word) {
+    setPlane(execution, word, Plane::zx);
 }
 
-void setPlaneYz(Execution& execution, const Word& /*word*/) {
-    execution.state.plane = Plane::yz;
+void setPlaneYz(Execution& execution, const Word& word) {
+    setPlane(execution, word, Plane::yz);
 }
 
 void setInch(Execution& execution, const Word& word) {

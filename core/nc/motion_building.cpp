@@ -168,6 +168,12 @@ Motion motionToTarget(Execution& execution, MotionKind kind) {
     return motion;
 }
 
+bool planeKnown(const Motion& motion) {
+    const PlaneAxes plane = axes(motion.plane);
+    const auto needed = static_cast<std::uint8_t>(bit(plane.first) | bit(plane.second));
+    return (motion.startKnown & motion.endKnown & needed) == needed;
+}
+
 bool onlySelectsMode(const Execution& execution) {
     return execution.state.known != kAllAxes && !execution.block.letters().any(LetterSet("XYZ@^"));
 }
@@ -203,12 +209,25 @@ void arrive(MachineState& state, const Motion& motion) {
     state.unknownTold &= static_cast<std::uint8_t>(~state.known);
 }
 
-void appendMotion(Execution& execution, Motion motion) {
-    motion.unverified = execution.reporter.unverified();
+void setInverseTimeFeed(const Execution& execution, Motion& motion) {
     if (motion.kind != MotionKind::rapid && execution.state.feedMode == FeedMode::inverseTime)
         motion.feedMmPerMin = execution.block.has('F') ? execution.state.feed * pathLength(motion) : 0;
+}
+
+void appendMotion(Execution& execution, Motion motion) {
+    motion.start += execution.state.compensation.displacement;
+    execution.state.compensation.displacement = Vec3(0);
+    motion.unverified = execution.reporter.unverified();
+    setInverseTimeFeed(execution, motion);
     execution.program.append(motion);
     arrive(execution.state, motion);
+}
+
+void appendOrdered(Execution& execution, const Word& word, const Motion& motion) {
+    if (execution.state.compensation.moves())
+        appendCompensated(execution, word, motion);
+    else
+        appendMotion(execution, motion);
 }
 
 } // namespace proveout

@@ -28,6 +28,9 @@ void setMachineTarget(Execution& execution, Motion& motion, int axis, double val
 /// unknown place is told.
 [[nodiscard]] Motion motionToTarget(Execution& execution, MotionKind kind);
 
+/// Whether both ends are known in the plane of the motion.
+[[nodiscard]] bool planeKnown(const Motion& motion);
+
 /// A motion code without axis words only selects the mode; where the place is known it also stands as a
 /// motion of no length, as LinuxCNC lists it.
 [[nodiscard]] bool onlySelectsMode(const Execution& execution);
@@ -41,6 +44,14 @@ void tellUnknownStart(Execution& execution, const Motion& motion, const Word& wo
 /// The machine stands at the end of the motion, whether or not it was appended.
 void arrive(MachineState& state, const Motion& motion);
 
+/// The feed of a motion by G93, which depends on its length.
+void setInverseTimeFeed(const Execution& execution, Motion& motion);
+
+/// Appends a motion as it is, from where the tip stands.
 void appendMotion(Execution& execution, Motion motion);
+
+/// Appends a motion that a block orders: the path beside it while cutter compensation is on. What is wrong
+/// with that is told at `word`.
+void appendOrdered(Execution& execution, const Word& word, const Motion& motion);
 
 } // namespace proveout

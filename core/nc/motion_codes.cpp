@@ -7,17 +7,15 @@ namespace proveout {
 
 namespace {
 
-bool planeKnown(const Motion& motion) {
-    const PlaneAxes plane = axes(motion.plane);
-    const auto needed = static_cast<std::uint8_t>((1U << static_cast<unsigned>(plane.first)) |
-                                                  (1U << static_cast<unsigned>(plane.second)));
-    return (motion.startKnown & motion.endKnown & needed) == needed;
-}
-
 void moveArc(Execution& execution, const Word& word, bool clockwise) {
     Motion motion = motionToTarget(execution, MotionKind::arc);
     tellMissingFeed(execution, word);
     tellUnknownStart(execution, motion, word);
+    if (execution.state.compensation.leaving()) {
+        execution.reporter.tell(nc_message::kCompensationExitArc, word);
+        arrive(execution.state, motion);
+        return;
+    }
     if (!planeKnown(motion)) {
         // There is no centre to count from: what is left is where it goes.
         motion.kind = MotionKind::feed;
@@ -26,14 +24,14 @@ void moveArc(Execution& execution, const Word& word, bool clockwise) {
         arrive(execution.state, motion);
         return;
     }
-    appendMotion(execution, motion);
+    appendOrdered(execution, word, motion);
 }
 
 } // namespace
 
-void moveRapid(Execution& execution, const Word& /*word*/) {
+void moveRapid(Execution& execution, const Word& word) {
     if (!onlySelectsMode(execution))
-        appendMotion(execution, motionToTarget(execution, MotionKind::rapid));
+        appendOrdered(execution, word, motionToTarget(execution, MotionKind::rapid));
 }
 
 void moveFeed(Execution& execution, const Word& word) {
@@ -42,7 +40,7 @@ void moveFeed(Execution& execution, const Word& word) {
     const Motion motion = motionToTarget(execution, MotionKind::feed);
     tellMissingFeed(execution, word);
     tellUnknownStart(execution, motion, word);
-    appendMotion(execution, motion);
+    appendOrdered(execution, word, motion);
 }
 
 void moveArcClockwise(Execution& execution, const Word& word) {

@@ -96,6 +96,10 @@ void setWorkOffset(Execution& execution, bool here) {
     if (!chosen)
         return;
     const int system = *chosen == 0 ? execution.state.workOffset : *chosen;
+    if (system == execution.state.workOffset && execution.state.compensation.on) {
+        execution.reporter.tell(nc_message::kCompensationForbids, execution.block.word('L'), {"G10"});
+        return;
+    }
     WorkFrame frame = frameOf(execution, system);
     if (execution.block.has('R'))
         frame.rotation = execution.block.value('R');

@@ -44,6 +44,12 @@ Motion Program::motion(std::size_t index) const {
     return motion;
 }
 
+Vec3 Program::programmedEnd(std::size_t index) const {
+    const auto compensation = std::ranges::lower_bound(m_compensations, index, {}, &Compensation::motion);
+    const bool compensated = compensation != m_compensations.end() && compensation->motion == index;
+    return compensated ? m_motions[index].end - Vec3(compensation->offset) : m_motions[index].end;
+}
+
 Vec3 Program::startOf(std::size_t index) const {
     if (!m_jumps.empty()) {
         const auto jump = std::lower_bound(m_jumps.begin(), m_jumps.end(), index,
@@ -137,6 +143,43 @@ void Program::beginBlock(std::uint32_t line) {
 }
 
 void Program::append(const Motion& motion) {
+    settle();
+    store(motion);
+    if (motion.known())
+        m_bounds.add(proveout::bounds(motion));
+    m_settled = m_motions.size();
+}
+
+void Program::appendCompensated(const Motion& motion, const Vec3& programmedEnd) {
+    m_compensations.push_back(
+        {static_cast<std::uint32_t>(m_motions.size()), glm::vec3(motion.end - programmedEnd)});
+    static_assert(sizeof(Compensation) == kBytesPerCompensation);
+    store(motion);
+}
+
+void Program::moveEnds(std::size_t first, Plane plane, const Vec2& end, double sweep) {
+    assert(first >= m_settled);
+    const PlaneAxes axes = proveout::axes(plane);
+    auto compensation = std::ranges::lower_bound(m_compensations, first, {}, &Compensation::motion);
+    for (std::size_t i = first; i < m_motions.size(); ++i, ++compensation) {
+        const Vec3 before = m_motions[i].end;
+        m_motions[i].end[axes.first] = end.x;
+        m_motions[i].end[axes.second] = end.y;
+        compensation->offset += glm::vec3(m_motions[i].end - before);
+    }
+    if (m_motions[first].arc != kNoArc)
+        m_arcs[m_motions[first].arc].sweep = sweep;
+}
+
+void Program::settle() {
+    for (; m_settled < m_motions.size(); ++m_settled) {
+        const Motion settled = motion(m_settled);
+        if (settled.known())
+            m_bounds.add(proveout::bounds(settled));
+    }
+}
+
+void Program::store(const Motion& motion) {
     const auto index = static_cast<std::uint32_t>(m_motions.size());
     if (m_blockPending) {
         m_linesRise = m_linesRise && (m_blocks.empty() || m_blocks.back().line <= m_pendingLine);
@@ -168,8 +211,6 @@ void Program::append(const Motion& motion) {
     }
     static_assert(sizeof(PackedMotion) == kBytesPerMotion);
     m_motions.push_back(packed);
-    if (motion.known())
-        m_bounds.add(proveout::bounds(motion));
 }
 
 void Program::append(EventData data, std::uint32_t line) {

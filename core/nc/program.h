@@ -60,8 +60,11 @@ class Program {
 public:
     [[nodiscard]] std::size_t motionCount() const { return m_motions.size(); }
     [[nodiscard]] Motion motion(std::size_t index) const;
+    /// Where the text sends motion `index`: under cutter compensation beside the motion's end, else there.
+    [[nodiscard]] Vec3 programmedEnd(std::size_t index) const;
 
-    static constexpr std::size_t kBytesPerMotion = 48; ///< a straight one; an arc has an entry besides
+    static constexpr std::size_t kBytesPerMotion = 48;       ///< a straight one; an arc has an entry besides
+    static constexpr std::size_t kBytesPerCompensation = 16; ///< besides, under cutter compensation
 
     /// Blocks that move, in the order of execution: the unit of stepping, of the decimation period and of
     /// `--until N`. One block may order several motions.
@@ -105,6 +108,13 @@ public:
     // For the interpreter, while the program is built.
     void beginBlock(std::uint32_t line); ///< motions appended from here on belong to one block
     void append(const Motion& motion);
+    /// A motion under cutter compensation. Its end may be moved until `settle`.
+    void appendCompensated(const Motion& motion, const Vec3& programmedEnd);
+    /// Moves the ends of the motions from `first` on, in the axes of a plane; `sweep` is of the first, where
+    /// that is an arc. None of them is settled, and only the first leads anywhere in the plane.
+    void moveEnds(std::size_t first, Plane plane, const Vec2& end, double sweep);
+    /// From now on the motions stay as they are.
+    void settle();
     void append(EventData data, std::uint32_t line);
     void append(Diagnostic diagnostic);
     void setSourceBlockCount(std::size_t count) { m_sourceBlocks = count; }
@@ -143,6 +153,13 @@ private:
         Vec3 start;
     };
 
+    /// From the programmed end to the end of a motion; a display needs no more than a float of it.
+    struct Compensation {
+        std::uint32_t motion;
+        glm::vec3 offset;
+    };
+
+    void store(const Motion& motion);
     [[nodiscard]] Vec3 startOf(std::size_t index) const;
     [[nodiscard]] bool sameBlock(std::size_t index, const Program& other) const;
     [[nodiscard]] bool samePath(std::size_t index, const Program& other, std::size_t otherIndex) const;
@@ -152,10 +169,12 @@ private:
     std::vector<SpindleState> m_states;
     std::vector<PackedBlock> m_blocks;
     std::vector<Jump> m_jumps;
+    std::vector<Compensation> m_compensations; ///< by motion
     std::vector<Event> m_events;
     Diagnostics m_diagnostics;
     std::vector<std::uint32_t> m_diagnosticMotions;
     std::size_t m_sourceBlocks = 0;
+    std::size_t m_settled = 0; ///< motions before it are final and within m_bounds
     Box3 m_bounds;
     std::uint32_t m_pendingLine = 0;
     bool m_blockPending = false;

@@ -30,6 +30,8 @@ public:
             return &found->second;
         return m_anyNumber || number == 0 ? &kNone : nullptr;
     }
+    /// Whether any tools were given: without them their sizes are assumed.
+    [[nodiscard]] bool given() const { return !m_anyNumber; }
     void set(int number, const ToolOffset& offset) { m_offsets[number] = offset; }
 
 private:

@@ -8,6 +8,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "core/nc/tool_offsets.h"
+
 namespace proveout::test {
 
 struct OracleAnswer {
@@ -15,11 +17,15 @@ struct OracleAnswer {
     int errorLine = 0;                   ///< of the first error; 0: none, -1: an error without a line
     std::string errorClass;
     std::string errorText;
-    bool cut = false; ///< not all records are kept
+    bool compensated = false; ///< by the radius of a cutter, anywhere
+    bool cut = false;         ///< not all records are kept
 };
 
 /// Programs below `root` that have an answer, plain or packed by gzip.
 std::vector<std::filesystem::path> programsWithAnswer(const std::filesystem::path& root);
+
+/// The lengths and diameters with which the answer to a program was found.
+ToolOffsets toolsOfAnswer(const std::filesystem::path& program);
 
 OracleAnswer readAnswer(const std::filesystem::path& program);
 

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cutter compensation of the motions of a program: what is known of the last one, and how the next joins it.
+#pragma once
+
+#include <cstddef>
+
+#include "core/base/geometry.h"
+#include "core/nc/block.h"
+#include "core/nc/compensation.h"
+#include "core/nc/motion.h"
+
+namespace proveout {
+
+struct Execution;
+
+/// The state of cutter compensation. A motion stands in the program as soon as it is ordered, with the end
+/// square beside its programmed end; that end moves when an inside corner follows. A value.
+struct CutterCompensation {
+    bool on = false;
+    double offset = 0;    ///< the tool's radius in mm, positive where it goes on the left of the path
+    bool entered = false; ///< the motion into compensation is done
+
+    bool held = false;         ///< whether the end of the last motion in the plane may still move
+    bool entry = false;        ///< whether that is the motion into compensation
+    std::size_t firstHeld = 0; ///< its number; motions after it lead nowhere in the plane
+    PlanePath path;            ///< of it, as if no other motion were there
+    Vec2 from{0};              ///< where it begins
+    Vec3 displacement{0};      ///< from the programmed position to where the tip stands
+    bool unknownTold = false;
+
+    [[nodiscard]] bool moves() const { return on && offset != 0; }
+    /// On the way from the compensated to the programmed path.
+    [[nodiscard]] bool leaving() const { return !entered && displacement != Vec3(0); }
+};
+
+/// Appends the path beside a programmed motion and what joins it to the motion before; the machine arrives at
+/// the programmed end. Where the tool does not fit, that is told at `word`.
+void appendCompensated(Execution& execution, const Word& word, const Motion& motion);
+
+/// Nothing that follows changes the last motion: compensation ends, or the machine stops.
+void finishCompensated(Execution& execution, const Word& word);
+
+} // namespace proveout

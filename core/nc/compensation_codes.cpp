@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cutter compensation on and off: G40 to G42.1.
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+#include <string>
+
+#include "core/nc/execution.h"
+#include "core/nc/handlers.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr double kLeft = 1;
+constexpr double kRight = -1;
+constexpr int kLargestNumber = 99999;
+
+std::string nameOf(const Word& word) {
+    return fmt::format("{}{:g}", word.letter, word.value);
+}
+
+bool mayBegin(Execution& execution, const Word& word) {
+    const MachineState& state = execution.state;
+    if (state.compensation.on)
+        execution.reporter.tell(nc_message::kCompensationOnAlready, word, {nameOf(word)});
+    else if (state.plane == Plane::yz)
+        execution.reporter.tell(nc_message::kCompensationPlane, word);
+    else if (state.plane != Plane::xy && state.frame.rotation != 0)
+        execution.reporter.tell(nc_message::kCompensationTurned, word);
+    else
+        return true;
+    return false;
+}
+
+void begin(Execution& execution, const Word& word, double offset) {
+    CutterCompensation& compensation = execution.state.compensation;
+    compensation.on = true;
+    compensation.offset = offset;
+    if (offset == 0) {
+        execution.reporter.tell(execution.tools.given() || execution.block.has('D')
+                                    ? nc_message::kCompensationNoDiameter
+                                    : nc_message::kCompensationDiameterUnknown,
+                                word, {nameOf(word)});
+    }
+}
+
+/// The diameter of the tool that the D word names, or of the one in the spindle.
+std::optional<double> diameterOfTool(Execution& execution, const Word& word) {
+    double number = execution.state.tool;
+    if (execution.block.has('D') && execution.block.value('D') != 0)
+        number = execution.block.value('D');
+    const Word& where = execution.block.has('D') ? execution.block.word('D') : word;
+    if (number < 0 || number != std::round(number) || number > kLargestNumber) {
+        execution.reporter.tell(nc_message::kNotInteger, where, {"D", "0", std::to_string(kLargestNumber)});
+        return {};
+    }
+    const ToolOffset* tool = execution.tools.find(static_cast<int>(number));
+    if (tool != nullptr)
+        return tool->diameter;
+    execution.reporter.tell(nc_message::kOffsetUnknown, where, {std::to_string(static_cast<int>(number))});
+    return {};
+}
+
+void compensateForTool(Execution& execution, const Word& word, double side) {
+    if (!mayBegin(execution, word))
+        return;
+    if (const auto diameter = diameterOfTool(execution, word))
+        begin(execution, word, side * *diameter / 2);
+}
+
+void compensateForDiameter(Execution& execution, const Word& word, double side) {
+    if (!mayBegin(execution, word))
+        return;
+    if (execution.block.has('D'))
+        begin(execution, word, side * execution.state.toMm(execution.block.value('D')) / 2);
+    else
+        execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "D"});
+}
+
+} // namespace
+
+void endCompensation(Execution& execution, const Word& word) {
+    finishCompensated(execution, word);
+    const Vec3 displacement = execution.state.compensation.displacement;
+    execution.state.compensation = {};
+    execution.state.compensation.displacement = displacement;
+}
+
+void compensateLeft(Execution& execution, const Word& word) {
+    compensateForTool(execution, word, kLeft);
+}
+
+void compensateRight(Execution& execution, const Word& word) {
+    compensateForTool(execution, word, kRight);
+}
+
+void compensateLeftByDiameter(Execution& execution, const Word& word) {
+    compensateForDiameter(execution, word, kLeft);
+}
+
+void compensateRightByDiameter(Execution& execution, const Word& word) {
+    compensateForDiameter(execution, word, kRight);
+}
+
+} // namespace proveout

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/core/nc/oracle_comparison.h"
+
+#include <cmath>
+#include <fmt/format.h>
+
+namespace proveout::test {
+
+namespace {
+
+using nlohmann::json;
+
+/// The motions and events of a program, one after the other, as one line of text or a motion.
+struct Step {
+    std::string kind;
+    std::uint32_t line = 0;
+    Motion motion;
+    double number = 0; ///< tool, seconds
+};
+
+std::vector<Step> stepsOf(const Program& program) {
+    std::vector<Step> steps;
+    std::size_t event = 0;
+    const auto addEvents = [&](std::size_t motion) {
+        for (; event < program.events().size() && program.events()[event].beforeMotion <= motion; ++event) {
+            const Event& e = program.events()[event];
+            if (const auto* tool = std::get_if<ToolChange>(&e.data))
+                steps.push_back({"tool", e.line, {}, static_cast<double>(tool->tool)});
+            if (const auto* dwell = std::get_if<Dwell>(&e.data))
+                steps.push_back({"dwell", e.line, {}, dwell->seconds});
+            if (std::holds_alternative<ProgramEnd>(e.data))
+                steps.push_back({"end", e.line, {}, 0});
+        }
+    };
+    for (std::size_t i = 0; i < program.motionCount(); ++i) {
+        addEvents(i);
+        const Motion motion = program.motion(i);
+        const char* const kind = motion.kind == MotionKind::rapid  ? "rapid"
+                                 : motion.kind == MotionKind::feed ? "feed"
+                                                                   : "arc";
+        steps.push_back({kind, motion.line, motion, 0});
+    }
+    addEvents(program.motionCount());
+    return steps;
+}
+
+/// A number; the oracle writes what JSON cannot hold as text.
+double number(const json& value) {
+    return value.is_string() ? std::nan("") : value.get<double>();
+}
+
+double distance(const json& point, const Vec3& ours) {
+    return glm::length(Vec3(number(point[0]), number(point[1]), number(point[2])) - ours);
+}
+
+std::string cuttingDifference(const json& record, const Motion& motion) {
+    const bool perRevolution = record["fm"] == "rev";
+    const double feed = number(record["f"]) * (perRevolution ? std::abs(motion.spindleRpm) : 1.0);
+    if (perRevolution != motion.perRevolution)
+        return "feed mode";
+    if (std::abs(feed - motion.feedMmPerMin) > 1e-6 + 1e-6 * feed)
+        return fmt::format("feed {} / {}", feed, motion.feedMmPerMin);
+    if (record["t"].get<int>() != motion.tool)
+        return fmt::format("tool {} / {}", record["t"].dump(), motion.tool);
+    const double speed = number(record["s"]) * record["d"].get<int>();
+    if (std::abs(speed - motion.spindleRpm) > 1e-6)
+        return fmt::format("spindle {} / {}", speed, motion.spindleRpm);
+    if (std::abs(number(record["s"]) - motion.orderedRpm) > 1e-6)
+        return fmt::format("speed {} / {}", record["s"].dump(), motion.orderedRpm);
+    return {};
+}
+
+std::string arcDifference(const json& record, const Motion& motion, const OracleTolerances& tolerances) {
+    const double radius = number(record["r"]);
+    // An arc that is straight to a nanometre is handed on as a straight line.
+    if (motion.kind == MotionKind::feed && radius > 1e7)
+        return {};
+    if (distance(record["c"], motion.centre) > tolerances.centre)
+        return fmt::format("centre off by {}", distance(record["c"], motion.centre));
+    Vec3 normal(0);
+    normal[axes(motion.plane).normal] = 1;
+    if (distance(record["n"], normal) > 1e-9)
+        return "plane";
+    if (std::abs(number(record["w"]) - motion.sweep) * radius > tolerances.centre)
+        return fmt::format("sweep {} / {}", number(record["w"]), motion.sweep);
+    return {};
+}
+
+std::string difference(const OracleAnswer& answer, const json& record, const Step& step,
+                       const OracleTolerances& tolerances) {
+    const std::string kind = record["k"];
+    const bool flatArc = kind == "arc" && step.kind == "feed" && number(record["r"]) > 1e7;
+    if (kind != step.kind && !flatArc)
+        return fmt::format("{} (line {}) / {} (line {})", kind, record["l"].dump(), step.kind, step.line);
+    // Under cutter compensation the oracle tells the line at which it lets a motion go.
+    if (!answer.compensated && record["l"].is_number() && record["l"].get<std::uint32_t>() != step.line)
+        return fmt::format("line {} / {}", record["l"].dump(), step.line);
+    if (kind == "tool")
+        return number(record["t"]) == step.number ? "" : "tool";
+    if (kind == "dwell")
+        return std::abs(number(record["sec"]) - step.number) < 1e-6 ? "" : "dwell";
+    if (kind == "end")
+        return {};
+    if (distance(record["e"], step.motion.end) > tolerances.point)
+        return fmt::format("end point off by {}", distance(record["e"], step.motion.end));
+    std::string why = kind == "rapid" ? "" : cuttingDifference(record, step.motion);
+    return why.empty() && kind == "arc" ? arcDifference(record, step.motion, tolerances) : why;
+}
+
+} // namespace
+
+const Diagnostic* firstError(const Program& program) {
+    for (const Diagnostic& diagnostic : program.diagnostics()) {
+        if (diagnostic.severity == Severity::error)
+            return &diagnostic;
+    }
+    return nullptr;
+}
+
+bool toldOnLine(const Program& program, int line) {
+    for (const Diagnostic& diagnostic : program.diagnostics()) {
+        if (diagnostic.where.line == line && diagnostic.severity >= Severity::warning)
+            return true;
+    }
+    return false;
+}
+
+bool sameSteps(const OracleAnswer& answer, const Program& program, bool beginning,
+               const OracleTolerances& tolerances, std::string& why) {
+    const std::vector<Step> steps = stepsOf(program);
+    for (std::size_t i = 0; i < answer.records.size(); ++i) {
+        if (i >= steps.size()) {
+            why = fmt::format("only LinuxCNC: {}", answer.records[i].dump());
+            return false;
+        }
+        why = difference(answer, answer.records[i], steps[i], tolerances);
+        if (!why.empty()) {
+            why = fmt::format("record {} (line {}): {}", i, steps[i].line, why);
+            return false;
+        }
+    }
+    if (!beginning && steps.size() > answer.records.size()) {
+        why = fmt::format("only ours: {} of line {}", steps[answer.records.size()].kind,
+                          steps[answer.records.size()].line);
+        return false;
+    }
+    return true;
+}
+
+} // namespace proveout::test

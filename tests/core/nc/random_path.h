@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <random>
+#include <string>
+#include <vector>
+
+#include "core/nc/compensation.h"
+
+namespace proveout::test {
+
+struct RandomPathShape {
+    int paths = 8;
+    double shortest = 2; ///< mm
+    double longest = 40;
+    double sharpestTurn = 3.1; ///< between two paths, rad
+    double flattestTurn = 0;
+};
+
+/// Lines and arcs that follow each other at corners of any kind, from the origin on. The first is a line.
+std::vector<PlanePath> randomPath(std::mt19937& random, const RandomPathShape& shape);
+
+/// The words of a motion along a path in the plane of X and Y, with nine decimals.
+std::string wordsOf(const PlanePath& path);
+
+/// The end and the centre of a path as its words tell them.
+PlanePath rounded(PlanePath path);
+
+} // namespace proveout::test
