@@ -52,23 +52,25 @@ public:
             join();
     }
 
-    /// The motion before is final with this end, if it still goes forward; else it stays as it was.
-    bool finish(const Vec2& end) {
+    /// The motion before is final with this end. Where it would go backward, the control notices that or not;
+    /// if it does, the motion stays as it was.
+    bool finish(const Vec2& end, bool noticed) {
         if (!m_compensation.held)
             return true;
         m_compensation.held = false;
         const PlanePath& path = m_compensation.path;
         const Vec2 from = m_compensation.from;
         const bool shortened = from != path.start || end != path.end;
-        const bool forward = m_compensation.entry || !shortened ||
-                             goesForward(path, from, end, sweepTolerance(m_execution.state.inch));
+        const bool forward =
+            !shortened || goesForward(path, from, end, sweepTolerance(m_execution.state.inch));
+        const bool refused = !forward && noticed && !m_compensation.entry;
         if (!forward)
-            tellGouge();
-        else if (end != path.end)
+            tellGouge(refused ? nc_message::kCompensationGouge : nc_message::kCompensationBackward);
+        if (!refused && end != path.end)
             m_execution.program.moveEnds(m_compensation.firstHeld, m_execution.state.plane, end,
                                          sweepBetween(path, from, end));
         m_execution.program.settle();
-        return forward;
+        return !refused;
     }
 
 private:
@@ -76,9 +78,9 @@ private:
         m_execution.reporter.tell(message, m_word, std::move(arguments));
     }
 
-    void tellGouge() {
+    void tellGouge(const Message& message) {
         const Motion motion = m_execution.program.motion(m_compensation.firstHeld);
-        tell(nc_message::kCompensationGouge, {shown(radius()), std::to_string(motion.line)});
+        tell(message, {shown(radius()), std::to_string(motion.line)});
     }
 
     [[nodiscard]] double radius() const { return std::abs(m_compensation.offset); }
@@ -140,10 +142,11 @@ private:
         if (corner.kind == CornerKind::inside)
             return joinInside(*path);
         if (corner.kind == CornerKind::outside) {
-            finish(m_compensation.path.end);
+            finish(m_compensation.path.end, !path->arc());
             appendCorner(path->start, corner.sweep);
             return emit(*path, path->start);
         }
+        finish(m_compensation.path.end, false);
         emit(*path, tip());
     }
 
@@ -157,7 +160,7 @@ private:
             lose();
             return refuse(nc_message::kCompensationCorner, {shown(radius())});
         }
-        emit(path, finish(*meeting) ? *meeting : tip());
+        emit(path, finish(*meeting, true) ? *meeting : tip());
     }
 
     /// A rapid motion does not roll about the corner but cuts it.
@@ -219,7 +222,8 @@ void appendCompensated(Execution& execution, const Word& word, const Motion& mot
 void finishCompensated(Execution& execution, const Word& word) {
     const CutterCompensation& compensation = execution.state.compensation;
     if (compensation.held)
-        Joining(execution, word, motionFromHere(execution, MotionKind::feed)).finish(compensation.path.end);
+        Joining(execution, word, motionFromHere(execution, MotionKind::feed))
+            .finish(compensation.path.end, true);
 }
 
 } // namespace proveout

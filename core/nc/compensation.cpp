@@ -38,6 +38,12 @@ double arcRadius(const PlanePath& arc) {
     return glm::distance(arc.end, arc.centre);
 }
 
+/// How far the start of an arc lies inside the circle that counts. LinuxCNC moves it out there first.
+Vec2 slip(const PlanePath& arc) {
+    const Vec2 spoke = arc.centre - arc.start;
+    return glm::normalize(spoke) * (arcRadius(arc) - glm::length(spoke));
+}
+
 /// The point in which a line enters a circle, or the farther one in which it leaves it.
 std::optional<Vec2> onLine(const Vec2& point, const Vec2& heading, const PlanePath& arc, bool farther) {
     const double radius = arcRadius(arc);
@@ -139,7 +145,7 @@ std::optional<Vec2> meetingPoint(const PlanePath& before, const PlanePath& after
     if (before.arc() && after.arc())
         return arcMeetsArc(before, after, offset);
     if (after.arc())
-        return onLine(before.end, headingAtEnd(before), after, !roundOutside(after, offset));
+        return onLine(before.end - slip(after), headingAtEnd(before), after, !roundOutside(after, offset));
     if (before.arc())
         return onLine(after.start, headingAtStart(after), before, roundOutside(before, offset));
     return lineMeetsLine(before, after);

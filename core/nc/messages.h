@@ -455,6 +455,12 @@ inline constexpr Message kCompensationGouge{
     PROVEOUT_TEXT("Core", "The tool with a radius of {} mm gouges between the inside corners of the motion "
                           "of line {}."),
     PROVEOUT_TEXT("Core", "Use a smaller tool, or leave the short motion out.")};
+inline constexpr Message kCompensationBackward{
+    Severity::warning, false, "compensation-backward",
+    PROVEOUT_TEXT("Core",
+                  "The tool with a radius of {} mm goes backward in the motion of line {} and gouges; "
+                  "LinuxCNC does not notice."),
+    PROVEOUT_TEXT("Core", "Use a smaller tool, or leave the short motion out.")};
 inline constexpr Message kCompensationAfterStop{
     Severity::warning, true, "compensation-after-stop",
     PROVEOUT_TEXT("Core", "A stop stands before this inside corner, so the tool goes too far and gouges."),

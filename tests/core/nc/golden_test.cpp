@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Golden cases: every folder of tests/data/nc holds `program.ngc` and `expected.jsonl`, the records that
 // `interpret` must write for it. A record may leave out keys; "unverified" counts as false then. A first
-// record {"k":"options"} sets block_delete, or start as a point or "unknown".
+// record {"k":"options"} sets block_delete, start as a point or "unknown", or tools as an object of diameters
+// by number: {"1":{"diameter":6}}.
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -29,6 +31,13 @@ std::vector<json> readRecords(std::istream& in) {
     return records;
 }
 
+ToolOffsets toolsOf(const json& record) {
+    std::map<int, ToolOffset> tools;
+    for (const auto& [number, tool] : record.items())
+        tools[std::stoi(number)] = {Vec3(0), tool.at("diameter").get<double>()};
+    return ToolOffsets(tools);
+}
+
 InterpretOptions optionsOf(std::vector<json>& expected) {
     InterpretOptions options;
     options.assumeStartAtZero = true;
@@ -37,6 +46,7 @@ InterpretOptions optionsOf(std::vector<json>& expected) {
     const json record = expected.front();
     expected.erase(expected.begin());
     options.blockDelete = record.value("block_delete", false);
+    options.tools = toolsOf(record.value("tools", json::object()));
     if (const auto start = record.find("start"); start != record.end()) {
         options.assumeStartAtZero = false;
         if (start->is_array())

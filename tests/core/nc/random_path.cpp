@@ -4,16 +4,14 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "tests/core/nc/random_arc.h"
+
 namespace proveout::test {
 
 namespace {
 
-double pick(std::mt19937& random, double from, double to) {
-    return std::uniform_real_distribution<double>(from, to)(random);
-}
-
 bool chance(std::mt19937& random, double probability) {
-    return pick(random, 0, 1) < probability;
+    return uniform(random, 0, 1) < probability;
 }
 
 Vec2 turned(const Vec2& v, double angle) {
@@ -34,17 +32,18 @@ PlanePath arcFrom(const Vec2& start, const Vec2& heading, double radius, double 
 
 std::vector<PlanePath> randomPath(std::mt19937& random, const RandomPathShape& shape) {
     std::vector<PlanePath> paths{
-        lineFrom(Vec2(0), turned(Vec2(1, 0), pick(random, -3, 3)), pick(random, 4, shape.longest))};
+        lineFrom(Vec2(0), turned(Vec2(1, 0), uniform(random, -3, 3)), uniform(random, 4, shape.longest))};
     while (static_cast<int>(paths.size()) < shape.paths) {
         const PlanePath& last = paths.back();
-        double turn = pick(random, shape.flattestTurn, shape.sharpestTurn);
+        double turn = uniform(random, shape.flattestTurn, shape.sharpestTurn);
         turn = chance(random, 0.5) ? turn : -turn;
         const Vec2 heading = turned(headingAtEnd(last), chance(random, 0.15) ? 0 : turn);
-        const double length = pick(random, shape.shortest, shape.longest);
-        const double sweep = pick(random, 0.2, 4.5) * (chance(random, 0.5) ? 1 : -1);
-        paths.push_back(rounded(chance(random, 0.5)
-                                    ? lineFrom(last.end, heading, length)
-                                    : arcFrom(last.end, heading, pick(random, 2, shape.longest), sweep)));
+        const double length = uniform(random, shape.shortest, shape.longest);
+        const double sweep = uniform(random, 0.2, shape.longestSweep) * (chance(random, 0.5) ? 1 : -1);
+        paths.push_back(rounded(
+            chance(random, 0.5)
+                ? lineFrom(last.end, heading, length)
+                : arcFrom(last.end, heading, uniform(random, shape.smallestRadius, shape.longest), sweep)));
     }
     return paths;
 }

@@ -15,6 +15,8 @@ struct RandomPathShape {
     double longest = 40;
     double sharpestTurn = 3.1; ///< between two paths, rad
     double flattestTurn = 0;
+    double smallestRadius = 2;
+    double longestSweep = 4.5; ///< rad
 };
 
 /// Lines and arcs that follow each other at corners of any kind, from the origin on. The first is a line.
