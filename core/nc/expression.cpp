@@ -205,6 +205,8 @@ Value ExpressionReader::parameter(std::size_t& at) {
     const tl::expected<ParameterName, ReadError> name = parameterName(at);
     if (!name)
         return tl::unexpected(name.error());
+    if (name->name.empty() && m_system.hidden(name->number))
+        return fail(nc_message::kPositionHidden, begin, at, m_line.substr(begin, at - begin));
     if (name->name.empty())
         return m_system.numbered(name->number).value_or(m_parameters.numbered(name->number));
     if (const auto value = m_system.named(name->name))

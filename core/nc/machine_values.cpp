@@ -10,10 +10,24 @@ namespace {
 
 constexpr int kToolNumber = 5400;
 constexpr int kPosition = 5420; ///< X; Y and Z follow
+constexpr int kPositions = 9;   ///< the axes that LinuxCNC knows
 constexpr int kActiveOffset = 5220;
 
 double position(const MachineState& state, int axis) {
-    return state.fromMm(state.frame.toProgram(state.position)[axis]);
+    const Vec3 tip =
+        state.compensation.on ? state.position + state.compensation.displacement : state.position;
+    return state.fromMm(state.frame.toProgram(tip)[axis]);
+}
+
+bool isPosition(int number) {
+    return number >= kPosition && number < kPosition + kPositions;
+}
+
+double compensationNumber(const MachineState& state) {
+    constexpr double kOff = 400;
+    constexpr double kLeft = 410;
+    constexpr double kRight = 420;
+    return !state.compensation.on ? kOff : state.compensation.offset >= 0 ? kLeft : kRight;
 }
 
 double planeNumber(const MachineState& state) {
@@ -37,6 +51,7 @@ struct NamedValue {
 // In alphabetical order.
 constexpr NamedValue kNamed[] = {
     {"_absolute", [](const MachineState& s) { return truth(!s.incremental); }},
+    {"_ccomp", compensationNumber},
     {"_coord_system",
      [](const MachineState& s) {
          return s.workOffset <= 6 ? 530.0 + 10.0 * s.workOffset : 590.0 + (s.workOffset - 6);
@@ -67,13 +82,17 @@ constexpr NamedValue kNamed[] = {
 } // namespace
 
 std::optional<double> MachineValues::numbered(int number) const {
-    if (number >= kPosition && number < kPosition + 9)
+    if (isPosition(number))
         return number < kPosition + 3 ? position(m_state, number - kPosition) : 0.0;
     if (number == kToolNumber)
         return m_state.tool;
     if (number == kActiveOffset)
         return m_state.workOffset;
     return {};
+}
+
+bool MachineValues::hidden(int number) const {
+    return m_state.compensation.on && isPosition(number);
 }
 
 std::optional<double> MachineValues::named(std::string_view name) const {

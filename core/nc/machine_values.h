@@ -13,6 +13,7 @@ public:
     explicit MachineValues(const MachineState& state) : m_state(state) {}
 
     [[nodiscard]] std::optional<double> numbered(int number) const override;
+    [[nodiscard]] bool hidden(int number) const override;
     [[nodiscard]] std::optional<double> named(std::string_view name) const override;
 
 private:

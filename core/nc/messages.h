@@ -43,6 +43,10 @@ inline constexpr Message kParameterUnset{
     Severity::error, true, "parameter-unset", PROVEOUT_TEXT("Core", "The parameter {} was never set."),
     PROVEOUT_TEXT("Core",
                   "Set it first; a name without _ at its front is known in its own subprogram only.")};
+inline constexpr Message kPositionHidden{
+    Severity::error, true, "position-hidden",
+    PROVEOUT_TEXT("Core", "The position {} cannot be read while cutter compensation is on."),
+    PROVEOUT_TEXT("Core", "Write G40 before it.")};
 inline constexpr Message kParameterNotWhole{
     Severity::error, true, "parameter-not-whole",
     PROVEOUT_TEXT("Core", "{} is not a whole number, so that it names no parameter."),

@@ -18,6 +18,8 @@ public:
     virtual ~SystemValues() = default;
     /// The value of a system parameter by number; nothing where the number is an ordinary parameter.
     [[nodiscard]] virtual std::optional<double> numbered(int number) const = 0;
+    /// Whether a system parameter cannot be read as the machine stands now.
+    [[nodiscard]] virtual bool hidden(int number) const = 0;
     /// The value of a predefined parameter by name (lower case); nothing where the name is an ordinary one.
     [[nodiscard]] virtual std::optional<double> named(std::string_view name) const = 0;
 };

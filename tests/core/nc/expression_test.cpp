@@ -13,6 +13,7 @@ namespace proveout {
 namespace {
 
 struct NoValues : SystemValues {
+    [[nodiscard]] bool hidden(int /*number*/) const override { return false; }
     [[nodiscard]] std::optional<double> numbered(int /*number*/) const override { return {}; }
     [[nodiscard]] std::optional<double> named(std::string_view /*name*/) const override { return {}; }
 };

@@ -10,6 +10,7 @@ namespace {
 
 struct NoValues : SystemValues {
     [[nodiscard]] std::optional<double> numbered(int /*number*/) const override { return {}; }
+    [[nodiscard]] bool hidden(int /*number*/) const override { return false; }
     [[nodiscard]] std::optional<double> named(std::string_view /*name*/) const override { return {}; }
 };
 
