@@ -197,7 +197,6 @@ private:
     }
 
     void append(Motion& motion, const Vec3& programmedEnd) {
-        setInverseTimeFeed(m_execution, motion);
         motion.unverified = m_execution.reporter.unverified();
         m_execution.program.appendCompensated(motion, programmedEnd);
     }
@@ -213,10 +212,14 @@ private:
 } // namespace
 
 void appendCompensated(Execution& execution, const Word& word, const Motion& motion) {
-    if (execution.machineCoordinates)
+    if (execution.machineCoordinates) {
         execution.reporter.tell(nc_message::kCompensationForbids, word, {"G53"});
-    else
-        Joining(execution, word, motion).append();
+        return;
+    }
+    // Inverse time counts for the programmed length, not for the one of the path beside it.
+    Motion programmed = motion;
+    setInverseTimeFeed(execution, programmed);
+    Joining(execution, word, programmed).append();
 }
 
 void finishCompensated(Execution& execution, const Word& word) {
