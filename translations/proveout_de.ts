@@ -2366,6 +2366,126 @@
         <source>The motions are shown; what they cut from below cannot be vouched for.</source>
         <translation>Die Bewegungen werden gezeigt; was sie von unten schneiden, ist ungewiss.</translation>
     </message>
+    <message>
+        <source>The position {} cannot be read while cutter compensation is on.</source>
+        <translation>Die Position {} lässt sich nicht lesen, solange die Fräserradiuskorrektur aktiv ist.</translation>
+    </message>
+    <message>
+        <source>Write G40 before it.</source>
+        <translation>Schreiben Sie G40 davor.</translation>
+    </message>
+    <message>
+        <source>Cutter compensation is on already.</source>
+        <translation>Die Fräserradiuskorrektur ist schon aktiv.</translation>
+    </message>
+    <message>
+        <source>Write G40 first; {} has no effect.</source>
+        <translation>Schreiben Sie zuerst G40; {} hat keine Wirkung.</translation>
+    </message>
+    <message>
+        <source>Cutter compensation works in the planes of G17 and G18 only.</source>
+        <translation>Die Fräserradiuskorrektur wirkt nur in den Ebenen von G17 und G18.</translation>
+    </message>
+    <message>
+        <source>Select the plane before; the code has no effect.</source>
+        <translation>Wählen Sie die Ebene davor; der Befehl hat keine Wirkung.</translation>
+    </message>
+    <message>
+        <source>Cutter compensation in G18 under a rotation about Z is not supported.</source>
+        <translation>Die Fräserradiuskorrektur in G18 bei einer Drehung um Z wird nicht unterstützt.</translation>
+    </message>
+    <message>
+        <source>Take the rotation out of the work offset; the code has no effect.</source>
+        <translation>Nehmen Sie die Drehung aus der Nullpunktverschiebung heraus; der Befehl hat keine Wirkung.</translation>
+    </message>
+    <message>
+        <source>{} cannot be used while cutter compensation is on.</source>
+        <translation>{} lässt sich nicht verwenden, solange die Fräserradiuskorrektur aktiv ist.</translation>
+    </message>
+    <message>
+        <source>Write G40 before it; the code has no effect.</source>
+        <translation>Schreiben Sie G40 davor; der Befehl hat keine Wirkung.</translation>
+    </message>
+    <message>
+        <source>The diameter for {} is 0, so the tool moves on the programmed path.</source>
+        <translation>Der Durchmesser für {} ist 0; das Werkzeug fährt daher auf der programmierten Bahn.</translation>
+    </message>
+    <message>
+        <source>Check the tool table, if the path is not written for the centre of the tool.</source>
+        <translation>Prüfen Sie die Werkzeugtabelle, falls die Bahn nicht für den Werkzeugmittelpunkt programmiert ist.</translation>
+    </message>
+    <message>
+        <source>No diameter is known for {}, so the tool moves on the programmed path.</source>
+        <translation>Für {} ist kein Durchmesser bekannt; das Werkzeug fährt daher auf der programmierten Bahn.</translation>
+    </message>
+    <message>
+        <source>Give the tools of the program.</source>
+        <translation>Geben Sie die Werkzeuge des Programms an.</translation>
+    </message>
+    <message>
+        <source>The motion is not compensated: it leads from or to a place that is not known.</source>
+        <translation>Die Bewegung wird nicht korrigiert: Sie führt von oder zu einer Stelle, die nicht bekannt ist.</translation>
+    </message>
+    <message>
+        <source>Position the axes of the plane before G41 or G42.</source>
+        <translation>Positionieren Sie die Achsen der Ebene vor G41 oder G42.</translation>
+    </message>
+    <message>
+        <source>The motion into cutter compensation is {} mm long, not longer than the tool&apos;s radius of {} mm.</source>
+        <translation>Die Anfahrbewegung in die Fräserradiuskorrektur ist {} mm lang und damit nicht länger als der Werkzeugradius von {} mm.</translation>
+    </message>
+    <message>
+        <source>Begin farther away; the motion is skipped.</source>
+        <translation>Beginnen Sie weiter entfernt; die Bewegung wird übersprungen.</translation>
+    </message>
+    <message>
+        <source>The arc has a radius of {} mm, not larger than the tool&apos;s radius of {} mm.</source>
+        <translation>Der Kreisbogen hat einen Radius von {} mm und ist damit nicht größer als der Werkzeugradius von {} mm.</translation>
+    </message>
+    <message>
+        <source>Use a smaller tool; the motion is skipped.</source>
+        <translation>Verwenden Sie ein kleineres Werkzeug; die Bewegung wird übersprungen.</translation>
+    </message>
+    <message>
+        <source>The tool with a radius of {} mm does not fit into this inside corner.</source>
+        <translation>Das Werkzeug mit {} mm Radius passt nicht in diese Innenecke.</translation>
+    </message>
+    <message>
+        <source>The tool with a radius of {} mm gouges between the inside corners of the motion of line {}.</source>
+        <translation>Das Werkzeug mit {} mm Radius verletzt die Kontur zwischen den Innenecken der Bewegung von Zeile {}.</translation>
+    </message>
+    <message>
+        <source>Use a smaller tool, or leave the short motion out.</source>
+        <translation>Verwenden Sie ein kleineres Werkzeug, oder lassen Sie die kurze Bewegung weg.</translation>
+    </message>
+    <message>
+        <source>The tool with a radius of {} mm goes backward in the motion of line {} and gouges; LinuxCNC does not notice.</source>
+        <translation>Das Werkzeug mit {} mm Radius fährt in der Bewegung von Zeile {} rückwärts und verletzt die Kontur; LinuxCNC bemerkt das nicht.</translation>
+    </message>
+    <message>
+        <source>A stop stands before this inside corner, so the tool goes too far and gouges.</source>
+        <translation>Vor dieser Innenecke steht ein Halt; das Werkzeug fährt daher zu weit und verletzt die Kontur.</translation>
+    </message>
+    <message>
+        <source>Stop elsewhere: the corner is known only when the motion to it is done.</source>
+        <translation>Halten Sie an anderer Stelle: Die Ecke ist erst bekannt, wenn die Bewegung zu ihr schon ausgeführt ist.</translation>
+    </message>
+    <message>
+        <source>The first motion after G40 must be straight.</source>
+        <translation>Die erste Bewegung nach G40 muss eine Gerade sein.</translation>
+    </message>
+    <message>
+        <source>Lead out with G0 or G1; the arc is skipped.</source>
+        <translation>Fahren Sie mit G0 oder G1 von der Kontur weg; der Kreisbogen wird übersprungen.</translation>
+    </message>
+    <message>
+        <source>Cutter compensation is still on at the end of the program.</source>
+        <translation>Die Fräserradiuskorrektur ist am Programmende noch aktiv.</translation>
+    </message>
+    <message>
+        <source>Lead out with G40.</source>
+        <translation>Fahren Sie mit G40 von der Kontur weg.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

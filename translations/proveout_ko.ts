@@ -2366,6 +2366,126 @@
         <source>The motions are shown; what they cut from below cannot be vouched for.</source>
         <translation>이송은 표시하지만 아래쪽에서 절삭하는 부분은 보증할 수 없습니다.</translation>
     </message>
+    <message>
+        <source>The position {} cannot be read while cutter compensation is on.</source>
+        <translation>공구경 보정 중에는 위치 {}을(를) 읽을 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Write G40 before it.</source>
+        <translation>그 앞에 G40을 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>Cutter compensation is on already.</source>
+        <translation>공구경 보정이 이미 적용되어 있습니다.</translation>
+    </message>
+    <message>
+        <source>Write G40 first; {} has no effect.</source>
+        <translation>먼저 G40을 쓰십시오. {}은(는) 효과를 내지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Cutter compensation works in the planes of G17 and G18 only.</source>
+        <translation>공구경 보정은 G17과 G18 평면에서만 적용됩니다.</translation>
+    </message>
+    <message>
+        <source>Select the plane before; the code has no effect.</source>
+        <translation>그 앞에서 평면을 선택하십시오. 이 코드는 효과를 내지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Cutter compensation in G18 under a rotation about Z is not supported.</source>
+        <translation>Z축을 중심으로 좌표를 회전한 상태에서는 G18의 공구경 보정을 지원하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Take the rotation out of the work offset; the code has no effect.</source>
+        <translation>공작물 좌표계에서 회전을 없애십시오. 이 코드는 효과를 내지 않습니다.</translation>
+    </message>
+    <message>
+        <source>{} cannot be used while cutter compensation is on.</source>
+        <translation>공구경 보정 중에는 {}을(를) 쓸 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Write G40 before it; the code has no effect.</source>
+        <translation>그 앞에 G40을 쓰십시오. 이 코드는 효과를 내지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The diameter for {} is 0, so the tool moves on the programmed path.</source>
+        <translation>{}에 쓸 지름이 0이어서 공구가 프로그램된 경로를 그대로 따라갑니다.</translation>
+    </message>
+    <message>
+        <source>Check the tool table, if the path is not written for the centre of the tool.</source>
+        <translation>공구 중심 기준으로 작성한 경로가 아니라면 공구 테이블을 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>No diameter is known for {}, so the tool moves on the programmed path.</source>
+        <translation>{}에 쓸 지름을 알 수 없어 공구가 프로그램된 경로를 그대로 따라갑니다.</translation>
+    </message>
+    <message>
+        <source>Give the tools of the program.</source>
+        <translation>프로그램에서 쓰는 공구를 지정하십시오.</translation>
+    </message>
+    <message>
+        <source>The motion is not compensated: it leads from or to a place that is not known.</source>
+        <translation>이 이송에는 보정을 적용하지 않습니다. 시작점이나 끝점의 위치를 알 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Position the axes of the plane before G41 or G42.</source>
+        <translation>G41이나 G42 전에 평면의 축 위치를 정하십시오.</translation>
+    </message>
+    <message>
+        <source>The motion into cutter compensation is {} mm long, not longer than the tool&apos;s radius of {} mm.</source>
+        <translation>공구경 보정으로 진입하는 이송의 길이가 {} mm로 공구 반경 {} mm보다 길지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Begin farther away; the motion is skipped.</source>
+        <translation>더 먼 곳에서 시작하십시오. 이 이송은 건너뜁니다.</translation>
+    </message>
+    <message>
+        <source>The arc has a radius of {} mm, not larger than the tool&apos;s radius of {} mm.</source>
+        <translation>원호의 반경이 {} mm로 공구 반경 {} mm보다 크지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Use a smaller tool; the motion is skipped.</source>
+        <translation>더 작은 공구를 쓰십시오. 이 이송은 건너뜁니다.</translation>
+    </message>
+    <message>
+        <source>The tool with a radius of {} mm does not fit into this inside corner.</source>
+        <translation>반경 {} mm인 공구가 이 안쪽 코너에 들어가지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The tool with a radius of {} mm gouges between the inside corners of the motion of line {}.</source>
+        <translation>반경 {} mm인 공구가 {}번 줄 이송의 안쪽 코너 사이에서 과절삭합니다.</translation>
+    </message>
+    <message>
+        <source>Use a smaller tool, or leave the short motion out.</source>
+        <translation>더 작은 공구를 쓰거나 짧은 이송을 빼십시오.</translation>
+    </message>
+    <message>
+        <source>The tool with a radius of {} mm goes backward in the motion of line {} and gouges; LinuxCNC does not notice.</source>
+        <translation>반경 {} mm인 공구가 {}번 줄의 이송에서 거꾸로 움직여 과절삭합니다. LinuxCNC는 이를 알아채지 못합니다.</translation>
+    </message>
+    <message>
+        <source>A stop stands before this inside corner, so the tool goes too far and gouges.</source>
+        <translation>이 안쪽 코너 앞에 정지가 있어 공구가 지나치게 나아가 과절삭합니다.</translation>
+    </message>
+    <message>
+        <source>Stop elsewhere: the corner is known only when the motion to it is done.</source>
+        <translation>다른 곳에서 정지하십시오. 코너로 가는 이송이 끝난 뒤에야 코너를 알 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>The first motion after G40 must be straight.</source>
+        <translation>G40 뒤의 첫 이송은 직선이어야 합니다.</translation>
+    </message>
+    <message>
+        <source>Lead out with G0 or G1; the arc is skipped.</source>
+        <translation>G0이나 G1로 빠져나오십시오. 이 원호는 건너뜁니다.</translation>
+    </message>
+    <message>
+        <source>Cutter compensation is still on at the end of the program.</source>
+        <translation>프로그램이 끝날 때까지 공구경 보정이 취소되지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>Lead out with G40.</source>
+        <translation>G40으로 보정을 취소하며 빠져나오십시오.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>
