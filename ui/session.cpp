@@ -10,6 +10,7 @@
 #include "core/base/memory.h"
 #include "core/base/text.h"
 #include "core/decimation/map_memory.h"
+#include "core/simulation/interpretation.h"
 #include "ui/file_paths.h"
 #include "ui/program_index.h"
 
@@ -172,11 +173,8 @@ bool Session::isInText(const Diagnostic& problem) {
 
 void Session::interpret() {
     m_editPause.stop();
-    InterpretOptions options;
-    options.blockDelete = setup().blockDelete;
-    options.start = setup().start;
-    if (!document().path.empty())
-        options.subprogramFolders = {document().path.parent_path()};
+    InterpretOptions options = interpretOptions(setup(), document().path);
+    options.file.clear(); // messages without a file are about the text in the editor
     m_source.request(document().text, std::move(options));
 }
 
@@ -374,7 +372,7 @@ Result<void> Session::setSetup(const Setup& setup) {
         checkMapMemory(setup.stock, *grid, m_job.parameters(), {}, static_cast<double>(memoryLimitBytes()));
     if (!fits)
         return fits;
-    const bool otherProgram = setup.blockDelete != before.blockDelete || setup.start != before.start;
+    const bool otherProgram = !interpretedAlike(setup, before);
     const DecimationParameters parametersBefore = parameters();
     m_job.setSetup(std::make_shared<const Setup>(setup));
     if (otherProgram)

@@ -13,8 +13,8 @@
 #include "app/cli/setup_options.h"
 #include "core/cutter/tool_file.h"
 #include "core/formats/nc_motion.h"
-#include "core/nc/interpreter.h"
 #include "core/simulation/finding_log.h"
+#include "core/simulation/interpretation.h"
 
 namespace proveout::cli {
 
@@ -50,6 +50,7 @@ ExitCode run(const InterpretCommandOptions& options) {
         if (!read)
             return fail(std::move(read.error()));
         tools = std::move(*read);
+        interpreting.tools = toolOffsets(*tools);
     }
     auto text = NcText::load(options.program);
     if (!text)

@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "core/nc/interpreter.h"
+#include "core/simulation/interpretation.h"
 
 namespace proveout::cli {
 
@@ -11,12 +11,7 @@ Result<std::shared_ptr<const Program>> loadProgram(const Job& job, Report& repor
     auto text = NcText::load(job.program);
     if (!text)
         return tl::unexpected(std::move(text.error()));
-    InterpretOptions options;
-    options.file = job.program.string();
-    options.blockDelete = job.setup.blockDelete;
-    options.start = job.setup.start;
-    options.subprogramFolders = {job.program.parent_path()};
-    std::shared_ptr<const Program> program = interpret(*text, options);
+    std::shared_ptr<const Program> program = interpret(*text, interpretOptions(job.setup, job.program));
     report.add(program->diagnostics());
     if (program->unverified() || program->motionCount() == 0)
         report.markUnverified();

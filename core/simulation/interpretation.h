@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+
+#include "core/nc/interpreter.h"
+#include "core/simulation/setup.h"
+
+namespace proveout {
+
+/// What a control knows of the cutters of a table: their diameters. Their lengths are taken to be
+/// compensated, so that programs position the tip.
+[[nodiscard]] ToolOffsets toolOffsets(const ToolTable& tools);
+
+/// How a program is interpreted on a set-up. `file` is where it lies, and names it in messages; its
+/// subprograms are looked for beside it. Empty where it lies nowhere yet. Without limits of its own.
+[[nodiscard]] InterpretOptions interpretOptions(const Setup& setup, const std::filesystem::path& file);
+
+/// Whether a program would have to be interpreted anew on the other set-up.
+[[nodiscard]] bool interpretedAlike(const Setup& one, const Setup& other);
+
+} // namespace proveout

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/interpretation.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/core/temporary_folder.h"
+
+namespace proveout {
+
+namespace {
+
+Setup withBall(double diameter) {
+    Setup setup;
+    setup.tools.set(3, parseToolOption("3=ball:d=" + std::to_string(diameter))->second);
+    return setup;
+}
+
+} // namespace
+
+TEST(Interpretation, CompensatesForTheCuttersOfTheSetUp) {
+    const auto program =
+        interpret(NcText("T3 M6\nF100\nG0 X0 Y-20 Z0\nG41 G1 X0 Y0\nG1 Y20\nG1 Y40\nG40\nM2\n"),
+                  interpretOptions(withBall(8), {}));
+    EXPECT_FALSE(program->unverified());
+    ASSERT_GE(program->motionCount(), 3U);
+    // Left of a path along Y, by the radius.
+    EXPECT_NEAR(program->motion(2).end.x, -4, 1e-9);
+}
+
+TEST(Interpretation, LooksForSubprogramsBesideTheProgram) {
+    const TemporaryFolder folder;
+    folder.put("step.ngc", "o<step> sub\nG0 X7 Y8 Z9\no<step> endsub\n");
+    const auto program =
+        interpret(NcText("o<step> call\nM2\n"), interpretOptions(Setup(), folder / "main.ngc"));
+    ASSERT_EQ(program->motionCount(), 1U);
+    EXPECT_EQ(program->motion(0).end, Vec3(7, 8, 9));
+    EXPECT_TRUE(interpret(NcText("o<step> call\nM2\n"), interpretOptions(Setup(), {}))->unverified());
+}
+
+TEST(Interpretation, IsTheSameWhereRadiiStartAndBlockDeleteAre) {
+    Setup other = withBall(8);
+    other.spacing = 0.25;
+    EXPECT_TRUE(interpretedAlike(withBall(8), other));
+    EXPECT_FALSE(interpretedAlike(withBall(8), withBall(6)));
+    EXPECT_FALSE(interpretedAlike(withBall(8), Setup()));
+    other.blockDelete = true;
+    EXPECT_FALSE(interpretedAlike(withBall(8), other));
+}
+
+} // namespace proveout
