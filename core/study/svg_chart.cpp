@@ -25,10 +25,11 @@ constexpr int kLegendRow = 22;
 constexpr int kLowLegendRow = 17;
 constexpr int kLeastSide = 120; ///< of the frame and its margins, whatever is asked for
 constexpr int kLeft = 92;
-constexpr int kLegendWidth = 214; ///< at least
-constexpr int kLegendEdge = 70;   ///< of it that is no text
-constexpr int kRightAxisWidth = 78;
-constexpr double kHeadRoom = 0.04; ///< of the height, above the highest point
+constexpr int kLegendWidth = 214;   ///< at least
+constexpr int kLegendEdge = 70;     ///< of it that is no text
+constexpr int kRightAxisWidth = 78; ///< at least
+constexpr int kRightAxisEdge = 40;  ///< of it that is no label
+constexpr double kHeadRoom = 0.04;  ///< of the height, above the highest point
 
 bool finite(const Vec2& point) {
     return std::isfinite(point.x) && std::isfinite(point.y);
@@ -83,13 +84,11 @@ private:
     }
 
     void layOut() {
-        const bool right = !m_chart.rightLabel.empty();
         for (const Curve& curve : m_chart.curves)
             if (curve.inLegend)
                 m_legendWidth =
                     std::max(m_legendWidth, static_cast<int>(textWidth(curve.label)) + kLegendEdge);
         m_legendWidth = std::min(m_legendWidth, 2 * m_width / 5);
-        m_right = m_width - m_legendWidth - (right ? kRightAxisWidth : 0);
         Range x;
         std::array<Range, 2> y;
         for (const Curve& curve : m_chart.curves)
@@ -113,6 +112,13 @@ private:
             const double lo = std::min(0.0, y.at(side).lo); // ratios and times are read from zero
             m_y.at(side) = linearTicks(lo, y.at(side).hi + kHeadRoom * (y.at(side).hi - lo), m_low ? 3 : 6);
         }
+        if (!m_chart.rightLabel.empty())
+            m_rightAxisWidth = kRightAxisWidth;
+        for (const std::string& label : m_y[1].labels)
+            if (!m_chart.rightLabel.empty())
+                m_rightAxisWidth =
+                    std::max(m_rightAxisWidth, static_cast<int>(textWidth(label)) + kRightAxisEdge);
+        m_right = m_width - m_legendWidth - m_rightAxisWidth;
     }
 
     [[nodiscard]] double px(double x) const {
@@ -168,7 +174,7 @@ private:
                 right ? "end" : "start", escaped(text));
             return;
         }
-        const int x = right ? m_right + kRightAxisWidth - 8 : 20;
+        const int x = right ? m_right + m_rightAxisWidth - 8 : 20;
         put("<text x=\"{0}\" y=\"{1}\" text-anchor=\"middle\" transform=\"rotate(-90 {0} {1})\">{2}</text>\n",
             x, (m_top + m_bottom) / 2, escaped(text));
     }
@@ -255,6 +261,7 @@ private:
     int m_top;    ///< of the frame
     int m_bottom; ///< of the frame
     int m_legendWidth = kLegendWidth;
+    int m_rightAxisWidth = 0;
     int m_right = 0;
     AxisTicks m_x;
     std::array<AxisTicks, 2> m_y;

@@ -10,6 +10,7 @@
 #include "core/study/axis_ticks.h"
 #include "core/study/study_csv.h"
 #include "core/study/svg_chart.h"
+#include "core/study/svg_text.h"
 
 namespace proveout {
 namespace {
@@ -132,4 +133,22 @@ TEST(ChartCsv, HasARowAPoint) {
 }
 
 } // namespace
+TEST(Chart, KeepsTheWordsOfTheRightAxisClearOfItsNumbers) {
+    Chart chart = twoCurves();
+    chart.rightLabel = "Faces shown";
+    chart.curves.back().rightAxis = true;
+    for (Vec2& point : chart.curves.back().points)
+        point.y += 12'345'678;
+    const std::string svg = svgChart(chart);
+    std::smatch words;
+    ASSERT_TRUE(
+        std::regex_search(svg, words, std::regex(R"re(<text x="(\d+)"[^>]*rotate[^>]*>Faces shown)re")));
+    std::smatch number;
+    ASSERT_TRUE(
+        std::regex_search(svg, number, std::regex(R"re(<text x="(\d+)" y="[\d.]+">(1\d,000,000)<)re")));
+    const double end = std::stod(number[1]) + textWidth(number[2]);
+    constexpr double kHalfOfALine = 7;
+    EXPECT_GT(std::stod(words[1]) - kHalfOfALine, end);
+}
+
 } // namespace proveout
