@@ -15,6 +15,9 @@ Setup withBall(double diameter) {
     return setup;
 }
 
+// Within a test, "Setup" is GoogleTest's.
+const Setup kNothing;
+
 } // namespace
 
 TEST(Interpretation, CompensatesForTheCuttersOfTheSetUp) {
@@ -31,18 +34,18 @@ TEST(Interpretation, LooksForSubprogramsBesideTheProgram) {
     const TemporaryFolder folder;
     folder.put("step.ngc", "o<step> sub\nG0 X7 Y8 Z9\no<step> endsub\n");
     const auto program =
-        interpret(NcText("o<step> call\nM2\n"), interpretOptions(Setup(), folder / "main.ngc"));
+        interpret(NcText("o<step> call\nM2\n"), interpretOptions(kNothing, folder / "main.ngc"));
     ASSERT_EQ(program->motionCount(), 1U);
     EXPECT_EQ(program->motion(0).end, Vec3(7, 8, 9));
-    EXPECT_TRUE(interpret(NcText("o<step> call\nM2\n"), interpretOptions(Setup(), {}))->unverified());
+    EXPECT_TRUE(interpret(NcText("o<step> call\nM2\n"), interpretOptions(kNothing, {}))->unverified());
 }
 
 TEST(Interpretation, IsTheSameWhereRadiiStartAndBlockDeleteAre) {
-    Setup other = withBall(8);
+    proveout::Setup other = withBall(8);
     other.spacing = 0.25;
     EXPECT_TRUE(interpretedAlike(withBall(8), other));
     EXPECT_FALSE(interpretedAlike(withBall(8), withBall(6)));
-    EXPECT_FALSE(interpretedAlike(withBall(8), Setup()));
+    EXPECT_FALSE(interpretedAlike(withBall(8), kNothing));
     other.blockDelete = true;
     EXPECT_FALSE(interpretedAlike(withBall(8), other));
 }
