@@ -372,7 +372,7 @@ Result<void> Session::setSetup(const Setup& setup) {
         checkMapMemory(setup.stock, *grid, m_job.parameters(), {}, static_cast<double>(memoryLimitBytes()));
     if (!fits)
         return fits;
-    const bool otherProgram = !interpretedAlike(setup, before);
+    const bool otherProgram = !m_program || !interpretedAlike(*m_program, setup, before);
     const DecimationParameters parametersBefore = parameters();
     m_job.setSetup(std::make_shared<const Setup>(setup));
     if (otherProgram)

@@ -66,6 +66,7 @@ public:
             tellAboutTheWhole(m_linesRead);
         m_reporter.tellSuppressed();
         m_program->setSourceBlockCount(m_sourceBlocks);
+        m_program->setAsksForTools(m_tools.asked());
         m_context.tell(1);
         return std::move(m_program);
     }

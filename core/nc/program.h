@@ -99,6 +99,8 @@ public:
     [[nodiscard]] bool unverified() const { return m_unverified; }
     /// Source blocks with at least one word (comments alone do not count).
     [[nodiscard]] std::size_t sourceBlockCount() const { return m_sourceBlocks; }
+    /// Whether the sizes of the control's tools had a say in it.
+    [[nodiscard]] bool asksForTools() const { return m_asksForTools; }
     [[nodiscard]] const Box3& bounds() const { return m_bounds; } ///< of all known motions
 
     /// Index of the first block that moves otherwise (path, tool, or a different number of motions);
@@ -118,6 +120,7 @@ public:
     void append(EventData data, std::uint32_t line);
     void append(Diagnostic diagnostic);
     void setSourceBlockCount(std::size_t count) { m_sourceBlocks = count; }
+    void setAsksForTools(bool asks) { m_asksForTools = asks; }
 
 private:
     struct PackedMotion {
@@ -180,6 +183,7 @@ private:
     bool m_blockPending = false;
     bool m_linesRise = true; ///< no line was executed after a later one
     bool m_unverified = false;
+    bool m_asksForTools = false;
 };
 
 } // namespace proveout

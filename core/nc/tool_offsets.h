@@ -23,8 +23,9 @@ public:
         : m_offsets(std::move(offsets)), m_anyNumber(m_offsets.empty()) {}
 
     /// Nothing where the control does not know the number. Number 0 is no tool.
-    [[nodiscard]] const ToolOffset* find(int number) const {
+    [[nodiscard]] const ToolOffset* find(int number) {
         static constexpr ToolOffset kNone;
+        m_asked = true;
         const auto found = m_offsets.find(number);
         if (found != m_offsets.end())
             return &found->second;
@@ -32,11 +33,14 @@ public:
     }
     /// Whether any tools were given: without them their sizes are assumed.
     [[nodiscard]] bool given() const { return !m_anyNumber; }
+    /// Whether anybody has asked for a tool: only then do they matter to the program.
+    [[nodiscard]] bool asked() const { return m_asked; }
     void set(int number, const ToolOffset& offset) { m_offsets[number] = offset; }
 
 private:
     std::map<int, ToolOffset> m_offsets;
     bool m_anyNumber = true;
+    bool m_asked = false;
 };
 
 } // namespace proveout

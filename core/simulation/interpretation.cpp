@@ -25,12 +25,12 @@ InterpretOptions interpretOptions(const Setup& setup, const std::filesystem::pat
     return options;
 }
 
-bool interpretedAlike(const Setup& one, const Setup& other) {
+bool interpretedAlike(const Program& program, const Setup& one, const Setup& other) {
     const auto sameTool = [](const auto& a, const auto& b) {
         return a.first == b.first && a.second.radius() == b.second.radius();
     };
     return one.blockDelete == other.blockDelete && one.start == other.start &&
-           std::ranges::equal(one.tools.tools(), other.tools.tools(), sameTool);
+           (!program.asksForTools() || std::ranges::equal(one.tools.tools(), other.tools.tools(), sameTool));
 }
 
 } // namespace proveout

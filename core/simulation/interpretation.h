@@ -16,7 +16,7 @@ namespace proveout {
 /// subprograms are looked for beside it. Empty where it lies nowhere yet. Without limits of its own.
 [[nodiscard]] InterpretOptions interpretOptions(const Setup& setup, const std::filesystem::path& file);
 
-/// Whether a program would have to be interpreted anew on the other set-up.
-[[nodiscard]] bool interpretedAlike(const Setup& one, const Setup& other);
+/// Whether a program that was interpreted on one set-up is the same on the other.
+[[nodiscard]] bool interpretedAlike(const Program& program, const Setup& one, const Setup& other);
 
 } // namespace proveout

@@ -41,13 +41,16 @@ TEST(Interpretation, LooksForSubprogramsBesideTheProgram) {
 }
 
 TEST(Interpretation, IsTheSameWhereRadiiStartAndBlockDeleteAre) {
+    const auto plain = interpret(NcText("T3 M6\nG0 X1\nM2\n"));
+    const auto compensated = interpret(NcText("T3 M6\nF100\nG0 X0 Y-20 Z0\nG41 G1 X0 Y0\nG40\nM2\n"));
     proveout::Setup other = withBall(8);
     other.spacing = 0.25;
-    EXPECT_TRUE(interpretedAlike(withBall(8), other));
-    EXPECT_FALSE(interpretedAlike(withBall(8), withBall(6)));
-    EXPECT_FALSE(interpretedAlike(withBall(8), kNothing));
+    EXPECT_TRUE(interpretedAlike(*compensated, withBall(8), other));
+    EXPECT_FALSE(interpretedAlike(*compensated, withBall(8), withBall(6)));
+    EXPECT_FALSE(interpretedAlike(*compensated, withBall(8), kNothing));
+    EXPECT_TRUE(interpretedAlike(*plain, withBall(8), withBall(6)));
     other.blockDelete = true;
-    EXPECT_FALSE(interpretedAlike(withBall(8), other));
+    EXPECT_FALSE(interpretedAlike(*plain, withBall(8), other));
 }
 
 } // namespace proveout
