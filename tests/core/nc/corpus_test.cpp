@@ -20,6 +20,12 @@ using nlohmann::json;
 
 const fs::path kCorpus = fs::path(PROVEOUT_SHARED_DIR) / "corpus";
 
+/// A sanitizer makes all code slower.
+#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
+constexpr double kSlowness = 20;
+#else
+constexpr double kSlowness = 1;
+#endif
 constexpr std::uint64_t kSteps = 1'000'000; ///< the longest program has 0.4 million lines; some are endless
 
 /// What this interpreter does not claim to understand: programs that need it are not compared.
@@ -167,7 +173,7 @@ TEST(Corpus, EveryFileIsInterpretedInTime) {
         const bool endless = firstOf(*program, {"too-many-steps", "too-many-motions"}) != nullptr;
         const double allowed = 0.1 + 2e-6 * static_cast<double>(entry.file_size()) +
                                (endless ? 1e-6 * static_cast<double>(kSteps) : 0.0);
-        EXPECT_LT(seconds, allowed) << name;
+        EXPECT_LT(seconds, allowed * kSlowness) << name;
         EXPECT_LE(program->diagnostics().size(), 101U) << name;
         for (std::size_t i = 0; i < program->motionCount(); ++i) {
             const Motion motion = program->motion(i);
