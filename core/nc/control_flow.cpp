@@ -5,21 +5,13 @@
 #include <cmath>
 #include <utility>
 
+#include "core/nc/characters.h"
+
 namespace proveout {
 
 namespace {
 
 constexpr std::string_view kExtension = ".ngc";
-
-bool isBlank(char c) {
-    return c == ' ' || c == '\t' || c == '\v' || c == '\f';
-}
-
-std::size_t skipBlanks(std::string_view line, std::size_t at) {
-    while (at < line.size() && isBlank(line[at]))
-        ++at;
-    return at;
-}
 
 /// Whether a label may name a file within a folder.
 bool plainName(std::string_view label) {
@@ -181,7 +173,7 @@ std::optional<std::size_t> ControlFlow::partner(const FlowWord& word, std::size_
 }
 
 bool ControlFlow::beginSub(const FlowWord& word) {
-    // Calls begin behind this line: reached by running, the subprogram is not for now.
+    // Calls begin behind this line; who comes here by running passes the subprogram over.
     const auto end = partner(word, &FlowLine::end, keyword(FlowKind::endSub));
     if (end)
         m_line = *end + 1;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "core/nc/characters.h"
 #include "core/nc/number.h"
 
 namespace proveout {
@@ -14,14 +15,6 @@ using Value = tl::expected<double, ReadError>;
 
 constexpr double kEqual = 1e-4; ///< LinuxCNC takes numbers nearer than this for equal, and for whole
 constexpr int kWeakest = 1;
-
-bool isBlank(char c) {
-    return c == ' ' || c == '\t' || c == '\v' || c == '\f';
-}
-
-char upper(char c) {
-    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
 
 bool isLetter(char c) {
     return c >= 'A' && c <= 'Z';
@@ -146,7 +139,7 @@ private:
 char ExpressionReader::peek(std::size_t& at) const {
     while (at < m_line.size() && isBlank(m_line[at]))
         ++at;
-    return at < m_line.size() ? upper(m_line[at]) : '\0';
+    return at < m_line.size() ? upperCase(m_line[at]) : '\0';
 }
 
 bool ExpressionReader::take(std::size_t& at, std::string_view word) const {
@@ -241,7 +234,7 @@ tl::expected<std::string, ReadError> ExpressionReader::quotedName(std::size_t& a
     std::string name;
     for (const char c : m_line.substr(begin + 1, end - begin - 1)) {
         if (!isBlank(c))
-            name.push_back(c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c);
+            name.push_back(lowerCase(c));
     }
     at = end + 1;
     if (name.empty())

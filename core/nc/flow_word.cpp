@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "core/nc/characters.h"
 #include "core/nc/number.h"
 
 namespace proveout {
@@ -33,23 +34,9 @@ constexpr Keyword kKeywords[] = {
     {"continue", FlowKind::continues},
 };
 
-bool isBlank(char c) {
-    return c == ' ' || c == '\t' || c == '\v' || c == '\f';
-}
-
-char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 bool isLetter(char c) {
-    const char l = lower(c);
+    const char l = lowerCase(c);
     return l >= 'a' && l <= 'z';
-}
-
-std::size_t skipBlanks(std::string_view line, std::size_t at) {
-    while (at < line.size() && isBlank(line[at]))
-        ++at;
-    return at;
 }
 
 /// Where the O of a line stands, or the end of the line.
@@ -57,11 +44,11 @@ std::size_t placeOfO(std::string_view line) {
     std::size_t at = skipBlanks(line, 0);
     if (at < line.size() && line[at] == '/')
         at = skipBlanks(line, at + 1);
-    if (at < line.size() && lower(line[at]) == 'n') {
+    if (at < line.size() && lowerCase(line[at]) == 'n') {
         const NumberRead number = readNumber(line, at + 1);
         at = skipBlanks(line, number.status == NumberStatus::good ? number.end : line.size());
     }
-    return at < line.size() && lower(line[at]) == 'o' ? at : line.size();
+    return at < line.size() && lowerCase(line[at]) == 'o' ? at : line.size();
 }
 
 /// Behind the bracket that closes the one at `at`; the end of the line where none does.
@@ -90,7 +77,7 @@ tl::expected<std::size_t, ReadError> readLabel(std::string_view line, FlowWord& 
             return fail(nc_message::kNameUnclosed, at, line.size());
         for (const char c : line.substr(at + 1, end - at - 1)) {
             if (!isBlank(c))
-                word.label.push_back(lower(c));
+                word.label.push_back(lowerCase(c));
         }
         if (word.label.empty())
             return fail(nc_message::kNameEmpty, at, end + 1);
@@ -134,7 +121,7 @@ tl::expected<FlowWord, ReadError> readFlowWord(std::string_view line) {
     for (std::size_t i = at; i < line.size() && (isLetter(line[i]) || isBlank(line[i])); ++i) {
         if (!isLetter(line[i]))
             continue;
-        letters.push_back(lower(line[i]));
+        letters.push_back(lowerCase(line[i]));
         end = i + 1;
     }
     if (letters.empty()) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "core/base/utf8.h"
+#include "core/nc/characters.h"
 #include "core/nc/number.h"
 
 namespace proveout {
@@ -12,27 +13,19 @@ namespace {
 
 constexpr std::size_t kLongestBlockNumber = 15; ///< digits; more than any control can hold
 
-bool isBlank(char c) {
-    return c == ' ' || c == '\t' || c == '\v' || c == '\f';
-}
-
 /// DC1 to DC4 of a serial line, the end-of-file byte of DOS.
 bool isControlCode(char c) {
     return (c >= 0x11 && c <= 0x14) || c == 0x1a;
 }
 
-char upper(char c) {
-    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
-}
-
 /// What stands in front of the number of a word.
 bool beginsWord(char c) {
-    const char u = upper(c);
+    const char u = upperCase(c);
     return (u >= '@' && u <= 'Z') || u == '^';
 }
 
 bool isLetter(char c) {
-    const char u = upper(c);
+    const char u = upperCase(c);
     return u >= 'A' && u <= 'Z';
 }
 
@@ -85,7 +78,7 @@ private:
     void readItem() {
         const char c = m_text[m_at];
         if (beginsWord(c))
-            readWord(upper(c));
+            readWord(upperCase(c));
         else if (c == '(')
             readComment();
         else if (c == ';')
@@ -284,7 +277,7 @@ LetterSet axisLetters(std::string_view text) {
         if (c == ';' && !comment)
             break;
         comment = (comment || c == '(') && c != ')';
-        const char letter = upper(c);
+        const char letter = upperCase(c);
         if (!comment && ((letter >= 'X' && letter <= 'Z') || letter == '@' || letter == '^'))
             letters.add(letter);
     }

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The characters of NC lines.
+#pragma once
+
+#include <cstddef>
+#include <string_view>
+
+namespace proveout {
+
+[[nodiscard]] constexpr bool isBlank(char c) {
+    return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
+
+[[nodiscard]] constexpr char upperCase(char c) {
+    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+
+[[nodiscard]] constexpr char lowerCase(char c) {
+    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+}
+
+/// The first index from `at` on that is no blank; the size of the line where there is none.
+[[nodiscard]] constexpr std::size_t skipBlanks(std::string_view line, std::size_t at) {
+    while (at < line.size() && isBlank(line[at]))
+        ++at;
+    return at;
+}
+
+} // namespace proveout
