@@ -68,9 +68,7 @@ private:
     [[nodiscard]] char firstLetter() const { return letter(std::min(m_plane.first, m_plane.second)); }
     [[nodiscard]] char secondLetter() const { return letter(std::max(m_plane.first, m_plane.second)); }
     [[nodiscard]] bool has(int axis) const { return m_execution.block.has(letter(axis)); }
-    [[nodiscard]] double value(int axis) const {
-        return has(axis) ? m_execution.state.toMm(m_execution.block.value(letter(axis))) : 0.0;
-    }
+    [[nodiscard]] double value(int axis) const { return has(axis) ? m_execution.length(letter(axis)) : 0.0; }
     [[nodiscard]] Vec2 inPlane(const Vec3& point) const {
         return {point[m_plane.first], point[m_plane.second]};
     }
@@ -102,9 +100,8 @@ private:
 
     std::optional<Arc> ofRadius() {
         const Word& word = m_execution.block.word('R');
-        return checked(
-            arcOfRadius(m_execution.state.toMm(word.value), m_ends, arcTolerances(m_execution.state.inch)),
-            word);
+        return checked(arcOfRadius(m_execution.length('R'), m_ends, arcTolerances(m_execution.state.inch)),
+                       word);
     }
 
     std::optional<Arc> checked(const tl::expected<Arc, ArcProblem>& arc, const Word& word) {

@@ -14,6 +14,7 @@ struct Word {
     double value = 0;
     int column = 0;
     int length = 0;
+    bool point = true; ///< whether it says how large 1 is: it has a decimal point or was computed
 };
 
 /// A set of letters of words.

@@ -15,7 +15,6 @@ constexpr LetterSet kPolar("@^");
 constexpr LetterSet kOtherAxes("ABCUVW");
 constexpr LetterSet kArcLetters("IJKR");
 constexpr LetterSet kOwnMeaning("FSTNO");
-constexpr int kMostMWords = 4;
 constexpr int kIncrementalTenths = 910; ///< G91
 
 std::string asText(const Word& word) {
@@ -44,8 +43,8 @@ public:
 
 private:
     bool planCode(const Word& word) {
-        const CodeRow* row = findCode(word);
-        if (word.letter == 'M' && ++m_mWords > kMostMWords)
+        const CodeRow* row = m_execution.codes.find(word);
+        if (word.letter == 'M' && ++m_mWords > m_execution.dialect.mostMWords)
             return refuse(nc_message::kTooManyM, word);
         if (row == nullptr) {
             tell(nc_message::kUnknownCode, word, {asText(word)});
@@ -167,7 +166,7 @@ private:
 
     [[nodiscard]] bool groupIs(ModalGroup group, int tenths) const {
         const Word* word = m_groups[static_cast<std::size_t>(group)];
-        return word != nullptr && findCode(*word)->tenths == tenths;
+        return word != nullptr && m_execution.codes.find(*word)->tenths == tenths;
     }
 
     bool planMotionOff(bool named) {

@@ -1,11 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The codes of NC programs, as a table: the interpreter runs its rows, the editor colours and explains by it.
+// The codes of NC programs, as tables: the interpreter runs their rows, the editor colours and explains by
+// them.
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <span>
+#include <vector>
 
 #include "core/nc/block.h"
+#include "core/nc/dialect.h"
 
 namespace proveout {
 
@@ -109,12 +114,30 @@ struct LetterRow {
     Step step = Step::none;
 };
 
-/// All rows, by letter and number.
-[[nodiscard]] std::span<const CodeRow> codes();
-/// The row of a code, null where there is none. Constant time.
-[[nodiscard]] const CodeRow* findCode(char letter, int tenths);
-/// The row of the code that a G or M word means, null where there is none.
-[[nodiscard]] const CodeRow* findCode(const Word& word);
+/// The codes of one dialect. Immutable; any thread.
+class CodeTable {
+public:
+    /// Of rows of the layers with the same number, those of the later layer count.
+    CodeTable(std::initializer_list<std::span<const CodeRow>> layers);
+
+    /// All rows, by letter and number.
+    [[nodiscard]] std::span<const CodeRow* const> rows() const { return m_rows; }
+    /// The row of a code, null where there is none. Constant time.
+    [[nodiscard]] const CodeRow* find(char letter, int tenths) const;
+    /// The row of the code that a G or M word means, null where there is none.
+    [[nodiscard]] const CodeRow* find(const Word& word) const;
+
+private:
+    static constexpr int kTenths = 2000; ///< codes up to G199.9 and M199.9
+
+    using Index = std::array<const CodeRow*, kTenths>;
+
+    std::vector<const CodeRow*> m_rows;
+    Index m_g{};
+    Index m_m{};
+};
+
+[[nodiscard]] const CodeTable& codesOf(DialectId dialect);
 
 /// All letters but G and M, and the signs of polar words, in the order of ASCII.
 [[nodiscard]] std::span<const LetterRow> letters();

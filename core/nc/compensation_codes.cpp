@@ -73,7 +73,7 @@ void compensateForDiameter(Execution& execution, const Word& word, double side) 
     if (!mayBegin(execution, word))
         return;
     if (execution.block.has('D'))
-        begin(execution, word, side * execution.state.toMm(execution.block.value('D')) / 2);
+        begin(execution, word, side * execution.length('D') / 2);
     else
         execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "D"});
 }

@@ -52,7 +52,6 @@ public:
 private:
     static char letterOf(int axis) { return static_cast<char>('X' + axis); }
     [[nodiscard]] const Block& block() const { return m_execution.block; }
-    [[nodiscard]] double inMm(char letter) const { return m_execution.state.toMm(block().value(letter)); }
 
     bool refuse(const Message& message, const Word& word, std::vector<std::string> arguments = {}) {
         m_execution.reporter.tell(message, word, std::move(arguments));
@@ -85,9 +84,9 @@ private:
         if (!sticky && !block().has('R'))
             return refuseMissing('R');
         if (block().has('R'))
-            m_state.retract = inMm('R');
+            m_state.retract = m_execution.length('R');
         if (block().has(depth))
-            m_state.bottom = inMm(depth);
+            m_state.bottom = m_execution.length(depth);
         m_retract = m_state.retract + (incremental ? m_state.initialLevel : 0);
         m_bottom = m_state.bottom + (incremental ? m_retract : 0);
         if (m_retract < m_bottom)
@@ -101,7 +100,7 @@ private:
         if (m_cycle.dwells && !sticky && !block().has('P'))
             return refuseMissing('P');
         if (block().has('Q'))
-            m_state.peck = inMm('Q');
+            m_state.peck = m_execution.length('Q');
         if (m_cycle.pecks && m_state.peck <= 0)
             return refuse(nc_message::kCyclePeck, block().has('Q') ? block().word('Q') : m_word);
         if (block().has('P'))
@@ -201,10 +200,10 @@ private:
         for (int axis = 0; axis < 3; ++axis) {
             const char letter = static_cast<char>('I' + axis);
             if (axis != m_plane.normal && block().has(letter))
-                aside[axis] = inMm(letter);
+                aside[axis] = m_execution.length(letter);
         }
         const char top = static_cast<char>('I' + m_plane.normal);
-        const double end = block().has(top) ? inMm(top) : m_bottom;
+        const double end = block().has(top) ? m_execution.length(top) : m_bottom;
         const auto sideways = [&](const Vec3& offset) {
             Vec3 target = hole + offset;
             target[m_plane.normal] = m_at[m_plane.normal];
@@ -230,7 +229,7 @@ private:
         for (const int axis : {m_plane.first, m_plane.second}) {
             const char letter = letterOf(axis);
             if (block().has(letter))
-                target[axis] = inMm(letter) + (m_execution.state.incremental ? m_at[axis] : 0);
+                target[axis] = m_execution.length(letter) + (m_execution.state.incremental ? m_at[axis] : 0);
         }
         if (const auto polar = polarTarget(m_execution, m_at, m_execution.state.known)) {
             target.x = polar->x;

@@ -5,7 +5,9 @@
 
 #include "core/base/work_context.h"
 #include "core/nc/block.h"
+#include "core/nc/codes.h"
 #include "core/nc/control_flow.h"
+#include "core/nc/dialect.h"
 #include "core/nc/machine_state.h"
 #include "core/nc/parameters.h"
 #include "core/nc/program.h"
@@ -16,6 +18,8 @@ namespace proveout {
 
 /// What the handler of a code works on: the block, and everything that the block may change.
 struct Execution {
+    const Dialect& dialect;
+    const CodeTable& codes;
     const Block& block;
     MachineState& state;
     Parameters& parameters;
@@ -28,6 +32,13 @@ struct Execution {
     const WorkContext& context;
     bool machineCoordinates = false;       ///< G53: of this block's axis words
     const CodeRow* motionBefore = nullptr; ///< the motion code in force before this block
+
+    /// The length that a word of the block gives, in mm.
+    [[nodiscard]] double length(char letter) const {
+        const Word& word = block.word(letter);
+        const double least = state.inch ? dialect.leastInch : dialect.leastMm;
+        return state.toMm(word.point ? word.value : word.value * least);
+    }
 
     /// Whether a block that makes many motions has to stop in between.
     [[nodiscard]] bool mustEnd() const { return program.motionCount() > maxMotions || context.stopped(); }

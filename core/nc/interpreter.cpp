@@ -39,7 +39,8 @@ std::string readable(std::string_view text) {
 class Interpreter {
 public:
     Interpreter(const NcText& text, const InterpretOptions& options, const WorkContext& context)
-        : m_text(text), m_options(options), m_context(context), m_program(std::make_shared<Program>()),
+        : m_text(text), m_options(options), m_dialect(dialect(options.dialect)),
+          m_codes(codesOf(options.dialect)), m_context(context), m_program(std::make_shared<Program>()),
           m_reporter(*m_program, options.file, options.maxDiagnostics), m_tools(options.tools),
           m_values(m_state), m_flow(text, options.file, {options.maxSteps, options.subprogramFolders},
                                     m_parameters, m_values, m_reporter) {
@@ -132,7 +133,9 @@ private:
         if (m_line.block.empty())
             return;
         FlowRequest request;
-        Execution execution{m_line.block,
+        Execution execution{m_dialect,
+                            m_codes,
+                            m_line.block,
                             m_state,
                             m_parameters,
                             m_tools,
@@ -254,6 +257,8 @@ private:
 
     const NcText& m_text;
     const InterpretOptions& m_options;
+    const Dialect& m_dialect;
+    const CodeTable& m_codes;
     const WorkContext& m_context;
     std::shared_ptr<Program> m_program;
     Reporter m_reporter;

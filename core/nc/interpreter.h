@@ -11,6 +11,7 @@
 
 #include "core/base/geometry.h"
 #include "core/base/work_context.h"
+#include "core/nc/dialect.h"
 #include "core/nc/nc_text.h"
 #include "core/nc/program.h"
 #include "core/nc/tool_offsets.h"
@@ -18,7 +19,8 @@
 namespace proveout {
 
 struct InterpretOptions {
-    std::string file;          ///< name for diagnostics
+    std::string file; ///< name for diagnostics
+    DialectId dialect = DialectId::linuxcnc;
     bool blockDelete = false;  ///< skip blocks that begin with "/"
     std::optional<Vec3> start; ///< mm, before the first block; without it no axis is known
     /// `interpret`: start at 0,0,0, which is the machine's zero too; every motion counts as known.
@@ -31,7 +33,7 @@ struct InterpretOptions {
     std::size_t maxDiagnostics = 100;                     ///< further ones are counted in one last message
 };
 
-/// Interprets an NC text (RS274 as LinuxCNC reads it, the codes of the table in codes.h). Never fails: what
+/// Interprets an NC text as the control of its dialect does (codes.h). Never fails: what
 /// could not be understood stands in the program's diagnostics, and everything behind it is marked
 /// unverified. Pure function of text and options; any thread. A stopped context gives the program up to that
 /// block with a diagnostic that says so.

@@ -41,7 +41,7 @@ Vec3 offsetsGiven(const Execution& execution, Vec3 offset) {
     for (int axis = 0; axis < 3; ++axis) {
         const char letter = static_cast<char>('X' + axis);
         if (execution.block.has(letter))
-            offset[axis] = execution.state.toMm(execution.block.value(letter));
+            offset[axis] = execution.length(letter);
     }
     return offset;
 }

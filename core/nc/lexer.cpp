@@ -116,7 +116,7 @@ private:
         const std::size_t begin = m_at;
         const NumberRead number = readNumber(m_text, begin + 1);
         if (number.status == NumberStatus::good)
-            addWord(letter, number.value, begin, number.end);
+            addWord(letter, number.value, begin, number.end, number.point);
         else if (beginsExpression(number))
             readExpression(letter);
         else
@@ -138,7 +138,7 @@ private:
         const auto value = ExpressionReader(m_text, m_context.parameters, m_context.system)
                                .value(end, m_text.substr(begin, 1));
         if (value)
-            addWord(letter, *value, begin, end);
+            addWord(letter, *value, begin, end, true);
         else
             m_line.error = value.error();
     }
@@ -166,9 +166,9 @@ private:
             {std::move(*target), *value, static_cast<int>(begin + 1), static_cast<int>(m_at - begin)});
     }
 
-    void addWord(char letter, double value, std::size_t begin, std::size_t end) {
+    void addWord(char letter, double value, std::size_t begin, std::size_t end, bool point) {
         m_at = end;
-        const Word word{letter, value, static_cast<int>(begin + 1), static_cast<int>(end - begin)};
+        const Word word{letter, value, static_cast<int>(begin + 1), static_cast<int>(end - begin), point};
         if (m_line.block.add(word))
             return;
         const bool code = letter == 'G' || letter == 'M';

@@ -91,7 +91,7 @@ std::optional<Vec2> polarTarget(Execution& execution, const Vec3& program, std::
     double radius = std::hypot(program.x, program.y);
     double angle = std::atan2(program.y, program.x);
     if (block.has('@'))
-        radius = execution.state.toMm(block.value('@')) + (incremental ? radius : 0);
+        radius = execution.length('@') + (incremental ? radius : 0);
     if (block.has('^'))
         angle = block.value('^') * std::numbers::pi / 180 + (incremental ? angle : 0);
     return Vec2(radius * std::cos(angle), radius * std::sin(angle));
@@ -103,7 +103,7 @@ namespace {
 bool axisTarget(Execution& execution, int axis, std::uint8_t known, Vec3& program) {
     MachineState& state = execution.state;
     const char letter = kAxisLetters[static_cast<std::size_t>(axis)];
-    const double value = state.toMm(execution.block.value(letter));
+    const double value = execution.length(letter);
     if (!state.incremental) {
         program[axis] = value;
         return true;
@@ -141,8 +141,7 @@ Motion motionToTarget(Execution& execution, MotionKind kind) {
         if (!execution.block.has(letter))
             continue;
         if (execution.machineCoordinates) {
-            setMachineTarget(execution, motion, axis,
-                             state.toMm(execution.block.value(letter)) - state.toolOffset[axis]);
+            setMachineTarget(execution, motion, axis, execution.length(letter) - state.toolOffset[axis]);
         } else if (axisTarget(execution, axis, known, program)) {
             named |= bit(axis);
             known |= bit(axis);

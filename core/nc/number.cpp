@@ -101,6 +101,7 @@ NumberRead readNumber(std::string_view line, std::size_t at) {
                                                       : readSlowly(line, unsignedBegin, end);
     read.end = end;
     read.place = begin;
+    read.point = point;
     if (value > kLargestNumber)
         read.status = NumberStatus::outOfRange;
     // Without this, "-0" would print and compare oddly further on.

@@ -23,6 +23,7 @@ constexpr double kLargestNumber = 1e12;
 struct NumberRead {
     NumberStatus status = NumberStatus::good;
     double value = 0;
+    bool point = false;    ///< it has a decimal point
     std::size_t end = 0;   ///< index behind the number, or behind what was understood of it
     std::size_t place = 0; ///< what `status` is about
 };

@@ -60,17 +60,13 @@ std::optional<int> wholeNumber(Execution& execution, const Word& word, int least
     return {};
 }
 
-double inMm(const Execution& execution, char letter) {
-    return execution.state.toMm(execution.block.value(letter));
-}
-
 /// G10 L2: the offsets themselves, in G91 too.
 Vec3 offsetsGiven(const Execution& execution, const WorkFrame& frame) {
     Vec3 offset = frame.offset;
     for (int axis = 0; axis < 3; ++axis) {
         const char letter = axisLetter(axis);
         if (execution.block.has(letter))
-            offset[axis] = inMm(execution, letter);
+            offset[axis] = execution.length(letter);
     }
     return offset;
 }
@@ -82,7 +78,7 @@ Vec3 offsetsHere(const Execution& execution, const WorkFrame& frame) {
     Vec3 program = frame.toProgram(execution.state.position);
     for (int axis = 0; axis < 3; ++axis) {
         if (execution.block.has(axisLetter(axis)))
-            program[axis] = inMm(execution, axisLetter(axis));
+            program[axis] = execution.length(axisLetter(axis));
     }
     return execution.state.position - without.toMachine(program);
 }
@@ -140,11 +136,11 @@ void setTool(Execution& execution, int kind) {
     for (int axis = 0; axis < 3; ++axis) {
         if (!execution.block.has(axisLetter(axis)))
             continue;
-        const double value = inMm(execution, axisLetter(axis));
+        const double value = execution.length(axisLetter(axis));
         tool.offset[axis] = kind == kToolItself ? value : stands[axis] - value;
     }
     if (execution.block.has('R'))
-        tool.diameter = 2 * inMm(execution, 'R');
+        tool.diameter = 2 * execution.length('R');
     execution.tools.set(*number, tool);
 }
 
@@ -201,7 +197,7 @@ void shiftCoordinates(Execution& execution, const Word& /*word*/) {
     Vec3 wanted = program;
     for (int axis = 0; axis < 3; ++axis) {
         if (execution.block.has(axisLetter(axis)))
-            wanted[axis] = inMm(execution, axisLetter(axis));
+            wanted[axis] = execution.length(axisLetter(axis));
     }
     standHere(execution, wanted);
     program = state.frame.toProgram(state.position);
@@ -217,7 +213,7 @@ void shiftLocally(Execution& execution, const Word& /*word*/) {
     Vec3 shift = execution.state.frame.shift;
     for (int axis = 0; axis < 3; ++axis) {
         if (execution.block.has(axisLetter(axis)))
-            shift[axis] = inMm(execution, axisLetter(axis));
+            shift[axis] = execution.length(axisLetter(axis));
     }
     setVectorAt(execution.parameters, kShiftParameter, shift);
     setShift(execution, shift);

@@ -49,7 +49,8 @@ bool isSupportedCode(std::string_view word) {
         number > kLargestCode)
         return false;
     const char letter = static_cast<char>(std::toupper(static_cast<unsigned char>(word.front())));
-    const CodeRow* row = findCode(letter, static_cast<int>(std::lround(number * 10)));
+    const CodeRow* row =
+        codesOf(DialectId::linuxcnc).find(letter, static_cast<int>(std::lround(number * 10)));
     return row != nullptr && row->supported();
 }
 

@@ -9,22 +9,33 @@
 
 namespace proveout {
 
+namespace {
+
+const CodeTable& linuxcnc() {
+    return codesOf(DialectId::linuxcnc);
+}
+
+} // namespace
+
 TEST(Codes, AreSortedAndFoundByTheirNumber) {
     const auto before = [](const CodeRow& a, const CodeRow& b) {
         return std::tie(a.letter, a.tenths) < std::tie(b.letter, b.tenths);
     };
-    for (std::size_t i = 0; i < codes().size(); ++i) {
-        const CodeRow& row = codes()[i];
-        EXPECT_EQ(findCode(row.letter, row.tenths), &row) << row.letter << row.tenths;
+    const std::span<const CodeRow* const> rows = linuxcnc().rows();
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const CodeRow& row = *rows[i];
+        EXPECT_EQ(linuxcnc().find(row.letter, row.tenths), &row) << row.letter << row.tenths;
         EXPECT_FALSE(std::string_view(row.name).empty());
-        EXPECT_TRUE(i == 0 || before(codes()[i - 1], row)) << row.letter << row.tenths;
+        EXPECT_TRUE(i == 0 || before(*rows[i - 1], row)) << row.letter << row.tenths;
     }
 }
 
 TEST(Codes, TakeEffectAtOneStepAGroup) {
-    for (const CodeRow& row : codes()) {
+    for (const CodeRow* one : linuxcnc().rows()) {
+        const CodeRow& row = *one;
         EXPECT_EQ(row.supported(), row.step != Step::none) << row.letter << row.tenths;
-        for (const CodeRow& other : codes()) {
+        for (const CodeRow* another : linuxcnc().rows()) {
+            const CodeRow& other = *another;
             // Two codes of different groups at one step would overwrite each other in a block.
             if (row.supported() && other.supported() && row.step == other.step &&
                 row.group != ModalGroup::motionOff && other.group != ModalGroup::motionOff) {
@@ -41,23 +52,23 @@ TEST(Codes, SupportWhatIsListedHere) {
                           880, 890, 900, 901, 910, 911, 920, 921, 922, 923, 930, 940, 950, 970, 980, 990};
     const std::set<int> m{0,   10,  20,  30,  40,  50,  60,  70,  80,  90,  190, 300, 480, 490,
                           500, 510, 520, 530, 600, 610, 620, 630, 640, 650, 670, 680, 980, 990};
-    for (const CodeRow& row : codes())
-        EXPECT_EQ(row.supported(), (row.letter == 'G' ? g : m).contains(row.tenths))
-            << row.letter << row.tenths;
+    for (const CodeRow* row : linuxcnc().rows())
+        EXPECT_EQ(row->supported(), (row->letter == 'G' ? g : m).contains(row->tenths))
+            << row->letter << row->tenths;
     for (const int tenths : g)
-        EXPECT_NE(findCode('G', tenths), nullptr) << tenths;
+        EXPECT_NE(linuxcnc().find('G', tenths), nullptr) << tenths;
     for (const int tenths : m)
-        EXPECT_NE(findCode('M', tenths), nullptr) << tenths;
+        EXPECT_NE(linuxcnc().find('M', tenths), nullptr) << tenths;
 }
 
 TEST(Codes, AreFoundByWords) {
-    EXPECT_EQ(findCode(Word{'G', 90.1, 1, 5}), findCode('G', 901));
-    EXPECT_EQ(findCode(Word{'G', 38.2, 1, 5}), findCode('G', 382));
-    EXPECT_EQ(findCode(Word{'G', 1.05, 1, 5}), nullptr);
-    EXPECT_EQ(findCode(Word{'G', -1, 1, 5}), nullptr);
-    EXPECT_EQ(findCode(Word{'G', 1e12, 1, 5}), nullptr);
-    EXPECT_EQ(findCode(Word{'X', 1, 1, 5}), nullptr);
-    EXPECT_EQ(findCode('G', 99999), nullptr);
+    EXPECT_EQ(linuxcnc().find(Word{'G', 90.1, 1, 5}), linuxcnc().find('G', 901));
+    EXPECT_EQ(linuxcnc().find(Word{'G', 38.2, 1, 5}), linuxcnc().find('G', 382));
+    EXPECT_EQ(linuxcnc().find(Word{'G', 1.05, 1, 5}), nullptr);
+    EXPECT_EQ(linuxcnc().find(Word{'G', -1, 1, 5}), nullptr);
+    EXPECT_EQ(linuxcnc().find(Word{'G', 1e12, 1, 5}), nullptr);
+    EXPECT_EQ(linuxcnc().find(Word{'X', 1, 1, 5}), nullptr);
+    EXPECT_EQ(linuxcnc().find('G', 99999), nullptr);
 }
 
 TEST(Codes, ExplainEveryOtherLetter) {

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The dialects of NC programs: what one control reads differently from another, as switches. Facts:
+// LinuxCNC's documentation and stand-alone interpreter; the operator's manuals of the other controls.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace proveout {
+
+enum class DialectId : std::uint8_t { linuxcnc, fanuc, haas, count };
+
+/// How parameters, expressions and jumps are written.
+enum class MacroLanguage : std::uint8_t {
+    oWords, ///< of LinuxCNC: #<name>, O… sub, O… if
+    macroB, ///< of Fanuc: a parameter that was never set is null; IF […] GOTO, WHILE […] DO
+};
+
+/// One row of the table of dialects.
+struct Dialect {
+    DialectId id;
+    std::string_view key;  ///< in files and on the command line
+    std::string_view name; ///< proper, the same in all languages
+    MacroLanguage macros;
+    /// What the number 1 without a decimal point means, as a part of the unit; 1: the unit itself.
+    double leastMm;
+    double leastInch;
+    /// Of two words with one letter, or two codes of one group, the last counts; otherwise they are an error.
+    bool lastWordCounts;
+    int mostMWords;     ///< in one block
+    bool refusesUnused; ///< words that nothing in their block uses are an error
+    bool beginsInRapid; ///< G0 is in force at the start
+    bool retractsToR;   ///< G99 is in force at the start, otherwise G98
+};
+
+/// All of them, in the order of DialectId.
+[[nodiscard]] std::span<const Dialect> dialects();
+[[nodiscard]] const Dialect& dialect(DialectId id);
+/// By its key; null where there is none.
+[[nodiscard]] const Dialect* findDialect(std::string_view key);
+
+} // namespace proveout
