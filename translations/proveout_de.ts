@@ -2486,6 +2486,22 @@
         <source>Lead out with G40.</source>
         <translation>Fahren Sie mit G40 von der Kontur weg.</translation>
     </message>
+    <message>
+        <source>M72 restores a modal state, but none is saved at this level of calls.</source>
+        <translation>M72 stellt einen modalen Zustand wieder her, aber in dieser Aufrufebene ist keiner gesichert.</translation>
+    </message>
+    <message>
+        <source>Write M70 or M73 before it, in the same subprogram.</source>
+        <translation>M70 oder M73 davor schreiben, im selben Unterprogramm.</translation>
+    </message>
+    <message>
+        <source>Other words stand beside M72.</source>
+        <translation>Neben M72 stehen andere Wörter.</translation>
+    </message>
+    <message>
+        <source>LinuxCNC drops what comes after the restoring; give M72 a block of its own.</source>
+        <translation>LinuxCNC lässt weg, was nach dem Wiederherstellen käme; M72 in einen eigenen Satz schreiben.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

@@ -2486,6 +2486,22 @@
         <source>Lead out with G40.</source>
         <translation>G40으로 보정을 취소하며 빠져나오십시오.</translation>
     </message>
+    <message>
+        <source>M72 restores a modal state, but none is saved at this level of calls.</source>
+        <translation>M72는 모달 상태를 복원하지만, 이 호출 단계에 저장된 상태가 없습니다.</translation>
+    </message>
+    <message>
+        <source>Write M70 or M73 before it, in the same subprogram.</source>
+        <translation>같은 서브프로그램 안에서 그 앞에 M70 또는 M73을 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>Other words stand beside M72.</source>
+        <translation>M72와 함께 다른 워드가 있습니다.</translation>
+    </message>
+    <message>
+        <source>LinuxCNC drops what comes after the restoring; give M72 a block of its own.</source>
+        <translation>LinuxCNC는 복원 뒤에 오는 것을 버립니다. M72를 별도의 블록에 쓰십시오.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

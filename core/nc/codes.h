@@ -61,6 +61,7 @@ enum class Step : std::uint8_t {
     toolChange,
     spindle,
     spindleOrientation,
+    modalSave,
     coolant,
     overrides,
     dwell,

@@ -230,6 +230,7 @@ bool ControlFlow::enter(Source& source, std::size_t entry, Level level, const Lo
 }
 
 void ControlFlow::leave() {
+    ++m_endedRuns;
     Level& level = m_levels.back();
     m_source = level.source;
     m_line = level.line;
@@ -348,10 +349,12 @@ bool ControlFlow::run(const FlowRequest& request) {
             return true;
         if (!m_levels.back().repeats)
             return fail(nc_message::kReturnOutside, {"M99"});
-        if (int& repeats = *m_levels.back().repeats; --repeats > 0)
+        if (int& repeats = *m_levels.back().repeats; --repeats > 0) {
+            ++m_endedRuns;
             m_line = m_levels.back().entry;
-        else
+        } else {
             leave();
+        }
         return true;
     }
     const std::string label = std::to_string(request.program);

@@ -63,6 +63,9 @@ public:
     /// program is left to the caller.
     [[nodiscard]] bool run(const FlowRequest& request);
     [[nodiscard]] bool inMainProgram() const { return m_levels.empty(); }
+    [[nodiscard]] std::size_t depth() const { return m_levels.size(); } ///< of calls; 0: main program
+    /// How many runs of subprograms have ended; M98 with L makes several.
+    [[nodiscard]] std::uint64_t endedRuns() const { return m_endedRuns; }
     /// At the end of a text: back to the caller; false in the main program.
     [[nodiscard]] bool leaveFile();
 
@@ -119,6 +122,7 @@ private:
     std::size_t m_line = 0; ///< next
     std::size_t m_at = 0;   ///< the line that is being carried out
     std::uint64_t m_steps = 0;
+    std::uint64_t m_endedRuns = 0;
     std::vector<Level> m_levels;
     std::unordered_map<std::size_t, std::uint64_t> m_counts; ///< rounds left of "repeat", by its line
 };

@@ -9,6 +9,7 @@
 #include "core/nc/control_flow.h"
 #include "core/nc/dialect.h"
 #include "core/nc/machine_state.h"
+#include "core/nc/modal_saves.h"
 #include "core/nc/parameters.h"
 #include "core/nc/program.h"
 #include "core/nc/reporter.h"
@@ -27,7 +28,9 @@ struct Execution {
     FlowRequest& request;
     Program& program;
     Reporter& reporter;
-    std::uint32_t line; ///< source line, 1-based
+    ModalSaves& saves;
+    std::size_t callLevel; ///< 0: the main program
+    std::uint32_t line;    ///< source line, 1-based
     std::size_t maxMotions;
     const WorkContext& context;
     bool machineCoordinates = false;       ///< G53: of this block's axis words
@@ -47,5 +50,8 @@ struct Execution {
 /// Checks a block and executes it: every word at its step, each group at most once. A block that contradicts
 /// itself is told and skipped whole, and the axes that it names are forgotten.
 void executeBlock(Execution& execution);
+
+/// Brings the modes of a saved state back by executing what differs; what goes wrong is told at `word`.
+void restore(Execution& execution, const MachineState& saved, const Word& word);
 
 } // namespace proveout

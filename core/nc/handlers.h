@@ -54,6 +54,12 @@ void cancelToolLength(Execution& execution, const Word& word); ///< G49
 void callProgram(Execution& execution, const Word& word);       ///< M98
 void returnFromProgram(Execution& execution, const Word& word); ///< M99
 
+// modal_save_codes.cpp
+void saveModes(Execution& execution, const Word& word);            ///< M70
+void discardModes(Execution& execution, const Word& word);         ///< M71
+void restoreModes(Execution& execution, const Word& word);         ///< M72
+void saveModesUntilReturn(Execution& execution, const Word& word); ///< M73
+
 // compensation_codes.cpp
 void endCompensation(Execution& execution, const Word& word);           ///< G40
 void compensateLeft(Execution& execution, const Word& word);            ///< G41

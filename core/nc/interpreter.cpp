@@ -123,8 +123,48 @@ private:
 
     void runFlow(bool first) {
         m_sourceBlocks += first ? 1 : 0;
-        if (!m_flow.run(*m_line.flow))
+        carryOut(*m_line.flow);
+    }
+
+    /// An order of the flow of the program; nobody knows what a failed one would have moved.
+    template<typename Order>
+    void carryOut(const Order& order) {
+        const std::size_t level = m_flow.depth();
+        const std::uint64_t endedRuns = m_flow.endedRuns();
+        const std::size_t line = m_flow.mainLine() + 1;
+        if (!m_flow.run(order))
             m_state.forget(LetterSet("XYZ"));
+        if (m_flow.endedRuns() != endedRuns)
+            restoreAfter(level, static_cast<std::uint32_t>(line));
+    }
+
+    /// What M73 saved in a subprogram comes back at its end.
+    void restoreAfter(std::size_t level, std::uint32_t line) {
+        const auto saved = m_saves.endRun(level);
+        if (!saved)
+            return;
+        FlowRequest none;
+        const Block empty;
+        Execution execution = executionOf(empty, none);
+        execution.line = line; // the caller's, where the subprogram has a file of its own
+        restore(execution, *saved, Word{'M', 72, 1, 0});
+    }
+
+    Execution executionOf(const Block& block, FlowRequest& request) {
+        return {m_dialect,
+                m_codes,
+                block,
+                m_state,
+                m_parameters,
+                m_tools,
+                request,
+                *m_program,
+                m_reporter,
+                m_saves,
+                m_flow.depth(),
+                static_cast<std::uint32_t>(m_flow.mainLine() + 1),
+                m_options.maxMotions,
+                m_context};
     }
 
     void runBlock(bool first) {
@@ -133,23 +173,12 @@ private:
         if (m_line.block.empty())
             return;
         FlowRequest request;
-        Execution execution{m_dialect,
-                            m_codes,
-                            m_line.block,
-                            m_state,
-                            m_parameters,
-                            m_tools,
-                            request,
-                            *m_program,
-                            m_reporter,
-                            static_cast<std::uint32_t>(m_flow.mainLine() + 1),
-                            m_options.maxMotions,
-                            m_context};
+        Execution execution = executionOf(m_line.block, request);
         executeBlock(execution);
         if (request.kind == FlowRequest::Kind::returns && m_flow.inMainProgram())
             endAtReturn(execution, request.word);
-        else if (!m_flow.run(request))
-            m_state.forget(LetterSet("XYZ"));
+        else if (request.kind != FlowRequest::Kind::none)
+            carryOut(request);
         m_finished = m_state.ended || tooLong();
     }
 
@@ -265,6 +294,7 @@ private:
     MachineState m_state;
     Parameters m_parameters;
     ToolOffsets m_tools;
+    ModalSaves m_saves;
     MachineValues m_values;
     ControlFlow m_flow;
     ReadContext m_readContext{m_parameters, m_values};

@@ -32,6 +32,9 @@ void setFeedMode(Execution& execution, FeedMode mode) {
         return;
     execution.state.feedMode = mode;
     execution.state.feed = 0;
+    // LinuxCNC keeps the number when G93 begins.
+    if (mode != FeedMode::inverseTime)
+        execution.state.feedNumber = 0;
 }
 
 /// The number of a tool, told where it is none.
@@ -60,6 +63,7 @@ void setFeed(Execution& execution, const Word& word) {
     if (tellNegative(execution, word))
         return;
     MachineState& state = execution.state;
+    state.feedNumber = word.value;
     state.feed = state.feedMode == FeedMode::inverseTime ? word.value : state.toMm(word.value);
     state.missingFeedTold = false;
 }

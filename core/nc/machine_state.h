@@ -36,6 +36,7 @@ struct MachineState {
 
     FeedMode feedMode = FeedMode::perMinute;
     double feed = 0;          ///< mm/min, 1/min or mm by mode; 0: none given
+    double feedNumber = 0;    ///< as F said, in the unit that was in force
     double spindleRpm = 0;    ///< as S said
     int spindleDirection = 0; ///< 1 clockwise, -1 counter-clockwise, 0 stopped
     int selectedTool = -1;    ///< by T; -1: none yet

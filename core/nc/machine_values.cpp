@@ -57,8 +57,7 @@ constexpr NamedValue kNamed[] = {
          return s.workOffset <= 6 ? 530.0 + 10.0 * s.workOffset : 590.0 + (s.workOffset - 6);
      }},
     {"_current_tool", [](const MachineState& s) { return static_cast<double>(s.tool); }},
-    {"_feed",
-     [](const MachineState& s) { return s.feedMode == FeedMode::inverseTime ? s.feed : s.fromMm(s.feed); }},
+    {"_feed", [](const MachineState& s) { return s.feedNumber; }},
     {"_flood", [](const MachineState& s) { return truth(s.flood); }},
     {"_ijk_absolute_mode", [](const MachineState& s) { return truth(s.arcCentreAbsolute); }},
     {"_imperial", [](const MachineState& s) { return truth(s.inch); }},

@@ -347,6 +347,14 @@ inline constexpr Message kFeedInOldUnit{
     Severity::warning, false, "feed-before-units",
     PROVEOUT_TEXT("Core", "The feed is read in the unit that was in force before {}."),
     PROVEOUT_TEXT("Core", "LinuxCNC reads F first; switch the unit in a block before.")};
+inline constexpr Message kNothingSaved{
+    Severity::error, true, "modal-state-not-saved",
+    PROVEOUT_TEXT("Core", "M72 restores a modal state, but none is saved at this level of calls."),
+    PROVEOUT_TEXT("Core", "Write M70 or M73 before it, in the same subprogram.")};
+inline constexpr Message kRestoreNotAlone{
+    Severity::warning, true, "modal-restore-not-alone",
+    PROVEOUT_TEXT("Core", "Other words stand beside M72."),
+    PROVEOUT_TEXT("Core", "LinuxCNC drops what comes after the restoring; give M72 a block of its own.")};
 inline constexpr Message kNoToolSelected{
     Severity::error, true, "tool-not-selected",
     PROVEOUT_TEXT("Core", "M6 changes the tool, but none is selected."),
