@@ -2502,6 +2502,182 @@
         <source>LinuxCNC drops what comes after the restoring; give M72 a block of its own.</source>
         <translation>LinuxCNC lässt weg, was nach dem Wiederherstellen käme; M72 in einen eigenen Satz schreiben.</translation>
     </message>
+    <message>
+        <source>G7 makes X a diameter, as on a lathe: LinuxCNC would halve every X.</source>
+        <translation>G7 macht X zum Durchmesser, wie auf einer Drehmaschine: LinuxCNC würde jedes X halbieren.</translation>
+    </message>
+    <message>
+        <source>Remove it, or write G8; X is shown as a radius.</source>
+        <translation>Entfernen oder G8 schreiben; X wird als Radius gezeigt.</translation>
+    </message>
+    <message>
+        <source>With G96 the spindle follows X; it is taken to turn at its limit D, {} rpm.</source>
+        <translation>Mit G96 folgt die Spindel X; angenommen wird ihre Grenze D, {} 1/min.</translation>
+    </message>
+    <message>
+        <source>X is no diameter on a mill: write G97 and a speed.</source>
+        <translation>Auf einer Fräsmaschine ist X kein Durchmesser: G97 und eine Drehzahl schreiben.</translation>
+    </message>
+    <message>
+        <source>With G96 and no D nobody knows how fast the spindle turns.</source>
+        <translation>Mit G96 ohne D weiß niemand, wie schnell die Spindel dreht.</translation>
+    </message>
+    <message>
+        <source>Write G97 and a speed, or a limit D.</source>
+        <translation>G97 und eine Drehzahl oder eine Grenze D schreiben.</translation>
+    </message>
+    <message>
+        <source>M66 has P and E: a digital and an analog input.</source>
+        <translation>M66 hat P und E: einen digitalen und einen analogen Eingang.</translation>
+    </message>
+    <message>
+        <source>Keep one of them.</source>
+        <translation>Eines davon behalten.</translation>
+    </message>
+    <message>
+        <source>M66 cannot wait for an analog input.</source>
+        <translation>M66 kann nicht auf einen analogen Eingang warten.</translation>
+    </message>
+    <message>
+        <source>Remove L, or write L0.</source>
+        <translation>L entfernen oder L0 schreiben.</translation>
+    </message>
+    <message>
+        <source>What M66 reads is known to the machine only; #5399 is taken to be {}.</source>
+        <translation>Was M66 liest, weiß nur die Maschine; für #5399 wird {} angenommen.</translation>
+    </message>
+    <message>
+        <source>What follows is verified as long as it does not read #5399.</source>
+        <translation>Was folgt, ist geprüft, solange es #5399 nicht liest.</translation>
+    </message>
+    <message>
+        <source>This line reads #5399, which holds an input of the machine.</source>
+        <translation>Diese Zeile liest #5399 und damit einen Eingang der Maschine.</translation>
+    </message>
+    <message>
+        <source>What follows may depend on it and cannot be vouched for.</source>
+        <translation>Was folgt, kann davon abhängen; dafür lässt sich nicht einstehen.</translation>
+    </message>
+    <message>
+        <source>The pitch K must be greater than 0.</source>
+        <translation>Die Steigung K muss größer als 0 sein.</translation>
+    </message>
+    <message>
+        <source>Check the K word; nothing moves.</source>
+        <translation>Das Wort K prüfen; nichts bewegt sich.</translation>
+    </message>
+    <message>
+        <source>{} moves in step with the spindle and takes no F.</source>
+        <translation>{} bewegt sich im Takt der Spindel und nimmt kein F.</translation>
+    </message>
+    <message>
+        <source>Remove F; the feed is the pitch K times the speed of the spindle.</source>
+        <translation>F entfernen; der Vorschub ist Steigung K mal Spindeldrehzahl.</translation>
+    </message>
+    <message>
+        <source>{} moves in step with the spindle, which does not turn.</source>
+        <translation>{} bewegt sich im Takt der Spindel, aber sie dreht nicht.</translation>
+    </message>
+    <message>
+        <source>Write S and M3 or M4 in a block before.</source>
+        <translation>S und M3 oder M4 in einen Satz davor schreiben.</translation>
+    </message>
+    <message>
+        <source>Probing with a feed per revolution (G95) is not possible.</source>
+        <translation>Antasten mit Vorschub je Umdrehung (G95) ist nicht möglich.</translation>
+    </message>
+    <message>
+        <source>Write G94 and a feed per minute.</source>
+        <translation>G94 und einen Vorschub je Minute schreiben.</translation>
+    </message>
+    <message>
+        <source>The probing motion ends where it begins.</source>
+        <translation>Die Antastbewegung endet, wo sie beginnt.</translation>
+    </message>
+    <message>
+        <source>Check the axis words.</source>
+        <translation>Die Achswörter prüfen.</translation>
+    </message>
+    <message>
+        <source>Where the probe meets the part is known to the machine only.</source>
+        <translation>Wo der Taster das Teil berührt, weiß nur die Maschine.</translation>
+    </message>
+    <message>
+        <source>It is taken to go to its programmed end; #5061 to #5069 hold that, #5070 is 0.</source>
+        <translation>Angenommen wird die Bewegung bis zum programmierten Ende; #5061 bis #5069 nennen es, #5070 ist 0.</translation>
+    </message>
+    <message>
+        <source>{} draws in the XY plane only.</source>
+        <translation>{} zeichnet nur in der XY-Ebene.</translation>
+    </message>
+    <message>
+        <source>Write G17 before it.</source>
+        <translation>G17 davor schreiben.</translation>
+    </message>
+    <message>
+        <source>G5 without I and J goes on from a G5, but the motion before it was none.</source>
+        <translation>G5 ohne I und J setzt ein G5 fort, aber die Bewegung davor war keines.</translation>
+    </message>
+    <message>
+        <source>Give I and J; LinuxCNC would take what some block before it left.</source>
+        <translation>I und J angeben; LinuxCNC nähme, was irgendein Satz davor hinterließ.</translation>
+    </message>
+    <message>
+        <source>The spline needs more than {} straight motions.</source>
+        <translation>Der Spline braucht mehr als {} gerade Bewegungen.</translation>
+    </message>
+    <message>
+        <source>Check its points.</source>
+        <translation>Seine Punkte prüfen.</translation>
+    </message>
+    <message>
+        <source>A control point needs both X and Y.</source>
+        <translation>Ein Kontrollpunkt braucht X und Y.</translation>
+    </message>
+    <message>
+        <source>Add the missing word; the point is left out.</source>
+        <translation>Das fehlende Wort ergänzen; der Punkt entfällt.</translation>
+    </message>
+    <message>
+        <source>A control point needs a weight P greater than 0.</source>
+        <translation>Ein Kontrollpunkt braucht ein Gewicht P größer als 0.</translation>
+    </message>
+    <message>
+        <source>Write P1 for an ordinary point; the point is left out.</source>
+        <translation>Für einen gewöhnlichen Punkt P1 schreiben; der Punkt entfällt.</translation>
+    </message>
+    <message>
+        <source>P without X and Y is the weight of the first control point only.</source>
+        <translation>P ohne X und Y ist nur das Gewicht des ersten Kontrollpunkts.</translation>
+    </message>
+    <message>
+        <source>Close the NURBS block with G5.3 before the next one begins.</source>
+        <translation>Den NURBS-Block mit G5.3 schließen, bevor der nächste beginnt.</translation>
+    </message>
+    <message>
+        <source>The NURBS block has {} control points, fewer than its order {}.</source>
+        <translation>Der NURBS-Block hat {} Kontrollpunkte, weniger als seine Ordnung {}.</translation>
+    </message>
+    <message>
+        <source>Add points, or lower the order L.</source>
+        <translation>Punkte ergänzen oder die Ordnung L senken.</translation>
+    </message>
+    <message>
+        <source>G5.3 closes a NURBS block, but none is open.</source>
+        <translation>G5.3 schließt einen NURBS-Block, aber keiner ist offen.</translation>
+    </message>
+    <message>
+        <source>Begin it with G5.2; other motions in between end it.</source>
+        <translation>Mit G5.2 beginnen; andere Bewegungen dazwischen beenden ihn.</translation>
+    </message>
+    <message>
+        <source>A NURBS block was begun by G5.2 but not closed: nothing moves along it.</source>
+        <translation>Ein NURBS-Block wurde mit G5.2 begonnen, aber nicht geschlossen: nichts bewegt sich darauf.</translation>
+    </message>
+    <message>
+        <source>Write G5.3 behind its last control point.</source>
+        <translation>G5.3 hinter den letzten Kontrollpunkt schreiben.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

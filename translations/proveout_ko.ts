@@ -2502,6 +2502,182 @@
         <source>LinuxCNC drops what comes after the restoring; give M72 a block of its own.</source>
         <translation>LinuxCNC는 복원 뒤에 오는 것을 버립니다. M72를 별도의 블록에 쓰십시오.</translation>
     </message>
+    <message>
+        <source>G7 makes X a diameter, as on a lathe: LinuxCNC would halve every X.</source>
+        <translation>G7은 선반처럼 X를 지름으로 만듭니다. LinuxCNC는 모든 X를 절반으로 읽습니다.</translation>
+    </message>
+    <message>
+        <source>Remove it, or write G8; X is shown as a radius.</source>
+        <translation>지우거나 G8을 쓰십시오. X는 반지름으로 표시됩니다.</translation>
+    </message>
+    <message>
+        <source>With G96 the spindle follows X; it is taken to turn at its limit D, {} rpm.</source>
+        <translation>G96에서는 주축이 X를 따릅니다. 한계값 D인 {} rpm으로 회전한다고 가정합니다.</translation>
+    </message>
+    <message>
+        <source>X is no diameter on a mill: write G97 and a speed.</source>
+        <translation>밀링 머신에서 X는 지름이 아닙니다. G97과 회전수를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>With G96 and no D nobody knows how fast the spindle turns.</source>
+        <translation>D 없는 G96에서는 주축이 얼마나 빨리 도는지 알 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Write G97 and a speed, or a limit D.</source>
+        <translation>G97과 회전수를, 또는 한계값 D를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>M66 has P and E: a digital and an analog input.</source>
+        <translation>M66에 P와 E가 모두 있습니다: 디지털 입력과 아날로그 입력.</translation>
+    </message>
+    <message>
+        <source>Keep one of them.</source>
+        <translation>둘 중 하나만 남기십시오.</translation>
+    </message>
+    <message>
+        <source>M66 cannot wait for an analog input.</source>
+        <translation>M66은 아날로그 입력을 기다릴 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Remove L, or write L0.</source>
+        <translation>L을 지우거나 L0을 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>What M66 reads is known to the machine only; #5399 is taken to be {}.</source>
+        <translation>M66이 읽는 값은 기계만 압니다. #5399는 {}(으)로 가정합니다.</translation>
+    </message>
+    <message>
+        <source>What follows is verified as long as it does not read #5399.</source>
+        <translation>#5399를 읽지 않는 한 뒤의 내용은 검증됩니다.</translation>
+    </message>
+    <message>
+        <source>This line reads #5399, which holds an input of the machine.</source>
+        <translation>이 줄은 기계의 입력이 담긴 #5399를 읽습니다.</translation>
+    </message>
+    <message>
+        <source>What follows may depend on it and cannot be vouched for.</source>
+        <translation>뒤의 내용은 이 값에 좌우될 수 있어 보증할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>The pitch K must be greater than 0.</source>
+        <translation>피치 K는 0보다 커야 합니다.</translation>
+    </message>
+    <message>
+        <source>Check the K word; nothing moves.</source>
+        <translation>K 워드를 확인하십시오. 아무것도 움직이지 않습니다.</translation>
+    </message>
+    <message>
+        <source>{} moves in step with the spindle and takes no F.</source>
+        <translation>{}은(는) 주축에 맞추어 움직이므로 F를 받지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Remove F; the feed is the pitch K times the speed of the spindle.</source>
+        <translation>F를 지우십시오. 이송은 피치 K에 주축 회전수를 곱한 값입니다.</translation>
+    </message>
+    <message>
+        <source>{} moves in step with the spindle, which does not turn.</source>
+        <translation>{}은(는) 주축에 맞추어 움직이지만 주축이 돌지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Write S and M3 or M4 in a block before.</source>
+        <translation>앞 블록에 S와 M3 또는 M4를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>Probing with a feed per revolution (G95) is not possible.</source>
+        <translation>회전당 이송(G95)으로는 프로빙할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Write G94 and a feed per minute.</source>
+        <translation>G94와 분당 이송을 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The probing motion ends where it begins.</source>
+        <translation>프로빙 이동이 시작한 곳에서 끝납니다.</translation>
+    </message>
+    <message>
+        <source>Check the axis words.</source>
+        <translation>축 워드를 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>Where the probe meets the part is known to the machine only.</source>
+        <translation>프로브가 어디에서 공작물에 닿는지는 기계만 압니다.</translation>
+    </message>
+    <message>
+        <source>It is taken to go to its programmed end; #5061 to #5069 hold that, #5070 is 0.</source>
+        <translation>프로그램된 끝점까지 간다고 가정합니다. #5061~#5069에 그 값이 있고 #5070은 0입니다.</translation>
+    </message>
+    <message>
+        <source>{} draws in the XY plane only.</source>
+        <translation>{}은(는) XY 평면에서만 그립니다.</translation>
+    </message>
+    <message>
+        <source>Write G17 before it.</source>
+        <translation>그 앞에 G17을 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>G5 without I and J goes on from a G5, but the motion before it was none.</source>
+        <translation>I와 J 없는 G5는 앞의 G5를 잇지만, 바로 앞 이동은 G5가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>Give I and J; LinuxCNC would take what some block before it left.</source>
+        <translation>I와 J를 지정하십시오. LinuxCNC는 앞의 어떤 블록이 남긴 값을 씁니다.</translation>
+    </message>
+    <message>
+        <source>The spline needs more than {} straight motions.</source>
+        <translation>이 스플라인에는 직선 이동이 {}개 넘게 필요합니다.</translation>
+    </message>
+    <message>
+        <source>Check its points.</source>
+        <translation>점들을 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>A control point needs both X and Y.</source>
+        <translation>제어점에는 X와 Y가 모두 필요합니다.</translation>
+    </message>
+    <message>
+        <source>Add the missing word; the point is left out.</source>
+        <translation>빠진 워드를 더하십시오. 이 점은 제외됩니다.</translation>
+    </message>
+    <message>
+        <source>A control point needs a weight P greater than 0.</source>
+        <translation>제어점에는 0보다 큰 가중치 P가 필요합니다.</translation>
+    </message>
+    <message>
+        <source>Write P1 for an ordinary point; the point is left out.</source>
+        <translation>보통 점이면 P1을 쓰십시오. 이 점은 제외됩니다.</translation>
+    </message>
+    <message>
+        <source>P without X and Y is the weight of the first control point only.</source>
+        <translation>X와 Y 없는 P는 첫 제어점의 가중치일 뿐입니다.</translation>
+    </message>
+    <message>
+        <source>Close the NURBS block with G5.3 before the next one begins.</source>
+        <translation>다음 NURBS 블록을 시작하기 전에 G5.3으로 닫으십시오.</translation>
+    </message>
+    <message>
+        <source>The NURBS block has {} control points, fewer than its order {}.</source>
+        <translation>NURBS 블록의 제어점은 {}개로, 차수 {}보다 적습니다.</translation>
+    </message>
+    <message>
+        <source>Add points, or lower the order L.</source>
+        <translation>점을 더하거나 차수 L을 낮추십시오.</translation>
+    </message>
+    <message>
+        <source>G5.3 closes a NURBS block, but none is open.</source>
+        <translation>G5.3은 NURBS 블록을 닫지만, 열린 블록이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Begin it with G5.2; other motions in between end it.</source>
+        <translation>G5.2로 시작하십시오. 사이의 다른 이동은 블록을 끝냅니다.</translation>
+    </message>
+    <message>
+        <source>A NURBS block was begun by G5.2 but not closed: nothing moves along it.</source>
+        <translation>G5.2로 시작한 NURBS 블록이 닫히지 않아, 그 위로는 아무것도 움직이지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Write G5.3 behind its last control point.</source>
+        <translation>마지막 제어점 뒤에 G5.3을 쓰십시오.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

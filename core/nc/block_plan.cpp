@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/block_plan.h"
 
-#include <fmt/format.h>
 #include <string>
 
 #include "core/nc/handlers.h"
@@ -16,10 +15,6 @@ constexpr LetterSet kOtherAxes("ABCUVW");
 constexpr LetterSet kArcLetters("IJKR");
 constexpr LetterSet kOwnMeaning("FSTNO");
 constexpr int kIncrementalTenths = 910; ///< G91
-
-std::string asText(const Word& word) {
-    return fmt::format("{}{:g}", word.letter, word.value);
-}
 
 class Planner {
 public:
@@ -47,14 +42,14 @@ private:
         if (word.letter == 'M' && ++m_mWords > m_execution.dialect.mostMWords)
             return refuse(nc_message::kTooManyM, word);
         if (row == nullptr) {
-            tell(nc_message::kUnknownCode, word, {asText(word)});
+            tell(nc_message::kUnknownCode, word, {nameOf(word)});
             m_strange = true;
             m_unknownCode = true;
             return true;
         }
         const Word*& rival = m_groups[static_cast<std::size_t>(row->group)];
         if (rival != nullptr)
-            return refuse(nc_message::kModalConflict, word, {asText(*rival), asText(word)});
+            return refuse(nc_message::kModalConflict, word, {nameOf(*rival), nameOf(word)});
         rival = &word;
         if (row->group == ModalGroup::motion)
             m_motionRow = row;
@@ -76,7 +71,7 @@ private:
     }
 
     void planUnsupported(const CodeRow& row, const Word& word) {
-        tell(nc_message::kUnsupportedCode, word, {asText(word), row.name});
+        tell(nc_message::kUnsupportedCode, word, {nameOf(word), row.name});
         m_strange = true;
         if (row.axisUse == AxisUse::none)
             return;
@@ -91,7 +86,7 @@ private:
             m_machineWord = &word;
             m_execution.machineCoordinates = true;
         } else if (m_axisWord != nullptr) {
-            return refuse(nc_message::kAxesTwice, word, {asText(*m_axisWord), asText(word)});
+            return refuse(nc_message::kAxesTwice, word, {nameOf(*m_axisWord), nameOf(word)});
         } else {
             m_axisWord = &word;
         }
@@ -147,7 +142,7 @@ private:
             return true;
         const Word& motion = *groupWord(ModalGroup::motion);
         if (named)
-            return refuse(nc_message::kAxesTwice, motion, {asText(*m_axisWord), asText(motion)});
+            return refuse(nc_message::kAxesTwice, motion, {nameOf(*m_axisWord), nameOf(motion)});
         m_execution.state.motion = m_motionRow;
         return true;
     }
@@ -257,7 +252,7 @@ void BlockPlan::run(Execution& execution) const {
         const Order& order = m_orders[static_cast<std::size_t>(std::countr_zero(rest))];
         // Asked only now: G40 of the same block comes first.
         if (order.withCompensation == WithCompensation::refused && execution.state.compensation.on)
-            execution.reporter.tell(nc_message::kCompensationForbids, *order.word, {asText(*order.word)});
+            execution.reporter.tell(nc_message::kCompensationForbids, *order.word, {nameOf(*order.word)});
         else
             order.handler(execution, *order.word);
     }

@@ -73,6 +73,7 @@ enum class Step : std::uint8_t {
     pathControl,
     distance,
     arcDistance,
+    diameterMode,
     retract,
     nonModal, ///< G10, G28, G30, G52, G92
     motion,

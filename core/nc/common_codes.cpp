@@ -32,7 +32,7 @@ constexpr CodeRow kCommon[] = {
     {'G', 930, ModalGroup::feedMode, PROVEOUT_TEXT("Core", "inverse time feed"), feedInverseTime, Step::feedMode},
     {'G', 940, ModalGroup::feedMode, PROVEOUT_TEXT("Core", "feed per minute"), feedPerMinute, Step::feedMode},
     {'G', 950, ModalGroup::feedMode, PROVEOUT_TEXT("Core", "feed per revolution"), feedPerRevolution, Step::feedMode},
-    {'G', 970, ModalGroup::spindleMode, PROVEOUT_TEXT("Core", "constant spindle speed"), keepState, Step::spindleMode},
+    {'G', 970, ModalGroup::spindleMode, PROVEOUT_TEXT("Core", "constant spindle speed"), keepSpindleSpeed, Step::spindleMode},
     {'G', 980, ModalGroup::retract, PROVEOUT_TEXT("Core", "cycles retract to the initial level"), retractToInitialLevel, Step::retract},
     {'G', 990, ModalGroup::retract, PROVEOUT_TEXT("Core", "cycles retract to the R level"), retractToRLevel, Step::retract},
     {'M', 0, ModalGroup::stop, PROVEOUT_TEXT("Core", "program stop"), stopProgram, Step::stop},

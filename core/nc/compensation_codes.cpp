@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cutter compensation on and off: G40 to G42.1.
 #include <cmath>
-#include <fmt/format.h>
 #include <optional>
 #include <string>
 
@@ -15,10 +14,6 @@ namespace {
 constexpr double kLeft = 1;
 constexpr double kRight = -1;
 constexpr int kLargestNumber = 99999;
-
-std::string nameOf(const Word& word) {
-    return fmt::format("{}{:g}", word.letter, word.value);
-}
 
 bool mayBegin(Execution& execution, const Word& word) {
     const MachineState& state = execution.state;

@@ -13,6 +13,7 @@
 #include "core/nc/parameters.h"
 #include "core/nc/program.h"
 #include "core/nc/reporter.h"
+#include "core/nc/spline_state.h"
 #include "core/nc/tool_offsets.h"
 
 namespace proveout {
@@ -29,6 +30,7 @@ struct Execution {
     Program& program;
     Reporter& reporter;
     ModalSaves& saves;
+    SplineState& splines;
     std::size_t callLevel; ///< 0: the main program
     std::uint32_t line;    ///< source line, 1-based
     std::size_t maxMotions;

@@ -12,7 +12,24 @@ void moveFeed(Execution& execution, const Word& word);                ///< G1
 void moveArcClockwise(Execution& execution, const Word& word);        ///< G2
 void moveArcCounterClockwise(Execution& execution, const Word& word); ///< G3
 
+// synchronised_codes.cpp
+void moveInStep(Execution& execution, const Word& word); ///< G33
+void tapRigidly(Execution& execution, const Word& word); ///< G33.1
+
+// spline_codes.cpp
+void followCubic(Execution& execution, const Word& word);     ///< G5
+void followQuadratic(Execution& execution, const Word& word); ///< G5.1
+void addNurbsPoint(Execution& execution, const Word& word);   ///< G5.2
+void followNurbs(Execution& execution, const Word& word);     ///< G5.3
+
+// probe_codes.cpp
+void probe(Execution& execution, const Word& word); ///< G38.2 to G38.5
+
+// input_codes.cpp
+void waitForInput(Execution& execution, const Word& word); ///< M66
+
 // modal_codes.cpp
+void refuseDiameters(Execution& execution, const Word& word);         ///< G7
 void setPlaneXy(Execution& execution, const Word& word);              ///< G17
 void setPlaneZx(Execution& execution, const Word& word);              ///< G18
 void setPlaneYz(Execution& execution, const Word& word);              ///< G19
@@ -72,6 +89,8 @@ void dwell(Execution& execution, const Word& word);                       ///< G
 void feedInverseTime(Execution& execution, const Word& word);             ///< G93
 void feedPerMinute(Execution& execution, const Word& word);               ///< G94
 void feedPerRevolution(Execution& execution, const Word& word);           ///< G95
+void keepSurfaceSpeed(Execution& execution, const Word& word);            ///< G96
+void keepSpindleSpeed(Execution& execution, const Word& word);            ///< G97
 void setToolNumber(Execution& execution, const Word& word);               ///< M61
 void changePallet(Execution& execution, const Word& word);                ///< M60
 void setFeed(Execution& execution, const Word& word);                     ///< F

@@ -104,6 +104,7 @@ private:
         readLine(text, m_readContext, m_line);
         if (m_line.deleteMark && m_options.blockDelete)
             return;
+        tellInputRead();
         if (first)
             tellAboutLine(text);
         if (m_line.error) {
@@ -124,6 +125,15 @@ private:
     void runFlow(bool first) {
         m_sourceBlocks += first ? 1 : 0;
         carryOut(*m_line.flow);
+        tellInputRead();
+    }
+
+    /// From here on the program depends on what only the machine has.
+    void tellInputRead() {
+        if (!m_values.takeInputRead() || !m_state.inputAssumed)
+            return;
+        m_state.inputAssumed = false;
+        m_reporter.tell(nc_message::kInputUsed, 1, 0);
     }
 
     /// An order of the flow of the program; nobody knows what a failed one would have moved.
@@ -161,6 +171,7 @@ private:
                 *m_program,
                 m_reporter,
                 m_saves,
+                m_splines,
                 m_flow.depth(),
                 static_cast<std::uint32_t>(m_flow.mainLine() + 1),
                 m_options.maxMotions,
@@ -193,6 +204,8 @@ private:
     void assign() {
         for (const Assignment& order : m_line.assignments) {
             const std::string& name = order.target.name;
+            if (name.empty() && order.target.number == kInputParameter)
+                m_state.inputAssumed = false;
             const bool readOnly = name.empty() ? m_values.numbered(order.target.number).has_value()
                                                : m_values.named(name).has_value();
             const std::string shown =
@@ -265,6 +278,8 @@ private:
     void tellAboutTheWhole(std::size_t linesRead) {
         if (m_state.compensation.on)
             m_reporter.tellInAnyCase(nc_message::kCompensationAtEnd, 1, 0);
+        if (!m_splines.nurbs.points.empty())
+            m_reporter.tellInAnyCase(nc_message::kNurbsOpen, 1, 0);
         const std::size_t rest = firstTextFrom(linesRead);
         if ((m_state.ended || m_percentClosed) && rest < m_text.lineCount()) {
             m_reporter.beginLine(static_cast<std::uint32_t>(rest + 1));
@@ -295,6 +310,7 @@ private:
     Parameters m_parameters;
     ToolOffsets m_tools;
     ModalSaves m_saves;
+    SplineState m_splines;
     MachineValues m_values;
     ControlFlow m_flow;
     ReadContext m_readContext{m_parameters, m_values};

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <fmt/format.h>
 #include <optional>
 #include <string>
 
@@ -83,6 +84,26 @@ void feedPerRevolution(Execution& execution, const Word& /*word*/) {
 void setSpindleSpeed(Execution& execution, const Word& word) {
     if (!tellNegative(execution, word))
         execution.state.spindleRpm = word.value;
+}
+
+void keepSurfaceSpeed(Execution& execution, const Word& word) {
+    const Block& block = execution.block;
+    if (!block.has('S')) {
+        execution.reporter.tell(nc_message::kWordMissing, word, {"G96", "S"});
+        return;
+    }
+    execution.state.surfaceSpeed = true;
+    execution.state.mostRpm = block.has('D') ? std::abs(block.value('D')) : 0;
+    if (execution.state.mostRpm > 0) {
+        execution.reporter.tell(nc_message::kSurfaceSpeedLimited, word,
+                                {fmt::format("{:g}", execution.state.mostRpm)});
+    } else {
+        execution.reporter.tell(nc_message::kSurfaceSpeedUnknown, word);
+    }
+}
+
+void keepSpindleSpeed(Execution& execution, const Word& /*word*/) {
+    execution.state.surfaceSpeed = false;
 }
 
 void selectTool(Execution& execution, const Word& word) {

@@ -35,12 +35,14 @@ struct MachineState {
     bool flood = false;
 
     FeedMode feedMode = FeedMode::perMinute;
-    double feed = 0;          ///< mm/min, 1/min or mm by mode; 0: none given
-    double feedNumber = 0;    ///< as F said, in the unit that was in force
-    double spindleRpm = 0;    ///< as S said
-    int spindleDirection = 0; ///< 1 clockwise, -1 counter-clockwise, 0 stopped
-    int selectedTool = -1;    ///< by T; -1: none yet
-    int tool = 0;             ///< in the spindle; 0: none
+    double feed = 0;           ///< mm/min, 1/min or mm by mode; 0: none given
+    double feedNumber = 0;     ///< as F said, in the unit that was in force
+    double spindleRpm = 0;     ///< as S said
+    bool surfaceSpeed = false; ///< G96: S counts along the cut, and the spindle follows X
+    double mostRpm = 0;        ///< by D of G96; 0: none given
+    int spindleDirection = 0;  ///< 1 clockwise, -1 counter-clockwise, 0 stopped
+    int selectedTool = -1;     ///< by T; -1: none yet
+    int tool = 0;              ///< in the spindle; 0: none
 
     CycleState cycle;
 
@@ -62,7 +64,12 @@ struct MachineState {
     std::uint8_t unknownTold = 0; ///< AxisBits
     bool missingFeedTold = false;
     bool referenceTold = false;
+    bool probeTold = false;
 
+    bool inputAssumed = false; ///< M66 put into #5399 what nobody knows, and nothing has read it yet
+
+    /// Of the spindle where it turns; 0 where G96 leaves it open.
+    [[nodiscard]] double rpm() const { return surfaceSpeed ? mostRpm : spindleRpm; }
     [[nodiscard]] double toMm(double value) const { return inch ? value * kMmPerInch : value; }
     [[nodiscard]] double fromMm(double value) const { return inch ? value / kMmPerInch : value; }
 

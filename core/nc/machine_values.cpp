@@ -87,6 +87,7 @@ std::optional<double> MachineValues::numbered(int number) const {
         return m_state.tool;
     if (number == kActiveOffset)
         return m_state.workOffset;
+    m_inputRead = m_inputRead || number == kInputParameter;
     return {};
 }
 

@@ -1,10 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <utility>
+
 #include "core/nc/machine_state.h"
 #include "core/nc/parameters.h"
 
 namespace proveout {
+
+/// Where M66 leaves what it has read.
+inline constexpr int kInputParameter = 5399;
 
 /// What LinuxCNC's parameters tell of the machine: #5420 to #5428, #<_x>, #<_metric> and the like. Keeps a
 /// reference to the state.
@@ -16,8 +21,12 @@ public:
     [[nodiscard]] bool hidden(int number) const override;
     [[nodiscard]] std::optional<double> named(std::string_view name) const override;
 
+    /// Whether the parameter of M66 was asked for since the last call of this.
+    [[nodiscard]] bool takeInputRead() { return std::exchange(m_inputRead, false); }
+
 private:
     const MachineState& m_state;
+    mutable bool m_inputRead = false;
 };
 
 } // namespace proveout

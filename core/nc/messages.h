@@ -347,6 +347,88 @@ inline constexpr Message kFeedInOldUnit{
     Severity::warning, false, "feed-before-units",
     PROVEOUT_TEXT("Core", "The feed is read in the unit that was in force before {}."),
     PROVEOUT_TEXT("Core", "LinuxCNC reads F first; switch the unit in a block before.")};
+inline constexpr Message kDiameterMode{
+    Severity::error, true, "diameter-mode",
+    PROVEOUT_TEXT("Core", "G7 makes X a diameter, as on a lathe: LinuxCNC would halve every X."),
+    PROVEOUT_TEXT("Core", "Remove it, or write G8; X is shown as a radius.")};
+inline constexpr Message kSurfaceSpeedLimited{
+    Severity::warning, false, "surface-speed-limited",
+    PROVEOUT_TEXT("Core", "With G96 the spindle follows X; it is taken to turn at its limit D, {} rpm."),
+    PROVEOUT_TEXT("Core", "X is no diameter on a mill: write G97 and a speed.")};
+inline constexpr Message kSurfaceSpeedUnknown{
+    Severity::warning, false, "surface-speed-unknown",
+    PROVEOUT_TEXT("Core", "With G96 and no D nobody knows how fast the spindle turns."),
+    PROVEOUT_TEXT("Core", "Write G97 and a speed, or a limit D.")};
+inline constexpr Message kInputTwice{Severity::error, true, "input-twice",
+                                     PROVEOUT_TEXT("Core", "M66 has P and E: a digital and an analog input."),
+                                     PROVEOUT_TEXT("Core", "Keep one of them.")};
+inline constexpr Message kInputWait{Severity::error, true, "input-wait",
+                                    PROVEOUT_TEXT("Core", "M66 cannot wait for an analog input."),
+                                    PROVEOUT_TEXT("Core", "Remove L, or write L0.")};
+inline constexpr Message kInputAssumed{
+    Severity::warning, false, "input-assumed",
+    PROVEOUT_TEXT("Core", "What M66 reads is known to the machine only; #5399 is taken to be {}."),
+    PROVEOUT_TEXT("Core", "What follows is verified as long as it does not read #5399.")};
+inline constexpr Message kInputUsed{
+    Severity::warning, true, "input-used",
+    PROVEOUT_TEXT("Core", "This line reads #5399, which holds an input of the machine."),
+    PROVEOUT_TEXT("Core", "What follows may depend on it and cannot be vouched for.")};
+inline constexpr Message kPitch{Severity::error, true, "pitch",
+                                PROVEOUT_TEXT("Core", "The pitch K must be greater than 0."),
+                                PROVEOUT_TEXT("Core", "Check the K word; nothing moves.")};
+inline constexpr Message kSynchronisedFeed{
+    Severity::error, true, "synchronised-feed",
+    PROVEOUT_TEXT("Core", "{} moves in step with the spindle and takes no F."),
+    PROVEOUT_TEXT("Core", "Remove F; the feed is the pitch K times the speed of the spindle.")};
+inline constexpr Message kSynchronisedSpindle{
+    Severity::error, true, "synchronised-spindle",
+    PROVEOUT_TEXT("Core", "{} moves in step with the spindle, which does not turn."),
+    PROVEOUT_TEXT("Core", "Write S and M3 or M4 in a block before.")};
+inline constexpr Message kProbePerRevolution{
+    Severity::error, true, "probe-feed-mode",
+    PROVEOUT_TEXT("Core", "Probing with a feed per revolution (G95) is not possible."),
+    PROVEOUT_TEXT("Core", "Write G94 and a feed per minute.")};
+inline constexpr Message kProbeTooClose{Severity::error, true, "probe-too-close",
+                                        PROVEOUT_TEXT("Core", "The probing motion ends where it begins."),
+                                        PROVEOUT_TEXT("Core", "Check the axis words.")};
+inline constexpr Message kProbeAssumed{
+    Severity::warning, true, "probe-assumed",
+    PROVEOUT_TEXT("Core", "Where the probe meets the part is known to the machine only."),
+    PROVEOUT_TEXT("Core", "It is taken to go to its programmed end; #5061 to #5069 hold that, #5070 is 0.")};
+inline constexpr Message kSplinePlane{Severity::error, true, "spline-plane",
+                                      PROVEOUT_TEXT("Core", "{} draws in the XY plane only."),
+                                      PROVEOUT_TEXT("Core", "Write G17 before it.")};
+inline constexpr Message kSplineHandle{
+    Severity::error, true, "spline-handle",
+    PROVEOUT_TEXT("Core", "G5 without I and J goes on from a G5, but the motion before it was none."),
+    PROVEOUT_TEXT("Core", "Give I and J; LinuxCNC would take what some block before it left.")};
+inline constexpr Message kSplineTooLong{
+    Severity::error, true, "spline-too-long",
+    PROVEOUT_TEXT("Core", "The spline needs more than {} straight motions."),
+    PROVEOUT_TEXT("Core", "Check its points.")};
+inline constexpr Message kNurbsAxes{Severity::error, true, "nurbs-axes",
+                                    PROVEOUT_TEXT("Core", "A control point needs both X and Y."),
+                                    PROVEOUT_TEXT("Core", "Add the missing word; the point is left out.")};
+inline constexpr Message kNurbsWeight{
+    Severity::error, true, "nurbs-weight",
+    PROVEOUT_TEXT("Core", "A control point needs a weight P greater than 0."),
+    PROVEOUT_TEXT("Core", "Write P1 for an ordinary point; the point is left out.")};
+inline constexpr Message kNurbsWeightAlone{
+    Severity::error, true, "nurbs-weight-alone",
+    PROVEOUT_TEXT("Core", "P without X and Y is the weight of the first control point only."),
+    PROVEOUT_TEXT("Core", "Close the NURBS block with G5.3 before the next one begins.")};
+inline constexpr Message kNurbsPoints{
+    Severity::error, true, "nurbs-points",
+    PROVEOUT_TEXT("Core", "The NURBS block has {} control points, fewer than its order {}."),
+    PROVEOUT_TEXT("Core", "Add points, or lower the order L.")};
+inline constexpr Message kNurbsNotOpen{
+    Severity::error, true, "nurbs-not-open",
+    PROVEOUT_TEXT("Core", "G5.3 closes a NURBS block, but none is open."),
+    PROVEOUT_TEXT("Core", "Begin it with G5.2; other motions in between end it.")};
+inline constexpr Message kNurbsOpen{
+    Severity::error, true, "nurbs-open",
+    PROVEOUT_TEXT("Core", "A NURBS block was begun by G5.2 but not closed: nothing moves along it."),
+    PROVEOUT_TEXT("Core", "Write G5.3 behind its last control point.")};
 inline constexpr Message kNothingSaved{
     Severity::error, true, "modal-state-not-saved",
     PROVEOUT_TEXT("Core", "M72 restores a modal state, but none is saved at this level of calls."),

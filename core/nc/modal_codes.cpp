@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/format.h>
-
 #include "core/nc/execution.h"
 #include "core/nc/handlers.h"
 
@@ -14,15 +12,13 @@ void setUnits(Execution& execution, const Word& word, bool inch) {
     execution.state.inch = inch;
     execution.program.append(UnitsChange{inch}, execution.line);
     if (execution.block.has('F')) {
-        execution.reporter.tell(nc_message::kFeedInOldUnit, execution.block.word('F'),
-                                {fmt::format("{}{:g}", word.letter, word.value)});
+        execution.reporter.tell(nc_message::kFeedInOldUnit, execution.block.word('F'), {nameOf(word)});
     }
 }
 
 void setPlane(Execution& execution, const Word& word, Plane plane) {
     if (execution.state.compensation.on && plane != execution.state.plane) {
-        execution.reporter.tell(nc_message::kCompensationForbids, word,
-                                {fmt::format("{}{:g}", word.letter, word.value)});
+        execution.reporter.tell(nc_message::kCompensationForbids, word, {nameOf(word)});
         return;
     }
     execution.state.plane = plane;
@@ -64,6 +60,10 @@ void setArcCentreAbsolute(Execution& execution, const Word& /*word*/) {
 
 void setArcCentreIncremental(Execution& execution, const Word& /*word*/) {
     execution.state.arcCentreAbsolute = false;
+}
+
+void refuseDiameters(Execution& execution, const Word& word) {
+    execution.reporter.tell(nc_message::kDiameterMode, word);
 }
 
 void keepState(Execution& /*execution*/, const Word& /*word*/) {}

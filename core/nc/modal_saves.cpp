@@ -46,6 +46,7 @@ struct Mode {
 };
 constexpr Mode kModes[] = {
     {'G', feedModeCode},
+    {'G', [](const MachineState& s) { return s.surfaceSpeed ? 96.0 : 97.0; }},
     {'F', [](const MachineState& s) { return s.feedNumber; }},
     {'S', [](const MachineState& s) { return s.spindleRpm; }},
     {'M', spindleCode},

@@ -49,8 +49,8 @@ Motion motionFromHere(const Execution& execution, MotionKind kind) {
     motion.plane = state.plane;
     motion.line = execution.line;
     motion.tool = state.tool;
-    motion.spindleRpm = state.spindleDirection * state.spindleRpm;
-    motion.orderedRpm = state.spindleRpm;
+    motion.spindleRpm = state.spindleDirection * state.rpm();
+    motion.orderedRpm = state.rpm();
     if (kind != MotionKind::rapid)
         setFeed(motion, state);
     motion.start = motion.end = state.position;
@@ -185,7 +185,7 @@ void tellMissingFeed(Execution& execution, const Word& word) {
     if (inverse || state.missingFeedTold)
         return;
     const bool stands = state.feedMode == FeedMode::perRevolution && state.feed > 0 &&
-                        (state.spindleDirection == 0 || state.spindleRpm <= 0);
+                        (state.spindleDirection == 0 || state.rpm() <= 0);
     state.missingFeedTold = state.feed <= 0 || stands;
     if (state.missingFeedTold)
         execution.reporter.tell(stands ? nc_message::kFeedWithoutSpindle : nc_message::kNoFeed, word);
@@ -215,9 +215,15 @@ void setInverseTimeFeed(const Execution& execution, Motion& motion) {
 
 void appendMotion(Execution& execution, Motion motion) {
     motion.start += execution.state.compensation.displacement;
+    setInverseTimeFeed(execution, motion);
+    motion.start -= execution.state.compensation.displacement;
+    appendWithFeed(execution, motion);
+}
+
+void appendWithFeed(Execution& execution, Motion motion) {
+    motion.start += execution.state.compensation.displacement;
     execution.state.compensation.displacement = Vec3(0);
     motion.unverified = execution.reporter.unverified();
-    setInverseTimeFeed(execution, motion);
     execution.program.append(motion);
     arrive(execution.state, motion);
 }

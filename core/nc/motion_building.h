@@ -50,6 +50,9 @@ void setInverseTimeFeed(const Execution& execution, Motion& motion);
 /// Appends a motion as it is, from where the tip stands.
 void appendMotion(Execution& execution, Motion motion);
 
+/// The same for a motion that has its feed already, whatever the mode of the feed.
+void appendWithFeed(Execution& execution, Motion motion);
+
 /// Appends a motion that a block orders: the path beside it while cutter compensation is on. What is wrong
 /// with that is told at `word`.
 void appendOrdered(Execution& execution, const Word& word, const Motion& motion);

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/reporter.h"
 
+#include <fmt/format.h>
 #include <utility>
 
 namespace proveout {
+
+std::string nameOf(const Word& word) {
+    return fmt::format("{}{:g}", word.letter, word.value);
+}
 
 void Reporter::tell(const Message& message, int column, int length, std::vector<std::string> arguments) {
     m_unverified = m_unverified || message.unverified;

@@ -11,6 +11,9 @@
 
 namespace proveout {
 
+/// A word as messages show it: "G38.2".
+[[nodiscard]] std::string nameOf(const Word& word);
+
 /// Hands messages to the program that is being built: the first `limit` of them, then a count. Keeps a
 /// reference to the program. Knows whether anything was told that leaves the rest unverified.
 class Reporter {

@@ -12,6 +12,7 @@ namespace proveout::test {
 struct OracleTolerances {
     double point = 1e-6;  ///< mm
     double centre = 1e-4; ///< mm, of an arc's centre, and of its end by its sweep
+    bool spindle = true;  ///< whether its speed is compared: under G96 the oracle tells the surface speed
 };
 
 /// The first error of a program; null where there is none.

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Splines as straight lines: the geometry of G5, G5.1 and the NURBS block, in a plane. Pure, any thread.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "core/base/geometry.h"
+
+namespace proveout {
+
+/// How far a spline may lie from the straight motions that stand for it, in mm: no point of it is farther
+/// from the line between the ends of its piece. Those ends lie on the spline. A control rounds more than
+/// that.
+inline constexpr double kSplineChordError = 1e-3;
+/// The limit of the straight motions of one spline.
+inline constexpr std::size_t kMostSplinePoints = 200'000;
+/// The order of a spline is its degree plus one. LinuxCNC's own evaluation doubles its work with each.
+inline constexpr int kLeastSplineOrder = 3;
+inline constexpr int kMostSplineOrder = 16;
+
+struct ControlPoint {
+    Vec2 at{0};
+    double weight = 1; ///< greater than 0
+};
+
+/// A clamped B-spline on LinuxCNC's knots 0 … 0, 1, 2 … m … m, each end as often as the order says: it begins
+/// in the first control point and ends in the last. With as many points as the order it is one Bézier curve.
+struct Spline {
+    std::vector<ControlPoint> points; ///< at least `order` of them
+    int order = kLeastSplineOrder;
+};
+
+/// The points of a polyline within `chordError` of the spline, from the second one on; the last is the last
+/// control point to the last bit. Nothing where it would have more than kMostSplinePoints. Source: knot
+/// insertion by polar forms (Ramshaw), subdivision of rational Bézier curves until their control points, and
+/// so the curve within their hull, lie close to their chord.
+[[nodiscard]] std::optional<std::vector<Vec2>> flattened(const Spline& spline, double chordError);
+
+} // namespace proveout
