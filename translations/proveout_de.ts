@@ -2287,14 +2287,6 @@
         <translation>Von Bewegungen zu Referenzpunkten wird angenommen, dass sie vom Werkstück wegführen.</translation>
     </message>
     <message>
-        <source>An arc in G18 or G19 under a rotation about Z lies in no plane of the machine.</source>
-        <translation>Ein Kreisbogen in G18 oder G19 liegt bei einer Drehung um Z in keiner Ebene der Maschine.</translation>
-    </message>
-    <message>
-        <source>Let the CAM system write it as lines.</source>
-        <translation>Lassen Sie ihn das CAM-System als Geraden schreiben.</translation>
-    </message>
-    <message>
         <source>The cycle {} needs the word {}.</source>
         <translation>Der Zyklus {} braucht das Wort {}.</translation>
     </message>

@@ -2287,14 +2287,6 @@
         <translation>기준점으로 가는 이송은 공작물에서 멀어지는 것으로 봅니다.</translation>
     </message>
     <message>
-        <source>An arc in G18 or G19 under a rotation about Z lies in no plane of the machine.</source>
-        <translation>Z축을 중심으로 좌표를 회전하면 G18이나 G19의 원호는 기계의 어느 평면에도 놓이지 않습니다.</translation>
-    </message>
-    <message>
-        <source>Let the CAM system write it as lines.</source>
-        <translation>CAM 시스템에서 직선으로 출력하십시오.</translation>
-    </message>
-    <message>
         <source>The cycle {} needs the word {}.</source>
         <translation>{} 사이클에는 {} 워드가 필요합니다.</translation>
     </message>

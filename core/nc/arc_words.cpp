@@ -29,11 +29,9 @@ std::string letterOf(char letter) {
 /// The arc words of a block, in the plane in force.
 class ArcWords {
 public:
-    ArcWords(Execution& execution, const Word& word, const Motion& motion, bool clockwise)
+    ArcWords(Execution& execution, const Word& word, const Motion& program, bool clockwise)
         : m_execution(execution), m_word(word),
-          m_plane(axes(motion.plane)), m_ends{inPlane(execution.state.frame.toProgram(motion.start)),
-                                              inPlane(execution.state.frame.toProgram(motion.end)),
-                                              clockwise} {}
+          m_plane(axes(program.plane)), m_ends{inPlane(program.start), inPlane(program.end), clockwise} {}
 
     /// Nothing where the words make no arc, which is then told.
     std::optional<Arc> read() {
@@ -154,24 +152,31 @@ bool fitForSize(Execution& execution, const Word& word, Motion& motion) {
     return false;
 }
 
-bool shapeArc(Execution& execution, const Word& word, Motion& motion, bool clockwise) {
-    const WorkFrame& frame = execution.state.frame;
-    if (frame.rotation != 0 && motion.plane != Plane::xy) {
-        execution.reporter.tell(nc_message::kArcTurned, word);
-        return false;
-    }
-    ArcWords words(execution, word, motion, clockwise);
+bool readArc(Execution& execution, const Word& word, Motion& program, bool clockwise) {
+    ArcWords words(execution, word, program, clockwise);
     const std::optional<Arc> arc = words.read();
     const std::optional<int> turns = arc ? words.extraTurns() : std::nullopt;
     if (!arc || !turns)
         return false;
+    const PlaneAxes plane = axes(program.plane);
+    program.centre = program.start;
+    program.centre[plane.first] = arc->centre.x;
+    program.centre[plane.second] = arc->centre.y;
+    program.sweep = arc->sweep + std::copysign(2 * std::numbers::pi * *turns, arc->sweep);
+    return true;
+}
+
+bool shapeArc(Execution& execution, const Word& word, Motion& motion, bool clockwise) {
+    const WorkFrame& frame = execution.state.frame;
+    Motion program = motion;
+    program.start = frame.toProgram(motion.start);
+    program.end = frame.toProgram(motion.end);
+    if (!readArc(execution, word, program, clockwise))
+        return false;
     const PlaneAxes plane = axes(motion.plane);
-    Vec3 centre = frame.toProgram(motion.start);
-    centre[plane.first] = arc->centre.x;
-    centre[plane.second] = arc->centre.y;
-    motion.centre = frame.toMachine(centre);
+    motion.centre = frame.toMachine(program.centre);
     motion.centre[plane.normal] = motion.start[plane.normal];
-    motion.sweep = arc->sweep + std::copysign(2 * std::numbers::pi * *turns, arc->sweep);
+    motion.sweep = program.sweep;
     return fitForSize(execution, word, motion);
 }
 

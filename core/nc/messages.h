@@ -306,10 +306,6 @@ inline constexpr Message kReferenceUnknown{
                   "The machine's zero lies nobody knows where: {} cuts nothing, nor does what follows "
                   "until the axis is positioned again."),
     PROVEOUT_TEXT("Core", "Motions to reference positions are taken to lead away from the part.")};
-inline constexpr Message kArcTurned{
-    Severity::error, true, "arc-turned",
-    PROVEOUT_TEXT("Core", "An arc in G18 or G19 under a rotation about Z lies in no plane of the machine."),
-    PROVEOUT_TEXT("Core", "Let the CAM system write it as lines.")};
 inline constexpr Message kCycleWord{
     Severity::error, true, "cycle-word-missing", PROVEOUT_TEXT("Core", "The cycle {} needs the word {}."),
     PROVEOUT_TEXT("Core", "The first block of a cycle must have it; this one drills nothing.")};

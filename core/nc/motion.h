@@ -64,6 +64,11 @@ struct PlaneAxes {
 /// Length of the path in mm.
 [[nodiscard]] double pathLength(const Motion& motion);
 
+/// How far a curve that is neither line nor arc in a plane of the machine may lie from the straight motions
+/// that stand for it, in mm: no point of it is farther from the line between the ends of its piece, and those
+/// lie on it. A control rounds more than that.
+inline constexpr double kChordError = 1e-3;
+
 /// The limits of an arc: nothing that a machine could run is beyond them, and the work on an arc grows with
 /// both.
 inline constexpr double kLongestArc = 1e7; ///< mm of path

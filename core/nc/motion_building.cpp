@@ -228,6 +228,29 @@ void appendWithFeed(Execution& execution, Motion motion) {
     arrive(execution.state, motion);
 }
 
+void appendPieces(Execution& execution, const Motion& whole, const std::vector<Vec3>& ends) {
+    const MachineState& state = execution.state;
+    Motion piece = whole;
+    piece.kind = MotionKind::feed;
+    if (state.feedMode == FeedMode::inverseTime) {
+        double length = 0;
+        Vec3 last = whole.start;
+        for (const Vec3& end : ends) {
+            length += glm::distance(last, end);
+            last = end;
+        }
+        piece.feedMmPerMin = execution.block.has('F') ? state.feed * length : 0;
+    }
+    for (const Vec3& end : ends) {
+        piece.start = state.position;
+        piece.end = end;
+        appendWithFeed(execution, piece);
+        piece.startKnown = whole.endKnown;
+        if (execution.mustEnd())
+            return;
+    }
+}
+
 void appendOrdered(Execution& execution, const Word& word, const Motion& motion) {
     if (execution.state.compensation.moves())
         appendCompensated(execution, word, motion);

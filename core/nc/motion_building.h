@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "core/nc/execution.h"
 
@@ -52,6 +53,10 @@ void appendMotion(Execution& execution, Motion motion);
 
 /// The same for a motion that has its feed already, whatever the mode of the feed.
 void appendWithFeed(Execution& execution, Motion motion);
+
+/// Appends straight feeds to `ends`, the pieces of one curve of which `whole` has everything else; with
+/// inverse time feed they take the time of F together. Ends with the block where there are too many motions.
+void appendPieces(Execution& execution, const Motion& whole, const std::vector<Vec3>& ends);
 
 /// Appends a motion that a block orders: the path beside it while cutter compensation is on. What is wrong
 /// with that is told at `word`.

@@ -2,6 +2,7 @@
 #include "core/nc/arc_words.h"
 #include "core/nc/handlers.h"
 #include "core/nc/motion_building.h"
+#include "core/nc/turned_arc.h"
 
 namespace proveout {
 
@@ -16,9 +17,14 @@ void moveArc(Execution& execution, const Word& word, bool clockwise) {
         arrive(execution.state, motion);
         return;
     }
-    if (!planeKnown(motion)) {
+    const bool turned = turnsPlane(execution.state.frame, motion.plane);
+    if (turned ? !motion.known() : !planeKnown(motion)) {
         // There is no centre to count from: what is left is where it goes.
         motion.kind = MotionKind::feed;
+    } else if (turned) {
+        if (!appendTurnedArc(execution, word, motion, clockwise))
+            arrive(execution.state, motion);
+        return;
     } else if (!shapeArc(execution, word, motion, clockwise)) {
         // Its end is known all the same, and what follows starts there.
         arrive(execution.state, motion);

@@ -10,10 +10,6 @@
 
 namespace proveout {
 
-/// How far a spline may lie from the straight motions that stand for it, in mm: no point of it is farther
-/// from the line between the ends of its piece. Those ends lie on the spline. A control rounds more than
-/// that.
-inline constexpr double kSplineChordError = 1e-3;
 /// The limit of the straight motions of one spline.
 inline constexpr std::size_t kMostSplinePoints = 200'000;
 /// The order of a spline is its degree plus one. LinuxCNC's own evaluation doubles its work with each.

@@ -43,11 +43,16 @@ Vec2 lengths(const Execution& execution, char first, char second) {
     return {execution.length(first), execution.length(second)};
 }
 
-/// Appends the straight motions of a spline, of which `motion` has start and end; with inverse time feed all
-/// of them together take the time that F gives.
+/// A spline keeps its level to the last bit.
+Vec3 atLevel(Vec3 point, double z) {
+    point.z = z;
+    return point;
+}
+
+/// Appends the straight motions of a spline, of which `motion` has start and end.
 void appendSpline(Execution& execution, const Word& word, const Motion& motion, const Spline& spline) {
     MachineState& state = execution.state;
-    const auto points = flattened(spline, kSplineChordError);
+    const auto points = flattened(spline, kChordError);
     if (!points) {
         refuse(execution, nc_message::kSplineTooLong, word, {fmt::format("{}", kMostSplinePoints)});
         arrive(state, motion);
@@ -56,22 +61,9 @@ void appendSpline(Execution& execution, const Word& word, const Motion& motion, 
     const double level = state.frame.toProgram(motion.start).z;
     std::vector<Vec3> ends;
     for (const Vec2& point : *points)
-        ends.push_back(state.frame.toMachine({point, level}));
+        ends.push_back(atLevel(state.frame.toMachine({point, level}), motion.end.z));
     ends.back() = motion.end;
-    double length = 0;
-    for (std::size_t i = 0; i < ends.size(); ++i)
-        length += glm::distance(i == 0 ? motion.start : ends[i - 1], ends[i]);
-    Motion piece = motion;
-    if (state.feedMode == FeedMode::inverseTime)
-        piece.feedMmPerMin = execution.block.has('F') ? state.feed * length : 0;
-    for (const Vec3& end : ends) {
-        piece.start = state.position;
-        piece.end = end;
-        piece.end.z = motion.end.z;
-        appendWithFeed(execution, piece);
-        if (execution.mustEnd())
-            return;
-    }
+    appendPieces(execution, motion, ends);
 }
 
 /// A spline to the target of the block; its control points between start and end are given relative to one

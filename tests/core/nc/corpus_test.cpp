@@ -59,10 +59,6 @@ const std::map<std::string, const char*> kReasons{
      "a motion in step with the spindle has the feed of its pitch; the oracle tells the one of F"},
     {"pcb2gcode/multivibrator-extra-passes-two-isolators-tiles-al/back.ngc",
      "the stand-alone interpreter backs off 0.254 mm from where it has probed"},
-    {"linuxcnc-tp/nc_files/arc-feed/full_xz.ngc",
-     "an arc of G18 under a rotation lies in no plane of the machine"},
-    {"linuxcnc-tp/nc_files/arc-feed/full_yz.ngc",
-     "an arc of G18 under a rotation lies in no plane of the machine"},
 };
 
 /// The first message with an id of `ids`; null where there is none.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
 
 namespace proveout::test {
 
@@ -118,6 +119,32 @@ std::size_t behindSpline(const json& record, const std::vector<Step>& steps, std
     return at;
 }
 
+/// Whether the oracle's arc lies in no plane of the machine.
+bool turned(const json& record) {
+    return record["k"] == "arc" &&
+           std::ranges::none_of(record["n"], [](const json& n) { return std::abs(number(n)) == 1; });
+}
+
+Vec3 pointOf(const json& values) {
+    return {number(values[0]), number(values[1]), number(values[2])};
+}
+
+/// We cut a turned arc into straight motions: their ends must lie on it. The step behind them; nothing where
+/// they do not.
+std::optional<std::size_t> behindTurnedArc(const json& record, const std::vector<Step>& steps, std::size_t at,
+                                           double tolerance) {
+    const Vec3 normal = pointOf(record["n"]);
+    for (; at < steps.size() && steps[at].kind == "feed"; ++at) {
+        const Vec3 spoke = steps[at].motion.end - pointOf(record["c"]);
+        const double radius = glm::length(spoke - normal * glm::dot(spoke, normal));
+        if (std::abs(radius - number(record["r"])) > tolerance)
+            return {};
+        if (distance(record["e"], steps[at].motion.end) < tolerance)
+            return at + 1;
+    }
+    return {};
+}
+
 /// The oracle tells a rigid tap as its way down only.
 bool returns(const std::vector<Step>& steps, std::size_t at) {
     return at < steps.size() && steps[at].kind == "feed" &&
@@ -154,6 +181,15 @@ bool sameSteps(const OracleAnswer& answer, const Program& program, bool beginnin
         }
         if (record["k"] == "nurbs") {
             at = behindSpline(record, steps, at);
+            continue;
+        }
+        if (turned(record)) {
+            const auto behind = behindTurnedArc(record, steps, at, tolerances.point);
+            if (!behind) {
+                why = fmt::format("record {} (line {}): turned arc", i, steps[at].line);
+                return false;
+            }
+            at = *behind;
             continue;
         }
         why = difference(answer, record, steps[at], tolerances);

@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 #include <random>
 
+#include "core/nc/motion.h"
+
 namespace proveout {
 
 namespace {
@@ -103,22 +105,22 @@ TEST(Spline, LiesWithinTheChordErrorOfItsMotions) {
 TEST(Spline, IsACircleWithTheWeightsOfOne) {
     // A quarter of a circle of radius 10 as a quadratic rational Bézier curve.
     const Spline quarter{{{{10, 0}}, {{10, 10}, std::sqrt(0.5)}, {{0, 10}}}, 3};
-    const std::vector<Vec2> path = pathOf(quarter, kSplineChordError);
+    const std::vector<Vec2> path = pathOf(quarter, kChordError);
     for (std::size_t i = 0; i < path.size(); ++i) {
         EXPECT_NEAR(glm::length(path[i]), 10, 1e-12);
         const Vec2& before = path[i == 0 ? 0 : i - 1];
-        EXPECT_GT(glm::length(path[i] + before) / 2, 10 - kSplineChordError);
+        EXPECT_GT(glm::length(path[i] + before) / 2, 10 - kChordError);
     }
     EXPECT_LT(path.size(), 200U);
 }
 
 TEST(Spline, OfPointsInALineIsOneMotion) {
-    EXPECT_EQ(flattened({{{{0, 0}}, {{1, 1}}, {{2, 2}}, {{5, 5}}}, 4}, kSplineChordError)->size(), 1U);
-    EXPECT_EQ(flattened({{{{3, 4}}, {{3, 4}}, {{3, 4}}}, 3}, kSplineChordError)->size(), 1U);
+    EXPECT_EQ(flattened({{{{0, 0}}, {{1, 1}}, {{2, 2}}, {{5, 5}}}, 4}, kChordError)->size(), 1U);
+    EXPECT_EQ(flattened({{{{3, 4}}, {{3, 4}}, {{3, 4}}}, 3}, kChordError)->size(), 1U);
 }
 
 TEST(Spline, IsRefusedBeyondItsLimit) {
-    EXPECT_FALSE(flattened({{{{0, 0}}, {{1e12, 1e12}}, {{2e12, 0}}}, 3}, kSplineChordError));
+    EXPECT_FALSE(flattened({{{{0, 0}}, {{1e12, 1e12}}, {{2e12, 0}}}, 3}, kChordError));
 }
 
 } // namespace proveout
