@@ -1539,10 +1539,6 @@
         <translation>{} und {} schließen einander in einem Satz aus.</translation>
     </message>
     <message>
-        <source>The block has more than four M words.</source>
-        <translation>Der Satz hat mehr als vier M-Wörter.</translation>
-    </message>
-    <message>
         <source>The axis {} does not exist on a three-axis machine.</source>
         <translation>Die Achse {} gibt es an einer Dreiachsmaschine nicht.</translation>
     </message>
@@ -1987,10 +1983,6 @@
         <translation>Runden Sie sie mit FIX oder ROUND.</translation>
     </message>
     <message>
-        <source>There is no parameter with the number {}: they go from 1 to 5601.</source>
-        <translation>Es gibt keinen Parameter mit der Nummer {}: Die Nummern reichen von 1 bis 5601.</translation>
-    </message>
-    <message>
         <source>Use another number, or a name.</source>
         <translation>Verwenden Sie eine andere Nummer oder einen Namen.</translation>
     </message>
@@ -2065,14 +2057,6 @@
     <message>
         <source>Check for a division by zero, the root of a negative number, an arc sine beyond 1.</source>
         <translation>Prüfen Sie auf eine Division durch null, die Wurzel einer negativen Zahl oder den Arkussinus eines Werts über 1.</translation>
-    </message>
-    <message>
-        <source>ATAN needs two arguments: ATAN[y]/[x].</source>
-        <translation>ATAN braucht zwei Argumente: ATAN[y]/[x].</translation>
-    </message>
-    <message>
-        <source>Add the second one; for a plain ratio write ATAN[ratio]/[1].</source>
-        <translation>Ergänzen Sie das zweite; für ein einfaches Verhältnis schreiben Sie ATAN[Verhältnis]/[1].</translation>
     </message>
     <message>
         <source>EXISTS asks for a named parameter: EXISTS[#&lt;name&gt;].</source>
@@ -2669,6 +2653,346 @@
     <message>
         <source>Write G5.3 behind its last control point.</source>
         <translation>G5.3 hinter den letzten Kontrollpunkt schreiben.</translation>
+    </message>
+    <message>
+        <source>high-speed machining</source>
+        <translation>Hochgeschwindigkeitsbearbeitung</translation>
+    </message>
+    <message>
+        <source>look-ahead contour control</source>
+        <translation>vorausschauende Bahnsteuerung</translation>
+    </message>
+    <message>
+        <source>hypothetical axis interpolation</source>
+        <translation>Interpolation mit gedachter Achse</translation>
+    </message>
+    <message>
+        <source>look-ahead control</source>
+        <translation>vorausschauende Steuerung</translation>
+    </message>
+    <message>
+        <source>set data</source>
+        <translation>Daten setzen</translation>
+    </message>
+    <message>
+        <source>end of set data</source>
+        <translation>Ende des Datensetzens</translation>
+    </message>
+    <message>
+        <source>polar coordinate interpolation</source>
+        <translation>Polarkoordinaten-Interpolation</translation>
+    </message>
+    <message>
+        <source>polar coordinate interpolation off</source>
+        <translation>Polarkoordinaten-Interpolation aus</translation>
+    </message>
+    <message>
+        <source>stored stroke check on</source>
+        <translation>Verfahrbereichsüberwachung ein</translation>
+    </message>
+    <message>
+        <source>stored stroke check off</source>
+        <translation>Verfahrbereichsüberwachung aus</translation>
+    </message>
+    <message>
+        <source>spindle speed watch off</source>
+        <translation>Spindeldrehzahl-Überwachung aus</translation>
+    </message>
+    <message>
+        <source>spindle speed watch on</source>
+        <translation>Spindeldrehzahl-Überwachung ein</translation>
+    </message>
+    <message>
+        <source>check of the reference position</source>
+        <translation>Prüfung der Referenzposition</translation>
+    </message>
+    <message>
+        <source>return from reference position</source>
+        <translation>Rückkehr von der Referenzposition</translation>
+    </message>
+    <message>
+        <source>thread cutting</source>
+        <translation>Gewindeschneiden</translation>
+    </message>
+    <message>
+        <source>automatic tool length measurement</source>
+        <translation>automatische Werkzeuglängenmessung</translation>
+    </message>
+    <message>
+        <source>lengthen the motion by the offset</source>
+        <translation>Weg um den Korrekturwert verlängern</translation>
+    </message>
+    <message>
+        <source>shorten the motion by the offset</source>
+        <translation>Weg um den Korrekturwert verkürzen</translation>
+    </message>
+    <message>
+        <source>lengthen the motion by twice the offset</source>
+        <translation>Weg um den doppelten Korrekturwert verlängern</translation>
+    </message>
+    <message>
+        <source>shorten the motion by twice the offset</source>
+        <translation>Weg um den doppelten Korrekturwert verkürzen</translation>
+    </message>
+    <message>
+        <source>approach from one side</source>
+        <translation>Anfahren aus einer Richtung</translation>
+    </message>
+    <message>
+        <source>automatic corner override</source>
+        <translation>automatischer Eckenvorschub</translation>
+    </message>
+    <message>
+        <source>tapping mode</source>
+        <translation>Gewindebohrbetrieb</translation>
+    </message>
+    <message>
+        <source>cutting mode</source>
+        <translation>Schneidbetrieb</translation>
+    </message>
+    <message>
+        <source>macro call by every block</source>
+        <translation>Makroaufruf in jedem Satz</translation>
+    </message>
+    <message>
+        <source>tilted working plane</source>
+        <translation>geschwenkte Bearbeitungsebene</translation>
+    </message>
+    <message>
+        <source>fine boring cycle</source>
+        <translation>Feinbohrzyklus</translation>
+    </message>
+    <message>
+        <source>boring cycle, stop and manual out</source>
+        <translation>Ausdrehzyklus, Halt und Rückzug von Hand</translation>
+    </message>
+    <message>
+        <source>boring cycle with dwell, feed out</source>
+        <translation>Ausdrehzyklus mit Verweilzeit, Rückzug im Vorschub</translation>
+    </message>
+    <message>
+        <source>set the work coordinates</source>
+        <translation>Werkstückkoordinaten setzen</translation>
+    </message>
+    <message>
+        <source>preset the work coordinates</source>
+        <translation>Werkstückkoordinaten zurücksetzen</translation>
+    </message>
+    <message>
+        <source>call of a program in external memory</source>
+        <translation>Aufruf eines Programms im externen Speicher</translation>
+    </message>
+    <message>
+        <source>There is no parameter with the number {}.</source>
+        <translation>Es gibt keinen Parameter mit der Nummer {}.</translation>
+    </message>
+    <message>
+        <source>{} needs two arguments.</source>
+        <translation>{} braucht zwei Argumente.</translation>
+    </message>
+    <message>
+        <source>Write ATAN[y]/[x].</source>
+        <translation>Schreiben Sie ATAN[y]/[x].</translation>
+    </message>
+    <message>
+        <source>The target of the jump is no whole number from 0 to 99999999.</source>
+        <translation>Das Sprungziel ist keine ganze Zahl von 0 bis 99999999.</translation>
+    </message>
+    <message>
+        <source>Jump to a block number that stands behind an N.</source>
+        <translation>Springen Sie zu einer Satznummer, die hinter einem N steht.</translation>
+    </message>
+    <message>
+        <source>There is no block N{} in this program.</source>
+        <translation>In diesem Programm gibt es keinen Satz N{}.</translation>
+    </message>
+    <message>
+        <source>Check the number; a jump does not leave its program.</source>
+        <translation>Prüfen Sie die Nummer; ein Sprung verlässt sein Programm nicht.</translation>
+    </message>
+    <message>
+        <source>The statement is not complete.</source>
+        <translation>Die Anweisung ist nicht vollständig.</translation>
+    </message>
+    <message>
+        <source>Write IF [#1 GT 2] GOTO 10, IF [#1 GT 2] THEN #3=4, or WHILE [#1 GT 2] DO 1.</source>
+        <translation>Schreiben Sie IF [#1 GT 2] GOTO 10, IF [#1 GT 2] THEN #3=4 oder WHILE [#1 GT 2] DO 1.</translation>
+    </message>
+    <message>
+        <source>The statement does not begin the block.</source>
+        <translation>Die Anweisung steht nicht am Anfang des Satzes.</translation>
+    </message>
+    <message>
+        <source>The loop has no {} with its number.</source>
+        <translation>Die Schleife hat kein {} mit ihrer Nummer.</translation>
+    </message>
+    <message>
+        <source>DO 1 needs END 1 in the same program; loops do not cross each other.</source>
+        <translation>DO 1 braucht END 1 im selben Programm; Schleifen überschneiden sich nicht.</translation>
+    </message>
+    <message>
+        <source>The value of {} depends on the machine that runs the program.</source>
+        <translation>Der Wert von {} hängt von der Maschine ab, die das Programm ausführt.</translation>
+    </message>
+    <message>
+        <source>What follows from it cannot be verified.</source>
+        <translation>Was daraus folgt, lässt sich nicht prüfen.</translation>
+    </message>
+    <message>
+        <source>The position {} is not known here.</source>
+        <translation>Die Position {} ist hier nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Position the axis first, or state a start position in the set-up.</source>
+        <translation>Positionieren Sie die Achse zuerst, oder geben Sie in der Einrichtung eine Startposition an.</translation>
+    </message>
+    <message>
+        <source>The program stops itself with alarm {}.</source>
+        <translation>Das Programm hält sich selbst mit Alarm {} an.</translation>
+    </message>
+    <message>
+        <source>The comment beside it says why; nothing behind it is run.</source>
+        <translation>Der Kommentar daneben sagt, warum; was dahinter steht, wird nicht ausgeführt.</translation>
+    </message>
+    <message>
+        <source>The program is read as {} does, because of these words (and lines): {}.</source>
+        <translation>Das Programm wird wie von {} gelesen, wegen dieser Wörter (und Zeilen): {}.</translation>
+    </message>
+    <message>
+        <source>Choose the dialect yourself if that is wrong.</source>
+        <translation>Wählen Sie den Dialekt selbst, falls das nicht stimmt.</translation>
+    </message>
+    <message>
+        <source>The text before the first &quot;%&quot; is not run.</source>
+        <translation>Der Text vor dem ersten „%“ wird nicht ausgeführt.</translation>
+    </message>
+    <message>
+        <source>{} and {} exclude each other in one block; the last one counts.</source>
+        <translation>{} und {} schließen sich in einem Satz gegenseitig aus; der letzte Befehl gilt.</translation>
+    </message>
+    <message>
+        <source>Some controls give an alarm instead; keep one of them.</source>
+        <translation>Manche Steuerungen geben stattdessen einen Alarm aus; behalten Sie eines von beiden.</translation>
+    </message>
+    <message>
+        <source>The block has two {} words; the last one counts.</source>
+        <translation>Der Satz hat zwei {}-Wörter; das letzte gilt.</translation>
+    </message>
+    <message>
+        <source>No code of this block uses the word {}; it is ignored.</source>
+        <translation>Kein Befehl dieses Satzes verwendet das Wort {}; es wird übergangen.</translation>
+    </message>
+    <message>
+        <source>Remove it, or add the code that it belongs to.</source>
+        <translation>Entfernen Sie es, oder ergänzen Sie den Befehl, zu dem es gehört.</translation>
+    </message>
+    <message>
+        <source>Behind G80 the axis {} moves without a motion code: in rapid.</source>
+        <translation>Hinter G80 bewegt sich die Achse {} ohne Wegbefehl: im Eilgang.</translation>
+    </message>
+    <message>
+        <source>Write G0 or G1 into the block; controls differ here.</source>
+        <translation>Schreiben Sie G0 oder G1 in den Satz; Steuerungen verhalten sich hier verschieden.</translation>
+    </message>
+    <message>
+        <source>{} has no decimal point: the control reads it as {}; one with calculator-type input as {}.</source>
+        <translation>{} hat keinen Dezimalpunkt: Die Steuerung liest es als {}, eine mit Taschenrechnereingabe als {}.</translation>
+    </message>
+    <message>
+        <source>Write the decimal point.</source>
+        <translation>Schreiben Sie den Dezimalpunkt.</translation>
+    </message>
+    <message>
+        <source>The block has more than {} M words.</source>
+        <translation>Der Satz hat mehr als {} M-Wörter.</translation>
+    </message>
+    <message>
+        <source>The feed rate is 0.</source>
+        <translation>Der Vorschub ist 0.</translation>
+    </message>
+    <message>
+        <source>Give F a value above 0.</source>
+        <translation>Geben Sie F einen Wert über 0.</translation>
+    </message>
+    <message>
+        <source>Tool {} begins to cut without a tool length offset of its own.</source>
+        <translation>Werkzeug {} beginnt ohne eigene Werkzeuglängenkorrektur zu schneiden.</translation>
+    </message>
+    <message>
+        <source>Write G43 behind the tool change: the offset of the tool before it is still in force.</source>
+        <translation>Schreiben Sie G43 hinter den Werkzeugwechsel: Noch gilt die Korrektur des vorigen Werkzeugs.</translation>
+    </message>
+    <message>
+        <source>The program cuts without having chosen a work offset.</source>
+        <translation>Das Programm schneidet, ohne eine Nullpunktverschiebung gewählt zu haben.</translation>
+    </message>
+    <message>
+        <source>Write G54, or the one that the part is set up in.</source>
+        <translation>Schreiben Sie G54 oder die, in der das Werkstück eingerichtet ist.</translation>
+    </message>
+    <message>
+        <source>The tool length offset H{} is not that of tool {}.</source>
+        <translation>Die Werkzeuglängenkorrektur H{} ist nicht die von Werkzeug {}.</translation>
+    </message>
+    <message>
+        <source>Use the number of the tool, if that was not meant.</source>
+        <translation>Verwenden Sie die Nummer des Werkzeugs, falls das nicht gemeint war.</translation>
+    </message>
+    <message>
+        <source>{} has no D word.</source>
+        <translation>{} hat kein D-Wort.</translation>
+    </message>
+    <message>
+        <source>Write the number of the offset: the one used last is in force.</source>
+        <translation>Schreiben Sie die Nummer der Korrektur: Es gilt die zuletzt verwendete.</translation>
+    </message>
+    <message>
+        <source>Cutter compensation begins on an arc.</source>
+        <translation>Die Fräserradiuskorrektur beginnt auf einem Kreisbogen.</translation>
+    </message>
+    <message>
+        <source>Lead in with a straight motion; many controls give an alarm here.</source>
+        <translation>Fahren Sie mit einer Geraden an; viele Steuerungen geben hier einen Alarm aus.</translation>
+    </message>
+    <message>
+        <source>{} changes the unit in the middle of the program.</source>
+        <translation>{} wechselt mitten im Programm die Maßeinheit.</translation>
+    </message>
+    <message>
+        <source>Keep to one unit; lengths that are in force keep their old one.</source>
+        <translation>Bleiben Sie bei einer Einheit; geltende Längen behalten ihre alte.</translation>
+    </message>
+    <message>
+        <source>Still in force here: {}.</source>
+        <translation>Hier noch wirksam: {}.</translation>
+    </message>
+    <message>
+        <source>End it before the tool change and before the end of the program.</source>
+        <translation>Beenden Sie es vor dem Werkzeugwechsel und vor dem Programmende.</translation>
+    </message>
+    <message>
+        <source>The tool is changed at Z{}, not above Z{}, where it was fed.</source>
+        <translation>Das Werkzeug wird bei Z{} gewechselt, nicht oberhalb von Z{}, wo es im Vorschub war.</translation>
+    </message>
+    <message>
+        <source>Retract first.</source>
+        <translation>Fahren Sie zuerst frei.</translation>
+    </message>
+    <message>
+        <source>The tool is changed while the spindle turns.</source>
+        <translation>Das Werkzeug wird bei drehender Spindel gewechselt.</translation>
+    </message>
+    <message>
+        <source>Write M5 before it; not every machine stops the spindle by itself.</source>
+        <translation>Schreiben Sie M5 davor; nicht jede Maschine hält die Spindel selbst an.</translation>
+    </message>
+    <message>
+        <source>The arc by its radius is nearly a half circle, {} degrees.</source>
+        <translation>Der über den Radius angegebene Kreisbogen ist fast ein Halbkreis, {} Grad.</translation>
+    </message>
+    <message>
+        <source>Give the centre by I, J and K: here the last digit of R moves it far.</source>
+        <translation>Geben Sie den Mittelpunkt mit I, J und K an: Hier verschiebt ihn die letzte Ziffer von R weit.</translation>
     </message>
 </context>
 <context>
@@ -3525,6 +3849,26 @@
     <message>
         <source>Block delete, as the switch on the control</source>
         <translation>Sätze ausblenden, wie der Schalter an der Steuerung</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>Steuerung</translation>
+    </message>
+    <message>
+        <source>How the program is read: arcs, cycles, offsets and numbers differ from control to control</source>
+        <translation>Wie das Programm gelesen wird: Kreisbögen, Zyklen, Korrekturen und Zahlen unterscheiden sich von Steuerung zu Steuerung</translation>
+    </message>
+    <message>
+        <source>Automatic: %1</source>
+        <translation>Automatisch: %1</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Dialect of the program</source>
+        <translation>Dialekt des Programms</translation>
     </message>
 </context>
 <context>

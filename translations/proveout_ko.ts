@@ -1539,10 +1539,6 @@
         <translation>한 블록에서 {}와(과) {}를 함께 쓸 수 없습니다.</translation>
     </message>
     <message>
-        <source>The block has more than four M words.</source>
-        <translation>블록에 M 워드가 네 개를 넘습니다.</translation>
-    </message>
-    <message>
         <source>The axis {} does not exist on a three-axis machine.</source>
         <translation>{} 축은 3축 기계에 없습니다.</translation>
     </message>
@@ -1987,10 +1983,6 @@
         <translation>FIX 또는 ROUND로 정수로 만드십시오.</translation>
     </message>
     <message>
-        <source>There is no parameter with the number {}: they go from 1 to 5601.</source>
-        <translation>번호가 {}인 매개변수는 없습니다. 번호는 1에서 5601까지입니다.</translation>
-    </message>
-    <message>
         <source>Use another number, or a name.</source>
         <translation>다른 번호나 이름을 쓰십시오.</translation>
     </message>
@@ -2065,14 +2057,6 @@
     <message>
         <source>Check for a division by zero, the root of a negative number, an arc sine beyond 1.</source>
         <translation>0으로 나누기, 음수의 제곱근, 1을 넘는 값의 아크사인이 있는지 확인하십시오.</translation>
-    </message>
-    <message>
-        <source>ATAN needs two arguments: ATAN[y]/[x].</source>
-        <translation>ATAN에는 인수가 두 개 필요합니다: ATAN[y]/[x].</translation>
-    </message>
-    <message>
-        <source>Add the second one; for a plain ratio write ATAN[ratio]/[1].</source>
-        <translation>두 번째 인수를 추가하십시오. 비율 하나만 있으면 ATAN[비율]/[1]로 쓰십시오.</translation>
     </message>
     <message>
         <source>EXISTS asks for a named parameter: EXISTS[#&lt;name&gt;].</source>
@@ -2669,6 +2653,346 @@
     <message>
         <source>Write G5.3 behind its last control point.</source>
         <translation>마지막 제어점 뒤에 G5.3을 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>high-speed machining</source>
+        <translation>고속 가공</translation>
+    </message>
+    <message>
+        <source>look-ahead contour control</source>
+        <translation>선행 윤곽 제어</translation>
+    </message>
+    <message>
+        <source>hypothetical axis interpolation</source>
+        <translation>가상축 보간</translation>
+    </message>
+    <message>
+        <source>look-ahead control</source>
+        <translation>선행 제어</translation>
+    </message>
+    <message>
+        <source>set data</source>
+        <translation>데이터 설정</translation>
+    </message>
+    <message>
+        <source>end of set data</source>
+        <translation>데이터 설정 끝</translation>
+    </message>
+    <message>
+        <source>polar coordinate interpolation</source>
+        <translation>극좌표 보간</translation>
+    </message>
+    <message>
+        <source>polar coordinate interpolation off</source>
+        <translation>극좌표 보간 취소</translation>
+    </message>
+    <message>
+        <source>stored stroke check on</source>
+        <translation>저장 스트로크 점검 켜기</translation>
+    </message>
+    <message>
+        <source>stored stroke check off</source>
+        <translation>저장 스트로크 점검 끄기</translation>
+    </message>
+    <message>
+        <source>spindle speed watch off</source>
+        <translation>주축 속도 감시 끄기</translation>
+    </message>
+    <message>
+        <source>spindle speed watch on</source>
+        <translation>주축 속도 감시 켜기</translation>
+    </message>
+    <message>
+        <source>check of the reference position</source>
+        <translation>원점 복귀 확인</translation>
+    </message>
+    <message>
+        <source>return from reference position</source>
+        <translation>원점에서 복귀</translation>
+    </message>
+    <message>
+        <source>thread cutting</source>
+        <translation>나사 절삭</translation>
+    </message>
+    <message>
+        <source>automatic tool length measurement</source>
+        <translation>자동 공구 길이 측정</translation>
+    </message>
+    <message>
+        <source>lengthen the motion by the offset</source>
+        <translation>이송을 옵셋만큼 늘리기</translation>
+    </message>
+    <message>
+        <source>shorten the motion by the offset</source>
+        <translation>이송을 옵셋만큼 줄이기</translation>
+    </message>
+    <message>
+        <source>lengthen the motion by twice the offset</source>
+        <translation>이송을 옵셋의 두 배만큼 늘리기</translation>
+    </message>
+    <message>
+        <source>shorten the motion by twice the offset</source>
+        <translation>이송을 옵셋의 두 배만큼 줄이기</translation>
+    </message>
+    <message>
+        <source>approach from one side</source>
+        <translation>한 방향 위치결정</translation>
+    </message>
+    <message>
+        <source>automatic corner override</source>
+        <translation>자동 코너 오버라이드</translation>
+    </message>
+    <message>
+        <source>tapping mode</source>
+        <translation>태핑 모드</translation>
+    </message>
+    <message>
+        <source>cutting mode</source>
+        <translation>절삭 모드</translation>
+    </message>
+    <message>
+        <source>macro call by every block</source>
+        <translation>블록마다 매크로 호출</translation>
+    </message>
+    <message>
+        <source>tilted working plane</source>
+        <translation>경사면 가공</translation>
+    </message>
+    <message>
+        <source>fine boring cycle</source>
+        <translation>정밀 보링 사이클</translation>
+    </message>
+    <message>
+        <source>boring cycle, stop and manual out</source>
+        <translation>보링 사이클, 정지 후 수동 후퇴</translation>
+    </message>
+    <message>
+        <source>boring cycle with dwell, feed out</source>
+        <translation>드웰 후 이송 후퇴하는 보링 사이클</translation>
+    </message>
+    <message>
+        <source>set the work coordinates</source>
+        <translation>공작물 좌표 설정</translation>
+    </message>
+    <message>
+        <source>preset the work coordinates</source>
+        <translation>공작물 좌표 초기화</translation>
+    </message>
+    <message>
+        <source>call of a program in external memory</source>
+        <translation>외부 메모리 프로그램 호출</translation>
+    </message>
+    <message>
+        <source>There is no parameter with the number {}.</source>
+        <translation>번호가 {}인 매개변수가 없습니다.</translation>
+    </message>
+    <message>
+        <source>{} needs two arguments.</source>
+        <translation>{}에는 인수가 두 개 필요합니다.</translation>
+    </message>
+    <message>
+        <source>Write ATAN[y]/[x].</source>
+        <translation>ATAN[y]/[x]와 같이 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The target of the jump is no whole number from 0 to 99999999.</source>
+        <translation>점프 대상이 0부터 99999999까지의 정수가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>Jump to a block number that stands behind an N.</source>
+        <translation>N 뒤에 있는 블록 번호로 점프하십시오.</translation>
+    </message>
+    <message>
+        <source>There is no block N{} in this program.</source>
+        <translation>이 프로그램에는 N{} 블록이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Check the number; a jump does not leave its program.</source>
+        <translation>번호를 확인하십시오. 점프는 프로그램을 벗어나지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The statement is not complete.</source>
+        <translation>매크로 문이 완전하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Write IF [#1 GT 2] GOTO 10, IF [#1 GT 2] THEN #3=4, or WHILE [#1 GT 2] DO 1.</source>
+        <translation>IF [#1 GT 2] GOTO 10, IF [#1 GT 2] THEN #3=4 또는 WHILE [#1 GT 2] DO 1과 같이 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The statement does not begin the block.</source>
+        <translation>매크로 문이 블록의 처음에 있지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The loop has no {} with its number.</source>
+        <translation>반복문에 같은 번호의 {}이(가) 없습니다.</translation>
+    </message>
+    <message>
+        <source>DO 1 needs END 1 in the same program; loops do not cross each other.</source>
+        <translation>DO 1에는 같은 프로그램의 END 1이 필요하며, 반복문은 서로 엇갈릴 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>The value of {} depends on the machine that runs the program.</source>
+        <translation>{}의 값은 프로그램을 실행하는 기계에 따라 다릅니다.</translation>
+    </message>
+    <message>
+        <source>What follows from it cannot be verified.</source>
+        <translation>이 값에 따른 결과는 검증할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>The position {} is not known here.</source>
+        <translation>여기에서는 위치 {}을(를) 알 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Position the axis first, or state a start position in the set-up.</source>
+        <translation>먼저 축을 이동하여 위치를 정하거나, 설정에서 시작 위치를 지정하십시오.</translation>
+    </message>
+    <message>
+        <source>The program stops itself with alarm {}.</source>
+        <translation>프로그램이 알람 {}(으)로 스스로 정지합니다.</translation>
+    </message>
+    <message>
+        <source>The comment beside it says why; nothing behind it is run.</source>
+        <translation>이유는 옆의 주석에 있습니다. 그 뒤는 실행되지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The program is read as {} does, because of these words (and lines): {}.</source>
+        <translation>프로그램을 {} 방식으로 읽습니다. 근거가 되는 워드(와 줄)는 다음과 같습니다: {}.</translation>
+    </message>
+    <message>
+        <source>Choose the dialect yourself if that is wrong.</source>
+        <translation>맞지 않으면 제어기를 직접 고르십시오.</translation>
+    </message>
+    <message>
+        <source>The text before the first &quot;%&quot; is not run.</source>
+        <translation>첫 “%” 앞의 텍스트는 실행되지 않습니다.</translation>
+    </message>
+    <message>
+        <source>{} and {} exclude each other in one block; the last one counts.</source>
+        <translation>{}와(과) {}은(는) 한 블록에 함께 쓸 수 없습니다. 마지막 것이 적용됩니다.</translation>
+    </message>
+    <message>
+        <source>Some controls give an alarm instead; keep one of them.</source>
+        <translation>알람을 내는 제어기도 있으므로 하나만 남기십시오.</translation>
+    </message>
+    <message>
+        <source>The block has two {} words; the last one counts.</source>
+        <translation>블록에 {} 워드가 두 개 있습니다. 마지막 것이 적용됩니다.</translation>
+    </message>
+    <message>
+        <source>No code of this block uses the word {}; it is ignored.</source>
+        <translation>이 블록의 어떤 코드도 {} 워드를 쓰지 않으므로 무시합니다.</translation>
+    </message>
+    <message>
+        <source>Remove it, or add the code that it belongs to.</source>
+        <translation>삭제하거나, 이 워드를 쓰는 코드를 추가하십시오.</translation>
+    </message>
+    <message>
+        <source>Behind G80 the axis {} moves without a motion code: in rapid.</source>
+        <translation>G80 뒤에서 {}축이 이동 코드 없이 급속으로 움직입니다.</translation>
+    </message>
+    <message>
+        <source>Write G0 or G1 into the block; controls differ here.</source>
+        <translation>블록에 G0이나 G1을 쓰십시오. 제어기마다 동작이 다릅니다.</translation>
+    </message>
+    <message>
+        <source>{} has no decimal point: the control reads it as {}; one with calculator-type input as {}.</source>
+        <translation>{}에 소수점이 없습니다. 이 제어기는 {}(으)로 읽고, 계산기형 입력 방식에서는 {}(으)로 읽습니다.</translation>
+    </message>
+    <message>
+        <source>Write the decimal point.</source>
+        <translation>소수점을 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The block has more than {} M words.</source>
+        <translation>블록에 M 워드가 {}개보다 많습니다.</translation>
+    </message>
+    <message>
+        <source>The feed rate is 0.</source>
+        <translation>이송 속도가 0입니다.</translation>
+    </message>
+    <message>
+        <source>Give F a value above 0.</source>
+        <translation>F에 0보다 큰 값을 주십시오.</translation>
+    </message>
+    <message>
+        <source>Tool {} begins to cut without a tool length offset of its own.</source>
+        <translation>공구 {}이(가) 자신의 공구 길이 보정 없이 절삭을 시작합니다.</translation>
+    </message>
+    <message>
+        <source>Write G43 behind the tool change: the offset of the tool before it is still in force.</source>
+        <translation>공구 교환 뒤에 G43을 쓰십시오. 아직 이전 공구의 보정이 적용됩니다.</translation>
+    </message>
+    <message>
+        <source>The program cuts without having chosen a work offset.</source>
+        <translation>공작물 좌표계를 선택하지 않고 절삭합니다.</translation>
+    </message>
+    <message>
+        <source>Write G54, or the one that the part is set up in.</source>
+        <translation>G54 또는 공작물을 세팅한 좌표계를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The tool length offset H{} is not that of tool {}.</source>
+        <translation>공구 길이 보정 H{}은(는) 공구 {}의 것이 아닙니다.</translation>
+    </message>
+    <message>
+        <source>Use the number of the tool, if that was not meant.</source>
+        <translation>의도한 것이 아니라면 공구 번호를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>{} has no D word.</source>
+        <translation>{}에 D 워드가 없습니다.</translation>
+    </message>
+    <message>
+        <source>Write the number of the offset: the one used last is in force.</source>
+        <translation>보정 번호를 쓰십시오. 마지막에 쓴 번호가 적용됩니다.</translation>
+    </message>
+    <message>
+        <source>Cutter compensation begins on an arc.</source>
+        <translation>공구경 보정이 원호에서 시작합니다.</translation>
+    </message>
+    <message>
+        <source>Lead in with a straight motion; many controls give an alarm here.</source>
+        <translation>직선으로 진입하십시오. 여기서 알람을 내는 제어기가 많습니다.</translation>
+    </message>
+    <message>
+        <source>{} changes the unit in the middle of the program.</source>
+        <translation>{}이(가) 프로그램 중간에 단위를 바꿉니다.</translation>
+    </message>
+    <message>
+        <source>Keep to one unit; lengths that are in force keep their old one.</source>
+        <translation>한 가지 단위만 쓰십시오. 이미 적용 중인 길이는 이전 단위를 유지합니다.</translation>
+    </message>
+    <message>
+        <source>Still in force here: {}.</source>
+        <translation>여기까지 취소되지 않은 코드: {}.</translation>
+    </message>
+    <message>
+        <source>End it before the tool change and before the end of the program.</source>
+        <translation>공구 교환과 프로그램 끝 전에 취소하십시오.</translation>
+    </message>
+    <message>
+        <source>The tool is changed at Z{}, not above Z{}, where it was fed.</source>
+        <translation>Z{}에서 공구를 교환합니다. 절삭 이송을 한 Z{}보다 높지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Retract first.</source>
+        <translation>먼저 후퇴하십시오.</translation>
+    </message>
+    <message>
+        <source>The tool is changed while the spindle turns.</source>
+        <translation>주축이 회전하는 동안 공구를 교환합니다.</translation>
+    </message>
+    <message>
+        <source>Write M5 before it; not every machine stops the spindle by itself.</source>
+        <translation>그 앞에 M5를 쓰십시오. 주축을 스스로 멈추지 않는 기계도 있습니다.</translation>
+    </message>
+    <message>
+        <source>The arc by its radius is nearly a half circle, {} degrees.</source>
+        <translation>반경으로 지정한 원호가 거의 반원({}도)입니다.</translation>
+    </message>
+    <message>
+        <source>Give the centre by I, J and K: here the last digit of R moves it far.</source>
+        <translation>중심을 I, J, K로 지정하십시오. 여기서는 R의 마지막 자리 숫자만으로도 중심이 크게 움직입니다.</translation>
     </message>
 </context>
 <context>
@@ -3524,6 +3848,26 @@
     <message>
         <source>Block delete, as the switch on the control</source>
         <translation>제어기의 블록 스킵 스위치와 같습니다</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>제어기</translation>
+    </message>
+    <message>
+        <source>How the program is read: arcs, cycles, offsets and numbers differ from control to control</source>
+        <translation>프로그램을 읽는 방식입니다. 원호, 사이클, 옵셋, 숫자는 제어기마다 다르게 읽습니다</translation>
+    </message>
+    <message>
+        <source>Automatic: %1</source>
+        <translation>자동: %1</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>자동</translation>
+    </message>
+    <message>
+        <source>Dialect of the program</source>
+        <translation>프로그램의 제어기 방식</translation>
     </message>
 </context>
 <context>

@@ -24,6 +24,7 @@ struct InterpretCommandOptions {
     std::string program;
     std::string toolsFile;
     std::string start;
+    std::string dialect;
     bool blockDelete = false;
 };
 
@@ -35,6 +36,7 @@ ExitCode run(const InterpretCommandOptions& options) {
     };
     InterpretOptions interpreting;
     interpreting.file = options.program;
+    interpreting.dialect = dialectOfOption(options.dialect);
     interpreting.blockDelete = options.blockDelete;
     interpreting.subprogramFolders = {std::filesystem::path(options.program).parent_path()};
     interpreting.assumeStartAtZero = options.start.empty();
@@ -78,7 +80,7 @@ void addInterpretCommand(CLI::App& app, ExitCode& exitCode) {
     auto* command = app.add_subcommand("interpret", "Print motions and events as JSON Lines (nc-motion/1)");
     auto options = std::make_shared<InterpretCommandOptions>();
     command->add_option("PROG", options->program, "NC program")->type_name("")->required();
-    addDialectOption(*command);
+    addDialectOption(*command, options->dialect);
     command->add_option("--tools", options->toolsFile, "Tool table (TOML)")->type_name("FILE");
     command->add_option("--start", options->start, "Position before the first block, mm (0,0,0, assumed)")
         ->type_name("X,Y,Z");

@@ -11,6 +11,12 @@
 
 namespace proveout::cli {
 
+namespace {
+
+const std::string kGuessed = "auto";
+
+} // namespace
+
 void SetupOptions::addTo(CLI::App& command) {
     command.add_option("PROG", m_program, "NC program")->type_name("");
     command.add_option("--job", m_jobFile, "Job file with program, stock, grid, tools and decimation")
@@ -28,7 +34,7 @@ void SetupOptions::addTo(CLI::App& command) {
     command.add_option("--start", m_start, "Position before the first block, mm (not known)")
         ->type_name("X,Y,Z");
     command.add_flag("--block-delete", m_blockDelete, "Skip blocks that begin with /");
-    addDialectOption(command);
+    addDialectOption(command, m_dialect);
     m_decimation.addTo(command);
 }
 
@@ -56,6 +62,8 @@ Result<Job> SetupOptions::job() const {
             return aboutOption("--start", std::move(start.error()));
         job.setup.start = *start;
     }
+    if (!m_dialect.empty())
+        job.setup.dialect = dialectOfOption(m_dialect);
     job.setup.blockDelete = job.setup.blockDelete || m_blockDelete;
     const bool fromFile = !m_jobFile.empty();
     m_decimation.apply(job.parameters, {.region = job.regionNamed, .period = fromFile},
@@ -128,9 +136,17 @@ tl::unexpected<Diagnostics> SetupOptions::aboutGrid(Diagnostics diagnostics) con
     return tl::unexpected(std::move(diagnostics));
 }
 
-void addDialectOption(CLI::App& command) {
-    command.add_option("--dialect", "Dialect of the program (linuxcnc)")
-        ->check(CLI::IsMember({"linuxcnc"}))
+std::optional<DialectId> dialectOfOption(const std::string& key) {
+    const Dialect* row = findDialect(key);
+    return row == nullptr ? std::nullopt : std::optional(row->id);
+}
+
+void addDialectOption(CLI::App& command, std::string& key) {
+    std::set<std::string> keys{kGuessed};
+    for (const Dialect& row : dialects())
+        keys.emplace(row.key);
+    command.add_option("--dialect", key, "Dialect of the program (auto: by its signs)")
+        ->check(CLI::IsMember(std::move(keys)))
         ->type_name("D");
 }
 

@@ -42,10 +42,13 @@ private:
     std::string m_toolsFile;
     std::string m_start;
     bool m_blockDelete = false;
+    std::string m_dialect;
     DecimationOptions m_decimation;
 };
 
-/// `--dialect`: the one there is, until the dialects come.
-void addDialectOption(CLI::App& command);
+/// `--dialect`: nothing where the dialect is to be guessed.
+[[nodiscard]] std::optional<DialectId> dialectOfOption(const std::string& key);
+/// `key` becomes that of a row of dialects(), or "auto".
+void addDialectOption(CLI::App& command, std::string& key);
 
 } // namespace proveout::cli

@@ -62,6 +62,18 @@ void readTools(JsonFields tools, ToolTable& table) {
     });
 }
 
+constexpr const char* kGuessed = "auto"; ///< the dialect is that of the signs in the program
+
+void readDialect(JsonFields& fields, std::optional<DialectId>& dialect) {
+    std::vector<Choice> choices{{kGuessed, ""}};
+    for (const Dialect& row : dialects())
+        choices.push_back({row.key, row.name});
+    std::size_t index = 0;
+    fields.read("dialect", index, choices);
+    if (index > 0)
+        dialect = static_cast<DialectId>(index - 1);
+}
+
 void readParameters(JsonFields fields, Job& job) {
     DecimationParameters& parameters = job.parameters;
     describe(parameters, [&fields](auto& value, const Field& field) {
@@ -149,6 +161,7 @@ Result<Job> parse(std::string_view text, const fs::path& file) {
         fields.read("start", start, kPosition);
         job.setup.start = start;
     }
+    readDialect(fields, job.setup.dialect);
     fields.read("blockDelete", job.setup.blockDelete);
     readParameters(fields.object("decimation"), job);
     fields.warnAboutUnknown();
@@ -180,6 +193,8 @@ ordered_json toJson(const Job& job, const fs::path& file) {
         out["tools"][std::to_string(number)] = cutter.spec();
     if (setup.start)
         out["start"] = toJson(*setup.start);
+    if (setup.dialect)
+        out["dialect"] = dialect(*setup.dialect).key;
     out["blockDelete"] = setup.blockDelete;
     out["decimation"] = writeParameters(job.parameters);
     return out;

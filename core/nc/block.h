@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <vector>
 
 namespace proveout {
 
@@ -38,8 +39,8 @@ private:
     std::uint32_t m_bits = 0;
 };
 
-/// The words of one line: G and M words in the order of the text, every other letter at most once. Holds no
-/// memory of its own; one object is filled again and again.
+/// The words of one line: G and M words in the order of the text, every other letter with one value. One
+/// object is filled again and again.
 class Block {
 public:
     static constexpr std::size_t kMostCodes = 24;
@@ -47,6 +48,7 @@ public:
     void clear() {
         m_letters = {};
         m_codeCount = 0;
+        m_earlier.clear();
     }
     /// False where there is no room for the word: the letter is there already, or there are too many codes.
     [[nodiscard]] bool add(const Word& word) {
@@ -63,11 +65,24 @@ public:
         return true;
     }
 
+    /// As add(), but a letter that is there already gets the new value.
+    [[nodiscard]] bool addOrReplace(const Word& word) {
+        if (add(word))
+            return true;
+        if (!m_letters.has(word.letter))
+            return false;
+        m_earlier.push_back(m_words[index(word.letter)]);
+        m_words[index(word.letter)] = word;
+        return true;
+    }
+
     [[nodiscard]] bool has(char letter) const { return m_letters.has(letter); }
     [[nodiscard]] const Word& word(char letter) const { return m_words[index(letter)]; }
     [[nodiscard]] double value(char letter) const { return m_words[index(letter)].value; }
     [[nodiscard]] LetterSet letters() const { return m_letters; } ///< without G and M
     [[nodiscard]] std::span<const Word> codes() const { return {m_codes.data(), m_codeCount}; }
+    /// Words whose letter came once more, in the order of the text.
+    [[nodiscard]] std::span<const Word> earlier() const { return m_earlier; }
     [[nodiscard]] bool empty() const { return m_letters.empty() && m_codeCount == 0; }
 
 private:
@@ -79,6 +94,7 @@ private:
     std::size_t m_codeCount = 0;
     std::array<Word, kLetters> m_words;
     std::array<Word, kMostCodes> m_codes;
+    std::vector<Word> m_earlier;
 };
 
 } // namespace proveout

@@ -25,7 +25,11 @@ public:
         for (const Word& word : m_block.codes()) {
             if (!planCode(word))
                 return false;
+            if (m_allWords)
+                return planWithArguments();
         }
+        for (const Word& word : m_block.earlier())
+            tell(nc_message::kLastWordCounts, word, {std::string(1, word.letter)});
         for (const LetterRow& row : letters()) {
             if (row.handler != nullptr && m_block.has(row.letter))
                 m_plan.add(row.step, row.handler, m_block.word(row.letter));
@@ -40,7 +44,7 @@ private:
     bool planCode(const Word& word) {
         const CodeRow* row = m_execution.codes.find(word);
         if (word.letter == 'M' && ++m_mWords > m_execution.dialect.mostMWords)
-            return refuse(nc_message::kTooManyM, word);
+            return refuse(nc_message::kTooManyM, word, {std::to_string(m_execution.dialect.mostMWords)});
         if (row == nullptr) {
             tell(nc_message::kUnknownCode, word, {nameOf(word)});
             m_strange = true;
@@ -48,18 +52,34 @@ private:
             return true;
         }
         const Word*& rival = m_groups[static_cast<std::size_t>(row->group)];
-        if (rival != nullptr)
-            return refuse(nc_message::kModalConflict, word, {nameOf(*rival), nameOf(word)});
+        if (rival != nullptr && !replaces(*row, *rival, word))
+            return false;
         rival = &word;
+        m_allWords = row->axisUse == AxisUse::allWords;
         if (row->group == ModalGroup::motion)
             m_motionRow = row;
         if (!row->supported())
             planUnsupported(*row, word);
-        else if (row->axisUse != AxisUse::none && !planAxisUse(*row, word))
+        else if (row->axisUse != AxisUse::none && !m_allWords && !planAxisUse(*row, word))
             return false;
         else if (row->group != ModalGroup::motion && row->group != ModalGroup::motionOff)
             m_plan.add(row->step, row->handler, word, row->withCompensation);
         use(*row);
+        return true;
+    }
+
+    /// Whether a code counts instead of the earlier one of its group.
+    bool replaces(const CodeRow& row, const Word& earlier, const Word& later) {
+        if (!m_execution.dialect.lastWordCounts || row.group == ModalGroup::nonModal)
+            return refuse(nc_message::kModalConflict, later, {nameOf(earlier), nameOf(later)});
+        tell(nc_message::kLastCounts, later, {nameOf(earlier), nameOf(later)});
+        return true;
+    }
+
+    /// Every other word is an argument of the code that came last; a motion code before it is in force.
+    bool planWithArguments() {
+        if (m_motionRow != nullptr && m_motionRow->supported())
+            m_execution.state.motion = m_motionRow;
         return true;
     }
 
@@ -165,11 +185,22 @@ private:
     }
 
     bool planMotionOff(bool named) {
+        if (m_execution.dialect.beginsInRapid)
+            return planRapidAfterG80(named);
         if (named)
             return refuse(nc_message::kG80WithAxis, firstAxisWord(),
                           {std::string(1, firstAxisWord().letter)});
         m_execution.state.motion = nullptr;
         return true;
+    }
+
+    bool planRapidAfterG80(bool named) {
+        constexpr int kRapid = 0;
+        m_execution.state.motion = m_execution.codes.find('G', kRapid);
+        if (!named)
+            return true;
+        tell(nc_message::kRapidAfterG80, firstAxisWord(), {std::string(1, firstAxisWord().letter)});
+        return planMotionInForce();
     }
 
     bool planMotionInForce() {
@@ -196,9 +227,12 @@ private:
         if (m_strange || unused.empty())
             return true;
         for (const LetterRow& row : letters()) {
-            if (unused.has(row.letter))
-                return refuse(nc_message::kWordUnused, m_block.word(row.letter),
-                              {std::string(1, row.letter)});
+            if (!unused.has(row.letter))
+                continue;
+            const Word& word = m_block.word(row.letter);
+            if (m_execution.dialect.refusesUnused)
+                return refuse(nc_message::kWordUnused, word, {std::string(1, row.letter)});
+            tell(nc_message::kWordIgnored, word, {std::string(1, row.letter)});
         }
         return true;
     }
@@ -238,6 +272,7 @@ private:
     const CodeRow* m_motionRow = nullptr;
     LetterSet m_used;
     int m_mWords = 0;
+    bool m_allWords = false;    ///< G65: the words behind it are its arguments
     bool m_strange = false;     ///< something in the block is not supported: other words may belong to it
     bool m_unknownCode = false; ///< it may use the axis words, unless a motion code does
     bool m_axesTaken = false;   ///< by a code that is not supported
@@ -248,7 +283,7 @@ private:
 } // namespace
 
 void BlockPlan::run(Execution& execution) const {
-    for (std::uint32_t rest = m_present; rest != 0; rest &= rest - 1) {
+    for (std::uint64_t rest = m_present; rest != 0; rest &= rest - 1) {
         const Order& order = m_orders[static_cast<std::size_t>(std::countr_zero(rest))];
         // Asked only now: G40 of the same block comes first.
         if (order.withCompensation == WithCompensation::refused && execution.state.compensation.on)

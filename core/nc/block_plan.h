@@ -17,7 +17,7 @@ public:
     void add(Step step, CodeHandler handler, const Word& word,
              WithCompensation withCompensation = WithCompensation::allowed) {
         m_orders[static_cast<std::size_t>(step)] = {handler, &word, withCompensation};
-        m_present |= 1U << static_cast<unsigned>(step);
+        m_present |= std::uint64_t{1} << static_cast<unsigned>(step);
     }
 
     void run(Execution& execution) const;
@@ -29,7 +29,7 @@ private:
         WithCompensation withCompensation;
     };
 
-    std::uint32_t m_present = 0;
+    std::uint64_t m_present = 0;
     std::array<Order, static_cast<std::size_t>(Step::count)> m_orders;
 };
 

@@ -26,4 +26,15 @@ namespace proveout {
     return at;
 }
 
+/// Behind the bracket that closes the one at `at`; the end of the line where none does.
+[[nodiscard]] constexpr std::size_t behindBracket(std::string_view line, std::size_t at) {
+    int open = 0;
+    for (; at < line.size(); ++at) {
+        open += line[at] == '[' ? 1 : line[at] == ']' ? -1 : 0;
+        if (open == 0)
+            return at + 1;
+    }
+    return line.size();
+}
+
 } // namespace proveout

@@ -8,8 +8,9 @@
 
 namespace proveout {
 
-[[nodiscard]] std::span<const CodeRow> commonCodes();  ///< alike on every control
+[[nodiscard]] std::span<const CodeRow> basicCodes();   ///< alike on every control
 [[nodiscard]] std::span<const CodeRow> foreignCodes(); ///< known, of controls that are none of ours
 [[nodiscard]] std::span<const CodeRow> rs274Codes();   ///< of LinuxCNC
+[[nodiscard]] std::span<const CodeRow> fanucCodes();   ///< of Fanuc, and of Haas as far as it is the same
 
 } // namespace proveout

@@ -69,11 +69,13 @@ const CodeRow* CodeTable::find(const Word& word) const {
 }
 
 const CodeTable& codesOf(DialectId dialect) {
-    static const CodeTable kLinuxcnc{foreignCodes(), commonCodes(), rs274Codes()};
+    static const CodeTable kLinuxcnc{foreignCodes(), basicCodes(), rs274Codes()};
+    static const CodeTable kFanuc{basicCodes(), fanucCodes()};
     switch (dialect) {
-    case DialectId::linuxcnc:
     case DialectId::fanuc:
     case DialectId::haas:
+        return kFanuc;
+    case DialectId::linuxcnc:
     case DialectId::count:
         break;
     }

@@ -35,7 +35,12 @@ enum class ModalGroup : std::uint8_t {
     workOffset,
     pathControl,
     spindleMode,
-    transformation, ///< scaling, rotation, mirroring, polar coordinates
+    polar,
+    scaling,
+    mirroring,
+    rotation,
+    exactStop,
+    lookAhead,
     diameterMode,
     macroCall,
     stop,
@@ -46,6 +51,7 @@ enum class ModalGroup : std::uint8_t {
     overrides,
     modalSave,
     subprogram,
+    tapping,
     count
 };
 
@@ -62,6 +68,7 @@ enum class Step : std::uint8_t {
     spindle,
     spindleOrientation,
     modalSave,
+    tapping,
     coolant,
     overrides,
     dwell,
@@ -71,11 +78,17 @@ enum class Step : std::uint8_t {
     toolLength,
     workOffset,
     pathControl,
+    lookAhead,
     distance,
     arcDistance,
     diameterMode,
+    polar,
     retract,
+    mirroring,
+    scaling,
+    rotation,
     nonModal, ///< G10, G28, G30, G52, G92
+    macroCall,
     motion,
     stop,
     subprogram,
@@ -85,10 +98,11 @@ enum class Step : std::uint8_t {
 
 /// What a code does with the axis words of its block.
 enum class AxisUse : std::uint8_t {
-    none,    ///< they belong to the motion in force
-    takes,   ///< they are its own: no motion; if it is not supported, the axes are somewhere else afterwards
-    allAxes, ///< as `takes`, and without axis words it moves every axis
-    machine, ///< they belong to the motion in force, but count in machine coordinates
+    none,     ///< they belong to the motion in force
+    takes,    ///< they are its own: no motion; if it is not supported, the axes are somewhere else afterwards
+    allAxes,  ///< as `takes`, and without axis words it moves every axis
+    machine,  ///< they belong to the motion in force, but count in machine coordinates
+    allWords, ///< every word behind the code is an argument of its own
 };
 
 /// What happens to a code while cutter compensation is on.

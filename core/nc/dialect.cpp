@@ -21,8 +21,10 @@ constexpr Dialect kDialects[] = {
      .lastWordCounts = false,
      .mostMWords = 4,
      .refusesUnused = true,
+     .codeAloneMoves = true,
      .beginsInRapid = false,
-     .retractsToR = true},
+     .retractsToR = true,
+     .deepestCalls = 9},
     {.id = DialectId::fanuc,
      .key = "fanuc",
      .name = "Fanuc",
@@ -32,8 +34,10 @@ constexpr Dialect kDialects[] = {
      .lastWordCounts = true,
      .mostMWords = 3,
      .refusesUnused = false,
+     .codeAloneMoves = false,
      .beginsInRapid = true,
-     .retractsToR = false},
+     .retractsToR = false,
+     .deepestCalls = 10},
     {.id = DialectId::haas,
      .key = "haas",
      .name = "Haas",
@@ -43,8 +47,10 @@ constexpr Dialect kDialects[] = {
      .lastWordCounts = true,
      .mostMWords = 3,
      .refusesUnused = false,
+     .codeAloneMoves = false,
      .beginsInRapid = true,
-     .retractsToR = false},
+     .retractsToR = false,
+     .deepestCalls = 10},
 };
 static_assert(std::size(kDialects) == static_cast<std::size_t>(DialectId::count));
 
@@ -59,7 +65,8 @@ const Dialect& dialect(DialectId id) {
 }
 
 const Dialect* findDialect(std::string_view key) {
-    const auto* row = std::ranges::find(kDialects, key, &Dialect::key);
+    const auto* row =
+        std::ranges::find(kDialects, key, [](const Dialect& one) { return std::string_view(one.key); });
     return row == std::end(kDialects) ? nullptr : row;
 }
 

@@ -3,6 +3,7 @@
 // LinuxCNC's documentation and stand-alone interpreter; the operator's manuals of the other controls.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string_view>
@@ -20,18 +21,20 @@ enum class MacroLanguage : std::uint8_t {
 /// One row of the table of dialects.
 struct Dialect {
     DialectId id;
-    std::string_view key;  ///< in files and on the command line
-    std::string_view name; ///< proper, the same in all languages
+    const char* key;  ///< in files and on the command line
+    const char* name; ///< proper, the same in all languages
     MacroLanguage macros;
     /// What the number 1 without a decimal point means, as a part of the unit; 1: the unit itself.
     double leastMm;
     double leastInch;
     /// Of two words with one letter, or two codes of one group, the last counts; otherwise they are an error.
     bool lastWordCounts;
-    int mostMWords;     ///< in one block
-    bool refusesUnused; ///< words that nothing in their block uses are an error
-    bool beginsInRapid; ///< G0 is in force at the start
-    bool retractsToR;   ///< G99 is in force at the start, otherwise G98
+    int mostMWords;           ///< in one block
+    bool refusesUnused;       ///< words that nothing in their block uses are an error
+    bool codeAloneMoves;      ///< G0 without an axis word is a motion of no length
+    bool beginsInRapid;       ///< G0 is in force at the start
+    bool retractsToR;         ///< G99 is in force at the start, otherwise G98
+    std::size_t deepestCalls; ///< of subprograms within subprograms
 };
 
 /// All of them, in the order of DialectId.

@@ -6,8 +6,8 @@
 #include "core/base/work_context.h"
 #include "core/nc/block.h"
 #include "core/nc/codes.h"
-#include "core/nc/control_flow.h"
 #include "core/nc/dialect.h"
+#include "core/nc/flow_request.h"
 #include "core/nc/machine_state.h"
 #include "core/nc/modal_saves.h"
 #include "core/nc/parameters.h"
@@ -17,6 +17,8 @@
 #include "core/nc/tool_offsets.h"
 
 namespace proveout {
+
+struct LintMemory;
 
 /// What the handler of a code works on: the block, and everything that the block may change.
 struct Execution {
@@ -31,6 +33,7 @@ struct Execution {
     Reporter& reporter;
     ModalSaves& saves;
     SplineState& splines;
+    LintMemory* lint;      ///< null: nothing is told that is no error
     std::size_t callLevel; ///< 0: the main program
     std::uint32_t line;    ///< source line, 1-based
     std::size_t maxMotions;

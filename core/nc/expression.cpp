@@ -2,7 +2,7 @@
 #include "core/nc/expression.h"
 
 #include <cmath>
-#include <numbers>
+#include <fmt/format.h>
 
 #include "core/nc/characters.h"
 #include "core/nc/number.h"
@@ -13,96 +13,16 @@ namespace {
 
 using Value = tl::expected<double, ReadError>;
 
-constexpr double kEqual = 1e-4; ///< LinuxCNC takes numbers nearer than this for equal, and for whole
+constexpr double kWhole = 1e-4; ///< numbers nearer to a whole one than this count as whole
 constexpr int kWeakest = 1;
 
 bool isLetter(char c) {
     return c >= 'A' && c <= 'Z';
 }
 
-double radians(double degrees) {
-    return degrees * std::numbers::pi / 180;
+double numberOf(double value) {
+    return isNull(value) ? 0 : value;
 }
-
-double degrees(double radians) {
-    return radians * 180 / std::numbers::pi;
-}
-
-/// Nothing where an operation has no result.
-using Outcome = std::optional<double>;
-
-double truth(bool value) {
-    return value ? 1.0 : 0.0;
-}
-
-Outcome dividedBy(double left, double right) {
-    return right == 0 ? Outcome() : left / right;
-}
-
-Outcome modulo(double left, double right) {
-    if (right == 0)
-        return {};
-    const double rest = std::fmod(left, right);
-    return rest < 0 ? rest + std::abs(right) : rest;
-}
-
-Outcome power(double left, double right) {
-    return left < 0 && right != std::floor(right) ? Outcome() : std::pow(left, right);
-}
-
-struct Operator {
-    std::string_view word;
-    int strength; ///< the larger binds first
-    Outcome (*apply)(double, double);
-};
-
-// A word that begins another one stands behind it.
-constexpr Operator kOperators[] = {
-    {"**", 5, power},
-    {"*", 4, [](double l, double r) { return Outcome(l * r); }},
-    {"/", 4, dividedBy},
-    {"MOD", 4, modulo},
-    {"+", 3, [](double l, double r) { return Outcome(l + r); }},
-    {"-", 3, [](double l, double r) { return Outcome(l - r); }},
-    {"EQ", 2, [](double l, double r) { return Outcome(truth(std::abs(l - r) < kEqual)); }},
-    {"NE", 2, [](double l, double r) { return Outcome(truth(std::abs(l - r) >= kEqual)); }},
-    {"GT", 2, [](double l, double r) { return Outcome(truth(l > r)); }},
-    {"GE", 2, [](double l, double r) { return Outcome(truth(l >= r)); }},
-    {"LT", 2, [](double l, double r) { return Outcome(truth(l < r)); }},
-    {"LE", 2, [](double l, double r) { return Outcome(truth(l <= r)); }},
-    {"AND", 1, [](double l, double r) { return Outcome(truth(l != 0 && r != 0)); }},
-    {"OR", 1, [](double l, double r) { return Outcome(truth(l != 0 || r != 0)); }},
-    {"XOR", 1, [](double l, double r) { return Outcome(truth((l != 0) != (r != 0))); }},
-};
-
-Outcome arcSine(double x) {
-    return std::abs(x) > 1 ? Outcome() : degrees(std::asin(x));
-}
-
-Outcome arcCosine(double x) {
-    return std::abs(x) > 1 ? Outcome() : degrees(std::acos(x));
-}
-
-struct Function {
-    std::string_view word;
-    Outcome (*apply)(double);
-};
-
-// ATAN and EXISTS have arguments of another form.
-constexpr Function kFunctions[] = {
-    {"ABS", [](double x) { return Outcome(std::abs(x)); }},
-    {"ACOS", arcCosine},
-    {"ASIN", arcSine},
-    {"COS", [](double x) { return Outcome(std::cos(radians(x))); }},
-    {"EXP", [](double x) { return Outcome(std::exp(x)); }},
-    {"FIX", [](double x) { return Outcome(std::floor(x)); }},
-    {"FUP", [](double x) { return Outcome(std::ceil(x)); }},
-    {"LN", [](double x) { return x <= 0 ? Outcome() : std::log(x); }},
-    {"ROUND", [](double x) { return Outcome(std::trunc(x + (x < 0 ? -0.5 : 0.5))); }},
-    {"SIN", [](double x) { return Outcome(std::sin(radians(x))); }},
-    {"SQRT", [](double x) { return x < 0 ? Outcome() : std::sqrt(x); }},
-    {"TAN", [](double x) { return Outcome(std::tan(radians(x))); }},
-};
 
 const Message& messageFor(NumberStatus status) {
     switch (status) {
@@ -155,9 +75,19 @@ bool ExpressionReader::take(std::size_t& at, std::string_view word) const {
 
 Value ExpressionReader::value(std::size_t& at, std::string_view letter) {
     const std::size_t begin = at;
-    const Value value = signedValue(at, letter);
-    if (value && !(std::abs(*value) <= kLargestNumber))
-        return fail(nc_message::kNumberOutOfRange, begin, at, letter);
+    return inRange(signedValue(at, letter), begin, at, letter);
+}
+
+Value ExpressionReader::expression(std::size_t& at, std::string_view letter) {
+    const std::size_t begin = at;
+    const Value left = signedValue(at, letter);
+    return inRange(left ? operation(*left, at, kWeakest) : left, begin, at, letter);
+}
+
+Value ExpressionReader::inRange(const Value& value, std::size_t begin, std::size_t end,
+                                std::string_view letter) const {
+    if (value && !(std::abs(numberOf(*value)) <= kLargestNumber))
+        return fail(nc_message::kNumberOutOfRange, begin, end, letter);
     return value;
 }
 
@@ -198,10 +128,13 @@ Value ExpressionReader::parameter(std::size_t& at) {
     const tl::expected<ParameterName, ReadError> name = parameterName(at);
     if (!name)
         return tl::unexpected(name.error());
-    if (name->name.empty() && m_system.hidden(name->number))
-        return fail(nc_message::kPositionHidden, begin, at, m_line.substr(begin, at - begin));
-    if (name->name.empty())
-        return m_system.numbered(name->number).value_or(m_parameters.numbered(name->number));
+    if (const Message* refusal = name->name.empty() ? m_system.refusal(name->number) : nullptr)
+        return fail(*refusal, begin, at, m_line.substr(begin, at - begin));
+    if (name->name.empty()) {
+        if (const auto value = m_system.numbered(name->number))
+            return *value;
+        return m_parameters.exists(name->number) ? m_parameters.numbered(name->number) : kNull;
+    }
     if (const auto value = m_system.named(name->name))
         return *value;
     if (const auto value = m_parameters.named(name->name))
@@ -211,19 +144,22 @@ Value ExpressionReader::parameter(std::size_t& at) {
 
 tl::expected<ParameterName, ReadError> ExpressionReader::parameterName(std::size_t& at) {
     const std::size_t begin = at;
-    if (peek(at) == '<') {
+    if (m_rules.named && peek(at) == '<') {
         const auto name = quotedName(at);
         return name ? tl::expected<ParameterName, ReadError>({0, *name}) : tl::unexpected(name.error());
     }
     const Value number = signedValue(at, "#");
     if (!number)
         return tl::unexpected(number.error());
-    const double whole = std::round(*number);
-    if (std::abs(*number - whole) > kEqual)
+    const double whole = std::round(numberOf(*number));
+    if (std::abs(numberOf(*number) - whole) > kWhole)
         return fail(nc_message::kParameterNotWhole, begin, at, m_line.substr(begin, at - begin));
-    if (!(whole >= 1 && whole < Parameters::kMost))
+    const bool small = whole >= 0 && whole <= Parameters::kLargest;
+    const int index = small ? static_cast<int>(whole) : -1;
+    if (!small || !(m_parameters.exists(index) || m_system.numbered(index) || m_system.refusal(index) ||
+                    m_system.writable(index)))
         return fail(nc_message::kParameterNumber, begin, at, m_line.substr(begin, at - begin));
-    return ParameterName{static_cast<int>(whole), {}};
+    return ParameterName{index, {}};
 }
 
 tl::expected<std::string, ReadError> ExpressionReader::quotedName(std::size_t& at) {
@@ -247,8 +183,10 @@ tl::expected<std::string, ReadError> ExpressionReader::quotedName(std::size_t& a
 Value ExpressionReader::bracket(std::size_t& at) {
     const std::size_t open = at - 1;
     const Value value = operand(at, kWeakest);
-    if (!value)
-        return value;
+    return value ? closed(*value, open, at) : value;
+}
+
+Value ExpressionReader::closed(double value, std::size_t open, std::size_t& at) {
     if (peek(at) == ']') {
         ++at;
         return value;
@@ -268,7 +206,7 @@ Value ExpressionReader::operation(double left, std::size_t& at, int strength) {
         std::size_t place = at;
         static_cast<void>(peek(place));
         const Operator* found = nullptr;
-        for (const Operator& row : kOperators) {
+        for (const Operator& row : m_rules.operators) {
             std::size_t behind = at;
             if (take(behind, row.word)) {
                 found = &row;
@@ -281,47 +219,72 @@ Value ExpressionReader::operation(double left, std::size_t& at, int strength) {
         const Value right = operand(at, found->strength + 1);
         if (!right)
             return right;
-        const Outcome result = found->apply(left, *right);
+        const Outcome result =
+            found->seesNull ? found->apply(left, *right) : found->apply(numberOf(left), numberOf(*right));
         if (!result || !std::isfinite(*result))
             return fail(nc_message::kNoResult, place, at, m_line.substr(place, at - place));
         left = *result;
     }
 }
 
+/// The row of a table that stands at `at`, which then points behind it; null where none does.
+template<class Row>
+const Row* ExpressionReader::taken(std::span<const Row> rows, std::size_t& at) const {
+    for (const Row& row : rows) {
+        if (take(at, row.word))
+            return &row;
+    }
+    return nullptr;
+}
+
 Value ExpressionReader::function(std::size_t& at, std::string_view letter) {
     const std::size_t begin = at;
-    if (take(at, "EXISTS"))
+    if (m_rules.named && take(at, "EXISTS"))
         return existence(at);
-    const bool arcTan = take(at, "ATAN");
-    const Function* found = nullptr;
-    for (const Function& row : kFunctions) {
-        if (!arcTan && take(at, row.word)) {
-            found = &row;
-            break;
-        }
-    }
-    if (!arcTan && found == nullptr)
+    if (const PairFunction* pair = taken(m_rules.pairs, at))
+        return ofPair(*pair, begin, at);
+    const Function* found = taken(m_rules.functions, at);
+    if (found == nullptr)
         return fail(nc_message::kNumberMissing, begin, begin + 1, letter);
     if (peek(at) != '[')
         return fail(nc_message::kBracketMissing, begin, at, m_line.substr(begin, at - begin));
     const Value argument = bracket(++at);
     if (!argument)
         return argument;
-    if (arcTan)
-        return arcTangent(*argument, at);
-    const Outcome result = found->apply(*argument);
+    const double unit = found->toLeastUnit ? m_leastUnit : 1;
+    const Outcome result = found->apply(numberOf(*argument) / unit);
+    if (!result || !std::isfinite(*result))
+        return fail(nc_message::kNoResult, begin, at, m_line.substr(begin, at - begin));
+    return *result * unit;
+}
+
+/// ATAN[y]/[x] and its like; `at` stands behind the name.
+Value ExpressionReader::ofPair(const PairFunction& function, std::size_t begin, std::size_t& at) {
+    if (peek(at) != '[')
+        return fail(nc_message::kBracketMissing, begin, at, m_line.substr(begin, at - begin));
+    const std::size_t open = at++;
+    const Value first = operand(at, kWeakest);
+    if (!first)
+        return first;
+    Value second = 1.0;
+    if (function.comma && peek(at) == ',') {
+        second = operand(++at, kWeakest);
+        if (second)
+            second = closed(*second, open, at);
+    } else if (const Value end = closed(*first, open, at); !end) {
+        return end;
+    } else if (std::size_t behind = at; function.slash && take(behind, "/") && peek(behind) == '[') {
+        at = behind + 1;
+        second = bracket(at);
+    } else if (!function.alone) {
+        return fail(nc_message::kPairForm, begin, at, function.word);
+    }
+    if (!second)
+        return second;
+    const Outcome result = function.apply(numberOf(*first), numberOf(*second));
     if (!result || !std::isfinite(*result))
         return fail(nc_message::kNoResult, begin, at, m_line.substr(begin, at - begin));
     return *result;
-}
-
-/// ATAN[y]/[x]
-Value ExpressionReader::arcTangent(double opposite, std::size_t& at) {
-    const std::size_t begin = at;
-    if (!take(at, "/") || peek(at) != '[')
-        return fail(nc_message::kArcTangentForm, begin, begin + 1);
-    const Value adjacent = bracket(++at);
-    return adjacent ? Value(degrees(std::atan2(opposite, *adjacent))) : adjacent;
 }
 
 /// EXISTS[#<name>]; of a number, whether there is such a parameter.
@@ -339,12 +302,13 @@ Value ExpressionReader::existence(std::size_t& at) {
         const Value number = signedValue(at, "#");
         if (!number)
             return number;
-        exists = *number >= 1 && *number < Parameters::kMost;
+        exists =
+            *number >= 1 && *number <= Parameters::kLargest && m_parameters.exists(static_cast<int>(*number));
     }
     if (peek(at) != ']')
         return fail(nc_message::kBracketUnclosed, begin, begin + 1);
     ++at;
-    return truth(exists);
+    return exists ? 1.0 : 0.0;
 }
 
 } // namespace proveout

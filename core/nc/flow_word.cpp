@@ -51,17 +51,6 @@ std::size_t placeOfO(std::string_view line) {
     return at < line.size() && lowerCase(line[at]) == 'o' ? at : line.size();
 }
 
-/// Behind the bracket that closes the one at `at`; the end of the line where none does.
-std::size_t behindBracket(std::string_view line, std::size_t at) {
-    int open = 0;
-    for (; at < line.size(); ++at) {
-        open += line[at] == '[' ? 1 : line[at] == ']' ? -1 : 0;
-        if (open == 0)
-            return at + 1;
-    }
-    return line.size();
-}
-
 tl::unexpected<ReadError> fail(const Message& message, std::size_t begin, std::size_t end,
                                std::string_view argument = {}) {
     return tl::unexpected(readError(message, begin, end, argument));

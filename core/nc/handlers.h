@@ -76,6 +76,13 @@ void saveModes(Execution& execution, const Word& word);            ///< M70
 void discardModes(Execution& execution, const Word& word);         ///< M71
 void restoreModes(Execution& execution, const Word& word);         ///< M72
 void saveModesUntilReturn(Execution& execution, const Word& word); ///< M73
+// macro_call_codes.cpp
+void callSubprogram(Execution& execution, const Word& word);      ///< M98 of Fanuc
+void callLocalSubprogram(Execution& execution, const Word& word); ///< M97 of Haas
+void returnToBlock(Execution& execution, const Word& word);       ///< M99 of Fanuc
+void callMacro(Execution& execution, const Word& word);           ///< G65
+void callMacroModally(Execution& execution, const Word& word);    ///< G66
+void cancelModalMacro(Execution& execution, const Word& word);    ///< G67
 
 // compensation_codes.cpp
 void endCompensation(Execution& execution, const Word& word);           ///< G40

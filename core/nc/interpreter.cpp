@@ -3,12 +3,19 @@
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <ranges>
 
-#include "core/nc/control_flow.h"
+#include "core/nc/call_stack.h"
+#include "core/nc/characters.h"
+#include "core/nc/dialect_guess.h"
 #include "core/nc/execution.h"
 #include "core/nc/lexer.h"
+#include "core/nc/lint.h"
 #include "core/nc/machine_values.h"
+#include "core/nc/macro_flow.h"
+#include "core/nc/macro_variables.h"
 #include "core/nc/motion_building.h"
+#include "core/nc/o_word_flow.h"
 
 namespace proveout {
 
@@ -39,23 +46,33 @@ std::string readable(std::string_view text) {
 class Interpreter {
 public:
     Interpreter(const NcText& text, const InterpretOptions& options, const WorkContext& context)
-        : m_text(text), m_options(options), m_dialect(dialect(options.dialect)),
-          m_codes(codesOf(options.dialect)), m_context(context), m_program(std::make_shared<Program>()),
+        : m_text(text), m_options(options),
+          m_guess(options.dialect ? DialectGuess{*options.dialect, {}} : guessDialect(text)),
+          m_dialect(dialect(m_guess.dialect)), m_codes(codesOf(m_guess.dialect)), m_context(context),
+          m_program(std::make_shared<Program>()),
           m_reporter(*m_program, options.file, options.maxDiagnostics), m_tools(options.tools),
-          m_values(m_state), m_flow(text, options.file, {options.maxSteps, options.subprogramFolders},
-                                    m_parameters, m_values, m_reporter) {
+          m_calls(text, options.file, {options.maxSteps, options.subprogramFolders, m_dialect.deepestCalls},
+                  m_parameters, m_reporter) {
         if (options.start || options.assumeStartAtZero) {
             m_state.position = options.start.value_or(Vec3(0));
             m_state.known = kAllAxes;
         }
         m_state.machineZeroKnown = options.assumeStartAtZero;
+        m_state.retractToR = m_dialect.retractsToR;
+        if (m_dialect.beginsInRapid)
+            m_state.motion = m_codes.find('G', 0);
     }
 
     std::shared_ptr<const Program> run() {
         const std::size_t count = m_text.lineCount();
         m_loneCr = m_text.firstLoneCr();
-        while (!m_finished && (!m_flow.atEnd() || m_flow.leaveFile())) {
-            if (!lookUp(count) || !m_flow.step())
+        m_program->setDialect(m_dialect.id);
+        if (!m_guess.reasons.empty())
+            tellGuess();
+        if (m_macroB)
+            skipToPercent();
+        while (!m_finished && (!m_calls.atEnd() || leaveText())) {
+            if (!lookUp(count) || !m_calls.step())
                 m_finished = m_cutShort = true;
             else
                 runLine();
@@ -73,9 +90,41 @@ public:
     }
 
 private:
+    void tellGuess() {
+        constexpr std::size_t kMostShown = 4;
+        m_reporter.beginLine(1);
+        std::string reasons;
+        for (const DialectSign& sign : m_guess.reasons | std::views::take(kMostShown))
+            reasons += fmt::format("{}{} ({})", reasons.empty() ? "" : ", ", sign.shown, sign.line);
+        m_reporter.tell(nc_message::kDialectGuessed, 1, 0, {m_dialect.name, reasons});
+    }
+
+    /// Controls of custom macro B's dialect look for the first "%" and read from there.
+    void skipToPercent() {
+        constexpr std::size_t kFarthest = 1000; ///< lines of a heading
+        const std::size_t most = std::min(m_text.lineCount(), kFarthest);
+        bool text = false;
+        for (std::size_t line = 0; line < most; ++line) {
+            const std::string_view content = m_text.line(line);
+            const std::size_t at = skipBlanks(content, 0);
+            if (at >= content.size())
+                continue;
+            if (content[at] != '%') {
+                text = true;
+                continue;
+            }
+            if (text) {
+                m_reporter.beginLine(1);
+                m_reporter.tell(nc_message::kTextBeforePercent, 1, 0);
+                m_calls.jump(line);
+            }
+            return;
+        }
+    }
+
     /// Once in many lines: whether to stop, and how far it is. False where it has to stop.
     bool lookUp(std::size_t count) {
-        m_reporter.beginLine(static_cast<std::uint32_t>(m_flow.line() + 1));
+        m_reporter.beginLine(static_cast<std::uint32_t>(m_calls.line() + 1));
         const std::size_t step = m_steps++;
         if (step % kLinesPerLook == 0 && m_context.stopped()) {
             m_reporter.tellInAnyCase(nc_message::kStopped, 1, 0);
@@ -96,9 +145,9 @@ private:
     }
 
     void runLine() {
-        const std::size_t index = m_flow.at();
-        const std::string_view text = m_flow.text().line(index);
-        const bool first = m_flow.inMainText() && index >= m_linesRead;
+        const std::size_t index = m_calls.at();
+        const std::string_view text = m_calls.text().line(index);
+        const bool first = m_calls.inMainText() && index >= m_linesRead;
         if (first)
             firstLook(index, text);
         readLine(text, m_readContext, m_line);
@@ -112,19 +161,61 @@ private:
             return;
         }
         if (m_line.percent) {
-            if (m_flow.inMainText())
+            if (m_calls.inMainText())
                 handlePercent(index);
+            else if (m_macroB && index > 0)
+                m_calls.endText();
             return;
         }
+        if (m_line.programNumber && !beginsProgram(index))
+            return;
         if (m_line.flow)
             runFlow(first);
+        else if (m_line.statement)
+            runStatement(*m_line.statement, first);
         else if (!m_line.block.empty() || !m_line.assignments.empty())
             runBlock(first);
     }
 
+    /// Whether an O-word begins the program that runs; another one is the end of it.
+    bool beginsProgram(std::size_t index) {
+        const bool begins = m_calls.inMainProgram() ? m_sourceBlocks == 0 : index == m_calls.level().entry;
+        if (!begins)
+            m_calls.endText();
+        return begins;
+    }
+
+    /// At the end of a text or program: back to the caller; false in the main program.
+    bool leaveText() {
+        if (m_calls.inMainProgram())
+            return false;
+        m_reporter.tell(nc_message::kSubEndMissing, 1, 0, {m_calls.level().label});
+        m_calls.leave();
+        return true;
+    }
+
+    void runStatement(const MacroStatement& statement, bool first) {
+        m_sourceBlocks += first ? 1 : 0;
+        const MacroFlow::Next next = m_macros.run(statement);
+        if (next == MacroFlow::Next::failed)
+            m_state.forget(LetterSet("XYZ"));
+        if (next != MacroFlow::Next::rest)
+            return;
+        const std::string_view text = m_calls.currentText();
+        readRest(text, m_macros.rest(), m_readContext, m_line);
+        if (m_line.error)
+            skipUnreadable(text, false);
+        else if (!m_line.block.empty() || !m_line.assignments.empty())
+            runBlock(false);
+    }
+
+    bool runRequest(const FlowRequest& request) {
+        return m_macroB ? m_macros.run(request) : m_oWords.run(request);
+    }
+
     void runFlow(bool first) {
         m_sourceBlocks += first ? 1 : 0;
-        carryOut(*m_line.flow);
+        carryOut([&] { return m_oWords.run(*m_line.flow); });
         tellInputRead();
     }
 
@@ -139,12 +230,12 @@ private:
     /// An order of the flow of the program; nobody knows what a failed one would have moved.
     template<typename Order>
     void carryOut(const Order& order) {
-        const std::size_t level = m_flow.depth();
-        const std::uint64_t endedRuns = m_flow.endedRuns();
-        const std::size_t line = m_flow.mainLine() + 1;
-        if (!m_flow.run(order))
+        const std::size_t level = m_calls.depth();
+        const std::uint64_t endedRuns = m_calls.endedRuns();
+        const std::size_t line = m_calls.mainLine() + 1;
+        if (!order())
             m_state.forget(LetterSet("XYZ"));
-        if (m_flow.endedRuns() != endedRuns)
+        if (m_calls.endedRuns() != endedRuns)
             restoreAfter(level, static_cast<std::uint32_t>(line));
     }
 
@@ -172,8 +263,9 @@ private:
                 m_reporter,
                 m_saves,
                 m_splines,
-                m_flow.depth(),
-                static_cast<std::uint32_t>(m_flow.mainLine() + 1),
+                m_options.lint ? &m_lint : nullptr,
+                m_calls.depth(),
+                static_cast<std::uint32_t>(m_calls.mainLine() + 1),
                 m_options.maxMotions,
                 m_context};
     }
@@ -185,11 +277,16 @@ private:
             return;
         FlowRequest request;
         Execution execution = executionOf(m_line.block, request);
+        const std::size_t before = m_program->motionCount();
         executeBlock(execution);
-        if (request.kind == FlowRequest::Kind::returns && m_flow.inMainProgram())
+        const bool moved = m_program->motionCount() > before;
+        const bool returns = request.kind == FlowRequest::Kind::returns && request.program == 0;
+        if (returns && m_calls.inMainProgram())
             endAtReturn(execution, request.word);
         else if (request.kind != FlowRequest::Kind::none)
-            carryOut(request);
+            carryOut([&] { return runRequest(request); });
+        if (moved && m_macroB && !m_macros.afterMotion())
+            m_state.forget(LetterSet("XYZ"));
         m_finished = m_state.ended || tooLong();
     }
 
@@ -197,17 +294,43 @@ private:
     void endAtReturn(Execution& execution, const Word& word) {
         finishCompensated(execution, word);
         m_reporter.tell(nc_message::kMainReturn, word);
-        m_program->append(ProgramEnd{}, static_cast<std::uint32_t>(m_flow.mainLine() + 1));
+        m_program->append(ProgramEnd{}, static_cast<std::uint32_t>(m_calls.mainLine() + 1));
         m_state.ended = true;
+    }
+
+    /// What writing a system variable of custom macro B does besides; true where it is stored nowhere.
+    bool writeVariable(const Assignment& order) {
+        const std::string shown = fmt::format("#{}", order.target.number);
+        switch (MacroVariables::writing(order.target.number)) {
+        case MacroVariables::Writing::stored:
+            return false;
+        case MacroVariables::Writing::ignored:
+            return true;
+        case MacroVariables::Writing::readOnly:
+            m_reporter.tell(nc_message::kParameterReadOnly, order.column, order.length, {shown});
+            return true;
+        case MacroVariables::Writing::alarm:
+            m_reporter.tell(nc_message::kAlarm, order.column, order.length,
+                            {fmt::format("{:g}", order.value)});
+            m_state.ended = m_finished = true;
+            return true;
+        case MacroVariables::Writing::stop:
+            m_program->append(ProgramStop{StopKind::program},
+                              static_cast<std::uint32_t>(m_calls.mainLine() + 1));
+            return true;
+        }
+        return true;
     }
 
     void assign() {
         for (const Assignment& order : m_line.assignments) {
             const std::string& name = order.target.name;
-            if (name.empty() && order.target.number == kInputParameter)
+            if (m_macroB && writeVariable(order))
+                continue;
+            if (!m_macroB && name.empty() && order.target.number == kInputParameter)
                 m_state.inputAssumed = false;
-            const bool readOnly = name.empty() ? m_values.numbered(order.target.number).has_value()
-                                               : m_values.named(name).has_value();
+            const bool readOnly = name.empty() ? m_system.numbered(order.target.number).has_value()
+                                               : m_system.named(name).has_value();
             const std::string shown =
                 name.empty() ? fmt::format("#{}", order.target.number) : fmt::format("#<{}>", name);
             if (readOnly)
@@ -287,7 +410,7 @@ private:
         }
         if (m_program->motionCount() == 0)
             m_reporter.tellInAnyCase(nc_message::kNoMotion, 1, 0);
-        else if (linesRead == m_text.lineCount() && !m_state.ended && !m_percentClosed)
+        else if (!m_state.ended && !m_percentClosed)
             m_reporter.tellInAnyCase(nc_message::kNoProgramEnd, 1, 0);
         tellNeverKnown();
     }
@@ -301,19 +424,26 @@ private:
 
     const NcText& m_text;
     const InterpretOptions& m_options;
+    const DialectGuess m_guess;
     const Dialect& m_dialect;
+    const bool m_macroB = m_dialect.macros == MacroLanguage::macroB;
     const CodeTable& m_codes;
     const WorkContext& m_context;
     std::shared_ptr<Program> m_program;
     Reporter m_reporter;
     MachineState m_state;
-    Parameters m_parameters;
+    Parameters m_parameters{m_dialect.macros};
     ToolOffsets m_tools;
     ModalSaves m_saves;
     SplineState m_splines;
-    MachineValues m_values;
-    ControlFlow m_flow;
-    ReadContext m_readContext{m_parameters, m_values};
+    MachineValues m_values{m_state};
+    MacroVariables m_variables{m_state, m_dialect};
+    const SystemValues& m_system = m_macroB ? static_cast<const SystemValues&>(m_variables) : m_values;
+    ReadContext m_readContext{m_parameters, m_system, m_dialect, m_options.blockDelete};
+    CallStack m_calls;
+    OWordFlow m_oWords{m_calls, m_parameters, m_readContext, m_reporter};
+    MacroFlow m_macros{m_calls, m_parameters, m_readContext, m_reporter};
+    LintMemory m_lint;
     Line m_line;
     std::size_t m_loneCr = 0;
     std::size_t m_linesRead = 0; ///< of the main text, counted to the last one that was reached

@@ -20,7 +20,9 @@ namespace proveout {
 
 struct InterpretOptions {
     std::string file; ///< name for diagnostics
-    DialectId dialect = DialectId::linuxcnc;
+    /// Nothing: by the signs in the text, which is told.
+    std::optional<DialectId> dialect = DialectId::linuxcnc;
+    bool lint = true;          ///< tell also what is no error and yet seldom meant (lint.h)
     bool blockDelete = false;  ///< skip blocks that begin with "/"
     std::optional<Vec3> start; ///< mm, before the first block; without it no axis is known
     /// `interpret`: start at 0,0,0, which is the machine's zero too; every motion counts as known.

@@ -11,6 +11,7 @@ namespace proveout {
 
 namespace {
 
+constexpr LetterSet kLengths("XYZIJKRQUVW");
 constexpr std::size_t kLongestBlockNumber = 15; ///< digits; more than any control can hold
 
 /// DC1 to DC4 of a serial line, the end-of-file byte of DOS.
@@ -32,7 +33,13 @@ bool isLetter(char c) {
 class LineReader {
 public:
     LineReader(std::string_view text, const ReadContext& context, Line& line)
-        : m_text(text), m_context(context), m_line(line) {}
+        : m_text(text), m_context(context), m_macroB(context.dialect.macros == MacroLanguage::macroB),
+          m_line(line) {}
+
+    void readFrom(std::size_t begin) {
+        m_at = begin;
+        readItems();
+    }
 
     void read() {
         skipBlanks();
@@ -42,13 +49,25 @@ public:
         }
         if (!atEnd() && m_text[m_at] == '/') {
             m_line.deleteMark = true;
-            ++m_at;
+            skipDeleteMark();
         }
+        readItems();
+    }
+
+private:
+    void readItems() {
         while (skipBlanks(), !atEnd() && !m_line.error)
             readItem();
     }
 
-private:
+    /// "/", or "/1" to "/9" where a control has several switches for it.
+    void skipDeleteMark() {
+        ++m_at;
+        skipBlanks();
+        if (m_macroB && !atEnd() && m_text[m_at] >= '1' && m_text[m_at] <= '9')
+            ++m_at;
+    }
+
     [[nodiscard]] bool atEnd() const { return m_at >= m_text.size(); }
 
     void skipBlanks() {
@@ -77,6 +96,8 @@ private:
 
     void readItem() {
         const char c = m_text[m_at];
+        if (m_macroB && readMacroItem(c))
+            return;
         if (beginsWord(c))
             readWord(upperCase(c));
         else if (c == '(')
@@ -89,13 +110,67 @@ private:
             failOnCharacter();
     }
 
+    /// What only custom macro B's dialect knows; false where `c` begins nothing of that kind.
+    bool readMacroItem(char c) {
+        if (upperCase(c) == 'O' || c == ':') {
+            readProgramNumber();
+            return true;
+        }
+        if (c == '<') {
+            readProgramName();
+            return true;
+        }
+        if (c == '/') {
+            m_at = m_context.blockDelete ? m_text.size() : m_at;
+            if (!atEnd())
+                skipDeleteMark();
+            return true;
+        }
+        if (!isLetter(c))
+            return false;
+        const std::size_t next = proveout::skipBlanks(m_text, m_at + 1);
+        if (next >= m_text.size() || !isLetter(m_text[next]))
+            return false;
+        m_line.statement = readStatement(m_text, m_at);
+        if (!m_line.statement)
+            return false;
+        if (!m_line.block.empty() || !m_line.assignments.empty()) {
+            fail(nc_message::kStatementNotFirst, m_line.statement->begin, m_line.statement->rest);
+            m_line.statement.reset();
+        }
+        m_at = m_text.size();
+        return true;
+    }
+
+    void readProgramNumber() {
+        const std::size_t begin = m_at;
+        const NumberRead number = readNumber(m_text, begin + 1);
+        m_at = number.end;
+        if (number.status != NumberStatus::good)
+            failOnNumber(number, begin);
+        else if (!m_line.block.empty())
+            fail(nc_message::kFlowNotFirst, begin, number.end);
+        else
+            m_line.programNumber = true;
+    }
+
+    void readProgramName() {
+        const std::size_t end = m_text.find('>', m_at);
+        if (end == std::string_view::npos) {
+            fail(nc_message::kNameUnclosed, m_at, m_text.size());
+            return;
+        }
+        m_line.programNumber = true;
+        m_at = end + 1;
+    }
+
     void failOnCharacter() {
         const std::size_t end = m_at + firstCharacter(m_text.substr(m_at)).length;
         fail(nc_message::kBadCharacter, m_at, end, m_text.substr(m_at, end - m_at));
     }
 
     void readComment() {
-        const std::size_t end = m_text.find_first_of("()", m_at + 1);
+        const std::size_t end = m_text.find_first_of(m_macroB ? ")" : "()", m_at + 1);
         if (end == std::string_view::npos)
             fail(nc_message::kCommentUnclosed, m_at, m_at + 1);
         else if (m_text[end] == '(')
@@ -135,8 +210,10 @@ private:
     void readExpression(char letter) {
         const std::size_t begin = m_at;
         std::size_t end = begin + 1;
-        const auto value = ExpressionReader(m_text, m_context.parameters, m_context.system)
-                               .value(end, m_text.substr(begin, 1));
+        ExpressionReader reader(m_text, m_context);
+        if (kLengths.has(letter))
+            reader.setLeastUnit(m_context.system.leastUnit());
+        const auto value = reader.value(end, m_text.substr(begin, 1));
         if (value)
             addWord(letter, *value, begin, end, true);
         else
@@ -145,7 +222,7 @@ private:
 
     void readAssignment() {
         const std::size_t begin = m_at++;
-        ExpressionReader reader(m_text, m_context.parameters, m_context.system);
+        ExpressionReader reader(m_text, m_context);
         auto target = reader.parameterName(m_at);
         if (!target) {
             m_line.error = target.error();
@@ -157,7 +234,8 @@ private:
             return;
         }
         ++m_at;
-        const auto value = reader.value(m_at, m_text.substr(begin, 1));
+        const std::string_view sign = m_text.substr(begin, 1);
+        const auto value = m_macroB ? reader.expression(m_at, sign) : reader.value(m_at, sign);
         if (!value) {
             m_line.error = value.error();
             return;
@@ -168,8 +246,10 @@ private:
 
     void addWord(char letter, double value, std::size_t begin, std::size_t end, bool point) {
         m_at = end;
+        if (isNull(value))
+            return; // as if the word were not there
         const Word word{letter, value, static_cast<int>(begin + 1), static_cast<int>(end - begin), point};
-        if (m_line.block.add(word))
+        if (m_context.dialect.lastWordCounts ? m_line.block.addOrReplace(word) : m_line.block.add(word))
             return;
         const bool code = letter == 'G' || letter == 'M';
         fail(code ? nc_message::kTooManyCodes : nc_message::kWordTwice, begin, end, m_text.substr(begin, 1));
@@ -251,6 +331,7 @@ private:
 
     std::string_view m_text;
     const ReadContext& m_context;
+    bool m_macroB;
     Line& m_line;
     std::size_t m_at = 0;
     bool m_seenBlockNumber = false;
@@ -258,16 +339,31 @@ private:
 
 } // namespace
 
-void readLine(std::string_view text, const ReadContext& context, Line& line) {
+namespace {
+
+void clear(Line& line) {
     line.block.clear();
     line.assignments.clear();
     line.flow.reset();
+    line.statement.reset();
+    line.programNumber = false;
     line.percent = false;
     line.deleteMark = false;
     line.controlCodeColumn = 0;
     line.longBlockNumber = {};
     line.error.reset();
+}
+
+} // namespace
+
+void readLine(std::string_view text, const ReadContext& context, Line& line) {
+    clear(line);
     LineReader(text, context, line).read();
+}
+
+void readRest(std::string_view text, std::size_t from, const ReadContext& context, Line& line) {
+    clear(line);
+    LineReader(text, context, line).readFrom(from);
 }
 
 LetterSet axisLetters(std::string_view text) {

@@ -9,6 +9,7 @@
 #include "core/nc/block.h"
 #include "core/nc/expression.h"
 #include "core/nc/flow_word.h"
+#include "core/nc/macro_statement.h"
 
 namespace proveout {
 
@@ -31,23 +32,21 @@ struct Line {
     Block block;
     std::vector<Assignment> assignments; ///< take effect after the whole line was read, in this order
     std::optional<FlowWord> flow;        ///< then the line has nothing else, and its arguments are not read
-    bool percent = false;                ///< a line with nothing but "%"
-    bool deleteMark = false;             ///< begins with "/"
-    int controlCodeColumn = 0;           ///< of a control code that was skipped, 0: none
-    Place longBlockNumber;               ///< an N word that no control could hold
-    std::optional<ReadError> error;      ///< `block` holds the words before it
-};
-
-/// What expressions are evaluated with.
-struct ReadContext {
-    const Parameters& parameters;
-    const SystemValues& system;
+    std::optional<MacroStatement> statement; ///< then the words before it are none
+    bool programNumber = false;              ///< a program of custom macro B's dialect begins
+    bool percent = false;                    ///< a line with nothing but "%"
+    bool deleteMark = false;                 ///< begins with "/"
+    int controlCodeColumn = 0;               ///< of a control code that was skipped, 0: none
+    Place longBlockNumber;                   ///< an N word that no control could hold
+    std::optional<ReadError> error;          ///< `block` holds the words before it
 };
 
 /// Reads a line without its line end: N word, words, comments, in any mixture of cases and blanks. Comments
 /// order nothing. Parameters have the values of before the line. After an error the rest of the line is not
 /// read.
 void readLine(std::string_view text, const ReadContext& context, Line& line);
+/// The same of what stands from index `from` on, behind a THEN.
+void readRest(std::string_view text, std::size_t from, const ReadContext& context, Line& line);
 
 /// The letters of the axes that a line seems to name, also where it cannot be read: for the interpreter,
 /// which then no longer knows where these axes stand.

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <array>
 
+#include "core/nc/messages.h"
+
 namespace proveout {
 
 namespace {
@@ -91,8 +93,8 @@ std::optional<double> MachineValues::numbered(int number) const {
     return {};
 }
 
-bool MachineValues::hidden(int number) const {
-    return m_state.compensation.on && isPosition(number);
+const Message* MachineValues::refusal(int number) const {
+    return m_state.compensation.on && isPosition(number) ? &nc_message::kPositionHidden : nullptr;
 }
 
 std::optional<double> MachineValues::named(std::string_view name) const {

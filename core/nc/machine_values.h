@@ -18,7 +18,7 @@ public:
     explicit MachineValues(const MachineState& state) : m_state(state) {}
 
     [[nodiscard]] std::optional<double> numbered(int number) const override;
-    [[nodiscard]] bool hidden(int number) const override;
+    [[nodiscard]] const Message* refusal(int number) const override;
     [[nodiscard]] std::optional<double> named(std::string_view name) const override;
 
     /// Whether the parameter of M66 was asked for since the last call of this.

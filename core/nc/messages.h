@@ -51,10 +51,9 @@ inline constexpr Message kParameterNotWhole{
     Severity::error, true, "parameter-not-whole",
     PROVEOUT_TEXT("Core", "{} is not a whole number, so that it names no parameter."),
     PROVEOUT_TEXT("Core", "Round it with FIX or ROUND.")};
-inline constexpr Message kParameterNumber{
-    Severity::error, true, "parameter-number",
-    PROVEOUT_TEXT("Core", "There is no parameter with the number {}: they go from 1 to 5601."),
-    PROVEOUT_TEXT("Core", "Use another number, or a name.")};
+inline constexpr Message kParameterNumber{Severity::error, true, "parameter-number",
+                                          PROVEOUT_TEXT("Core", "There is no parameter with the number {}."),
+                                          PROVEOUT_TEXT("Core", "Use another number, or a name.")};
 inline constexpr Message kParameterReadOnly{Severity::error, true, "parameter-read-only",
                                             PROVEOUT_TEXT("Core", "The parameter {} can be read only."),
                                             PROVEOUT_TEXT("Core", "Use another number.")};
@@ -85,9 +84,9 @@ inline constexpr Message kNoResult{
     Severity::error, true, "no-result", PROVEOUT_TEXT("Core", "{} has no result for these values."),
     PROVEOUT_TEXT("Core",
                   "Check for a division by zero, the root of a negative number, an arc sine beyond 1.")};
-inline constexpr Message kArcTangentForm{
-    Severity::error, true, "atan-form", PROVEOUT_TEXT("Core", "ATAN needs two arguments: ATAN[y]/[x]."),
-    PROVEOUT_TEXT("Core", "Add the second one; for a plain ratio write ATAN[ratio]/[1].")};
+inline constexpr Message kPairForm{Severity::error, true, "function-pair",
+                                   PROVEOUT_TEXT("Core", "{} needs two arguments."),
+                                   PROVEOUT_TEXT("Core", "Write ATAN[y]/[x].")};
 inline constexpr Message kExistsForm{
     Severity::error, true, "exists-form",
     PROVEOUT_TEXT("Core", "EXISTS asks for a named parameter: EXISTS[#<name>]."),
@@ -158,6 +157,60 @@ inline constexpr Message kTooManySteps{
     Severity::error, true, "too-many-steps",
     PROVEOUT_TEXT("Core", "The program runs through more than {} lines; interpretation ends in line {}."),
     PROVEOUT_TEXT("Core", "Check the loop for an end.")};
+inline constexpr Message kBlockTarget{
+    Severity::error, true, "block-target",
+    PROVEOUT_TEXT("Core", "The target of the jump is no whole number from 0 to 99999999."),
+    PROVEOUT_TEXT("Core", "Jump to a block number that stands behind an N.")};
+inline constexpr Message kBlockUnknown{
+    Severity::error, true, "block-unknown", PROVEOUT_TEXT("Core", "There is no block N{} in this program."),
+    PROVEOUT_TEXT("Core", "Check the number; a jump does not leave its program.")};
+inline constexpr Message kStatementForm{
+    Severity::error, true, "statement-form", PROVEOUT_TEXT("Core", "The statement is not complete."),
+    PROVEOUT_TEXT("Core", "Write IF [#1 GT 2] GOTO 10, IF [#1 GT 2] THEN #3=4, or WHILE [#1 GT 2] DO 1.")};
+inline constexpr Message kStatementNotFirst{Severity::error, true, "statement-not-first",
+                                            PROVEOUT_TEXT("Core", "The statement does not begin the block."),
+                                            PROVEOUT_TEXT("Core", "Put it on a line of its own.")};
+inline constexpr Message kLoopPartner{
+    Severity::error, true, "loop-partner", PROVEOUT_TEXT("Core", "The loop has no {} with its number."),
+    PROVEOUT_TEXT("Core", "DO 1 needs END 1 in the same program; loops do not cross each other.")};
+inline constexpr Message kMachineVariable{
+    Severity::error, true, "variable-of-machine",
+    PROVEOUT_TEXT("Core", "The value of {} depends on the machine that runs the program."),
+    PROVEOUT_TEXT("Core", "What follows from it cannot be verified.")};
+inline constexpr Message kPositionUnknown{
+    Severity::error, true, "position-unknown", PROVEOUT_TEXT("Core", "The position {} is not known here."),
+    PROVEOUT_TEXT("Core", "Position the axis first, or state a start position in the set-up.")};
+inline constexpr Message kAlarm{
+    Severity::error, true, "program-alarm", PROVEOUT_TEXT("Core", "The program stops itself with alarm {}."),
+    PROVEOUT_TEXT("Core", "The comment beside it says why; nothing behind it is run.")};
+inline constexpr Message kDialectGuessed{
+    Severity::note, false, "dialect-guessed",
+    PROVEOUT_TEXT("Core", "The program is read as {} does, because of these words (and lines): {}."),
+    PROVEOUT_TEXT("Core", "Choose the dialect yourself if that is wrong.")};
+inline constexpr Message kTextBeforePercent{
+    Severity::note, false, "text-before-percent",
+    PROVEOUT_TEXT("Core", "The text before the first \"%\" is not run."), ""};
+inline constexpr Message kLastCounts{
+    Severity::warning, false, "last-counts",
+    PROVEOUT_TEXT("Core", "{} and {} exclude each other in one block; the last one counts."),
+    PROVEOUT_TEXT("Core", "Some controls give an alarm instead; keep one of them.")};
+inline constexpr Message kLastWordCounts{
+    Severity::warning, false, "last-word-counts",
+    PROVEOUT_TEXT("Core", "The block has two {} words; the last one counts."),
+    PROVEOUT_TEXT("Core", "Some controls give an alarm instead; keep one of them.")};
+inline constexpr Message kWordIgnored{
+    Severity::warning, false, "word-ignored",
+    PROVEOUT_TEXT("Core", "No code of this block uses the word {}; it is ignored."),
+    PROVEOUT_TEXT("Core", "Remove it, or add the code that it belongs to.")};
+inline constexpr Message kRapidAfterG80{
+    Severity::warning, false, "rapid-after-g80",
+    PROVEOUT_TEXT("Core", "Behind G80 the axis {} moves without a motion code: in rapid."),
+    PROVEOUT_TEXT("Core", "Write G0 or G1 into the block; controls differ here.")};
+inline constexpr Message kNoPoint{
+    Severity::warning, false, "no-decimal-point",
+    PROVEOUT_TEXT(
+        "Core", "{} has no decimal point: the control reads it as {}; one with calculator-type input as {}."),
+    PROVEOUT_TEXT("Core", "Write the decimal point.")};
 inline constexpr Message kCommentUnclosed{Severity::error, true, "comment-unclosed",
                                           PROVEOUT_TEXT("Core", "The comment is not closed."),
                                           PROVEOUT_TEXT("Core", "Close it with \")\" in the same line.")};
@@ -251,7 +304,7 @@ inline constexpr Message kModalConflict{
     PROVEOUT_TEXT("Core", "{} and {} exclude each other in one block."),
     PROVEOUT_TEXT("Core", "Keep one of them, or make two blocks; this block is skipped.")};
 inline constexpr Message kTooManyM{
-    Severity::error, true, "too-many-m", PROVEOUT_TEXT("Core", "The block has more than four M words."),
+    Severity::error, true, "too-many-m", PROVEOUT_TEXT("Core", "The block has more than {} M words."),
     PROVEOUT_TEXT("Core", "Make several blocks of it; this block is skipped.")};
 inline constexpr Message kAxisUnsupported{
     Severity::error, true, "axis-unsupported",
@@ -563,6 +616,50 @@ inline constexpr Message kCompensationAtEnd{
     Severity::warning, false, "compensation-at-end",
     PROVEOUT_TEXT("Core", "Cutter compensation is still on at the end of the program."),
     PROVEOUT_TEXT("Core", "Lead out with G40.")};
+
+// What is no error and yet seldom meant; lint.cpp has the table of the rules.
+inline constexpr Message kFeedZero{Severity::warning, false, "feed-zero",
+                                   PROVEOUT_TEXT("Core", "The feed rate is 0."),
+                                   PROVEOUT_TEXT("Core", "Give F a value above 0.")};
+inline constexpr Message kLengthMissing{
+    Severity::warning, false, "length-missing",
+    PROVEOUT_TEXT("Core", "Tool {} begins to cut without a tool length offset of its own."),
+    PROVEOUT_TEXT("Core",
+                  "Write G43 behind the tool change: the offset of the tool before it is still in force.")};
+inline constexpr Message kOffsetNeverChosen{
+    Severity::note, false, "offset-never-chosen",
+    PROVEOUT_TEXT("Core", "The program cuts without having chosen a work offset."),
+    PROVEOUT_TEXT("Core", "Write G54, or the one that the part is set up in.")};
+inline constexpr Message kLengthOfOtherTool{
+    Severity::warning, false, "length-of-other-tool",
+    PROVEOUT_TEXT("Core", "The tool length offset H{} is not that of tool {}."),
+    PROVEOUT_TEXT("Core", "Use the number of the tool, if that was not meant.")};
+inline constexpr Message kDiameterMissing{
+    Severity::warning, false, "diameter-missing", PROVEOUT_TEXT("Core", "{} has no D word."),
+    PROVEOUT_TEXT("Core", "Write the number of the offset: the one used last is in force.")};
+inline constexpr Message kCompensationOnArc{
+    Severity::warning, false, "compensation-on-arc",
+    PROVEOUT_TEXT("Core", "Cutter compensation begins on an arc."),
+    PROVEOUT_TEXT("Core", "Lead in with a straight motion; many controls give an alarm here.")};
+inline constexpr Message kUnitsMixed{
+    Severity::warning, false, "units-mixed",
+    PROVEOUT_TEXT("Core", "{} changes the unit in the middle of the program."),
+    PROVEOUT_TEXT("Core", "Keep to one unit; lengths that are in force keep their old one.")};
+inline constexpr Message kLeftOn{
+    Severity::warning, false, "left-on", PROVEOUT_TEXT("Core", "Still in force here: {}."),
+    PROVEOUT_TEXT("Core", "End it before the tool change and before the end of the program.")};
+inline constexpr Message kChangeLow{
+    Severity::warning, false, "change-low",
+    PROVEOUT_TEXT("Core", "The tool is changed at Z{}, not above Z{}, where it was fed."),
+    PROVEOUT_TEXT("Core", "Retract first.")};
+inline constexpr Message kChangeTurning{
+    Severity::note, false, "change-turning",
+    PROVEOUT_TEXT("Core", "The tool is changed while the spindle turns."),
+    PROVEOUT_TEXT("Core", "Write M5 before it; not every machine stops the spindle by itself.")};
+inline constexpr Message kNearlyHalfCircle{
+    Severity::warning, false, "nearly-half-circle",
+    PROVEOUT_TEXT("Core", "The arc by its radius is nearly a half circle, {} degrees."),
+    PROVEOUT_TEXT("Core", "Give the centre by I, J and K: here the last digit of R moves it far.")};
 
 } // namespace nc_message
 

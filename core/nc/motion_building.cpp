@@ -174,7 +174,8 @@ bool planeKnown(const Motion& motion) {
 }
 
 bool onlySelectsMode(const Execution& execution) {
-    return execution.state.known != kAllAxes && !execution.block.letters().any(LetterSet("XYZ@^"));
+    const bool moves = execution.dialect.codeAloneMoves && execution.state.known == kAllAxes;
+    return !moves && !execution.block.letters().any(LetterSet("XYZ@^"));
 }
 
 void tellMissingFeed(Execution& execution, const Word& word) {

@@ -1,9 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/parameters.h"
 
+#include <span>
+
+#include "core/nc/expression_rules.h"
+
 namespace proveout {
 
 namespace {
+
+/// Numbers that programs share between their levels.
+struct Range {
+    int first;
+    int last;
+    double initial;
+};
+
+constexpr Range kOWordRanges[] = {{31, 5601, 0}};
+constexpr Range kMacroBRanges[] = {
+    {100, 199, kNull},
+    {500, 999, kNull},
+    {5201, 5340, 0}, ///< external offset, G54 to G59
+    {7001, 7960, 0}, ///< G54.1 P1 to P48
+};
+
+std::span<const Range> rangesOf(MacroLanguage language) {
+    return language == MacroLanguage::macroB ? std::span<const Range>(kMacroBRanges)
+                                             : std::span<const Range>(kOWordRanges);
+}
+
+int localsOf(MacroLanguage language) {
+    return language == MacroLanguage::macroB ? 33 : 30;
+}
 
 bool isGlobal(std::string_view name) {
     return name.starts_with('_');
@@ -11,19 +39,47 @@ bool isGlobal(std::string_view name) {
 
 } // namespace
 
-Parameters::Parameters() : m_numbered(kMost, 0.0), m_levels(1) {}
+Parameters::Parameters(MacroLanguage language) : m_language(language), m_levels{Level{noArguments(), {}}} {
+    for (const Range& range : rangesOf(language)) {
+        const auto count = static_cast<std::size_t>(range.last - range.first + 1);
+        m_numbered.insert(m_numbered.end(), count, range.initial);
+    }
+}
+
+Parameters::Locals Parameters::noArguments() const {
+    Locals locals;
+    locals.fill(m_language == MacroLanguage::macroB ? kNull : 0.0);
+    return locals;
+}
+
+bool Parameters::exists(int number) const {
+    const bool null = number == 0 && m_language == MacroLanguage::macroB;
+    return null || (number >= 1 && number <= localsOf(m_language)) || placeOf(number) < m_numbered.size();
+}
+
+std::size_t Parameters::placeOf(int number) const {
+    std::size_t before = 0;
+    for (const Range& range : rangesOf(m_language)) {
+        if (number >= range.first && number <= range.last)
+            return before + static_cast<std::size_t>(number - range.first);
+        before += static_cast<std::size_t>(range.last - range.first + 1);
+    }
+    return before;
+}
 
 double Parameters::numbered(int number) const {
-    if (number <= kLocals)
+    if (number == 0)
+        return kNull;
+    if (number <= localsOf(m_language))
         return m_levels.back().numbers[static_cast<std::size_t>(number - 1)];
-    return m_numbered[static_cast<std::size_t>(number)];
+    return m_numbered[placeOf(number)];
 }
 
 void Parameters::setNumbered(int number, double value) {
-    if (number <= kLocals)
+    if (number <= localsOf(m_language))
         m_levels.back().numbers[static_cast<std::size_t>(number - 1)] = value;
     else
-        m_numbered[static_cast<std::size_t>(number)] = value;
+        m_numbered[placeOf(number)] = value;
 }
 
 const Parameters::Names& Parameters::namesOf(std::string_view name) const {

@@ -9,6 +9,9 @@
 #include <string_view>
 #include <vector>
 
+#include "core/nc/dialect.h"
+#include "core/nc/messages.h"
+
 namespace proveout {
 
 /// What a program reads but cannot keep: where the machine stands, which tool it holds. Asked before the
@@ -18,29 +21,37 @@ public:
     virtual ~SystemValues() = default;
     /// The value of a system parameter by number; nothing where the number is an ordinary parameter.
     [[nodiscard]] virtual std::optional<double> numbered(int number) const = 0;
-    /// Whether a system parameter cannot be read as the machine stands now.
-    [[nodiscard]] virtual bool hidden(int number) const = 0;
+    /// Why a system parameter cannot be read as the machine stands now; null where it can.
+    [[nodiscard]] virtual const Message* refusal(int number) const = 0;
+    /// Whether a program may name the number although it can only be written.
+    [[nodiscard]] virtual bool writable(int /*number*/) const { return false; }
+    /// The least unit of lengths, where numbers without a decimal point count in it; 1 otherwise.
+    [[nodiscard]] virtual double leastUnit() const { return 1; }
     /// The value of a predefined parameter by name (lower case); nothing where the name is an ordinary one.
     [[nodiscard]] virtual std::optional<double> named(std::string_view name) const = 0;
 };
 
-/// The parameters of a program (#1, #<depth>, #<_global>) as LinuxCNC keeps them: numbers up to 5602, of
-/// which 1 to 30 belong to the level of the call; names belong to it too unless they begin with "_". A value:
-/// copying it saves the state of a program.
+/// The parameters of a program as its control keeps them. LinuxCNC: numbers up to 5601 that begin as 0, of
+/// which 1 to 30 belong to the level of the call; names (#<depth>, #<_global>) belong to it too unless they
+/// begin with "_". Custom macro B: #1 to #33 of the level, #100 to #199, #500 to #999, which begin as null,
+/// and offsets. A value: copying it saves the state of a program.
 class Parameters {
 public:
-    static constexpr int kMost = 5602; ///< the first number that is none
-    static constexpr int kLocals = 30; ///< #1 to #30
-    using Locals = std::array<double, kLocals>;
+    static constexpr int kLargest = 20'000; ///< no control has larger numbers
+    static constexpr std::size_t kMostLocals = 33;
+    using Locals = std::array<double, kMostLocals>;
     static constexpr std::size_t kMostNames = 100'000; ///< of all levels
     static constexpr std::size_t kLongestName = 256;
 
-    Parameters();
+    explicit Parameters(MacroLanguage language = MacroLanguage::oWords);
 
-    [[nodiscard]] static constexpr bool exists(int number) { return number >= 1 && number < kMost; }
-    /// The number must exist. A parameter that was never set is 0.
+    /// Whether a program may use the number; #0 of custom macro B may only be read.
+    [[nodiscard]] bool exists(int number) const;
+    /// The number must exist.
     [[nodiscard]] double numbered(int number) const;
     void setNumbered(int number, double value);
+    /// What the locals of a call are that gives no arguments.
+    [[nodiscard]] Locals noArguments() const;
 
     /// Names are in lower case and without blanks. Nothing where the name was never set at this level.
     [[nodiscard]] std::optional<double> named(std::string_view name) const;
@@ -54,13 +65,16 @@ public:
 private:
     using Names = std::map<std::string, double, std::less<>>;
     struct Level {
-        Locals numbers{};
+        Locals numbers;
         Names names;
     };
 
     [[nodiscard]] const Names& namesOf(std::string_view name) const;
 
-    std::vector<double> m_numbered; ///< by number; those of the level are in m_levels
+    [[nodiscard]] std::size_t placeOf(int number) const;
+
+    MacroLanguage m_language;
+    std::vector<double> m_numbered; ///< the ranges one after the other; those of the level are in m_levels
     Names m_globals;
     std::vector<Level> m_levels;
     std::size_t m_nameCount = 0;

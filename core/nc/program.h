@@ -10,6 +10,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/base/geometry.h"
+#include "core/nc/dialect.h"
 #include "core/nc/motion.h"
 
 namespace proveout {
@@ -101,6 +102,8 @@ public:
     [[nodiscard]] std::size_t sourceBlockCount() const { return m_sourceBlocks; }
     /// Whether the sizes of the control's tools had a say in it.
     [[nodiscard]] bool asksForTools() const { return m_asksForTools; }
+    /// In which it was read.
+    [[nodiscard]] DialectId dialect() const { return m_dialect; }
     [[nodiscard]] const Box3& bounds() const { return m_bounds; } ///< of all known motions
 
     /// Index of the first block that moves otherwise (path, tool, or a different number of motions);
@@ -121,6 +124,7 @@ public:
     void append(Diagnostic diagnostic);
     void setSourceBlockCount(std::size_t count) { m_sourceBlocks = count; }
     void setAsksForTools(bool asks) { m_asksForTools = asks; }
+    void setDialect(DialectId dialect) { m_dialect = dialect; }
 
 private:
     struct PackedMotion {
@@ -184,6 +188,7 @@ private:
     bool m_linesRise = true; ///< no line was executed after a later one
     bool m_unverified = false;
     bool m_asksForTools = false;
+    DialectId m_dialect = DialectId::linuxcnc;
 };
 
 } // namespace proveout

@@ -17,6 +17,7 @@ ToolOffsets toolOffsets(const ToolTable& tools) {
 InterpretOptions interpretOptions(const Setup& setup, const std::filesystem::path& file) {
     InterpretOptions options;
     options.file = file.string();
+    options.dialect = setup.dialect;
     options.blockDelete = setup.blockDelete;
     options.start = setup.start;
     options.tools = toolOffsets(setup.tools);
@@ -29,7 +30,7 @@ bool interpretedAlike(const Program& program, const Setup& one, const Setup& oth
     const auto sameTool = [](const auto& a, const auto& b) {
         return a.first == b.first && a.second.radius() == b.second.radius();
     };
-    return one.blockDelete == other.blockDelete && one.start == other.start &&
+    return one.dialect == other.dialect && one.blockDelete == other.blockDelete && one.start == other.start &&
            (!program.asksForTools() || std::ranges::equal(one.tools.tools(), other.tools.tools(), sameTool));
 }
 

@@ -5,6 +5,7 @@
 
 #include "core/base/geometry.h"
 #include "core/cutter/tool_table.h"
+#include "core/nc/dialect.h"
 #include "core/zmap/stock.h"
 
 namespace proveout {
@@ -14,8 +15,9 @@ struct Setup {
     StockBox stock;
     double spacing = 1; ///< wanted grid spacing, mm
     ToolTable tools;
-    std::optional<Vec3> start; ///< position of the cutter before the first block, if it is known
-    bool blockDelete = false;  ///< skip blocks that begin with "/"
+    std::optional<Vec3> start;        ///< position of the cutter before the first block, if it is known
+    std::optional<DialectId> dialect; ///< of the program; nothing: by the signs in its text
+    bool blockDelete = false;         ///< skip blocks that begin with "/"
 
     friend bool operator==(const Setup&, const Setup&) = default;
 };

@@ -97,6 +97,10 @@ EditorPanel::EditorPanel(Session& session, QWidget* parent)
             m_editor->markSaved();
     });
     connect(&session, &Session::problemsChanged, this, &EditorPanel::showProblems);
+    connect(&session, &Session::programChanged, this, [this] {
+        if (m_session.program())
+            m_editor->showDialect(m_session.program()->dialect());
+    });
     connect(&session, &Session::tick, this, &EditorPanel::showFrame);
     connect(&session, &Session::lineRequested, this,
             [this](std::uint32_t line, int column) { m_editor->goTo(static_cast<int>(line), column); });

@@ -79,6 +79,13 @@ void NcEditor::setUpMargins() {
     markerDefine(Background, kCurrentBackground);
 }
 
+void NcEditor::showDialect(DialectId dialect) {
+    if (dialect == m_highlighter.dialect())
+        return;
+    m_highlighter.setDialect(dialect);
+    SendScintilla(SCI_COLOURISE, 0UL, -1L);
+}
+
 void NcEditor::adoptPalette() {
     const QPalette colors = QApplication::palette();
     const MeaningColors meaning = meaningColors(colors);

@@ -30,6 +30,8 @@ public:
     void markSaved();
     /// Marks the line (1-based, 0: none) of the block that was executed last, and shows it where `follow`.
     void showCurrentLine(int line, bool follow);
+    /// Colours the codes of this dialect as known ones.
+    void showDialect(DialectId dialect);
     void showProblems(const Diagnostics& problems) { m_problems.show(problems); }
     /// Puts the caret on a place (1-based) and shows it.
     void goTo(int line, int column);

@@ -27,6 +27,10 @@ bool isOneOf(char c, std::string_view set) {
     return set.find(c) != std::string_view::npos;
 }
 
+bool isLetter(char c) {
+    return std::isalpha(static_cast<unsigned char>(c)) != 0;
+}
+
 /// The end of the word that begins at `begin` with a letter: the number behind it, spaces allowed.
 std::size_t wordEnd(std::string_view line, std::size_t begin) {
     std::size_t end = begin + 1;
@@ -40,7 +44,7 @@ std::size_t wordEnd(std::string_view line, std::size_t begin) {
 }
 
 /// Whether a G or M word, e.g. "G01" or "g 38.2", is one that the interpreter carries out.
-bool isSupportedCode(std::string_view word) {
+bool isSupportedCode(std::string_view word, DialectId dialect) {
     std::string digits(word.substr(1));
     std::erase_if(digits, [](char c) { return isOneOf(c, " \t"); });
     double number = 0;
@@ -49,15 +53,14 @@ bool isSupportedCode(std::string_view word) {
         number > kLargestCode)
         return false;
     const char letter = static_cast<char>(std::toupper(static_cast<unsigned char>(word.front())));
-    const CodeRow* row =
-        codesOf(DialectId::linuxcnc).find(letter, static_cast<int>(std::lround(number * 10)));
+    const CodeRow* row = codesOf(dialect).find(letter, static_cast<int>(std::lround(number * 10)));
     return row != nullptr && row->supported();
 }
 
-NcStyle wordStyle(std::string_view word) {
+NcStyle wordStyle(std::string_view word, DialectId dialect) {
     const char letter = static_cast<char>(std::toupper(static_cast<unsigned char>(word.front())));
     if (letter == 'G' || letter == 'M')
-        return isSupportedCode(word) ? NcStyle::code : NcStyle::unknownCode;
+        return isSupportedCode(word, dialect) ? NcStyle::code : NcStyle::unknownCode;
     if (isOneOf(letter, "FST"))
         return NcStyle::machine;
     if (isOneOf(letter, "NO"))
@@ -74,7 +77,7 @@ std::size_t commentEnd(std::string_view line, std::size_t begin) {
 
 } // namespace
 
-std::string styleLine(std::string_view line) {
+std::string styleLine(std::string_view line, DialectId dialect) {
     std::string styles(line.size(), static_cast<char>(NcStyle::plain));
     const auto fill = [&](std::size_t begin, std::size_t end, NcStyle style) {
         styles.replace(begin, end - begin, end - begin, static_cast<char>(style));
@@ -85,9 +88,13 @@ std::string styleLine(std::string_view line) {
         if (isOneOf(line[i], ";(")) {
             end = commentEnd(line, i);
             fill(i, end, NcStyle::comment);
-        } else if (std::isalpha(static_cast<unsigned char>(line[i])) != 0) {
+        } else if (isLetter(line[i]) && end < line.size() && isLetter(line[end])) {
+            while (end < line.size() && isLetter(line[end]))
+                ++end;
+            fill(i, end, NcStyle::label);
+        } else if (isLetter(line[i])) {
             end = wordEnd(line, i);
-            fill(i, end, wordStyle(line.substr(i, end - i)));
+            fill(i, end, wordStyle(line.substr(i, end - i), dialect));
         } else if (isOneOf(line[i], "%/")) {
             fill(i, end, NcStyle::label);
         }
@@ -123,7 +130,7 @@ void NcHighlighter::styleText(int start, int end) {
     while (styles.size() < text.size()) {
         const std::size_t begin = styles.size();
         const std::size_t lineEnd = std::min(text.find_first_of("\r\n", begin), text.size() - 1);
-        styles += styleLine(std::string_view(text).substr(begin, lineEnd + 1 - begin));
+        styles += styleLine(std::string_view(text).substr(begin, lineEnd + 1 - begin), m_dialect);
     }
     startStyling(static_cast<int>(from));
     view->SendScintilla(QsciScintilla::SCI_SETSTYLINGEX, static_cast<unsigned long>(styles.size()),

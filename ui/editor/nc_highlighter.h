@@ -6,6 +6,8 @@
 
 #include <Qsci/qscilexercustom.h>
 
+#include "core/nc/dialect.h"
+
 namespace proveout {
 
 /// The styles of NC text, as Scintilla's style numbers.
@@ -16,12 +18,12 @@ enum class NcStyle : char {
     unknownCode, ///< a G or M word that is not
     coordinate,  ///< axis, arc and other words with a value
     machine,     ///< F, S, T
-    label,       ///< N, O, %, block delete
+    label,       ///< N, O, %, block delete, words of letters as IF and sub
 };
 inline constexpr int kNcStyleCount = 7;
 
 /// The style of every byte of one line; comments do not cross lines.
-[[nodiscard]] std::string styleLine(std::string_view line);
+[[nodiscard]] std::string styleLine(std::string_view line, DialectId dialect);
 
 /// Colours the NC text by words. Set it before a text is loaded: Scintilla then styles only what it shows.
 class NcHighlighter final : public QsciLexerCustom {
@@ -35,6 +37,12 @@ public:
     void styleText(int start, int end) override;
     /// Takes the colours of the application's palette.
     void adoptPalette();
+    /// Whose codes are known ones, from the next styling on.
+    [[nodiscard]] DialectId dialect() const { return m_dialect; }
+    void setDialect(DialectId dialect) { m_dialect = dialect; }
+
+private:
+    DialectId m_dialect = DialectId::linuxcnc;
 };
 
 } // namespace proveout

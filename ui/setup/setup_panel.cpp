@@ -2,6 +2,7 @@
 #include "ui/setup/setup_panel.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QEvent>
 #include <QLabel>
 #include <QPushButton>
@@ -35,10 +36,11 @@ std::vector<int> missingTools(const Session& session) {
 } // namespace
 
 SetupPanel::SetupPanel(Session& session, QWidget* parent)
-    : QWidget(parent), m_session(session), m_stockTitle(sectionLabel(this)), m_stock(new StockForm(this)),
-      m_fit(new QPushButton(this)), m_memory(wrappedLabel(this)), m_problem(wrappedLabel(this)),
-      m_toolsTitle(sectionLabel(this)), m_tools(new ToolTableEditor(this)), m_missing(wrappedLabel(this)),
-      m_define(new QPushButton(this)), m_blockDelete(new QCheckBox(this)) {
+    : QWidget(parent), m_session(session), m_programTitle(sectionLabel(this)),
+      m_dialectLabel(new QLabel(this)), m_dialect(new QComboBox(this)), m_stockTitle(sectionLabel(this)),
+      m_stock(new StockForm(this)), m_fit(new QPushButton(this)), m_memory(wrappedLabel(this)),
+      m_problem(wrappedLabel(this)), m_toolsTitle(sectionLabel(this)), m_tools(new ToolTableEditor(this)),
+      m_missing(wrappedLabel(this)), m_define(new QPushButton(this)), m_blockDelete(new QCheckBox(this)) {
     build();
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRestMs);
@@ -46,10 +48,12 @@ SetupPanel::SetupPanel(Session& session, QWidget* parent)
     connect(m_stock, &StockForm::edited, &m_rest, qOverload<>(&QTimer::start));
     connect(m_tools, &ToolTableEditor::edited, &m_rest, qOverload<>(&QTimer::start));
     connect(m_blockDelete, &QCheckBox::toggled, &m_rest, qOverload<>(&QTimer::start));
+    connect(m_dialect, &QComboBox::activated, &m_rest, qOverload<>(&QTimer::start));
     connect(m_fit, &QPushButton::clicked, this, &SetupPanel::fitToProgram);
     connect(m_define, &QPushButton::clicked, this, &SetupPanel::defineMissingTools);
     connect(&session, &Session::setupChanged, this, &SetupPanel::showSetup);
     connect(&session, &Session::programChanged, this, &SetupPanel::showMissingTools);
+    connect(&session, &Session::programChanged, this, &SetupPanel::showDialect);
     retranslate();
     showSetup();
 }
@@ -57,14 +61,19 @@ SetupPanel::SetupPanel(Session& session, QWidget* parent)
 void SetupPanel::build() {
     auto* content = new QWidget;
     auto* layout = new QVBoxLayout(content);
+    m_dialectLabel->setBuddy(m_dialect);
+    layout->addWidget(m_programTitle);
+    layout->addWidget(m_dialectLabel);
+    layout->addWidget(m_dialect);
+    layout->addWidget(m_blockDelete);
+    layout->addSpacing(10);
     for (QWidget* widget :
          {static_cast<QWidget*>(m_stockTitle), static_cast<QWidget*>(m_stock), static_cast<QWidget*>(m_fit),
           static_cast<QWidget*>(m_memory), static_cast<QWidget*>(m_problem)})
         layout->addWidget(widget);
     layout->addSpacing(10);
     for (QWidget* widget : {static_cast<QWidget*>(m_toolsTitle), static_cast<QWidget*>(m_missing),
-                            static_cast<QWidget*>(m_define), static_cast<QWidget*>(m_tools),
-                            static_cast<QWidget*>(m_blockDelete)})
+                            static_cast<QWidget*>(m_define), static_cast<QWidget*>(m_tools)})
         layout->addWidget(widget);
     layout->addStretch(1);
     fillScrolled(*this, content);
@@ -78,8 +87,23 @@ void SetupPanel::showSetup() {
     const QSignalBlocker quiet(m_blockDelete);
     m_blockDelete->setChecked(m_session.setup().blockDelete);
     m_problem->hide();
+    showDialect();
     showMemory(m_session.setup());
     showMissingTools();
+}
+
+/// The first choice is the dialect that the text shows by its signs, and names it once it is known.
+void SetupPanel::showDialect() {
+    const auto& chosen = m_session.setup().dialect;
+    const bool named = m_session.program() && !chosen;
+    const QSignalBlocker quiet(m_dialect);
+    m_dialect->clear();
+    m_dialect->addItem(named ? tr("Automatic: %1")
+                                   .arg(QString::fromUtf8(dialect(m_session.program()->dialect()).name))
+                             : tr("Automatic"));
+    for (const Dialect& row : dialects())
+        m_dialect->addItem(QString::fromUtf8(row.name));
+    m_dialect->setCurrentIndex(chosen ? static_cast<int>(*chosen) + 1 : 0);
 }
 
 void SetupPanel::showMissingTools() {
@@ -111,6 +135,9 @@ void SetupPanel::apply() {
     m_stock->put(setup);
     setup.tools = m_tools->tools();
     setup.blockDelete = m_blockDelete->isChecked();
+    setup.dialect.reset();
+    if (const int index = m_dialect->currentIndex(); index > 0)
+        setup.dialect = static_cast<DialectId>(index - 1);
     showMemory(setup);
     const Result<void> done = m_session.setSetup(setup);
     m_problem->setVisible(!done);
@@ -132,6 +159,10 @@ void SetupPanel::defineMissingTools() {
 }
 
 void SetupPanel::retranslate() {
+    m_programTitle->setText(tr("Control"));
+    m_dialectLabel->setText(tr("Dialect of the program"));
+    m_dialect->setToolTip(
+        tr("How the program is read: arcs, cycles, offsets and numbers differ from control to control"));
     m_stockTitle->setText(tr("Stock and grid"));
     m_fit->setText(tr("Fit to program"));
     m_fit->setToolTip(tr("Make the stock just large enough for all cutting motions"));
@@ -140,6 +171,7 @@ void SetupPanel::retranslate() {
     m_define->setToolTip(tr("Add these tools; then give them the sizes of your cutters"));
     m_blockDelete->setText(tr("Skip blocks that begin with /"));
     m_blockDelete->setToolTip(tr("Block delete, as the switch on the control"));
+    showDialect();
     showMissingTools();
     showMemory(m_session.setup());
 }

@@ -7,6 +7,7 @@
 #include "ui/session.h"
 
 class QCheckBox;
+class QComboBox;
 class QLabel;
 class QPushButton;
 
@@ -15,7 +16,7 @@ namespace proveout {
 class StockForm;
 class ToolTableEditor;
 
-/// What stands on the machine before the program runs: stock, grid, tools.
+/// What stands on the machine before the program runs: control, stock, grid, tools.
 class SetupPanel final : public QWidget {
     Q_OBJECT
 
@@ -29,6 +30,7 @@ private:
     void build();
     void retranslate();
     void showSetup();
+    void showDialect();
     void showMissingTools();
     void showMemory(const Setup& setup);
     void apply();
@@ -36,6 +38,9 @@ private:
     void defineMissingTools();
 
     Session& m_session;
+    QLabel* m_programTitle;
+    QLabel* m_dialectLabel;
+    QComboBox* m_dialect;
     QLabel* m_stockTitle;
     StockForm* m_stock;
     QPushButton* m_fit;

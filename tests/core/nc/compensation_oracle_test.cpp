@@ -65,6 +65,7 @@ std::string disagreement(const fs::path& file, int& refused) {
     const auto text = NcText::load(file);
     InterpretOptions options;
     options.assumeStartAtZero = true;
+    options.lint = false;
     options.tools = toolsOfAnswer(file);
     const auto program = interpret(*text, options);
     std::string why;

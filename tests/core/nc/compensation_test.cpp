@@ -23,6 +23,7 @@ constexpr int kPointsOfMotion = 50;
 std::shared_ptr<const Program> interpreted(const std::string& text) {
     InterpretOptions options;
     options.assumeStartAtZero = true;
+    options.lint = false;
     options.tools = ToolOffsets({{1, {Vec3(0), 2 * kRadius}}});
     return interpret(NcText(text), options);
 }

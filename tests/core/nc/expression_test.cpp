@@ -13,7 +13,7 @@ namespace proveout {
 namespace {
 
 struct NoValues : SystemValues {
-    [[nodiscard]] bool hidden(int /*number*/) const override { return false; }
+    [[nodiscard]] const Message* refusal(int /*number*/) const override { return nullptr; }
     [[nodiscard]] std::optional<double> numbered(int /*number*/) const override { return {}; }
     [[nodiscard]] std::optional<double> named(std::string_view /*name*/) const override { return {}; }
 };
@@ -22,7 +22,7 @@ tl::expected<double, ReadError> valueOf(const std::string& text) {
     const Parameters parameters;
     const NoValues values;
     std::size_t at = 0;
-    return ExpressionReader(text, parameters, values).value(at, "X");
+    return ExpressionReader(text, {parameters, values, dialect(DialectId::linuxcnc)}).value(at, "X");
 }
 
 /// A text with brackets wherever precedence or association would ask for none, and its value.

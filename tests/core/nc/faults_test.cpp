@@ -92,6 +92,7 @@ Answer answerTo(const fs::path& file) {
     }
     InterpretOptions options;
     options.assumeStartAtZero = true;
+    options.lint = false;
     options.maxSteps = options.maxMotions = 1'000'000;
     const auto program = interpret(*text, options);
     answer.motions = program->motionCount();

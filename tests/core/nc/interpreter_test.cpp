@@ -142,6 +142,7 @@ TEST(Interpreter, CountsTheMessagesBeyondTheLimit) {
 TEST(Interpreter, StopsAtTheLimitOfMotions) {
     InterpretOptions options;
     options.assumeStartAtZero = true;
+    options.lint = false;
     options.maxMotions = 10;
     const auto program = interpret(NcText(repeated("G91 G0 X1\n", 20)), options);
     EXPECT_EQ(program->motionCount(), 11U);
@@ -157,6 +158,7 @@ TEST(Interpreter, StopsAtTheLimitOfMotions) {
 TEST(Interpreter, StopsAtTheLimitOfEvents) {
     InterpretOptions options;
     options.assumeStartAtZero = true;
+    options.lint = false;
     options.maxMotions = 10;
     const auto program = interpret(NcText("G0 X1\n" + repeated("M0\n", 20)), options);
     EXPECT_EQ(program->events().size(), 11U);

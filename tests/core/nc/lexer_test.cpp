@@ -10,13 +10,13 @@ namespace {
 
 struct NoValues : SystemValues {
     [[nodiscard]] std::optional<double> numbered(int /*number*/) const override { return {}; }
-    [[nodiscard]] bool hidden(int /*number*/) const override { return false; }
+    [[nodiscard]] const Message* refusal(int /*number*/) const override { return nullptr; }
     [[nodiscard]] std::optional<double> named(std::string_view /*name*/) const override { return {}; }
 };
 
 Line lineOf(std::string_view text) {
     Line line;
-    readLine(text, {Parameters(), NoValues()}, line);
+    readLine(text, {Parameters(), NoValues(), dialect(DialectId::linuxcnc)}, line);
     return line;
 }
 

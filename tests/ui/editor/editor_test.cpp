@@ -21,7 +21,7 @@ namespace {
 
 /// One letter a byte: . plain, c comment, G code, ? unknown code, x coordinate, f machine, n label.
 std::string styles(std::string_view line) {
-    std::string letters = styleLine(line);
+    std::string letters = styleLine(line, DialectId::linuxcnc);
     for (char& style : letters)
         style = ".cG?xfn"[static_cast<std::size_t>(style)];
     return letters;
@@ -64,7 +64,7 @@ private slots:
             std::string line(random() % 60, ' ');
             for (char& c : line)
                 c = static_cast<char>(random());
-            QCOMPARE(styleLine(line).size(), line.size());
+            QCOMPARE(styleLine(line, DialectId::linuxcnc).size(), line.size());
         }
     }
 

@@ -9,7 +9,7 @@ namespace proveout {
 namespace {
 
 // clang-format off
-constexpr CodeRow kCommon[] = {
+constexpr CodeRow kBasic[] = {
     {'G', 0, ModalGroup::motion, PROVEOUT_TEXT("Core", "rapid motion"), moveRapid, Step::motion, LetterSet("XYZ")},
     {'G', 10, ModalGroup::motion, PROVEOUT_TEXT("Core", "straight feed"), moveFeed, Step::motion, LetterSet("XYZ")},
     {'G', 20, ModalGroup::motion, PROVEOUT_TEXT("Core", "clockwise arc"), moveArcClockwise, Step::motion, LetterSet("XYZIJKRP")},
@@ -51,8 +51,8 @@ constexpr CodeRow kCommon[] = {
 
 } // namespace
 
-std::span<const CodeRow> commonCodes() {
-    return kCommon;
+std::span<const CodeRow> basicCodes() {
+    return kBasic;
 }
 
 } // namespace proveout

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/nc/control_flow.h"
+#include "core/nc/o_word_flow.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,49 +20,19 @@ bool plainName(std::string_view label) {
 
 } // namespace
 
-ControlFlow::ControlFlow(const NcText& main, std::string file, const Limits& limits, Parameters& parameters,
-                         const SystemValues& system, Reporter& reporter)
-    : m_limits(limits), m_parameters(parameters), m_system(system), m_reporter(reporter) {
-    m_sources.push_back(std::make_unique<Source>(Source{main, std::move(file), {}}));
-    m_source = m_sources.front().get();
-}
-
-std::size_t ControlFlow::mainLine() const {
-    const Source* main = m_sources.front().get();
-    if (m_source == main)
-        return m_at;
-    const auto caller = std::ranges::find(m_levels.rbegin(), m_levels.rend(), main, &Level::source);
-    return caller->line - 1;
-}
-
-bool ControlFlow::step() {
-    m_at = m_line++;
-    if (++m_steps <= m_limits.maxSteps)
-        return true;
-    m_reporter.tellInAnyCase(nc_message::kTooManySteps, 1, 0,
-                             {std::to_string(m_limits.maxSteps), linesOfCalls()});
-    return false;
-}
-
-const FlowIndex& ControlFlow::index() {
-    if (!m_source->index)
-        m_source->index.emplace(m_source->text);
-    return *m_source->index;
-}
-
-bool ControlFlow::fail(const Message& message, const FlowWord& word, std::vector<std::string> arguments) {
+bool OWordFlow::fail(const Message& message, const FlowWord& word, std::vector<std::string> arguments) {
     const auto length = static_cast<int>(std::max(word.arguments, word.begin + 1) - word.begin);
     m_reporter.tell(message, static_cast<int>(word.begin + 1), length, std::move(arguments));
     return false;
 }
 
-bool ControlFlow::fail(const ReadError& error) {
+bool OWordFlow::fail(const ReadError& error) {
     m_reporter.tell(*error.message, error.column, error.length, {std::string(error.argument)});
     return false;
 }
 
-bool ControlFlow::wellFormed(const FlowWord& word) {
-    const FlowLine* row = index().at(m_at);
+bool OWordFlow::wellFormed(const FlowWord& word) {
+    const FlowLine* row = m_calls.flowIndex().at(m_calls.at());
     if (row == nullptr)
         return true;
     if (row->nested)
@@ -72,7 +42,7 @@ bool ControlFlow::wellFormed(const FlowWord& word) {
     return true;
 }
 
-bool ControlFlow::run(const FlowWord& word) {
+bool OWordFlow::run(const FlowWord& word) {
     if (!wellFormed(word))
         return false;
     switch (word.kind) {
@@ -92,7 +62,7 @@ bool ControlFlow::run(const FlowWord& word) {
         // Reached by running: the branch before it was taken.
         const auto end = partner(word, &FlowLine::end, keyword(FlowKind::endIf));
         if (end)
-            m_line = *end + 1;
+            m_calls.jump(*end + 1);
         return end.has_value();
     }
     case FlowKind::endIf:
@@ -113,11 +83,11 @@ bool ControlFlow::run(const FlowWord& word) {
     return false;
 }
 
-std::optional<std::string> ControlFlow::labelOf(const FlowWord& word) {
+std::optional<std::string> OWordFlow::labelOf(const FlowWord& word) {
     if (!word.label.empty())
         return word.label;
     std::size_t at = word.labelAt;
-    const auto value = ExpressionReader(currentText(), m_parameters, m_system).value(at, "O");
+    const auto value = ExpressionReader(m_calls.currentText(), m_context).value(at, "O");
     if (!value) {
         fail(value.error());
         return {};
@@ -129,14 +99,14 @@ std::optional<std::string> ControlFlow::labelOf(const FlowWord& word) {
     return std::to_string(static_cast<long long>(*value));
 }
 
-std::optional<double> ControlFlow::bracket(const FlowWord& word, std::size_t& at) {
-    const std::string_view line = currentText();
+std::optional<double> OWordFlow::bracket(const FlowWord& word, std::size_t& at) {
+    const std::string_view line = m_calls.currentText();
     at = skipBlanks(line, at);
     if (at >= line.size() || line[at] != '[') {
         fail(nc_message::kFlowCondition, word, {std::string(keyword(word.kind))});
         return {};
     }
-    const auto value = ExpressionReader(line, m_parameters, m_system).value(at, keyword(word.kind));
+    const auto value = ExpressionReader(line, m_context).value(at, keyword(word.kind));
     if (!value) {
         fail(value.error());
         return {};
@@ -144,8 +114,8 @@ std::optional<double> ControlFlow::bracket(const FlowWord& word, std::size_t& at
     return *value;
 }
 
-bool ControlFlow::nothingBehind(std::size_t at) {
-    const std::string_view line = currentText();
+bool OWordFlow::nothingBehind(std::size_t at) {
+    const std::string_view line = m_calls.currentText();
     while ((at = skipBlanks(line, at)) < line.size() && line[at] == '(')
         at = std::min(line.find(')', at), line.size() - 1) + 1;
     if (at >= line.size() || line[at] == ';')
@@ -154,7 +124,7 @@ bool ControlFlow::nothingBehind(std::size_t at) {
     return false;
 }
 
-std::optional<bool> ControlFlow::condition(const FlowWord& word) {
+std::optional<bool> OWordFlow::condition(const FlowWord& word) {
     std::size_t at = word.arguments;
     const auto value = bracket(word, at);
     if (!value || !nothingBehind(at))
@@ -162,9 +132,9 @@ std::optional<bool> ControlFlow::condition(const FlowWord& word) {
     return *value != 0;
 }
 
-std::optional<std::size_t> ControlFlow::partner(const FlowWord& word, std::size_t FlowLine::*which,
-                                                std::string_view missing) {
-    const FlowLine* row = index().at(m_at);
+std::optional<std::size_t> OWordFlow::partner(const FlowWord& word, std::size_t FlowLine::*which,
+                                              std::string_view missing) {
+    const FlowLine* row = m_calls.flowIndex().at(m_calls.at());
     const std::size_t line = row == nullptr ? FlowLine::kNone : row->*which;
     if (line != FlowLine::kNone)
         return line;
@@ -172,16 +142,16 @@ std::optional<std::size_t> ControlFlow::partner(const FlowWord& word, std::size_
     return {};
 }
 
-bool ControlFlow::beginSub(const FlowWord& word) {
+bool OWordFlow::beginSub(const FlowWord& word) {
     // Calls begin behind this line; who comes here by running passes the subprogram over.
     const auto end = partner(word, &FlowLine::end, keyword(FlowKind::endSub));
     if (end)
-        m_line = *end + 1;
+        m_calls.jump(*end + 1);
     return end.has_value();
 }
 
-bool ControlFlow::readArguments(const FlowWord& word, Locals& arguments) {
-    const std::string_view line = currentText();
+bool OWordFlow::readArguments(const FlowWord& word, Locals& arguments) {
+    const std::string_view line = m_calls.currentText();
     std::size_t at = skipBlanks(line, word.arguments);
     for (std::size_t count = 0; at < line.size() && line[at] == '['; at = skipBlanks(line, at)) {
         if (count == kMostArguments)
@@ -194,150 +164,120 @@ bool ControlFlow::readArguments(const FlowWord& word, Locals& arguments) {
     return nothingBehind(at);
 }
 
-bool ControlFlow::call(const FlowWord& word) {
+bool OWordFlow::call(const FlowWord& word) {
     const auto label = labelOf(word);
-    Locals arguments{};
+    Locals arguments = m_parameters.noArguments();
     if (!label || !readArguments(word, arguments))
         return false;
-    Source* source = m_source;
-    std::size_t entry = index().sub(*label);
+    CallStack::Source* source = &m_calls.source();
+    std::size_t entry = m_calls.flowIndex().sub(*label);
     if (entry == FlowLine::kNone) {
         source = fileOf(*label, word);
         if (source == nullptr)
             return false;
-        entry = source->index->sub(*label);
+        entry = source->flow->sub(*label);
         if (entry == FlowLine::kNone)
             return fail(nc_message::kSubUnknown, word, {*label, source->file});
     }
-    if (m_levels.size() == kDeepest)
-        return fail(nc_message::kCallTooDeep, word, {std::to_string(kDeepest), chain(*label)});
-    Level level;
+    if (!m_calls.mayCall())
+        return fail(nc_message::kCallTooDeep, word,
+                    {std::to_string(m_calls.deepest()), m_calls.chain(*label)});
+    CallStack::Level level;
+    level.entry = entry + 1;
     level.label = *label;
-    return enter(*source, entry + 1, std::move(level), arguments);
-}
-
-bool ControlFlow::enter(Source& source, std::size_t entry, Level level, const Locals& arguments) {
-    level.source = m_source;
-    level.line = m_line;
-    level.entry = entry;
-    level.counts = std::exchange(m_counts, {});
-    m_levels.push_back(std::move(level));
-    m_parameters.enter(arguments);
-    m_source = &source;
-    m_line = entry;
-    m_reporter.setFile(m_source->file);
+    m_calls.enter(*source, std::move(level), arguments);
     return true;
 }
 
-void ControlFlow::leave() {
-    ++m_endedRuns;
-    Level& level = m_levels.back();
-    m_source = level.source;
-    m_line = level.line;
-    m_counts = std::move(level.counts);
-    m_levels.pop_back();
-    m_parameters.leave();
-    m_reporter.setFile(m_source->file);
-}
-
-bool ControlFlow::leaveFile() {
-    if (m_levels.empty())
-        return false;
-    m_reporter.tell(nc_message::kSubEndMissing, 1, 0, {m_levels.back().label});
-    leave();
-    return true;
-}
-
-bool ControlFlow::endSub(const FlowWord& word) {
-    if (m_levels.empty() || m_levels.back().repeats)
+bool OWordFlow::endSub(const FlowWord& word) {
+    if (m_calls.inMainProgram() || m_calls.level().repeats)
         return fail(nc_message::kReturnOutside, word, {std::string(keyword(word.kind))});
-    std::size_t at = skipBlanks(currentText(), word.arguments);
+    std::size_t at = skipBlanks(m_calls.currentText(), word.arguments);
     std::optional<double> value;
-    if (at < currentText().size() && currentText()[at] == '[') {
+    if (at < m_calls.currentText().size() && m_calls.currentText()[at] == '[') {
         value = bracket(word, at);
         if (!value)
             return false;
     }
     if (!nothingBehind(at))
         return false;
-    leave();
+    m_calls.leave();
     // The names are LinuxCNC's.
     return m_parameters.setNamed("_value", value.value_or(0)) &&
            m_parameters.setNamed("_value_returned", value ? 1 : 0);
 }
 
-bool ControlFlow::branch(const FlowWord& word) {
+bool OWordFlow::branch(const FlowWord& word) {
     if (!partner(word, &FlowLine::end, keyword(FlowKind::endIf)))
         return false;
     auto taken = condition(word);
-    const FlowLine* row = index().at(m_at);
+    const FlowLine* row = m_calls.flowIndex().at(m_calls.at());
     while (taken && !*taken) {
         const std::size_t next = row->next;
-        row = index().at(next);
-        m_line = next + 1;
+        row = m_calls.flowIndex().at(next);
+        m_calls.jump(next + 1);
         if (row->kind != FlowKind::elseIf)
             return true;
-        m_at = next;
-        m_reporter.beginLine(static_cast<std::uint32_t>(next + 1));
-        const auto elseIf = readFlowWord(currentText());
+        m_calls.standAt(next);
+        const auto elseIf = readFlowWord(m_calls.currentText());
         taken = elseIf ? condition(*elseIf) : std::nullopt;
     }
     return taken.has_value();
 }
 
-bool ControlFlow::beginWhile(const FlowWord& word) {
-    const FlowLine* row = index().at(m_at);
+bool OWordFlow::beginWhile(const FlowWord& word) {
+    const FlowLine* row = m_calls.flowIndex().at(m_calls.at());
     const bool closesDo = row != nullptr && row->closesDo;
     const auto end = partner(word, &FlowLine::end, keyword(FlowKind::endWhile));
     const auto again = end ? condition(word) : std::nullopt;
     if (!again)
         return false;
     if (closesDo && *again)
-        m_line = row->begin + 1;
+        m_calls.jump(row->begin + 1);
     else if (!closesDo && !*again)
-        m_line = *end + 1;
+        m_calls.jump(*end + 1);
     return true;
 }
 
-bool ControlFlow::endLoop(const FlowWord& word) {
+bool OWordFlow::endLoop(const FlowWord& word) {
     const auto begin = partner(word, &FlowLine::begin, keyword(FlowKind::whileLoop));
     if (!begin || !nothingBehind(word.arguments))
         return false;
-    const FlowLine& loop = *index().at(*begin);
+    const FlowLine& loop = *m_calls.flowIndex().at(*begin);
     if (word.kind == FlowKind::breaks)
-        m_line = loop.end + 1;
+        m_calls.jump(loop.end + 1);
     else if (word.kind == FlowKind::endWhile || loop.kind == FlowKind::whileLoop)
-        m_line = loop.line;
+        m_calls.jump(loop.line);
     else
-        m_line = loop.end;
+        m_calls.jump(loop.end);
     return true;
 }
 
-bool ControlFlow::beginRepeat(const FlowWord& word) {
+bool OWordFlow::beginRepeat(const FlowWord& word) {
     const auto end = partner(word, &FlowLine::end, keyword(FlowKind::endRepeat));
     std::size_t at = word.arguments;
     const auto rounds = end ? bracket(word, at) : std::nullopt;
     if (!rounds || !nothingBehind(at))
         return false;
     if (*rounds < 0.5) {
-        m_line = *end + 1;
+        m_calls.jump(*end + 1);
         return true;
     }
-    m_counts[m_at] = static_cast<std::uint64_t>(std::llround(*rounds));
+    m_calls.counts()[m_calls.at()] = static_cast<std::uint64_t>(std::llround(*rounds));
     return true;
 }
 
-bool ControlFlow::endRepeat(const FlowWord& word) {
+bool OWordFlow::endRepeat(const FlowWord& word) {
     const auto begin = partner(word, &FlowLine::begin, keyword(FlowKind::repeat));
     if (!begin)
         return false;
-    const auto rounds = m_counts.find(*begin);
-    if (rounds != m_counts.end() && --rounds->second > 0)
-        m_line = *begin + 1;
+    const auto rounds = m_calls.counts().find(*begin);
+    if (rounds != m_calls.counts().end() && --rounds->second > 0)
+        m_calls.jump(*begin + 1);
     return true;
 }
 
-bool ControlFlow::run(const FlowRequest& request) {
+bool OWordFlow::run(const FlowRequest& request) {
     const auto fail = [&](const Message& message, std::vector<std::string> arguments) {
         m_reporter.tell(message, request.word, std::move(arguments));
         return false;
@@ -345,78 +285,53 @@ bool ControlFlow::run(const FlowRequest& request) {
     if (request.kind == FlowRequest::Kind::none)
         return true;
     if (request.kind == FlowRequest::Kind::returns) {
-        if (m_levels.empty())
+        if (m_calls.inMainProgram())
             return true;
-        if (!m_levels.back().repeats)
+        if (!m_calls.level().repeats)
             return fail(nc_message::kReturnOutside, {"M99"});
-        if (int& repeats = *m_levels.back().repeats; --repeats > 0) {
-            ++m_endedRuns;
-            m_line = m_levels.back().entry;
-        } else {
-            leave();
-        }
+        if (int& repeats = *m_calls.level().repeats; --repeats > 0)
+            m_calls.again(false);
+        else
+            m_calls.leave();
         return true;
     }
     const std::string label = std::to_string(request.program);
-    const std::size_t entry = index().program(label);
+    const std::size_t entry = m_calls.flowIndex().program(label);
     if (entry == FlowLine::kNone)
         return fail(nc_message::kSubUnknown, {label, label + std::string(kExtension)});
-    if (m_levels.size() == kDeepest)
-        return fail(nc_message::kCallTooDeep, {std::to_string(kDeepest), chain(label)});
+    if (!m_calls.mayCall())
+        return fail(nc_message::kCallTooDeep, {std::to_string(m_calls.deepest()), m_calls.chain(label)});
     if (request.repeats == 0)
         return true;
-    Level level;
+    CallStack::Level level;
+    level.entry = entry + 1;
     level.label = label;
     level.repeats = request.repeats;
-    return enter(*m_source, entry + 1, std::move(level), {});
+    m_calls.enter(m_calls.source(), std::move(level), m_parameters.noArguments());
+    return true;
 }
 
-ControlFlow::Source* ControlFlow::fileOf(const std::string& label, const FlowWord& word) {
+CallStack::Source* OWordFlow::fileOf(const std::string& label, const FlowWord& word) {
     const std::string name = label + std::string(kExtension);
-    if (!plainName(label)) {
+    const CallStack::FileFound found = plainName(label)
+                                           ? m_calls.file({name})
+                                           : CallStack::FileFound{nullptr, CallStack::FileFault::outside, {}};
+    switch (found.fault) {
+    case CallStack::FileFault::none:
+        if (!found.source->flow)
+            found.source->flow.emplace(found.source->text);
+        return found.source;
+    case CallStack::FileFault::outside:
         fail(nc_message::kSubFolder, word, {label});
         return nullptr;
+    case CallStack::FileFault::unreadable:
+        fail(nc_message::kSubUnreadable, word, {name, found.reason});
+        return nullptr;
+    case CallStack::FileFault::unknown:
+        fail(nc_message::kSubUnknown, word, {label, name});
+        return nullptr;
     }
-    for (const std::filesystem::path& given : m_limits.folders) {
-        const std::filesystem::path folder = given.empty() ? "." : given;
-        const std::filesystem::path path = folder / name;
-        const auto known = std::ranges::find(m_sources, path.string(), [](const auto& s) { return s->file; });
-        if (known != m_sources.end())
-            return known->get();
-        std::error_code error;
-        if (!std::filesystem::is_regular_file(path, error))
-            continue;
-        // A link may lead anywhere.
-        const auto inside = std::filesystem::relative(path, folder, error);
-        if (error || inside.empty() || inside.string().starts_with("..")) {
-            fail(nc_message::kSubFolder, word, {label});
-            return nullptr;
-        }
-        Result<NcText> text = NcText::load(path);
-        if (!text) {
-            fail(nc_message::kSubUnreadable, word, {name, text.error().front().text});
-            return nullptr;
-        }
-        m_sources.push_back(std::make_unique<Source>(Source{std::move(*text), path.string(), {}}));
-        m_sources.back()->index.emplace(m_sources.back()->text);
-        return m_sources.back().get();
-    }
-    fail(nc_message::kSubUnknown, word, {label, name});
     return nullptr;
-}
-
-std::string ControlFlow::chain(const std::string& last) const {
-    std::string names;
-    for (const Level& level : m_levels)
-        names += (names.empty() ? "" : " > ") + level.label;
-    return names + " > " + last;
-}
-
-std::string ControlFlow::linesOfCalls() const {
-    std::string lines;
-    for (const Level& level : m_levels)
-        lines += std::to_string(level.line) + " (O" + level.label + ") > ";
-    return lines + std::to_string(m_at + 1);
 }
 
 } // namespace proveout

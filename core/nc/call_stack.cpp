@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/nc/call_stack.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace proveout {
+
+CallStack::CallStack(const NcText& main, std::string file, const Limits& limits, Parameters& parameters,
+                     Reporter& reporter)
+    : m_limits(limits), m_parameters(parameters), m_reporter(reporter) {
+    m_sources.push_back(std::make_unique<Source>(Source{main, std::move(file), {}, {}}));
+    m_source = m_sources.front().get();
+}
+
+std::size_t CallStack::mainLine() const {
+    const Source* main = m_sources.front().get();
+    if (m_source == main)
+        return m_at;
+    const auto caller = std::ranges::find(m_levels.rbegin(), m_levels.rend(), main, &Level::source);
+    return caller->line - 1;
+}
+
+const FlowIndex& CallStack::flowIndex() {
+    if (!m_source->flow)
+        m_source->flow.emplace(m_source->text);
+    return *m_source->flow;
+}
+
+const MacroIndex& CallStack::macroIndex() {
+    if (!m_source->macro)
+        m_source->macro.emplace(m_source->text);
+    return *m_source->macro;
+}
+
+bool CallStack::step() {
+    m_at = m_line++;
+    if (++m_steps <= m_limits.maxSteps)
+        return true;
+    m_reporter.tellInAnyCase(nc_message::kTooManySteps, 1, 0,
+                             {std::to_string(m_limits.maxSteps), linesOfCalls()});
+    return false;
+}
+
+void CallStack::enter(Source& source, Level level, const Parameters::Locals& arguments) {
+    level.source = m_source;
+    level.line = m_line;
+    level.counts = std::exchange(m_counts, {});
+    m_source = &source;
+    m_line = level.entry;
+    if (level.ownLocals)
+        m_parameters.enter(arguments);
+    m_levels.push_back(std::move(level));
+    m_reporter.setFile(m_source->file);
+}
+
+void CallStack::again(bool withArguments) {
+    ++m_endedRuns;
+    const Level& level = m_levels.back();
+    m_line = level.entry;
+    if (!level.ownLocals || !withArguments)
+        return;
+    m_parameters.leave();
+    m_parameters.enter(level.arguments);
+}
+
+void CallStack::leave() {
+    ++m_endedRuns;
+    Level& level = m_levels.back();
+    m_source = level.source;
+    m_line = level.line;
+    m_counts = std::move(level.counts);
+    if (level.ownLocals)
+        m_parameters.leave();
+    m_levels.pop_back();
+    m_reporter.setFile(m_source->file);
+}
+
+CallStack::FileFound CallStack::file(const std::vector<std::string>& names) {
+    for (const std::filesystem::path& given : m_limits.folders) {
+        const std::filesystem::path folder = given.empty() ? "." : given;
+        for (const std::string& name : names) {
+            const std::filesystem::path path = folder / name;
+            const auto known =
+                std::ranges::find(m_sources, path.string(), [](const auto& s) { return s->file; });
+            if (known != m_sources.end())
+                return {known->get(), FileFault::none, {}};
+            std::error_code error;
+            if (!std::filesystem::is_regular_file(path, error))
+                continue;
+            // A link may lead anywhere.
+            const auto inside = std::filesystem::relative(path, folder, error);
+            if (error || inside.empty() || inside.string().starts_with(".."))
+                return {nullptr, FileFault::outside, {}};
+            Result<NcText> text = NcText::load(path);
+            if (!text)
+                return {nullptr, FileFault::unreadable, text.error().front().text};
+            m_sources.push_back(std::make_unique<Source>(Source{std::move(*text), path.string(), {}, {}}));
+            return {m_sources.back().get(), FileFault::none, {}};
+        }
+    }
+    return {nullptr, FileFault::unknown, {}};
+}
+
+std::string CallStack::chain(const std::string& last) const {
+    std::string names;
+    for (const Level& level : m_levels)
+        names += (names.empty() ? "" : " > ") + level.label;
+    return names + " > " + last;
+}
+
+std::string CallStack::linesOfCalls() const {
+    std::string lines;
+    for (const Level& level : m_levels)
+        lines += std::to_string(level.line) + " (O" + level.label + ") > ";
+    return lines + std::to_string(m_at + 1);
+}
+
+} // namespace proveout

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Source: FANUC Series 0i and 30i, operator's manuals for machining centres.
+#include "core/nc/code_rows.h"
+
+#include "core/base/text.h"
+#include "core/nc/handlers.h"
+
+namespace proveout {
+
+namespace {
+
+// clang-format off
+constexpr CodeRow kFanuc[] = {
+    {'G', 40, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "dwell")},
+    {'G', 50, ModalGroup::lookAhead, PROVEOUT_TEXT("Core", "high-speed machining"), keepState, Step::lookAhead, LetterSet("PQR")},
+    {'G', 51, ModalGroup::lookAhead, PROVEOUT_TEXT("Core", "look-ahead contour control"), keepState, Step::lookAhead, LetterSet("PQR")},
+    {'G', 70, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "hypothetical axis interpolation"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 80, ModalGroup::lookAhead, PROVEOUT_TEXT("Core", "look-ahead control"), keepState, Step::lookAhead, LetterSet("PQ")},
+    {'G', 90, ModalGroup::exactStop, PROVEOUT_TEXT("Core", "exact stop in one block"), keepState, Step::pathControl},
+    {'G', 100, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "set data"), nullptr, Step::none, LetterSet("LPXYZRIJKQABCDHN"), AxisUse::takes},
+    {'G', 110, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "end of set data")},
+    {'G', 121, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "polar coordinate interpolation"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 131, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "polar coordinate interpolation off")},
+    {'G', 150, ModalGroup::polar, PROVEOUT_TEXT("Core", "polar coordinates off")},
+    {'G', 160, ModalGroup::polar, PROVEOUT_TEXT("Core", "polar coordinates on")},
+    {'G', 220, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "stored stroke check on"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 230, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "stored stroke check off")},
+    {'G', 250, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "spindle speed watch off")},
+    {'G', 260, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "spindle speed watch on")},
+    {'G', 270, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "check of the reference position"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 280, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "go to reference position"), goHome, Step::nonModal, LetterSet("XYZ"), AxisUse::takes},
+    {'G', 290, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "return from reference position"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 300, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "go to second reference position"), goToSecondReference, Step::nonModal, LetterSet("XYZP"), AxisUse::takes},
+    {'G', 310, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "skip motion (probe)"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 330, ModalGroup::motion, PROVEOUT_TEXT("Core", "thread cutting"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 370, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "automatic tool length measurement"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 400, ModalGroup::cutterCompensation, PROVEOUT_TEXT("Core", "cutter compensation off"), endCompensation, Step::cutterCompensation},
+    {'G', 410, ModalGroup::cutterCompensation, PROVEOUT_TEXT("Core", "cutter compensation left"), compensateLeft, Step::cutterCompensation, LetterSet("D")},
+    {'G', 420, ModalGroup::cutterCompensation, PROVEOUT_TEXT("Core", "cutter compensation right"), compensateRight, Step::cutterCompensation, LetterSet("D")},
+    {'G', 430, ModalGroup::toolLength, PROVEOUT_TEXT("Core", "tool length offset"), useToolLength, Step::toolLength, LetterSet("H")},
+    {'G', 440, ModalGroup::toolLength, PROVEOUT_TEXT("Core", "negative tool length offset")},
+    {'G', 450, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "lengthen the motion by the offset"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 460, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "shorten the motion by the offset"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 470, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "lengthen the motion by twice the offset"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 480, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "shorten the motion by twice the offset"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 490, ModalGroup::toolLength, PROVEOUT_TEXT("Core", "tool length offset off"), cancelToolLength, Step::toolLength},
+    {'G', 500, ModalGroup::scaling, PROVEOUT_TEXT("Core", "scaling off")},
+    {'G', 501, ModalGroup::mirroring, PROVEOUT_TEXT("Core", "mirroring off"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 510, ModalGroup::scaling, PROVEOUT_TEXT("Core", "scaling"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 511, ModalGroup::mirroring, PROVEOUT_TEXT("Core", "mirroring"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 520, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "local coordinate shift"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 530, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "machine coordinates"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 541, ModalGroup::workOffset, PROVEOUT_TEXT("Core", "additional work offset")},
+    {'G', 600, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "approach from one side"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 610, ModalGroup::pathControl, PROVEOUT_TEXT("Core", "exact stop"), keepState, Step::pathControl},
+    {'G', 620, ModalGroup::pathControl, PROVEOUT_TEXT("Core", "automatic corner override"), keepState, Step::pathControl},
+    {'G', 630, ModalGroup::pathControl, PROVEOUT_TEXT("Core", "tapping mode"), keepState, Step::pathControl},
+    {'G', 640, ModalGroup::pathControl, PROVEOUT_TEXT("Core", "cutting mode"), keepState, Step::pathControl},
+    {'G', 650, ModalGroup::macroCall, PROVEOUT_TEXT("Core", "macro call"), callMacro, Step::macroCall, {}, AxisUse::allWords},
+    {'G', 660, ModalGroup::macroCall, PROVEOUT_TEXT("Core", "modal macro call"), callMacroModally, Step::macroCall, {}, AxisUse::allWords},
+    {'G', 661, ModalGroup::macroCall, PROVEOUT_TEXT("Core", "macro call by every block"), nullptr, Step::none, {}, AxisUse::allWords},
+    {'G', 670, ModalGroup::macroCall, PROVEOUT_TEXT("Core", "modal macro call off"), cancelModalMacro, Step::macroCall},
+    {'G', 680, ModalGroup::rotation, PROVEOUT_TEXT("Core", "coordinate rotation"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 682, ModalGroup::rotation, PROVEOUT_TEXT("Core", "tilted working plane"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 690, ModalGroup::rotation, PROVEOUT_TEXT("Core", "coordinate rotation off")},
+    {'G', 730, ModalGroup::motion, PROVEOUT_TEXT("Core", "chip-breaking drilling cycle"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 740, ModalGroup::motion, PROVEOUT_TEXT("Core", "left-hand tapping cycle"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 760, ModalGroup::motion, PROVEOUT_TEXT("Core", "fine boring cycle"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 810, ModalGroup::motion, PROVEOUT_TEXT("Core", "drilling cycle"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 820, ModalGroup::motion, PROVEOUT_TEXT("Core", "drilling cycle with dwell"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 830, ModalGroup::motion, PROVEOUT_TEXT("Core", "deep-hole drilling cycle"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 840, ModalGroup::motion, PROVEOUT_TEXT("Core", "right-hand tapping cycle"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 850, ModalGroup::motion, PROVEOUT_TEXT("Core", "boring cycle, feed out"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 860, ModalGroup::motion, PROVEOUT_TEXT("Core", "boring cycle, stop and rapid out"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 870, ModalGroup::motion, PROVEOUT_TEXT("Core", "back boring cycle"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 880, ModalGroup::motion, PROVEOUT_TEXT("Core", "boring cycle, stop and manual out"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 890, ModalGroup::motion, PROVEOUT_TEXT("Core", "boring cycle with dwell, feed out"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 920, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "set the work coordinates"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 921, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "preset the work coordinates"), nullptr, Step::none, {}, AxisUse::takes},
+    {'G', 960, ModalGroup::spindleMode, PROVEOUT_TEXT("Core", "constant surface speed")},
+    {'M', 190, ModalGroup::spindle, PROVEOUT_TEXT("Core", "spindle orientation"), keepState, Step::spindleOrientation, LetterSet("RPQS")},
+    {'M', 290, ModalGroup::tapping, PROVEOUT_TEXT("Core", "rigid tapping"), keepState, Step::tapping},
+    {'M', 980, ModalGroup::subprogram, PROVEOUT_TEXT("Core", "subprogram call"), callSubprogram, Step::subprogram, LetterSet("PL")},
+    {'M', 990, ModalGroup::subprogram, PROVEOUT_TEXT("Core", "end of subprogram"), returnToBlock, Step::subprogram, LetterSet("P")},
+    {'M', 1980, ModalGroup::subprogram, PROVEOUT_TEXT("Core", "call of a program in external memory")},
+};
+// clang-format on
+
+} // namespace
+
+std::span<const CodeRow> fanucCodes() {
+    return kFanuc;
+}
+
+} // namespace proveout

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/nc/lint.h"
+
+#include <algorithm>
+
+#include "core/nc/canned_cycle.h"
+#include "core/nc/lint_rules.h"
+
+namespace proveout {
+
+namespace {
+
+using enum LintMoment;
+using namespace nc_message;
+
+constexpr LintRule kRules[] = {
+    {&kNoFeed, elsewhere, nullptr},
+    {&kInverseTimeFeed, elsewhere, nullptr},
+    {&kCompensationAtEnd, elsewhere, nullptr},
+    {&kMainReturn, elsewhere, nullptr},
+    {&kAfterEnd, elsewhere, nullptr},
+    {&kFeedZero, feedWord, lint::feedZero},
+    {&kLengthMissing, firstCut, lint::lengthMissing},
+    {&kOffsetNeverChosen, firstCut, lint::offsetNeverChosen},
+    {&kLengthOfOtherTool, block, lint::lengthOfOtherTool},
+    {&kDiameterMissing, block, lint::diameterMissing},
+    {&kCompensationOnArc, block, lint::compensationOnArc},
+    {&kUnitsMixed, block, lint::unitsMixed},
+    {&kLeftOn, toolChange, lint::leftOn},
+    {&kLeftOn, end, lint::leftOn},
+    {&kChangeLow, toolChange, lint::changeLow},
+    {&kChangeTurning, toolChange, lint::changeTurning},
+    {&kNoPoint, lengths, lint::noPoint},
+    {&kNearlyHalfCircle, arcByRadius, lint::nearlyHalfCircle},
+};
+
+void run(LintMoment moment, const LintView& view) {
+    for (const LintRule& rule : kRules) {
+        if (rule.moment == moment)
+            rule.check(view, *rule.message);
+    }
+}
+
+bool feeds(const CodeRow* row) {
+    constexpr int kRapid = 0;
+    return row != nullptr && row->tenths != kRapid;
+}
+
+} // namespace
+
+std::span<const LintRule> lintRules() {
+    return kRules;
+}
+
+void lintBlock(const LintView& view) {
+    const Block& block = view.execution.block;
+    const MachineState& state = view.execution.state;
+    LintMemory& memory = view.memory;
+    const bool moved = view.execution.program.motionCount() > view.firstMotion;
+    // The tool is changed before anything moves.
+    if (lint::changesTool(view)) {
+        run(toolChange, view);
+        ++memory.toolChanges;
+        memory.lengthChosen = memory.cut = false;
+        memory.highestFeed = -std::numeric_limits<double>::infinity();
+    }
+    if (block.has('F'))
+        run(feedWord, view);
+    if (view.execution.dialect.leastMm != 1)
+        run(lengths, view);
+    if (!block.codes().empty() || memory.compensationBegins) {
+        lint::remember(view);
+        run(LintMoment::block, view);
+    }
+    if (moved && feeds(state.motion)) {
+        memory.highestFeed = std::max(memory.highestFeed, state.position.z);
+        if (!memory.cut)
+            run(firstCut, view);
+        memory.cut = true;
+        if (block.has('R'))
+            run(arcByRadius, view);
+    }
+}
+
+void lintEnd(const LintView& view) {
+    run(end, view);
+}
+
+} // namespace proveout

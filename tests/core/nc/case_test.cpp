@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every file of tests/data/fanuc: what Fanuc's control and Haas' do with a program, by the rule that it
+// names.
+#include <algorithm>
+#include <fstream>
+#include <gtest/gtest.h>
+
+#include "tests/core/nc/case_file.h"
+
+namespace proveout::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+class Case : public testing::TestWithParam<fs::path> {};
+
+std::vector<fs::path> files() {
+    std::vector<fs::path> paths;
+    for (const auto& entry : fs::directory_iterator(fs::path(PROVEOUT_SOURCE_DIR) / "tests/data/fanuc")) {
+        if (entry.path().extension() == ".txt")
+            paths.push_back(entry.path());
+    }
+    std::ranges::sort(paths);
+    return paths;
+}
+
+std::string caseName(const testing::TestParamInfo<fs::path>& info) {
+    std::string name = info.param.stem().string();
+    std::ranges::replace(name, '-', '_');
+    return name;
+}
+
+std::string listed(const std::vector<std::string>& steps) {
+    std::string text;
+    for (const std::string& step : steps)
+        text += "  " + step + "\n";
+    return text;
+}
+
+} // namespace
+
+TEST_P(Case, DoesWhatItsRuleSays) {
+    CaseFile file = readCase(GetParam());
+    // Subprograms in files of their own lie in the folder of that name.
+    file.options.subprogramFolders = {fs::path(GetParam()).replace_extension()};
+    const auto program = interpret(NcText(file.program), file.options);
+    const std::vector<std::string> actual = stepsOf(*program);
+    const bool same = std::ranges::equal(file.steps, actual, sameStep);
+    EXPECT_TRUE(same) << file.rule << "\nexpected\n" << listed(file.steps) << "actual\n" << listed(actual);
+}
+
+INSTANTIATE_TEST_SUITE_P(Fanuc, Case, testing::ValuesIn(files()), caseName);
+
+} // namespace proveout::test

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <gtest/gtest.h>
+#include <string>
+
+#include "core/nc/dialect_comparison.h"
+#include "core/nc/dialect_guess.h"
+#include "core/nc/interpreter.h"
+
+namespace proveout {
+
+namespace {
+
+DialectId guessed(const std::string& text) {
+    return guessDialect(NcText(text)).dialect;
+}
+
+std::shared_ptr<const Program> readAs(DialectId dialect, const std::string& text) {
+    InterpretOptions options;
+    options.dialect = dialect;
+    options.assumeStartAtZero = true;
+    return interpret(NcText(text), options);
+}
+
+bool told(const Program& program, std::string_view id) {
+    return std::ranges::any_of(program.diagnostics(), [&](const Diagnostic& d) { return d.id == id; });
+}
+
+} // namespace
+
+TEST(Dialects, AreFoundByTheirKeys) {
+    for (const Dialect& row : dialects()) {
+        EXPECT_EQ(findDialect(row.key), &row);
+        EXPECT_EQ(&dialect(row.id), &row);
+    }
+    EXPECT_EQ(findDialect("basic"), nullptr);
+}
+
+TEST(Dialects, AreGuessedByWhatOnlyTheyRead) {
+    EXPECT_EQ(guessed("G21\no<hole> sub\no<hole> endsub\nM2\n"), DialectId::linuxcnc);
+    EXPECT_EQ(guessed("G21 G64 P0.02\nG1 X#<depth>\nM2\n"), DialectId::linuxcnc);
+    EXPECT_EQ(guessed("%\nO1000\nG65 P9010 A1.\nM30\n%\n"), DialectId::fanuc);
+    EXPECT_EQ(guessed("O1000\nN10 IF [#1 EQ 1] GOTO 20\nN20 M30\n"), DialectId::fanuc);
+    EXPECT_EQ(guessed("%\nO1000\nG154 P3\nG0 X0\nM30\n%\n"), DialectId::haas);
+    EXPECT_EQ(guessed("G0 X1\nM2\n"), DialectId::linuxcnc);
+}
+
+TEST(Dialects, AreNotGuessedByComments) {
+    EXPECT_EQ(guessed("(G65 P9010)\nG64 P0.1 ; IF[#1 EQ 1]GOTO 5\nM2\n"), DialectId::linuxcnc);
+}
+
+TEST(Dialects, GiveTheReasonsOfAGuessWithTheirLines) {
+    const DialectGuess guess = guessDialect(NcText("G21\n\nN5 g65 p 9010 (drill)\nM30\n"));
+    ASSERT_EQ(guess.reasons.size(), 1U);
+    EXPECT_EQ(guess.reasons.front().line, 3);
+    EXPECT_EQ(guess.reasons.front().shown, "G65P9010");
+}
+
+TEST(Dialects, TellThatTheyWereGuessedAndKeepQuietWhereTheyWereChosen) {
+    InterpretOptions options;
+    options.dialect.reset();
+    const auto program = interpret(NcText("O1\nG65 P2\nM30\nO2\nG0 X1.\nM99\n"), options);
+    EXPECT_EQ(program->dialect(), DialectId::fanuc);
+    EXPECT_TRUE(told(*program, "dialect-guessed"));
+    EXPECT_EQ(interpret(NcText("G0 X1\nM2\n"), options)->dialect(), DialectId::linuxcnc);
+    EXPECT_FALSE(told(*readAs(DialectId::fanuc, "G0 X1.\nM30\n"), "dialect-guessed"));
+}
+
+TEST(DialectComparison, FindsTheLinesThatMoveOtherwise) {
+    const std::string text = "G21 G90 F100\nG1 X10. Y0.\nG1 X2000\nG1 X#100 Y5.\nM30\n";
+    const auto lines =
+        differentLines(*readAs(DialectId::linuxcnc, text), *readAs(DialectId::fanuc, text), 100);
+    ASSERT_EQ(lines.size(), 2U);
+    EXPECT_EQ(lines[0].line, 3U);
+    EXPECT_DOUBLE_EQ(lines[0].one.front().end.x, 2000);
+    EXPECT_DOUBLE_EQ(lines[0].other.front().end.x, 2);
+    EXPECT_EQ(lines[1].line, 4U);
+    EXPECT_DOUBLE_EQ(lines[1].one.front().end.x, 0);
+    EXPECT_DOUBLE_EQ(lines[1].other.front().end.x, 2);
+}
+
+TEST(DialectComparison, IsEmptyWhereBothReadTheSame) {
+    const std::string text = "G21 G90 G17\nG0 X0. Y0. Z5.\nG1 Z-1. F200.\nG2 X10. Y0. I5. J0.\nG0 Z5.\nM30\n";
+    EXPECT_TRUE(
+        differentLines(*readAs(DialectId::linuxcnc, text), *readAs(DialectId::fanuc, text), 100).empty());
+}
+
+TEST(DialectComparison, KeepsToItsLimit) {
+    std::string text = "G21 G90 F100\n";
+    for (int i = 1; i <= 50; ++i)
+        text += "G1 X" + std::to_string(i) + "\n";
+    EXPECT_EQ(differentLines(*readAs(DialectId::linuxcnc, text), *readAs(DialectId::fanuc, text), 7).size(),
+              7U);
+}
+
+} // namespace proveout
