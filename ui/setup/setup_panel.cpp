@@ -98,9 +98,9 @@ void SetupPanel::showDialect() {
     const bool named = m_session.program() && !chosen;
     const QSignalBlocker quiet(m_dialect);
     m_dialect->clear();
-    m_dialect->addItem(named ? tr("Automatic: %1")
-                                   .arg(QString::fromUtf8(dialect(m_session.program()->dialect()).name))
-                             : tr("Automatic"));
+    m_dialect->addItem(
+        named ? tr("Automatic: %1").arg(QString::fromUtf8(dialect(m_session.program()->dialect()).name))
+              : tr("Automatic"));
     for (const Dialect& row : dialects())
         m_dialect->addItem(QString::fromUtf8(row.name));
     m_dialect->setCurrentIndex(chosen ? static_cast<int>(*chosen) + 1 : 0);
