@@ -16,7 +16,7 @@ for preset in asan tsan; do
     cmake --build "build/$preset" --parallel "$jobs"
 done
 # Remembers what it has checked; the test of the same name then reports. A finding must not stop the other tests.
-bash tests/lint/clang-tidy.sh build/release || true
+tests/lint/clang_tidy.py build/release || true
 
 # What the tests see does not depend on the desktop they are started from.
 export LC_ALL=C.UTF-8 QT_QPA_PLATFORM=xcb QT_SCALE_FACTOR=1 LIBGL_ALWAYS_SOFTWARE=1
