@@ -13,7 +13,7 @@ enum class ExitCode : int {
     unusable = 3,   ///< usage, unreadable input, unwritable output
 };
 
-/// Each adds one command: its options to `app`, and a callback that runs it and leaves its exit code in
+/// Each adds a command or two: its options to `app`, and a callback that runs it and leaves its exit code in
 /// `exitCode`, which must outlive `app`.
 void addInterpretCommand(CLI::App& app, ExitCode& exitCode);
 void addSimulateCommand(CLI::App& app, ExitCode& exitCode);
@@ -21,5 +21,6 @@ void addDecimateCommand(CLI::App& app, ExitCode& exitCode);
 void addToolsCommand(CLI::App& app, ExitCode& exitCode);
 void addHeadlessStudyCommand(CLI::App& app, ExitCode& exitCode);
 void addFormatsCommand(CLI::App& app, ExitCode& exitCode);
+void addNcListings(CLI::App& app, ExitCode& exitCode); ///< dialects, rules
 
 } // namespace proveout::cli

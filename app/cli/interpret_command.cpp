@@ -6,8 +6,10 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "app/cli/command.h"
+#include "app/cli/dialect_report.h"
 #include "app/cli/option_error.h"
 #include "app/cli/report.h"
 #include "app/cli/setup_options.h"
@@ -25,6 +27,7 @@ struct InterpretCommandOptions {
     std::string toolsFile;
     std::string start;
     std::string dialect;
+    std::vector<std::string> compared; ///< two dialects, or none
     bool blockDelete = false;
 };
 
@@ -58,6 +61,11 @@ ExitCode run(const InterpretCommandOptions& options) {
     if (!text)
         return fail(std::move(text.error()));
 
+    if (!options.compared.empty()) {
+        writeDifferences(std::cout, *text, interpreting, findDialect(options.compared.front())->id,
+                         findDialect(options.compared.back())->id);
+        return report.exitCode();
+    }
     const auto program = interpret(*text, interpreting);
     NcMotionMeta meta;
     meta.by = "proveout-cli " PROVEOUT_VERSION;
@@ -81,6 +89,13 @@ void addInterpretCommand(CLI::App& app, ExitCode& exitCode) {
     auto options = std::make_shared<InterpretCommandOptions>();
     command->add_option("PROG", options->program, "NC program")->type_name("")->required();
     addDialectOption(*command, options->dialect);
+    command
+        ->add_option("--compare-dialects", options->compared,
+                     "List the lines that move differently in two dialects instead")
+        ->delimiter(',')
+        ->expected(2)
+        ->check(CLI::IsMember(dialectKeys()))
+        ->type_name("D,D");
     command->add_option("--tools", options->toolsFile, "Tool table (TOML)")->type_name("FILE");
     command->add_option("--start", options->start, "Position before the first block, mm (0,0,0, assumed)")
         ->type_name("X,Y,Z");

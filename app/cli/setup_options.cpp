@@ -141,10 +141,16 @@ std::optional<DialectId> dialectOfOption(const std::string& key) {
     return row == nullptr ? std::nullopt : std::optional(row->id);
 }
 
-void addDialectOption(CLI::App& command, std::string& key) {
-    std::set<std::string> keys{kGuessed};
+std::set<std::string> dialectKeys() {
+    std::set<std::string> keys;
     for (const Dialect& row : dialects())
         keys.emplace(row.key);
+    return keys;
+}
+
+void addDialectOption(CLI::App& command, std::string& key) {
+    std::set<std::string> keys = dialectKeys();
+    keys.insert(kGuessed);
     command.add_option("--dialect", key, "Dialect of the program (auto: by its signs)")
         ->check(CLI::IsMember(std::move(keys)))
         ->type_name("D");

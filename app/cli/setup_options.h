@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,7 @@ private:
 
 /// `--dialect`: nothing where the dialect is to be guessed.
 [[nodiscard]] std::optional<DialectId> dialectOfOption(const std::string& key);
+[[nodiscard]] std::set<std::string> dialectKeys();
 /// `key` becomes that of a row of dialects(), or "auto".
 void addDialectOption(CLI::App& command, std::string& key);
 

@@ -46,7 +46,7 @@ TEST_F(CliInterpret, StartIsAssumedAtZeroUnlessTold) {
 }
 
 TEST_F(CliInterpret, WordsThatAreNotUnderstoodExitWith2) {
-    lines("G0 X1\nG68 X3 R4\nX5\nM2\n");
+    lines("G0 X1\nG68 X3 R4\nX5\nM2\n", "--dialect linuxcnc");
     EXPECT_EQ(finished.exitCode, 2);
     EXPECT_THAT(finished.err, testing::HasSubstr("p.nc:2:"));
     EXPECT_THAT(finished.err, testing::HasSubstr("G68"));
@@ -63,9 +63,37 @@ TEST_F(CliInterpret, ToolsAreKnownUnlessATableSaysOtherwise) {
         << "once, where it is missed first";
 }
 
-TEST_F(CliInterpret, DialectIsLinuxCnc) {
-    lines("G0 X1\nM2\n", "--dialect linuxcnc");
+TEST_F(CliInterpret, DialectIsChosenOrGuessed) {
+    EXPECT_EQ(lines("G90 G0 X1000\nM30\n", "--dialect linuxcnc")[1]["e"], (nlohmann::json{1000, 0, 0}));
+    EXPECT_EQ(lines("G90 G0 X1000\nM30\n", "--dialect fanuc")[1]["e"], (nlohmann::json{1, 0, 0}));
+    lines("O1 (HOLES)\nG65 P2 X5.\nM30\nO2\nG0 X#24\nM99\n");
     EXPECT_EQ(finished.exitCode, 0) << finished.err;
+    EXPECT_THAT(finished.err, testing::HasSubstr("read as Fanuc does"));
+    EXPECT_THAT(finished.err, testing::HasSubstr("G65P2X5. (2)"));
+    EXPECT_EQ(run("interpret p.nc --dialect basic").exitCode, 3);
+}
+
+TEST_F(CliInterpret, DialectsAreComparedLineByLine) {
+    const auto records = lines("G21 G90\nG0 X1.\nX2000\nM30\n", "--compare-dialects linuxcnc,fanuc");
+    EXPECT_EQ(finished.exitCode, 0) << finished.err;
+    ASSERT_EQ(records.size(), 2U);
+    EXPECT_EQ(records[0]["l"], 3);
+    EXPECT_EQ(records[0]["src"], "X2000");
+    EXPECT_EQ(records[0]["linuxcnc"][0]["e"], (nlohmann::json{2000, 0, 0}));
+    EXPECT_EQ(records[0]["fanuc"][0]["e"], (nlohmann::json{2, 0, 0}));
+    EXPECT_EQ(records[1]["differs"], 1);
+    EXPECT_EQ(run("interpret p.nc --compare-dialects linuxcnc").exitCode, 3);
+}
+
+TEST_F(CliInterpret, DialectsAndRulesAreListedFromTheirTables) {
+    std::vector<std::string> keys;
+    const auto listed = run("dialects --json").json();
+    for (const auto& row : listed["dialects"])
+        keys.push_back(row["key"]);
+    EXPECT_THAT(keys, testing::IsSupersetOf({"linuxcnc", "fanuc", "haas"}));
+    EXPECT_THAT(run("dialects").out, testing::HasSubstr("Fanuc"));
+    EXPECT_THAT(run("rules").out, testing::HasSubstr("length-missing"));
+    EXPECT_GT(run("rules --json").json()["rules"].size(), 10U);
 }
 
 } // namespace
