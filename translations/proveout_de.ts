@@ -2994,6 +2994,102 @@
         <source>Give the centre by I, J and K: here the last digit of R moves it far.</source>
         <translation>Geben Sie den Mittelpunkt mit I, J und K an: Hier verschiebt ihn die letzte Ziffer von R weit.</translation>
     </message>
+    <message>
+        <source>in its block only</source>
+        <translation>nur in seinem Satz</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>distances</source>
+        <translation>Maße</translation>
+    </message>
+    <message>
+        <source>distances of arc centres</source>
+        <translation>Maße der Kreismittelpunkte</translation>
+    </message>
+    <message>
+        <source>feed mode</source>
+        <translation>Vorschubart</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>Maßeinheit</translation>
+    </message>
+    <message>
+        <source>cutter compensation</source>
+        <translation>Fräserradiuskorrektur</translation>
+    </message>
+    <message>
+        <source>tool length</source>
+        <translation>Werkzeuglänge</translation>
+    </message>
+    <message>
+        <source>retract level</source>
+        <translation>Rückzugsebene</translation>
+    </message>
+    <message>
+        <source>work offset</source>
+        <translation>Nullpunktverschiebung</translation>
+    </message>
+    <message>
+        <source>path control</source>
+        <translation>Bahnsteuerung</translation>
+    </message>
+    <message>
+        <source>spindle mode</source>
+        <translation>Spindelbetriebsart</translation>
+    </message>
+    <message>
+        <source>polar coordinates</source>
+        <translation>Polarkoordinaten</translation>
+    </message>
+    <message>
+        <source>look-ahead</source>
+        <translation>Vorausschau</translation>
+    </message>
+    <message>
+        <source>diameter mode</source>
+        <translation>Durchmesserprogrammierung</translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation>Halt</translation>
+    </message>
+    <message>
+        <source>inputs and outputs</source>
+        <translation>Ein- und Ausgänge</translation>
+    </message>
+    <message>
+        <source>spindle</source>
+        <translation>Spindel</translation>
+    </message>
+    <message>
+        <source>coolant</source>
+        <translation>Kühlmittel</translation>
+    </message>
+    <message>
+        <source>overrides</source>
+        <translation>Übersteuerungen</translation>
+    </message>
+    <message>
+        <source>saved modal state</source>
+        <translation>gespeicherter modaler Zustand</translation>
+    </message>
+    <message>
+        <source>subprogram</source>
+        <translation>Unterprogramm</translation>
+    </message>
+    <message>
+        <source>tapping</source>
+        <translation>Gewindebohren</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>
@@ -4663,6 +4759,25 @@ Vorgabe: %3 mm</translation>
     <message>
         <source>Bring all panels and view options back to how they were at first</source>
         <translation>Alle Bereiche und Ansichtsoptionen wieder so einstellen wie am Anfang</translation>
+    </message>
+</context>
+<context>
+    <name>WordTip</name>
+    <message>
+        <source>%1: not known on %2</source>
+        <translation>%1: auf %2 nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1: %2 (%3)</source>
+        <translation>%1: %2 (%3)</translation>
+    </message>
+    <message>
+        <source>Modal group: %1</source>
+        <translation>Modale Gruppe: %1</translation>
+    </message>
+    <message>
+        <source>Not carried out: the program is unverified from here</source>
+        <translation>Wird nicht ausgeführt: Ab hier ist das Programm ungeprüft</translation>
     </message>
 </context>
 </TS>

@@ -2994,6 +2994,102 @@
         <source>Give the centre by I, J and K: here the last digit of R moves it far.</source>
         <translation>중심을 I, J, K로 지정하십시오. 여기서는 R의 마지막 자리 숫자만으로도 중심이 크게 움직입니다.</translation>
     </message>
+    <message>
+        <source>in its block only</source>
+        <translation>해당 블록에서만</translation>
+    </message>
+    <message>
+        <source>motion</source>
+        <translation>이송</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>평면</translation>
+    </message>
+    <message>
+        <source>distances</source>
+        <translation>좌표 지령 방식</translation>
+    </message>
+    <message>
+        <source>distances of arc centres</source>
+        <translation>원호 중심 지령 방식</translation>
+    </message>
+    <message>
+        <source>feed mode</source>
+        <translation>이송 모드</translation>
+    </message>
+    <message>
+        <source>unit</source>
+        <translation>단위</translation>
+    </message>
+    <message>
+        <source>cutter compensation</source>
+        <translation>공구경 보정</translation>
+    </message>
+    <message>
+        <source>tool length</source>
+        <translation>공구 길이</translation>
+    </message>
+    <message>
+        <source>retract level</source>
+        <translation>복귀 위치</translation>
+    </message>
+    <message>
+        <source>work offset</source>
+        <translation>공작물 좌표계</translation>
+    </message>
+    <message>
+        <source>path control</source>
+        <translation>경로 제어</translation>
+    </message>
+    <message>
+        <source>spindle mode</source>
+        <translation>주축 모드</translation>
+    </message>
+    <message>
+        <source>polar coordinates</source>
+        <translation>극좌표</translation>
+    </message>
+    <message>
+        <source>look-ahead</source>
+        <translation>선행 제어</translation>
+    </message>
+    <message>
+        <source>diameter mode</source>
+        <translation>직경 모드</translation>
+    </message>
+    <message>
+        <source>stop</source>
+        <translation>정지</translation>
+    </message>
+    <message>
+        <source>inputs and outputs</source>
+        <translation>입출력</translation>
+    </message>
+    <message>
+        <source>spindle</source>
+        <translation>주축</translation>
+    </message>
+    <message>
+        <source>coolant</source>
+        <translation>절삭유</translation>
+    </message>
+    <message>
+        <source>overrides</source>
+        <translation>오버라이드</translation>
+    </message>
+    <message>
+        <source>saved modal state</source>
+        <translation>저장된 모달 상태</translation>
+    </message>
+    <message>
+        <source>subprogram</source>
+        <translation>서브프로그램</translation>
+    </message>
+    <message>
+        <source>tapping</source>
+        <translation>태핑</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>
@@ -4662,6 +4758,25 @@ Default: %3 mm</source>
     <message>
         <source>Bring all panels and view options back to how they were at first</source>
         <translation>모든 패널과 보기 옵션을 처음 상태로 되돌립니다</translation>
+    </message>
+</context>
+<context>
+    <name>WordTip</name>
+    <message>
+        <source>%1: not known on %2</source>
+        <translation>%1: %2에서 알 수 없는 코드</translation>
+    </message>
+    <message>
+        <source>%1: %2 (%3)</source>
+        <translation>%1: %2 (%3)</translation>
+    </message>
+    <message>
+        <source>Modal group: %1</source>
+        <translation>모달 그룹: %1</translation>
+    </message>
+    <message>
+        <source>Not carried out: the program is unverified from here</source>
+        <translation>실행하지 않습니다. 여기부터 프로그램을 검증할 수 없습니다</translation>
     </message>
 </context>
 </TS>

@@ -67,7 +67,8 @@ private:
     void setUpMargins();
     void adoptPalette();
     void onModified(int position, int type, const char* text, int length);
-    bool showProblemTip(QPoint place, QPoint globalPlace);
+    bool showTip(QPoint place, QPoint globalPlace);
+    [[nodiscard]] QString wordTip(QPoint place) const;
     void revealLine(int line);
 
     NcHighlighter m_highlighter;

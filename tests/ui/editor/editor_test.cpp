@@ -206,6 +206,32 @@ private slots:
         QCOMPARE(marks(1) | marks(2) | marks(3), 0U);
     }
 
+    void wordsExplainThemselvesInTheirDialect() {
+        NcEditor editor;
+        editor.resize(400, 200);
+        editor.show();
+        Document document;
+        document.text = NcText("G54 X1 (G2)\nG76 Q1\n");
+        editor.load(document);
+        const auto tipAt = [&](long position) {
+            const auto at = [&](unsigned message) {
+                return static_cast<int>(editor.SendScintilla(message, 0UL, position));
+            };
+            const QPoint inside(at(QsciScintilla::SCI_POINTXFROMPOSITION) + 2,
+                                at(QsciScintilla::SCI_POINTYFROMPOSITION) + 5);
+            const QPoint place = editor.viewport()->mapTo(&editor, inside);
+            QHelpEvent event(QEvent::ToolTip, place, editor.mapToGlobal(place));
+            return QApplication::sendEvent(&editor, &event) ? QToolTip::text() : QString();
+        };
+        QCOMPARE(tipAt(1), QStringLiteral("G54: work offset 1 (LinuxCNC)<br>Modal group: work offset"));
+        QCOMPARE(tipAt(4), QStringLiteral("X: X coordinate (LinuxCNC)"));
+        QVERIFY(tipAt(9).isEmpty());
+        QVERIFY(tipAt(12).contains(QLatin1String("Not carried out")));
+        editor.showDialect(DialectId::fanuc);
+        QVERIFY2(tipAt(12).startsWith(QLatin1String("G76: fine boring cycle (Fanuc)")),
+                 qPrintable(tipAt(12)));
+    }
+
     void largeTextsAreReadOnly() {
         QTemporaryDir folder;
         const QString path = folder.filePath("large.nc");
