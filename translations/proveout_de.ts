@@ -3090,6 +3090,14 @@
         <source>tapping</source>
         <translation>Gewindebohren</translation>
     </message>
+    <message>
+        <source>Lines that repeat were told about {} times; interpretation ends here.</source>
+        <translation>Zu sich wiederholenden Zeilen gab es {} Meldungen; die Interpretation endet hier.</translation>
+    </message>
+    <message>
+        <source>Correct what is wrong in the loop.</source>
+        <translation>Berichtigen Sie den Fehler in der Schleife.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

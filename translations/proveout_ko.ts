@@ -3090,6 +3090,14 @@
         <source>tapping</source>
         <translation>태핑</translation>
     </message>
+    <message>
+        <source>Lines that repeat were told about {} times; interpretation ends here.</source>
+        <translation>반복되는 줄에 대한 메시지가 {}개에 이르러 여기서 해석을 끝냅니다.</translation>
+    </message>
+    <message>
+        <source>Correct what is wrong in the loop.</source>
+        <translation>반복문의 오류를 고치십시오.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

@@ -75,7 +75,7 @@ public:
             if (!lookUp(count) || !m_calls.step())
                 m_finished = m_cutShort = true;
             else
-                runLine();
+                runWatched();
         }
         if (m_linesRead == count)
             m_reporter.beginLine(static_cast<std::uint32_t>(count));
@@ -142,6 +142,19 @@ private:
             m_reporter.tell(nc_message::kByteOrderMark, 1, 0);
         if (index == m_loneCr)
             m_reporter.tell(nc_message::kLoneCr, static_cast<int>(text.size() + 1), 1);
+    }
+
+    /// A loop whose condition never changes, because a line of it cannot be read, does not run to the limit.
+    void runWatched() {
+        constexpr std::size_t kMostAgain = 10'000;
+        const bool again = m_calls.at() < m_linesRead;
+        const std::size_t told = m_reporter.count();
+        runLine();
+        m_toldAgain += again && m_reporter.count() > told ? 1 : 0;
+        if (m_toldAgain < kMostAgain || m_finished)
+            return;
+        m_reporter.tellInAnyCase(nc_message::kTooManyAgain, 1, 0, {std::to_string(kMostAgain)});
+        m_finished = m_cutShort = true;
     }
 
     void runLine() {
@@ -448,6 +461,7 @@ private:
     std::size_t m_loneCr = 0;
     std::size_t m_linesRead = 0; ///< of the main text, counted to the last one that was reached
     std::size_t m_steps = 0;
+    std::size_t m_toldAgain = 0; ///< lines that were told about though they had run before
     std::size_t m_sourceBlocks = 0;
     bool m_percentOpen = false;
     bool m_percentClosed = false;

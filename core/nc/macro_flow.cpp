@@ -123,8 +123,9 @@ MacroFlow::Next MacroFlow::loop(const MacroStatement& statement) {
     if (statement.kind == StatementKind::doLoop)
         return Next::line;
     std::size_t at = statement.rest;
+    // A condition that cannot be read would keep the loop going without end.
     const auto again = condition(statement, at);
-    if (again && !*again)
+    if (!again || !*again)
         m_calls.jump(partner + 1);
     return again ? Next::line : Next::failed;
 }

@@ -153,6 +153,10 @@ inline constexpr Message kMainReturn{
     Severity::warning, false, "main-return",
     PROVEOUT_TEXT("Core", "M99 ends the main program: the control starts it again, without end."),
     PROVEOUT_TEXT("Core", "It is run once here; end it with M30 if that was meant.")};
+inline constexpr Message kTooManyAgain{
+    Severity::error, true, "too-many-again",
+    PROVEOUT_TEXT("Core", "Lines that repeat were told about {} times; interpretation ends here."),
+    PROVEOUT_TEXT("Core", "Correct what is wrong in the loop.")};
 inline constexpr Message kTooManySteps{
     Severity::error, true, "too-many-steps",
     PROVEOUT_TEXT("Core", "The program runs through more than {} lines; interpretation ends in line {}."),

@@ -35,6 +35,8 @@ public:
     /// The last message, where there were more than the limit.
     void tellSuppressed();
 
+    /// All messages, shown or not.
+    [[nodiscard]] std::size_t count() const { return m_told + m_suppressed; }
     [[nodiscard]] bool unverified() const { return m_unverified; }
 
 private:

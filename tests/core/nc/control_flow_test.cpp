@@ -2,6 +2,7 @@
 // Subprograms in files, limits, and what is told where the flow of a program leads nowhere.
 #include <chrono>
 #include <filesystem>
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <stop_token>
 #include <string>
@@ -134,6 +135,18 @@ TEST(ControlFlow, LocalParametersComeBackAfterACall) {
                                    options);
     ASSERT_EQ(program->motionCount(), 1U);
     EXPECT_EQ(program->motion(0).end, Vec3(1, 2, 35));
+}
+
+TEST(ControlFlow, EndsALoopThatOnlyRepeatsItsErrors) {
+    InterpretOptions options;
+    options.dialect = DialectId::fanuc;
+    const std::string text = "#1=1\nWHILE [#1 LT 5] DO 1\nX[\nEND 1\nM30\n";
+    const auto program = interpret(NcText(text), options);
+    EXPECT_THAT(toldBy(text, options), testing::HasSubstr("too-many-again"));
+    EXPECT_TRUE(program->unverified());
+    EXPECT_LE(program->diagnostics().size(), options.maxDiagnostics + 3);
+    options.dialect = DialectId::linuxcnc;
+    EXPECT_THAT(toldBy("o1 while [1]\nX[\no1 endwhile\nM2\n", options), testing::HasSubstr("too-many-again"));
 }
 
 } // namespace proveout
