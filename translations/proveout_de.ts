@@ -3098,6 +3098,182 @@
         <source>Correct what is wrong in the loop.</source>
         <translation>Berichtigen Sie den Fehler in der Schleife.</translation>
     </message>
+    <message>
+        <source>engraving of text</source>
+        <translation>Text gravieren</translation>
+    </message>
+    <message>
+        <source>bolt hole circle</source>
+        <translation>Lochkreis</translation>
+    </message>
+    <message>
+        <source>bolt hole arc</source>
+        <translation>Lochkreisbogen</translation>
+    </message>
+    <message>
+        <source>bolt holes along a line</source>
+        <translation>Lochreihe</translation>
+    </message>
+    <message>
+        <source>boring cycle, dwell, stop and manual out</source>
+        <translation>Ausbohrzyklus, Verweilen, Halt und von Hand heraus</translation>
+    </message>
+    <message>
+        <source>limit of the look-ahead</source>
+        <translation>Begrenzung der Vorausschau</translation>
+    </message>
+    <message>
+        <source>cylindrical mapping</source>
+        <translation>Zylindermantel-Abbildung</translation>
+    </message>
+    <message>
+        <source>pocket of any shape</source>
+        <translation>Tasche beliebiger Form</translation>
+    </message>
+    <message>
+        <source>smoothness of the path</source>
+        <translation>Glättung der Bahn</translation>
+    </message>
+    <message>
+        <source>The boring bar moves aside before it leaves the bore, but is cut as a full cylinder.</source>
+        <translation>Die Bohrstange fährt vor dem Verlassen der Bohrung zur Seite, wird aber als voller Zylinder geschnitten.</translation>
+    </message>
+    <message>
+        <source>What it seems to touch on its way out cannot be vouched for.</source>
+        <translation>Was sie auf dem Weg hinaus zu berühren scheint, ist nicht gesichert.</translation>
+    </message>
+    <message>
+        <source>The operator takes the tool out of the hole by hand.</source>
+        <translation>Der Bediener fährt das Werkzeug von Hand aus der Bohrung.</translation>
+    </message>
+    <message>
+        <source>Shown is the straight way out; what follows cannot be vouched for.</source>
+        <translation>Gezeigt wird der gerade Weg hinaus; was folgt, ist nicht gesichert.</translation>
+    </message>
+    <message>
+        <source>Back boring goes up from R, but the depth does not lie above R.</source>
+        <translation>Rückwärtsbohren geht von R nach oben, aber die Tiefe liegt nicht über R.</translation>
+    </message>
+    <message>
+        <source>Check R and the depth; the cycle bores nothing.</source>
+        <translation>Prüfen Sie R und die Tiefe; der Zyklus bohrt nichts.</translation>
+    </message>
+    <message>
+        <source>{} cannot be used with G99; it returns to the initial level.</source>
+        <translation>{} kann nicht mit G99 verwendet werden; er kehrt auf die Ausgangsebene zurück.</translation>
+    </message>
+    <message>
+        <source>Write G98 before it.</source>
+        <translation>Schreiben Sie G98 davor.</translation>
+    </message>
+    <message>
+        <source>G98 returns to the initial level, which is not known; shown is R.</source>
+        <translation>G98 kehrt auf die Ausgangsebene zurück, die nicht bekannt ist; gezeigt wird R.</translation>
+    </message>
+    <message>
+        <source>Position the axis before the cycle.</source>
+        <translation>Positionieren Sie die Achse vor dem Zyklus.</translation>
+    </message>
+    <message>
+        <source>{} has no Q: the hole is drilled in one go.</source>
+        <translation>{} hat kein Q: Die Bohrung wird in einem Zug gebohrt.</translation>
+    </message>
+    <message>
+        <source>Newer controls stop with an alarm instead; give the depth of a peck.</source>
+        <translation>Neuere Steuerungen halten stattdessen mit einem Alarm an; geben Sie die Zustelltiefe an.</translation>
+    </message>
+    <message>
+        <source>The spindle stands, and no M29 orders rigid tapping.</source>
+        <translation>Die Spindel steht, und kein M29 verlangt Gewindebohren ohne Ausgleichsfutter.</translation>
+    </message>
+    <message>
+        <source>Some machines tap rigidly without M29, as is shown; write M29 before the cycle.</source>
+        <translation>Manche Maschinen tun das, wie gezeigt, auch ohne M29; schreiben Sie M29 vor den Zyklus.</translation>
+    </message>
+    <message>
+        <source>With 0 repeats the cycle is only stored; {} of this block is not moved to.</source>
+        <translation>Mit 0 Wiederholungen wird der Zyklus nur gespeichert; {} dieses Satzes wird nicht angefahren.</translation>
+    </message>
+    <message>
+        <source>Some controls move there; name the place in another block.</source>
+        <translation>Manche Steuerungen fahren hin; nennen Sie den Ort in einem anderen Satz.</translation>
+    </message>
+    <message>
+        <source>{} drills with the canned cycle in force, but there is none.</source>
+        <translation>{} bohrt mit dem wirksamen Bohrzyklus, aber es ist keiner wirksam.</translation>
+    </message>
+    <message>
+        <source>Write the cycle with L0 in a block before; the pattern drills nothing.</source>
+        <translation>Schreiben Sie den Zyklus mit L0 in einen Satz davor; das Bohrbild bohrt nichts.</translation>
+    </message>
+    <message>
+        <source>The first hole of G72 is taken to be where the tool stands.</source>
+        <translation>Als erste Bohrung von G72 gilt der Ort, an dem das Werkzeug steht.</translation>
+    </message>
+    <message>
+        <source>Check it against the manual of the control.</source>
+        <translation>Prüfen Sie es im Handbuch der Steuerung.</translation>
+    </message>
+    <message>
+        <source>How the control moves from circle to circle of the pocket is not documented; shown are half circles.</source>
+        <translation>Wie die Steuerung von Kreis zu Kreis der Tasche fährt, ist nicht dokumentiert; gezeigt werden Halbkreise.</translation>
+    </message>
+    <message>
+        <source>The finished pocket is the same.</source>
+        <translation>Die fertige Tasche ist dieselbe.</translation>
+    </message>
+    <message>
+        <source>No pocket leads from radius {} mm to {} mm with a tool of radius {} mm.</source>
+        <translation>Von Radius {} mm bis {} mm gibt es mit einem Werkzeug von Radius {} mm keine Tasche.</translation>
+    </message>
+    <message>
+        <source>Check I, K and D; the pocket is not milled.</source>
+        <translation>Prüfen Sie I, K und D; die Tasche wird nicht gefräst.</translation>
+    </message>
+    <message>
+        <source>G29 returns by the intermediate point of G28, which is not known for {}.</source>
+        <translation>G29 kehrt über den Zwischenpunkt von G28 zurück, der für {} nicht bekannt ist.</translation>
+    </message>
+    <message>
+        <source>Position the axis before G28 and name it there.</source>
+        <translation>Positionieren Sie die Achse vor G28, und nennen Sie sie dort.</translation>
+    </message>
+    <message>
+        <source>G60 overshoots by a distance that is set in the machine; it is shown without.</source>
+        <translation>G60 fährt um eine in der Maschine eingestellte Strecke über das Ziel hinaus; gezeigt wird es ohne sie.</translation>
+    </message>
+    <message>
+        <source>Make sure that there is room behind the target.</source>
+        <translation>Sorgen Sie für Platz hinter dem Ziel.</translation>
+    </message>
+    <message>
+        <source>The skip motion is shown to its end; where a signal stops it, only the machine finds out.</source>
+        <translation>Die Bewegung mit Löschen des Restwegs wird bis zu ihrem Ende gezeigt; wo ein Signal sie anhält, stellt erst die Maschine fest.</translation>
+    </message>
+    <message>
+        <source>#5061 to #5063 hold that end.</source>
+        <translation>#5061 bis #5063 enthalten dieses Ende.</translation>
+    </message>
+    <message>
+        <source>The arc has both a centre and a radius; the radius counts.</source>
+        <translation>Der Bogen hat sowohl einen Mittelpunkt als auch einen Radius; der Radius gilt.</translation>
+    </message>
+    <message>
+        <source>Other controls refuse this; keep one.</source>
+        <translation>Andere Steuerungen lehnen das ab; behalten Sie eines von beiden.</translation>
+    </message>
+    <message>
+        <source>The arc with R ends where it begins, so that nothing moves.</source>
+        <translation>Der Bogen mit R endet, wo er beginnt, sodass sich nichts bewegt.</translation>
+    </message>
+    <message>
+        <source>The arc has neither a centre nor a radius: the control moves straight, or stops with an alarm.</source>
+        <translation>Der Bogen hat weder Mittelpunkt noch Radius: Die Steuerung fährt gerade oder hält mit einem Alarm an.</translation>
+    </message>
+    <message>
+        <source>Give the centre with I, J or K, or the radius with R.</source>
+        <translation>Geben Sie den Mittelpunkt mit I, J oder K oder den Radius mit R an.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

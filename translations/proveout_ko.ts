@@ -3098,6 +3098,182 @@
         <source>Correct what is wrong in the loop.</source>
         <translation>반복문의 오류를 고치십시오.</translation>
     </message>
+    <message>
+        <source>engraving of text</source>
+        <translation>문자 각인</translation>
+    </message>
+    <message>
+        <source>bolt hole circle</source>
+        <translation>볼트 구멍 원형 배열</translation>
+    </message>
+    <message>
+        <source>bolt hole arc</source>
+        <translation>볼트 구멍 원호 배열</translation>
+    </message>
+    <message>
+        <source>bolt holes along a line</source>
+        <translation>볼트 구멍 직선 배열</translation>
+    </message>
+    <message>
+        <source>boring cycle, dwell, stop and manual out</source>
+        <translation>보링 사이클, 일시 정지 후 수동 복귀</translation>
+    </message>
+    <message>
+        <source>limit of the look-ahead</source>
+        <translation>선독 블록 수 제한</translation>
+    </message>
+    <message>
+        <source>cylindrical mapping</source>
+        <translation>원통 보간 매핑</translation>
+    </message>
+    <message>
+        <source>pocket of any shape</source>
+        <translation>임의 형상 포켓</translation>
+    </message>
+    <message>
+        <source>smoothness of the path</source>
+        <translation>경로 평활도</translation>
+    </message>
+    <message>
+        <source>The boring bar moves aside before it leaves the bore, but is cut as a full cylinder.</source>
+        <translation>보링 바는 구멍에서 나오기 전에 옆으로 이동하지만, 시뮬레이션에서는 완전한 원통으로 절삭합니다.</translation>
+    </message>
+    <message>
+        <source>What it seems to touch on its way out cannot be vouched for.</source>
+        <translation>나오는 도중에 닿는 것처럼 보이는 부분은 보증할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>The operator takes the tool out of the hole by hand.</source>
+        <translation>작업자가 수동으로 공구를 구멍에서 빼냅니다.</translation>
+    </message>
+    <message>
+        <source>Shown is the straight way out; what follows cannot be vouched for.</source>
+        <translation>곧게 빠져나오는 경로로 표시합니다. 그 뒤의 결과는 보증할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Back boring goes up from R, but the depth does not lie above R.</source>
+        <translation>백 보링은 R에서 위로 진행하지만, 깊이가 R보다 위에 있지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Check R and the depth; the cycle bores nothing.</source>
+        <translation>R과 깊이를 확인하십시오. 이 사이클은 아무것도 가공하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>{} cannot be used with G99; it returns to the initial level.</source>
+        <translation>{}은(는) G99와 함께 쓸 수 없으며 초기점 높이로 복귀합니다.</translation>
+    </message>
+    <message>
+        <source>Write G98 before it.</source>
+        <translation>앞에 G98을 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>G98 returns to the initial level, which is not known; shown is R.</source>
+        <translation>G98은 초기점 높이로 복귀하지만 그 높이를 알 수 없어 R로 표시합니다.</translation>
+    </message>
+    <message>
+        <source>Position the axis before the cycle.</source>
+        <translation>사이클 전에 축의 위치를 정하십시오.</translation>
+    </message>
+    <message>
+        <source>{} has no Q: the hole is drilled in one go.</source>
+        <translation>{}에 Q가 없어 구멍을 한 번에 뚫습니다.</translation>
+    </message>
+    <message>
+        <source>Newer controls stop with an alarm instead; give the depth of a peck.</source>
+        <translation>최신 제어기는 알람으로 정지합니다. 1회 절입량을 지정하십시오.</translation>
+    </message>
+    <message>
+        <source>The spindle stands, and no M29 orders rigid tapping.</source>
+        <translation>주축이 정지해 있고 리지드 탭을 지령하는 M29가 없습니다.</translation>
+    </message>
+    <message>
+        <source>Some machines tap rigidly without M29, as is shown; write M29 before the cycle.</source>
+        <translation>M29 없이도 표시된 것처럼 리지드 탭을 하는 기계가 있습니다. 사이클 앞에 M29를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>With 0 repeats the cycle is only stored; {} of this block is not moved to.</source>
+        <translation>반복 횟수가 0이면 사이클을 기억하기만 하며, 이 블록의 {}(으)로는 이동하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Some controls move there; name the place in another block.</source>
+        <translation>그 위치로 이동하는 제어기도 있습니다. 위치는 다른 블록에 지정하십시오.</translation>
+    </message>
+    <message>
+        <source>{} drills with the canned cycle in force, but there is none.</source>
+        <translation>{}은(는) 유효한 고정 사이클로 가공하지만, 유효한 사이클이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Write the cycle with L0 in a block before; the pattern drills nothing.</source>
+        <translation>앞 블록에 L0으로 사이클을 쓰십시오. 이 패턴은 아무것도 가공하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The first hole of G72 is taken to be where the tool stands.</source>
+        <translation>G72의 첫 구멍은 공구의 현재 위치에 있는 것으로 봅니다.</translation>
+    </message>
+    <message>
+        <source>Check it against the manual of the control.</source>
+        <translation>제어기 설명서에서 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>How the control moves from circle to circle of the pocket is not documented; shown are half circles.</source>
+        <translation>포켓의 원에서 원으로 이동하는 방법은 문서에 없어 반원으로 표시합니다.</translation>
+    </message>
+    <message>
+        <source>The finished pocket is the same.</source>
+        <translation>완성된 포켓은 같습니다.</translation>
+    </message>
+    <message>
+        <source>No pocket leads from radius {} mm to {} mm with a tool of radius {} mm.</source>
+        <translation>반지름 {} mm부터 {} mm까지의 포켓은 반지름 {} mm인 공구로 가공할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Check I, K and D; the pocket is not milled.</source>
+        <translation>I, K, D를 확인하십시오. 이 포켓은 가공하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>G29 returns by the intermediate point of G28, which is not known for {}.</source>
+        <translation>G29는 G28의 중간점을 거쳐 복귀하지만, {}의 중간점을 알 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Position the axis before G28 and name it there.</source>
+        <translation>G28 전에 축의 위치를 정하고 G28에 그 축을 지정하십시오.</translation>
+    </message>
+    <message>
+        <source>G60 overshoots by a distance that is set in the machine; it is shown without.</source>
+        <translation>G60은 기계에 설정된 거리만큼 지나쳤다가 돌아오지만, 여기서는 그 동작 없이 표시합니다.</translation>
+    </message>
+    <message>
+        <source>Make sure that there is room behind the target.</source>
+        <translation>목표 위치 뒤에 여유 공간이 있는지 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>The skip motion is shown to its end; where a signal stops it, only the machine finds out.</source>
+        <translation>스킵 이동은 끝까지 표시합니다. 신호로 정지하는 위치는 기계에서만 알 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>#5061 to #5063 hold that end.</source>
+        <translation>#5061부터 #5063까지에 그 끝점이 들어 있습니다.</translation>
+    </message>
+    <message>
+        <source>The arc has both a centre and a radius; the radius counts.</source>
+        <translation>원호에 중심과 반지름이 모두 있습니다. 반지름이 적용됩니다.</translation>
+    </message>
+    <message>
+        <source>Other controls refuse this; keep one.</source>
+        <translation>다른 제어기는 이를 거부하므로 하나만 남기십시오.</translation>
+    </message>
+    <message>
+        <source>The arc with R ends where it begins, so that nothing moves.</source>
+        <translation>R을 쓴 원호의 끝점이 시작점과 같아 아무것도 움직이지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The arc has neither a centre nor a radius: the control moves straight, or stops with an alarm.</source>
+        <translation>원호에 중심도 반지름도 없습니다. 제어기는 직선으로 이동하거나 알람으로 정지합니다.</translation>
+    </message>
+    <message>
+        <source>Give the centre with I, J or K, or the radius with R.</source>
+        <translation>I, J, K로 중심을 지정하거나 R로 반지름을 지정하십시오.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

@@ -11,16 +11,10 @@ namespace {
 
 constexpr double kTurn = 2 * std::numbers::pi;
 
-/// Ends closer than this are one point: what adding up incremental moves may leave behind. What lies between
-/// this and a visible distance is decided by the exact geometry: a hair's breadth or nearly a full circle.
-constexpr double kSamePoint = 5e-9;
-
-bool samePoint(const ArcEnds& ends) {
-    return glm::length(ends.end - ends.start) <= kSamePoint;
-}
-
-double sweepAbout(const Vec2& centre, const ArcEnds& ends) {
-    if (samePoint(ends))
+/// Ends that are one point make a full circle. What lies between that and a visible distance is decided by
+/// the exact geometry: a hair's breadth or nearly a full circle.
+double sweepAbout(const Vec2& centre, const ArcEnds& ends, double samePoint) {
+    if (glm::length(ends.end - ends.start) <= samePoint)
         return ends.clockwise ? -kTurn : kTurn;
     const Vec2 from = ends.start - centre;
     const Vec2 to = ends.end - centre;
@@ -53,7 +47,7 @@ tl::expected<Arc, ArcProblem> arcAbout(const Vec2& centre, const ArcEnds& ends,
         std::max(tolerances.difference, tolerances.relative * std::max(startRadius, endRadius));
     if (difference > std::min(allowed, tolerances.mostDifference))
         return tl::unexpected(ArcProblem{ArcFault::endsDiffer, startRadius, endRadius});
-    return Arc{centre, sweepAbout(centre, ends)};
+    return Arc{centre, sweepAbout(centre, ends, tolerances.samePoint)};
 }
 
 tl::expected<Arc, ArcProblem> arcOfRadius(double radius, const ArcEnds& ends,

@@ -12,10 +12,11 @@ namespace proveout {
 
 /// How far an arc may be off. Source: LinuxCNC, whose limits are round numbers in the unit of the program.
 struct ArcTolerances {
-    double radius;         ///< a smaller radius is none; R may be short by this much
-    double difference;     ///< between the radii at both ends: always allowed
-    double relative;       ///< of the larger radius: allowed beyond that …
-    double mostDifference; ///< … up to this much
+    double radius;           ///< a smaller radius is none; R may be short by this much
+    double difference;       ///< between the radii at both ends: always allowed
+    double relative;         ///< of the larger radius: allowed beyond that …
+    double mostDifference;   ///< … up to this much
+    double samePoint = 5e-9; ///< ends closer than this are one: what adding up increments may leave behind
 };
 [[nodiscard]] ArcTolerances arcTolerances(bool inch);
 

@@ -37,6 +37,8 @@ public:
     std::optional<Arc> read() {
         const bool radius = m_execution.block.has('R');
         const bool centre = has(m_plane.first) || has(m_plane.second);
+        if (radius && m_execution.dialect.radiusWins)
+            return ofRadius();
         if (has(m_plane.normal))
             return refuseOffPlane();
         if (radius && centre)
@@ -50,7 +52,7 @@ public:
 
     /// Full turns beyond the first, by P.
     std::optional<int> extraTurns() {
-        if (!m_execution.block.has('P'))
+        if (!m_execution.block.has('P') || !m_execution.state.motion->letters.has('P'))
             return 0;
         const Word& turns = m_execution.block.word('P');
         if (turns.value < 1 || turns.value > kMostTurns || turns.value != std::round(turns.value)) {
@@ -69,6 +71,17 @@ private:
     [[nodiscard]] double value(int axis) const { return has(axis) ? m_execution.length(letter(axis)) : 0.0; }
     [[nodiscard]] Vec2 inPlane(const Vec3& point) const {
         return {point[m_plane.first], point[m_plane.second]};
+    }
+
+    /// Where the dialect says how far radii may differ, lengths are whole least units besides.
+    [[nodiscard]] ArcTolerances tolerances() const {
+        ArcTolerances result = arcTolerances(m_execution.state.inch);
+        const Dialect& dialect = m_execution.dialect;
+        if (dialect.arcRadiiMm > 0) {
+            result.difference = result.mostDifference = dialect.arcRadiiMm;
+            result.samePoint = m_execution.leastLength() / 2;
+        }
+        return result;
     }
 
     std::optional<Arc> refuse(const Message& message, const Word& word,
@@ -92,14 +105,12 @@ private:
             return refuse(nc_message::kArcCentreIncomplete, m_word,
                           {letterOf(firstLetter()), letterOf(secondLetter())});
         const int shown = has(m_plane.first) ? m_plane.first : m_plane.second;
-        return checked(arcAbout(centre, m_ends, arcTolerances(m_execution.state.inch)),
-                       m_execution.block.word(letter(shown)));
+        return checked(arcAbout(centre, m_ends, tolerances()), m_execution.block.word(letter(shown)));
     }
 
     std::optional<Arc> ofRadius() {
         const Word& word = m_execution.block.word('R');
-        return checked(arcOfRadius(m_execution.length('R'), m_ends, arcTolerances(m_execution.state.inch)),
-                       word);
+        return checked(arcOfRadius(m_execution.length('R'), m_ends, tolerances()), word);
     }
 
     std::optional<Arc> checked(const tl::expected<Arc, ArcProblem>& arc, const Word& word) {

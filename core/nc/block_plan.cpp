@@ -116,10 +116,14 @@ private:
     }
 
     void tellOtherAxes() {
-        if (!m_block.letters().any(kOtherAxes))
+        LetterSet others = kOtherAxes;
+        // Fanuc's dwell counts by any of X, U and P.
+        if (m_axisWord != nullptr && m_execution.codes.find(*m_axisWord)->step == Step::dwell)
+            others.remove(LetterSet("U"));
+        if (!m_block.letters().any(others))
             return;
         for (const LetterRow& row : letters()) {
-            if (kOtherAxes.has(row.letter) && m_block.has(row.letter))
+            if (others.has(row.letter) && m_block.has(row.letter))
                 tell(nc_message::kAxisUnsupported, m_block.word(row.letter), {std::string(1, row.letter)});
         }
         m_used.add(kOtherAxes);

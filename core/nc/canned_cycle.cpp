@@ -2,6 +2,9 @@
 #include "core/nc/canned_cycle.h"
 
 #include <algorithm>
+#include <span>
+
+#include "core/nc/handlers.h"
 
 namespace proveout {
 
@@ -9,40 +12,128 @@ namespace {
 
 using enum CycleStep;
 
-// By number.
-constexpr CannedCycle kCycles[] = {
-    {730, false, true, SpindleNeed::any, {peckAndBreakChip, rapidToClearance}},
+// Source: LinuxCNC's documentation of G73 to G89, in the order in which its stand-alone interpreter does it.
+constexpr CannedCycle kLinuxcnc[] = {
+    {730, false, true, SpindleNeed::any, {rapidToR, peckAndBreakChip, rapidToClearance}},
     {740,
      false,
      false,
      SpindleNeed::counterClockwise,
-     {feedToBottom, reverseSpindle, dwell, feedToClearance, restoreSpindle}},
-    {810, false, false, SpindleNeed::any, {feedToBottom, rapidToClearance}},
-    {820, true, false, SpindleNeed::any, {feedToBottom, dwell, rapidToClearance}},
-    {830, false, true, SpindleNeed::any, {peckAndRetract, rapidToClearance}},
+     {rapidToR, feedToBottom, reverseSpindle, dwell, feedToClearance, restoreSpindle}},
+    {810, false, false, SpindleNeed::any, {rapidToR, feedToBottom, rapidToClearance}},
+    {820, true, false, SpindleNeed::any, {rapidToR, feedToBottom, dwell, rapidToClearance}},
+    {830, false, true, SpindleNeed::any, {rapidToR, peckAndRetract, rapidToClearance}},
     {840,
      false,
      false,
      SpindleNeed::clockwise,
-     {feedToBottom, reverseSpindle, dwell, feedToClearance, restoreSpindle}},
-    {850, false, false, SpindleNeed::any, {feedToBottom, feedToR, rapidToClearance}},
+     {rapidToR, feedToBottom, reverseSpindle, dwell, feedToClearance, restoreSpindle}},
+    {850, false, false, SpindleNeed::any, {rapidToR, feedToBottom, feedToR, rapidToClearance}},
     {860,
      true,
      false,
      SpindleNeed::turning,
-     {feedToBottom, dwell, stopSpindle, rapidToClearance, restoreSpindle}},
-    {870, false, false, SpindleNeed::turning, {backBore}},
-    {880, true, false, SpindleNeed::turning, {feedToBottom, dwell, stopSpindle, stopProgram, restoreSpindle}},
-    {890, true, false, SpindleNeed::any, {feedToBottom, dwell, feedToClearance}},
+     {rapidToR, feedToBottom, dwell, stopSpindle, rapidToClearance, restoreSpindle}},
+    {.tenths = 870,
+     .dwells = false,
+     .pecks = false,
+     .spindle = SpindleNeed::turning,
+     .steps = {rapidToR, backBore},
+     .caveat = &nc_message::kBackBore},
+    {880,
+     true,
+     false,
+     SpindleNeed::turning,
+     {rapidToR, feedToBottom, dwell, stopSpindle, stopProgram, restoreSpindle}},
+    {890, true, false, SpindleNeed::any, {rapidToR, feedToBottom, dwell, feedToClearance}},
 };
+
+/// Down beside the hole, up through the bore, and out again beside it.
+constexpr std::array<CycleStep, CannedCycle::kMostSteps> kBackBoring{
+    stopSpindle, shiftAside,  rapidToR,   shiftBack,        restoreSpindle, feedToBottom,
+    dwell,       stopSpindle, shiftAside, rapidToClearance, shiftBack,      restoreSpindle};
+constexpr std::array<CycleStep, CannedCycle::kMostSteps> kTapping{
+    rapidToR, turnAsNeeded, tapToBottom, dwell, reverseSpindle, tapToR, restoreSpindle, rapidToClearance};
+constexpr std::array<CycleStep, CannedCycle::kMostSteps> kManualOut{
+    rapidToR, feedToBottom, dwell, stopSpindle, stopProgram, rapidToClearance, restoreSpindle};
+
+// Source: FANUC Series 0i and 30i, operator's manuals for machining centres, canned cycles for drilling.
+constexpr CannedCycle kFanuc[] = {
+    {730, false, true, SpindleNeed::any, {rapidToR, peckAndBreakChip, rapidToClearance}},
+    {740, true, true, SpindleNeed::counterClockwise, kTapping},
+    {.tenths = 760,
+     .dwells = true,
+     .pecks = false,
+     .spindle = SpindleNeed::any,
+     .steps = {rapidToR, feedToBottom, dwell, stopSpindle, shiftAside, rapidToClearance, shiftBack,
+               restoreSpindle},
+     .shifts = true,
+     .caveat = &nc_message::kFineBore},
+    {810, false, false, SpindleNeed::any, {rapidToR, feedToBottom, rapidToClearance}},
+    {820, true, false, SpindleNeed::any, {rapidToR, feedToBottom, dwell, rapidToClearance}},
+    {830, false, true, SpindleNeed::any, {rapidToR, peckAndRetract, rapidToClearance}},
+    {840, true, true, SpindleNeed::clockwise, kTapping},
+    {850, false, false, SpindleNeed::any, {rapidToR, feedToBottom, feedToR, rapidToClearance}},
+    {860,
+     false,
+     false,
+     SpindleNeed::any,
+     {rapidToR, feedToBottom, stopSpindle, rapidToClearance, restoreSpindle}},
+    {.tenths = 870,
+     .dwells = true,
+     .pecks = false,
+     .spindle = SpindleNeed::any,
+     .steps = kBackBoring,
+     .shifts = true,
+     .upward = true,
+     .caveat = &nc_message::kBackBore},
+    {.tenths = 880,
+     .dwells = true,
+     .pecks = false,
+     .spindle = SpindleNeed::any,
+     .steps = kManualOut,
+     .caveat = &nc_message::kManualExit},
+    {890, true, false, SpindleNeed::any, {rapidToR, feedToBottom, dwell, feedToR, rapidToClearance}},
+};
+
+// What Haas does otherwise than Fanuc. Source: HAAS Mill Operator's Manual, canned cycles.
+constexpr CannedCycle kHaas[] = {
+    {730, true, true, SpindleNeed::any, {rapidToR, peckAndBreakChip, dwell, rapidToClearance}},
+    {740, false, false, SpindleNeed::counterClockwise, kTapping},
+    {.tenths = 770,
+     .dwells = false,
+     .pecks = false,
+     .spindle = SpindleNeed::any,
+     .steps = kBackBoring,
+     .shifts = true,
+     .upward = true,
+     .caveat = &nc_message::kBackBore},
+    {830, true, true, SpindleNeed::any, {rapidToR, peckAndRetract, dwell, rapidToClearance}},
+    {840, false, false, SpindleNeed::clockwise, kTapping},
+    {.tenths = 870,
+     .dwells = false,
+     .pecks = false,
+     .spindle = SpindleNeed::any,
+     .steps = kManualOut,
+     .caveat = &nc_message::kManualExit},
+};
+
+const CannedCycle* find(std::span<const CannedCycle> cycles, int tenths) {
+    const auto found = std::ranges::find(cycles, tenths, &CannedCycle::tenths);
+    return found == cycles.end() ? nullptr : &*found;
+}
 
 } // namespace
 
-const CannedCycle* findCycle(const CodeRow* row) {
-    if (row == nullptr || row->letter != 'G')
-        return nullptr;
-    const auto* cycle = std::ranges::find(kCycles, row->tenths, &CannedCycle::tenths);
-    return cycle == std::end(kCycles) ? nullptr : cycle;
+bool isCycle(const CodeRow* row) {
+    return row != nullptr && row->handler == runCycle;
+}
+
+const CannedCycle& cycleOf(DialectId dialect, const CodeRow& row) {
+    if (dialect == DialectId::linuxcnc)
+        return *find(kLinuxcnc, row.tenths);
+    const CannedCycle* own = dialect == DialectId::haas ? find(kHaas, row.tenths) : nullptr;
+    return own != nullptr ? *own : *find(kFanuc, row.tenths);
 }
 
 } // namespace proveout

@@ -71,10 +71,12 @@ const CodeRow* CodeTable::find(const Word& word) const {
 const CodeTable& codesOf(DialectId dialect) {
     static const CodeTable kLinuxcnc{foreignCodes(), basicCodes(), rs274Codes()};
     static const CodeTable kFanuc{basicCodes(), fanucCodes()};
+    static const CodeTable kHaas{basicCodes(), fanucCodes(), haasCodes()};
     switch (dialect) {
     case DialectId::fanuc:
-    case DialectId::haas:
         return kFanuc;
+    case DialectId::haas:
+        return kHaas;
     case DialectId::linuxcnc:
     case DialectId::count:
         break;

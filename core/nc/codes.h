@@ -90,6 +90,8 @@ enum class Step : std::uint8_t {
     nonModal, ///< G10, G28, G30, G52, G92
     macroCall,
     motion,
+    spindleStop, ///< M5 and M9 of Fanuc let the motion of their block end first
+    coolantOff,
     stop,
     subprogram,
     count,

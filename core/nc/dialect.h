@@ -35,6 +35,16 @@ struct Dialect {
     bool beginsInRapid;       ///< G0 is in force at the start
     bool retractsToR;         ///< G99 is in force at the start, otherwise G98
     std::size_t deepestCalls; ///< of subprograms within subprograms
+    bool cyclesKeepWords;     ///< the words of canned cycles count until the series ends, Fanuc's way
+    bool pecksShrink;         ///< I J K of a cycle are lengths of its pecks; otherwise K is its repeats
+    bool tapsRigidly;         ///< without M29
+    bool pointMeansSeconds;   ///< P of a dwell with a decimal point; otherwise milliseconds always
+    /// What the builder of the machine sets in parameters; typical values.
+    double chipGapMm;  ///< back to break the chip: Fanuc 5114, Haas setting 22
+    double peckGapMm;  ///< above the depth reached, where rapid becomes feed: Fanuc 5115, Haas setting 22
+    double peckLiftMm; ///< above R to clear the chips: Haas setting 52
+    bool radiusWins;   ///< over I J K in an arc; a full circle by R moves nothing, and no centre is a line
+    double arcRadiiMm; ///< by which an arc's radii may differ: Fanuc 3410; 0: LinuxCNC's rules
 };
 
 /// All of them, in the order of DialectId.

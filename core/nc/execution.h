@@ -44,8 +44,11 @@ struct Execution {
     /// The length that a word of the block gives, in mm.
     [[nodiscard]] double length(char letter) const {
         const Word& word = block.word(letter);
-        const double least = state.inch ? dialect.leastInch : dialect.leastMm;
-        return state.toMm(word.point ? word.value : word.value * least);
+        return word.point ? state.toMm(word.value) : word.value * leastLength();
+    }
+    /// What 1 without a decimal point is as a length, in mm.
+    [[nodiscard]] double leastLength() const {
+        return state.toMm(state.inch ? dialect.leastInch : dialect.leastMm);
     }
 
     /// Whether a block that makes many motions has to stop in between.

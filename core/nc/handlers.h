@@ -23,7 +23,8 @@ void addNurbsPoint(Execution& execution, const Word& word);   ///< G5.2
 void followNurbs(Execution& execution, const Word& word);     ///< G5.3
 
 // probe_codes.cpp
-void probe(Execution& execution, const Word& word); ///< G38.2 to G38.5
+void probe(Execution& execution, const Word& word);      ///< G38.2 to G38.5
+void skipMotion(Execution& execution, const Word& word); ///< G31 of Fanuc
 
 // input_codes.cpp
 void waitForInput(Execution& execution, const Word& word); ///< M66
@@ -61,6 +62,20 @@ void storeHome(Execution& execution, const Word& word);            ///< G28.1
 void goToSecondReference(Execution& execution, const Word& word);  ///< G30
 void storeSecondReference(Execution& execution, const Word& word); ///< G30.1
 
+// positioning_codes.cpp
+void checkReference(Execution& execution, const Word& word);      ///< G27
+void returnFromReference(Execution& execution, const Word& word); ///< G29
+void approachFromOneSide(Execution& execution, const Word& word); ///< G60
+
+// pattern_codes.cpp
+void drillBoltCircle(Execution& execution, const Word& word); ///< G70 of Haas
+void drillBoltArc(Execution& execution, const Word& word);    ///< G71 of Haas
+void drillBoltLine(Execution& execution, const Word& word);   ///< G72 of Haas
+
+// pocket_codes.cpp
+void millPocketClockwise(Execution& execution, const Word& word);        ///< G12 of Haas
+void millPocketCounterClockwise(Execution& execution, const Word& word); ///< G13 of Haas
+
 // length_codes.cpp
 void useToolLength(Execution& execution, const Word& word);    ///< G43
 void useGivenLength(Execution& execution, const Word& word);   ///< G43.1
@@ -93,6 +108,8 @@ void compensateRightByDiameter(Execution& execution, const Word& word); ///< G42
 
 // machine_codes.cpp
 void dwell(Execution& execution, const Word& word);                       ///< G4
+void dwellByLetter(Execution& execution, const Word& word);               ///< G4 of Fanuc
+void orderRigidTapping(Execution& execution, const Word& word);           ///< M29
 void feedInverseTime(Execution& execution, const Word& word);             ///< G93
 void feedPerMinute(Execution& execution, const Word& word);               ///< G94
 void feedPerRevolution(Execution& execution, const Word& word);           ///< G95

@@ -66,7 +66,7 @@ std::string codesLeftOn(const MachineState& state) {
         add(codes, state.plane == Plane::zx ? "G18" : "G19");
     if (state.frame.shift != Vec3(0))
         add(codes, "G52 / G92");
-    if (findCycle(state.motion) != nullptr)
+    if (isCycle(state.motion))
         add(codes, fmt::format("G{:g}", state.motion->tenths / 10.0));
     return codes;
 }
@@ -169,7 +169,7 @@ void noPoint(const LintView& view, const Message& message) {
             continue;
         const Word& word = block.word(letter);
         // K counts repeats in a cycle, and the words of a macro are its own.
-        const bool count = letter == 'K' && findCycle(view.execution.state.motion) != nullptr;
+        const bool count = letter == 'K' && isCycle(view.execution.state.motion);
         if (word.point || word.value == 0 || count || findGroup(view, ModalGroup::macroCall) != nullptr)
             continue;
         view.memory.pointTold.add(letter);

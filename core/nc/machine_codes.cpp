@@ -60,6 +60,25 @@ void dwell(Execution& execution, const Word& word) {
         execution.program.append(Dwell{seconds.value}, execution.line);
 }
 
+void dwellByLetter(Execution& execution, const Word& /*word*/) {
+    constexpr double kMillisecond = 1e-3;
+    const Dialect& dialect = execution.dialect;
+    for (const char letter : {'X', 'U', 'P'}) {
+        if (!execution.block.has(letter))
+            continue;
+        const Word& time = execution.block.word(letter);
+        const bool seconds = time.point && (letter != 'P' || dialect.pointMeansSeconds);
+        if (!tellNegative(execution, time))
+            execution.program.append(Dwell{seconds ? time.value : time.value * kMillisecond}, execution.line);
+        return;
+    }
+}
+
+void orderRigidTapping(Execution& execution, const Word& /*word*/) {
+    execution.state.rigidTapping = true;
+    execution.state.spindleDirection = 0;
+}
+
 void setFeed(Execution& execution, const Word& word) {
     if (tellNegative(execution, word))
         return;

@@ -45,6 +45,9 @@ struct MachineState {
     int tool = 0;              ///< in the spindle; 0: none
 
     CycleState cycle;
+    Vec3 intermediate{0};               ///< of the last way to a reference position, in program coordinates
+    std::uint8_t intermediateKnown = 0; ///< AxisBits of it
+    bool rigidTapping = false;          ///< M29 waits for its tapping cycle
 
     bool machineZeroKnown = false; ///< whether machine coordinates can be told from program coordinates
     WorkFrame frame;

@@ -35,11 +35,11 @@ double compensationCode(const MachineState& s) {
 }
 
 double motionCode(const MachineState& s) {
-    return s.motion == nullptr || findCycle(s.motion) != nullptr ? 0.0 : s.motion->tenths / 10.0;
+    return s.motion == nullptr || isCycle(s.motion) ? 0.0 : s.motion->tenths / 10.0;
 }
 
 double cycleCode(const MachineState& s) {
-    return s.motion != nullptr && findCycle(s.motion) != nullptr ? s.motion->tenths / 10.0 : 80.0;
+    return isCycle(s.motion) ? s.motion->tenths / 10.0 : 80.0;
 }
 
 double workOffsetCode(const MachineState& s) {

@@ -396,6 +396,65 @@ inline constexpr Message kBackBore{
     Severity::warning, true, "back-bore",
     PROVEOUT_TEXT("Core", "G87 cuts from below, which a z-map cannot hold."),
     PROVEOUT_TEXT("Core", "The motions are shown; what they cut from below cannot be vouched for.")};
+inline constexpr Message kFineBore{
+    Severity::warning, true, "fine-bore",
+    PROVEOUT_TEXT("Core",
+                  "The boring bar moves aside before it leaves the bore, but is cut as a full cylinder."),
+    PROVEOUT_TEXT("Core", "What it seems to touch on its way out cannot be vouched for.")};
+inline constexpr Message kManualExit{
+    Severity::warning, true, "manual-exit",
+    PROVEOUT_TEXT("Core", "The operator takes the tool out of the hole by hand."),
+    PROVEOUT_TEXT("Core", "Shown is the straight way out; what follows cannot be vouched for.")};
+inline constexpr Message kBackBoreLevels{
+    Severity::error, true, "back-bore-levels",
+    PROVEOUT_TEXT("Core", "Back boring goes up from R, but the depth does not lie above R."),
+    PROVEOUT_TEXT("Core", "Check R and the depth; the cycle bores nothing.")};
+inline constexpr Message kBackBoreReturn{
+    Severity::warning, false, "back-bore-return",
+    PROVEOUT_TEXT("Core", "{} cannot be used with G99; it returns to the initial level."),
+    PROVEOUT_TEXT("Core", "Write G98 before it.")};
+inline constexpr Message kInitialLevelUnknown{
+    Severity::warning, true, "initial-level-unknown",
+    PROVEOUT_TEXT("Core", "G98 returns to the initial level, which is not known; shown is R."),
+    PROVEOUT_TEXT("Core", "Position the axis before the cycle.")};
+inline constexpr Message kPeckMissing{
+    Severity::warning, false, "cycle-peck-missing",
+    PROVEOUT_TEXT("Core", "{} has no Q: the hole is drilled in one go."),
+    PROVEOUT_TEXT("Core", "Newer controls stop with an alarm instead; give the depth of a peck.")};
+inline constexpr Message kTapSpindle{
+    Severity::warning, true, "tap-without-spindle",
+    PROVEOUT_TEXT("Core", "The spindle stands, and no M29 orders rigid tapping."),
+    PROVEOUT_TEXT("Core", "Some machines tap rigidly without M29, as is shown; write M29 before the cycle.")};
+inline constexpr Message kCycleStoredPlace{
+    Severity::warning, true, "cycle-stored-place",
+    PROVEOUT_TEXT("Core", "With 0 repeats the cycle is only stored; {} of this block is not moved to."),
+    PROVEOUT_TEXT("Core", "Some controls move there; name the place in another block.")};
+inline constexpr Message kPatternWithoutCycle{
+    Severity::error, true, "pattern-without-cycle",
+    PROVEOUT_TEXT("Core", "{} drills with the canned cycle in force, but there is none."),
+    PROVEOUT_TEXT("Core", "Write the cycle with L0 in a block before; the pattern drills nothing.")};
+inline constexpr Message kBoltLineFirst{
+    Severity::warning, true, "bolt-line-first",
+    PROVEOUT_TEXT("Core", "The first hole of G72 is taken to be where the tool stands."),
+    PROVEOUT_TEXT("Core", "Check it against the manual of the control.")};
+inline constexpr Message kPocketWay{
+    Severity::warning, false, "pocket-way",
+    PROVEOUT_TEXT("Core",
+                  "How the control moves from circle to circle of the pocket is not documented; shown "
+                  "are half circles."),
+    PROVEOUT_TEXT("Core", "The finished pocket is the same.")};
+inline constexpr Message kPocketSmall{
+    Severity::error, true, "pocket-small",
+    PROVEOUT_TEXT("Core", "No pocket leads from radius {} mm to {} mm with a tool of radius {} mm."),
+    PROVEOUT_TEXT("Core", "Check I, K and D; the pocket is not milled.")};
+inline constexpr Message kNoIntermediate{
+    Severity::error, true, "intermediate-unknown",
+    PROVEOUT_TEXT("Core", "G29 returns by the intermediate point of G28, which is not known for {}."),
+    PROVEOUT_TEXT("Core", "Position the axis before G28 and name it there.")};
+inline constexpr Message kOneSided{
+    Severity::warning, true, "one-sided-approach",
+    PROVEOUT_TEXT("Core", "G60 overshoots by a distance that is set in the machine; it is shown without."),
+    PROVEOUT_TEXT("Core", "Make sure that there is room behind the target.")};
 inline constexpr Message kFeedInOldUnit{
     Severity::warning, false, "feed-before-units",
     PROVEOUT_TEXT("Core", "The feed is read in the unit that was in force before {}."),
@@ -444,6 +503,11 @@ inline constexpr Message kProbePerRevolution{
 inline constexpr Message kProbeTooClose{Severity::error, true, "probe-too-close",
                                         PROVEOUT_TEXT("Core", "The probing motion ends where it begins."),
                                         PROVEOUT_TEXT("Core", "Check the axis words.")};
+inline constexpr Message kSkipAssumed{
+    Severity::warning, true, "skip-assumed",
+    PROVEOUT_TEXT(
+        "Core", "The skip motion is shown to its end; where a signal stops it, only the machine finds out."),
+    PROVEOUT_TEXT("Core", "#5061 to #5063 hold that end.")};
 inline constexpr Message kProbeAssumed{
     Severity::warning, true, "probe-assumed",
     PROVEOUT_TEXT("Core", "Where the probe meets the part is known to the machine only."),
@@ -544,6 +608,20 @@ inline constexpr Message kArcRadiusSmall{
     PROVEOUT_TEXT("Core",
                   "The radius {} mm is too small: the end lies {} mm from the start, {} mm more than 2 R."),
     PROVEOUT_TEXT("Core", "Check R and the end point.")};
+inline constexpr Message kArcRadiusCounts{
+    Severity::warning, false, "arc-radius-counts",
+    PROVEOUT_TEXT("Core", "The arc has both a centre and a radius; the radius counts."),
+    PROVEOUT_TEXT("Core", "Other controls refuse this; keep one.")};
+inline constexpr Message kArcStays{
+    Severity::warning, false, "arc-stays",
+    PROVEOUT_TEXT("Core", "The arc with R ends where it begins, so that nothing moves."),
+    PROVEOUT_TEXT("Core", "Give a full circle its centre, or make two arcs of it.")};
+inline constexpr Message kArcStraight{
+    Severity::warning, true, "arc-straight",
+    PROVEOUT_TEXT("Core",
+                  "The arc has neither a centre nor a radius: the control moves straight, or stops with an "
+                  "alarm."),
+    PROVEOUT_TEXT("Core", "Give the centre with I, J or K, or the radius with R.")};
 inline constexpr Message kArcTooLarge{
     Severity::error, true, "arc-too-large",
     PROVEOUT_TEXT("Core", "The radius of the arc is {} mm, beyond what can be computed exactly."),

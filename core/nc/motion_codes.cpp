@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
 #include "core/nc/arc_words.h"
 #include "core/nc/handlers.h"
 #include "core/nc/motion_building.h"
@@ -8,7 +10,37 @@ namespace proveout {
 
 namespace {
 
+constexpr LetterSet kCentreOrRadius("IJKR");
+
+/// Whether an arc with R leads to where it begins.
+bool endsWhereItBegins(const Motion& motion, double samePoint) {
+    const PlaneAxes plane = axes(motion.plane);
+    const Vec3 way = motion.end - motion.start;
+    return std::abs(way[plane.normal]) <= samePoint &&
+           std::hypot(way[plane.first], way[plane.second]) <= samePoint;
+}
+
+/// What Fanuc makes of words from which LinuxCNC makes no arc. False where nothing moves.
+bool takeAsFanuc(Execution& execution, const Word& word, Motion& motion) {
+    const Block& block = execution.block;
+    if (!block.letters().any(kCentreOrRadius)) {
+        execution.reporter.tell(nc_message::kArcStraight, word);
+        motion.kind = MotionKind::feed;
+    } else if (block.has('R')) {
+        if (endsWhereItBegins(motion, execution.leastLength() / 2)) {
+            execution.reporter.tell(nc_message::kArcStays, block.word('R'));
+            return false;
+        }
+        if (block.letters().any(LetterSet("IJK")))
+            execution.reporter.tell(nc_message::kArcRadiusCounts, block.word('R'));
+    }
+    return true;
+}
+
 void moveArc(Execution& execution, const Word& word, bool clockwise) {
+    const bool fanuc = execution.dialect.radiusWins;
+    if (fanuc && onlySelectsMode(execution) && !execution.block.letters().any(kCentreOrRadius))
+        return;
     Motion motion = motionToTarget(execution, MotionKind::arc);
     tellMissingFeed(execution, word);
     tellUnknownStart(execution, motion, word);
@@ -21,11 +53,13 @@ void moveArc(Execution& execution, const Word& word, bool clockwise) {
     if (turned ? !motion.known() : !planeKnown(motion)) {
         // There is no centre to count from: what is left is where it goes.
         motion.kind = MotionKind::feed;
-    } else if (turned) {
+    } else if (fanuc && !takeAsFanuc(execution, word, motion)) {
+        return;
+    } else if (motion.kind == MotionKind::arc && turned) {
         if (!appendTurnedArc(execution, word, motion, clockwise))
             arrive(execution.state, motion);
         return;
-    } else if (!shapeArc(execution, word, motion, clockwise)) {
+    } else if (motion.kind == MotionKind::arc && !shapeArc(execution, word, motion, clockwise)) {
         // Its end is known all the same, and what follows starts there.
         arrive(execution.state, motion);
         return;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Probing: G38.2 to G38.5. Where the probe meets the part, only the machine finds out.
+// Probing: G38.2 to G38.5, and G31 of Fanuc. Where the probe meets the part, only the machine finds out.
 #include "core/nc/execution.h"
 #include "core/nc/handlers.h"
 #include "core/nc/motion_building.h"
@@ -55,6 +55,17 @@ void probe(Execution& execution, const Word& word) {
     }
     appendMotion(execution, motion);
     storeContact(execution, motion);
+}
+
+void skipMotion(Execution& execution, const Word& word) {
+    const Motion motion = motionToTarget(execution, MotionKind::feed);
+    tellMissingFeed(execution, word);
+    tellUnknownStart(execution, motion, word);
+    if (!execution.state.probeTold) {
+        execution.state.probeTold = true;
+        execution.reporter.tell(nc_message::kSkipAssumed, word);
+    }
+    appendMotion(execution, motion);
 }
 
 } // namespace proveout

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/nc/cycle_run.h"
+
+#include <algorithm>
+
+#include "core/nc/motion_building.h"
+
+namespace proveout {
+
+namespace {
+
+/// Which way the spindle turns in a hole.
+int turnIn(SpindleNeed need, int before) {
+    switch (need) {
+    case SpindleNeed::clockwise:
+        return 1;
+    case SpindleNeed::counterClockwise:
+        return -1;
+    case SpindleNeed::any:
+    case SpindleNeed::turning:
+        break;
+    }
+    return before;
+}
+
+} // namespace
+
+CycleRun::CycleRun(Execution& execution, const Word& word, const CannedCycle& cycle, const CycleOrder& order)
+    : m_execution(execution), m_word(word), m_cycle(cycle), m_order(order),
+      m_plane(axes(execution.state.plane)), m_at(execution.state.frame.toProgram(execution.state.position)),
+      m_hole(m_at), m_depthKnown(depthKnown(execution)), m_level(order.travel) {}
+
+void CycleRun::drillBlock() {
+    lift();
+    for (long long hole = 0; hole < m_order.repeats && !m_execution.mustEnd(); ++hole) {
+        moveOver();
+        drill();
+    }
+}
+
+void CycleRun::drillAt(const Vec2& place) {
+    Vec3 target = m_at;
+    target[m_plane.first] = place.x;
+    target[m_plane.second] = place.y;
+    moveTo(MotionKind::rapid, target, m_depthKnown);
+    drill();
+}
+
+void CycleRun::lift() {
+    if (m_order.lifts)
+        depthTo(MotionKind::rapid, m_order.retract);
+}
+
+void CycleRun::drill() {
+    m_hole = m_at;
+    m_turnBefore = m_execution.state.spindleDirection;
+    m_turn = turnIn(m_cycle.spindle, m_turnBefore);
+    for (const CycleStep step : m_cycle.steps)
+        take(step);
+    m_level = m_order.clearance;
+}
+
+void CycleRun::take(CycleStep step) {
+    switch (step) {
+    case CycleStep::none:
+        return;
+    case CycleStep::rapidToR:
+        if (!m_depthKnown || m_at[m_plane.normal] != m_order.retract)
+            depthTo(MotionKind::rapid, m_order.retract);
+        return;
+    case CycleStep::feedToBottom:
+        return depthTo(MotionKind::feed, m_order.bottom);
+    case CycleStep::peckAndRetract:
+        return peck(true);
+    case CycleStep::peckAndBreakChip:
+        return peck(false);
+    case CycleStep::tapToBottom:
+        return tap();
+    case CycleStep::tapToR:
+        return tapOut();
+    case CycleStep::dwell:
+        return dwell();
+    case CycleStep::turnAsNeeded:
+        return turn(m_turn);
+    case CycleStep::reverseSpindle:
+        return turn(-m_turn);
+    case CycleStep::stopSpindle:
+        return turn(0);
+    case CycleStep::restoreSpindle:
+        return turn(m_turnBefore);
+    case CycleStep::stopProgram:
+        return m_execution.program.append(ProgramStop{StopKind::program}, m_execution.line);
+    case CycleStep::feedToR:
+        return depthTo(MotionKind::feed, m_order.retract);
+    case CycleStep::feedToClearance:
+        return depthTo(MotionKind::feed, m_order.clearance);
+    case CycleStep::rapidToClearance:
+        return depthTo(MotionKind::rapid, m_order.clearance);
+    case CycleStep::shiftAside:
+        return shift(m_order.aside);
+    case CycleStep::shiftBack:
+        return shift(Vec3(0));
+    case CycleStep::backBore:
+        return backBore();
+    }
+}
+
+void CycleRun::dwell() {
+    if (m_order.dwell > 0 || listsNothing())
+        m_execution.program.append(Dwell{m_order.dwell}, m_execution.line);
+}
+
+void CycleRun::peck(bool retract) {
+    const Dialect& dialect = m_execution.dialect;
+    const Pecks& pecks = m_order.pecks;
+    const double gap = retract ? dialect.peckGapMm : dialect.chipGapMm;
+    double step = pecks.first;
+    double sinceClear = 0;
+    for (double depth = m_order.retract - step;
+         step > 0 && depth > m_order.bottom + m_order.remainder && !m_execution.mustEnd(); depth -= step) {
+        depthTo(MotionKind::feed, depth);
+        sinceClear += step;
+        if (retract || (pecks.clearing > 0 && sinceClear >= pecks.clearing)) {
+            depthTo(MotionKind::rapid, m_order.retract + dialect.peckLiftMm);
+            sinceClear = 0;
+        }
+        depthTo(MotionKind::rapid, above(depth, gap));
+        step = std::max(step - pecks.less, pecks.least);
+    }
+    depthTo(MotionKind::feed, m_order.bottom);
+}
+
+/// LinuxCNC goes above R where the gap is larger than the peck.
+double CycleRun::above(double depth, double gap) const {
+    return listsNothing() ? depth + gap : std::min(depth + gap, m_order.retract);
+}
+
+void CycleRun::tap() {
+    const double step = m_order.pecks.first;
+    for (double depth = m_order.retract - step;
+         step > 0 && depth > m_order.bottom + m_order.remainder && !m_execution.mustEnd(); depth -= step) {
+        depthTo(MotionKind::feed, depth);
+        turn(-m_turn);
+        depthTo(MotionKind::feed, above(depth, m_execution.dialect.chipGapMm));
+        turn(m_turn);
+    }
+    depthTo(MotionKind::feed, m_order.bottom);
+}
+
+void CycleRun::tapOut() {
+    depthTo(MotionKind::feed, m_order.retract, m_order.outRatio);
+}
+
+void CycleRun::shift(const Vec3& offset) {
+    Vec3 target = m_hole + offset;
+    target[m_plane.normal] = m_at[m_plane.normal];
+    moveTo(MotionKind::rapid, target, m_depthKnown);
+}
+
+/// Down beside the hole with the spindle stopped, up through the bore, and out again beside it.
+void CycleRun::backBore() {
+    const char top = static_cast<char>('I' + m_plane.normal);
+    const double end = block().has(top) ? m_execution.length(top) : m_order.bottom;
+    shift(m_order.aside);
+    turn(0);
+    depthTo(MotionKind::rapid, m_order.bottom);
+    shift(Vec3(0));
+    turn(m_turnBefore);
+    depthTo(MotionKind::feed, end);
+    depthTo(MotionKind::feed, m_order.bottom);
+    turn(0);
+    shift(m_order.aside);
+    depthTo(MotionKind::rapid, m_order.clearance);
+    shift(Vec3(0));
+    turn(m_turnBefore);
+}
+
+/// To the place of the next hole, at the level where the series is.
+void CycleRun::moveOver() {
+    Vec3 target = m_at;
+    for (const int axis : {m_plane.first, m_plane.second}) {
+        const char letter = letterOfAxis(axis);
+        if (block().has(letter))
+            target[axis] = m_execution.length(letter) + (m_execution.state.incremental ? m_at[axis] : 0);
+    }
+    if (const auto polar = polarTarget(m_execution, m_at, m_execution.state.known)) {
+        target.x = polar->x;
+        target.y = polar->y;
+    }
+    target[m_plane.normal] = m_depthKnown ? m_level : m_at[m_plane.normal];
+    moveTo(MotionKind::rapid, target, m_depthKnown);
+}
+
+void CycleRun::depthTo(MotionKind kind, double level, double ratio) {
+    Vec3 target = m_at;
+    target[m_plane.normal] = level;
+    m_depthKnown = true;
+    moveTo(kind, target, true, ratio);
+}
+
+void CycleRun::moveTo(MotionKind kind, const Vec3& program, bool depthKnown, double ratio) {
+    Motion motion = motionFromHere(m_execution, kind);
+    motion.feedMmPerMin *= ratio;
+    motion.spindleRpm *= ratio;
+    motion.end = m_execution.state.frame.toMachine(program);
+    for (int axis = 0; axis < 3; ++axis) {
+        const bool known = axis == m_plane.normal ? depthKnown : namedOnce(axis);
+        if (known)
+            motion.endKnown |= static_cast<std::uint8_t>(1U << static_cast<unsigned>(axis));
+        else if (motion.end[axis] != motion.start[axis])
+            motion.end[axis] = motion.start[axis];
+    }
+    motion.endAtReference = motion.endAtReference && !depthKnown;
+    const bool stays = m_at == program && motion.startKnown == motion.endKnown;
+    m_at = program;
+    if (stays && !listsNothing())
+        return;
+    if (kind == MotionKind::feed) {
+        tellMissingFeed(m_execution, m_word);
+        tellUnknownStart(m_execution, motion, m_word);
+    }
+    appendMotion(m_execution, motion);
+}
+
+/// Whether the block says where the axis stands, or it was known before.
+bool CycleRun::namedOnce(int axis) const {
+    const bool known = (m_execution.state.known >> static_cast<unsigned>(axis) & 1U) != 0;
+    const bool named =
+        block().has(letterOfAxis(axis)) || (axis < 2 && block().letters().any(LetterSet("@^")));
+    return known || (named && !m_execution.state.incremental);
+}
+
+} // namespace proveout

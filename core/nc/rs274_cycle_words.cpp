@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The words of canned cycles, read as LinuxCNC does.
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <string>
+
+#include "core/nc/cycle_order.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr double kMostRepeats = 1e9;
+
+/// With G98 LinuxCNC goes to the next hole at the initial level, but not behind G73 and G74.
+bool staysAtInitialLevel(const CodeRow* before) {
+    constexpr int kG81 = 810;
+    return isCycle(before) && before->tenths >= kG81;
+}
+
+class Rs274CycleWords {
+public:
+    Rs274CycleWords(Execution& execution, const Word& word, const CannedCycle& cycle)
+        : m_execution(execution), m_word(word), m_cycle(cycle), m_normal(axes(execution.state.plane).normal),
+          m_state(execution.state.cycle),
+          m_at(execution.state.frame.toProgram(execution.state.position)[m_normal]),
+          m_depthKnown(depthKnown(execution)) {}
+
+    std::optional<CycleOrder> read() {
+        if (!readWords())
+            return {};
+        m_execution.state.cycle = m_state;
+        if (m_cycle.caveat != nullptr)
+            m_execution.reporter.tell(*m_cycle.caveat, m_word);
+        m_order.dwell = m_state.dwell;
+        m_order.pecks = {m_state.peck, 0, m_state.peck, 0};
+        for (int axis = 0; axis < 3; ++axis) {
+            const char letter = static_cast<char>('I' + axis);
+            if (axis != m_normal && block().has(letter))
+                m_order.aside[axis] = m_execution.length(letter);
+        }
+        const bool toInitial = !m_execution.state.retractToR && m_initialKnown;
+        m_order.lifts = m_depthKnown && (m_series ? m_state.initialLevel : m_at) < m_order.retract;
+        const bool above = toInitial && staysAtInitialLevel(m_execution.motionBefore);
+        m_order.travel = std::max(above ? m_state.initialLevel : m_at, m_order.retract);
+        m_order.clearance = toInitial ? std::max(m_state.initialLevel, m_order.retract) : m_order.retract;
+        return m_order;
+    }
+
+private:
+    [[nodiscard]] const Block& block() const { return m_execution.block; }
+
+    bool refuse(const Message& message, const Word& word, std::vector<std::string> arguments = {}) {
+        m_execution.reporter.tell(message, word, std::move(arguments));
+        return false;
+    }
+    bool refuseMissing(char letter) {
+        return refuse(nc_message::kCycleWord, m_word,
+                      {fmt::format("G{}", m_cycle.tenths / 10), std::string(1, letter)});
+    }
+
+    bool readWords() {
+        if (!block().letters().any(LetterSet("XYZ@^")))
+            return refuse(nc_message::kCycleNoAxis, m_word);
+        if (m_execution.state.feedMode == FeedMode::inverseTime)
+            return refuse(nc_message::kCycleInverseTime, m_word);
+        const MachineState& state = m_execution.state;
+        m_series = isCycle(m_execution.motionBefore);
+        const bool sticky = m_execution.motionBefore == state.motion;
+        if (!m_series)
+            m_state.initialLevel = m_at;
+        m_initialKnown = m_depthKnown || m_series;
+        return readLevels(sticky) && readRest(sticky) && spindleTurns(m_execution, m_word, m_cycle.spindle);
+    }
+
+    bool readLevels(bool sticky) {
+        const char depth = letterOfAxis(m_normal);
+        const bool incremental = m_execution.state.incremental;
+        if (!sticky && !block().has(depth))
+            return refuseMissing(depth);
+        if (!sticky && !block().has('R'))
+            return refuseMissing('R');
+        if (block().has('R'))
+            m_state.retract = m_execution.length('R');
+        if (block().has(depth))
+            m_state.bottom = m_execution.length(depth);
+        m_order.retract = m_state.retract + (incremental ? m_state.initialLevel : 0);
+        m_order.bottom = m_state.bottom + (incremental ? m_order.retract : 0);
+        if (m_order.retract < m_order.bottom)
+            return refuse(nc_message::kCycleLevels, m_word);
+        return true;
+    }
+
+    bool readRest(bool sticky) {
+        if (m_cycle.pecks && !sticky && !block().has('Q'))
+            return refuseMissing('Q');
+        if (m_cycle.dwells && !sticky && !block().has('P'))
+            return refuseMissing('P');
+        if (block().has('Q'))
+            m_state.peck = m_execution.length('Q');
+        if (m_cycle.pecks && m_state.peck <= 0)
+            return refuse(nc_message::kCyclePeck, block().has('Q') ? block().word('Q') : m_word);
+        if (block().has('P'))
+            m_state.dwell = block().value('P');
+        else if (!sticky)
+            m_state.dwell = 0;
+        if (m_state.dwell < 0)
+            return refuse(nc_message::kNegative, block().word('P'), {"P"});
+        return readRepeats();
+    }
+
+    bool readRepeats() {
+        if (!block().has('L'))
+            return true;
+        const Word& word = block().word('L');
+        if (word.value < 1 || word.value > kMostRepeats || word.value != std::round(word.value))
+            return refuse(nc_message::kNotInteger, word, {"L", "1", "1000000000"});
+        m_order.repeats = static_cast<long long>(word.value);
+        return true;
+    }
+
+    Execution& m_execution;
+    const Word& m_word;
+    const CannedCycle& m_cycle;
+    int m_normal;
+    CycleState m_state;
+    CycleOrder m_order;
+    double m_at; ///< level of the tool
+    bool m_depthKnown;
+    bool m_series = false; ///< the block before was a cycle too
+    bool m_initialKnown = false;
+};
+
+} // namespace
+
+std::optional<CycleOrder> readRs274Cycle(Execution& execution, const Word& word, const CannedCycle& cycle) {
+    return Rs274CycleWords(execution, word, cycle).read();
+}
+
+} // namespace proveout
