@@ -40,7 +40,7 @@ namespace proveout {
 
 namespace {
 
-constexpr int kLayoutVersion = 2; // raise it when docks change: older layouts are then left alone
+constexpr int kLayoutVersion = 3; // raise it when docks change: older layouts are then left alone
 const QString kGeometryKey = QStringLiteral("window/geometry");
 const QString kStateKey = QStringLiteral("window/state");
 const QString kViewGroup = QStringLiteral("view");
@@ -119,12 +119,13 @@ void MainWindow::makeDocks() {
 }
 
 void MainWindow::arrangeDocks() {
-    const auto [program, setup, tuning, plots, problems, timeline, study] =
-        std::tuple(m_docks[0], m_docks[1], m_docks[2], m_docks[3], m_docks[4], m_docks[5], m_docks[6]);
+    const auto [program, setup, tuning, plots, problems, timeline, study, control] = std::tuple(
+        m_docks[0], m_docks[1], m_docks[2], m_docks[3], m_docks[4], m_docks[5], m_docks[6], m_docks[7]);
     setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
     addDockWidget(Qt::LeftDockWidgetArea, program);
     tabifyDockWidget(program, setup);
+    tabifyDockWidget(setup, control);
     addDockWidget(Qt::RightDockWidgetArea, tuning);
     addDockWidget(Qt::BottomDockWidgetArea, plots);
     splitDockWidget(plots, timeline, Qt::Vertical);

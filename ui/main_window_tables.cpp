@@ -5,6 +5,7 @@
 
 #include <QApplication>
 
+#include "ui/control/control_panel.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/findings/problems_panel.h"
 #include "ui/plots/plots_panel.h"
@@ -45,6 +46,8 @@ const std::vector<MainWindow::Dock>& MainWindow::docks() {
          [](MainWindow& window) -> QWidget* {
              return new StudyPanel(window.m_session, makeStudyDrawing, &window);
          }},
+        {"dock-control", QT_TRANSLATE_NOOP("Docks", "Control"), "settings", "Ctrl+8", true,
+         [](MainWindow& window) -> QWidget* { return new ControlPanel(window.m_session, &window); }},
     };
     return kDocks;
 }

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -61,7 +62,12 @@ public:
     /// The line of the main text, 0-based: this one, or the one that called.
     [[nodiscard]] std::size_t mainLine() const;
     [[nodiscard]] bool inMainProgram() const { return m_levels.empty(); }
-    [[nodiscard]] Level& level() { return m_levels.back(); } ///< not in the main program
+    [[nodiscard]] Level& level() { return m_levels.back(); }                 ///< not in the main program
+    [[nodiscard]] std::span<const Level> levels() const { return m_levels; } ///< the outermost first
+    /// The file of the line that called; empty where that is the program itself.
+    [[nodiscard]] std::string fileOf(const Level& level) const {
+        return level.source == m_sources.front().get() ? std::string() : level.source->file;
+    }
     [[nodiscard]] Source& source() { return *m_source; }
     [[nodiscard]] Counts& counts() { return m_counts; }
     [[nodiscard]] const FlowIndex& flowIndex();

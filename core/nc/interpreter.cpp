@@ -7,6 +7,7 @@
 
 #include "core/nc/call_stack.h"
 #include "core/nc/characters.h"
+#include "core/nc/control_state.h"
 #include "core/nc/dialect_guess.h"
 #include "core/nc/execution.h"
 #include "core/nc/lexer.h"
@@ -71,7 +72,8 @@ public:
             tellGuess();
         if (m_macroB)
             skipToPercent();
-        while (!m_finished && (!m_calls.atEnd() || leaveText())) {
+        while (!m_finished && m_program->blockCount() < m_options.stopAfterBlocks &&
+               (!m_calls.atEnd() || leaveText())) {
             if (!lookUp(count) || !m_calls.step())
                 m_finished = m_cutShort = true;
             else
@@ -80,7 +82,10 @@ public:
         if (m_linesRead == count)
             m_reporter.beginLine(static_cast<std::uint32_t>(count));
         m_program->settle();
-        if (!m_cutShort)
+        ControlState state = describe(m_state, m_parameters, m_calls, m_codes);
+        state.line = m_steps == 0 ? 0 : static_cast<std::uint32_t>(m_calls.mainLine() + 1);
+        m_program->setControlState(std::move(state));
+        if (!m_cutShort && m_program->blockCount() < m_options.stopAfterBlocks)
             tellAboutTheWhole(m_linesRead);
         m_reporter.tellSuppressed();
         m_program->setSourceBlockCount(m_sourceBlocks);

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,6 +30,8 @@ struct InterpretOptions {
     bool assumeStartAtZero = false;
     /// Of motions, and of events: the block with one more is the last one.
     std::size_t maxMotions = 50'000'000;
+    /// The last block that moves is this one, counted from 1: for looking at the control behind it.
+    std::size_t stopAfterBlocks = std::numeric_limits<std::size_t>::max();
     ToolOffsets tools;                    ///< lengths and diameters that the control knows
     std::uint64_t maxSteps = 100'000'000; ///< lines run through, those of loops and subprograms each time
     std::vector<std::filesystem::path> subprogramFolders; ///< of O-word subprograms in files of their own

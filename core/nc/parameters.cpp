@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/parameters.h"
 
+#include <cmath>
+#include <fmt/format.h>
 #include <span>
 
 #include "core/nc/expression_rules.h"
@@ -103,6 +105,27 @@ bool Parameters::setNamed(std::string_view name, double value) {
     ++m_nameCount;
     names.emplace(name, value);
     return true;
+}
+
+std::vector<std::pair<std::string, double>> Parameters::listed() const {
+    std::vector<std::pair<std::string, double>> list;
+    const auto add = [&](int number, double value, double initial) {
+        const bool set = std::isnan(initial) ? !std::isnan(value) : value != initial;
+        if (set)
+            list.emplace_back(fmt::format("#{}", number), value);
+    };
+    const double unset = noArguments().front();
+    for (int number = 1; number <= localsOf(m_language); ++number)
+        add(number, numbered(number), unset);
+    for (const Range& range : rangesOf(m_language)) {
+        for (int number = range.first; number <= range.last; ++number)
+            add(number, numbered(number), range.initial);
+    }
+    for (const Names* names : {&m_levels.back().names, &m_globals}) {
+        for (const auto& [name, value] : *names)
+            list.emplace_back(fmt::format("#<{}>", name), value);
+    }
+    return list;
 }
 
 void Parameters::enter(const Locals& arguments) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "core/nc/dialect.h"
@@ -57,6 +58,9 @@ public:
     [[nodiscard]] std::optional<double> named(std::string_view name) const;
     /// False where there are too many names.
     [[nodiscard]] bool setNamed(std::string_view name, double value);
+
+    /// Those that were set, as far as they can be seen here: numbers as "#100", then names as "#<depth>".
+    [[nodiscard]] std::vector<std::pair<std::string, double>> listed() const;
 
     /// A call begins with these local numbers and no local names; leave() gives back those of the caller.
     void enter(const Locals& arguments);

@@ -5,11 +5,13 @@
 #include <cstddef>
 #include <cstdint>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
 #include "core/base/diagnostic.h"
 #include "core/base/geometry.h"
+#include "core/nc/control_state.h"
 #include "core/nc/dialect.h"
 #include "core/nc/motion.h"
 
@@ -102,6 +104,8 @@ public:
     [[nodiscard]] std::size_t sourceBlockCount() const { return m_sourceBlocks; }
     /// Whether the sizes of the control's tools had a say in it.
     [[nodiscard]] bool asksForTools() const { return m_asksForTools; }
+    /// How the control stands where the interpretation ended.
+    [[nodiscard]] const ControlState& controlState() const { return m_controlState; }
     /// In which it was read.
     [[nodiscard]] DialectId dialect() const { return m_dialect; }
     [[nodiscard]] const Box3& bounds() const { return m_bounds; } ///< of all known motions
@@ -124,6 +128,7 @@ public:
     void append(Diagnostic diagnostic);
     void setSourceBlockCount(std::size_t count) { m_sourceBlocks = count; }
     void setAsksForTools(bool asks) { m_asksForTools = asks; }
+    void setControlState(ControlState state) { m_controlState = std::move(state); }
     void setDialect(DialectId dialect) { m_dialect = dialect; }
 
 private:
@@ -188,6 +193,7 @@ private:
     bool m_linesRise = true; ///< no line was executed after a later one
     bool m_unverified = false;
     bool m_asksForTools = false;
+    ControlState m_controlState;
     DialectId m_dialect = DialectId::linuxcnc;
 };
 

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "core/base/geometry.h"
+
+namespace proveout {
+
+struct MachineState;
+class CallStack;
+class CodeTable;
+class Parameters;
+
+/// How the control stands at one point of a program, in words for people. Names are marked with
+/// PROVEOUT_TEXT. Value type.
+struct ControlState {
+    struct Mode {
+        std::string code;  ///< "G54"
+        const char* name;  ///< what it means in the dialect
+        const char* group; ///< its modal group
+    };
+    struct Place {
+        const char* name;
+        Vec3 value{0};          ///< mm
+        std::uint8_t known = 0; ///< AxisBits
+    };
+    struct Quantity {
+        const char* name;
+        double value = 0;
+        const char* unit; ///< "mm/min"; the same in all languages
+    };
+    struct Variable {
+        std::string name; ///< "#100", "#<depth>"
+        double value = 0;
+    };
+    struct Call {
+        std::string program;
+        std::uint32_t line = 0; ///< 1-based, of the call
+        std::string file;       ///< of that line; empty: the program's
+    };
+
+    std::uint32_t line = 0; ///< of the main text, executed last; 0: none
+    std::vector<Mode> modes;
+    std::vector<Place> places;
+    std::vector<Quantity> quantities;
+    std::vector<Variable> variables; ///< those that were set
+    std::vector<Call> calls;         ///< the outermost first
+};
+
+[[nodiscard]] ControlState describe(const MachineState& state, const Parameters& parameters,
+                                    const CallStack& calls, const CodeTable& codes);
+
+} // namespace proveout

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/control/control_panel.h"
+
+#include <QEvent>
+#include <QHeaderView>
+#include <QLabel>
+#include <QTreeWidget>
+#include <QVBoxLayout>
+
+#include "core/simulation/interpretation.h"
+#include "ui/diagnostic_text.h"
+#include "ui/panel_layout.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr int kRestMs = 120;
+constexpr int kColumns = 3;
+
+QString coordinates(const QLocale& locale, const ControlState::Place& place) {
+    QStringList parts;
+    for (int axis = 0; axis < 3; ++axis) {
+        const bool known = (place.known >> static_cast<unsigned>(axis) & 1U) != 0;
+        const QString value = known ? locale.toString(place.value[axis], 'f', 3) : QStringLiteral("–");
+        parts << QStringLiteral("%1 %2").arg(QChar(u'X' + axis)).arg(value);
+    }
+    return parts.join(QStringLiteral("  "));
+}
+
+} // namespace
+
+ControlPanel::ControlPanel(Session& session, QWidget* parent)
+    : QWidget(parent), m_session(session), m_tree(new QTreeWidget(this)), m_empty(wrappedLabel(this)) {
+    m_tree->setColumnCount(kColumns);
+    m_tree->setRootIsDecorated(true);
+    m_tree->setUniformRowHeights(true);
+    m_tree->setAlternatingRowColors(true);
+    m_tree->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_tree->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_tree->header()->setStretchLastSection(true);
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_empty);
+    layout->addWidget(m_tree);
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(kRestMs);
+    connect(&m_rest, &QTimer::timeout, this, &ControlPanel::ask);
+    connect(&m_source, &ProgramSource::ready, this, &ControlPanel::show);
+    connect(&session, &Session::tick, this, [this] { m_rest.start(); });
+    connect(&session, &Session::programChanged, this, [this] { m_rest.start(); });
+    connect(m_tree, &QTreeWidget::itemActivated, this, [this](const QTreeWidgetItem* item) {
+        if (const int line = item->data(0, Qt::UserRole).toInt(); line > 0)
+            emit m_session.lineRequested(static_cast<std::uint32_t>(line), 1);
+    });
+    retranslate();
+}
+
+void ControlPanel::retranslate() {
+    m_tree->setAccessibleName(tr("State of the control"));
+    m_tree->setHeaderLabels({tr("Name"), tr("Value"), tr("Meaning")});
+    m_empty->setText(
+        tr("Open a program to see the modal codes, offsets and variables at the current block."));
+    if (m_shown)
+        fill(m_shown->controlState());
+    m_empty->setVisible(!m_shown);
+    m_tree->setVisible(m_shown != nullptr);
+}
+
+/// While nobody sees it, and while the block stays the same, nothing is interpreted.
+void ControlPanel::ask() {
+    const auto& program = m_session.program();
+    const FramePtr frame = m_session.frame();
+    if (!isVisible() || !program || (frame && frame->program != program))
+        return;
+    const std::size_t block = frame ? frame->block : 0;
+    if (m_askedOf == program && m_askedBlock == block)
+        return;
+    m_askedOf = program;
+    m_askedBlock = block;
+    InterpretOptions options = interpretOptions(m_session.setup(), m_session.document().path);
+    options.stopAfterBlocks = block;
+    m_source.request(m_session.document().text, std::move(options));
+}
+
+void ControlPanel::show(const std::shared_ptr<const Program>& program) {
+    m_shown = program;
+    m_empty->hide();
+    m_tree->show();
+    fill(program->controlState());
+}
+
+QTreeWidgetItem* ControlPanel::section(const QString& title) {
+    auto* item = new QTreeWidgetItem(m_tree, {title});
+    QFont font = item->font(0);
+    font.setBold(true);
+    item->setFont(0, font);
+    item->setFirstColumnSpanned(true);
+    item->setExpanded(true);
+    return item;
+}
+
+void ControlPanel::addRow(QTreeWidgetItem& parent, const QString& name, const QString& value,
+                          const QString& meaning) {
+    auto* row = new QTreeWidgetItem(&parent, {name, value, meaning});
+    for (int column = 0; column < kColumns; ++column)
+        row->setToolTip(column, row->text(column));
+}
+
+void ControlPanel::fill(const ControlState& state) {
+    m_tree->setUpdatesEnabled(false);
+    m_tree->clear();
+    if (!state.calls.empty()) {
+        QTreeWidgetItem* calls = section(tr("Calls"));
+        for (const ControlState::Call& call : state.calls) {
+            addRow(*calls, QStringLiteral("O%1").arg(QString::fromStdString(call.program)),
+                   tr("from line %1").arg(locale().toString(call.line)), QString::fromStdString(call.file));
+            if (call.file.empty())
+                calls->child(calls->childCount() - 1)->setData(0, Qt::UserRole, call.line);
+        }
+    }
+    QTreeWidgetItem* modes = section(tr("Modal codes"));
+    for (const ControlState::Mode& mode : state.modes)
+        addRow(*modes, coreText(mode.group), QString::fromStdString(mode.code), coreText(mode.name));
+    QTreeWidgetItem* places = section(tr("Position and offsets (mm)"));
+    for (const ControlState::Place& place : state.places)
+        addRow(*places, coreText(place.name), coordinates(locale(), place));
+    for (const ControlState::Quantity& quantity : state.quantities)
+        addRow(*places, coreText(quantity.name),
+               QStringLiteral("%1 %2").arg(locale().toString(quantity.value, 'g', 7),
+                                           QLatin1String(quantity.unit)));
+    if (!state.variables.empty()) {
+        QTreeWidgetItem* variables = section(tr("Variables"));
+        for (const ControlState::Variable& variable : state.variables)
+            addRow(*variables, QString::fromStdString(variable.name),
+                   locale().toString(variable.value, 'g', 10));
+    }
+    m_tree->expandAll();
+    m_tree->setUpdatesEnabled(true);
+}
+
+void ControlPanel::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+void ControlPanel::showEvent(QShowEvent* event) {
+    QWidget::showEvent(event);
+    m_rest.start();
+}
+
+} // namespace proveout

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QTimer>
+#include <QWidget>
+
+#include "core/nc/control_state.h"
+#include "ui/program_source.h"
+#include "ui/session.h"
+
+class QLabel;
+class QTreeWidget;
+class QTreeWidgetItem;
+
+namespace proveout {
+
+/// How the control stands at the block that was executed last: modal codes, positions and offsets, variables,
+/// calls. Interprets the program up to there in the background, when the playback rests.
+class ControlPanel final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ControlPanel(Session& session, QWidget* parent = nullptr);
+
+protected:
+    void changeEvent(QEvent* event) override;
+    void showEvent(QShowEvent* event) override;
+
+private:
+    void retranslate();
+    void ask();
+    void show(const std::shared_ptr<const Program>& program);
+    void fill(const ControlState& state);
+    QTreeWidgetItem* section(const QString& title);
+    void addRow(QTreeWidgetItem& parent, const QString& name, const QString& value,
+                const QString& meaning = {});
+
+    Session& m_session;
+    QTreeWidget* m_tree;
+    QLabel* m_empty;
+    ProgramSource m_source;
+    QTimer m_rest;
+    std::shared_ptr<const Program> m_shown;   ///< interpreted up to the block
+    std::shared_ptr<const Program> m_askedOf; ///< the session's program that was asked about last
+    std::size_t m_askedBlock = 0;
+};
+
+} // namespace proveout
