@@ -61,6 +61,49 @@
     </message>
 </context>
 <context>
+    <name>ControlPanel</name>
+    <message>
+        <source>State of the control</source>
+        <translation>Zustand der Steuerung</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>Bedeutung</translation>
+    </message>
+    <message>
+        <source>Open a program to see the modal codes, offsets and variables at the current block.</source>
+        <translation>Öffnen Sie ein Programm, um die modalen Befehle, Korrekturen und Variablen am aktuellen Satz zu sehen.</translation>
+    </message>
+    <message>
+        <source>Calls</source>
+        <translation>Aufrufe</translation>
+    </message>
+    <message>
+        <source>from line %1</source>
+        <translation>aus Zeile %1</translation>
+    </message>
+    <message>
+        <source>Modal codes</source>
+        <translation>Modale Befehle</translation>
+    </message>
+    <message>
+        <source>Position and offsets (mm)</source>
+        <translation>Position und Korrekturen (mm)</translation>
+    </message>
+    <message>
+        <source>Variables</source>
+        <translation>Variablen</translation>
+    </message>
+</context>
+<context>
     <name>Core</name>
     <message>
         <source>The file cannot be read: {}.</source>
@@ -3274,6 +3317,38 @@
         <source>Give the centre with I, J or K, or the radius with R.</source>
         <translation>Geben Sie den Mittelpunkt mit I, J oder K oder den Radius mit R an.</translation>
     </message>
+    <message>
+        <source>Position in the program</source>
+        <translation>Position im Programm</translation>
+    </message>
+    <message>
+        <source>Zero of the work offset</source>
+        <translation>Nullpunkt der Verschiebung</translation>
+    </message>
+    <message>
+        <source>Shift by G52 and G92</source>
+        <translation>Verschiebung durch G52 und G92</translation>
+    </message>
+    <message>
+        <source>Tool length offset</source>
+        <translation>Werkzeuglängenkorrektur</translation>
+    </message>
+    <message>
+        <source>Feed rate</source>
+        <translation>Vorschub</translation>
+    </message>
+    <message>
+        <source>Spindle speed</source>
+        <translation>Spindeldrehzahl</translation>
+    </message>
+    <message>
+        <source>Tool in the spindle</source>
+        <translation>Werkzeug in der Spindel</translation>
+    </message>
+    <message>
+        <source>Tool selected next</source>
+        <translation>Vorgewähltes Werkzeug</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>
@@ -3304,6 +3379,10 @@
     <message>
         <source>Study</source>
         <translation>Studie</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>Steuerung</translation>
     </message>
 </context>
 <context>

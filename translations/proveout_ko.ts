@@ -61,6 +61,49 @@
     </message>
 </context>
 <context>
+    <name>ControlPanel</name>
+    <message>
+        <source>State of the control</source>
+        <translation>제어기 상태</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>이름</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>값</translation>
+    </message>
+    <message>
+        <source>Meaning</source>
+        <translation>의미</translation>
+    </message>
+    <message>
+        <source>Open a program to see the modal codes, offsets and variables at the current block.</source>
+        <translation>프로그램을 열면 현재 블록의 모달 코드, 옵셋, 변수를 볼 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Calls</source>
+        <translation>호출</translation>
+    </message>
+    <message>
+        <source>from line %1</source>
+        <translation>%1번 줄에서</translation>
+    </message>
+    <message>
+        <source>Modal codes</source>
+        <translation>모달 코드</translation>
+    </message>
+    <message>
+        <source>Position and offsets (mm)</source>
+        <translation>위치와 옵셋(mm)</translation>
+    </message>
+    <message>
+        <source>Variables</source>
+        <translation>변수</translation>
+    </message>
+</context>
+<context>
     <name>Core</name>
     <message>
         <source>The file cannot be read: {}.</source>
@@ -3274,6 +3317,38 @@
         <source>Give the centre with I, J or K, or the radius with R.</source>
         <translation>I, J, K로 중심을 지정하거나 R로 반지름을 지정하십시오.</translation>
     </message>
+    <message>
+        <source>Position in the program</source>
+        <translation>프로그램 좌표의 위치</translation>
+    </message>
+    <message>
+        <source>Zero of the work offset</source>
+        <translation>공작물 좌표계의 원점</translation>
+    </message>
+    <message>
+        <source>Shift by G52 and G92</source>
+        <translation>G52와 G92의 이동량</translation>
+    </message>
+    <message>
+        <source>Tool length offset</source>
+        <translation>공구 길이 보정</translation>
+    </message>
+    <message>
+        <source>Feed rate</source>
+        <translation>이송 속도</translation>
+    </message>
+    <message>
+        <source>Spindle speed</source>
+        <translation>주축 회전수</translation>
+    </message>
+    <message>
+        <source>Tool in the spindle</source>
+        <translation>주축의 공구</translation>
+    </message>
+    <message>
+        <source>Tool selected next</source>
+        <translation>다음으로 선택한 공구</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>
@@ -3304,6 +3379,10 @@
     <message>
         <source>Study</source>
         <translation>연구</translation>
+    </message>
+    <message>
+        <source>Control</source>
+        <translation>제어기</translation>
     </message>
 </context>
 <context>

@@ -17,15 +17,19 @@ namespace {
 
 constexpr int kRestMs = 120;
 constexpr int kColumns = 3;
+constexpr int kValueColumn = 1;
+constexpr int kMeaningColumn = 2;
+constexpr int kWide = 420; // from here on there is room for the meanings
+constexpr int kIndentation = 14;
+constexpr int kNarrowest = 40; // of a column
 
-QString coordinates(const QLocale& locale, const ControlState::Place& place) {
-    QStringList parts;
-    for (int axis = 0; axis < 3; ++axis) {
-        const bool known = (place.known >> static_cast<unsigned>(axis) & 1U) != 0;
-        const QString value = known ? locale.toString(place.value[axis], 'f', 3) : QStringLiteral("–");
-        parts << QStringLiteral("%1 %2").arg(QChar(u'X' + axis)).arg(value);
-    }
-    return parts.join(QStringLiteral("  "));
+QString coordinate(const QLocale& locale, const ControlState::Place& place, int axis) {
+    const bool known = (place.known >> static_cast<unsigned>(axis) & 1U) != 0;
+    return known ? locale.toString(place.value[axis], 'f', 3) : QStringLiteral("–");
+}
+
+bool isNothing(const ControlState::Place& place) {
+    return place.known == kAllAxes && place.value == Vec3(0);
 }
 
 } // namespace
@@ -37,8 +41,12 @@ ControlPanel::ControlPanel(Session& session, QWidget* parent)
     m_tree->setUniformRowHeights(true);
     m_tree->setAlternatingRowColors(true);
     m_tree->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_tree->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_tree->header()->setStretchLastSection(true);
+    m_tree->setIndentation(kIndentation);
+    m_tree->header()->setMinimumSectionSize(kNarrowest);
+    m_tree->header()->setStretchLastSection(false);
+    m_tree->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    m_tree->header()->setSectionResizeMode(QHeaderView::Stretch);
+    m_tree->header()->setSectionResizeMode(kValueColumn, QHeaderView::ResizeToContents);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_empty);
@@ -46,7 +54,7 @@ ControlPanel::ControlPanel(Session& session, QWidget* parent)
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRestMs);
     connect(&m_rest, &QTimer::timeout, this, &ControlPanel::ask);
-    connect(&m_source, &ProgramSource::ready, this, &ControlPanel::show);
+    connect(&m_source, &ProgramSource::ready, this, &ControlPanel::adopt);
     connect(&session, &Session::tick, this, [this] { m_rest.start(); });
     connect(&session, &Session::programChanged, this, [this] { m_rest.start(); });
     connect(m_tree, &QTreeWidget::itemActivated, this, [this](const QTreeWidgetItem* item) {
@@ -83,7 +91,7 @@ void ControlPanel::ask() {
     m_source.request(m_session.document().text, std::move(options));
 }
 
-void ControlPanel::show(const std::shared_ptr<const Program>& program) {
+void ControlPanel::adopt(const std::shared_ptr<const Program>& program) {
     m_shown = program;
     m_empty->hide();
     m_tree->show();
@@ -100,11 +108,12 @@ QTreeWidgetItem* ControlPanel::section(const QString& title) {
     return item;
 }
 
-void ControlPanel::addRow(QTreeWidgetItem& parent, const QString& name, const QString& value,
-                          const QString& meaning) {
+QTreeWidgetItem& ControlPanel::addRow(QTreeWidgetItem& parent, const QString& name, const QString& value,
+                                      const QString& meaning) {
     auto* row = new QTreeWidgetItem(&parent, {name, value, meaning});
     for (int column = 0; column < kColumns; ++column)
-        row->setToolTip(column, row->text(column));
+        row->setToolTip(column, meaning.isEmpty() ? row->text(column) : meaning);
+    return *row;
 }
 
 void ControlPanel::fill(const ControlState& state) {
@@ -113,18 +122,23 @@ void ControlPanel::fill(const ControlState& state) {
     if (!state.calls.empty()) {
         QTreeWidgetItem* calls = section(tr("Calls"));
         for (const ControlState::Call& call : state.calls) {
-            addRow(*calls, QStringLiteral("O%1").arg(QString::fromStdString(call.program)),
-                   tr("from line %1").arg(locale().toString(call.line)), QString::fromStdString(call.file));
+            QTreeWidgetItem& row = addRow(
+                *calls, QStringLiteral("O%1").arg(QString::fromStdString(call.program)),
+                tr("from line %1").arg(locale().toString(call.line)), QString::fromStdString(call.file));
             if (call.file.empty())
-                calls->child(calls->childCount() - 1)->setData(0, Qt::UserRole, call.line);
+                row.setData(0, Qt::UserRole, call.line);
         }
     }
     QTreeWidgetItem* modes = section(tr("Modal codes"));
     for (const ControlState::Mode& mode : state.modes)
         addRow(*modes, coreText(mode.group), QString::fromStdString(mode.code), coreText(mode.name));
     QTreeWidgetItem* places = section(tr("Position and offsets (mm)"));
-    for (const ControlState::Place& place : state.places)
-        addRow(*places, coreText(place.name), coordinates(locale(), place));
+    for (const ControlState::Place& place : state.places) {
+        QTreeWidgetItem& row =
+            addRow(*places, coreText(place.name), isNothing(place) ? locale().toString(0) : QString());
+        for (int axis = 0; axis < 3 && !isNothing(place); ++axis)
+            addRow(row, QString(QChar(u'X' + axis)), coordinate(locale(), place, axis));
+    }
     for (const ControlState::Quantity& quantity : state.quantities)
         addRow(*places, coreText(quantity.name),
                QStringLiteral("%1 %2").arg(locale().toString(quantity.value, 'g', 7),
@@ -143,6 +157,11 @@ void ControlPanel::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         retranslate();
+}
+
+void ControlPanel::resizeEvent(QResizeEvent* event) {
+    QWidget::resizeEvent(event);
+    m_tree->setColumnHidden(kMeaningColumn, width() < kWide);
 }
 
 void ControlPanel::showEvent(QShowEvent* event) {

@@ -24,16 +24,17 @@ public:
 
 protected:
     void changeEvent(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void showEvent(QShowEvent* event) override;
 
 private:
     void retranslate();
     void ask();
-    void show(const std::shared_ptr<const Program>& program);
+    void adopt(const std::shared_ptr<const Program>& program);
     void fill(const ControlState& state);
     QTreeWidgetItem* section(const QString& title);
-    void addRow(QTreeWidgetItem& parent, const QString& name, const QString& value,
-                const QString& meaning = {});
+    QTreeWidgetItem& addRow(QTreeWidgetItem& parent, const QString& name, const QString& value,
+                            const QString& meaning = {});
 
     Session& m_session;
     QTreeWidget* m_tree;
