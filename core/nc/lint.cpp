@@ -46,13 +46,24 @@ bool feeds(const CodeRow* row) {
     return row != nullptr && row->tenths != kRapid;
 }
 
+std::uint64_t groupsOf(const Execution& execution) {
+    std::uint64_t groups = 0;
+    for (const Word& word : execution.block.codes()) {
+        if (const CodeRow* row = execution.codes.find(word))
+            groups |= std::uint64_t{1} << static_cast<unsigned>(row->group);
+    }
+    return groups;
+}
+
 } // namespace
 
 std::span<const LintRule> lintRules() {
     return kRules;
 }
 
-void lintBlock(const LintView& view) {
+void lintBlock(LintView view) {
+    constexpr std::uint64_t kMotionAlone = std::uint64_t{1} << static_cast<unsigned>(ModalGroup::motion);
+    view.groups = groupsOf(view.execution);
     const Block& block = view.execution.block;
     const MachineState& state = view.execution.state;
     LintMemory& memory = view.memory;
@@ -68,7 +79,7 @@ void lintBlock(const LintView& view) {
         run(feedWord, view);
     if (view.execution.dialect.leastMm != 1)
         run(lengths, view);
-    if (!block.codes().empty() || memory.compensationBegins) {
+    if ((view.groups & ~kMotionAlone) != 0 || memory.compensationBegins) {
         lint::remember(view);
         run(LintMoment::block, view);
     }

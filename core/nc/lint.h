@@ -45,7 +45,12 @@ struct LintView {
     const Execution& execution;
     const MachineState& before; ///< the block
     LintMemory& memory;
-    std::size_t firstMotion; ///< of the block
+    std::size_t firstMotion;  ///< of the block
+    std::uint64_t groups = 0; ///< a bit for every modal group that the block has a code of
+
+    [[nodiscard]] bool has(ModalGroup group) const {
+        return (groups >> static_cast<unsigned>(group) & 1U) != 0;
+    }
 };
 
 struct LintRule {
@@ -57,7 +62,7 @@ struct LintRule {
 [[nodiscard]] std::span<const LintRule> lintRules();
 
 /// Looks at a block that was executed.
-void lintBlock(const LintView& view);
+void lintBlock(LintView view);
 /// Looks at the end of the program: at the block that ends it, or at the last one where none does.
 void lintEnd(const LintView& view);
 

@@ -24,6 +24,8 @@ const Word* find(const LintView& view, char letter, int tenths) {
 }
 
 const Word* findGroup(const LintView& view, ModalGroup group) {
+    if (!view.has(group))
+        return nullptr;
     for (const Word& word : view.execution.block.codes()) {
         const CodeRow* row = view.execution.codes.find(word);
         if (row != nullptr && row->group == group)
@@ -84,7 +86,7 @@ void remember(const LintView& view) {
 
 bool changesTool(const LintView& view) {
     constexpr int kM6 = 60;
-    return !view.execution.block.codes().empty() && find(view, 'M', kM6) != nullptr;
+    return view.has(ModalGroup::toolChange) && find(view, 'M', kM6) != nullptr;
 }
 
 void feedZero(const LintView& view, const Message& message) {
