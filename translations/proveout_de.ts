@@ -3349,6 +3349,86 @@
         <source>Tool selected next</source>
         <translation>Vorgewähltes Werkzeug</translation>
     </message>
+    <message>
+        <source>G68 turns another plane than that of the arc, which then lies in no plane of the machine.</source>
+        <translation>G68 dreht eine andere Ebene als die des Bogens, der damit in keiner Ebene der Maschine liegt.</translation>
+    </message>
+    <message>
+        <source>Keep the plane that was in force at G68.</source>
+        <translation>Behalten Sie die Ebene bei, die bei G68 galt.</translation>
+    </message>
+    <message>
+        <source>Scaled by different factors along the axes of its plane, the arc is none any more.</source>
+        <translation>Mit verschiedenen Faktoren entlang der Achsen seiner Ebene skaliert, ist der Bogen keiner mehr.</translation>
+    </message>
+    <message>
+        <source>Use one factor for both axes, or let the CAM system write it as lines.</source>
+        <translation>Verwenden Sie einen Faktor für beide Achsen, oder lassen Sie das CAM-System Geraden schreiben.</translation>
+    </message>
+    <message>
+        <source>The scale factor of {} must not be 0.</source>
+        <translation>Der Skalierungsfaktor von {} darf nicht 0 sein.</translation>
+    </message>
+    <message>
+        <source>Check the number; the code has no effect.</source>
+        <translation>Prüfen Sie die Zahl; der Befehl hat keine Wirkung.</translation>
+    </message>
+    <message>
+        <source>{} stands within {}: the control wants mirror image, scaling and rotation begun in this order and ended in the opposite one.</source>
+        <translation>{} steht innerhalb von {}: Die Steuerung verlangt, Spiegelung, Skalierung und Drehung in dieser Reihenfolge zu beginnen und in der umgekehrten zu beenden.</translation>
+    </message>
+    <message>
+        <source>End the inner one first.</source>
+        <translation>Beenden Sie zuerst den inneren Befehl.</translation>
+    </message>
+    <message>
+        <source>The first motion behind {} does not say where both axes of the rotation go; controls differ here.</source>
+        <translation>Die erste Bewegung nach {} sagt nicht, wohin beide Achsen der Drehung fahren; Steuerungen verhalten sich hier verschieden.</translation>
+    </message>
+    <message>
+        <source>Position both axes in G90 behind it.</source>
+        <translation>Positionieren Sie danach beide Achsen in G90.</translation>
+    </message>
+    <message>
+        <source>G53 is ignored with incremental distances; nothing moves.</source>
+        <translation>G53 wird bei inkrementellen Wegen ignoriert; nichts bewegt sich.</translation>
+    </message>
+    <message>
+        <source>Write G90 before it.</source>
+        <translation>Schreiben Sie G90 davor.</translation>
+    </message>
+    <message>
+        <source>Supported are L1, L2, L10 to L13 and L20.</source>
+        <translation>Unterstützt werden L1, L2, L10 bis L13 und L20.</translation>
+    </message>
+    <message>
+        <source>G10 with L{} begins to set data of the control; the blocks up to G11 are skipped.</source>
+        <translation>G10 mit L{} beginnt, Daten der Steuerung zu setzen; die Sätze bis G11 werden übersprungen.</translation>
+    </message>
+    <message>
+        <source>What depends on these data cannot be vouched for.</source>
+        <translation>Was von diesen Daten abhängt, lässt sich nicht gewährleisten.</translation>
+    </message>
+    <message>
+        <source>The offset register {} is not known.</source>
+        <translation>Das Korrekturregister {} ist nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>The tool with its number fills it, or G10; add the tool, or correct the number.</source>
+        <translation>Das Werkzeug mit seiner Nummer füllt es, oder G10; fügen Sie das Werkzeug hinzu, oder berichtigen Sie die Nummer.</translation>
+    </message>
+    <message>
+        <source>{} changes the tool length without a Z word; some machines move by the difference, others stand still.</source>
+        <translation>{} ändert die Werkzeuglänge ohne Z-Wort; manche Maschinen fahren um die Differenz, andere stehen still.</translation>
+    </message>
+    <message>
+        <source>Position Z in the same block; here it stands still.</source>
+        <translation>Positionieren Sie Z im selben Satz; hier steht die Achse still.</translation>
+    </message>
+    <message>
+        <source>{} suspends cutter compensation on its way.</source>
+        <translation>{} setzt die Fräserradiuskorrektur auf dem Weg aus.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

@@ -3349,6 +3349,86 @@
         <source>Tool selected next</source>
         <translation>다음으로 선택한 공구</translation>
     </message>
+    <message>
+        <source>G68 turns another plane than that of the arc, which then lies in no plane of the machine.</source>
+        <translation>G68이 원호의 평면이 아닌 다른 평면을 회전하므로 원호가 기계의 어느 평면에도 놓이지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Keep the plane that was in force at G68.</source>
+        <translation>G68을 지령할 때의 평면을 유지하십시오.</translation>
+    </message>
+    <message>
+        <source>Scaled by different factors along the axes of its plane, the arc is none any more.</source>
+        <translation>평면의 두 축에 서로 다른 배율이 적용되어 더 이상 원호가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>Use one factor for both axes, or let the CAM system write it as lines.</source>
+        <translation>두 축에 같은 배율을 사용하거나 CAM에서 직선으로 출력하십시오.</translation>
+    </message>
+    <message>
+        <source>The scale factor of {} must not be 0.</source>
+        <translation>{}의 배율은 0일 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Check the number; the code has no effect.</source>
+        <translation>숫자를 확인하십시오. 이 코드는 효력이 없습니다.</translation>
+    </message>
+    <message>
+        <source>{} stands within {}: the control wants mirror image, scaling and rotation begun in this order and ended in the opposite one.</source>
+        <translation>{}이(가) {} 안에 있습니다. 제어기는 미러 이미지, 스케일링, 회전을 이 순서로 시작하고 반대 순서로 끝내도록 요구합니다.</translation>
+    </message>
+    <message>
+        <source>End the inner one first.</source>
+        <translation>안쪽 지령을 먼저 끝내십시오.</translation>
+    </message>
+    <message>
+        <source>The first motion behind {} does not say where both axes of the rotation go; controls differ here.</source>
+        <translation>{} 뒤의 첫 이동이 회전 평면의 두 축을 모두 지령하지 않습니다. 이 경우 제어기마다 동작이 다릅니다.</translation>
+    </message>
+    <message>
+        <source>Position both axes in G90 behind it.</source>
+        <translation>그 뒤에 G90으로 두 축의 위치를 모두 지령하십시오.</translation>
+    </message>
+    <message>
+        <source>G53 is ignored with incremental distances; nothing moves.</source>
+        <translation>증분 지령에서는 G53이 무시되어 아무것도 움직이지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Write G90 before it.</source>
+        <translation>그 앞에 G90을 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>Supported are L1, L2, L10 to L13 and L20.</source>
+        <translation>L1, L2, L10~L13, L20을 지원합니다.</translation>
+    </message>
+    <message>
+        <source>G10 with L{} begins to set data of the control; the blocks up to G11 are skipped.</source>
+        <translation>G10 L{}은(는) 제어기 데이터 입력을 시작합니다. G11까지의 블록은 건너뜁니다.</translation>
+    </message>
+    <message>
+        <source>What depends on these data cannot be vouched for.</source>
+        <translation>이 데이터에 따라 달라지는 결과는 보증할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>The offset register {} is not known.</source>
+        <translation>보정 번호 {}의 값을 알 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>The tool with its number fills it, or G10; add the tool, or correct the number.</source>
+        <translation>같은 번호의 공구나 G10이 이 값을 정합니다. 공구를 추가하거나 번호를 고치십시오.</translation>
+    </message>
+    <message>
+        <source>{} changes the tool length without a Z word; some machines move by the difference, others stand still.</source>
+        <translation>{}이(가) Z 워드 없이 공구 길이를 바꿉니다. 차이만큼 움직이는 기계도 있고 정지해 있는 기계도 있습니다.</translation>
+    </message>
+    <message>
+        <source>Position Z in the same block; here it stands still.</source>
+        <translation>같은 블록에서 Z 위치를 지령하십시오. 여기서는 정지한 것으로 봅니다.</translation>
+    </message>
+    <message>
+        <source>{} suspends cutter compensation on its way.</source>
+        <translation>{}은(는) 이동하는 동안 공구경 보정을 일시 취소합니다.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

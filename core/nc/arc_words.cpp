@@ -179,6 +179,12 @@ bool readArc(Execution& execution, const Word& word, Motion& program, bool clock
 
 bool shapeArc(Execution& execution, const Word& word, Motion& motion, bool clockwise) {
     const WorkFrame& frame = execution.state.frame;
+    const Transformation& transformation = frame.transformation;
+    if (!transformation.keepsPlane(motion.plane) || !transformation.keepsCircles(motion.plane)) {
+        execution.reporter.tell(
+            transformation.keepsPlane(motion.plane) ? nc_message::kArcScaled : nc_message::kArcTurned, word);
+        return false;
+    }
     Motion program = motion;
     program.start = frame.toProgram(motion.start);
     program.end = frame.toProgram(motion.end);
@@ -187,7 +193,7 @@ bool shapeArc(Execution& execution, const Word& word, Motion& motion, bool clock
     const PlaneAxes plane = axes(motion.plane);
     motion.centre = frame.toMachine(program.centre);
     motion.centre[plane.normal] = motion.start[plane.normal];
-    motion.sweep = program.sweep;
+    motion.sweep = transformation.flips(motion.plane) ? -program.sweep : program.sweep;
     return fitForSize(execution, word, motion);
 }
 

@@ -1,9 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <string>
+
 #include "core/nc/block_plan.h"
 #include "core/nc/execution.h"
 #include "core/nc/lint.h"
 
 namespace proveout {
+
+std::optional<int> wholeNumber(Execution& execution, const Word& word, int least, int most) {
+    constexpr double kWhole = 1e-4;
+    const double whole = std::round(word.value);
+    if (std::abs(word.value - whole) < kWhole && whole >= least && whole <= most)
+        return static_cast<int>(whole);
+    execution.reporter.tell(nc_message::kNotInteger, word,
+                            {std::string(1, word.letter), std::to_string(least), std::to_string(most)});
+    return {};
+}
+
+namespace {
+
+/// What macros read of the last block.
+void remember(Execution& execution) {
+    for (const Word& word : execution.block.codes()) {
+        if (word.letter == 'M')
+            execution.state.lastM = word.value;
+    }
+}
+
+} // namespace
 
 void executeBlock(Execution& execution) {
     const MachineState before = execution.state;
@@ -17,6 +42,8 @@ void executeBlock(Execution& execution) {
     execution.program.beginBlock(execution.line);
     const std::size_t first = execution.program.motionCount();
     plan.run(execution);
+    if (execution.dialect.macros == MacroLanguage::macroB)
+        remember(execution);
     if (execution.lint == nullptr)
         return;
     lintBlock({execution, before, *execution.lint, first});

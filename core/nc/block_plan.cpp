@@ -34,6 +34,7 @@ public:
             if (row.handler != nullptr && m_block.has(row.letter))
                 m_plan.add(row.step, row.handler, m_block.word(row.letter));
         }
+        planRegisters();
         tellOtherAxes();
         if (m_block.letters().any(kPolar) && m_block.letters().any(LetterSet("XY")))
             return refuse(nc_message::kPolarMixed, firstAxisWord());
@@ -115,6 +116,15 @@ private:
         return true;
     }
 
+    /// H without G43 is another register for the offset in force.
+    void planRegisters() {
+        if (m_execution.state.lengthSign == 0 || !m_block.has('H') || m_used.has('H') ||
+            m_groups[static_cast<std::size_t>(ModalGroup::toolLength)] != nullptr)
+            return;
+        m_plan.add(Step::toolLength, changeRegister, m_block.word('H'));
+        m_used.add(LetterSet("H"));
+    }
+
     void tellOtherAxes() {
         LetterSet others = kOtherAxes;
         // Fanuc's dwell counts by any of X, U and P.
@@ -165,7 +175,8 @@ private:
         if (m_motionRow == nullptr)
             return true;
         const Word& motion = *groupWord(ModalGroup::motion);
-        if (named)
+        // "G0 G28 Z0": where the last of two codes counts, the motion code is for the blocks to come.
+        if (named && !m_execution.dialect.lastWordCounts)
             return refuse(nc_message::kAxesTwice, motion, {nameOf(*m_axisWord), nameOf(motion)});
         m_execution.state.motion = m_motionRow;
         return true;

@@ -12,6 +12,6 @@ namespace proveout {
 [[nodiscard]] std::span<const CodeRow> foreignCodes(); ///< known, of controls that are none of ours
 [[nodiscard]] std::span<const CodeRow> rs274Codes();   ///< of LinuxCNC
 [[nodiscard]] std::span<const CodeRow> fanucCodes();   ///< of Fanuc, and of Haas as far as it is the same
-[[nodiscard]] std::span<const CodeRow> haasCodes();    ///< of Haas alone
+[[nodiscard]] std::span<const CodeRow> haasCodes();    ///< of Haas, over those of Fanuc
 
 } // namespace proveout

@@ -2,8 +2,10 @@
 #include "core/nc/cycle_run.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "core/nc/motion_building.h"
+#include "core/nc/polar_words.h"
 
 namespace proveout {
 
@@ -23,10 +25,26 @@ int turnIn(SpindleNeed need, int before) {
     return before;
 }
 
+/// What G51 makes of a length along the axis, undone: pecks, gaps and shifts aside are not scaled.
+double unscaled(const Execution& execution, int axis) {
+    const Transformation& now = execution.state.frame.transformation;
+    return now.scaled ? 1 / std::abs(now.factors[axis]) : 1;
+}
+
+CycleOrder unscaled(const Execution& execution, CycleOrder order) {
+    const double depth = unscaled(execution, axes(execution.state.plane).normal);
+    for (double* length :
+         {&order.pecks.first, &order.pecks.less, &order.pecks.least, &order.pecks.clearing, &order.remainder})
+        *length *= depth;
+    for (int axis = 0; axis < 3; ++axis)
+        order.aside[axis] *= unscaled(execution, axis);
+    return order;
+}
+
 } // namespace
 
 CycleRun::CycleRun(Execution& execution, const Word& word, const CannedCycle& cycle, const CycleOrder& order)
-    : m_execution(execution), m_word(word), m_cycle(cycle), m_order(order),
+    : m_execution(execution), m_word(word), m_cycle(cycle), m_order(unscaled(execution, order)),
       m_plane(axes(execution.state.plane)), m_at(execution.state.frame.toProgram(execution.state.position)),
       m_hole(m_at), m_depthKnown(depthKnown(execution)), m_level(order.travel) {}
 
@@ -113,7 +131,8 @@ void CycleRun::dwell() {
 void CycleRun::peck(bool retract) {
     const Dialect& dialect = m_execution.dialect;
     const Pecks& pecks = m_order.pecks;
-    const double gap = retract ? dialect.peckGapMm : dialect.chipGapMm;
+    const double real = unscaled(m_execution, m_plane.normal);
+    const double gap = real * (retract ? dialect.peckGapMm : dialect.chipGapMm);
     double step = pecks.first;
     double sinceClear = 0;
     for (double depth = m_order.retract - step;
@@ -121,7 +140,7 @@ void CycleRun::peck(bool retract) {
         depthTo(MotionKind::feed, depth);
         sinceClear += step;
         if (retract || (pecks.clearing > 0 && sinceClear >= pecks.clearing)) {
-            depthTo(MotionKind::rapid, m_order.retract + dialect.peckLiftMm);
+            depthTo(MotionKind::rapid, m_order.retract + real * dialect.peckLiftMm);
             sinceClear = 0;
         }
         depthTo(MotionKind::rapid, above(depth, gap));
@@ -141,7 +160,8 @@ void CycleRun::tap() {
          step > 0 && depth > m_order.bottom + m_order.remainder && !m_execution.mustEnd(); depth -= step) {
         depthTo(MotionKind::feed, depth);
         turn(-m_turn);
-        depthTo(MotionKind::feed, above(depth, m_execution.dialect.chipGapMm));
+        depthTo(MotionKind::feed,
+                above(depth, unscaled(m_execution, m_plane.normal) * m_execution.dialect.chipGapMm));
         turn(m_turn);
     }
     depthTo(MotionKind::feed, m_order.bottom);
@@ -183,7 +203,9 @@ void CycleRun::moveOver() {
         if (block().has(letter))
             target[axis] = m_execution.length(letter) + (m_execution.state.incremental ? m_at[axis] : 0);
     }
-    if (const auto polar = polarTarget(m_execution, m_at, m_execution.state.known)) {
+    if (m_execution.state.polar.on) {
+        static_cast<void>(readPolarWords(m_execution, m_execution.state.known, target));
+    } else if (const auto polar = polarTarget(m_execution, m_at, m_execution.state.known)) {
         target.x = polar->x;
         target.y = polar->y;
     }

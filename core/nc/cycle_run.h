@@ -43,7 +43,7 @@ private:
     Execution& m_execution;
     const Word& m_word;
     const CannedCycle& m_cycle;
-    const CycleOrder& m_order;
+    CycleOrder m_order;
     PlaneAxes m_plane;
     Vec3 m_at;   ///< program coordinates
     Vec3 m_hole; ///< of the hole in work, in its plane

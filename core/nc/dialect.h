@@ -29,16 +29,22 @@ struct Dialect {
     double leastInch;
     /// Of two words with one letter, or two codes of one group, the last counts; otherwise they are an error.
     bool lastWordCounts;
-    int mostMWords;           ///< in one block
-    bool refusesUnused;       ///< words that nothing in their block uses are an error
-    bool codeAloneMoves;      ///< G0 without an axis word is a motion of no length
-    bool beginsInRapid;       ///< G0 is in force at the start
-    bool retractsToR;         ///< G99 is in force at the start, otherwise G98
-    std::size_t deepestCalls; ///< of subprograms within subprograms
-    bool cyclesKeepWords;     ///< the words of canned cycles count until the series ends, Fanuc's way
-    bool pecksShrink;         ///< I J K of a cycle are lengths of its pecks; otherwise K is its repeats
-    bool tapsRigidly;         ///< without M29
-    bool pointMeansSeconds;   ///< P of a dwell with a decimal point; otherwise milliseconds always
+    double leastFactor;         ///< what 1 without a decimal point means as a factor of G51
+    bool rotationAdds;          ///< with G91 the angle of G68 adds to the one in force
+    bool registersHoldDiameter; ///< D registers, otherwise the radius
+    bool keepsLocalShift;       ///< G52 is stored with the work offsets
+    bool allAxesGoHome;         ///< G28 without axis words moves all of them
+    int additionalSystems;      ///< work offsets beyond G59
+    int mostMWords;             ///< in one block
+    bool refusesUnused;         ///< words that nothing in their block uses are an error
+    bool codeAloneMoves;        ///< G0 without an axis word is a motion of no length
+    bool beginsInRapid;         ///< G0 is in force at the start
+    bool retractsToR;           ///< G99 is in force at the start, otherwise G98
+    std::size_t deepestCalls;   ///< of subprograms within subprograms
+    bool cyclesKeepWords;       ///< the words of canned cycles count until the series ends, Fanuc's way
+    bool pecksShrink;           ///< I J K of a cycle are lengths of its pecks; otherwise K is its repeats
+    bool tapsRigidly;           ///< without M29
+    bool pointMeansSeconds;     ///< P of a dwell with a decimal point; otherwise milliseconds always
     /// What the builder of the machine sets in parameters; typical values.
     double chipGapMm;  ///< back to break the chip: Fanuc 5114, Haas setting 22
     double peckGapMm;  ///< above the depth reached, where rapid becomes feed: Fanuc 5115, Haas setting 22

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "core/base/work_context.h"
 #include "core/nc/block.h"
@@ -10,6 +11,7 @@
 #include "core/nc/flow_request.h"
 #include "core/nc/machine_state.h"
 #include "core/nc/modal_saves.h"
+#include "core/nc/offset_registers.h"
 #include "core/nc/parameters.h"
 #include "core/nc/program.h"
 #include "core/nc/reporter.h"
@@ -28,6 +30,7 @@ struct Execution {
     MachineState& state;
     Parameters& parameters;
     ToolOffsets& tools;
+    OffsetRegisters& registers;
     FlowRequest& request;
     Program& program;
     Reporter& reporter;
@@ -51,9 +54,18 @@ struct Execution {
         return state.toMm(state.inch ? dialect.leastInch : dialect.leastMm);
     }
 
+    /// The angle that a word of the block gives, in degrees.
+    [[nodiscard]] double angle(char letter) const {
+        const Word& word = block.word(letter);
+        return word.point ? word.value : word.value * dialect.leastMm;
+    }
+
     /// Whether a block that makes many motions has to stop in between.
     [[nodiscard]] bool mustEnd() const { return program.motionCount() > maxMotions || context.stopped(); }
 };
+
+/// The whole number of a word, told where it is none within the limits.
+[[nodiscard]] std::optional<int> wholeNumber(Execution& execution, const Word& word, int least, int most);
 
 /// Checks a block and executes it: every word at its step, each group at most once. A block that contradicts
 /// itself is told and skipped whole, and the axes that it names are forgotten.

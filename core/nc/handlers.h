@@ -40,6 +40,7 @@ void setAbsolute(Execution& execution, const Word& word);             ///< G90
 void setIncremental(Execution& execution, const Word& word);          ///< G91
 void setArcCentreAbsolute(Execution& execution, const Word& word);    ///< G90.1
 void setArcCentreIncremental(Execution& execution, const Word& word); ///< G91.1
+void selectPathControl(Execution& execution, const Word& word);       ///< G61 to G64 of Fanuc
 void keepState(Execution& execution, const Word& word); ///< a code whose state is the only one there is
 
 // cycle_codes.cpp
@@ -81,6 +82,41 @@ void useToolLength(Execution& execution, const Word& word);    ///< G43
 void useGivenLength(Execution& execution, const Word& word);   ///< G43.1
 void addToolLength(Execution& execution, const Word& word);    ///< G43.2
 void cancelToolLength(Execution& execution, const Word& word); ///< G49
+
+// transformation_codes.cpp
+void scaleCoordinates(Execution& execution, const Word& word); ///< G51
+void endScaling(Execution& execution, const Word& word);       ///< G50
+void mirrorAxes(Execution& execution, const Word& word);       ///< G51.1
+void endMirror(Execution& execution, const Word& word);        ///< G50.1, G100 of Haas
+void mirrorAboutZero(Execution& execution, const Word& word);  ///< G101 of Haas
+void turnCoordinates(Execution& execution, const Word& word);  ///< G68
+void endTurning(Execution& execution, const Word& word);       ///< G69
+
+// polar_words.cpp
+void beginPolar(Execution& execution, const Word& word); ///< G16
+void endPolar(Execution& execution, const Word& word);   ///< G15
+
+// work_system_codes.cpp
+void selectWorkSystem(Execution& execution, const Word& word);       ///< G54 to G59 of Fanuc
+void selectAdditionalSystem(Execution& execution, const Word& word); ///< G54.1, G154 of Haas
+void selectNamedSystem(Execution& execution, const Word& word);      ///< G110 to G129 of Haas
+void shiftAllSystems(Execution& execution, const Word& word);        ///< G52 of Fanuc
+void presetCoordinates(Execution& execution, const Word& word);      ///< G92 of Fanuc
+void restoreCoordinates(Execution& execution, const Word& word);     ///< G92.1 of Fanuc
+
+// data_codes.cpp
+void writeData(Execution& execution, const Word& word); ///< G10 of Fanuc
+
+// register_codes.cpp
+void useRegisterLength(Execution& execution, const Word& word);      ///< G43 of Fanuc
+void subtractRegisterLength(Execution& execution, const Word& word); ///< G44
+void changeRegister(Execution& execution, const Word& word);         ///< H alone
+void endRegisterLength(Execution& execution, const Word& word);      ///< G49 of Fanuc
+
+// machine_position_codes.cpp
+void goToMachineZero(Execution& execution, const Word& word);      ///< G28 of Fanuc
+void goToFurtherReference(Execution& execution, const Word& word); ///< G30 of Fanuc
+void moveInMachine(Execution& execution, const Word& word);        ///< G53 of Fanuc
 
 // call_codes.cpp
 void callProgram(Execution& execution, const Word& word);       ///< M98

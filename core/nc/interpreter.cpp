@@ -2,6 +2,7 @@
 #include "core/nc/interpreter.h"
 
 #include <algorithm>
+#include <charconv>
 #include <fmt/format.h>
 #include <ranges>
 
@@ -10,6 +11,7 @@
 #include "core/nc/control_state.h"
 #include "core/nc/dialect_guess.h"
 #include "core/nc/execution.h"
+#include "core/nc/expression_rules.h"
 #include "core/nc/lexer.h"
 #include "core/nc/lint.h"
 #include "core/nc/machine_values.h"
@@ -187,6 +189,8 @@ private:
         }
         if (m_line.programNumber && !beginsProgram(index))
             return;
+        if (m_line.programNumber && m_calls.inMainProgram())
+            m_state.programNumber = m_mainNumber = m_line.program;
         if (m_line.flow)
             runFlow(first);
         else if (m_line.statement)
@@ -228,7 +232,22 @@ private:
     }
 
     bool runRequest(const FlowRequest& request) {
-        return m_macroB ? m_macros.run(request) : m_oWords.run(request);
+        const bool done = m_macroB ? m_macros.run(request) : m_oWords.run(request);
+        if (m_macroB && request.kind != FlowRequest::Kind::none)
+            noteProgram();
+        return done;
+    }
+
+    /// The number of the program that runs now. A local subprogram has none of its own.
+    void noteProgram() {
+        if (m_calls.inMainProgram()) {
+            m_state.programNumber = m_mainNumber;
+            return;
+        }
+        const std::string& label = m_calls.level().label;
+        int number = 0;
+        if (std::from_chars(label.data(), label.data() + label.size(), number).ec == std::errc())
+            m_state.programNumber = number;
     }
 
     void runFlow(bool first) {
@@ -276,6 +295,7 @@ private:
                 m_state,
                 m_parameters,
                 m_tools,
+                m_registers,
                 request,
                 *m_program,
                 m_reporter,
@@ -288,8 +308,20 @@ private:
                 m_context};
     }
 
+    /// From G10 L50 to G11 the blocks are data for the control.
+    bool isData() {
+        if (!m_state.dataInput)
+            return false;
+        constexpr double kEnd = 11;
+        for (const Word& word : m_line.block.codes())
+            m_state.dataInput = m_state.dataInput && (word.letter != 'G' || word.value != kEnd);
+        return true;
+    }
+
     void runBlock(bool first) {
         m_sourceBlocks += first ? 1 : 0;
+        if (isData())
+            return;
         assign();
         if (m_line.block.empty())
             return;
@@ -297,6 +329,8 @@ private:
         Execution execution = executionOf(m_line.block, request);
         const std::size_t before = m_program->motionCount();
         executeBlock(execution);
+        if (m_line.blockNumber)
+            m_state.blockNumber = *m_line.blockNumber;
         const bool moved = m_program->motionCount() > before;
         const bool returns = request.kind == FlowRequest::Kind::returns && request.program == 0;
         if (returns && m_calls.inMainProgram())
@@ -319,10 +353,14 @@ private:
     /// What writing a system variable of custom macro B does besides; true where it is stored nowhere.
     bool writeVariable(const Assignment& order) {
         const std::string shown = fmt::format("#{}", order.target.number);
-        switch (MacroVariables::writing(order.target.number)) {
+        switch (m_variables.writing(order.target.number)) {
         case MacroVariables::Writing::stored:
             return false;
         case MacroVariables::Writing::ignored:
+            return true;
+        case MacroVariables::Writing::offset:
+            m_variables.write(order.target.number, isNull(order.value) ? 0 : order.value, *m_program,
+                              static_cast<std::uint32_t>(m_calls.mainLine() + 1));
             return true;
         case MacroVariables::Writing::readOnly:
             m_reporter.tell(nc_message::kParameterReadOnly, order.column, order.length, {shown});
@@ -452,10 +490,11 @@ private:
     MachineState m_state;
     Parameters m_parameters{m_dialect.macros};
     ToolOffsets m_tools;
+    OffsetRegisters m_registers{m_tools, m_dialect.registersHoldDiameter};
     ModalSaves m_saves;
     SplineState m_splines;
     MachineValues m_values{m_state};
-    MacroVariables m_variables{m_state, m_dialect};
+    MacroVariables m_variables{m_state, m_parameters, m_registers, m_dialect};
     const SystemValues& m_system = m_macroB ? static_cast<const SystemValues&>(m_variables) : m_values;
     ReadContext m_readContext{m_parameters, m_system, m_dialect, m_options.blockDelete};
     CallStack m_calls;
@@ -468,6 +507,7 @@ private:
     std::size_t m_steps = 0;
     std::size_t m_toldAgain = 0; ///< lines that were told about though they had run before
     std::size_t m_sourceBlocks = 0;
+    double m_mainNumber = 0; ///< O of the main program
     bool m_percentOpen = false;
     bool m_percentClosed = false;
     bool m_finished = false;

@@ -5,6 +5,7 @@
 
 #include "core/nc/execution.h"
 #include "core/nc/handlers.h"
+#include "core/nc/motion_building.h"
 
 namespace proveout {
 
@@ -12,13 +13,6 @@ namespace {
 
 constexpr LetterSet kAxes("XYZ");
 constexpr int kLargestOffset = 99999;
-
-void setToolOffset(Execution& execution, const Vec3& offset) {
-    MachineState& state = execution.state;
-    state.position -= offset - state.toolOffset;
-    state.toolOffset = offset;
-    execution.program.append(ToolLengthOffset{offset}, execution.line);
-}
 
 /// The number of the H word, or the tool in the spindle; told where it is none that the control knows.
 const ToolOffset* offsetAsked(Execution& execution, const Word& word) {
@@ -47,6 +41,13 @@ Vec3 offsetsGiven(const Execution& execution, Vec3 offset) {
 }
 
 } // namespace
+
+void setToolOffset(Execution& execution, const Vec3& offset) {
+    MachineState& state = execution.state;
+    state.position -= offset - state.toolOffset;
+    state.toolOffset = offset;
+    execution.program.append(ToolLengthOffset{offset}, execution.line);
+}
 
 void useToolLength(Execution& execution, const Word& word) {
     if (const ToolOffset* offset = offsetAsked(execution, word))

@@ -152,6 +152,7 @@ private:
             fail(nc_message::kFlowNotFirst, begin, number.end);
         else
             m_line.programNumber = true;
+        m_line.program = number.value;
     }
 
     void readProgramName() {
@@ -310,6 +311,7 @@ private:
             failOnNumber(number, begin);
             return;
         }
+        m_line.blockNumber = number.value;
         if (number.end - begin > kLongestBlockNumber + 1)
             m_line.longBlockNumber = {static_cast<int>(begin + 1), static_cast<int>(number.end - begin)};
         m_at = number.end;
@@ -347,6 +349,7 @@ void clear(Line& line) {
     line.flow.reset();
     line.statement.reset();
     line.programNumber = false;
+    line.blockNumber.reset();
     line.percent = false;
     line.deleteMark = false;
     line.controlCodeColumn = 0;

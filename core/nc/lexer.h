@@ -34,6 +34,8 @@ struct Line {
     std::optional<FlowWord> flow;        ///< then the line has nothing else, and its arguments are not read
     std::optional<MacroStatement> statement; ///< then the words before it are none
     bool programNumber = false;              ///< a program of custom macro B's dialect begins
+    double program = 0;                      ///< its number
+    std::optional<double> blockNumber;       ///< N
     bool percent = false;                    ///< a line with nothing but "%"
     bool deleteMark = false;                 ///< begins with "/"
     int controlCodeColumn = 0;               ///< of a control code that was skipped, 0: none

@@ -8,6 +8,8 @@
 #include "core/nc/codes.h"
 #include "core/nc/compensated_path.h"
 #include "core/nc/motion.h"
+#include "core/nc/polar_words.h"
+#include "core/nc/transformation_codes.h"
 #include "core/nc/work_frame.h"
 
 namespace proveout {
@@ -53,6 +55,20 @@ struct MachineState {
     WorkFrame frame;
     Vec3 toolOffset{0}; ///< in force, by G43 and its like
     int workOffset = 1; ///< 1 for G54 to 9 for G59.3
+
+    // Of Fanuc's dialect.
+    Vec3 presetShift{0};     ///< G92; part of frame.shift
+    Vec3 localShift{0};      ///< G52; part of frame.shift
+    int lengthRegister = 0;  ///< H
+    int radiusRegister = 0;  ///< D
+    double pathControl = 64; ///< G61 to G64
+    double lastM = 0;
+    double blockNumber = 0;   ///< N
+    double programNumber = 0; ///< O
+    int lengthSign = 0;       ///< 1 for G43, -1 for G44, 0 without
+    PolarMode polar;
+    Turning turning;
+    bool dataInput = false; ///< from G10 L50 to G11
 
     CutterCompensation compensation;
 

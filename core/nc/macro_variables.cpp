@@ -6,6 +6,7 @@
 
 #include "core/nc/codes.h"
 #include "core/nc/messages.h"
+#include "core/nc/work_systems.h"
 
 namespace proveout {
 
@@ -43,8 +44,11 @@ double cycleCode(const MachineState& s) {
 }
 
 double workOffsetCode(const MachineState& s) {
-    constexpr int kLast = 6;
-    return s.workOffset <= kLast ? 53.0 + s.workOffset : 54.1;
+    return s.workOffset <= kStandardSystems ? 53.0 + s.workOffset : 54.1;
+}
+
+double lengthCode(const MachineState& s) {
+    return s.lengthSign == 0 ? 49 : s.lengthSign > 0 ? 43 : 44;
 }
 
 // By number. Source: operator's manual, modal information.
@@ -52,17 +56,37 @@ constexpr ModalValue kModal[] = {
     {4001, motionCode},
     {4002, planeCode},
     {4003, distanceCode},
+    {4004, [](const MachineState&) { return 23.0; }},
     {4005, feedCode},
     {4006, [](const MachineState& s) { return s.inch ? 20.0 : 21.0; }},
     {4007, compensationCode},
+    {4008, lengthCode},
     {4009, cycleCode},
     {4010, [](const MachineState& s) { return s.retractToR ? 99.0 : 98.0; }},
+    {4011, [](const MachineState& s) { return s.frame.transformation.scaled ? 51.0 : 50.0; }},
+    {4013, [](const MachineState& s) { return s.surfaceSpeed ? 96.0 : 97.0; }},
     {4014, workOffsetCode},
+    {4015, [](const MachineState& s) { return s.pathControl; }},
+    {4016, [](const MachineState& s) { return s.frame.transformation.turned ? 68.0 : 69.0; }},
+    {4017, [](const MachineState& s) { return s.polar.on ? 16.0 : 15.0; }},
+    {4022, [](const MachineState& s) { return s.frame.transformation.mirrored != 0 ? 51.1 : 50.1; }},
+    {4107, [](const MachineState& s) { return static_cast<double>(s.radiusRegister); }},
     {4109,
      [](const MachineState& s) { return s.feedMode == FeedMode::inverseTime ? s.feed : s.fromMm(s.feed); }},
+    {4111, [](const MachineState& s) { return static_cast<double>(s.lengthRegister); }},
+    {4113, [](const MachineState& s) { return s.lastM; }},
+    {4114, [](const MachineState& s) { return s.blockNumber; }},
+    {4115, [](const MachineState& s) { return s.programNumber; }},
     {4119, [](const MachineState& s) { return s.spindleRpm; }},
     {4120, [](const MachineState& s) { return static_cast<double>(std::max(s.selectedTool, s.tool)); }},
+    {4130,
+     [](const MachineState& s) {
+         return std::max(0.0, static_cast<double>(s.workOffset - kStandardSystems));
+     }},
 };
+constexpr int kFirstRunning = 4201; ///< of the block that runs, beside those of the block before
+constexpr int kLastRunning = 4330;
+constexpr int kRunningOffset = 200;
 
 constexpr int kAxes = 3;
 constexpr int kBlockEnd = 5001;      ///< end of the block before, in work coordinates
@@ -96,19 +120,33 @@ bool within(std::span<const Numbers> rows, int number) {
 constexpr int kAlarm = 3000;
 constexpr int kStop = 3006;
 constexpr int kFirstModal = 4001;
-constexpr int kLastPosition = 5104;
+constexpr int kLastPosition = 5199;
 
 } // namespace
 
+std::optional<double> MacroVariables::ofRegister(int number) const {
+    const auto place = OffsetRegisters::place(m_dialect.id, number);
+    const auto value = place ? m_registers.value(place->entry, place->number) : std::nullopt;
+    return value ? std::optional(m_state.fromMm(*value)) : std::nullopt;
+}
+
 std::optional<double> MacroVariables::numbered(int number) const {
+    if (number >= kFirstRunning && number <= kLastRunning)
+        number -= kRunningOffset;
+    if (isWorkOffset(number))
+        return m_state.fromMm(m_parameters.numbered(number));
+    if (const auto value = ofRegister(number))
+        return value;
     const auto* modal = std::ranges::lower_bound(kModal, number, {}, &ModalValue::number);
     if (modal != std::end(kModal) && modal->number == number)
         return modal->value(m_state);
     const Vec3 work = m_state.frame.toProgram(m_state.position);
     if (const auto axis = axisOf(number, kBlockEnd))
         return m_state.fromMm(work[*axis]);
-    if (const auto axis = axisOf(number, kWork))
-        return m_state.fromMm(work[*axis]);
+    if (const auto axis = axisOf(number, kWork)) {
+        const Vec3 tip = m_state.position + m_state.compensation.displacement;
+        return m_state.fromMm(m_state.frame.toWork(tip)[*axis] + m_state.toolOffset[*axis]);
+    }
     if (const auto axis = axisOf(number, kMachine); axis && m_state.machineZeroKnown)
         return m_state.fromMm(m_state.position[*axis] + m_state.toolOffset[*axis]);
     if (const auto axis = axisOf(number, kLengthInForce))
@@ -119,6 +157,9 @@ std::optional<double> MacroVariables::numbered(int number) const {
 }
 
 const Message* MacroVariables::refusal(int number) const {
+    const auto place = OffsetRegisters::place(m_dialect.id, number);
+    if (place && !m_registers.certain(place->entry, place->number))
+        return &nc_message::kMachineVariable;
     const bool position = axisOf(number, kMachine) && !m_state.machineZeroKnown;
     const auto axis = axisOf(number, kBlockEnd) ? axisOf(number, kBlockEnd) : axisOf(number, kWork);
     if (axis && (m_state.known >> static_cast<unsigned>(*axis) & 1U) == 0)
@@ -128,7 +169,8 @@ const Message* MacroVariables::refusal(int number) const {
 
 bool MacroVariables::writable(int number) const {
     const Writing kind = writing(number);
-    return kind == Writing::alarm || kind == Writing::stop || kind == Writing::ignored;
+    return kind == Writing::alarm || kind == Writing::stop || kind == Writing::ignored ||
+           kind == Writing::offset;
 }
 
 std::optional<double> MacroVariables::named(std::string_view /*name*/) const {
@@ -139,7 +181,19 @@ double MacroVariables::leastUnit() const {
     return m_state.inch ? m_dialect.leastInch : m_dialect.leastMm;
 }
 
-MacroVariables::Writing MacroVariables::writing(int number) {
+void MacroVariables::write(int number, double value, Program& program, std::uint32_t line) {
+    const double mm = m_state.toMm(value);
+    if (const auto place = OffsetRegisters::place(m_dialect.id, number)) {
+        m_registers.set(place->entry, place->number, mm);
+        return;
+    }
+    m_parameters.setNumbered(number, mm);
+    refreshFrame(m_state, m_parameters, program, line);
+}
+
+MacroVariables::Writing MacroVariables::writing(int number) const {
+    if (isWorkOffset(number) || OffsetRegisters::place(m_dialect.id, number))
+        return Writing::offset;
     if (number == kAlarm)
         return Writing::alarm;
     if (number == kStop)

@@ -5,16 +5,21 @@
 #include <optional>
 
 #include "core/nc/machine_state.h"
+#include "core/nc/offset_registers.h"
 #include "core/nc/parameters.h"
+#include "core/nc/program.h"
 
 namespace proveout {
 
 /// The system variables of custom macro B that milling programs read: modal codes (#4001 to #4130), positions
-/// (#5001, #5021, #5041, #5061, #5081), offsets. Those that depend on the machine or on the time of day are
-/// refused. Source: FANUC's operator's manuals. Keeps references to its arguments.
+/// (#5001, #5021, #5041, #5061, #5081), offset registers (#2001, #10001 …), work offsets (#5201, #7001 …).
+/// Those that depend on the machine or on the time of day are refused. Source: FANUC's operator's manuals.
+/// Keeps references to its arguments.
 class MacroVariables : public SystemValues {
 public:
-    MacroVariables(const MachineState& state, const Dialect& dialect) : m_state(state), m_dialect(dialect) {}
+    MacroVariables(MachineState& state, Parameters& parameters, OffsetRegisters& registers,
+                   const Dialect& dialect)
+        : m_state(state), m_parameters(parameters), m_registers(registers), m_dialect(dialect) {}
 
     [[nodiscard]] std::optional<double> numbered(int number) const override;
     [[nodiscard]] const Message* refusal(int number) const override;
@@ -25,14 +30,21 @@ public:
     enum class Writing : std::uint8_t {
         stored,  ///< by its number, as any other
         ignored, ///< a setting of the machine without a path of its own
+        offset,  ///< write(): it takes effect at once
         readOnly,
         alarm, ///< #3000: the program ends
         stop   ///< #3006: a program stop
     };
-    [[nodiscard]] static Writing writing(int number);
+    [[nodiscard]] Writing writing(int number) const;
+    /// Of offsets, in the unit of the program.
+    void write(int number, double value, Program& program, std::uint32_t line);
 
 private:
-    const MachineState& m_state;
+    [[nodiscard]] std::optional<double> ofRegister(int number) const;
+
+    MachineState& m_state;
+    Parameters& m_parameters;
+    OffsetRegisters& m_registers;
     const Dialect& m_dialect;
 };
 

@@ -363,6 +363,54 @@ inline constexpr Message kReferenceUnknown{
                   "The machine's zero lies nobody knows where: {} cuts nothing, nor does what follows "
                   "until the axis is positioned again."),
     PROVEOUT_TEXT("Core", "Motions to reference positions are taken to lead away from the part.")};
+inline constexpr Message kArcTurned{
+    Severity::error, true, "arc-turned",
+    PROVEOUT_TEXT(
+        "Core", "G68 turns another plane than that of the arc, which then lies in no plane of the machine."),
+    PROVEOUT_TEXT("Core", "Keep the plane that was in force at G68.")};
+inline constexpr Message kArcScaled{
+    Severity::error, true, "arc-scaled",
+    PROVEOUT_TEXT("Core",
+                  "Scaled by different factors along the axes of its plane, the arc is none any more."),
+    PROVEOUT_TEXT("Core", "Use one factor for both axes, or let the CAM system write it as lines.")};
+inline constexpr Message kScaleFactor{Severity::error, true, "scale-factor",
+                                      PROVEOUT_TEXT("Core", "The scale factor of {} must not be 0."),
+                                      PROVEOUT_TEXT("Core", "Check the number; the code has no effect.")};
+inline constexpr Message kTransformationOrder{
+    Severity::warning, true, "transformation-order",
+    PROVEOUT_TEXT("Core",
+                  "{} stands within {}: the control wants mirror image, scaling and rotation begun in "
+                  "this order and ended in the opposite one."),
+    PROVEOUT_TEXT("Core", "End the inner one first.")};
+inline constexpr Message kRotationOneAxis{
+    Severity::warning, true, "rotation-one-axis",
+    PROVEOUT_TEXT("Core", "The first motion behind {} does not say where both axes of the rotation go; "
+                          "controls differ here."),
+    PROVEOUT_TEXT("Core", "Position both axes in G90 behind it.")};
+inline constexpr Message kMachineIgnored{
+    Severity::warning, true, "machine-coordinates-ignored",
+    PROVEOUT_TEXT("Core", "G53 is ignored with incremental distances; nothing moves."),
+    PROVEOUT_TEXT("Core", "Write G90 before it.")};
+inline constexpr Message kDataKind{Severity::error, true, "data-kind",
+                                   PROVEOUT_TEXT("Core", "G10 with L{} is not supported."),
+                                   PROVEOUT_TEXT("Core", "Supported are L1, L2, L10 to L13 and L20.")};
+inline constexpr Message kDataSkipped{
+    Severity::warning, true, "data-skipped",
+    PROVEOUT_TEXT("Core",
+                  "G10 with L{} begins to set data of the control; the blocks up to G11 are skipped."),
+    PROVEOUT_TEXT("Core", "What depends on these data cannot be vouched for.")};
+inline constexpr Message kRegisterUnknown{
+    Severity::error, true, "register-unknown", PROVEOUT_TEXT("Core", "The offset register {} is not known."),
+    PROVEOUT_TEXT("Core", "The tool with its number fills it, or G10; add the tool, or correct the number.")};
+inline constexpr Message kLengthWithoutAxis{
+    Severity::warning, true, "length-without-axis",
+    PROVEOUT_TEXT("Core", "{} changes the tool length without a Z word; some machines move by the "
+                          "difference, others stand still."),
+    PROVEOUT_TEXT("Core", "Position Z in the same block; here it stands still.")};
+inline constexpr Message kCompensationSuspended{
+    Severity::warning, true, "compensation-suspended",
+    PROVEOUT_TEXT("Core", "{} suspends cutter compensation on its way."),
+    PROVEOUT_TEXT("Core", "Write G40 before it.")};
 inline constexpr Message kCycleWord{
     Severity::error, true, "cycle-word-missing", PROVEOUT_TEXT("Core", "The cycle {} needs the word {}."),
     PROVEOUT_TEXT("Core", "The first block of a cycle must have it; this one drills nothing.")};

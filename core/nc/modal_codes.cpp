@@ -66,6 +66,10 @@ void refuseDiameters(Execution& execution, const Word& word) {
     execution.reporter.tell(nc_message::kDiameterMode, word);
 }
 
+void selectPathControl(Execution& execution, const Word& word) {
+    execution.state.pathControl = word.value;
+}
+
 void keepState(Execution& /*execution*/, const Word& /*word*/) {}
 
 } // namespace proveout

@@ -33,11 +33,22 @@ void restoreModes(Execution& execution, const Word& word) {
 
 void restore(Execution& execution, const MachineState& saved, const Word& word) {
     for (const Block& block : blocksToRestore(execution.state, saved, word)) {
-        Execution inner{execution.dialect,   execution.codes,      block,
-                        execution.state,     execution.parameters, execution.tools,
-                        execution.request,   execution.program,    execution.reporter,
-                        execution.saves,     execution.splines,    nullptr,
-                        execution.callLevel, execution.line,       execution.maxMotions,
+        Execution inner{execution.dialect,
+                        execution.codes,
+                        block,
+                        execution.state,
+                        execution.parameters,
+                        execution.tools,
+                        execution.registers,
+                        execution.request,
+                        execution.program,
+                        execution.reporter,
+                        execution.saves,
+                        execution.splines,
+                        nullptr,
+                        execution.callLevel,
+                        execution.line,
+                        execution.maxMotions,
                         execution.context};
         executeBlock(inner);
     }

@@ -6,6 +6,9 @@
 #include <numbers>
 #include <string>
 
+#include "core/nc/polar_words.h"
+#include "core/nc/transformation_codes.h"
+
 namespace proveout {
 
 namespace {
@@ -120,11 +123,35 @@ bool axisTarget(Execution& execution, int axis, std::uint8_t known, Vec3& progra
     return false;
 }
 
-/// Under a rotation, X and Y of the machine depend on both of the program.
+/// Under a rotation, the machine's place along an axis depends on more than its own word.
 std::uint8_t bitsThatTurn(const WorkFrame& frame, std::uint8_t bits) {
-    constexpr std::uint8_t kBoth = kAxisX | kAxisY;
-    const bool mixed = frame.rotation != 0 && (bits & kBoth) != kBoth;
-    return mixed ? static_cast<std::uint8_t>(bits & ~kBoth) : bits;
+    const std::uint8_t mixed = frame.mixedAxes();
+    return (bits & mixed) != mixed ? static_cast<std::uint8_t>(bits & ~mixed) : bits;
+}
+
+/// AxisBits of what the axis words of the block order in program coordinates.
+std::uint8_t readAxisWords(Execution& execution, Motion& motion, std::uint8_t known, Vec3& program) {
+    const MachineState& state = execution.state;
+    std::uint8_t named = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const char letter = kAxisLetters[static_cast<std::size_t>(axis)];
+        if (!execution.block.has(letter))
+            continue;
+        if (execution.machineCoordinates)
+            setMachineTarget(execution, motion, axis, execution.length(letter) - state.toolOffset[axis]);
+        else if (state.polar.on && axis != axes(state.plane).normal)
+            continue;
+        else if (axisTarget(execution, axis, known, program))
+            named |= bit(axis);
+    }
+    if (state.polar.on)
+        return static_cast<std::uint8_t>(named | readPolarWords(execution, known, program));
+    if (const auto polar = polarTarget(execution, program, static_cast<std::uint8_t>(known | named))) {
+        program.x = polar->x;
+        program.y = polar->y;
+        named |= kAxisX | kAxisY;
+    }
+    return named;
 }
 
 } // namespace
@@ -134,30 +161,17 @@ Motion motionToTarget(Execution& execution, MotionKind kind) {
     Motion motion = motionFromHere(execution, kind);
     const WorkFrame& frame = state.frame;
     Vec3 program = frame.toProgram(state.position);
-    std::uint8_t named = 0;
     std::uint8_t known = bitsThatTurn(frame, state.known);
-    for (int axis = 0; axis < 3; ++axis) {
-        const char letter = kAxisLetters[static_cast<std::size_t>(axis)];
-        if (!execution.block.has(letter))
-            continue;
-        if (execution.machineCoordinates) {
-            setMachineTarget(execution, motion, axis, execution.length(letter) - state.toolOffset[axis]);
-        } else if (axisTarget(execution, axis, known, program)) {
-            named |= bit(axis);
-            known |= bit(axis);
-        }
-    }
-    if (const auto polar = polarTarget(execution, program, known)) {
-        program.x = polar->x;
-        program.y = polar->y;
-        named |= kAxisX | kAxisY;
-        known |= kAxisX | kAxisY;
-    }
+    const std::uint8_t named = readAxisWords(execution, motion, known, program);
+    known |= named;
     if (named == 0)
         return motion;
+    if (state.turning.axes != 0)
+        tellTurning(execution, named);
     const Vec3 machine = frame.toMachine(program);
+    const std::uint8_t mixed = frame.mixedAxes();
     for (int axis = 0; axis < 3; ++axis) {
-        const bool turns = frame.rotation != 0 && axis < 2 && (named & (kAxisX | kAxisY)) != 0;
+        const bool turns = (mixed & bit(axis)) != 0 && (named & mixed) != 0;
         // Where nothing turns, an axis without a word keeps its place to the last bit.
         if (turns || (named & bit(axis)) != 0)
             motion.end[axis] = machine[axis];

@@ -17,6 +17,9 @@ namespace proveout {
 /// A motion that begins and ends where the machine stands.
 [[nodiscard]] Motion motionFromHere(const Execution& execution, MotionKind kind);
 
+/// Puts a tool length offset in force: the machine stands still, its tip is elsewhere afterwards.
+void setToolOffset(Execution& execution, const Vec3& offset);
+
 /// Sends an axis to machine coordinate `value`; where nobody knows the machine's zero, to nobody knows where,
 /// but Z 0 is the machine's reference position.
 void setMachineTarget(Execution& execution, Motion& motion, int axis, double value);

@@ -20,7 +20,6 @@ namespace {
 constexpr int kG54 = 540;
 constexpr int kG59 = 590;
 constexpr int kSixth = 6; ///< G59; G59.1 to G59.3 follow
-constexpr double kWhole = 1e-4;
 
 // What the L word of G10 means.
 constexpr int kToolItself = 1;
@@ -40,7 +39,7 @@ void setFrame(Execution& execution, const WorkFrame& frame) {
     if (frame == state.frame)
         return;
     state.frame = frame;
-    execution.program.append(WorkOffset{state.workOffset, frame.toMachine(Vec3(0))}, execution.line);
+    execution.program.append(WorkOffset{state.workOffset, frame.zero()}, execution.line);
 }
 
 WorkFrame frameOf(const Execution& execution, int system) {
@@ -48,16 +47,6 @@ WorkFrame frameOf(const Execution& execution, int system) {
     frame.offset = vectorAt(execution.parameters, offsetParameter(system));
     frame.rotation = execution.parameters.numbered(offsetParameter(system) + kRotationParameter);
     return frame;
-}
-
-/// The whole number of a word, told where it is none within the limits.
-std::optional<int> wholeNumber(Execution& execution, const Word& word, int least, int most) {
-    const double whole = std::round(word.value);
-    if (std::abs(word.value - whole) < kWhole && whole >= least && whole <= most)
-        return static_cast<int>(whole);
-    execution.reporter.tell(nc_message::kNotInteger, word,
-                            {std::string(1, word.letter), std::to_string(least), std::to_string(most)});
-    return {};
 }
 
 /// G10 L2: the offsets themselves, in G91 too.

@@ -22,9 +22,13 @@ constexpr Range kOWordRanges[] = {{31, 5601, 0}};
 constexpr Range kMacroBRanges[] = {
     {100, 199, kNull},
     {500, 999, kNull},
-    {5201, 5340, 0}, ///< external offset, G54 to G59
-    {7001, 7960, 0}, ///< G54.1 P1 to P48
+    {5201, 5340, 0},    ///< external offset, G54 to G59
+    {14001, 20'000, 0}, ///< G54.1 P1 to P300
 };
+
+constexpr int kFirstAlias = 7001;
+constexpr int kLastAlias = 7960;
+constexpr int kAliasOf = 14001;
 
 std::span<const Range> rangesOf(MacroLanguage language) {
     return language == MacroLanguage::macroB ? std::span<const Range>(kMacroBRanges)
@@ -60,6 +64,9 @@ bool Parameters::exists(int number) const {
 }
 
 std::size_t Parameters::placeOf(int number) const {
+    // G54.1 P1 to P48 stand under two numbers.
+    if (m_language == MacroLanguage::macroB && number >= kFirstAlias && number <= kLastAlias)
+        number += kAliasOf - kFirstAlias;
     std::size_t before = 0;
     for (const Range& range : rangesOf(m_language)) {
         if (number >= range.first && number <= range.last)

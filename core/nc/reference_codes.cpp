@@ -16,15 +16,11 @@ constexpr LetterSet kAxes("XYZ");
 void goToReference(Execution& execution, int parameter) {
     const bool all = !execution.block.letters().any(kAxes);
     appendMotion(execution, motionToTarget(execution, MotionKind::rapid));
-    const Vec3 intermediate = execution.state.frame.toProgram(execution.state.position);
     Motion home = motionFromHere(execution, MotionKind::rapid);
     const Vec3 reference = vectorAt(execution.parameters, parameter);
     for (int axis = 0; axis < 3; ++axis) {
         if (!all && !execution.block.has(static_cast<char>('X' + axis)))
             continue;
-        const auto bit = static_cast<std::uint8_t>(1U << static_cast<unsigned>(axis));
-        execution.state.intermediate[axis] = intermediate[axis];
-        execution.state.intermediateKnown |= static_cast<std::uint8_t>(execution.state.known & bit);
         setMachineTarget(execution, home, axis, reference[axis]);
         if (axis == 2 && !execution.state.machineZeroKnown)
             home.endAtReference = true;

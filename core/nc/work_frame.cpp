@@ -24,11 +24,21 @@ Vec3 WorkFrame::turned(const Vec3& direction) const {
 }
 
 Vec3 WorkFrame::toMachine(const Vec3& program) const {
-    return turnedBy(program + shift, rotation) + offset;
+    const Vec3 work = transformation.any() ? transformation.apply(program) : program;
+    return turnedBy(work + shift, rotation) + offset;
+}
+
+Vec3 WorkFrame::toWork(const Vec3& machine) const {
+    return turnedBy(machine - offset, -rotation) - shift;
 }
 
 Vec3 WorkFrame::toProgram(const Vec3& machine) const {
-    return turnedBy(machine - offset, -rotation) - shift;
+    const Vec3 work = toWork(machine);
+    return transformation.any() ? transformation.undo(work) : work;
+}
+
+Vec3 WorkFrame::zero() const {
+    return turnedBy(shift, rotation) + offset;
 }
 
 } // namespace proveout
