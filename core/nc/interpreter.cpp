@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <charconv>
 #include <fmt/format.h>
-#include <ranges>
+#include <span>
 
 #include "core/nc/call_stack.h"
 #include "core/nc/characters.h"
@@ -101,7 +101,8 @@ private:
         constexpr std::size_t kMostShown = 4;
         m_reporter.beginLine(1);
         std::string reasons;
-        for (const DialectSign& sign : m_guess.reasons | std::views::take(kMostShown))
+        const std::span signs(m_guess.reasons);
+        for (const DialectSign& sign : signs.first(std::min(signs.size(), kMostShown)))
             reasons += fmt::format("{}{} ({})", reasons.empty() ? "" : ", ", sign.shown, sign.line);
         m_reporter.tell(nc_message::kDialectGuessed, 1, 0, {m_dialect.name, reasons});
     }
@@ -209,10 +210,13 @@ private:
 
     /// At the end of a text or program: back to the caller; false in the main program.
     bool leaveText() {
-        if (m_calls.inMainProgram())
-            return false;
-        m_reporter.tell(nc_message::kSubEndMissing, 1, 0, {m_calls.level().label});
-        m_calls.leave();
+        // The call may stand on the last line as well.
+        while (m_calls.atEnd()) {
+            if (m_calls.inMainProgram())
+                return false;
+            m_reporter.tell(nc_message::kSubEndMissing, 1, 0, {m_calls.level().label});
+            m_calls.leave();
+        }
         return true;
     }
 

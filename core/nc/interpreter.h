@@ -35,7 +35,7 @@ struct InterpretOptions {
     ToolOffsets tools;                    ///< lengths and diameters that the control knows
     std::uint64_t maxSteps = 100'000'000; ///< lines run through, those of loops and subprograms each time
     std::vector<std::filesystem::path> subprogramFolders; ///< of O-word subprograms in files of their own
-    std::size_t maxDiagnostics = 100;                     ///< further ones are counted in one last message
+    std::size_t maxDiagnostics = 100; ///< at least 5; further ones are counted in one last message
 };
 
 /// Interprets an NC text as the control of its dialect does (codes.h). Never fails: what

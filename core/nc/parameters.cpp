@@ -81,14 +81,15 @@ double Parameters::numbered(int number) const {
         return kNull;
     if (number <= localsOf(m_language))
         return m_levels.back().numbers[static_cast<std::size_t>(number - 1)];
-    return m_numbered[placeOf(number)];
+    const std::size_t place = placeOf(number);
+    return place < m_numbered.size() ? m_numbered[place] : 0;
 }
 
 void Parameters::setNumbered(int number, double value) {
     if (number <= localsOf(m_language))
         m_levels.back().numbers[static_cast<std::size_t>(number - 1)] = value;
-    else
-        m_numbered[placeOf(number)] = value;
+    else if (const std::size_t place = placeOf(number); place < m_numbered.size())
+        m_numbered[place] = value;
 }
 
 const Parameters::Names& Parameters::namesOf(std::string_view name) const {

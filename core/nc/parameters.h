@@ -48,7 +48,8 @@ public:
 
     /// Whether a program may use the number; #0 of custom macro B may only be read.
     [[nodiscard]] bool exists(int number) const;
-    /// The number must exist.
+    /// Numbers from 0 on. Codes share the places of LinuxCNC's: where a control does not keep such a number,
+    /// it is 0 and stays so.
     [[nodiscard]] double numbered(int number) const;
     void setNumbered(int number, double value);
     /// What the locals of a call are that gives no arguments.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string>
 #include <vector>
@@ -19,8 +20,7 @@ namespace proveout {
 class Reporter {
 public:
     Reporter(Program& program, std::string file, std::size_t limit)
-        : m_program(program), m_file(std::move(file)),
-          m_limit(limit > kReserved ? limit - kReserved : limit) {}
+        : m_program(program), m_file(std::move(file)), m_limit(std::max(limit, kReserved + 1) - kReserved) {}
 
     /// Of the messages that follow.
     void setFile(std::string file) { m_file = std::move(file); }
@@ -42,7 +42,7 @@ public:
 private:
     void append(const Message& message, bool unverified, TextRange where, std::vector<std::string> arguments);
 
-    static constexpr std::size_t kReserved = 2; ///< places for messages about the whole program
+    static constexpr std::size_t kReserved = 4; ///< places for messages about the whole program
 
     Program& m_program;
     std::string m_file;

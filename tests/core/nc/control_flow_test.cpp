@@ -149,4 +149,9 @@ TEST(ControlFlow, EndsALoopThatOnlyRepeatsItsErrors) {
     EXPECT_THAT(toldBy("o1 while [1]\nX[\no1 endwhile\nM2\n", options), testing::HasSubstr("too-many-again"));
 }
 
+TEST(ControlFlow, EndsWhereACallOnTheLastLineLeadsToTheEndOfTheText) {
+    const std::string told = toldBy("o100 sub\nG0 X1 endsub\n\no100 call [10] [15]");
+    EXPECT_NE(told.find("4:1 sub-end-missing\n"), std::string::npos) << told;
+}
+
 } // namespace proveout

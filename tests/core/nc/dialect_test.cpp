@@ -36,6 +36,11 @@ TEST(Dialects, AreFoundByTheirKeys) {
     EXPECT_EQ(findDialect("basic"), nullptr);
 }
 
+TEST(Dialects, HaveTheirReferencePositionAtZeroWhereTheyKeepNone) {
+    const auto program = readAs(DialectId::fanuc, "G0 X1. Y1. Z1.\nG91 G28 Z0\nM30\n");
+    EXPECT_EQ(program->motion(program->motionCount() - 1).end, Vec3(1, 1, 0));
+}
+
 TEST(Dialects, AreGuessedByWhatOnlyTheyRead) {
     EXPECT_EQ(guessed("G21\no<hole> sub\no<hole> endsub\nM2\n"), DialectId::linuxcnc);
     EXPECT_EQ(guessed("G21 G64 P0.02\nG1 X#<depth>\nM2\n"), DialectId::linuxcnc);

@@ -128,15 +128,21 @@ TEST(Interpreter, CountsTheMessagesBeyondTheLimit) {
     InterpretOptions options;
     options.assumeStartAtZero = true;
     const auto program = interpret(NcText(repeated("G68\n", 250) + "G0 X1\nM2\n"), options);
-    ASSERT_EQ(program->diagnostics().size(), 99U) << "two places are kept for the program as a whole";
+    ASSERT_EQ(program->diagnostics().size(), 97U) << "four places are kept for the program as a whole";
     EXPECT_STREQ(program->diagnostics().back().id, "too-many-messages");
-    EXPECT_EQ(message(program->diagnostics().back()), "152 more messages are not shown.");
+    EXPECT_EQ(message(program->diagnostics().back()), "154 more messages are not shown.");
     EXPECT_TRUE(program->motion(0).unverified);
 
-    options.maxDiagnostics = 3;
+    options.maxDiagnostics = 5;
     const auto hidden = interpret(NcText("G0 X1\n%\nG0 X2\n" + repeated("Q1\n", 9)), options);
-    EXPECT_LE(hidden->diagnostics().size(), 4U);
+    EXPECT_LE(hidden->diagnostics().size(), 6U);
     EXPECT_TRUE(has(*hidden, "no-program-end"));
+
+    options.assumeStartAtZero = false;
+    const auto many = interpret(NcText("G0 X1 Y1\nG41.1 D1\nG0 X9\n" + repeated("Q1\n", 9)), options);
+    EXPECT_TRUE(has(*many, "compensation-at-end") && has(*many, "no-program-end") &&
+                has(*many, "position-never-known"));
+    EXPECT_LE(many->diagnostics().size(), 6U) << "messages about the program as a whole count too";
 }
 
 TEST(Interpreter, StopsAtTheLimitOfMotions) {
