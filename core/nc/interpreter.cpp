@@ -503,7 +503,7 @@ private:
     ReadContext m_readContext{m_parameters, m_system, m_dialect, m_options.blockDelete};
     CallStack m_calls;
     OWordFlow m_oWords{m_calls, m_parameters, m_readContext, m_reporter};
-    MacroFlow m_macros{m_calls, m_parameters, m_readContext, m_reporter};
+    MacroFlow m_macros{m_calls, m_readContext, m_reporter};
     LintMemory m_lint;
     Line m_line;
     std::size_t m_loneCr = 0;

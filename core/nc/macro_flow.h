@@ -18,8 +18,8 @@ namespace proveout {
 /// operator's manuals. Keeps references to its arguments.
 class MacroFlow {
 public:
-    MacroFlow(CallStack& calls, Parameters& parameters, const ReadContext& context, Reporter& reporter)
-        : m_calls(calls), m_parameters(parameters), m_context(context), m_reporter(reporter) {}
+    MacroFlow(CallStack& calls, const ReadContext& context, Reporter& reporter)
+        : m_calls(calls), m_context(context), m_reporter(reporter) {}
 
     enum class Next : std::uint8_t {
         line,   ///< the line that the call stack leads to
@@ -56,7 +56,6 @@ private:
     [[nodiscard]] bool returns(const FlowRequest& request);
 
     CallStack& m_calls;
-    Parameters& m_parameters;
     const ReadContext& m_context;
     Reporter& m_reporter;
     std::optional<ModalCall> m_modal;

@@ -39,7 +39,8 @@ private:
         long long number;
         std::size_t line;
 
-        auto operator<=>(const Label&) const = default;
+        // clang-tidy 14 takes the default for a null pointer.
+        auto operator<=>(const Label&) const = default; // NOLINT(modernize-use-nullptr)
     };
     struct Loop {
         std::size_t line;
