@@ -3429,6 +3429,14 @@
         <source>{} suspends cutter compensation on its way.</source>
         <translation>{} setzt die Fräserradiuskorrektur auf dem Weg aus.</translation>
     </message>
+    <message>
+        <source>The way into {} and round outside corners is shown as LinuxCNC goes it; this control has other ways, set by its parameters.</source>
+        <translation>Der Weg in {} hinein und um Außenecken wird so gezeigt, wie LinuxCNC ihn fährt; diese Steuerung hat andere Wege, die ihre Parameter bestimmen.</translation>
+    </message>
+    <message>
+        <source>The contour itself is right; check the clearance where the tool comes in and leaves.</source>
+        <translation>Die Kontur selbst stimmt; prüfen Sie den Freiraum, wo das Werkzeug an- und abfährt.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

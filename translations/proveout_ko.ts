@@ -3429,6 +3429,14 @@
         <source>{} suspends cutter compensation on its way.</source>
         <translation>{}은(는) 이동하는 동안 공구경 보정을 일시 취소합니다.</translation>
     </message>
+    <message>
+        <source>The way into {} and round outside corners is shown as LinuxCNC goes it; this control has other ways, set by its parameters.</source>
+        <translation>{}의 진입과 바깥쪽 모서리 경로는 LinuxCNC 방식으로 표시됩니다. 이 제어기의 경로는 파라미터에 따라 다릅니다.</translation>
+    </message>
+    <message>
+        <source>The contour itself is right; check the clearance where the tool comes in and leaves.</source>
+        <translation>윤곽 자체는 맞습니다. 공구가 진입하고 이탈하는 곳의 여유를 확인하십시오.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

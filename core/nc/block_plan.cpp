@@ -116,8 +116,13 @@ private:
         return true;
     }
 
-    /// H without G43 is another register for the offset in force.
+    /// H without G43 is another register for the offset in force; D without G41 is not supported.
     void planRegisters() {
+        if (m_execution.dialect.macros == MacroLanguage::macroB && m_execution.state.compensation.on &&
+            m_block.has('D') && !m_used.has('D')) {
+            tell(nc_message::kCompensationForbids, m_block.word('D'), {nameOf(m_block.word('D'))});
+            m_used.add(LetterSet("D"));
+        }
         if (m_execution.state.lengthSign == 0 || !m_block.has('H') || m_used.has('H') ||
             m_groups[static_cast<std::size_t>(ModalGroup::toolLength)] != nullptr)
             return;

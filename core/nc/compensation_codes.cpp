@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Cutter compensation on and off: G40 to G42.1.
 #include <cmath>
+#include <fmt/format.h>
 #include <optional>
 #include <string>
 
@@ -21,7 +22,8 @@ bool mayBegin(Execution& execution, const Word& word) {
         execution.reporter.tell(nc_message::kCompensationOnAlready, word, {nameOf(word)});
     else if (state.plane == Plane::yz)
         execution.reporter.tell(nc_message::kCompensationPlane, word);
-    else if (state.plane != Plane::xy && state.frame.rotation != 0)
+    else if ((state.plane != Plane::xy && state.frame.rotation != 0) ||
+             !state.frame.transformation.keepsPlane(state.plane))
         execution.reporter.tell(nc_message::kCompensationTurned, word);
     else
         return true;
@@ -73,7 +75,57 @@ void compensateForDiameter(Execution& execution, const Word& word, double side) 
         execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "D"});
 }
 
+/// The radius in the register of the D word, or of the last one; nothing where nobody knows it, which is
+/// told.
+std::optional<double> radiusInRegister(Execution& execution, const Word& word) {
+    MachineState& state = execution.state;
+    const bool given = execution.block.has('D');
+    if (given) {
+        const auto number = wholeNumber(execution, execution.block.word('D'), 0, OffsetRegisters::kLargest);
+        if (!number)
+            return {};
+        state.radiusRegister = *number;
+    }
+    const auto radius = execution.registers.radius(state.radiusRegister);
+    if (!radius) {
+        execution.reporter.tell(nc_message::kRegisterUnknown, given ? execution.block.word('D') : word,
+                                {fmt::format("D{}", state.radiusRegister)});
+    }
+    return radius;
+}
+
+/// A mirror image has the tool on the other side.
+void compensateByRegister(Execution& execution, const Word& word, double side) {
+    const auto radius = radiusInRegister(execution, word);
+    if (!radius)
+        return;
+    MachineState& state = execution.state;
+    const double offset = state.frame.transformation.flips(state.plane) ? -side * *radius : side * *radius;
+    if ((state.compensation.on && state.compensation.offset == offset) || !mayBegin(execution, word))
+        return;
+    state.compensation.on = true;
+    state.compensation.offset = offset;
+    if (offset != 0) {
+        if (!state.cornersTold)
+            execution.reporter.tell(nc_message::kCompensationCorners, word, {nameOf(word)});
+        state.cornersTold = true;
+        return;
+    }
+    const bool certain = execution.registers.certain(OffsetRegisters::Entry::radius, state.radiusRegister);
+    execution.reporter.tell(certain ? nc_message::kCompensationNoDiameter
+                                    : nc_message::kCompensationDiameterUnknown,
+                            word, {nameOf(word)});
+}
+
 } // namespace
+
+void compensateLeftByRegister(Execution& execution, const Word& word) {
+    compensateByRegister(execution, word, kLeft);
+}
+
+void compensateRightByRegister(Execution& execution, const Word& word) {
+    compensateByRegister(execution, word, kRight);
+}
 
 void endCompensation(Execution& execution, const Word& word) {
     finishCompensated(execution, word);

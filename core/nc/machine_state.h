@@ -68,6 +68,7 @@ struct MachineState {
     int lengthSign = 0;       ///< 1 for G43, -1 for G44, 0 without
     PolarMode polar;
     Turning turning;
+    bool cornersTold = false;
     bool dataInput = false; ///< from G10 L50 to G11
 
     CutterCompensation compensation;

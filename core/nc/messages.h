@@ -407,6 +407,13 @@ inline constexpr Message kLengthWithoutAxis{
     PROVEOUT_TEXT("Core", "{} changes the tool length without a Z word; some machines move by the "
                           "difference, others stand still."),
     PROVEOUT_TEXT("Core", "Position Z in the same block; here it stands still.")};
+inline constexpr Message kCompensationCorners{
+    Severity::warning, true, "compensation-corners",
+    PROVEOUT_TEXT("Core",
+                  "The way into {} and round outside corners is shown as LinuxCNC goes it; this control "
+                  "has other ways, set by its parameters."),
+    PROVEOUT_TEXT("Core",
+                  "The contour itself is right; check the clearance where the tool comes in and leaves.")};
 inline constexpr Message kCompensationSuspended{
     Severity::warning, true, "compensation-suspended",
     PROVEOUT_TEXT("Core", "{} suspends cutter compensation on its way."),
