@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/control_state.h"
 
+#include <algorithm>
 #include <array>
 #include <fmt/format.h>
 
 #include "core/base/text.h"
+#include "core/nc/active_codes.h"
 #include "core/nc/call_stack.h"
 #include "core/nc/machine_state.h"
 #include "core/nc/word_help.h"
@@ -13,50 +15,20 @@ namespace proveout {
 
 namespace {
 
-constexpr int kG80 = 800;
+/// The groups of G codes that are shown, in this order.
+constexpr std::array kShown{ModalGroup::motion,      ModalGroup::plane,      ModalGroup::distance,
+                            ModalGroup::arcDistance, ModalGroup::feedMode,   ModalGroup::units,
+                            ModalGroup::retract,     ModalGroup::toolLength, ModalGroup::cutterCompensation,
+                            ModalGroup::workOffset,  ModalGroup::polar,      ModalGroup::mirroring,
+                            ModalGroup::scaling,     ModalGroup::rotation,   ModalGroup::spindleMode};
 
-int motionCode(const MachineState& state) {
-    return state.motion == nullptr ? kG80 : state.motion->tenths;
-}
-
-int planeCode(const MachineState& state) {
-    constexpr std::array kCodes{170, 180, 190};
-    return kCodes[static_cast<std::size_t>(state.plane)];
-}
-
-int feedCode(const MachineState& state) {
-    constexpr std::array kCodes{940, 930, 950};
-    return kCodes[static_cast<std::size_t>(state.feedMode)];
-}
-
-int compensationCode(const MachineState& state) {
-    return !state.compensation.on ? 400 : state.compensation.offset >= 0 ? 410 : 420;
-}
-
-int workOffsetCode(const MachineState& state) {
-    constexpr int kSixth = 6;
-    return state.workOffset <= kSixth ? 530 + 10 * state.workOffset : 590 + state.workOffset - kSixth;
-}
-
-/// The code that is in force of one modal group, as tenths of its number. One row a group.
-constexpr int (*kModes[])(const MachineState&) = {
-    motionCode,
-    planeCode,
-    [](const MachineState& s) { return s.incremental ? 910 : 900; },
-    [](const MachineState& s) { return s.arcCentreAbsolute ? 901 : 911; },
-    feedCode,
-    [](const MachineState& s) { return s.inch ? 200 : 210; },
-    compensationCode,
-    [](const MachineState& s) { return s.toolOffset == Vec3(0) ? 490 : 430; },
-    workOffsetCode,
-    [](const MachineState& s) { return s.retractToR ? 990 : 980; },
-};
-
-std::vector<ControlState::Mode> modesOf(const MachineState& state, const CodeTable& codes) {
+std::vector<ControlState::Mode> modesOf(const MachineState& state, const CodeTable& codes,
+                                        const Dialect& dialect) {
     std::vector<ControlState::Mode> modes;
-    for (const auto& code : kModes) {
-        const CodeRow* row = codes.find('G', code(state));
-        if (row != nullptr)
+    for (const ModalGroup group : kShown) {
+        const CodeRow* row = codes.find('G', activeCode(state, group, dialect));
+        // Codes that a dialect does not carry out are never in force.
+        if (row != nullptr && row->supported())
             modes.push_back({fmt::format("G{:g}", row->tenths / 10.0), row->name, nameOf(row->group)});
     }
     const int spindle = state.spindleDirection > 0 ? 30 : state.spindleDirection < 0 ? 40 : 50;
@@ -100,9 +72,9 @@ std::vector<ControlState::Quantity> quantitiesOf(const MachineState& state) {
 } // namespace
 
 ControlState describe(const MachineState& state, const Parameters& parameters, const CallStack& calls,
-                      const CodeTable& codes) {
+                      const CodeTable& codes, const Dialect& dialect) {
     ControlState result;
-    result.modes = modesOf(state, codes);
+    result.modes = modesOf(state, codes, dialect);
     result.places = placesOf(state);
     result.quantities = quantitiesOf(state);
     for (auto& [name, value] : parameters.listed())

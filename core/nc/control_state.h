@@ -9,6 +9,7 @@
 
 namespace proveout {
 
+struct Dialect;
 struct MachineState;
 class CallStack;
 class CodeTable;
@@ -51,6 +52,6 @@ struct ControlState {
 };
 
 [[nodiscard]] ControlState describe(const MachineState& state, const Parameters& parameters,
-                                    const CallStack& calls, const CodeTable& codes);
+                                    const CallStack& calls, const CodeTable& codes, const Dialect& dialect);
 
 } // namespace proveout

@@ -84,7 +84,7 @@ public:
         if (m_linesRead == count)
             m_reporter.beginLine(static_cast<std::uint32_t>(count));
         m_program->settle();
-        ControlState state = describe(m_state, m_parameters, m_calls, m_codes);
+        ControlState state = describe(m_state, m_parameters, m_calls, m_codes, m_dialect);
         state.line = m_steps == 0 ? 0 : static_cast<std::uint32_t>(m_calls.mainLine() + 1);
         m_program->setControlState(std::move(state));
         if (!m_cutShort && m_program->blockCount() < m_options.stopAfterBlocks)
@@ -403,7 +403,7 @@ private:
     }
 
     void tellAboutLine(std::string_view text) {
-        if (text.size() > kLongestLine)
+        if (!m_macroB && text.size() > kLongestLine)
             m_reporter.tell(nc_message::kLineLong, kLongestLine + 1, 1, {std::to_string(text.size())});
         if (m_line.controlCodeColumn > 0 && !m_controlCodeTold) {
             m_controlCodeTold = true;

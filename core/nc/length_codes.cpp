@@ -50,8 +50,11 @@ void setToolOffset(Execution& execution, const Vec3& offset) {
 }
 
 void useToolLength(Execution& execution, const Word& word) {
-    if (const ToolOffset* offset = offsetAsked(execution, word))
-        setToolOffset(execution, offset->offset);
+    const ToolOffset* offset = offsetAsked(execution, word);
+    if (offset == nullptr)
+        return;
+    setToolOffset(execution, offset->offset);
+    execution.state.lengthSign = 1;
 }
 
 void useGivenLength(Execution& execution, const Word& word) {
@@ -60,6 +63,7 @@ void useGivenLength(Execution& execution, const Word& word) {
         return;
     }
     setToolOffset(execution, offsetsGiven(execution, execution.state.toolOffset));
+    execution.state.lengthSign = 1;
 }
 
 void addToolLength(Execution& execution, const Word& word) {
@@ -70,10 +74,12 @@ void addToolLength(Execution& execution, const Word& word) {
         more = offset->offset;
     }
     setToolOffset(execution, execution.state.toolOffset + more);
+    execution.state.lengthSign = 1;
 }
 
 void cancelToolLength(Execution& execution, const Word& /*word*/) {
     setToolOffset(execution, Vec3(0));
+    execution.state.lengthSign = 0;
 }
 
 } // namespace proveout

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/lint_rules.h"
 
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
 #include <string>
 
+#include "core/nc/active_codes.h"
 #include "core/nc/canned_cycle.h"
 
 namespace proveout::lint {
@@ -60,12 +62,17 @@ void add(std::string& list, const std::string& name) {
 }
 
 /// The codes in force that a tool change or the end of a program is expected without.
-std::string codesLeftOn(const MachineState& state) {
+std::string codesLeftOn(const MachineState& state, const Dialect& dialect) {
+    // What is in force without them.
+    constexpr std::array kOff{900, 170, 150, 501, 500, 690};
+    constexpr std::array kGroups{ModalGroup::distance,  ModalGroup::plane,   ModalGroup::polar,
+                                 ModalGroup::mirroring, ModalGroup::scaling, ModalGroup::rotation};
     std::string codes;
-    if (state.incremental)
-        add(codes, "G91");
-    if (state.plane != Plane::xy)
-        add(codes, state.plane == Plane::zx ? "G18" : "G19");
+    for (std::size_t i = 0; i < kGroups.size(); ++i) {
+        const int code = activeCode(state, kGroups[i], dialect);
+        if (code != kOff[i])
+            add(codes, fmt::format("G{:g}", code / 10.0));
+    }
     if (state.frame.shift != Vec3(0))
         add(codes, "G52 / G92");
     if (isCycle(state.motion))
@@ -145,7 +152,7 @@ void unitsMixed(const LintView& view, const Message& message) {
 }
 
 void leftOn(const LintView& view, const Message& message) {
-    const std::string codes = codesLeftOn(view.before);
+    const std::string codes = codesLeftOn(view.before, view.execution.dialect);
     if (!codes.empty())
         tell(view, message, anyWord(view), {codes});
 }

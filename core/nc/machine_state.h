@@ -54,6 +54,7 @@ struct MachineState {
     bool machineZeroKnown = false; ///< whether machine coordinates can be told from program coordinates
     WorkFrame frame;
     Vec3 toolOffset{0}; ///< in force, by G43 and its like
+    int lengthSign = 0; ///< 1 for G43, -1 for G44, 0 without
     int workOffset = 1; ///< 1 for G54 to 9 for G59.3
 
     // Of Fanuc's dialect.
@@ -65,7 +66,6 @@ struct MachineState {
     double lastM = 0;
     double blockNumber = 0;   ///< N
     double programNumber = 0; ///< O
-    int lengthSign = 0;       ///< 1 for G43, -1 for G44, 0 without
     PolarMode polar;
     Turning turning;
     bool cornersTold = false;

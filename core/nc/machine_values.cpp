@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/nc/active_codes.h"
 #include "core/nc/messages.h"
 
 namespace proveout {
@@ -25,24 +26,14 @@ bool isPosition(int number) {
     return number >= kPosition && number < kPosition + kPositions;
 }
 
-double compensationNumber(const MachineState& state) {
-    constexpr double kOff = 400;
-    constexpr double kLeft = 410;
-    constexpr double kRight = 420;
-    return !state.compensation.on ? kOff : state.compensation.offset >= 0 ? kLeft : kRight;
-}
-
-double planeNumber(const MachineState& state) {
-    constexpr std::array kNumbers{170.0, 180.0, 190.0};
-    return kNumbers[static_cast<std::size_t>(state.plane)];
-}
-
 double truth(bool value) {
     return value ? 1.0 : 0.0;
 }
 
-double motionNumber(const MachineState& state) {
-    return state.motion == nullptr ? 800.0 : static_cast<double>(state.motion->tenths);
+/// Ten times the number of the code in force, as LinuxCNC tells it.
+template<ModalGroup Group>
+double codeOf(const MachineState& state) {
+    return activeCode(state, Group, dialect(DialectId::linuxcnc));
 }
 
 struct NamedValue {
@@ -53,11 +44,8 @@ struct NamedValue {
 // In alphabetical order.
 constexpr NamedValue kNamed[] = {
     {"_absolute", [](const MachineState& s) { return truth(!s.incremental); }},
-    {"_ccomp", compensationNumber},
-    {"_coord_system",
-     [](const MachineState& s) {
-         return s.workOffset <= 6 ? 530.0 + 10.0 * s.workOffset : 590.0 + (s.workOffset - 6);
-     }},
+    {"_ccomp", codeOf<ModalGroup::cutterCompensation>},
+    {"_coord_system", codeOf<ModalGroup::workOffset>},
     {"_current_tool", [](const MachineState& s) { return static_cast<double>(s.tool); }},
     {"_feed", [](const MachineState& s) { return s.feedNumber; }},
     {"_flood", [](const MachineState& s) { return truth(s.flood); }},
@@ -66,8 +54,8 @@ constexpr NamedValue kNamed[] = {
     {"_incremental", [](const MachineState& s) { return truth(s.incremental); }},
     {"_metric", [](const MachineState& s) { return truth(!s.inch); }},
     {"_mist", [](const MachineState& s) { return truth(s.mist); }},
-    {"_motion_mode", motionNumber},
-    {"_plane", planeNumber},
+    {"_motion_mode", codeOf<ModalGroup::motion>},
+    {"_plane", codeOf<ModalGroup::plane>},
     {"_rpm", [](const MachineState& s) { return s.spindleRpm; }},
     {"_selected_tool", [](const MachineState& s) { return static_cast<double>(s.selectedTool); }},
     {"_spindle_cw", [](const MachineState& s) { return truth(s.spindleDirection > 0); }},

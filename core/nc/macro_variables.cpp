@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/nc/active_codes.h"
 #include "core/nc/codes.h"
 #include "core/nc/messages.h"
 #include "core/nc/work_systems.h"
@@ -17,24 +18,6 @@ struct ModalValue {
     double (*value)(const MachineState&);
 };
 
-double distanceCode(const MachineState& s) {
-    return s.incremental ? 91 : 90;
-}
-
-double feedCode(const MachineState& s) {
-    constexpr std::array kCodes{94.0, 93.0, 95.0};
-    return kCodes[static_cast<std::size_t>(s.feedMode)];
-}
-
-double planeCode(const MachineState& s) {
-    constexpr std::array kCodes{17.0, 18.0, 19.0};
-    return kCodes[static_cast<std::size_t>(s.plane)];
-}
-
-double compensationCode(const MachineState& s) {
-    return !s.compensation.on ? 40 : s.compensation.offset >= 0 ? 41 : 42;
-}
-
 double motionCode(const MachineState& s) {
     return s.motion == nullptr || isCycle(s.motion) ? 0.0 : s.motion->tenths / 10.0;
 }
@@ -43,33 +26,33 @@ double cycleCode(const MachineState& s) {
     return isCycle(s.motion) ? s.motion->tenths / 10.0 : 80.0;
 }
 
-double workOffsetCode(const MachineState& s) {
-    return s.workOffset <= kStandardSystems ? 53.0 + s.workOffset : 54.1;
-}
-
-double lengthCode(const MachineState& s) {
-    return s.lengthSign == 0 ? 49 : s.lengthSign > 0 ? 43 : 44;
-}
+/// Modal groups of the control and ours, by number.
+struct GroupVariable {
+    int number;
+    ModalGroup group;
+};
+constexpr GroupVariable kGroups[] = {
+    {4002, ModalGroup::plane},
+    {4003, ModalGroup::distance},
+    {4005, ModalGroup::feedMode},
+    {4006, ModalGroup::units},
+    {4007, ModalGroup::cutterCompensation},
+    {4008, ModalGroup::toolLength},
+    {4010, ModalGroup::retract},
+    {4011, ModalGroup::scaling},
+    {4013, ModalGroup::spindleMode},
+    {4014, ModalGroup::workOffset},
+    {4016, ModalGroup::rotation},
+    {4017, ModalGroup::polar},
+    {4022, ModalGroup::mirroring},
+};
 
 // By number. Source: operator's manual, modal information.
 constexpr ModalValue kModal[] = {
     {4001, motionCode},
-    {4002, planeCode},
-    {4003, distanceCode},
     {4004, [](const MachineState&) { return 23.0; }},
-    {4005, feedCode},
-    {4006, [](const MachineState& s) { return s.inch ? 20.0 : 21.0; }},
-    {4007, compensationCode},
-    {4008, lengthCode},
     {4009, cycleCode},
-    {4010, [](const MachineState& s) { return s.retractToR ? 99.0 : 98.0; }},
-    {4011, [](const MachineState& s) { return s.frame.transformation.scaled ? 51.0 : 50.0; }},
-    {4013, [](const MachineState& s) { return s.surfaceSpeed ? 96.0 : 97.0; }},
-    {4014, workOffsetCode},
     {4015, [](const MachineState& s) { return s.pathControl; }},
-    {4016, [](const MachineState& s) { return s.frame.transformation.turned ? 68.0 : 69.0; }},
-    {4017, [](const MachineState& s) { return s.polar.on ? 16.0 : 15.0; }},
-    {4022, [](const MachineState& s) { return s.frame.transformation.mirrored != 0 ? 51.1 : 50.1; }},
     {4107, [](const MachineState& s) { return static_cast<double>(s.radiusRegister); }},
     {4109,
      [](const MachineState& s) { return s.feedMode == FeedMode::inverseTime ? s.feed : s.fromMm(s.feed); }},
@@ -137,6 +120,9 @@ std::optional<double> MacroVariables::numbered(int number) const {
         return m_state.fromMm(m_parameters.numbered(number));
     if (const auto value = ofRegister(number))
         return value;
+    if (const auto* row = std::ranges::find(kGroups, number, &GroupVariable::number);
+        row != std::end(kGroups))
+        return activeCode(m_state, row->group, m_dialect) / 10.0;
     const auto* modal = std::ranges::lower_bound(kModal, number, {}, &ModalValue::number);
     if (modal != std::end(kModal) && modal->number == number)
         return modal->value(m_state);

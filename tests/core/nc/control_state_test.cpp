@@ -76,6 +76,20 @@ TEST(ControlState, IsThatOfPowerOnBeforeTheFirstBlock) {
     EXPECT_EQ(state.places.front().known, 0);
 }
 
+TEST(ControlState, NamesAdditionalOffsetsAndTransformationsAsTheDialectDoes) {
+    const std::string text = "G54.1 P3 G0 X0. Y0. Z5.\nG68 X0. Y0. R30.\nG43 H1 Z3.\nM30\n";
+    const ControlState state = stateBehind(text, 2, DialectId::fanuc);
+    for (const char* code : {"G54.1", "G68", "G43", "G50", "G15"})
+        EXPECT_TRUE(inForce(state, code)) << code;
+    EXPECT_FALSE(inForce(state, "G59.1"));
+    EXPECT_FALSE(inForce(stateBehind("G0 X1\nM2\n", 1), "G50")) << "LinuxCNC knows no scaling";
+}
+
+TEST(ControlState, HoldsALengthOffsetThoughItIsZero) {
+    EXPECT_TRUE(inForce(stateBehind("T1 M6\nG43 H1\nG0 Z1\nM2\n", 1), "G43"));
+    EXPECT_TRUE(inForce(stateBehind("T1 M6\nG43 H1\nG49\nG0 Z1\nM2\n", 1), "G49"));
+}
+
 TEST(ControlState, IsThatOfTheEndWhereNothingStopsBefore) {
     InterpretOptions options;
     const auto program = interpret(NcText("G0 X1\nG91\nM2\n"), options);

@@ -48,6 +48,8 @@ const Twins kTwins[] = {
     {"left-on", 2, DialectId::linuxcnc, "G18 G0 X1\nM2\n", "G18 G0 X1\nG17\nM2\n"},
     {"left-on", 3, DialectId::linuxcnc, "F100 G0 Z5\nG81 X1 Z-1 R2\nM2\n",
      "F100 G0 Z5\nG81 X1 Z-1 R2\nG80\nM2\n"},
+    {"left-on", 3, DialectId::fanuc, "G54 G0 X0. Y0.\nG68 X0. Y0. R30.\nM30\n",
+     "G54 G0 X0. Y0.\nG68 X0. Y0. R30.\nG69\nM30\n"},
     {"change-low", 3, DialectId::linuxcnc, "F100 G1 Z2\nZ-1\nT2 M6\nM2\n",
      "F100 G1 Z2\nZ-1\nG0 Z50\nT2 M6\nM2\n"},
     {"change-turning", 2, DialectId::linuxcnc, "S100 M3\nT2 M6\nM2\n", "S100 M3\nM5\nT2 M6\nM2\n"},
