@@ -125,9 +125,10 @@ std::vector<std::pair<std::string, double>> Parameters::listed() const {
     const double unset = noArguments().front();
     for (int number = 1; number <= localsOf(m_language); ++number)
         add(number, numbered(number), unset);
+    auto shared = m_numbered.begin();
     for (const Range& range : rangesOf(m_language)) {
-        for (int number = range.first; number <= range.last; ++number)
-            add(number, numbered(number), range.initial);
+        for (int number = range.first; number <= range.last; ++number, ++shared)
+            add(number, *shared, range.initial);
     }
     for (const Names* names : {&m_levels.back().names, &m_globals}) {
         for (const auto& [name, value] : *names)

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/nc/interpretation.h"
+
+#include <charconv>
+#include <string>
+
+#include "core/nc/control_state.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr std::size_t kLinesPerLook = 1024; ///< lines between two looks at the stop token
+constexpr std::size_t kLinesPerTell = 65536;
+
+} // namespace
+
+Interpretation::Interpretation(const NcText& text, const InterpretOptions& options,
+                               const WorkContext& context)
+    : m_text(text), m_options(options),
+      m_guess(options.dialect ? DialectGuess{*options.dialect, {}} : guessDialect(text)),
+      m_dialect(dialect(m_guess.dialect)), m_codes(codesOf(m_guess.dialect)), m_context(context),
+      m_program(std::make_shared<Program>()), m_reporter(*m_program, options.file, options.maxDiagnostics),
+      m_run(m_dialect.macros, options.tools),
+      m_calls(text, options.file, {options.maxSteps, options.subprogramFolders, m_dialect.deepestCalls},
+              m_parameters, m_reporter) {
+    if (options.start || options.assumeStartAtZero) {
+        m_state.position = options.start.value_or(Vec3(0));
+        m_state.known = kAllAxes;
+    }
+    m_state.machineZeroKnown = options.assumeStartAtZero;
+    m_state.retractToR = m_dialect.retractsToR;
+    if (m_dialect.beginsInRapid)
+        m_state.motion = m_codes.find('G', 0);
+}
+
+std::shared_ptr<const Program> Interpretation::run() {
+    begin();
+    while (!m_finished && m_program->blockCount() < m_options.stopAfterBlocks &&
+           (!m_calls.atEnd() || leaveText())) {
+        if (!lookUp() || !m_calls.step())
+            m_finished = m_cutShort = true;
+        else
+            runWatched();
+    }
+    end();
+    return std::move(m_program);
+}
+
+void Interpretation::begin() {
+    m_loneCr = m_text.firstLoneCr();
+    m_program->setDialect(m_dialect.id);
+    if (!m_guess.reasons.empty())
+        tellGuess();
+    if (m_macroB)
+        skipToPercent();
+}
+
+void Interpretation::end() {
+    if (m_run.linesRead == m_text.lineCount())
+        m_reporter.beginLine(static_cast<std::uint32_t>(m_text.lineCount()));
+    m_program->settle();
+    ControlState state = describe(m_state, m_parameters, m_calls, m_codes, m_dialect);
+    state.line = m_run.steps == 0 ? 0 : mainLine();
+    m_program->setControlState(std::move(state));
+    if (!m_cutShort && m_program->blockCount() < m_options.stopAfterBlocks)
+        tellAboutTheWhole(m_run.linesRead);
+    m_reporter.tellSuppressed();
+    m_program->setSourceBlockCount(m_run.sourceBlocks);
+    m_program->setAsksForTools(m_run.tools.asked());
+    m_context.tell(1);
+}
+
+/// Once in many lines: whether to stop, and how far it is. False where it has to stop.
+bool Interpretation::lookUp() {
+    m_reporter.beginLine(static_cast<std::uint32_t>(m_calls.line() + 1));
+    const std::size_t step = m_run.steps++;
+    if (step % kLinesPerLook == 0 && m_context.stopped()) {
+        m_reporter.tellInAnyCase(nc_message::kStopped, 1, 0);
+        return false;
+    }
+    if (step % kLinesPerTell == 0)
+        m_context.tell(static_cast<double>(m_run.linesRead) / static_cast<double>(m_text.lineCount()));
+    return true;
+}
+
+/// A loop whose condition never changes, because a line of it cannot be read, does not run to the limit.
+void Interpretation::runWatched() {
+    constexpr std::size_t kMostAgain = 10'000;
+    const bool again = m_calls.at() < m_run.linesRead;
+    const std::size_t told = m_reporter.count();
+    runLine();
+    m_run.toldAgain += again && m_reporter.count() > told ? 1 : 0;
+    if (m_run.toldAgain < kMostAgain || m_finished)
+        return;
+    m_reporter.tellInAnyCase(nc_message::kTooManyAgain, 1, 0, {std::to_string(kMostAgain)});
+    m_finished = m_cutShort = true;
+}
+
+void Interpretation::runLine() {
+    const std::size_t index = m_calls.at();
+    const std::string_view text = m_calls.text().line(index);
+    const bool first = m_calls.inMainText() && index >= m_run.linesRead;
+    if (first)
+        firstLook(index, text);
+    readLine(text, m_readContext, m_line);
+    if (m_line.deleteMark && m_options.blockDelete)
+        return;
+    tellInputRead();
+    if (first)
+        tellAboutLine(text);
+    if (m_line.error) {
+        skipUnreadable(text, first);
+        return;
+    }
+    if (m_line.percent) {
+        if (m_calls.inMainText())
+            handlePercent(index);
+        else if (m_macroB && index > 0)
+            m_calls.endText();
+        return;
+    }
+    if (m_line.programNumber && !beginsProgram(index))
+        return;
+    if (m_line.programNumber && m_calls.inMainProgram())
+        m_state.programNumber = m_run.mainNumber = m_line.program;
+    if (m_line.flow)
+        runFlow(first);
+    else if (m_line.statement)
+        runStatement(*m_line.statement, first);
+    else if (!m_line.block.empty() || !m_line.assignments.empty())
+        runBlock(first);
+}
+
+void Interpretation::runStatement(const MacroStatement& statement, bool first) {
+    m_run.sourceBlocks += first ? 1 : 0;
+    const MacroFlow::Next next = m_macros.run(statement);
+    if (next == MacroFlow::Next::failed)
+        m_state.forget(LetterSet("XYZ"));
+    if (next != MacroFlow::Next::rest)
+        return;
+    const std::string_view text = m_calls.currentText();
+    readRest(text, m_macros.rest(), m_readContext, m_line);
+    if (m_line.error)
+        skipUnreadable(text, false);
+    else if (!m_line.block.empty() || !m_line.assignments.empty())
+        runBlock(false);
+}
+
+bool Interpretation::runRequest(const FlowRequest& request) {
+    const bool done = m_macroB ? m_macros.run(request) : m_oWords.run(request);
+    if (m_macroB && request.kind != FlowRequest::Kind::none)
+        noteProgram();
+    return done;
+}
+
+void Interpretation::runFlow(bool first) {
+    m_run.sourceBlocks += first ? 1 : 0;
+    carryOut([&] { return m_oWords.run(*m_line.flow); });
+    tellInputRead();
+}
+
+/// At the end of a text or program: back to the caller; false in the main program.
+bool Interpretation::leaveText() {
+    // The call may stand on the last line as well.
+    while (m_calls.atEnd()) {
+        if (m_calls.inMainProgram())
+            return false;
+        m_reporter.tell(nc_message::kSubEndMissing, 1, 0, {m_calls.level().label});
+        m_calls.leave();
+    }
+    return true;
+}
+
+/// The number of the program that runs now. A local subprogram has none of its own.
+void Interpretation::noteProgram() {
+    if (m_calls.inMainProgram()) {
+        m_state.programNumber = m_run.mainNumber;
+        return;
+    }
+    const std::string& label = m_calls.level().label;
+    int number = 0;
+    if (std::from_chars(label.data(), label.data() + label.size(), number).ec == std::errc())
+        m_state.programNumber = number;
+}
+
+/// An order of the flow of the program; nobody knows what a failed one would have moved.
+void Interpretation::carryOut(const std::function<bool()>& order) {
+    const std::size_t level = m_calls.depth();
+    const std::uint64_t endedRuns = m_calls.endedRuns();
+    const std::size_t line = m_calls.mainLine() + 1;
+    if (!order())
+        m_state.forget(LetterSet("XYZ"));
+    if (m_calls.endedRuns() != endedRuns)
+        restoreAfter(level, static_cast<std::uint32_t>(line));
+}
+
+/// What M73 saved in a subprogram comes back at its end.
+void Interpretation::restoreAfter(std::size_t level, std::uint32_t line) {
+    const auto saved = m_run.saves.endRun(level);
+    if (!saved)
+        return;
+    FlowRequest none;
+    const Block empty;
+    Execution execution = executionOf(empty, none);
+    execution.line = line; // the caller's, where the subprogram has a file of its own
+    restore(execution, *saved, Word{'M', 72, 1, 0});
+}
+
+} // namespace proveout

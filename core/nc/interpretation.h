@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string_view>
+
+#include "core/nc/call_stack.h"
+#include "core/nc/dialect_guess.h"
+#include "core/nc/execution.h"
+#include "core/nc/interpreter.h"
+#include "core/nc/lexer.h"
+#include "core/nc/machine_values.h"
+#include "core/nc/macro_flow.h"
+#include "core/nc/macro_variables.h"
+#include "core/nc/o_word_flow.h"
+#include "core/nc/run_state.h"
+
+namespace proveout {
+
+/// One run through an NC text, line by line. Keeps references to its arguments.
+class Interpretation {
+public:
+    Interpretation(const NcText& text, const InterpretOptions& options, const WorkContext& context);
+
+    /// Once.
+    [[nodiscard]] std::shared_ptr<const Program> run();
+
+private:
+    // Lines, one after the other: interpretation.cpp.
+    void begin();
+    void end();
+    bool lookUp();
+    void runWatched();
+    void runLine();
+    void runStatement(const MacroStatement& statement, bool first);
+    bool runRequest(const FlowRequest& request);
+    void runFlow(bool first);
+    bool leaveText();
+    void noteProgram();
+    void carryOut(const std::function<bool()>& order);
+    void restoreAfter(std::size_t level, std::uint32_t line);
+
+    // Blocks and assignments: interpretation_blocks.cpp.
+    void runBlock(bool first);
+    bool isData();
+    void endAtReturn(Execution& execution, const Word& word);
+    void assign();
+    bool writeVariable(const Assignment& order);
+    bool tooLong();
+    Execution executionOf(const Block& block, FlowRequest& request);
+
+    // The text as a whole, its first and its last lines: interpretation_text.cpp.
+    void tellGuess();
+    void skipToPercent();
+    bool beginsProgram(std::size_t index);
+    void firstLook(std::size_t index, std::string_view text);
+    void tellAboutLine(std::string_view text);
+    void tellInputRead();
+    void skipUnreadable(std::string_view text, bool first);
+    void handlePercent(std::size_t index);
+    [[nodiscard]] std::size_t firstTextFrom(std::size_t index) const;
+    void tellAboutTheWhole(std::size_t linesRead);
+    void tellNeverKnown();
+
+    /// The line of the main text that is being carried out, or that called, 1-based.
+    [[nodiscard]] std::uint32_t mainLine() const {
+        return static_cast<std::uint32_t>(m_calls.mainLine() + 1);
+    }
+
+    const NcText& m_text;
+    const InterpretOptions& m_options;
+    const DialectGuess m_guess;
+    const Dialect& m_dialect;
+    const bool m_macroB = m_dialect.macros == MacroLanguage::macroB;
+    const CodeTable& m_codes;
+    const WorkContext& m_context;
+    std::shared_ptr<Program> m_program;
+    Reporter m_reporter;
+
+    RunState m_run;
+    MachineState& m_state = m_run.machine;
+    Parameters& m_parameters = m_run.parameters;
+
+    OffsetRegisters m_registers{m_run.tools, m_dialect.registersHoldDiameter};
+    MachineValues m_values{m_state};
+    MacroVariables m_variables{m_state, m_parameters, m_registers, m_dialect};
+    const SystemValues& m_system = m_macroB ? static_cast<const SystemValues&>(m_variables) : m_values;
+    ReadContext m_readContext{m_parameters, m_system, m_dialect, m_options.blockDelete};
+    CallStack m_calls;
+    OWordFlow m_oWords{m_calls, m_parameters, m_readContext, m_reporter};
+    MacroFlow m_macros{m_calls, m_readContext, m_reporter};
+    Line m_line;
+    std::size_t m_loneCr = 0;
+    bool m_finished = false;
+    bool m_cutShort = false; ///< stopped, or at a limit: what the rest of the program says is not known
+};
+
+} // namespace proveout

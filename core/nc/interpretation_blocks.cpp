@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
+#include "core/nc/interpretation.h"
+#include "core/nc/motion_building.h"
+
+namespace proveout {
+
+void Interpretation::runBlock(bool first) {
+    m_run.sourceBlocks += first ? 1 : 0;
+    if (isData())
+        return;
+    assign();
+    if (m_line.block.empty())
+        return;
+    FlowRequest request;
+    Execution execution = executionOf(m_line.block, request);
+    const std::size_t before = m_program->motionCount();
+    executeBlock(execution);
+    if (m_line.blockNumber)
+        m_state.blockNumber = *m_line.blockNumber;
+    const bool moved = m_program->motionCount() > before;
+    const bool returns = request.kind == FlowRequest::Kind::returns && request.program == 0;
+    if (returns && m_calls.inMainProgram())
+        endAtReturn(execution, request.word);
+    else if (request.kind != FlowRequest::Kind::none)
+        carryOut([&] { return runRequest(request); });
+    if (moved && m_macroB && !m_macros.afterMotion())
+        m_state.forget(LetterSet("XYZ"));
+    m_finished = m_state.ended || tooLong();
+}
+
+/// From G10 L50 to G11 the blocks are data for the control.
+bool Interpretation::isData() {
+    if (!m_state.dataInput)
+        return false;
+    constexpr double kEnd = 11;
+    for (const Word& word : m_line.block.codes())
+        m_state.dataInput = m_state.dataInput && (word.letter != 'G' || word.value != kEnd);
+    return true;
+}
+
+/// A control would start the program again; once is what there is to see.
+void Interpretation::endAtReturn(Execution& execution, const Word& word) {
+    finishCompensated(execution, word);
+    m_reporter.tell(nc_message::kMainReturn, word);
+    m_program->append(ProgramEnd{}, mainLine());
+    m_state.ended = true;
+}
+
+void Interpretation::assign() {
+    for (const Assignment& order : m_line.assignments) {
+        const std::string& name = order.target.name;
+        if (m_macroB && writeVariable(order))
+            continue;
+        if (!m_macroB && name.empty() && order.target.number == kInputParameter)
+            m_state.inputAssumed = false;
+        const bool readOnly = name.empty() ? m_system.numbered(order.target.number).has_value()
+                                           : m_system.named(name).has_value();
+        const std::string shown =
+            name.empty() ? fmt::format("#{}", order.target.number) : fmt::format("#<{}>", name);
+        if (readOnly)
+            m_reporter.tell(nc_message::kParameterReadOnly, order.column, order.length, {shown});
+        else if (name.empty())
+            m_parameters.setNumbered(order.target.number, order.value);
+        else if (!m_parameters.setNamed(name, order.value))
+            m_reporter.tell(nc_message::kNamesTooMany, order.column, order.length, {shown});
+    }
+}
+
+/// What writing a system variable of custom macro B does besides; true where it is stored nowhere.
+bool Interpretation::writeVariable(const Assignment& order) {
+    const std::string shown = fmt::format("#{}", order.target.number);
+    switch (m_variables.writing(order.target.number)) {
+    case MacroVariables::Writing::stored:
+        return false;
+    case MacroVariables::Writing::ignored:
+        return true;
+    case MacroVariables::Writing::offset:
+        m_variables.write(order.target.number, isNull(order.value) ? 0 : order.value, *m_program, mainLine());
+        return true;
+    case MacroVariables::Writing::readOnly:
+        m_reporter.tell(nc_message::kParameterReadOnly, order.column, order.length, {shown});
+        return true;
+    case MacroVariables::Writing::alarm:
+        m_reporter.tell(nc_message::kAlarm, order.column, order.length, {fmt::format("{:g}", order.value)});
+        m_state.ended = m_finished = true;
+        return true;
+    case MacroVariables::Writing::stop:
+        m_program->append(ProgramStop{StopKind::program}, mainLine());
+        return true;
+    }
+    return true;
+}
+
+bool Interpretation::tooLong() {
+    const bool motions = m_program->motionCount() > m_options.maxMotions;
+    if (!motions && m_program->events().size() <= m_options.maxMotions)
+        return false;
+    m_reporter.tellInAnyCase(motions ? nc_message::kTooManyMotions : nc_message::kTooManyEvents, 1, 0,
+                             {std::to_string(m_options.maxMotions)});
+    m_cutShort = true;
+    return true;
+}
+
+Execution Interpretation::executionOf(const Block& block, FlowRequest& request) {
+    return {m_dialect,
+            m_codes,
+            block,
+            m_state,
+            m_parameters,
+            m_run.tools,
+            m_registers,
+            request,
+            *m_program,
+            m_reporter,
+            m_run.saves,
+            m_run.splines,
+            m_options.lint ? &m_run.lint : nullptr,
+            m_calls.depth(),
+            mainLine(),
+            m_options.maxMotions,
+            m_context};
+}
+
+} // namespace proveout

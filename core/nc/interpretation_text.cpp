@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <fmt/format.h>
+#include <span>
+
+#include "core/nc/characters.h"
+#include "core/nc/interpretation.h"
+#include "core/nc/motion_building.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr std::size_t kLongestLine = 252; ///< characters that LinuxCNC reads
+
+constexpr std::size_t kLongestShown = 40;        ///< bytes of a line in a message
+constexpr std::uint8_t kContinuationMask = 0xc0; ///< of a byte within a character of UTF-8
+constexpr std::uint8_t kContinuation = 0x80;
+
+/// A part of a line for a message: not longer than is readable, cut between characters; a byte that no font
+/// can show appears as its number.
+std::string readable(std::string_view text) {
+    if (text.size() == 1) {
+        const auto byte = static_cast<unsigned char>(text.front());
+        return byte < 0x20 || byte >= 0x7f ? fmt::format("\\x{:02x}", byte) : std::string(text);
+    }
+    std::size_t end = std::min(text.size(), kLongestShown);
+    while (end > 0 && end < text.size() &&
+           (static_cast<unsigned char>(text[end]) & kContinuationMask) == kContinuation)
+        --end;
+    return std::string(text.substr(0, end));
+}
+
+} // namespace
+
+void Interpretation::tellGuess() {
+    constexpr std::size_t kMostShown = 4;
+    m_reporter.beginLine(1);
+    std::string reasons;
+    const std::span signs(m_guess.reasons);
+    for (const DialectSign& sign : signs.first(std::min(signs.size(), kMostShown)))
+        reasons += fmt::format("{}{} ({})", reasons.empty() ? "" : ", ", sign.shown, sign.line);
+    m_reporter.tell(nc_message::kDialectGuessed, 1, 0, {m_dialect.name, reasons});
+}
+
+/// Controls of custom macro B's dialect look for the first "%" and read from there.
+void Interpretation::skipToPercent() {
+    constexpr std::size_t kFarthest = 1000; ///< lines of a heading
+    const std::size_t most = std::min(m_text.lineCount(), kFarthest);
+    bool text = false;
+    for (std::size_t line = 0; line < most; ++line) {
+        const std::string_view content = m_text.line(line);
+        const std::size_t at = skipBlanks(content, 0);
+        if (at >= content.size())
+            continue;
+        if (content[at] != '%') {
+            text = true;
+            continue;
+        }
+        if (text) {
+            m_reporter.beginLine(1);
+            m_reporter.tell(nc_message::kTextBeforePercent, 1, 0);
+            m_calls.jump(line);
+        }
+        return;
+    }
+}
+
+/// Whether an O-word begins the program that runs; another one is the end of it.
+bool Interpretation::beginsProgram(std::size_t index) {
+    const bool begins = m_calls.inMainProgram() ? m_run.sourceBlocks == 0 : index == m_calls.level().entry;
+    if (!begins)
+        m_calls.endText();
+    return begins;
+}
+
+/// What is told about a line of the main text when it is reached first.
+void Interpretation::firstLook(std::size_t index, std::string_view text) {
+    m_run.linesRead = index + 1;
+    if (index == 0 && m_text.hadByteOrderMark())
+        m_reporter.tell(nc_message::kByteOrderMark, 1, 0);
+    if (index == m_loneCr)
+        m_reporter.tell(nc_message::kLoneCr, static_cast<int>(text.size() + 1), 1);
+}
+
+void Interpretation::tellAboutLine(std::string_view text) {
+    if (!m_macroB && text.size() > kLongestLine)
+        m_reporter.tell(nc_message::kLineLong, kLongestLine + 1, 1, {std::to_string(text.size())});
+    if (m_line.controlCodeColumn > 0 && !m_run.controlCodeTold) {
+        m_run.controlCodeTold = true;
+        m_reporter.tell(nc_message::kControlCode, m_line.controlCodeColumn, 1);
+    }
+    if (m_line.longBlockNumber.column > 0 && !m_run.longNumberTold) {
+        m_run.longNumberTold = true;
+        m_reporter.tell(nc_message::kBlockNumberLong, m_line.longBlockNumber.column,
+                        m_line.longBlockNumber.length);
+    }
+}
+
+/// From here on the program depends on what only the machine has.
+void Interpretation::tellInputRead() {
+    if (!m_values.takeInputRead() || !m_state.inputAssumed)
+        return;
+    m_state.inputAssumed = false;
+    m_reporter.tell(nc_message::kInputUsed, 1, 0);
+}
+
+/// What the line orders is not known, so the axes that it names may be anywhere afterwards.
+void Interpretation::skipUnreadable(std::string_view text, bool first) {
+    const ReadError& error = *m_line.error;
+    m_reporter.tell(*error.message, error.column, error.length, {readable(error.argument)});
+    m_run.sourceBlocks += first ? 1 : 0;
+    m_state.forget(axisLetters(text));
+}
+
+/// LinuxCNC runs what is between two "%". One alone is forgiven at the end of the file.
+void Interpretation::handlePercent(std::size_t index) {
+    if (!m_run.percentOpen && m_run.sourceBlocks == 0) {
+        m_run.percentOpen = true;
+    } else if (m_run.percentOpen) {
+        m_run.percentClosed = true;
+        m_finished = true;
+    } else if (firstTextFrom(index + 1) == m_text.lineCount()) {
+        m_reporter.tell(nc_message::kPercentUnpaired, 1, 1);
+        m_run.percentClosed = true;
+        m_finished = true;
+    } else {
+        m_reporter.tell(nc_message::kPercentInside, 1, 1);
+    }
+}
+
+/// The first line from `index` on that holds anything; the number of lines where there is none.
+std::size_t Interpretation::firstTextFrom(std::size_t index) const {
+    while (index < m_text.lineCount() &&
+           m_text.line(index).find_first_not_of(" \t\v\f\x1a%") == std::string_view::npos)
+        ++index;
+    return index;
+}
+
+void Interpretation::tellAboutTheWhole(std::size_t linesRead) {
+    if (m_state.compensation.on)
+        m_reporter.tellInAnyCase(nc_message::kCompensationAtEnd, 1, 0);
+    if (!m_run.splines.nurbs.points.empty())
+        m_reporter.tellInAnyCase(nc_message::kNurbsOpen, 1, 0);
+    const std::size_t rest = firstTextFrom(linesRead);
+    if ((m_state.ended || m_run.percentClosed) && rest < m_text.lineCount()) {
+        m_reporter.beginLine(static_cast<std::uint32_t>(rest + 1));
+        m_reporter.tellInAnyCase(m_state.ended ? nc_message::kAfterEnd : nc_message::kAfterPercent, 1, 0);
+    }
+    if (m_program->motionCount() == 0)
+        m_reporter.tellInAnyCase(nc_message::kNoMotion, 1, 0);
+    else if (!m_state.ended && !m_run.percentClosed)
+        m_reporter.tellInAnyCase(nc_message::kNoProgramEnd, 1, 0);
+    tellNeverKnown();
+}
+
+/// Axes without which a motion cut nothing were told there.
+void Interpretation::tellNeverKnown() {
+    const auto never = static_cast<std::uint8_t>(kAllAxes & ~(m_state.everKnown | m_state.unknownTold));
+    if (never != 0 && m_program->motionCount() > 0 && !m_options.assumeStartAtZero)
+        m_reporter.tellInAnyCase(nc_message::kNeverKnown, 1, 0, {namesOfAxes(never)});
+}
+
+} // namespace proveout

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <utility>
+
+#include "core/nc/lint.h"
+#include "core/nc/machine_state.h"
+#include "core/nc/modal_saves.h"
+#include "core/nc/parameters.h"
+#include "core/nc/spline_state.h"
+#include "core/nc/tool_offsets.h"
+
+namespace proveout {
+
+/// What an interpretation carries from line to line, beside the calls that it is in. A value.
+struct RunState {
+    RunState(MacroLanguage language, ToolOffsets known) : parameters(language), tools(std::move(known)) {}
+
+    MachineState machine;
+    Parameters parameters;
+    ToolOffsets tools;
+    ModalSaves saves;
+    SplineState splines;
+    LintMemory lint;
+
+    std::size_t linesRead = 0; ///< of the main text, counted to the last one that was reached
+    std::size_t steps = 0;
+    std::size_t toldAgain = 0; ///< lines that were told about though they had run before
+    std::size_t sourceBlocks = 0;
+    double mainNumber = 0; ///< O of the main program
+    bool percentOpen = false;
+    bool percentClosed = false;
+    bool controlCodeTold = false;
+    bool longNumberTold = false;
+};
+
+} // namespace proveout
