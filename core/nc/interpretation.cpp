@@ -50,6 +50,7 @@ std::shared_ptr<const Program> Interpretation::run() {
 void Interpretation::begin() {
     m_loneCr = m_text.firstLoneCr();
     m_program->setDialect(m_dialect.id);
+    m_program->expect(m_text.lineCount());
     if (!m_guess.reasons.empty())
         tellGuess();
     if (m_macroB)

@@ -137,6 +137,12 @@ bool Program::samePath(std::size_t index, const Program& other, std::size_t othe
     return arcA.centre == arcB.centre && arcA.sweep == arcB.sweep && arcA.plane == arcB.plane;
 }
 
+void Program::expect(std::size_t blocks) {
+    constexpr std::size_t kMost = 4'000'000;
+    m_motions.reserve(std::min(blocks, kMost));
+    m_blocks.reserve(std::min(blocks, kMost));
+}
+
 void Program::beginBlock(std::uint32_t line) {
     m_pendingLine = line;
     m_blockPending = true;

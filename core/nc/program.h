@@ -115,6 +115,7 @@ public:
     [[nodiscard]] std::size_t firstDifference(const Program& other) const;
 
     // For the interpreter, while the program is built.
+    void expect(std::size_t blocks);     ///< about so many will come; untouched memory is not resident
     void beginBlock(std::uint32_t line); ///< motions appended from here on belong to one block
     void append(const Motion& motion);
     /// A motion under cutter compensation. Its end may be moved until `settle`.

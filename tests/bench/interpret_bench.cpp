@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// NC text to motions: million lines per second, and how long the text itself takes.
+// NC text to motions: the other interpreter beside ours (interpreter_comparison.h), then million lines per
+// second by kind of program, and how long the text itself takes. `--benchmark_filter=none`: the first alone.
 #include <benchmark/benchmark.h>
 #include <cmath>
 #include <fmt/format.h>
@@ -9,6 +10,7 @@
 
 #include "core/formats/nc_motion.h"
 #include "core/nc/interpreter.h"
+#include "tests/bench/interpreter_comparison.h"
 
 namespace {
 
@@ -82,3 +84,10 @@ BENCHMARK(typeOneCharacter)->Unit(benchmark::kMicrosecond);
 BENCHMARK(writeRecords)->Unit(benchmark::kMillisecond);
 
 } // namespace
+
+int main(int argc, char** argv) {
+    const bool good = proveout::bench::compareInterpreters();
+    benchmark::Initialize(&argc, argv);
+    benchmark::RunSpecifiedBenchmarks();
+    return good ? 0 : 1;
+}
