@@ -17,6 +17,8 @@ namespace {
 
 /// Beyond this radius a double no longer holds the centre to a nanometre of the path.
 constexpr double kLargestRadius = 1e7;
+/// With less of a radius an arc has no direction; cutter compensation may leave so little of one.
+constexpr double kLeastRadius = 1e-6;
 /// An arc flatter than this is a straight line to every user of the program.
 constexpr double kFlat = 1e-6;
 
@@ -147,6 +149,10 @@ private:
 
 bool fitForSize(Execution& execution, const Word& word, Motion& motion) {
     const double radius = arcRadius(motion);
+    if (radius < kLeastRadius) {
+        execution.reporter.tell(nc_message::kArcZeroRadius, word, {fmt::format("{:.6g}", radius)});
+        return false;
+    }
     if (radius <= kLargestRadius) {
         if (withinLimits(motion))
             return true;

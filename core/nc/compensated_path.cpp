@@ -88,24 +88,17 @@ private:
         return inPlane(m_execution.state.position + m_compensation.displacement, m_plane);
     }
 
-    /// What follows begins compensation anew from the programmed path.
-    void lose() {
-        m_compensation.held = m_compensation.entered = false;
-        m_compensation.displacement = Vec3(0);
-    }
-
     void appendUnknown() {
         if (!m_compensation.unknownTold)
             tell(nc_message::kCompensationUnknownStart);
         m_compensation.unknownTold = true;
-        lose();
+        m_compensation.beginAnew();
         appendMotion(m_execution, m_motion);
     }
 
-    /// The motion is not made; its end is known all the same.
     void refuse(const Message& message, std::vector<std::string> arguments) {
         tell(message, std::move(arguments));
-        arrive(m_execution.state, m_motion);
+        leaveOut(m_execution, m_motion);
     }
 
     void enter() {
@@ -120,7 +113,6 @@ private:
     }
 
     void refuseSmallArc() {
-        lose();
         refuse(nc_message::kCompensationArcSmall,
                {shown(glm::distance(m_programmed.end, m_programmed.centre)), shown(radius())});
     }
@@ -138,7 +130,8 @@ private:
         const std::optional<PlanePath> path = offsetPath(m_programmed, m_compensation.offset);
         if (!path)
             return refuseSmallArc();
-        const Corner corner = cornerBetween(m_compensation.path, *path, m_compensation.offset);
+        const Corner corner =
+            cornerBetween(m_compensation.path, m_compensation.heading, *path, m_compensation.offset);
         if (corner.kind == CornerKind::inside)
             return joinInside(*path);
         if (corner.kind == CornerKind::outside) {
@@ -156,10 +149,8 @@ private:
             return emit(path, tip());
         }
         const auto meeting = meetingPoint(m_compensation.path, path, m_compensation.offset);
-        if (!meeting) {
-            lose();
+        if (!meeting)
             return refuse(nc_message::kCompensationCorner, {shown(radius())});
-        }
         emit(path, finish(*meeting, true) ? *meeting : tip());
     }
 
@@ -181,16 +172,15 @@ private:
         motion.end = withPlane(m_motion.end, path.end, m_plane);
         motion.centre = withPlane(m_motion.centre, path.centre, m_plane);
         motion.sweep = from == path.start ? path.sweep : sweepBetween(path, from, path.end);
-        if (motion.kind == MotionKind::arc && !fitForSize(m_execution, m_word, motion)) {
-            lose();
-            return arrive(m_execution.state, m_motion);
-        }
+        if (motion.kind == MotionKind::arc && !fitForSize(m_execution, m_word, motion))
+            return leaveOut(m_execution, m_motion);
         m_execution.program.settle();
         m_compensation.entered = m_compensation.held = true;
         m_compensation.entry = false;
         m_compensation.firstHeld = m_execution.program.motionCount();
         m_compensation.path = path;
         m_compensation.from = from;
+        m_compensation.heading = headingAtEnd(m_programmed);
         m_compensation.displacement = motion.end - m_motion.end;
         append(motion, m_motion.end);
         arrive(m_execution.state, m_motion);

@@ -25,10 +25,16 @@ struct CutterCompensation {
     std::size_t firstHeld = 0; ///< its number; motions after it lead nowhere in the plane
     PlanePath path;            ///< of it, as if no other motion were there
     Vec2 from{0};              ///< where it begins
+    Vec2 heading{0};           ///< of the programmed path at its end
     Vec3 displacement{0};      ///< from the programmed position to where the tip stands
     bool unknownTold = false;
 
     [[nodiscard]] bool moves() const { return on && offset != 0; }
+    /// What follows begins compensation from the programmed path.
+    void beginAnew() {
+        held = entered = false;
+        displacement = Vec3(0);
+    }
     /// On the way from the compensated to the programmed path.
     [[nodiscard]] bool leaving() const { return !entered && displacement != Vec3(0); }
 };

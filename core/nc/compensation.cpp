@@ -13,6 +13,8 @@ constexpr double kPi = std::numbers::pi;
 constexpr double kTurn = 2 * kPi;
 /// Corners flatter than this are not joined by anything.
 constexpr double kFlatCorner = 0.05;
+/// An arc with less of a radius has no headings that could be computed.
+constexpr double kLeastRadius = 1e-6;
 /// In turns: an arc of exactly one turn is none of two.
 constexpr double kTurnRounding = 1e-9;
 
@@ -100,7 +102,7 @@ bool roundOutside(const PlanePath& arc, double offset) {
 }
 
 std::optional<PlanePath> offsetPath(const PlanePath& path, double offset) {
-    if (path.arc() && !roundOutside(path, offset) && arcRadius(path) <= std::abs(offset))
+    if (path.arc() && !roundOutside(path, offset) && arcRadius(path) - std::abs(offset) < kLeastRadius)
         return {};
     PlanePath result = path;
     result.start = beside(path.start, headingAtStart(path), offset);
@@ -124,8 +126,7 @@ PlanePath entryPath(const PlanePath& path, double offset) {
     return result;
 }
 
-Corner cornerBetween(const PlanePath& before, const PlanePath& after, double offset) {
-    const Vec2 heading = headingAtEnd(before);
+Corner cornerBetween(const PlanePath& before, const Vec2& heading, const PlanePath& after, double offset) {
     const Vec2 next = headingAtStart(after);
     const double side = std::copysign(1.0, offset);
     double turn = -side * std::atan2(cross(heading, next), glm::dot(heading, next));

@@ -35,7 +35,7 @@ struct PlanePath {
 [[nodiscard]] std::optional<PlanePath> offsetPath(const PlanePath& path, double offset);
 
 /// The motion into compensation: from its start, where the tool is on the path, to the point square beside
-/// its end. An arc keeps its heading at the end and gets another radius.
+/// its end. An arc gets another radius about a centre on the spoke of its end, or beyond that end.
 [[nodiscard]] PlanePath entryPath(const PlanePath& path, double offset);
 
 enum class CornerKind : std::uint8_t {
@@ -47,8 +47,10 @@ struct Corner {
     CornerKind kind;
     double sweep; ///< outside: of the arc about the corner
 };
-/// What lies between two offset paths.
-[[nodiscard]] Corner cornerBetween(const PlanePath& before, const PlanePath& after, double offset);
+/// What lies between two offset paths; `heading` is the programmed one at the end of the first, from which
+/// the motion into compensation may differ.
+[[nodiscard]] Corner cornerBetween(const PlanePath& before, const Vec2& heading, const PlanePath& after,
+                                   double offset);
 
 /// Where two offset paths of an inside corner meet; they may have to be lengthened for it. Nothing where
 /// they do not.

@@ -223,6 +223,11 @@ void arrive(MachineState& state, const Motion& motion) {
     state.unknownTold &= static_cast<std::uint8_t>(~state.known);
 }
 
+void leaveOut(Execution& execution, const Motion& motion) {
+    execution.state.compensation.beginAnew();
+    arrive(execution.state, motion);
+}
+
 void setInverseTimeFeed(const Execution& execution, Motion& motion) {
     if (motion.kind != MotionKind::rapid && execution.state.feedMode == FeedMode::inverseTime)
         motion.feedMmPerMin = execution.block.has('F') ? execution.state.feed * pathLength(motion) : 0;

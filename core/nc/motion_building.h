@@ -48,6 +48,10 @@ void tellUnknownStart(Execution& execution, const Motion& motion, const Word& wo
 /// The machine stands at the end of the motion, whether or not it was appended.
 void arrive(MachineState& state, const Motion& motion);
 
+/// A motion that is ordered and not made: its end is known all the same, and what follows starts there, into
+/// cutter compensation where that is on.
+void leaveOut(Execution& execution, const Motion& motion);
+
 /// The feed of a motion by G93, which depends on its length.
 void setInverseTimeFeed(const Execution& execution, Motion& motion);
 

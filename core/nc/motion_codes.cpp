@@ -46,7 +46,7 @@ void moveArc(Execution& execution, const Word& word, bool clockwise) {
     tellUnknownStart(execution, motion, word);
     if (execution.state.compensation.leaving()) {
         execution.reporter.tell(nc_message::kCompensationExitArc, word);
-        arrive(execution.state, motion);
+        leaveOut(execution, motion);
         return;
     }
     const bool turned = turnsPlane(execution.state.frame, motion.plane);
@@ -57,11 +57,10 @@ void moveArc(Execution& execution, const Word& word, bool clockwise) {
         return;
     } else if (motion.kind == MotionKind::arc && turned) {
         if (!appendTurnedArc(execution, word, motion, clockwise))
-            arrive(execution.state, motion);
+            leaveOut(execution, motion);
         return;
     } else if (motion.kind == MotionKind::arc && !shapeArc(execution, word, motion, clockwise)) {
-        // Its end is known all the same, and what follows starts there.
-        arrive(execution.state, motion);
+        leaveOut(execution, motion);
         return;
     }
     appendOrdered(execution, word, motion);

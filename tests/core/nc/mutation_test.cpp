@@ -106,6 +106,22 @@ std::string randomMotions(std::mt19937& random) {
     return text;
 }
 
+/// Lines and arcs under cutter compensation that ask more of it than it can give, small and large ones.
+std::string randomCompensated(std::mt19937& random) {
+    std::string text = "G0 X0 Y0 Z0 F100\nG" + std::to_string(41 + random() % 2) + ".1 D" +
+                       std::to_string(random() % 12) + "\n";
+    for (std::size_t n = random() % 40; n > 0; --n) {
+        const std::vector<std::string> codes{"G0", "G1", "G2", "G3", "G2", "G3", "", "G20", "G21"};
+        text += codes[random() % codes.size()];
+        for (const char letter : std::string(random() % 3 == 0 ? "XYZIJ" : "XYR")) {
+            if (random() % 8 != 0)
+                text.append(1, letter).append(std::to_string((static_cast<int>(random() % 41) - 20) / 8.0));
+        }
+        text += random() % 20 == 0 ? "\nG40 G1 X0 Y0\nG41.1 D2\n" : "\n";
+    }
+    return text;
+}
+
 void check(const std::string& text) {
     const NcText nc(text);
     const InterpretOptions options;
@@ -119,6 +135,16 @@ TEST(Mutation, RandomTextsAreAnswered) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         std::mt19937 random(seed);
         ASSERT_NO_FATAL_FAILURE(check(seed % 2 == 0 ? randomProgram(random) : randomMotions(random)));
+        if (HasFailure())
+            return;
+    }
+}
+
+TEST(Mutation, RandomCompensationIsAnswered) {
+    for (unsigned seed = 1; seed <= 20000; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::mt19937 random(seed);
+        ASSERT_NO_FATAL_FAILURE(check(randomCompensated(random)));
         if (HasFailure())
             return;
     }
