@@ -1566,10 +1566,6 @@
         <translation>{} weitere Meldungen werden nicht gezeigt.</translation>
     </message>
     <message>
-        <source>Interpretation was stopped before this line.</source>
-        <translation>Die Interpretation wurde vor dieser Zeile abgebrochen.</translation>
-    </message>
-    <message>
         <source>{} is not a known code.</source>
         <translation>{} ist kein bekannter Befehl.</translation>
     </message>
@@ -3437,6 +3433,14 @@
         <source>The contour itself is right; check the clearance where the tool comes in and leaves.</source>
         <translation>Die Kontur selbst stimmt; prüfen Sie den Freiraum, wo das Werkzeug an- und abfährt.</translation>
     </message>
+    <message>
+        <source>Interpretation was stopped before this line; the last one was {}.</source>
+        <translation>Die Interpretation wurde vor dieser Zeile angehalten; die letzte war {}.</translation>
+    </message>
+    <message>
+        <source>The program is still being read; what stands from this line on is missing.</source>
+        <translation>Das Programm wird noch gelesen; was ab dieser Zeile steht, fehlt noch.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>
@@ -4253,6 +4257,10 @@
     <message>
         <source>Exporting</source>
         <translation>Export</translation>
+    </message>
+    <message>
+        <source>Reading the program</source>
+        <translation>Programm wird gelesen</translation>
     </message>
 </context>
 <context>

@@ -1566,10 +1566,6 @@
         <translation>메시지 {}건을 더 표시하지 않습니다.</translation>
     </message>
     <message>
-        <source>Interpretation was stopped before this line.</source>
-        <translation>이 줄 앞에서 해석이 중단되었습니다.</translation>
-    </message>
-    <message>
         <source>{} is not a known code.</source>
         <translation>{}은(는) 알 수 없는 코드입니다.</translation>
     </message>
@@ -3437,6 +3433,14 @@
         <source>The contour itself is right; check the clearance where the tool comes in and leaves.</source>
         <translation>윤곽 자체는 맞습니다. 공구가 진입하고 이탈하는 곳의 여유를 확인하십시오.</translation>
     </message>
+    <message>
+        <source>Interpretation was stopped before this line; the last one was {}.</source>
+        <translation>이 줄 앞에서 해석이 중단되었습니다. 마지막 줄은 {}입니다.</translation>
+    </message>
+    <message>
+        <source>The program is still being read; what stands from this line on is missing.</source>
+        <translation>프로그램을 아직 읽는 중입니다. 이 줄부터의 내용은 아직 없습니다.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>
@@ -4252,6 +4256,10 @@
     <message>
         <source>Exporting</source>
         <translation>내보내는 중</translation>
+    </message>
+    <message>
+        <source>Reading the program</source>
+        <translation>프로그램 읽는 중</translation>
     </message>
 </context>
 <context>

@@ -112,9 +112,9 @@ void JobDocument::setSetup(std::shared_ptr<const Setup> setup) {
     m_jobModified = true;
 }
 
-void JobDocument::fitSetup(std::shared_ptr<const Setup> setup) {
+void JobDocument::fitSetup(std::shared_ptr<const Setup> setup, bool forNow) {
     m_setup = std::move(setup);
-    m_wantsStock = false;
+    m_wantsStock = m_wantsStock && forNow;
     if (!m_regionNamed)
         m_parameters.regionCells = standardRegionHere(m_parameters.method);
 }

@@ -56,8 +56,9 @@ public:
     bool setTextModified(bool modified);
     /// A region size that nobody named becomes the standard on the new map; then parameters() are others.
     void setSetup(std::shared_ptr<const Setup> setup);
-    /// Like setSetup, but found out by us: nothing that the user would miss.
-    void fitSetup(std::shared_ptr<const Setup> setup);
+    /// Like setSetup, but found out by us: nothing that the user would miss. `forNow`: the stock will still
+    /// have to be fitted.
+    void fitSetup(std::shared_ptr<const Setup> setup, bool forNow = false);
     void setParameters(const DecimationParameters& parameters);
 
 private:

@@ -35,8 +35,20 @@ Session::Session(QObject* parent) : QObject(parent) {
     connect(&m_editPause, &QTimer::timeout, this, &Session::interpret);
     connect(&m_watch, &FileWatch::changed, this, &Session::watchedFileChanged);
     connect(&m_tick, &RepaintTick::fired, this, &Session::onTick);
-    connect(&m_source, &ProgramSource::ready, this, &Session::programReady);
-    connect(&m_source, &ProgramSource::failed, this, &Session::tell);
+    connect(&m_source, &ProgramSource::begun, this,
+            [this](const std::shared_ptr<const Program>& program) { adoptProgram(program, false); });
+    connect(&m_source, &ProgramSource::progressed, this, [this](double done) {
+        m_reading = true;
+        showReading(done);
+    });
+    connect(&m_source, &ProgramSource::ready, this, [this](const std::shared_ptr<const Program>& program) {
+        endReading();
+        adoptProgram(program, true);
+    });
+    connect(&m_source, &ProgramSource::failed, this, [this](const Diagnostics& errors) {
+        endReading();
+        tell(errors);
+    });
     connect(&m_export, &ExportJob::progressed, this, [this](double done) {
         if (m_exporting)
             setWork(Work{tr("Exporting"), done});
@@ -175,19 +187,25 @@ void Session::interpret() {
     m_editPause.stop();
     InterpretOptions options = interpretOptions(setup(), document().path);
     options.file.clear(); // messages without a file are about the text in the editor
-    m_source.request(document().text, std::move(options));
+    endReading();
+    m_source.request(document().text, std::move(options), !m_program);
 }
 
-void Session::programReady(const std::shared_ptr<const Program>& program) {
+void Session::showReading(double done) {
+    if (!m_exporting)
+        setWork(Work{tr("Reading the program"), done});
+}
+
+void Session::endReading() {
+    if (std::exchange(m_reading, false) && !m_exporting)
+        setWork(std::nullopt);
+}
+
+/// `whole`: else its rest is still being read, and may leave the stock.
+void Session::adoptProgram(const std::shared_ptr<const Program>& program, bool whole) {
     m_program = program;
-    if (m_job.wantsStock()) {
-        Setup fitted = setup();
-        fitted.stock = fittedStock(*program, fitted);
-        fitted.spacing = fittedSpacing(fitted.stock);
-        const DecimationParameters before = parameters();
-        m_job.fitSetup(std::make_shared<const Setup>(std::move(fitted)));
-        tellSetup(before);
-    }
+    if (m_job.wantsStock())
+        fitStock(!whole);
     if (m_loadedSetup == m_job.setup() && m_frame)
         continueWithEdit();
     else
@@ -195,6 +213,17 @@ void Session::programReady(const std::shared_ptr<const Program>& program) {
     emit programChanged();
     refreshProblems();
     requestTick();
+}
+
+void Session::fitStock(bool forNow) {
+    Setup fitted = setup();
+    fitted.stock = fittedStock(*m_program, fitted);
+    fitted.spacing = fittedSpacing(fitted.stock);
+    const DecimationParameters before = parameters();
+    // The same again is no reason to simulate anew.
+    m_job.fitSetup(fitted == setup() ? m_job.setup() : std::make_shared<const Setup>(std::move(fitted)),
+                   forNow);
+    tellSetup(before);
 }
 
 void Session::continueWithEdit() {
@@ -222,7 +251,7 @@ void Session::load() {
 }
 
 void Session::simulationProgressed(double done) {
-    if (m_exporting)
+    if (m_exporting || m_reading)
         return;
     setWork(done < 1 ? std::optional<Work>({tr("Simulating"), done}) : std::nullopt);
 }
@@ -438,6 +467,10 @@ void Session::exportDone(const Result<ExportSummary>& result) {
 void Session::cancelWork() {
     if (m_exporting) {
         m_export.cancel();
+        return;
+    }
+    if (m_reading) {
+        m_source.stop();
         return;
     }
     m_simulation->cancel();

@@ -175,7 +175,10 @@ private:
     bool told(const Result<void>& result);
     void watchedFileChanged();
     void interpret();
-    void programReady(const std::shared_ptr<const Program>& program);
+    void showReading(double done);
+    void endReading();
+    void adoptProgram(const std::shared_ptr<const Program>& program, bool whole);
+    void fitStock(bool forNow);
     void continueWithEdit();
     void load();
     void tellSetup(const DecimationParameters& before);
@@ -208,6 +211,7 @@ private:
     Diagnostics m_simulationErrors; ///< of the last load
     Diagnostics m_problems;
     bool m_exporting = false;
+    bool m_reading = false; ///< a long text, which is told
     std::optional<Work> m_work;
     std::optional<ExportSummary> m_lastExport;
 

@@ -22,15 +22,32 @@ std::size_t CallStack::mainLine() const {
 }
 
 const FlowIndex& CallStack::flowIndex() {
+    m_indexAsked = true;
     if (!m_source->flow)
         m_source->flow.emplace(m_source->text);
     return *m_source->flow;
 }
 
 const MacroIndex& CallStack::macroIndex() {
+    m_indexAsked = true;
     if (!m_source->macro)
         m_source->macro.emplace(m_source->text);
     return *m_source->macro;
+}
+
+std::optional<CallStack::Place> CallStack::place() const {
+    if (!m_levels.empty() || m_filesAsked)
+        return {};
+    return Place{m_line, m_steps, m_endedRuns, m_counts, m_indexAsked};
+}
+
+void CallStack::goOn(const Place& place) {
+    m_line = place.line;
+    m_at = place.line > 0 ? place.line - 1 : 0;
+    m_steps = place.steps;
+    m_endedRuns = place.endedRuns;
+    m_counts = place.counts;
+    m_indexAsked = place.indexAsked;
 }
 
 bool CallStack::step() {
@@ -77,6 +94,7 @@ void CallStack::leave() {
 }
 
 CallStack::FileFound CallStack::file(const std::vector<std::string>& names) {
+    m_filesAsked = true;
     for (const std::filesystem::path& given : m_limits.folders) {
         const std::filesystem::path folder = given.empty() ? "." : given;
         for (const std::string& name : names) {

@@ -73,6 +73,18 @@ public:
     [[nodiscard]] const FlowIndex& flowIndex();
     [[nodiscard]] const MacroIndex& macroIndex();
 
+    /// Where a main program stands between two lines. A value.
+    struct Place {
+        std::size_t line = 0; ///< the next one
+        std::uint64_t steps = 0;
+        std::uint64_t endedRuns = 0;
+        Counts counts;
+        bool indexAsked = false; ///< whether O-words, programs or block numbers have been looked for
+    };
+    /// Nothing within a call, nor once a subprogram was looked for in a file, which may change.
+    [[nodiscard]] std::optional<Place> place() const;
+    void goOn(const Place& place);
+
     /// To the line behind this one. False, and told, where the limit of steps is reached.
     [[nodiscard]] bool step();
     /// Another line is the one that is being carried out.
@@ -106,11 +118,10 @@ public:
     /// The first of `names` that one of the folders holds. Links that lead out of it are not followed.
     [[nodiscard]] FileFound file(const std::vector<std::string>& names);
 
+    [[nodiscard]] std::string linesOfCalls() const;                 ///< "12 (O100) > 3"
     [[nodiscard]] std::string chain(const std::string& last) const; ///< "100 > 200 > last"
 
 private:
-    [[nodiscard]] std::string linesOfCalls() const; ///< "12 (O100) > 3"
-
     Limits m_limits;
     Parameters& m_parameters;
     Reporter& m_reporter;
@@ -120,6 +131,8 @@ private:
     std::size_t m_at = 0;   ///< the line that is being carried out
     std::uint64_t m_steps = 0;
     std::uint64_t m_endedRuns = 0;
+    bool m_indexAsked = false;
+    bool m_filesAsked = false;
     std::vector<Level> m_levels;
     Counts m_counts; ///< rounds left of "repeat", by its line
 };

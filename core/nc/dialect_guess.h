@@ -15,11 +15,15 @@ struct DialectSign {
     int weight = 0;
     int line = 0;      ///< 1-based, where it stands first
     std::string shown; ///< as it stands there
+
+    bool operator==(const DialectSign&) const = default;
 };
 
 struct DialectGuess {
     DialectId dialect = DialectId::linuxcnc;
     std::vector<DialectSign> reasons; ///< those for it, by line; none: nothing in the text tells
+
+    bool operator==(const DialectGuess&) const = default;
 };
 
 /// For which control a text was written, by what only some of them understand. Reads at most its first

@@ -32,6 +32,8 @@ class FlowIndex {
 public:
     explicit FlowIndex(const NcText& text);
 
+    /// Whether the text has no O-words.
+    [[nodiscard]] bool empty() const { return m_rows.empty(); }
     /// The row of a line with an O-word; null for other lines and for those that could not be read.
     [[nodiscard]] const FlowLine* at(std::size_t line) const;
     /// The line "O… sub" of a label; kNone where there is none.

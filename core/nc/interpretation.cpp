@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/interpretation.h"
 
+#include <algorithm>
 #include <charconv>
 #include <string>
+#include <utility>
 
 #include "core/nc/control_state.h"
 
@@ -15,13 +17,11 @@ constexpr std::size_t kLinesPerTell = 65536;
 
 } // namespace
 
-Interpretation::Interpretation(const NcText& text, const InterpretOptions& options,
+Interpretation::Interpretation(const NcText& text, const InterpretOptions& options, DialectGuess guess,
                                const WorkContext& context)
-    : m_text(text), m_options(options),
-      m_guess(options.dialect ? DialectGuess{*options.dialect, {}} : guessDialect(text)),
-      m_dialect(dialect(m_guess.dialect)), m_codes(codesOf(m_guess.dialect)), m_context(context),
-      m_program(std::make_shared<Program>()), m_reporter(*m_program, options.file, options.maxDiagnostics),
-      m_run(m_dialect.macros, options.tools),
+    : m_text(text), m_options(options), m_guess(std::move(guess)), m_dialect(dialect(m_guess.dialect)),
+      m_codes(codesOf(m_guess.dialect)), m_context(context), m_program(std::make_shared<Program>()),
+      m_reporter(*m_program, options.file, options.maxDiagnostics), m_run(m_dialect.macros, options.tools),
       m_calls(text, options.file, {options.maxSteps, options.subprogramFolders, m_dialect.deepestCalls},
               m_parameters, m_reporter) {
     if (options.start || options.assumeStartAtZero) {
@@ -35,9 +35,13 @@ Interpretation::Interpretation(const NcText& text, const InterpretOptions& optio
 }
 
 std::shared_ptr<const Program> Interpretation::run() {
-    begin();
+    m_loneCr = m_text.firstLoneCr();
+    if (!m_begun)
+        begin();
     while (!m_finished && m_program->blockCount() < m_options.stopAfterBlocks &&
            (!m_calls.atEnd() || leaveText())) {
+        if (m_calls.line() >= m_nextPoint)
+            offerPoint();
         if (!lookUp() || !m_calls.step())
             m_finished = m_cutShort = true;
         else
@@ -47,8 +51,34 @@ std::shared_ptr<const Program> Interpretation::run() {
     return std::move(m_program);
 }
 
+void Interpretation::goOn(const ResumePoint& point, const Program& earlier) {
+    m_begun = true;
+    *m_program = Program(earlier, point.program);
+    m_reporter.restore(point.told);
+    m_run = point.run;
+    m_registers.restore(point.registers);
+    m_calls.goOn(point.calls);
+}
+
+void Interpretation::keepPoints(std::size_t firstLine, KeepPoint keep) {
+    m_nextPoint = firstLine;
+    m_keepPoint = std::move(keep);
+}
+
+/// Where nothing is under way that a value could not hold.
+void Interpretation::offerPoint() {
+    auto place = m_calls.place();
+    if (!place || m_macros.modal() || !m_program->settled())
+        return;
+    // A jump has looked at the line that it leads to.
+    const std::size_t seen = place->line + (place->indexAsked ? 1 : 0);
+    m_run.linesSeen = std::max({m_run.linesSeen, m_run.linesRead, seen});
+    m_nextPoint = m_keepPoint(
+        {m_run, m_registers.contents(), std::move(*place), m_reporter.memory(), m_program->extent()},
+        *m_program);
+}
+
 void Interpretation::begin() {
-    m_loneCr = m_text.firstLoneCr();
     m_program->setDialect(m_dialect.id);
     m_program->expect(m_text.lineCount());
     if (!m_guess.reasons.empty())
@@ -77,7 +107,7 @@ bool Interpretation::lookUp() {
     m_reporter.beginLine(static_cast<std::uint32_t>(m_calls.line() + 1));
     const std::size_t step = m_run.steps++;
     if (step % kLinesPerLook == 0 && m_context.stopped()) {
-        m_reporter.tellInAnyCase(nc_message::kStopped, 1, 0);
+        m_reporter.tellInAnyCase(nc_message::kStopped, 1, 0, {m_calls.linesOfCalls()});
         return false;
     }
     if (step % kLinesPerTell == 0)

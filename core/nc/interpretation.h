@@ -17,14 +17,23 @@
 #include "core/nc/macro_flow.h"
 #include "core/nc/macro_variables.h"
 #include "core/nc/o_word_flow.h"
-#include "core/nc/run_state.h"
+#include "core/nc/resume_point.h"
 
 namespace proveout {
 
 /// One run through an NC text, line by line. Keeps references to its arguments.
 class Interpretation {
 public:
-    Interpretation(const NcText& text, const InterpretOptions& options, const WorkContext& context);
+    Interpretation(const NcText& text, const InterpretOptions& options, DialectGuess guess,
+                   const WorkContext& context);
+
+    /// Instead of at the beginning: at a point of an earlier run, of which `earlier` is the result, or a
+    /// longer program. The lines before it must be the same.
+    void goOn(const ResumePoint& point, const Program& earlier);
+
+    /// Is handed a point and the program so far; returns the line from which on it wants the next one.
+    using KeepPoint = std::function<std::size_t(ResumePoint, const Program&)>;
+    void keepPoints(std::size_t firstLine, KeepPoint keep);
 
     /// Once.
     [[nodiscard]] std::shared_ptr<const Program> run();
@@ -32,6 +41,7 @@ public:
 private:
     // Lines, one after the other: interpretation.cpp.
     void begin();
+    void offerPoint();
     void end();
     bool lookUp();
     void runWatched();
@@ -95,6 +105,9 @@ private:
     MacroFlow m_macros{m_calls, m_readContext, m_reporter};
     Line m_line;
     std::size_t m_loneCr = 0;
+    KeepPoint m_keepPoint;
+    std::size_t m_nextPoint = SIZE_MAX; ///< line
+    bool m_begun = false;
     bool m_finished = false;
     bool m_cutShort = false; ///< stopped, or at a limit: what the rest of the program says is not known
 };

@@ -47,6 +47,7 @@ void Interpretation::tellGuess() {
 void Interpretation::skipToPercent() {
     constexpr std::size_t kFarthest = 1000; ///< lines of a heading
     const std::size_t most = std::min(m_text.lineCount(), kFarthest);
+    m_run.linesSeen = kFarthest;
     bool text = false;
     for (std::size_t line = 0; line < most; ++line) {
         const std::string_view content = m_text.line(line);
@@ -62,6 +63,7 @@ void Interpretation::skipToPercent() {
             m_reporter.tell(nc_message::kTextBeforePercent, 1, 0);
             m_calls.jump(line);
         }
+        m_run.linesSeen = line + 1;
         return;
     }
 }
@@ -125,6 +127,7 @@ void Interpretation::handlePercent(std::size_t index) {
         m_run.percentClosed = true;
         m_finished = true;
     } else {
+        m_run.linesSeen = firstTextFrom(index + 1) + 1;
         m_reporter.tell(nc_message::kPercentInside, 1, 1);
     }
 }

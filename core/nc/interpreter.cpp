@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/interpreter.h"
 
+#include <utility>
+
 #include "core/nc/interpretation.h"
 
 namespace proveout {
 
 std::shared_ptr<const Program> interpret(const NcText& text, const InterpretOptions& options,
                                          const WorkContext& context) {
-    return Interpretation(text, options, context).run();
+    DialectGuess guess = options.dialect ? DialectGuess{*options.dialect, {}} : guessDialect(text);
+    return Interpretation(text, options, std::move(guess), context).run();
 }
 
 } // namespace proveout

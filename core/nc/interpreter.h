@@ -36,6 +36,8 @@ struct InterpretOptions {
     std::uint64_t maxSteps = 100'000'000; ///< lines run through, those of loops and subprograms each time
     std::vector<std::filesystem::path> subprogramFolders; ///< of O-word subprograms in files of their own
     std::size_t maxDiagnostics = 100; ///< at least 5; further ones are counted in one last message
+
+    bool operator==(const InterpretOptions&) const = default;
 };
 
 /// Interprets an NC text as the control of its dialect does (codes.h). Never fails: what

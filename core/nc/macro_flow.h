@@ -30,6 +30,9 @@ public:
     [[nodiscard]] Next run(const MacroStatement& statement);
     [[nodiscard]] std::size_t rest() const { return m_rest; }
 
+    /// Whether a macro runs after every motion.
+    [[nodiscard]] bool modal() const { return m_modal.has_value(); }
+
     /// Carries out what a block asked for. False, and told, where it cannot be. A return from the main
     /// program is left to the caller unless it names a block.
     [[nodiscard]] bool run(const FlowRequest& request);

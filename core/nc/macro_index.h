@@ -17,6 +17,11 @@ public:
 
     explicit MacroIndex(const NcText& text);
 
+    /// Whether the text has neither a program's number nor block numbers nor loops.
+    [[nodiscard]] bool empty() const {
+        return m_programs.size() == 1 && m_programs.front().number < 0 && m_labels.empty() && m_loops.empty();
+    }
+
     /// A program from its O-word, or from the beginning of the text, to the line before the next one.
     struct Range {
         long long number = -1; ///< -1: without an O-word

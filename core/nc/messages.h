@@ -293,8 +293,12 @@ inline constexpr Message kTooManyEvents{
     PROVEOUT_TEXT("Core", "Raise the limit, or split the program.")};
 inline constexpr Message kTooManyMessages{Severity::warning, false, "too-many-messages",
                                           PROVEOUT_TEXT("Core", "{} more messages are not shown."), ""};
-inline constexpr Message kStopped{Severity::warning, true, "interpretation-stopped",
-                                  PROVEOUT_TEXT("Core", "Interpretation was stopped before this line."), ""};
+inline constexpr Message kStopped{
+    Severity::warning, true, "interpretation-stopped",
+    PROVEOUT_TEXT("Core", "Interpretation was stopped before this line; the last one was {}."), ""};
+inline constexpr Message kStillReading{
+    Severity::note, true, "still-reading",
+    PROVEOUT_TEXT("Core", "The program is still being read; what stands from this line on is missing."), ""};
 
 // Codes.
 inline constexpr Message kUnknownCode{

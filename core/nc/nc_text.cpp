@@ -62,6 +62,10 @@ struct Piece {
         return index < buffer->lineStarts.size() ? buffer->lineStarts[index] : buffer->bytes.size();
     }
     [[nodiscard]] std::size_t size() const { return start(lines) - start(0); }
+    /// Of one line, its end included.
+    [[nodiscard]] std::string_view bytesOf(std::size_t line) const {
+        return std::string_view(buffer->bytes).substr(start(line), start(line + 1) - start(line));
+    }
     [[nodiscard]] std::string_view bytes() const {
         return std::string_view(buffer->bytes).substr(start(0), size());
     }
@@ -217,6 +221,32 @@ std::string NcText::toString() const {
     text.reserve(m_state->size);
     m_state->copy(0, m_state->size, text);
     return text;
+}
+
+std::size_t NcText::sameLines(const NcText& other) const {
+    const State& mine = *m_state;
+    const State& theirs = *other.m_state;
+    if (mine.byteOrderMark != theirs.byteOrderMark)
+        return 0;
+    auto a = mine.pieces.begin();
+    auto b = theirs.pieces.begin();
+    std::size_t line = 0;
+    while (a != mine.pieces.end() && b != theirs.pieces.end()) {
+        const std::size_t inA = line - a->textLine;
+        const std::size_t inB = line - b->textLine;
+        std::size_t same = std::min(a->lines - inA, b->lines - inB);
+        if (a->buffer != b->buffer || a->firstLine + inA != b->firstLine + inB) {
+            const std::size_t most = std::exchange(same, 0);
+            while (same < most && a->bytesOf(inA + same) == b->bytesOf(inB + same))
+                ++same;
+            if (same < most)
+                return line + same;
+        }
+        line += same;
+        a += line == a->textLine + a->lines ? 1 : 0;
+        b += line == b->textLine + b->lines ? 1 : 0;
+    }
+    return line;
 }
 
 NcText NcText::replaced(std::size_t offset, std::size_t removed, std::string_view inserted) const {

@@ -39,6 +39,10 @@ public:
     /// A copy in which the bytes [offset, offset + removed) are replaced.
     [[nodiscard]] NcText replaced(std::size_t offset, std::size_t removed, std::string_view inserted) const;
 
+    /// How many lines at the beginning are the same in both texts, line ends included. Quick where they share
+    /// buffers.
+    [[nodiscard]] std::size_t sameLines(const NcText& other) const;
+
 private:
     struct State;
     std::shared_ptr<const State> m_state;

@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <utility>
 
 #include "core/nc/dialect.h"
 #include "core/nc/tool_offsets.h"
@@ -36,6 +37,11 @@ public:
     /// assumed to be 0.
     [[nodiscard]] bool certain(Entry entry, int number) const;
 
+    /// What the program wrote, by number; by entry.
+    using Contents = std::map<int, std::array<std::optional<double>, 4>>;
+    [[nodiscard]] const Contents& contents() const { return m_written; }
+    void restore(Contents contents) { m_written = std::move(contents); }
+
     struct Place {
         Entry entry;
         int number;
@@ -44,13 +50,11 @@ public:
     [[nodiscard]] static std::optional<Place> place(DialectId dialect, int variable);
 
 private:
-    using Written = std::array<std::optional<double>, 4>;
-
     [[nodiscard]] const std::optional<double>* written(Entry entry, int number) const;
 
     ToolOffsets& m_tools;
     bool m_diameters;
-    std::map<int, Written> m_written;
+    Contents m_written;
 };
 
 } // namespace proveout

@@ -18,6 +18,34 @@ constexpr std::uint8_t kEndAtReferenceFlag = 8;
 
 } // namespace
 
+Program::Extent Program::extent() const {
+    return {m_motions.size(), m_arcs.size(),          m_states.size(), m_blocks.size(),
+            m_jumps.size(),   m_compensations.size(), m_events.size(), m_diagnostics.size(),
+            m_bounds,         m_pendingLine,          m_blockPending,  m_linesRise};
+}
+
+Program::Program(const Program& other, const Extent& extent)
+    : m_settled(extent.motions), m_bounds(extent.bounds), m_pendingLine(extent.pendingLine),
+      m_blockPending(extent.blockPending), m_linesRise(extent.linesRise), m_dialect(other.m_dialect) {
+    // Room for about as much again as the other has behind it.
+    m_motions.reserve(other.m_motions.size());
+    m_blocks.reserve(other.m_blocks.size());
+    m_arcs.reserve(other.m_arcs.size());
+    const auto take = [](auto& to, const auto& from, std::size_t count) {
+        to.assign(from.begin(), from.begin() + static_cast<std::ptrdiff_t>(count));
+    };
+    take(m_motions, other.m_motions, extent.motions);
+    take(m_arcs, other.m_arcs, extent.arcs);
+    take(m_states, other.m_states, extent.states);
+    take(m_blocks, other.m_blocks, extent.blocks);
+    take(m_jumps, other.m_jumps, extent.jumps);
+    take(m_compensations, other.m_compensations, extent.compensations);
+    take(m_events, other.m_events, extent.events);
+    take(m_diagnostics, other.m_diagnostics, extent.diagnostics);
+    take(m_diagnosticMotions, other.m_diagnosticMotions, extent.diagnostics);
+    m_unverified = std::ranges::any_of(m_diagnostics, &Diagnostic::unverified);
+}
+
 Motion Program::motion(std::size_t index) const {
     const PackedMotion& packed = m_motions[index];
     Motion motion;

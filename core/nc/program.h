@@ -114,8 +114,31 @@ public:
     /// the smaller block count where one program is the beginning of the other.
     [[nodiscard]] std::size_t firstDifference(const Program& other) const;
 
+    /// How much of a program that is being built there is. A value.
+    struct Extent {
+        std::size_t motions = 0;
+        std::size_t arcs = 0;
+        std::size_t states = 0;
+        std::size_t blocks = 0;
+        std::size_t jumps = 0;
+        std::size_t compensations = 0;
+        std::size_t events = 0;
+        std::size_t diagnostics = 0;
+        Box3 bounds;
+        std::uint32_t pendingLine = 0;
+        bool blockPending = false;
+        bool linesRise = true;
+    };
+
+    Program() = default;
+    /// The beginning of another program, as it was when it had that extent.
+    Program(const Program& other, const Extent& extent);
+
     // For the interpreter, while the program is built.
-    void expect(std::size_t blocks);     ///< about so many will come; untouched memory is not resident
+    void expect(std::size_t blocks); ///< about so many will come; untouched memory is not resident
+    [[nodiscard]] Extent extent() const;
+    /// Whether no motion's end may be moved any more.
+    [[nodiscard]] bool settled() const { return m_settled == m_motions.size(); }
     void beginBlock(std::uint32_t line); ///< motions appended from here on belong to one block
     void append(const Motion& motion);
     /// A motion under cutter compensation. Its end may be moved until `settle`.

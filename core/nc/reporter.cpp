@@ -11,26 +11,26 @@ std::string nameOf(const Word& word) {
 }
 
 void Reporter::tell(const Message& message, int column, int length, std::vector<std::string> arguments) {
-    m_unverified = m_unverified || message.unverified;
-    if (m_told == m_limit) {
-        ++m_suppressed;
-        m_suppressedUnverified = m_suppressedUnverified || message.unverified;
+    m_memory.unverified = m_memory.unverified || message.unverified;
+    if (m_memory.told == m_limit) {
+        ++m_memory.suppressed;
+        m_memory.suppressedUnverified = m_memory.suppressedUnverified || message.unverified;
         return;
     }
-    ++m_told;
+    ++m_memory.told;
     append(message, message.unverified, {m_line, column, length}, std::move(arguments));
 }
 
 void Reporter::tellInAnyCase(const Message& message, int column, int length,
                              std::vector<std::string> arguments) {
-    m_unverified = m_unverified || message.unverified;
+    m_memory.unverified = m_memory.unverified || message.unverified;
     append(message, message.unverified, {m_line, column, length}, std::move(arguments));
 }
 
 void Reporter::tellSuppressed() {
-    if (m_suppressed > 0)
-        append(nc_message::kTooManyMessages, m_suppressedUnverified, {m_line, 1, 0},
-               {std::to_string(m_suppressed)});
+    if (m_memory.suppressed > 0)
+        append(nc_message::kTooManyMessages, m_memory.suppressedUnverified, {m_line, 1, 0},
+               {std::to_string(m_memory.suppressed)});
 }
 
 void Reporter::append(const Message& message, bool unverified, TextRange where,

@@ -35,9 +35,19 @@ public:
     /// The last message, where there were more than the limit.
     void tellSuppressed();
 
+    /// What it remembers of the messages so far. A value.
+    struct Memory {
+        std::size_t told = 0;
+        std::size_t suppressed = 0;
+        bool unverified = false;
+        bool suppressedUnverified = false;
+    };
+    [[nodiscard]] const Memory& memory() const { return m_memory; }
+    void restore(const Memory& memory) { m_memory = memory; }
+
     /// All messages, shown or not.
-    [[nodiscard]] std::size_t count() const { return m_told + m_suppressed; }
-    [[nodiscard]] bool unverified() const { return m_unverified; }
+    [[nodiscard]] std::size_t count() const { return m_memory.told + m_memory.suppressed; }
+    [[nodiscard]] bool unverified() const { return m_memory.unverified; }
 
 private:
     void append(const Message& message, bool unverified, TextRange where, std::vector<std::string> arguments);
@@ -47,11 +57,8 @@ private:
     Program& m_program;
     std::string m_file;
     std::size_t m_limit;
-    std::size_t m_told = 0;
-    std::size_t m_suppressed = 0;
     int m_line = 0;
-    bool m_unverified = false;
-    bool m_suppressedUnverified = false;
+    Memory m_memory;
 };
 
 } // namespace proveout

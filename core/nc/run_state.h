@@ -25,6 +25,7 @@ struct RunState {
     LintMemory lint;
 
     std::size_t linesRead = 0; ///< of the main text, counted to the last one that was reached
+    std::size_t linesSeen = 0; ///< of it, counted to the last one on which anything so far depends
     std::size_t steps = 0;
     std::size_t toldAgain = 0; ///< lines that were told about though they had run before
     std::size_t sourceBlocks = 0;

@@ -12,6 +12,8 @@ namespace proveout {
 struct ToolOffset {
     Vec3 offset{0}; ///< of its tip; Z is its length
     double diameter = 0;
+
+    bool operator==(const ToolOffset&) const = default;
 };
 
 /// The offsets of the control by number. Where none is given at all, every tool counts as known with length
@@ -36,6 +38,8 @@ public:
     /// Whether anybody has asked for a tool: only then do they matter to the program.
     [[nodiscard]] bool asked() const { return m_asked; }
     void set(int number, const ToolOffset& offset) { m_offsets[number] = offset; }
+
+    bool operator==(const ToolOffsets&) const = default;
 
 private:
     std::map<int, ToolOffset> m_offsets;

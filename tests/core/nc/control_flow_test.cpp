@@ -123,8 +123,12 @@ TEST(ControlFlow, AnEndlessLoopAnswersAStop) {
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
         stop.request_stop();
     });
-    const auto program = interpret(NcText("o1 while [1]\no1 endwhile\nM2\n"), {}, context);
-    EXPECT_STREQ(program->diagnostics().back().id, "interpretation-stopped");
+    const auto program =
+        interpret(NcText("o<a> sub\no1 while [1]\no1 endwhile\no<a> endsub\no<a> call\nM2\n"), {}, context);
+    const Diagnostic& stopped = program->diagnostics().back();
+    EXPECT_STREQ(stopped.id, "interpretation-stopped");
+    ASSERT_EQ(stopped.arguments.size(), 1U);
+    EXPECT_TRUE(stopped.arguments.front().starts_with("5 (Oa) > ")) << stopped.arguments.front();
 }
 
 TEST(ControlFlow, LocalParametersComeBackAfterACall) {

@@ -51,6 +51,13 @@ QByteArray bytesOf(const QString& path) {
 const QByteArray kSquare =
     "G21 G90 G17 T1 M6\nS1000 M3\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX10\nY10\nX0\nY0\nG0 Z5\nM30\n";
 
+QByteArray longProgram(int lines) {
+    QByteArray text = "G21 G90 G17 T1 M6\nS1000 M3\nG0 X0 Y0 Z5\nG1 Z-1 F100\n";
+    for (int i = 0; i < lines; ++i)
+        text += i % 2 == 0 ? "X10\n" : "X0\n";
+    return text + "Y300\nM30\n";
+}
+
 /// The largest difference of the heights of two moments of one grid.
 double heightDifference(const ZMapSnapshot& a, const ZMapSnapshot& b) {
     double largest = 0;
@@ -524,7 +531,8 @@ private slots:
     void anInterpreterThatThrowsIsToldAndTheNextTextIsRead() {
         ProgramSource source(nullptr,
                              [](const NcText& text, const InterpretOptions& options,
-                                const WorkContext& context) -> std::shared_ptr<const Program> {
+                                const WorkContext& context,
+                                const ResumableInterpreter::Publish&) -> std::shared_ptr<const Program> {
                                  if (text.size() == 0)
                                      throw std::bad_alloc();
                                  return interpret(text, options, context);
@@ -535,6 +543,44 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(failed.count(), 1, kPatience);
         source.request(NcText("M30\n"), {});
         QTRY_COMPARE_WITH_TIMEOUT(ready.count(), 1, kPatience);
+    }
+
+    void theBeginningOfALongProgramIsThereBeforeTheRest() {
+        QTemporaryDir folder;
+        Session session;
+        std::vector<std::size_t> counts;
+        bool told = false;
+        connect(&session, &Session::programChanged, this, [&] {
+            if (!session.program())
+                return;
+            counts.push_back(session.blockCount());
+            told = told || hasProblem(session, "still-reading");
+        });
+        connect(&session, &Session::problemsChanged, this,
+                [&] { told = told || hasProblem(session, "still-reading"); });
+        QVERIFY(session.openFile(write(folder, "long.nc", longProgram(600'000))));
+        QTRY_COMPARE_WITH_TIMEOUT(session.blockCount(), std::size_t{600'003}, kPatience);
+        QVERIFY(counts.size() >= 2);
+        QVERIFY(counts.front() < 150'000);
+        QVERIFY(told);
+        QVERIFY(!hasProblem(session, "still-reading"));
+        QVERIFY(!session.work());
+        // The stock is that of the whole program.
+        QVERIFY(session.setup().stock.depth > 299);
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame() && session.frame()->program == session.program(), kPatience);
+    }
+
+    void readingALongProgramCanBeCancelled() {
+        QTemporaryDir folder;
+        Session session;
+        connect(&session, &Session::workChanged, this, [&] {
+            if (session.work() && session.work()->label == Session::tr("Reading the program"))
+                session.cancelWork();
+        });
+        QVERIFY(session.openFile(write(folder, "long.nc", longProgram(3'000'000))));
+        QTRY_VERIFY_WITH_TIMEOUT(hasProblem(session, "interpretation-stopped"), kPatience);
+        QVERIFY(session.blockCount() < 2'900'000);
+        QVERIFY(!hasProblem(session, "still-reading"));
     }
 
     void keepsMineUntilItIsSaved() {
