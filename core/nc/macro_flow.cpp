@@ -156,6 +156,9 @@ bool MacroFlow::run(const FlowRequest& request) {
     }
     case FlowRequest::Kind::modalMacro:
         m_modal = ModalCall{request, 0};
+        // What goes wrong then is about another line.
+        m_modal->request.word.column = 1;
+        m_modal->request.word.length = 0;
         return true;
     case FlowRequest::Kind::cancelModal:
         m_modal.reset();
