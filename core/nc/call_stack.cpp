@@ -28,11 +28,11 @@ const FlowIndex& CallStack::flowIndex() {
     return *m_source->flow;
 }
 
-const MacroIndex& CallStack::macroIndex() {
+const MacroIndex& CallStack::macroIndex(Source& source) {
     m_indexAsked = true;
-    if (!m_source->macro)
-        m_source->macro.emplace(m_source->text);
-    return *m_source->macro;
+    if (!source.macro)
+        source.macro.emplace(source.text);
+    return *source.macro;
 }
 
 std::optional<CallStack::Place> CallStack::place() const {

@@ -71,7 +71,8 @@ public:
     [[nodiscard]] Source& source() { return *m_source; }
     [[nodiscard]] Counts& counts() { return m_counts; }
     [[nodiscard]] const FlowIndex& flowIndex();
-    [[nodiscard]] const MacroIndex& macroIndex();
+    [[nodiscard]] const MacroIndex& macroIndex() { return macroIndex(*m_source); }
+    [[nodiscard]] const MacroIndex& macroIndex(Source& source);
 
     /// Where a main program stands between two lines. A value.
     struct Place {

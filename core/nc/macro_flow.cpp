@@ -183,9 +183,7 @@ bool MacroFlow::call(const FlowRequest& request, bool macro) {
         if (found.source == nullptr)
             return refuse(nc_message::kSubUnknown, request.word, {label, fileNames(request.program).front()});
         source = found.source;
-        if (!source->macro)
-            source->macro.emplace(source->text);
-        program = source->macro->program(request.program);
+        program = m_calls.macroIndex(*source).program(request.program);
     }
     CallStack::Level level;
     level.entry = program == nullptr ? 0 : program->first;
@@ -209,11 +207,18 @@ bool MacroFlow::returns(const FlowRequest& request) {
     }
     if (m_modal && m_modal->depth == m_calls.depth())
         m_modal->depth = 0;
-    m_calls.leave();
-    if (request.program == 0)
+    if (request.program == 0) {
+        m_calls.leave();
         return true;
-    m_calls.standAt(m_calls.line() - 1);
-    return jumpTo(request.program, request.word);
+    }
+    // Told here, at the block that returns.
+    const std::size_t line = m_calls.macroIndex(*level.source).block(request.program, level.line - 1);
+    const bool found = line != MacroIndex::kNone ||
+                       refuse(nc_message::kBlockUnknown, request.word, {std::to_string(request.program)});
+    m_calls.leave();
+    if (found)
+        m_calls.jump(line);
+    return found;
 }
 
 bool MacroFlow::afterMotion() {

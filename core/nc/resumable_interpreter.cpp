@@ -12,8 +12,9 @@ namespace proveout {
 
 namespace {
 
-constexpr std::size_t kFirstPublished = 100'000; ///< motions; shorter programs are ready in a moment
-constexpr std::size_t kPublishedAgain = 4;       ///< times as many
+constexpr std::size_t kFirstPublished = 100'000;  ///< motions; shorter programs are ready in a moment
+constexpr std::size_t kPublishedAgain = 4;        ///< times as many
+constexpr std::size_t kMostPublished = 2'000'000; ///< a copy of more would take memory from the whole
 
 /// The lines [first, last) of a text.
 NcText part(const NcText& text, std::size_t first, std::size_t last) {
@@ -54,7 +55,7 @@ public:
         : m_publish(publish), m_file(file) {}
 
     void offer(const ResumePoint& point, const Program& soFar) {
-        if (!m_publish || point.program.motions < m_next)
+        if (!m_publish || point.program.motions < m_next || point.program.motions > kMostPublished)
             return;
         m_next = point.program.motions * kPublishedAgain;
         auto program = std::make_shared<Program>(soFar, point.program);
