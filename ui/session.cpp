@@ -47,6 +47,7 @@ Session::Session(QObject* parent) : QObject(parent) {
     });
     connect(&m_source, &ProgramSource::failed, this, [this](const Diagnostics& errors) {
         endReading();
+        m_begun = false; // no more comes
         tell(errors);
     });
     connect(&m_export, &ExportJob::progressed, this, [this](double done) {
@@ -92,6 +93,7 @@ void Session::adopt(JobDocument job) {
     m_job = std::move(job);
     m_hasDocument = true;
     m_program.reset();
+    m_begun = false;
     m_loadedSetup.reset();
     ++m_generation;
     m_frame.reset();
@@ -203,13 +205,16 @@ void Session::endReading() {
 
 /// `whole`: else its rest is still being read, and may leave the stock.
 void Session::adoptProgram(const std::shared_ptr<const Program>& program, bool whole) {
+    const bool more = std::exchange(m_begun, !whole);
     m_program = program;
     if (m_job.wantsStock())
         fitStock(!whole);
-    if (m_loadedSetup == m_job.setup() && m_frame)
-        continueWithEdit();
-    else
+    if (m_loadedSetup != m_job.setup() || !m_frame)
         load();
+    else if (more)
+        continueWithMore();
+    else
+        continueWithEdit();
     emit programChanged();
     refreshProblems();
     requestTick();
@@ -233,6 +238,13 @@ void Session::continueWithEdit() {
     m_simulation->post(EditCommand{m_program, ++m_generation});
     if (!m_playback.playing)
         m_simulation->post(SeekCommand{block});
+}
+
+/// The program goes on behind what is there: nobody is led elsewhere.
+void Session::continueWithMore() {
+    m_simulation->post(EditCommand{m_program, ++m_generation});
+    if (m_playback.playing)
+        m_simulation->post(PlayCommand{m_playback.blocksPerSecond, m_playback.everyBlock});
 }
 
 void Session::load() {
@@ -271,7 +283,7 @@ void Session::takeFrame() {
     if (!frame || frame->generation != m_generation)
         return;
     const FramePtr before = std::exchange(m_frame, std::move(frame));
-    if (m_frame->block == m_frame->program->blockCount() && !m_frame->playing)
+    if (m_frame->block == m_frame->program->blockCount() && !m_frame->playing && !m_begun)
         stopPlaying();
     if (!before || before->findings != m_frame->findings)
         refreshProblems();

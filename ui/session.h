@@ -75,6 +75,8 @@ public:
     [[nodiscard]] const DecimationParameters& parameters() const { return m_job.parameters(); }
     /// The newest interpretation; null before the first one. May be ahead of frame()->program.
     [[nodiscard]] const std::shared_ptr<const Program>& program() const { return m_program; }
+    /// Whether program() is only the beginning of one whose rest is still being read.
+    [[nodiscard]] bool isReading() const { return m_begun; }
     /// The newest frame; null before the first one of a document.
     [[nodiscard]] const FramePtr& frame() const { return m_frame; }
     [[nodiscard]] std::size_t blockCount() const { return m_program ? m_program->blockCount() : 0; }
@@ -180,6 +182,7 @@ private:
     void adoptProgram(const std::shared_ptr<const Program>& program, bool whole);
     void fitStock(bool forNow);
     void continueWithEdit();
+    void continueWithMore();
     void load();
     void tellSetup(const DecimationParameters& before);
     void simulationProgressed(double done);
@@ -212,6 +215,7 @@ private:
     Diagnostics m_problems;
     bool m_exporting = false;
     bool m_reading = false; ///< a long text, which is told
+    bool m_begun = false;   ///< the program is only its beginning
     std::optional<Work> m_work;
     std::optional<ExportSummary> m_lastExport;
 

@@ -28,9 +28,9 @@ ScreenshotRun::ScreenshotRun(MainWindow& window, const QString& picture, std::op
 }
 
 void ScreenshotRun::look(const FramePtr& frame) {
-    if (!frame)
-        return;
     Session& session = m_window.session();
+    if (!frame || session.isReading())
+        return;
     const std::size_t wanted = std::min(m_block.value_or(session.blockCount()), session.blockCount());
     if (!m_sought) {
         m_sought = true;

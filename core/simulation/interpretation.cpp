@@ -2,8 +2,11 @@
 #include "core/simulation/interpretation.h"
 
 #include <algorithm>
+#include <cstdint>
 #include <map>
 #include <utility>
+
+#include "core/base/memory.h"
 
 namespace proveout {
 
@@ -14,6 +17,19 @@ ToolOffsets toolOffsets(const ToolTable& tools) {
     return ToolOffsets(std::move(offsets));
 }
 
+namespace {
+
+/// Motions that the memory holds, at most as many as usual; rounded, because the memory that is free changes
+/// all the time.
+std::size_t motionsThatFit(std::size_t most) {
+    constexpr std::uint64_t kBytes = 64; // with its block
+    constexpr std::uint64_t kRounded = 1'000'000;
+    const std::uint64_t fit = std::max<std::uint64_t>(memoryLimitBytes() / kBytes / kRounded, 1) * kRounded;
+    return static_cast<std::size_t>(std::min<std::uint64_t>(fit, most));
+}
+
+} // namespace
+
 InterpretOptions interpretOptions(const Setup& setup, const std::filesystem::path& file) {
     InterpretOptions options;
     options.file = file.string();
@@ -21,6 +37,7 @@ InterpretOptions interpretOptions(const Setup& setup, const std::filesystem::pat
     options.blockDelete = setup.blockDelete;
     options.start = setup.start;
     options.tools = toolOffsets(setup.tools);
+    options.maxMotions = motionsThatFit(options.maxMotions);
     if (!file.empty())
         options.subprogramFolders = {file.parent_path()};
     return options;
