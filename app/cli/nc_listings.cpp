@@ -19,28 +19,47 @@ namespace {
 
 using nlohmann::ordered_json;
 
+/// As JSON names it, and as the list does.
+struct MacroName {
+    const char* key;
+    const char* name;
+};
+
+MacroName nameOf(MacroLanguage language) {
+    switch (language) {
+    case MacroLanguage::macroB:
+        return {"macroB", "custom macro B"};
+    case MacroLanguage::labels:
+        return {"labels", "parameters and labels"};
+    case MacroLanguage::none:
+        return {"none", "numbers only"};
+    case MacroLanguage::oWords:
+        break;
+    }
+    return {"oWords", "O-words"};
+}
+
+std::ptrdiff_t supportedCodes(const Dialect& dialect) {
+    return std::ranges::count_if(codesOf(dialect.id).rows(),
+                                 [](const CodeRow* row) { return row->supported(); });
+}
+
 ordered_json dialectsAsJson() {
     auto list = ordered_json::array();
     for (const Dialect& dialect : dialects()) {
-        const auto rows = codesOf(dialect.id).rows();
-        const auto supported =
-            std::ranges::count_if(rows, [](const CodeRow* row) { return row->supported(); });
         list.push_back({{"key", dialect.key},
                         {"name", dialect.name},
-                        {"macros", dialect.macros == MacroLanguage::macroB ? "macroB" : "oWords"},
+                        {"macros", nameOf(dialect.macros).key},
                         {"leastUnitMm", dialect.leastMm},
-                        {"codes", supported}});
+                        {"codes", supportedCodes(dialect)}});
     }
     return {{"dialects", std::move(list)}};
 }
 
 void printDialects() {
-    const ordered_json all = dialectsAsJson();
-    for (const auto& row : all["dialects"]) {
-        fmt::print("{:<10} {:<10} {:>4} codes, {}, 1 without a point is {:g} mm\n",
-                   row["key"].get<std::string>(), row["name"].get<std::string>(), row["codes"].get<int>(),
-                   row["macros"] == "macroB" ? "custom macro B" : "O-words",
-                   row["leastUnitMm"].get<double>());
+    for (const Dialect& dialect : dialects()) {
+        fmt::print("{:<10} {:<14} {:>4} codes, {}, 1 without a point is {:g} mm\n", dialect.key, dialect.name,
+                   supportedCodes(dialect), nameOf(dialect.macros).name, dialect.leastMm);
     }
 }
 

@@ -12,6 +12,8 @@ int workOffsetCode(const MachineState& state, const Dialect& dialect) {
     constexpr int kStandard = 6; // G54 to G59
     if (state.workOffset <= kStandard)
         return 530 + 10 * state.workOffset;
+    if (dialect.macros == MacroLanguage::labels)
+        return 590;
     return dialect.macros == MacroLanguage::macroB ? 541 : 590 + state.workOffset - kStandard;
 }
 

@@ -29,8 +29,15 @@ double sweepAbout(const Vec2& centre, const ArcEnds& ends, double samePoint) {
 
 } // namespace
 
-ArcTolerances arcTolerances(bool inch) {
+ArcTolerances arcTolerances(ArcRule rule, bool inch) {
     constexpr double kMm = 25.4;
+    constexpr double kFloat = 1e-5; ///< of grbl, which computes in single precision
+    if (rule == ArcRule::grbl)
+        return {kFloat, 0.005, 0.001, 0.5};
+    if (rule == ArcRule::nist && inch)
+        return {0.0002 * kMm, 0.0002 * kMm, 0, 0.0002 * kMm};
+    if (rule == ArcRule::nist)
+        return {0.002, 0.002, 0, 0.002};
     if (inch)
         return {0.00005 * kMm, 0.00283 * kMm, 0.001, 0.283 * kMm};
     return {0.00127, 0.0283, 0.001, 2.83};

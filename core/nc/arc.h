@@ -7,10 +7,12 @@
 #include <tl/expected.hpp>
 
 #include "core/base/geometry.h"
+#include "core/nc/dialect.h"
 
 namespace proveout {
 
-/// How far an arc may be off. Source: LinuxCNC, whose limits are round numbers in the unit of the program.
+/// How far an arc may be off. Sources: LinuxCNC, whose limits are round numbers in the unit of the program;
+/// grbl; the RS274/NGC interpreter of NIST, version 3.
 struct ArcTolerances {
     double radius;           ///< a smaller radius is none; R may be short by this much
     double difference;       ///< between the radii at both ends: always allowed
@@ -18,7 +20,7 @@ struct ArcTolerances {
     double mostDifference;   ///< … up to this much
     double samePoint = 5e-9; ///< ends closer than this are one: what adding up increments may leave behind
 };
-[[nodiscard]] ArcTolerances arcTolerances(bool inch);
+[[nodiscard]] ArcTolerances arcTolerances(ArcRule rule, bool inch);
 
 enum class ArcFault : std::uint8_t { zeroRadius, endsDiffer, fullWithRadius, radiusSmall };
 

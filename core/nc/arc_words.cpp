@@ -41,7 +41,7 @@ public:
         const bool centre = has(m_plane.first) || has(m_plane.second);
         if (radius && m_execution.dialect.radiusWins)
             return ofRadius();
-        if (has(m_plane.normal))
+        if (has(m_plane.normal) && !(m_execution.dialect.streamed && centre && ignoresOffPlane()))
             return refuseOffPlane();
         if (radius && centre)
             return refuse(nc_message::kArcMixed, m_execution.block.word('R'));
@@ -77,8 +77,8 @@ private:
 
     /// Where the dialect says how far radii may differ, lengths are whole least units besides.
     [[nodiscard]] ArcTolerances tolerances() const {
-        ArcTolerances result = arcTolerances(m_execution.state.inch);
         const Dialect& dialect = m_execution.dialect;
+        ArcTolerances result = arcTolerances(dialect.arcs, m_execution.state.inch);
         if (dialect.arcRadiiMm > 0) {
             result.difference = result.mostDifference = dialect.arcRadiiMm;
             result.samePoint = m_execution.leastLength() / 2;
@@ -99,7 +99,28 @@ private:
                       {letterOf(off), kPlaneCodes[static_cast<std::size_t>(m_plane.normal)]});
     }
 
+    /// grbl reads the third centre word and does nothing with it.
+    bool ignoresOffPlane() {
+        const char off = letter(m_plane.normal);
+        m_execution.reporter.tell(nc_message::kArcWordIgnored, m_execution.block.word(off), {letterOf(off)});
+        return true;
+    }
+
+    /// Where the setting of the control decides how I J K count, whether both ways make an arc.
+    void tellOpenCentre() {
+        MachineState& state = m_execution.state;
+        if (!m_execution.dialect.arcCentreOpen || state.arcCentreChosen || state.arcCentreTold)
+            return;
+        const Vec2 absolute(value(m_plane.first), value(m_plane.second));
+        const bool other = absolute != absolute + m_ends.start;
+        if (!other || !arcAbout(absolute, m_ends, tolerances()))
+            return;
+        state.arcCentreTold = true;
+        m_execution.reporter.tell(nc_message::kArcCentreOpen, m_word);
+    }
+
     std::optional<Arc> aboutCentre() {
+        tellOpenCentre();
         Vec2 centre(value(m_plane.first), value(m_plane.second));
         if (!m_execution.state.arcCentreAbsolute)
             centre += m_ends.start;
@@ -111,6 +132,8 @@ private:
     }
 
     std::optional<Arc> ofRadius() {
+        if (m_execution.dialect.radiusNotScaled && m_execution.state.frame.transformation.scaled)
+            m_execution.reporter.tell(nc_message::kRadiusScaled, m_execution.block.word('R'), {"R"});
         const Word& word = m_execution.block.word('R');
         return checked(arcOfRadius(m_execution.length('R'), m_ends, tolerances()), word);
     }

@@ -22,6 +22,8 @@ public:
         : m_execution(execution), m_block(execution.block), m_plan(plan) {}
 
     bool plan() {
+        if (m_execution.dialect.mayRun != nullptr && !m_execution.dialect.mayRun(m_execution))
+            return false;
         for (const Word& word : m_block.codes()) {
             if (!planCode(word))
                 return false;
@@ -135,6 +137,9 @@ private:
         // Fanuc's dwell counts by any of X, U and P.
         if (m_axisWord != nullptr && m_execution.codes.find(*m_axisWord)->step == Step::dwell)
             others.remove(LetterSet("U"));
+        // Mach's rotation has its centre at A and B.
+        if (m_axisWord != nullptr && m_execution.codes.find(*m_axisWord)->step == Step::rotation)
+            others.remove(LetterSet("AB"));
         if (!m_block.letters().any(others))
             return;
         for (const LetterRow& row : letters()) {
@@ -194,7 +199,9 @@ private:
             return refuse(nc_message::kMachineMotion, *m_machineWord);
         if (m_block.letters().any(kPolar))
             return refuse(nc_message::kMachinePolar, *m_machineWord);
-        if (m_execution.state.incremental || groupIs(ModalGroup::distance, kIncrementalTenths))
+        const bool incremental =
+            m_execution.state.incremental || groupIs(ModalGroup::distance, kIncrementalTenths);
+        if (incremental && !m_execution.dialect.machineIsAbsolute)
             return refuse(nc_message::kMachineIncremental, *m_machineWord);
         return true;
     }
@@ -205,7 +212,7 @@ private:
     }
 
     bool planMotionOff(bool named) {
-        if (m_execution.dialect.beginsInRapid)
+        if (m_execution.dialect.rapidAfterG80)
             return planRapidAfterG80(named);
         if (named)
             return refuse(nc_message::kG80WithAxis, firstAxisWord(),

@@ -27,7 +27,9 @@ void callProgram(Execution& execution, const Word& word) {
         return;
     }
     FlowRequest request{FlowRequest::Kind::call, 0, 1, block.word('P')};
-    for (const char letter : {'P', 'L'}) {
+    // Q is among the words of this code where the control is Mach.
+    const char repeats = block.has('L') ? 'L' : 'Q';
+    for (const char letter : {'P', repeats}) {
         const double most = letter == 'P' ? kMostNumber : kMostRepeats;
         if (block.has(letter) && !whole(block.word(letter), most)) {
             execution.reporter.tell(nc_message::kNotInteger, block.word(letter),
@@ -35,8 +37,10 @@ void callProgram(Execution& execution, const Word& word) {
             return;
         }
     }
+    if (repeats == 'L' && block.has('Q'))
+        execution.reporter.tell(nc_message::kWordIgnored, block.word('Q'), {"Q"});
     request.program = static_cast<int>(block.value('P'));
-    request.repeats = block.has('L') ? static_cast<int>(block.value('L')) : 1;
+    request.repeats = block.has(repeats) ? static_cast<int>(block.value(repeats)) : 1;
     execution.request = request;
 }
 

@@ -130,7 +130,7 @@ bool isCycle(const CodeRow* row) {
 }
 
 const CannedCycle& cycleOf(DialectId dialect, const CodeRow& row) {
-    if (dialect == DialectId::linuxcnc)
+    if (dialect == DialectId::linuxcnc || dialect == DialectId::mach)
         return *find(kLinuxcnc, row.tenths);
     const CannedCycle* own = dialect == DialectId::haas ? find(kHaas, row.tenths) : nullptr;
     return own != nullptr ? *own : *find(kFanuc, row.tenths);

@@ -2,7 +2,9 @@
 // The rows of the codes, by who understands them. codes.cpp puts the tables of the dialects together.
 #pragma once
 
+#include <initializer_list>
 #include <span>
+#include <vector>
 
 #include "core/nc/codes.h"
 
@@ -13,5 +15,11 @@ namespace proveout {
 [[nodiscard]] std::span<const CodeRow> rs274Codes();   ///< of LinuxCNC
 [[nodiscard]] std::span<const CodeRow> fanucCodes();   ///< of Fanuc, and of Haas as far as it is the same
 [[nodiscard]] std::span<const CodeRow> haasCodes();    ///< of Haas, over those of Fanuc
+[[nodiscard]] std::span<const CodeRow> grblCodes();    ///< of grbl, all of them
+[[nodiscard]] std::span<const CodeRow> machCodes();    ///< of Mach, over the basic ones
+
+/// The rows of `all` that other controls of the family have just so, by their tenths.
+[[nodiscard]] std::vector<CodeRow> sameRows(std::span<const CodeRow> all, char letter,
+                                            std::initializer_list<int> tenths);
 
 } // namespace proveout

@@ -72,16 +72,30 @@ const CodeTable& codesOf(DialectId dialect) {
     static const CodeTable kLinuxcnc{foreignCodes(), basicCodes(), rs274Codes()};
     static const CodeTable kFanuc{basicCodes(), fanucCodes()};
     static const CodeTable kHaas{basicCodes(), fanucCodes(), haasCodes()};
+    static const CodeTable kGrbl{grblCodes()};
+    static const CodeTable kMach{foreignCodes(), basicCodes(), machCodes()};
     switch (dialect) {
     case DialectId::fanuc:
         return kFanuc;
     case DialectId::haas:
         return kHaas;
+    case DialectId::grbl:
+        return kGrbl;
+    case DialectId::mach:
+        return kMach;
     case DialectId::linuxcnc:
     case DialectId::count:
         break;
     }
     return kLinuxcnc;
+}
+
+std::vector<CodeRow> sameRows(std::span<const CodeRow> all, char letter, std::initializer_list<int> tenths) {
+    std::vector<CodeRow> rows;
+    std::ranges::copy_if(all, std::back_inserter(rows), [&](const CodeRow& row) {
+        return row.letter == letter && std::ranges::find(tenths, row.tenths) != tenths.end();
+    });
+    return rows;
 }
 
 std::span<const LetterRow> letters() {

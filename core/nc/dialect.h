@@ -10,12 +10,24 @@
 
 namespace proveout {
 
-enum class DialectId : std::uint8_t { linuxcnc, fanuc, haas, count };
+enum class DialectId : std::uint8_t { linuxcnc, fanuc, haas, grbl, mach, count };
+
+struct Execution;
+struct Message;
 
 /// How parameters, expressions and jumps are written.
 enum class MacroLanguage : std::uint8_t {
     oWords, ///< of LinuxCNC: #<name>, O… sub, O… if
     macroB, ///< of Fanuc: a parameter that was never set is null; IF […] GOTO, WHILE […] DO
+    labels, ///< of Mach: expressions of RS274, parameters by number; O… alone, as the label of a subprogram
+    none,   ///< of grbl: numbers only
+};
+
+/// By how much the radii at both ends of an arc may differ, and R be short.
+enum class ArcRule : std::uint8_t {
+    linuxcnc, ///< in round numbers of the unit of the program
+    grbl,     ///< in mm whatever the unit
+    nist,     ///< of RS274/NGC, from which Mach comes
 };
 
 /// One row of the table of dialects.
@@ -50,7 +62,22 @@ struct Dialect {
     double peckGapMm;  ///< above the depth reached, where rapid becomes feed: Fanuc 5115, Haas setting 22
     double peckLiftMm; ///< above R to clear the chips: Haas setting 52
     bool radiusWins;   ///< over I J K in an arc; a full circle by R moves nothing, and no centre is a line
-    double arcRadiiMm; ///< by which an arc's radii may differ: Fanuc 3410; 0: LinuxCNC's rules
+    double arcRadiiMm; ///< by which an arc's radii may differ: Fanuc 3410; 0: by `arcs`
+    ArcRule arcs = ArcRule::linuxcnc;
+    std::size_t longestLine = 0;   ///< characters that the control reads; 0: any number
+    double largestBlockNumber = 0; ///< 0: any
+    bool streamed = false;         ///< lines come over a serial line: serial_line.h
+    bool machineIsAbsolute =
+        false;                    ///< G53 counts from the machine's zero in G91 too; otherwise it is refused
+    bool rapidAfterG80 = false;   ///< axis words behind G80 move in rapid; otherwise they are an error
+    bool changesTools = true;     ///< by M6
+    bool polarAboutTool = false;  ///< the pole of G16 is where the tool stands
+    bool radiusNotScaled = false; ///< G51 scales words; whether R and Q are among them is not written
+    bool dwellUnitOpen = false;   ///< a setting says whether P of a dwell counts seconds or milliseconds
+    bool arcCentreOpen = false;   ///< a setting says whether I J K are absolute without G90.1 and G91.1
+    bool (*mayRun)(Execution&) = nullptr; ///< false: told, and the control drops the block
+    /// What the control answers where it drops a block for what a message says; null: no answer is known.
+    const char* (*answer)(const Message&) = nullptr;
 };
 
 /// All of them, in the order of DialectId.

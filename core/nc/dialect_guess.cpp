@@ -89,6 +89,15 @@ constexpr Row kRows[] = {
     {haas, kSign, "G110"},
     {haas, kSign, "G12I"},
     {haas, kSign, "G13I"},
+    {grbl, kDecides, "^$"},
+    {mach, kDecides, "G68A"},
+    {mach, kDecides, "G68B"},
+    {mach, kDecides, "M98P%Q"},
+    {mach, kSign, "M98P%L%Q"},
+    {mach, kSign, "G59P"},
+    {mach, kSign, "M47"},
+    {mach, kSign, "G28.1Z"},
+    {mach, kSign, "G28.1X"},
 };
 
 bool isDigit(char c) {
@@ -157,7 +166,7 @@ DialectGuess guessDialect(const NcText& text) {
     for (std::size_t i = 0; i < most; ++i) {
         strip(text.line(i), line);
         // Most lines are plain coordinates.
-        if (line.find_first_of("GMOIW#:<*") == std::string::npos)
+        if (line.find_first_of("GMOIW#:<*$") == std::string::npos)
             continue;
         for (std::size_t row = 0; row < std::size(kRows); ++row) {
             const auto at = seen[row] ? std::nullopt : placeOf(kRows[row].pattern, line);
@@ -175,14 +184,17 @@ DialectGuess guessDialect(const NcText& text) {
     const auto of = [&](DialectId id) -> int& { return weights[static_cast<std::size_t>(id)]; };
     if (of(haas) > 0)
         of(haas) += of(fanuc);
+    // Likewise Mach, and what LinuxCNC shares with it.
+    if (of(mach) > 0 && of(linuxcnc) < kDecides)
+        of(mach) += of(linuxcnc);
     DialectGuess guess;
     for (const Dialect& row : dialects()) {
         if (of(row.id) > of(guess.dialect))
             guess.dialect = row.id;
     }
-    const bool family = guess.dialect != linuxcnc;
+    const DialectId family = guess.dialect == haas ? fanuc : guess.dialect == mach ? linuxcnc : guess.dialect;
     std::ranges::copy_if(signs, std::back_inserter(guess.reasons), [&](const DialectSign& sign) {
-        return sign.dialect == guess.dialect || (family && sign.dialect == fanuc);
+        return sign.dialect == guess.dialect || sign.dialect == family;
     });
     return guess;
 }

@@ -244,11 +244,14 @@ constexpr PairFunction kMacroBPairs[] = {
 };
 
 constexpr ExpressionRules kOWordRules{kOWordOperators, kOWordFunctions, kOWordPairs, true};
+constexpr ExpressionRules kLabelRules{kOWordOperators, kOWordFunctions, kOWordPairs, false};
 constexpr ExpressionRules kMacroBRules{kMacroBOperators, kMacroBFunctions, kMacroBPairs, false};
 
 } // namespace
 
 const ExpressionRules& expressionRules(MacroLanguage language) {
+    if (language == MacroLanguage::labels)
+        return kLabelRules;
     return language == MacroLanguage::macroB ? kMacroBRules : kOWordRules;
 }
 

@@ -78,10 +78,11 @@ void millPocketClockwise(Execution& execution, const Word& word);        ///< G1
 void millPocketCounterClockwise(Execution& execution, const Word& word); ///< G13 of Haas
 
 // length_codes.cpp
-void useToolLength(Execution& execution, const Word& word);    ///< G43
-void useGivenLength(Execution& execution, const Word& word);   ///< G43.1
-void addToolLength(Execution& execution, const Word& word);    ///< G43.2
-void cancelToolLength(Execution& execution, const Word& word); ///< G49
+void useToolLength(Execution& execution, const Word& word);      ///< G43
+void subtractToolLength(Execution& execution, const Word& word); ///< G44 of Mach, with a number
+void useGivenLength(Execution& execution, const Word& word);     ///< G43.1
+void addToolLength(Execution& execution, const Word& word);      ///< G43.2
+void cancelToolLength(Execution& execution, const Word& word);   ///< G49
 
 // transformation_codes.cpp
 void scaleCoordinates(Execution& execution, const Word& word); ///< G51
@@ -144,7 +145,25 @@ void compensateRightByRegister(Execution& execution, const Word& word); ///< G42
 void compensateLeftByDiameter(Execution& execution, const Word& word);  ///< G41.1
 void compensateRightByDiameter(Execution& execution, const Word& word); ///< G42.1
 
+// mach_handlers.cpp
+void millCircleClockwise(Execution& execution, const Word& word);        ///< G12 of Mach
+void millCircleCounterClockwise(Execution& execution, const Word& word); ///< G13 of Mach
+void beginPolarHere(Execution& execution, const Word& word);             ///< G16 of Mach
+void referenceAxes(Execution& execution, const Word& word);              ///< G28.1 of Mach
+void useNumberedLength(Execution& execution, const Word& word);          ///< G43 of Mach
+void subtractNumberedLength(Execution& execution, const Word& word);     ///< G44 of Mach
+void scaleByAxis(Execution& execution, const Word& word);                ///< G51 of Mach
+void turnByPoint(Execution& execution, const Word& word);                ///< G68 of Mach
+void selectNumberedSystem(Execution& execution, const Word& word);       ///< G54.1 and G59 of Mach
+void beginAgain(Execution& execution, const Word& word);                 ///< M47 of Mach
+
+// grbl_codes.cpp
+void ignoreOptionalStop(Execution& execution, const Word& word);   ///< M1 of grbl
+void switchMistWhereBuilt(Execution& execution, const Word& word); ///< M7 of grbl
+
 // machine_codes.cpp
+/// Tells once where a setting of the control decides what P of a dwell counts.
+void tellDwellUnit(Execution& execution, const Word& time);
 void dwell(Execution& execution, const Word& word);                       ///< G4
 void dwellByLetter(Execution& execution, const Word& word);               ///< G4 of Fanuc
 void orderRigidTapping(Execution& execution, const Word& word);           ///< M29

@@ -21,7 +21,7 @@ Interpretation::Interpretation(const NcText& text, const InterpretOptions& optio
                                const WorkContext& context)
     : m_text(text), m_options(options), m_guess(std::move(guess)), m_dialect(dialect(m_guess.dialect)),
       m_codes(codesOf(m_guess.dialect)), m_context(context), m_program(std::make_shared<Program>()),
-      m_reporter(*m_program, options.file, options.maxDiagnostics), m_run(m_dialect.macros, options.tools),
+      m_reporter(*m_program, options.file, options.maxDiagnostics, m_dialect.answer), m_run(m_dialect.macros, options.tools),
       m_calls(text, options.file, {options.maxSteps, options.subprogramFolders, m_dialect.deepestCalls},
               m_parameters, m_reporter) {
     if (options.start || options.assumeStartAtZero) {
@@ -130,10 +130,12 @@ void Interpretation::runWatched() {
 
 void Interpretation::runLine() {
     const std::size_t index = m_calls.at();
-    const std::string_view text = m_calls.text().line(index);
+    std::string_view text = m_calls.text().line(index);
     const bool first = m_calls.inMainText() && index >= m_run.linesRead;
     if (first)
         firstLook(index, text);
+    if (m_dialect.streamed && !readStreamed(text, first))
+        return;
     readLine(text, m_readContext, m_line);
     if (m_line.deleteMark && m_options.blockDelete)
         return;

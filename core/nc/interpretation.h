@@ -18,6 +18,7 @@
 #include "core/nc/macro_variables.h"
 #include "core/nc/o_word_flow.h"
 #include "core/nc/resume_point.h"
+#include "core/nc/serial_line.h"
 
 namespace proveout {
 
@@ -68,6 +69,7 @@ private:
     void skipToPercent();
     bool beginsProgram(std::size_t index);
     void firstLook(std::size_t index, std::string_view text);
+    bool readStreamed(std::string_view& text, bool first);
     void tellAboutLine(std::string_view text);
     void tellInputRead();
     void skipUnreadable(std::string_view text, bool first);
@@ -80,6 +82,8 @@ private:
     [[nodiscard]] std::uint32_t mainLine() const {
         return static_cast<std::uint32_t>(m_calls.mainLine() + 1);
     }
+
+    [[nodiscard]] const SystemValues& systemValues() const;
 
     const NcText& m_text;
     const InterpretOptions& m_options;
@@ -98,11 +102,13 @@ private:
     OffsetRegisters m_registers{m_run.tools, m_dialect.registersHoldDiameter};
     MachineValues m_values{m_state};
     MacroVariables m_variables{m_state, m_parameters, m_registers, m_dialect};
-    const SystemValues& m_system = m_macroB ? static_cast<const SystemValues&>(m_variables) : m_values;
+    OffsetValues m_offsetValues{m_state};
+    const SystemValues& m_system = systemValues();
     ReadContext m_readContext{m_parameters, m_system, m_dialect, m_options.blockDelete};
     CallStack m_calls;
     OWordFlow m_oWords{m_calls, m_parameters, m_readContext, m_reporter};
     MacroFlow m_macros{m_calls, m_readContext, m_reporter};
+    SerialLine m_serial{m_dialect.longestLine};
     Line m_line;
     std::size_t m_loneCr = 0;
     KeepPoint m_keepPoint;

@@ -53,7 +53,8 @@ void Interpretation::assign() {
         const std::string& name = order.target.name;
         if (m_macroB && writeVariable(order))
             continue;
-        if (!m_macroB && name.empty() && order.target.number == kInputParameter)
+        if (m_dialect.macros == MacroLanguage::oWords && name.empty() &&
+            order.target.number == kInputParameter)
             m_state.inputAssumed = false;
         const bool readOnly = name.empty() ? m_system.numbered(order.target.number).has_value()
                                            : m_system.named(name).has_value();

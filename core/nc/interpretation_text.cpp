@@ -11,8 +11,6 @@ namespace proveout {
 
 namespace {
 
-constexpr std::size_t kLongestLine = 252; ///< characters that LinuxCNC reads
-
 constexpr std::size_t kLongestShown = 40;        ///< bytes of a line in a message
 constexpr std::uint8_t kContinuationMask = 0xc0; ///< of a byte within a character of UTF-8
 constexpr std::uint8_t kContinuation = 0x80;
@@ -32,6 +30,19 @@ std::string readable(std::string_view text) {
 }
 
 } // namespace
+
+const SystemValues& Interpretation::systemValues() const {
+    switch (m_dialect.macros) {
+    case MacroLanguage::macroB:
+        return m_variables;
+    case MacroLanguage::labels:
+    case MacroLanguage::none:
+        return m_offsetValues;
+    case MacroLanguage::oWords:
+        break;
+    }
+    return m_values;
+}
 
 void Interpretation::tellGuess() {
     constexpr std::size_t kMostShown = 4;
@@ -85,9 +96,22 @@ void Interpretation::firstLook(std::size_t index, std::string_view text) {
         m_reporter.tell(nc_message::kLoneCr, static_cast<int>(text.size() + 1), 1);
 }
 
+/// Leaves in `text` what the control on a serial line reads as a block; false where it reads none.
+bool Interpretation::readStreamed(std::string_view& text, bool first) {
+    const bool block = m_serial.read(text, m_run.serial, m_reporter, m_state);
+    if (!block) {
+        m_state.forget(axisLetters(text));
+        m_run.sourceBlocks += first ? 1 : 0;
+    }
+    text = m_serial.text();
+    return block;
+}
+
 void Interpretation::tellAboutLine(std::string_view text) {
-    if (!m_macroB && text.size() > kLongestLine)
-        m_reporter.tell(nc_message::kLineLong, kLongestLine + 1, 1, {std::to_string(text.size())});
+    const std::size_t longest = m_dialect.streamed ? 0 : m_dialect.longestLine;
+    if (longest > 0 && text.size() > longest)
+        m_reporter.tell(nc_message::kLineLong, static_cast<int>(longest + 1), 1,
+                        {std::to_string(text.size())});
     if (m_line.controlCodeColumn > 0 && !m_run.controlCodeTold) {
         m_run.controlCodeTold = true;
         m_reporter.tell(nc_message::kControlCode, m_line.controlCodeColumn, 1);
@@ -117,6 +141,10 @@ void Interpretation::skipUnreadable(std::string_view text, bool first) {
 
 /// LinuxCNC runs what is between two "%". One alone is forgiven at the end of the file.
 void Interpretation::handlePercent(std::size_t index) {
+    if (m_dialect.streamed) {
+        m_reporter.tell(nc_message::kPercentRefused, 1, 1);
+        return;
+    }
     if (!m_run.percentOpen && m_run.sourceBlocks == 0) {
         m_run.percentOpen = true;
     } else if (m_run.percentOpen) {

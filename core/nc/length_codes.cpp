@@ -49,12 +49,24 @@ void setToolOffset(Execution& execution, const Vec3& offset) {
     execution.program.append(ToolLengthOffset{offset}, execution.line);
 }
 
-void useToolLength(Execution& execution, const Word& word) {
+namespace {
+
+void useLength(Execution& execution, const Word& word, int sign) {
     const ToolOffset* offset = offsetAsked(execution, word);
     if (offset == nullptr)
         return;
-    setToolOffset(execution, offset->offset);
-    execution.state.lengthSign = 1;
+    setToolOffset(execution, static_cast<double>(sign) * offset->offset);
+    execution.state.lengthSign = sign;
+}
+
+} // namespace
+
+void useToolLength(Execution& execution, const Word& word) {
+    useLength(execution, word, 1);
+}
+
+void subtractToolLength(Execution& execution, const Word& word) {
+    useLength(execution, word, -1);
 }
 
 void useGivenLength(Execution& execution, const Word& word) {

@@ -171,7 +171,8 @@ private:
     }
 
     void readComment() {
-        const std::size_t end = m_text.find_first_of(m_macroB ? ")" : "()", m_at + 1);
+        const bool nests = !m_macroB && !m_context.dialect.streamed;
+        const std::size_t end = m_text.find_first_of(nests ? "()" : ")", m_at + 1);
         if (end == std::string_view::npos)
             fail(nc_message::kCommentUnclosed, m_at, m_at + 1);
         else if (m_text[end] == '(')
@@ -210,6 +211,10 @@ private:
 
     void readExpression(char letter) {
         const std::size_t begin = m_at;
+        if (m_context.dialect.macros == MacroLanguage::none) {
+            fail(nc_message::kNoExpressions, begin, begin + 1);
+            return;
+        }
         std::size_t end = begin + 1;
         ExpressionReader reader(m_text, m_context);
         if (kLengths.has(letter))
@@ -223,6 +228,10 @@ private:
 
     void readAssignment() {
         const std::size_t begin = m_at++;
+        if (m_context.dialect.macros == MacroLanguage::none) {
+            fail(nc_message::kNoExpressions, begin, begin + 1);
+            return;
+        }
         ExpressionReader reader(m_text, m_context);
         auto target = reader.parameterName(m_at);
         if (!target) {
@@ -297,7 +306,7 @@ private:
     /// Block numbers are labels, of any length and also with decimals.
     void readBlockNumber() {
         const std::size_t begin = m_at;
-        if (!m_line.block.empty() || m_seenBlockNumber) {
+        if ((!m_line.block.empty() && !m_context.dialect.streamed) || m_seenBlockNumber) {
             fail(nc_message::kBlockNumberPlace, begin, begin + 1);
             return;
         }
@@ -309,6 +318,11 @@ private:
         }
         if (number.status != NumberStatus::good && number.status != NumberStatus::outOfRange) {
             failOnNumber(number, begin);
+            return;
+        }
+        const double largest = m_context.dialect.largestBlockNumber;
+        if (largest > 0 && (number.status == NumberStatus::outOfRange || number.value > largest)) {
+            fail(nc_message::kBlockNumberLarge, begin, number.end, "10000000");
             return;
         }
         m_line.blockNumber = number.value;
@@ -324,7 +338,12 @@ private:
             return;
         }
         auto word = readFlowWord(m_text);
-        if (word)
+        const bool labels = m_context.dialect.macros == MacroLanguage::labels;
+        if (m_context.dialect.macros == MacroLanguage::none)
+            fail(nc_message::kWordForeign, begin, begin + 1, "O");
+        else if (labels && (!word || word->kind != FlowKind::programNumber || word->label.empty()))
+            fail(nc_message::kOWordForeign, begin, begin + 1);
+        else if (word)
             m_line.flow = std::move(*word);
         else
             m_line.error = word.error();

@@ -50,14 +50,26 @@ std::optional<int> toolNumber(Execution& execution, const Word& word) {
 
 } // namespace
 
+void tellDwellUnit(Execution& execution, const Word& time) {
+    constexpr double kMillisecond = 1e-3;
+    if (!execution.dialect.dwellUnitOpen || execution.state.dwellUnitTold || time.value == 0)
+        return;
+    execution.state.dwellUnitTold = true;
+    execution.reporter.tell(
+        nc_message::kDwellUnit, time,
+        {nameOf(time), fmt::format("{:g}", time.value), fmt::format("{:g}", time.value * kMillisecond)});
+}
+
 void dwell(Execution& execution, const Word& word) {
     if (!execution.block.has('P')) {
         execution.reporter.tell(nc_message::kWordMissing, word, {"G4", "P"});
         return;
     }
     const Word& seconds = execution.block.word('P');
-    if (!tellNegative(execution, seconds))
-        execution.program.append(Dwell{seconds.value}, execution.line);
+    if (tellNegative(execution, seconds))
+        return;
+    tellDwellUnit(execution, seconds);
+    execution.program.append(Dwell{seconds.value}, execution.line);
 }
 
 void dwellByLetter(Execution& execution, const Word& /*word*/) {
@@ -126,8 +138,12 @@ void keepSpindleSpeed(Execution& execution, const Word& /*word*/) {
 }
 
 void selectTool(Execution& execution, const Word& word) {
-    if (const auto number = toolNumber(execution, word))
-        execution.state.selectedTool = *number;
+    const auto number = toolNumber(execution, word);
+    if (!number)
+        return;
+    if (!execution.dialect.changesTools && *number != execution.state.selectedTool)
+        execution.reporter.tell(nc_message::kToolNotChanged, word, {std::to_string(*number)});
+    execution.state.selectedTool = *number;
 }
 
 void setToolNumber(Execution& execution, const Word& word) {

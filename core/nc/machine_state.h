@@ -31,6 +31,7 @@ struct MachineState {
     bool inch = false;
     bool incremental = false;       ///< G91
     bool arcCentreAbsolute = false; ///< G90.1
+    bool arcCentreChosen = false;   ///< G90.1 or G91.1 was executed
     bool retractToR = true;         ///< G99, with which LinuxCNC begins
     bool ended = false;             ///< M2 or M30 was executed
     bool mist = false;
@@ -64,6 +65,8 @@ struct MachineState {
     int radiusRegister = 0;  ///< D
     double pathControl = 64; ///< G61 to G64
     double lastM = 0;
+    double lastB = 0;
+    bool modalMacro = false;  ///< G66 is in force
     double blockNumber = 0;   ///< N
     double programNumber = 0; ///< O
     PolarMode polar;
@@ -85,6 +88,8 @@ struct MachineState {
     bool missingFeedTold = false;
     bool referenceTold = false;
     bool probeTold = false;
+    bool arcCentreTold = false;
+    bool dwellUnitTold = false;
 
     bool inputAssumed = false; ///< M66 put into #5399 what nobody knows, and nothing has read it yet
 

@@ -85,6 +85,23 @@ const Message* MachineValues::refusal(int number) const {
     return m_state.compensation.on && isPosition(number) ? &nc_message::kPositionHidden : nullptr;
 }
 
+std::optional<double> OffsetValues::numbered(int number) const {
+    return number == kActiveOffset ? std::optional(static_cast<double>(m_state.workOffset)) : std::nullopt;
+}
+
+const Message* OffsetValues::refusal(int number) const {
+    constexpr int kProbed = 2000;
+    constexpr int kHome = 5161;
+    constexpr int kSecondHome = 5181;
+    constexpr int kAxes = 6;
+    const auto within = [number](int first) { return number >= first && number < first + kAxes; };
+    return within(kProbed) || within(kHome) || within(kSecondHome) ? &nc_message::kMachineVariable : nullptr;
+}
+
+std::optional<double> OffsetValues::named(std::string_view /*name*/) const {
+    return {};
+}
+
 std::optional<double> MachineValues::named(std::string_view name) const {
     const auto* row = std::ranges::lower_bound(kNamed, name, {}, &NamedValue::name);
     return row != std::end(kNamed) && row->name == name ? std::optional(row->value(m_state)) : std::nullopt;

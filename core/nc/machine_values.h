@@ -29,4 +29,18 @@ private:
     mutable bool m_inputRead = false;
 };
 
+/// What Mach's parameters tell of the machine: #5220. Its reference positions and what a probe found are
+/// refused, because only the machine knows them. Keeps a reference to the state.
+class OffsetValues : public SystemValues {
+public:
+    explicit OffsetValues(const MachineState& state) : m_state(state) {}
+
+    [[nodiscard]] std::optional<double> numbered(int number) const override;
+    [[nodiscard]] const Message* refusal(int number) const override;
+    [[nodiscard]] std::optional<double> named(std::string_view name) const override;
+
+private:
+    const MachineState& m_state;
+};
+
 } // namespace proveout

@@ -168,6 +168,15 @@ inline constexpr Message kBlockTarget{
 inline constexpr Message kBlockUnknown{
     Severity::error, true, "block-unknown", PROVEOUT_TEXT("Core", "There is no block N{} in this program."),
     PROVEOUT_TEXT("Core", "Check the number; a jump does not leave its program.")};
+inline constexpr Message kBlockTwice{
+    Severity::error, true, "block-twice",
+    PROVEOUT_TEXT("Core", "The program has N{} more than once; the jump goes to the one in line {}."),
+    PROVEOUT_TEXT("Core", "Controls search in different directions; give each target a number of its own.")};
+inline constexpr Message kVariableWithoutGroup{
+    Severity::error, true, "variable-without-group",
+    PROVEOUT_TEXT("Core", "{} belongs to no modal group of milling that the manuals name."),
+    PROVEOUT_TEXT("Core",
+                  "Only the control itself can tell its value; what follows from it cannot be verified.")};
 inline constexpr Message kStatementForm{
     Severity::error, true, "statement-form", PROVEOUT_TEXT("Core", "The statement is not complete."),
     PROVEOUT_TEXT("Core", "Write IF [#1 GT 2] GOTO 10, IF [#1 GT 2] THEN #3=4, or WHILE [#1 GT 2] DO 1.")};
@@ -758,6 +767,121 @@ inline constexpr Message kCompensationAtEnd{
     PROVEOUT_TEXT("Core", "Cutter compensation is still on at the end of the program."),
     PROVEOUT_TEXT("Core", "Lead out with G40.")};
 
+// Of grbl, and of Mach.
+inline constexpr Message kCodeForeign{
+    Severity::error, true, "code-foreign", PROVEOUT_TEXT("Core", "{} is no order of this control."),
+    PROVEOUT_TEXT("Core", "The control drops the block, and so does the simulation; take the code out.")};
+inline constexpr Message kWordForeign{
+    Severity::error, true, "word-foreign", PROVEOUT_TEXT("Core", "This control has no word {}."),
+    PROVEOUT_TEXT("Core", "The control drops the block, and so does the simulation; take the word out.")};
+inline constexpr Message kNoExpressions{
+    Severity::error, true, "no-expressions",
+    PROVEOUT_TEXT("Core", "This control has neither parameters nor expressions."),
+    PROVEOUT_TEXT("Core", "Let the CAM system write plain numbers.")};
+inline constexpr Message kLineDropped{
+    Severity::error, true, "line-dropped",
+    PROVEOUT_TEXT(
+        "Core", "The line has {} characters without blanks and comments; the control reads no more than {}."),
+    PROVEOUT_TEXT("Core", "The control answers error:11 and drops the line; split it.")};
+inline constexpr Message kBlockNumberLarge{
+    Severity::error, true, "n-large", PROVEOUT_TEXT("Core", "The block number is larger than {}."),
+    PROVEOUT_TEXT("Core", "The control answers error:27 and drops the block; number the blocks anew.")};
+inline constexpr Message kSystemCommand{
+    Severity::warning, true, "system-command",
+    PROVEOUT_TEXT("Core", "{} is an order to the control itself; it is not carried out here."),
+    PROVEOUT_TEXT("Core",
+                  "It may move axes, change settings or clear offsets; send it apart from the program.")};
+inline constexpr Message kRealtimeCharacter{
+    Severity::warning, false, "realtime-character",
+    PROVEOUT_TEXT(
+        "Core",
+        "The character {} is an order to the control that counts wherever it stands, also in comments."),
+    PROVEOUT_TEXT("Core", "It may stop the machine or change an override; take it out.")};
+inline constexpr Message kRealtimeReset{
+    Severity::error, true, "realtime-reset",
+    PROVEOUT_TEXT("Core", "The character {} resets the control or stops it in the middle of the program."),
+    PROVEOUT_TEXT("Core", "Take it out.")};
+inline constexpr Message kDeleteMarkIgnored{
+    Severity::warning, false, "delete-mark-ignored",
+    PROVEOUT_TEXT("Core", "This control has no block delete: it runs what stands behind \"/\"."),
+    PROVEOUT_TEXT("Core", "Take the blocks out that are not to run.")};
+inline constexpr Message kPercentRefused{
+    Severity::warning, false, "percent-refused", PROVEOUT_TEXT("Core", "This control does not know \"%\"."),
+    PROVEOUT_TEXT("Core", "The control answers error:1 unless the sender keeps the line back; remove it.")};
+inline constexpr Message kToolNotChanged{
+    Severity::warning, true, "tool-not-changed",
+    PROVEOUT_TEXT("Core", "T{} is read, but changes nothing: this control has no tool change."),
+    PROVEOUT_TEXT("Core", "Make one program for each tool, or change it by hand behind M0.")};
+inline constexpr Message kOptionalStopIgnored{Severity::warning, false, "optional-stop-ignored",
+                                              PROVEOUT_TEXT("Core", "This control does not stop at M1."),
+                                              PROVEOUT_TEXT("Core", "Write M0 where it has to stop.")};
+inline constexpr Message kMistOption{
+    Severity::warning, true, "mist-option",
+    PROVEOUT_TEXT("Core", "M7 is known only where grbl was built with mist coolant."),
+    PROVEOUT_TEXT("Core",
+                  "Otherwise grbl answers error:20 and drops the block; give M7 a block of its own.")};
+inline constexpr Message kArcWordIgnored{
+    Severity::warning, false, "arc-word-ignored",
+    PROVEOUT_TEXT("Core", "The centre word {} lies outside the plane of the arc; the control ignores it."),
+    PROVEOUT_TEXT("Core", "Remove the word, or select the plane that was meant.")};
+inline constexpr Message kArcAxisMissing{
+    Severity::error, true, "arc-axis-missing",
+    PROVEOUT_TEXT("Core", "The arc names no axis of its plane as its end."),
+    PROVEOUT_TEXT("Core", "Write the end point, also of a full circle.")};
+inline constexpr Message kLengthAxis{
+    Severity::error, true, "length-axis",
+    PROVEOUT_TEXT("Core", "G43.1 takes the word Z and no other axis on this control."),
+    PROVEOUT_TEXT("Core", "Write G43.1 Z… in a block of its own.")};
+inline constexpr Message kOWordForeign{
+    Severity::error, true, "o-word-foreign",
+    PROVEOUT_TEXT("Core", "This control knows O with a number alone, as the beginning of a subprogram."),
+    PROVEOUT_TEXT("Core", "Call it with M98 and end it with M99.")};
+inline constexpr Message kDwellUnit{
+    Severity::warning, false, "dwell-unit",
+    PROVEOUT_TEXT("Core", "A setting of the control decides whether the dwell of {} is {} s or {} s; it is "
+                          "taken as the first."),
+    PROVEOUT_TEXT("Core", "Check on the control whether P counts seconds or milliseconds.")};
+inline constexpr Message kArcCentreOpen{
+    Severity::warning, true, "arc-centre-open",
+    PROVEOUT_TEXT(
+        "Core",
+        "The arc fits with its centre counted from the start point and also from the origin; a setting "
+        "of the control decides, and it is taken from the start point."),
+    PROVEOUT_TEXT("Core", "Write G91.1 or G90.1 at the beginning of the program.")};
+inline constexpr Message kPolarPole{
+    Severity::warning, true, "polar-pole",
+    PROVEOUT_TEXT("Core",
+                  "Mach3 takes the place of the tool for the pole of G16, Mach4 the origin; it is taken "
+                  "as Mach3 does."),
+    PROVEOUT_TEXT("Core", "Begin the polar coordinates where both are the same: at X0 Y0.")};
+inline constexpr Message kPolarArc{
+    Severity::warning, true, "polar-arc",
+    PROVEOUT_TEXT("Core",
+                  "Polar coordinates are meant for G0 and G1 in the XY plane; what {} does in them is "
+                  "not written."),
+    PROVEOUT_TEXT("Core", "Write G15 before it.")};
+inline constexpr Message kRadiusScaled{
+    Severity::warning, true, "radius-scaled",
+    PROVEOUT_TEXT("Core", "Whether G51 scales the word {} is not written; it is taken to scale it."),
+    PROVEOUT_TEXT("Core", "Write G50 before it, or give the centre of an arc by I and J.")};
+inline constexpr Message kPlaneXyOnly{Severity::error, true, "plane-xy-only",
+                                      PROVEOUT_TEXT("Core", "{} works in the XY plane only."),
+                                      PROVEOUT_TEXT("Core", "Write G17 before it; the code has no effect.")};
+inline constexpr Message kLengthNumberMissing{
+    Severity::warning, true, "length-number-missing",
+    PROVEOUT_TEXT("Core", "{} without H, or with H0, sets the tool length offset to 0."),
+    PROVEOUT_TEXT("Core", "Write the number of the tool behind H.")};
+inline constexpr Message kProgramRepeats{
+    Severity::warning, false, "program-repeats",
+    PROVEOUT_TEXT("Core", "M47 begins the program again, without end."),
+    PROVEOUT_TEXT("Core", "It is run once here; end it with M30 if that was meant.")};
+inline constexpr Message kAxesReferenced{
+    Severity::warning, true, "axes-referenced",
+    PROVEOUT_TEXT("Core",
+                  "{} seeks the reference switches; where the axes stand afterwards, only the machine "
+                  "knows."),
+    PROVEOUT_TEXT("Core", "Position the axes before the next cut.")};
+
 // What is no error and yet seldom meant; lint.cpp has the table of the rules.
 inline constexpr Message kFeedZero{Severity::warning, false, "feed-zero",
                                    PROVEOUT_TEXT("Core", "The feed rate is 0."),
@@ -797,6 +921,14 @@ inline constexpr Message kChangeTurning{
     Severity::note, false, "change-turning",
     PROVEOUT_TEXT("Core", "The tool is changed while the spindle turns."),
     PROVEOUT_TEXT("Core", "Write M5 before it; not every machine stops the spindle by itself.")};
+inline constexpr Message kUnreachable{
+    Severity::warning, false, "unreachable",
+    PROVEOUT_TEXT("Core", "Nothing leads to this line: line {} leaves the blocks before it for good."),
+    PROVEOUT_TEXT("Core", "Remove it, or give it the block number or the label that something jumps to.")};
+inline constexpr Message kToolNotInTable{
+    Severity::warning, false, "tool-not-in-table",
+    PROVEOUT_TEXT("Core", "T{} is selected, but the tool table does not have it."),
+    PROVEOUT_TEXT("Core", "Add the tool, or correct the number.")};
 inline constexpr Message kNearlyHalfCircle{
     Severity::warning, false, "nearly-half-circle",
     PROVEOUT_TEXT("Core", "The arc by its radius is nearly a half circle, {} degrees."),

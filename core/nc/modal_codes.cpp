@@ -11,7 +11,10 @@ void setUnits(Execution& execution, const Word& word, bool inch) {
         return;
     execution.state.inch = inch;
     execution.program.append(UnitsChange{inch}, execution.line);
-    if (execution.block.has('F')) {
+    if (execution.block.has('F') && execution.dialect.streamed) {
+        // grbl reads the whole block before it converts F.
+        setFeed(execution, execution.block.word('F'));
+    } else if (execution.block.has('F')) {
         execution.reporter.tell(nc_message::kFeedInOldUnit, execution.block.word('F'), {nameOf(word)});
     }
 }
@@ -55,11 +58,12 @@ void setIncremental(Execution& execution, const Word& /*word*/) {
 }
 
 void setArcCentreAbsolute(Execution& execution, const Word& /*word*/) {
-    execution.state.arcCentreAbsolute = true;
+    execution.state.arcCentreAbsolute = execution.state.arcCentreChosen = true;
 }
 
 void setArcCentreIncremental(Execution& execution, const Word& /*word*/) {
     execution.state.arcCentreAbsolute = false;
+    execution.state.arcCentreChosen = true;
 }
 
 void refuseDiameters(Execution& execution, const Word& word) {

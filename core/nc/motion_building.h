@@ -20,6 +20,9 @@ namespace proveout {
 /// Puts a tool length offset in force: the machine stands still, its tip is elsewhere afterwards.
 void setToolOffset(Execution& execution, const Vec3& offset);
 
+/// Puts a work offset into force by its number: 1 for G54.
+void selectSystem(Execution& execution, int system);
+
 /// Sends an axis to machine coordinate `value`; where nobody knows the machine's zero, to nobody knows where,
 /// but Z 0 is the machine's reference position.
 void setMachineTarget(Execution& execution, Motion& motion, int axis, double value);

@@ -42,6 +42,8 @@ void moveArc(Execution& execution, const Word& word, bool clockwise) {
     if (fanuc && onlySelectsMode(execution) && !execution.block.letters().any(kCentreOrRadius))
         return;
     Motion motion = motionToTarget(execution, MotionKind::arc);
+    if (execution.state.polar.on && execution.dialect.polarAboutTool)
+        execution.reporter.tell(nc_message::kPolarArc, word, {clockwise ? "G2" : "G3"});
     tellMissingFeed(execution, word);
     tellUnknownStart(execution, motion, word);
     if (execution.state.compensation.leaving()) {

@@ -77,7 +77,8 @@ void setWorkOffset(Execution& execution, bool here) {
         execution.reporter.tell(nc_message::kWordMissing, execution.block.word('L'), {"G10", "P"});
         return;
     }
-    const auto chosen = wholeNumber(execution, execution.block.word('P'), 0, kOffsetCount);
+    const auto chosen =
+        wholeNumber(execution, execution.block.word('P'), 0, kSixth + execution.dialect.additionalSystems);
     if (!chosen)
         return;
     const int system = *chosen == 0 ? execution.state.workOffset : *chosen;
@@ -156,13 +157,16 @@ void standHere(Execution& execution, const Vec3& program) {
 
 } // namespace
 
-void selectWorkOffset(Execution& execution, const Word& word) {
-    const int tenths = static_cast<int>(std::lround(word.value * 10));
-    const int system = tenths <= kG59 ? (tenths - kG54) / 10 + 1 : kSixth + (tenths - kG59);
+void selectSystem(Execution& execution, int system) {
     if (system == execution.state.workOffset)
         return;
     execution.state.workOffset = system;
     setFrame(execution, frameOf(execution, system));
+}
+
+void selectWorkOffset(Execution& execution, const Word& word) {
+    const int tenths = static_cast<int>(std::lround(word.value * 10));
+    selectSystem(execution, tenths <= kG59 ? (tenths - kG54) / 10 + 1 : kSixth + (tenths - kG59));
 }
 
 void setOffsets(Execution& execution, const Word& word) {

@@ -26,16 +26,22 @@ constexpr Range kMacroBRanges[] = {
     {14001, 20'000, 0}, ///< G54.1 P1 to P300
 };
 
+constexpr Range kLabelRanges[] = {{1, 10'320, 0}};
+
 constexpr int kFirstAlias = 7001;
 constexpr int kLastAlias = 7960;
 constexpr int kAliasOf = 14001;
 
 std::span<const Range> rangesOf(MacroLanguage language) {
+    if (language == MacroLanguage::labels)
+        return kLabelRanges;
     return language == MacroLanguage::macroB ? std::span<const Range>(kMacroBRanges)
                                              : std::span<const Range>(kOWordRanges);
 }
 
 int localsOf(MacroLanguage language) {
+    if (language == MacroLanguage::labels)
+        return 0;
     return language == MacroLanguage::macroB ? 33 : 30;
 }
 

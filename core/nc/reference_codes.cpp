@@ -15,7 +15,8 @@ constexpr LetterSet kAxes("XYZ");
 /// any, with all.
 void goToReference(Execution& execution, int parameter) {
     const bool all = !execution.block.letters().any(kAxes);
-    appendMotion(execution, motionToTarget(execution, MotionKind::rapid));
+    if (!all || execution.dialect.codeAloneMoves)
+        appendMotion(execution, motionToTarget(execution, MotionKind::rapid));
     Motion home = motionFromHere(execution, MotionKind::rapid);
     const Vec3 reference = vectorAt(execution.parameters, parameter);
     for (int axis = 0; axis < 3; ++axis) {

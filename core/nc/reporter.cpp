@@ -35,8 +35,9 @@ void Reporter::tellSuppressed() {
 
 void Reporter::append(const Message& message, bool unverified, TextRange where,
                       std::vector<std::string> arguments) {
+    const char* const answer = m_answer == nullptr ? nullptr : m_answer(message);
     m_program.append(Diagnostic{message.severity, unverified, message.id, message.text, std::move(arguments),
-                                message.hint, m_file, where});
+                                answer == nullptr ? message.hint : answer, m_file, where});
 }
 
 } // namespace proveout

@@ -19,8 +19,12 @@ namespace proveout {
 /// reference to the program. Knows whether anything was told that leaves the rest unverified.
 class Reporter {
 public:
-    Reporter(Program& program, std::string file, std::size_t limit)
-        : m_program(program), m_file(std::move(file)), m_limit(std::max(limit, kReserved + 1) - kReserved) {}
+    using Answer = const char* (*)(const Message&);
+
+    /// `answer`: a remedy that stands for the one of a message, where it gives one; may be null.
+    Reporter(Program& program, std::string file, std::size_t limit, Answer answer = nullptr)
+        : m_program(program), m_file(std::move(file)), m_limit(std::max(limit, kReserved + 1) - kReserved),
+          m_answer(answer) {}
 
     /// Of the messages that follow.
     void setFile(std::string file) { m_file = std::move(file); }
@@ -57,6 +61,7 @@ private:
     Program& m_program;
     std::string m_file;
     std::size_t m_limit;
+    Answer m_answer;
     int m_line = 0;
     Memory m_memory;
 };

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/nc/cycle_order.h"
+#include "core/nc/handlers.h"
 
 namespace proveout {
 
@@ -66,6 +67,9 @@ private:
         if (m_execution.state.feedMode == FeedMode::inverseTime)
             return refuse(nc_message::kCycleInverseTime, m_word);
         const MachineState& state = m_execution.state;
+        if (state.polar.on && block().letters().any(LetterSet("XY")))
+            m_execution.reporter.tell(nc_message::kPolarArc, m_word,
+                                      {fmt::format("G{}", m_cycle.tenths / 10)});
         m_series = isCycle(m_execution.motionBefore);
         const bool sticky = m_execution.motionBefore == state.motion;
         if (!m_series)
@@ -81,6 +85,9 @@ private:
             return refuseMissing(depth);
         if (!sticky && !block().has('R'))
             return refuseMissing('R');
+        if (block().has('R') && m_execution.dialect.radiusNotScaled &&
+            m_execution.state.frame.transformation.scaled)
+            m_execution.reporter.tell(nc_message::kRadiusScaled, block().word('R'), {"R"});
         if (block().has('R'))
             m_state.retract = m_execution.length('R');
         if (block().has(depth))
@@ -101,9 +108,11 @@ private:
             m_state.peck = m_execution.length('Q');
         if (m_cycle.pecks && m_state.peck <= 0)
             return refuse(nc_message::kCyclePeck, block().has('Q') ? block().word('Q') : m_word);
-        if (block().has('P'))
+        if (block().has('P')) {
             m_state.dwell = block().value('P');
-        else if (!sticky)
+            tellDwellUnit(m_execution, block().word('P'));
+        }
+        if (!block().has('P') && !sticky)
             m_state.dwell = 0;
         if (m_state.dwell < 0)
             return refuse(nc_message::kNegative, block().word('P'), {"P"});

@@ -8,6 +8,7 @@
 #include "core/nc/machine_state.h"
 #include "core/nc/modal_saves.h"
 #include "core/nc/parameters.h"
+#include "core/nc/serial_line.h"
 #include "core/nc/spline_state.h"
 #include "core/nc/tool_offsets.h"
 
@@ -23,6 +24,7 @@ struct RunState {
     ModalSaves saves;
     SplineState splines;
     LintMemory lint;
+    SerialLine::Told serial;
 
     std::size_t linesRead = 0; ///< of the main text, counted to the last one that was reached
     std::size_t linesSeen = 0; ///< of it, counted to the last one on which anything so far depends

@@ -70,6 +70,8 @@ TEST_F(CliInterpret, DialectIsChosenOrGuessed) {
     EXPECT_EQ(finished.exitCode, 0) << finished.err;
     EXPECT_THAT(finished.err, testing::HasSubstr("read as Fanuc does"));
     EXPECT_THAT(finished.err, testing::HasSubstr("G65P2X5. (2)"));
+    EXPECT_EQ(lines("G21 G0 X5\nG12 I2 F100\nM30\n", "--dialect mach").size(), 7U);
+    EXPECT_EQ(lines("X10\nM30\n", "--dialect grbl")[1]["e"], (nlohmann::json{10, 0, 0}));
     EXPECT_EQ(run("interpret p.nc --dialect basic").exitCode, 3);
 }
 
@@ -90,7 +92,7 @@ TEST_F(CliInterpret, DialectsAndRulesAreListedFromTheirTables) {
     const auto listed = run("dialects --json").json();
     for (const auto& row : listed["dialects"])
         keys.push_back(row["key"]);
-    EXPECT_THAT(keys, testing::IsSupersetOf({"linuxcnc", "fanuc", "haas"}));
+    EXPECT_THAT(keys, testing::ElementsAre("linuxcnc", "fanuc", "haas", "grbl", "mach"));
     EXPECT_THAT(run("dialects").out, testing::HasSubstr("Fanuc"));
     EXPECT_THAT(run("rules").out, testing::HasSubstr("length-missing"));
     EXPECT_GT(run("rules --json").json()["rules"].size(), 10U);

@@ -14,7 +14,7 @@ using test::uniform;
 namespace {
 
 constexpr double kPi = std::numbers::pi;
-const ArcTolerances kMm = arcTolerances(false);
+const ArcTolerances kMm = arcTolerances(ArcRule::linuxcnc, false);
 
 /// An arc made from its centre, radius and angles, so that everything about it is known beforehand.
 struct KnownArc {
@@ -82,7 +82,8 @@ TEST(Arc, EndsThatCoincideMakeAFullCircle) {
 
 TEST(Arc, ToleratesWhatLinuxCncTolerates) {
     const auto fits = [](double startRadius, double endRadius, bool inch) {
-        return arcAbout(Vec2(0), {Vec2(startRadius, 0), Vec2(0, endRadius), false}, arcTolerances(inch))
+        return arcAbout(Vec2(0), {Vec2(startRadius, 0), Vec2(0, endRadius), false},
+                        arcTolerances(ArcRule::linuxcnc, inch))
             .has_value();
     };
     EXPECT_TRUE(fits(10, 10.028, false));

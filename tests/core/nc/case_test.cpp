@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Every file of tests/data/fanuc: what Fanuc's control and Haas' do with a program, by the rule that it
+// Every file of tests/data/fanuc, grbl and mach: what a control does with a program, by the rule that it
 // names.
 #include <algorithm>
 #include <fstream>
@@ -17,16 +17,21 @@ class Case : public testing::TestWithParam<fs::path> {};
 
 std::vector<fs::path> files() {
     std::vector<fs::path> paths;
-    for (const auto& entry : fs::directory_iterator(fs::path(PROVEOUT_SOURCE_DIR) / "tests/data/fanuc")) {
-        if (entry.path().extension() == ".txt")
-            paths.push_back(entry.path());
+    for (const char* folder : {"fanuc", "grbl", "mach"}) {
+        for (const auto& entry :
+             fs::directory_iterator(fs::path(PROVEOUT_SOURCE_DIR) / "tests/data" / folder)) {
+            if (entry.path().extension() == ".txt")
+                paths.push_back(entry.path());
+        }
     }
     std::ranges::sort(paths);
     return paths;
 }
 
 std::string caseName(const testing::TestParamInfo<fs::path>& info) {
-    std::string name = info.param.stem().string();
+    const fs::path& path = info.param;
+    const std::string folder = path.parent_path().filename().string();
+    std::string name = (folder == "fanuc" ? "" : folder + "_") + path.stem().string();
     std::ranges::replace(name, '-', '_');
     return name;
 }
@@ -50,6 +55,6 @@ TEST_P(Case, DoesWhatItsRuleSays) {
     EXPECT_TRUE(same) << file.rule << "\nexpected\n" << listed(file.steps) << "actual\n" << listed(actual);
 }
 
-INSTANTIATE_TEST_SUITE_P(Fanuc, Case, testing::ValuesIn(files()), caseName);
+INSTANTIATE_TEST_SUITE_P(Dialects, Case, testing::ValuesIn(files()), caseName);
 
 } // namespace proveout::test

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <string>
+#include <utility>
 
 #include "core/nc/dialect_comparison.h"
 #include "core/nc/dialect_guess.h"
@@ -47,6 +48,11 @@ TEST(Dialects, AreGuessedByWhatOnlyTheyRead) {
     EXPECT_EQ(guessed("%\nO1000\nG65 P9010 A1.\nM30\n%\n"), DialectId::fanuc);
     EXPECT_EQ(guessed("O1000\nN10 IF [#1 EQ 1] GOTO 20\nN20 M30\n"), DialectId::fanuc);
     EXPECT_EQ(guessed("%\nO1000\nG154 P3\nG0 X0\nM30\n%\n"), DialectId::haas);
+    EXPECT_EQ(guessed("$H\nG21\nG0 X1\nM2\n"), DialectId::grbl);
+    EXPECT_EQ(guessed("G21 G91.1\nG68 A0 B0 R30\nM30\n"), DialectId::mach);
+    EXPECT_EQ(guessed("G21 G91.1\nM98 P100 Q2\nM30\nO100\nM99\n"), DialectId::mach);
+    EXPECT_EQ(guessed("G21 G90.1\nG59 P12\nM47\n"), DialectId::mach);
+    EXPECT_EQ(guessed("G21\nG59 P12\no<hole> sub\no<hole> endsub\nM2\n"), DialectId::linuxcnc);
     EXPECT_EQ(guessed("G0 X1\nM2\n"), DialectId::linuxcnc);
 }
 
@@ -59,6 +65,28 @@ TEST(Dialects, GiveTheReasonsOfAGuessWithTheirLines) {
     ASSERT_EQ(guess.reasons.size(), 1U);
     EXPECT_EQ(guess.reasons.front().line, 3);
     EXPECT_EQ(guess.reasons.front().shown, "G65P9010");
+}
+
+TEST(Dialects, GiveTheSignsThatMachSharesAmongItsReasons) {
+    const DialectGuess guess = guessDialect(NcText("G91.1\nG68 A0 B0 R30\nM30\n"));
+    ASSERT_EQ(guess.reasons.size(), 2U);
+    EXPECT_EQ(guess.reasons.front().shown, "G91.1");
+    EXPECT_EQ(guess.reasons.back().shown, "G68A0B0R30");
+}
+
+TEST(Dialects, NameTheErrorWithWhichGrblAnswers) {
+    const std::pair<const char*, const char*> answers[] = {
+        {"G0 X\n", "error:2 "},          {"G1 X1\n", "error:22 "},        {"G0 G1 X1 F1\n", "error:21 "},
+        {"G81 X1 Z1 R2\n", "error:20 "}, {"G0 X1 X2\n", "error:25 "},     {"G92\n", "error:26 "},
+        {"G4\n", "error:28 "},           {"G10 L2 P7 X1\n", "error:29 "}, {"G80\nX1\n", "error:31 "},
+        {"G0 X1 P3\n", "error:36 "},     {"G43.1 X1\n", "error:37 "},     {"T999\n", "error:38 "}};
+    for (const auto& [text, answer] : answers) {
+        const auto program = readAs(DialectId::grbl, text);
+        const auto names = [&](const Diagnostic& d) {
+            return std::string_view(d.hint).find(answer) != std::string_view::npos && d.unverified;
+        };
+        EXPECT_TRUE(std::ranges::any_of(program->diagnostics(), names)) << text;
+    }
 }
 
 TEST(Dialects, TellThatTheyWereGuessedAndKeepQuietWhereTheyWereChosen) {
