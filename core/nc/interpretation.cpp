@@ -21,7 +21,8 @@ Interpretation::Interpretation(const NcText& text, const InterpretOptions& optio
                                const WorkContext& context)
     : m_text(text), m_options(options), m_guess(std::move(guess)), m_dialect(dialect(m_guess.dialect)),
       m_codes(codesOf(m_guess.dialect)), m_context(context), m_program(std::make_shared<Program>()),
-      m_reporter(*m_program, options.file, options.maxDiagnostics, m_dialect.answer), m_run(m_dialect.macros, options.tools),
+      m_reporter(*m_program, options.file, options.maxDiagnostics, m_dialect.answer),
+      m_run(m_dialect.macros, options.tools),
       m_calls(text, options.file, {options.maxSteps, options.subprogramFolders, m_dialect.deepestCalls},
               m_parameters, m_reporter) {
     if (options.start || options.assumeStartAtZero) {
@@ -167,6 +168,8 @@ void Interpretation::runLine() {
 
 void Interpretation::runStatement(const MacroStatement& statement, bool first) {
     m_run.sourceBlocks += first ? 1 : 0;
+    if (statement.kind == StatementKind::gotoBlock)
+        noteLeaving();
     const MacroFlow::Next next = m_macros.run(statement);
     if (next == MacroFlow::Next::failed)
         m_state.forget(LetterSet("XYZ"));
@@ -189,8 +192,16 @@ bool Interpretation::runRequest(const FlowRequest& request) {
 
 void Interpretation::runFlow(bool first) {
     m_run.sourceBlocks += first ? 1 : 0;
+    if (m_line.flow->kind == FlowKind::returns)
+        noteLeaving();
     carryOut([&] { return m_oWords.run(*m_line.flow); });
     tellInputRead();
+}
+
+/// This line always leads elsewhere. One that block delete may skip does not.
+void Interpretation::noteLeaving() {
+    if (m_calls.inMainText() && !m_line.deleteMark)
+        m_run.unreachable.leaves(m_calls.at());
 }
 
 /// At the end of a text or program: back to the caller; false in the main program.

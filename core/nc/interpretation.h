@@ -52,6 +52,7 @@ private:
     void runFlow(bool first);
     bool leaveText();
     void noteProgram();
+    void noteLeaving();
     void carryOut(const std::function<bool()>& order);
     void restoreAfter(std::size_t level, std::uint32_t line);
 
@@ -77,6 +78,7 @@ private:
     [[nodiscard]] std::size_t firstTextFrom(std::size_t index) const;
     void tellAboutTheWhole(std::size_t linesRead);
     void tellNeverKnown();
+    void tellUnseen();
 
     /// The line of the main text that is being carried out, or that called, 1-based.
     [[nodiscard]] std::uint32_t mainLine() const {
@@ -107,7 +109,7 @@ private:
     ReadContext m_readContext{m_parameters, m_system, m_dialect, m_options.blockDelete};
     CallStack m_calls;
     OWordFlow m_oWords{m_calls, m_parameters, m_readContext, m_reporter};
-    MacroFlow m_macros{m_calls, m_readContext, m_reporter};
+    MacroFlow m_macros{m_calls, m_readContext, m_reporter, m_run.lint};
     SerialLine m_serial{m_dialect.longestLine};
     Line m_line;
     std::size_t m_loneCr = 0;

@@ -21,6 +21,8 @@ void Interpretation::runBlock(bool first) {
         m_state.blockNumber = *m_line.blockNumber;
     const bool moved = m_program->motionCount() > before;
     const bool returns = request.kind == FlowRequest::Kind::returns && request.program == 0;
+    if (request.kind == FlowRequest::Kind::returns && !m_calls.inMainProgram())
+        noteLeaving();
     if (returns && m_calls.inMainProgram())
         endAtReturn(execution, request.word);
     else if (request.kind != FlowRequest::Kind::none)

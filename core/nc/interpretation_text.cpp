@@ -183,6 +183,20 @@ void Interpretation::tellAboutTheWhole(std::size_t linesRead) {
     else if (!m_state.ended && !m_run.percentClosed)
         m_reporter.tellInAnyCase(nc_message::kNoProgramEnd, 1, 0);
     tellNeverKnown();
+    if (m_options.lint)
+        tellUnseen();
+}
+
+/// What only the whole program shows: lines without a way to them, tools that are never changed to.
+void Interpretation::tellUnseen() {
+    for (const auto& [line, leaving] : m_run.unreachable.find(m_text, m_dialect.macros)) {
+        m_reporter.beginLine(static_cast<std::uint32_t>(line + 1));
+        m_reporter.tell(nc_message::kUnreachable, 1, 0, {std::to_string(leaving + 1)});
+    }
+    for (const auto& [tool, selected] : m_run.lint.missingTools) {
+        m_reporter.beginLine(selected.line);
+        m_reporter.tell(nc_message::kToolNotInTable, selected.word, {std::to_string(tool)});
+    }
 }
 
 /// Axes without which a motion cut nothing were told there.

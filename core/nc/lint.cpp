@@ -19,6 +19,9 @@ constexpr LintRule kRules[] = {
     {&kCompensationAtEnd, elsewhere, nullptr},
     {&kMainReturn, elsewhere, nullptr},
     {&kAfterEnd, elsewhere, nullptr},
+    {&kUnreachable, elsewhere, nullptr},
+    {&kBlockTwice, elsewhere, nullptr},
+    {&kToolNotInTable, toolWord, lint::toolNotInTable},
     {&kFeedZero, feedWord, lint::feedZero},
     {&kLengthMissing, firstCut, lint::lengthMissing},
     {&kOffsetNeverChosen, firstCut, lint::offsetNeverChosen},
@@ -77,6 +80,11 @@ void lintBlock(LintView view) {
     }
     if (block.has('F'))
         run(feedWord, view);
+    if (block.has('T'))
+        run(toolWord, view);
+    // What moves without a cutter is told by the simulation.
+    if (moved && !memory.missingTools.empty())
+        memory.missingTools.erase(state.tool);
     if (view.execution.dialect.leastMm != 1)
         run(lengths, view);
     if ((view.groups & ~kMotionAlone) != 0 || memory.compensationBegins) {

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <map>
+#include <set>
 #include <span>
 
 #include "core/nc/execution.h"
@@ -19,6 +21,7 @@ enum class LintMoment : std::uint8_t {
     lengths,     ///< at every block, where numbers without a point are least units
     arcByRadius, ///< at an arc by its radius
     firstCut,    ///< at the first feed motion of a tool
+    toolWord,    ///< at a block with T
     toolChange,  ///< at M6
     end,         ///< at the end of the program
     elsewhere,   ///< told by the part of the interpreter that notices it
@@ -35,7 +38,13 @@ struct LintMemory {
     bool movedInInch = false;
     bool movedInMm = false;
     bool unitsTold = false;
-    LetterSet pointTold; ///< letters whose numbers without a point were told
+    struct Selected {
+        std::uint32_t line = 0;
+        Word word;
+    };
+    std::map<int, Selected> missingTools; ///< by T, that the table lacks and that nothing moved yet
+    std::set<std::size_t> ambiguousJumps; ///< lines whose jump has several targets, told once
+    LetterSet pointTold;                  ///< letters whose numbers without a point were told
     double highestFeed =
         -std::numeric_limits<double>::infinity(); ///< Z of the ends of feed motions, since then
 };

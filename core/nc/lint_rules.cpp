@@ -96,6 +96,14 @@ bool changesTool(const LintView& view) {
     return view.has(ModalGroup::toolChange) && find(view, 'M', kM6) != nullptr;
 }
 
+/// Only remembers it: of a tool that moves, the simulation tells that it has no cutter.
+void toolNotInTable(const LintView& view, const Message& /*message*/) {
+    ToolOffsets& tools = view.execution.tools;
+    const int tool = view.execution.state.selectedTool;
+    if (tools.given() && tool > 0 && tools.find(tool) == nullptr)
+        view.memory.missingTools.try_emplace(tool, view.execution.line, view.execution.block.word('T'));
+}
+
 void feedZero(const LintView& view, const Message& message) {
     if (view.execution.block.value('F') == 0)
         tell(view, message, view.execution.block.word('F'));

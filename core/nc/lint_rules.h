@@ -10,6 +10,7 @@ namespace proveout::lint {
 void remember(const LintView& view);
 [[nodiscard]] bool changesTool(const LintView& view);
 
+void toolNotInTable(const LintView& view, const Message& message);
 void feedZero(const LintView& view, const Message& message);
 void lengthMissing(const LintView& view, const Message& message);
 void offsetNeverChosen(const LintView& view, const Message& message);

@@ -76,6 +76,9 @@ bool MacroFlow::jumpTo(long long block, const Word& word) {
     const std::size_t line = m_calls.macroIndex().block(block, m_calls.at());
     if (line == MacroIndex::kNone)
         return refuse(nc_message::kBlockUnknown, word, {std::to_string(block)});
+    if (m_calls.macroIndex().repeated(block, m_calls.at()) &&
+        m_lint.ambiguousJumps.insert(m_calls.at()).second)
+        m_reporter.tell(nc_message::kBlockTwice, word, {std::to_string(block), std::to_string(line + 1)});
     m_calls.jump(line);
     return true;
 }

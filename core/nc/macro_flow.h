@@ -9,6 +9,7 @@
 #include "core/nc/call_stack.h"
 #include "core/nc/expression.h"
 #include "core/nc/flow_request.h"
+#include "core/nc/lint.h"
 #include "core/nc/macro_statement.h"
 #include "core/nc/reporter.h"
 
@@ -18,8 +19,8 @@ namespace proveout {
 /// operator's manuals. Keeps references to its arguments.
 class MacroFlow {
 public:
-    MacroFlow(CallStack& calls, const ReadContext& context, Reporter& reporter)
-        : m_calls(calls), m_context(context), m_reporter(reporter) {}
+    MacroFlow(CallStack& calls, const ReadContext& context, Reporter& reporter, LintMemory& lint)
+        : m_calls(calls), m_context(context), m_reporter(reporter), m_lint(lint) {}
 
     enum class Next : std::uint8_t {
         line,   ///< the line that the call stack leads to
@@ -61,6 +62,7 @@ private:
     CallStack& m_calls;
     const ReadContext& m_context;
     Reporter& m_reporter;
+    LintMemory& m_lint;
     std::optional<ModalCall> m_modal;
     std::size_t m_rest = 0;
 };

@@ -135,6 +135,13 @@ std::size_t MacroIndex::block(long long number, std::size_t line) const {
     return ahead != kNone ? ahead : search(program.first, std::min(line + 1, program.end));
 }
 
+bool MacroIndex::repeated(long long number, std::size_t line) const {
+    const Range& program = programOf(line);
+    const auto first = std::ranges::lower_bound(m_labels, Label{number, program.first});
+    const auto end = std::ranges::lower_bound(m_labels, Label{number, program.end});
+    return end - first > 1;
+}
+
 std::size_t MacroIndex::partner(std::size_t line) const {
     const auto row = std::ranges::lower_bound(m_loops, line, {}, &Loop::line);
     return row != m_loops.end() && row->line == line ? row->partner : kNone;

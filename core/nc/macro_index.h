@@ -36,6 +36,9 @@ public:
     /// else the first one from its beginning. kNone where there is none.
     [[nodiscard]] std::size_t block(long long number, std::size_t line) const;
 
+    /// Whether the program of a line has a block number more than once.
+    [[nodiscard]] bool repeated(long long number, std::size_t line) const;
+
     /// The END of the DO or WHILE in a line, the DO or WHILE of the END in it; kNone where there is none.
     [[nodiscard]] std::size_t partner(std::size_t line) const;
 

@@ -11,6 +11,7 @@
 #include "core/nc/serial_line.h"
 #include "core/nc/spline_state.h"
 #include "core/nc/tool_offsets.h"
+#include "core/nc/unreachable.h"
 
 namespace proveout {
 
@@ -25,6 +26,7 @@ struct RunState {
     SplineState splines;
     LintMemory lint;
     SerialLine::Told serial;
+    Unreachable unreachable;
 
     std::size_t linesRead = 0; ///< of the main text, counted to the last one that was reached
     std::size_t linesSeen = 0; ///< of it, counted to the last one on which anything so far depends

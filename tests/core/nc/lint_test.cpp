@@ -28,6 +28,19 @@ const Twins kTwins[] = {
      "G0 X0 Y0 F100\nG41.1 D2 G1 X5\nG1 Y20\nG40 G1 X9\nM2\n"},
     {"main-return", 2, DialectId::linuxcnc, "G0 X1\nM99\n", "G0 X1\nM30\n"},
     {"after-program-end", 3, DialectId::linuxcnc, "G0 X1\nM30\nG0 X2\n", "G0 X1\nG0 X2\nM30\n"},
+    {"unreachable", 4, DialectId::fanuc, "O1\nG0 X1.\nGOTO 9\nX2.\nN9 M30\n", "O1\nG0 X1.\nGOTO 9\nN9 M30\n"},
+    {"unreachable", 4, DialectId::fanuc, "O1\nG0 X1.\nGOTO 9\nN5 X2.\nN9 M30\n",
+     "O1\nG0 X1.\nIF [1 EQ 2] GOTO 5\nGOTO 9\nN5 X2.\nN9 M30\n"},
+    {"unreachable", 4, DialectId::fanuc, "O1\nN5 G0 X1.\nGOTO 9\nN7 X2.\nN9 M30\n",
+     "O1\n#1=7\nIF [1 EQ 2] GOTO #1\nGOTO 9\nN7 X2.\nN9 M30\n"},
+    {"unreachable", 6, DialectId::fanuc, "O1\nM98 P2\nM30\nO2\nM99\nG0 X1.\n",
+     "O1\nM98 P2\nM30\nO2\nM99\nO3\nM99\n"},
+    {"unreachable", 4, DialectId::linuxcnc, "o1 sub\nG0 X1\no1 return\nG0 X2\no1 endsub\no1 call\nM2\n",
+     "o1 sub\nG0 X1\no2 if [#1 EQ 0]\no1 return\no2 endif\nG0 X2\no1 endsub\no1 call\nM2\n"},
+    {"block-twice", 4, DialectId::fanuc,
+     "O1\nN1 G0 X1.\nIF [1 EQ 2] GOTO 9\nGOTO 7\nN7 X2.\nN7 X3.\nN9 M30\n",
+     "O1\nN1 G0 X1.\nN1 X5.\nGOTO 7\nN7 X2.\nN8 X3.\nN9 M30\n"},
+    {"tool-not-in-table", 2, DialectId::linuxcnc, "T1 M6\nG0 X1 T7\nM2\n", "T1 M6\nG0 X1 T2\nM2\n"},
     {"feed-zero", 1, DialectId::linuxcnc, "G1 X1 F0\nM2\n", "G1 X1 F1\nM2\n"},
     {"length-missing", 3, DialectId::fanuc, "G54 T2 M6\nG0 Z5.\nG1 Z-1. F100\nM30\n",
      "G54 T2 M6\nG43 H2 G0 Z5.\nG1 Z-1. F100\nM30\n"},
@@ -62,6 +75,7 @@ std::vector<int> linesOf(const Twins& twins, const std::string& text) {
     InterpretOptions options;
     options.dialect = twins.dialect;
     options.assumeStartAtZero = true;
+    options.tools = ToolOffsets({{1, {}}, {2, {}}, {3, {}}});
     std::vector<int> lines;
     const auto program = interpret(NcText(text), options);
     for (const Diagnostic& told : program->diagnostics()) {
