@@ -56,6 +56,8 @@ int activeCode(const MachineState& state, ModalGroup group, const Dialect& diale
         return turned.scaled ? 510 : 500;
     case ModalGroup::rotation:
         return turned.turned ? 680 : 690;
+    case ModalGroup::macroCall:
+        return state.modalMacro ? 660 : 670;
     default:
         return -1;
     }

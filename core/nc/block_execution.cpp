@@ -26,6 +26,8 @@ void remember(Execution& execution) {
         if (word.letter == 'M')
             execution.state.lastM = word.value;
     }
+    if (execution.block.has('B'))
+        execution.state.lastB = execution.block.value('B');
 }
 
 } // namespace

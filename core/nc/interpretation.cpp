@@ -185,6 +185,8 @@ void Interpretation::runStatement(const MacroStatement& statement, bool first) {
 
 bool Interpretation::runRequest(const FlowRequest& request) {
     const bool done = m_macroB ? m_macros.run(request) : m_oWords.run(request);
+    if (request.kind == FlowRequest::Kind::modalMacro || request.kind == FlowRequest::Kind::cancelModal)
+        m_state.modalMacro = request.kind == FlowRequest::Kind::modalMacro;
     if (m_macroB && request.kind != FlowRequest::Kind::none)
         noteProgram();
     return done;

@@ -40,6 +40,7 @@ constexpr GroupVariable kGroups[] = {
     {4008, ModalGroup::toolLength},
     {4010, ModalGroup::retract},
     {4011, ModalGroup::scaling},
+    {4012, ModalGroup::macroCall},
     {4013, ModalGroup::spindleMode},
     {4014, ModalGroup::workOffset},
     {4016, ModalGroup::rotation},
@@ -53,6 +54,12 @@ constexpr ModalValue kModal[] = {
     {4004, [](const MachineState&) { return 23.0; }},
     {4009, cycleCode},
     {4015, [](const MachineState& s) { return s.pathControl; }},
+    // Codes of these groups are not carried out, so that what ends them is in force: normal direction
+    // control, in-feed control, polar coordinate interpolation.
+    {4019, [](const MachineState&) { return 40.1; }},
+    {4020, [](const MachineState&) { return 160.0; }},
+    {4021, [](const MachineState&) { return 13.1; }},
+    {4102, [](const MachineState& s) { return s.lastB; }},
     {4107, [](const MachineState& s) { return static_cast<double>(s.radiusRegister); }},
     {4109,
      [](const MachineState& s) { return s.feedMode == FeedMode::inverseTime ? s.feed : s.fromMm(s.feed); }},
@@ -100,6 +107,7 @@ bool within(std::span<const Numbers> rows, int number) {
     return std::ranges::any_of(rows, [&](const Numbers& r) { return number >= r.first && number <= r.last; });
 }
 
+constexpr int kWithoutGroup = 4018;
 constexpr int kAlarm = 3000;
 constexpr int kStop = 3006;
 constexpr int kFirstModal = 4001;
@@ -143,6 +151,8 @@ std::optional<double> MacroVariables::numbered(int number) const {
 }
 
 const Message* MacroVariables::refusal(int number) const {
+    if (number == kWithoutGroup || number == kWithoutGroup + kRunningOffset)
+        return &nc_message::kVariableWithoutGroup;
     const auto place = OffsetRegisters::place(m_dialect.id, number);
     if (place && !m_registers.certain(place->entry, place->number))
         return &nc_message::kMachineVariable;
