@@ -3441,6 +3441,350 @@
         <source>The program is still being read; what stands from this line on is missing.</source>
         <translation>Das Programm wird noch gelesen; was ab dieser Zeile steht, fehlt noch.</translation>
     </message>
+    <message>
+        <source>The control answers error:20 (unsupported command) and drops the block; take it out.</source>
+        <translation>Die Steuerung antwortet error:20 (Befehl nicht unterstützt) und verwirft den Satz; nehmen Sie ihn heraus.</translation>
+    </message>
+    <message>
+        <source>The control answers error:1 (letter expected) and drops the block; remove the character.</source>
+        <translation>Die Steuerung antwortet error:1 (Buchstabe erwartet) und verwirft den Satz; entfernen Sie das Zeichen.</translation>
+    </message>
+    <message>
+        <source>The control answers error:2 (bad number) and drops the block; write the number.</source>
+        <translation>Die Steuerung antwortet error:2 (keine Zahl) und verwirft den Satz; schreiben Sie die Zahl.</translation>
+    </message>
+    <message>
+        <source>The control answers error:2 (bad number) and drops the block; write one sign.</source>
+        <translation>Die Steuerung antwortet error:2 (keine Zahl) und verwirft den Satz; schreiben Sie ein Vorzeichen.</translation>
+    </message>
+    <message>
+        <source>The control answers error:2 (bad number) and drops the block; keep one point.</source>
+        <translation>Die Steuerung antwortet error:2 (keine Zahl) und verwirft den Satz; lassen Sie einen Punkt stehen.</translation>
+    </message>
+    <message>
+        <source>The control answers error:1 or error:2 and drops the block; let the CAM system write plain numbers.</source>
+        <translation>Die Steuerung antwortet error:1 oder error:2 und verwirft den Satz; lassen Sie das CAM-System einfache Zahlen schreiben.</translation>
+    </message>
+    <message>
+        <source>The control answers error:4 (negative value) and drops the block; correct the number.</source>
+        <translation>Die Steuerung antwortet error:4 (negativer Wert) und verwirft den Satz; berichtigen Sie die Zahl.</translation>
+    </message>
+    <message>
+        <source>The control answers error:21 (two codes of one group) and drops the block; make two blocks.</source>
+        <translation>Die Steuerung antwortet error:21 (zwei Befehle einer Gruppe) und verwirft den Satz; machen Sie zwei Sätze daraus.</translation>
+    </message>
+    <message>
+        <source>The control answers error:22 (no feed rate) and drops the block, its motion code too; give F.</source>
+        <translation>Die Steuerung antwortet error:22 (kein Vorschub) und verwirft den Satz samt seinem Wegbefehl; geben Sie F an.</translation>
+    </message>
+    <message>
+        <source>The control answers error:20 or error:23 and drops the block; take the code out.</source>
+        <translation>Die Steuerung antwortet error:20 oder error:23 und verwirft den Satz; nehmen Sie den Befehl heraus.</translation>
+    </message>
+    <message>
+        <source>The control answers error:24 (two codes use the axis words) and drops the block; make two blocks.</source>
+        <translation>Die Steuerung antwortet error:24 (zwei Befehle brauchen die Achswörter) und verwirft den Satz; machen Sie zwei Sätze daraus.</translation>
+    </message>
+    <message>
+        <source>The control answers error:25 (repeated word) and drops the block; make two blocks.</source>
+        <translation>Die Steuerung antwortet error:25 (Wort doppelt) und verwirft den Satz; machen Sie zwei Sätze daraus.</translation>
+    </message>
+    <message>
+        <source>The control answers error:26 (no axis words) or error:28 (a word is missing) and drops the block; add the word.</source>
+        <translation>Die Steuerung antwortet error:26 (keine Achswörter) oder error:28 (ein Wort fehlt) und verwirft den Satz; ergänzen Sie das Wort.</translation>
+    </message>
+    <message>
+        <source>The control answers error:29 to P of G10, error:38 to T, and drops the block; correct the number.</source>
+        <translation>Die Steuerung antwortet error:29 bei P von G10, error:38 bei T, und verwirft den Satz; berichtigen Sie die Zahl.</translation>
+    </message>
+    <message>
+        <source>The control answers error:30 (G53 needs G0 or G1) and drops the block; write G53 G0 or G53 G1.</source>
+        <translation>Die Steuerung antwortet error:30 (G53 braucht G0 oder G1) und verwirft den Satz; schreiben Sie G53 G0 oder G53 G1.</translation>
+    </message>
+    <message>
+        <source>The control answers error:31 (axis words without a motion) and drops the block; write G0 or G1.</source>
+        <translation>Die Steuerung antwortet error:31 (Achswörter ohne Weg) und verwirft den Satz; schreiben Sie G0 oder G1.</translation>
+    </message>
+    <message>
+        <source>The control answers error:26 or error:32 and drops the block; write the end point, also of a full circle.</source>
+        <translation>Die Steuerung antwortet error:26 oder error:32 und verwirft den Satz; schreiben Sie den Endpunkt, auch bei einem Vollkreis.</translation>
+    </message>
+    <message>
+        <source>The control answers error:33 (invalid target): the radii may differ by 0.005 mm, and by 0.1 % up to 0.5 mm; check the centre.</source>
+        <translation>Die Steuerung antwortet error:33 (ungültiges Ziel): die Radien dürfen um 0.005 mm abweichen, und um 0.1 % bis zu 0.5 mm; prüfen Sie den Mittelpunkt.</translation>
+    </message>
+    <message>
+        <source>The control answers error:33 (invalid target) and drops the block; give a full circle its centre.</source>
+        <translation>Die Steuerung antwortet error:33 (ungültiges Ziel) und verwirft den Satz; geben Sie einem Vollkreis seinen Mittelpunkt.</translation>
+    </message>
+    <message>
+        <source>The control answers error:33 (invalid target) and drops the block; check the axis words.</source>
+        <translation>Die Steuerung antwortet error:33 (ungültiges Ziel) und verwirft den Satz; prüfen Sie die Achswörter.</translation>
+    </message>
+    <message>
+        <source>The control answers error:34 (arc radius) and drops the block; check R and the end point.</source>
+        <translation>Die Steuerung antwortet error:34 (Bogenradius) und verwirft den Satz; prüfen Sie R und den Endpunkt.</translation>
+    </message>
+    <message>
+        <source>The control answers error:35 (no centre in the plane) and drops the block; give I, J or K of the plane, or R.</source>
+        <translation>Die Steuerung antwortet error:35 (kein Mittelpunkt in der Ebene) und verwirft den Satz; geben Sie I, J oder K der Ebene an, oder R.</translation>
+    </message>
+    <message>
+        <source>The control answers error:36 (unused words) and drops the block; keep the centre or the radius.</source>
+        <translation>Die Steuerung antwortet error:36 (unbenutzte Wörter) und verwirft den Satz; lassen Sie Mittelpunkt oder Radius stehen.</translation>
+    </message>
+    <message>
+        <source>The control answers error:36 (unused words) and drops the block; take the word out.</source>
+        <translation>Die Steuerung antwortet error:36 (unbenutzte Wörter) und verwirft den Satz; nehmen Sie das Wort heraus.</translation>
+    </message>
+    <message>
+        <source>The control answers error:37 and drops the block; write G43.1 Z… alone.</source>
+        <translation>Die Steuerung antwortet error:37 und verwirft den Satz; schreiben Sie G43.1 Z… allein.</translation>
+    </message>
+    <message>
+        <source>seek the reference switches</source>
+        <translation>Referenzschalter anfahren</translation>
+    </message>
+    <message>
+        <source>work offset 6, or by its number</source>
+        <translation>Nullpunktverschiebung 6, oder nach ihrer Nummer</translation>
+    </message>
+    <message>
+        <source>begin the program again</source>
+        <translation>Programm von vorn beginnen</translation>
+    </message>
+    <message>
+        <source>The program has N{} more than once; the jump goes to the one in line {}.</source>
+        <translation>Das Programm hat N{} mehr als einmal; der Sprung führt zu dem in Zeile {}.</translation>
+    </message>
+    <message>
+        <source>Controls search in different directions; give each target a number of its own.</source>
+        <translation>Steuerungen suchen in verschiedene Richtungen; geben Sie jedem Ziel eine eigene Nummer.</translation>
+    </message>
+    <message>
+        <source>{} belongs to no modal group of milling that the manuals name.</source>
+        <translation>{} gehört zu keiner modalen Gruppe des Fräsens, die die Handbücher nennen.</translation>
+    </message>
+    <message>
+        <source>Only the control itself can tell its value; what follows from it cannot be verified.</source>
+        <translation>Nur die Steuerung selbst kennt den Wert; was daraus folgt, lässt sich nicht prüfen.</translation>
+    </message>
+    <message>
+        <source>{} is no order of this control.</source>
+        <translation>{} ist kein Befehl dieser Steuerung.</translation>
+    </message>
+    <message>
+        <source>The control drops the block, and so does the simulation; take the code out.</source>
+        <translation>Die Steuerung verwirft den Satz, und die Simulation ebenso; nehmen Sie den Befehl heraus.</translation>
+    </message>
+    <message>
+        <source>This control has no word {}.</source>
+        <translation>Diese Steuerung hat kein Wort {}.</translation>
+    </message>
+    <message>
+        <source>The control drops the block, and so does the simulation; take the word out.</source>
+        <translation>Die Steuerung verwirft den Satz, und die Simulation ebenso; nehmen Sie das Wort heraus.</translation>
+    </message>
+    <message>
+        <source>This control has neither parameters nor expressions.</source>
+        <translation>Diese Steuerung hat weder Parameter noch Ausdrücke.</translation>
+    </message>
+    <message>
+        <source>Let the CAM system write plain numbers.</source>
+        <translation>Lassen Sie das CAM-System einfache Zahlen schreiben.</translation>
+    </message>
+    <message>
+        <source>The line has {} characters without blanks and comments; the control reads no more than {}.</source>
+        <translation>Die Zeile hat {} Zeichen ohne Leerzeichen und Kommentare; die Steuerung liest nicht mehr als {}.</translation>
+    </message>
+    <message>
+        <source>The control answers error:11 and drops the line; split it.</source>
+        <translation>Die Steuerung antwortet error:11 und verwirft die Zeile; teilen Sie sie.</translation>
+    </message>
+    <message>
+        <source>The block number is larger than {}.</source>
+        <translation>Die Satznummer ist größer als {}.</translation>
+    </message>
+    <message>
+        <source>The control answers error:27 and drops the block; number the blocks anew.</source>
+        <translation>Die Steuerung antwortet error:27 und verwirft den Satz; nummerieren Sie die Sätze neu.</translation>
+    </message>
+    <message>
+        <source>{} is an order to the control itself; it is not carried out here.</source>
+        <translation>{} ist ein Befehl an die Steuerung selbst; er wird hier nicht ausgeführt.</translation>
+    </message>
+    <message>
+        <source>It may move axes, change settings or clear offsets; send it apart from the program.</source>
+        <translation>Er kann Achsen bewegen, Einstellungen ändern oder Verschiebungen löschen; senden Sie ihn getrennt vom Programm.</translation>
+    </message>
+    <message>
+        <source>The character {} is an order to the control that counts wherever it stands, also in comments.</source>
+        <translation>Das Zeichen {} ist ein Befehl an die Steuerung, der überall gilt, auch in Kommentaren.</translation>
+    </message>
+    <message>
+        <source>It may stop the machine or change an override; take it out.</source>
+        <translation>Es kann die Maschine anhalten oder einen Override ändern; nehmen Sie es heraus.</translation>
+    </message>
+    <message>
+        <source>The character {} resets the control or stops it in the middle of the program.</source>
+        <translation>Das Zeichen {} setzt die Steuerung zurück oder hält sie mitten im Programm an.</translation>
+    </message>
+    <message>
+        <source>Take it out.</source>
+        <translation>Nehmen Sie es heraus.</translation>
+    </message>
+    <message>
+        <source>This control has no block delete: it runs what stands behind &quot;/&quot;.</source>
+        <translation>Diese Steuerung hat kein Ausblenden von Sätzen: sie führt aus, was hinter „/“ steht.</translation>
+    </message>
+    <message>
+        <source>Take the blocks out that are not to run.</source>
+        <translation>Nehmen Sie die Sätze heraus, die nicht laufen sollen.</translation>
+    </message>
+    <message>
+        <source>This control does not know &quot;%&quot;.</source>
+        <translation>Diese Steuerung kennt „%“ nicht.</translation>
+    </message>
+    <message>
+        <source>The control answers error:1 unless the sender keeps the line back; remove it.</source>
+        <translation>Die Steuerung antwortet error:1, wenn das Sendeprogramm die Zeile nicht zurückhält; entfernen Sie sie.</translation>
+    </message>
+    <message>
+        <source>T{} is read, but changes nothing: this control has no tool change.</source>
+        <translation>T{} wird gelesen, ändert aber nichts: diese Steuerung hat keinen Werkzeugwechsel.</translation>
+    </message>
+    <message>
+        <source>Make one program for each tool, or change it by hand behind M0.</source>
+        <translation>Machen Sie ein Programm für jedes Werkzeug, oder wechseln Sie von Hand hinter M0.</translation>
+    </message>
+    <message>
+        <source>This control does not stop at M1.</source>
+        <translation>Diese Steuerung hält bei M1 nicht an.</translation>
+    </message>
+    <message>
+        <source>Write M0 where it has to stop.</source>
+        <translation>Schreiben Sie M0, wo sie anhalten muss.</translation>
+    </message>
+    <message>
+        <source>M7 is known only where grbl was built with mist coolant.</source>
+        <translation>M7 ist nur bekannt, wo grbl mit Sprühkühlung gebaut wurde.</translation>
+    </message>
+    <message>
+        <source>Otherwise grbl answers error:20 and drops the block; give M7 a block of its own.</source>
+        <translation>Sonst antwortet grbl error:20 und verwirft den Satz; geben Sie M7 einen eigenen Satz.</translation>
+    </message>
+    <message>
+        <source>The centre word {} lies outside the plane of the arc; the control ignores it.</source>
+        <translation>Das Mittelpunktwort {} liegt außerhalb der Ebene des Bogens; die Steuerung übergeht es.</translation>
+    </message>
+    <message>
+        <source>The arc names no axis of its plane as its end.</source>
+        <translation>Der Bogen nennt keine Achse seiner Ebene als Ende.</translation>
+    </message>
+    <message>
+        <source>Write the end point, also of a full circle.</source>
+        <translation>Schreiben Sie den Endpunkt, auch bei einem Vollkreis.</translation>
+    </message>
+    <message>
+        <source>G43.1 takes the word Z and no other axis on this control.</source>
+        <translation>G43.1 nimmt auf dieser Steuerung das Wort Z und keine andere Achse.</translation>
+    </message>
+    <message>
+        <source>Write G43.1 Z… in a block of its own.</source>
+        <translation>Schreiben Sie G43.1 Z… in einen eigenen Satz.</translation>
+    </message>
+    <message>
+        <source>This control knows O with a number alone, as the beginning of a subprogram.</source>
+        <translation>Diese Steuerung kennt O nur mit einer Zahl, als Anfang eines Unterprogramms.</translation>
+    </message>
+    <message>
+        <source>Call it with M98 and end it with M99.</source>
+        <translation>Rufen Sie es mit M98 und beenden Sie es mit M99.</translation>
+    </message>
+    <message>
+        <source>A setting of the control decides whether the dwell of {} is {} s or {} s; it is taken as the first.</source>
+        <translation>Eine Einstellung der Steuerung entscheidet, ob die Verweilzeit von {} {} s oder {} s ist; angenommen wird die erste.</translation>
+    </message>
+    <message>
+        <source>Check on the control whether P counts seconds or milliseconds.</source>
+        <translation>Prüfen Sie an der Steuerung, ob P Sekunden oder Millisekunden zählt.</translation>
+    </message>
+    <message>
+        <source>The arc fits with its centre counted from the start point and also from the origin; a setting of the control decides, and it is taken from the start point.</source>
+        <translation>Der Bogen passt mit einem Mittelpunkt, der vom Startpunkt zählt, und auch mit einem vom Nullpunkt; eine Einstellung der Steuerung entscheidet, angenommen wird der Startpunkt.</translation>
+    </message>
+    <message>
+        <source>Write G91.1 or G90.1 at the beginning of the program.</source>
+        <translation>Schreiben Sie G91.1 oder G90.1 an den Anfang des Programms.</translation>
+    </message>
+    <message>
+        <source>Mach3 takes the place of the tool for the pole of G16, Mach4 the origin; it is taken as Mach3 does.</source>
+        <translation>Mach3 nimmt den Ort des Werkzeugs als Pol von G16, Mach4 den Nullpunkt; angenommen wird es wie bei Mach3.</translation>
+    </message>
+    <message>
+        <source>Begin the polar coordinates where both are the same: at X0 Y0.</source>
+        <translation>Beginnen Sie die Polarkoordinaten, wo beide gleich sind: bei X0 Y0.</translation>
+    </message>
+    <message>
+        <source>Polar coordinates are meant for G0 and G1 in the XY plane; what {} does in them is not written.</source>
+        <translation>Polarkoordinaten sind für G0 und G1 in der XY-Ebene gedacht; was {} darin tut, ist nicht beschrieben.</translation>
+    </message>
+    <message>
+        <source>Write G15 before it.</source>
+        <translation>Schreiben Sie G15 davor.</translation>
+    </message>
+    <message>
+        <source>Whether G51 scales the word {} is not written; it is taken to scale it.</source>
+        <translation>Ob G51 das Wort {} skaliert, ist nicht beschrieben; angenommen wird, dass es das tut.</translation>
+    </message>
+    <message>
+        <source>Write G50 before it, or give the centre of an arc by I and J.</source>
+        <translation>Schreiben Sie G50 davor, oder geben Sie den Mittelpunkt eines Bogens mit I und J an.</translation>
+    </message>
+    <message>
+        <source>{} works in the XY plane only.</source>
+        <translation>{} wirkt nur in der XY-Ebene.</translation>
+    </message>
+    <message>
+        <source>Write G17 before it; the code has no effect.</source>
+        <translation>Schreiben Sie G17 davor; der Befehl hat keine Wirkung.</translation>
+    </message>
+    <message>
+        <source>{} without H, or with H0, sets the tool length offset to 0.</source>
+        <translation>{} ohne H oder mit H0 setzt die Werkzeuglängenkorrektur auf 0.</translation>
+    </message>
+    <message>
+        <source>Write the number of the tool behind H.</source>
+        <translation>Schreiben Sie die Nummer des Werkzeugs hinter H.</translation>
+    </message>
+    <message>
+        <source>M47 begins the program again, without end.</source>
+        <translation>M47 beginnt das Programm von vorn, ohne Ende.</translation>
+    </message>
+    <message>
+        <source>{} seeks the reference switches; where the axes stand afterwards, only the machine knows.</source>
+        <translation>{} fährt die Referenzschalter an; wo die Achsen danach stehen, weiß nur die Maschine.</translation>
+    </message>
+    <message>
+        <source>Position the axes before the next cut.</source>
+        <translation>Positionieren Sie die Achsen vor dem nächsten Schnitt.</translation>
+    </message>
+    <message>
+        <source>Nothing leads to this line: line {} leaves the blocks before it for good.</source>
+        <translation>Nichts führt zu dieser Zeile: Zeile {} verlässt die Sätze davor endgültig.</translation>
+    </message>
+    <message>
+        <source>Remove it, or give it the block number or the label that something jumps to.</source>
+        <translation>Entfernen Sie sie, oder geben Sie ihr die Satznummer oder Marke, zu der gesprungen wird.</translation>
+    </message>
+    <message>
+        <source>T{} is selected, but the tool table does not have it.</source>
+        <translation>T{} wird gewählt, steht aber nicht in der Werkzeugtabelle.</translation>
+    </message>
+    <message>
+        <source>Add the tool, or correct the number.</source>
+        <translation>Ergänzen Sie das Werkzeug, oder berichtigen Sie die Nummer.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

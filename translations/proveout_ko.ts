@@ -3441,6 +3441,350 @@
         <source>The program is still being read; what stands from this line on is missing.</source>
         <translation>프로그램을 아직 읽는 중입니다. 이 줄부터의 내용은 아직 없습니다.</translation>
     </message>
+    <message>
+        <source>The control answers error:20 (unsupported command) and drops the block; take it out.</source>
+        <translation>컨트롤러가 error:20(지원하지 않는 명령)으로 답하고 블록을 버립니다. 해당 부분을 빼십시오.</translation>
+    </message>
+    <message>
+        <source>The control answers error:1 (letter expected) and drops the block; remove the character.</source>
+        <translation>컨트롤러가 error:1(문자가 와야 함)로 답하고 블록을 버립니다. 그 글자를 지우십시오.</translation>
+    </message>
+    <message>
+        <source>The control answers error:2 (bad number) and drops the block; write the number.</source>
+        <translation>컨트롤러가 error:2(잘못된 숫자)로 답하고 블록을 버립니다. 숫자를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The control answers error:2 (bad number) and drops the block; write one sign.</source>
+        <translation>컨트롤러가 error:2(잘못된 숫자)로 답하고 블록을 버립니다. 부호를 하나만 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The control answers error:2 (bad number) and drops the block; keep one point.</source>
+        <translation>컨트롤러가 error:2(잘못된 숫자)로 답하고 블록을 버립니다. 소수점을 하나만 남기십시오.</translation>
+    </message>
+    <message>
+        <source>The control answers error:1 or error:2 and drops the block; let the CAM system write plain numbers.</source>
+        <translation>컨트롤러가 error:1 또는 error:2로 답하고 블록을 버립니다. CAM 시스템이 일반 숫자를 쓰게 하십시오.</translation>
+    </message>
+    <message>
+        <source>The control answers error:4 (negative value) and drops the block; correct the number.</source>
+        <translation>컨트롤러가 error:4(음수 값)로 답하고 블록을 버립니다. 숫자를 고치십시오.</translation>
+    </message>
+    <message>
+        <source>The control answers error:21 (two codes of one group) and drops the block; make two blocks.</source>
+        <translation>컨트롤러가 error:21(한 그룹의 코드가 둘)로 답하고 블록을 버립니다. 두 블록으로 나누십시오.</translation>
+    </message>
+    <message>
+        <source>The control answers error:22 (no feed rate) and drops the block, its motion code too; give F.</source>
+        <translation>컨트롤러가 error:22(이송 속도 없음)로 답하고 이동 코드까지 포함해 블록을 버립니다. F를 지정하십시오.</translation>
+    </message>
+    <message>
+        <source>The control answers error:20 or error:23 and drops the block; take the code out.</source>
+        <translation>컨트롤러가 error:20 또는 error:23으로 답하고 블록을 버립니다. 코드를 빼십시오.</translation>
+    </message>
+    <message>
+        <source>The control answers error:24 (two codes use the axis words) and drops the block; make two blocks.</source>
+        <translation>컨트롤러가 error:24(두 코드가 축 워드를 사용)로 답하고 블록을 버립니다. 두 블록으로 나누십시오.</translation>
+    </message>
+    <message>
+        <source>The control answers error:25 (repeated word) and drops the block; make two blocks.</source>
+        <translation>컨트롤러가 error:25(워드 반복)로 답하고 블록을 버립니다. 두 블록으로 나누십시오.</translation>
+    </message>
+    <message>
+        <source>The control answers error:26 (no axis words) or error:28 (a word is missing) and drops the block; add the word.</source>
+        <translation>컨트롤러가 error:26(축 워드 없음) 또는 error:28(워드 누락)로 답하고 블록을 버립니다. 워드를 추가하십시오.</translation>
+    </message>
+    <message>
+        <source>The control answers error:29 to P of G10, error:38 to T, and drops the block; correct the number.</source>
+        <translation>컨트롤러가 G10의 P에는 error:29, T에는 error:38로 답하고 블록을 버립니다. 숫자를 고치십시오.</translation>
+    </message>
+    <message>
+        <source>The control answers error:30 (G53 needs G0 or G1) and drops the block; write G53 G0 or G53 G1.</source>
+        <translation>컨트롤러가 error:30(G53에는 G0 또는 G1이 필요)으로 답하고 블록을 버립니다. G53 G0 또는 G53 G1을 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The control answers error:31 (axis words without a motion) and drops the block; write G0 or G1.</source>
+        <translation>컨트롤러가 error:31(이동 없는 축 워드)로 답하고 블록을 버립니다. G0 또는 G1을 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The control answers error:26 or error:32 and drops the block; write the end point, also of a full circle.</source>
+        <translation>컨트롤러가 error:26 또는 error:32로 답하고 블록을 버립니다. 완전한 원에도 끝점을 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The control answers error:33 (invalid target): the radii may differ by 0.005 mm, and by 0.1 % up to 0.5 mm; check the centre.</source>
+        <translation>컨트롤러가 error:33(잘못된 목표)으로 답합니다. 반지름은 0.005 mm까지, 그리고 0.5 mm 이내에서 0.1 %까지 다를 수 있습니다. 중심을 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>The control answers error:33 (invalid target) and drops the block; give a full circle its centre.</source>
+        <translation>컨트롤러가 error:33(잘못된 목표)으로 답하고 블록을 버립니다. 완전한 원에는 중심을 지정하십시오.</translation>
+    </message>
+    <message>
+        <source>The control answers error:33 (invalid target) and drops the block; check the axis words.</source>
+        <translation>컨트롤러가 error:33(잘못된 목표)으로 답하고 블록을 버립니다. 축 워드를 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>The control answers error:34 (arc radius) and drops the block; check R and the end point.</source>
+        <translation>컨트롤러가 error:34(원호 반지름)로 답하고 블록을 버립니다. R과 끝점을 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>The control answers error:35 (no centre in the plane) and drops the block; give I, J or K of the plane, or R.</source>
+        <translation>컨트롤러가 error:35(평면에 중심 없음)로 답하고 블록을 버립니다. 평면의 I, J, K 또는 R을 지정하십시오.</translation>
+    </message>
+    <message>
+        <source>The control answers error:36 (unused words) and drops the block; keep the centre or the radius.</source>
+        <translation>컨트롤러가 error:36(사용되지 않은 워드)으로 답하고 블록을 버립니다. 중심이나 반지름 중 하나만 남기십시오.</translation>
+    </message>
+    <message>
+        <source>The control answers error:36 (unused words) and drops the block; take the word out.</source>
+        <translation>컨트롤러가 error:36(사용되지 않은 워드)으로 답하고 블록을 버립니다. 워드를 빼십시오.</translation>
+    </message>
+    <message>
+        <source>The control answers error:37 and drops the block; write G43.1 Z… alone.</source>
+        <translation>컨트롤러가 error:37로 답하고 블록을 버립니다. G43.1 Z…만 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>seek the reference switches</source>
+        <translation>기준점 스위치 찾기</translation>
+    </message>
+    <message>
+        <source>work offset 6, or by its number</source>
+        <translation>작업 오프셋 6, 또는 번호로 지정</translation>
+    </message>
+    <message>
+        <source>begin the program again</source>
+        <translation>프로그램 처음부터 다시 시작</translation>
+    </message>
+    <message>
+        <source>The program has N{} more than once; the jump goes to the one in line {}.</source>
+        <translation>프로그램에 N{} 블록이 둘 이상 있으며, 점프는 {}행의 블록으로 갑니다.</translation>
+    </message>
+    <message>
+        <source>Controls search in different directions; give each target a number of its own.</source>
+        <translation>컨트롤러마다 찾는 방향이 다릅니다. 목표마다 고유한 번호를 주십시오.</translation>
+    </message>
+    <message>
+        <source>{} belongs to no modal group of milling that the manuals name.</source>
+        <translation>{} 변수는 설명서에 나오는 밀링용 모달 그룹에 속하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Only the control itself can tell its value; what follows from it cannot be verified.</source>
+        <translation>그 값은 컨트롤러만 알 수 있으므로 이에 따른 결과는 검증할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>{} is no order of this control.</source>
+        <translation>{} 코드는 이 컨트롤러의 명령이 아닙니다.</translation>
+    </message>
+    <message>
+        <source>The control drops the block, and so does the simulation; take the code out.</source>
+        <translation>컨트롤러가 블록을 버리며 시뮬레이션도 그렇게 합니다. 코드를 빼십시오.</translation>
+    </message>
+    <message>
+        <source>This control has no word {}.</source>
+        <translation>이 컨트롤러에는 {} 워드가 없습니다.</translation>
+    </message>
+    <message>
+        <source>The control drops the block, and so does the simulation; take the word out.</source>
+        <translation>컨트롤러가 블록을 버리며 시뮬레이션도 그렇게 합니다. 워드를 빼십시오.</translation>
+    </message>
+    <message>
+        <source>This control has neither parameters nor expressions.</source>
+        <translation>이 컨트롤러에는 매개변수도 식도 없습니다.</translation>
+    </message>
+    <message>
+        <source>Let the CAM system write plain numbers.</source>
+        <translation>CAM 시스템이 일반 숫자를 쓰게 하십시오.</translation>
+    </message>
+    <message>
+        <source>The line has {} characters without blanks and comments; the control reads no more than {}.</source>
+        <translation>이 행은 공백과 주석을 빼고 {}자인데 컨트롤러는 {}자까지만 읽습니다.</translation>
+    </message>
+    <message>
+        <source>The control answers error:11 and drops the line; split it.</source>
+        <translation>컨트롤러가 error:11로 답하고 행을 버립니다. 행을 나누십시오.</translation>
+    </message>
+    <message>
+        <source>The block number is larger than {}.</source>
+        <translation>블록 번호가 {}보다 큽니다.</translation>
+    </message>
+    <message>
+        <source>The control answers error:27 and drops the block; number the blocks anew.</source>
+        <translation>컨트롤러가 error:27로 답하고 블록을 버립니다. 블록 번호를 다시 매기십시오.</translation>
+    </message>
+    <message>
+        <source>{} is an order to the control itself; it is not carried out here.</source>
+        <translation>{} 명령은 컨트롤러 자체에 대한 것이므로 여기서는 실행하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>It may move axes, change settings or clear offsets; send it apart from the program.</source>
+        <translation>축을 움직이거나 설정을 바꾸거나 오프셋을 지울 수 있습니다. 프로그램과 따로 보내십시오.</translation>
+    </message>
+    <message>
+        <source>The character {} is an order to the control that counts wherever it stands, also in comments.</source>
+        <translation>{} 문자는 어디에 있든, 주석 안에서도, 컨트롤러에 대한 명령으로 작용합니다.</translation>
+    </message>
+    <message>
+        <source>It may stop the machine or change an override; take it out.</source>
+        <translation>기계를 멈추거나 오버라이드를 바꿀 수 있습니다. 빼십시오.</translation>
+    </message>
+    <message>
+        <source>The character {} resets the control or stops it in the middle of the program.</source>
+        <translation>{} 문자는 프로그램 도중에 컨트롤러를 재설정하거나 멈춥니다.</translation>
+    </message>
+    <message>
+        <source>Take it out.</source>
+        <translation>빼십시오.</translation>
+    </message>
+    <message>
+        <source>This control has no block delete: it runs what stands behind &quot;/&quot;.</source>
+        <translation>이 컨트롤러에는 블록 건너뛰기가 없어 &quot;/&quot; 뒤의 내용을 실행합니다.</translation>
+    </message>
+    <message>
+        <source>Take the blocks out that are not to run.</source>
+        <translation>실행하지 않을 블록을 빼십시오.</translation>
+    </message>
+    <message>
+        <source>This control does not know &quot;%&quot;.</source>
+        <translation>이 컨트롤러는 &quot;%&quot;를 알지 못합니다.</translation>
+    </message>
+    <message>
+        <source>The control answers error:1 unless the sender keeps the line back; remove it.</source>
+        <translation>전송 프로그램이 그 행을 빼지 않으면 컨트롤러가 error:1로 답합니다. 행을 지우십시오.</translation>
+    </message>
+    <message>
+        <source>T{} is read, but changes nothing: this control has no tool change.</source>
+        <translation>T{} 워드를 읽지만 아무것도 바뀌지 않습니다. 이 컨트롤러에는 공구 교환이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Make one program for each tool, or change it by hand behind M0.</source>
+        <translation>공구마다 프로그램을 따로 만들거나 M0 뒤에서 손으로 교환하십시오.</translation>
+    </message>
+    <message>
+        <source>This control does not stop at M1.</source>
+        <translation>이 컨트롤러는 M1에서 멈추지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Write M0 where it has to stop.</source>
+        <translation>멈춰야 하는 곳에 M0을 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>M7 is known only where grbl was built with mist coolant.</source>
+        <translation>M7은 미스트 냉각을 포함해 빌드한 grbl에서만 알려져 있습니다.</translation>
+    </message>
+    <message>
+        <source>Otherwise grbl answers error:20 and drops the block; give M7 a block of its own.</source>
+        <translation>그렇지 않으면 grbl이 error:20으로 답하고 블록을 버립니다. M7을 별도 블록에 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The centre word {} lies outside the plane of the arc; the control ignores it.</source>
+        <translation>중심 워드 {}는 원호의 평면 밖에 있어 컨트롤러가 무시합니다.</translation>
+    </message>
+    <message>
+        <source>The arc names no axis of its plane as its end.</source>
+        <translation>원호가 평면의 축을 끝점으로 지정하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Write the end point, also of a full circle.</source>
+        <translation>완전한 원에도 끝점을 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>G43.1 takes the word Z and no other axis on this control.</source>
+        <translation>이 컨트롤러에서 G43.1은 Z 워드만 받고 다른 축은 받지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Write G43.1 Z… in a block of its own.</source>
+        <translation>G43.1 Z…를 별도 블록에 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>This control knows O with a number alone, as the beginning of a subprogram.</source>
+        <translation>이 컨트롤러는 숫자만 붙은 O를 서브프로그램의 시작으로만 압니다.</translation>
+    </message>
+    <message>
+        <source>Call it with M98 and end it with M99.</source>
+        <translation>M98로 호출하고 M99로 끝내십시오.</translation>
+    </message>
+    <message>
+        <source>A setting of the control decides whether the dwell of {} is {} s or {} s; it is taken as the first.</source>
+        <translation>{} 정지 시간이 {}초인지 {}초인지는 컨트롤러 설정이 결정합니다. 앞의 값으로 봅니다.</translation>
+    </message>
+    <message>
+        <source>Check on the control whether P counts seconds or milliseconds.</source>
+        <translation>P가 초인지 밀리초인지 컨트롤러에서 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>The arc fits with its centre counted from the start point and also from the origin; a setting of the control decides, and it is taken from the start point.</source>
+        <translation>원호의 중심을 시작점에서 세어도, 원점에서 세어도 맞습니다. 컨트롤러 설정이 결정하며 여기서는 시작점 기준으로 봅니다.</translation>
+    </message>
+    <message>
+        <source>Write G91.1 or G90.1 at the beginning of the program.</source>
+        <translation>프로그램 처음에 G91.1 또는 G90.1을 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>Mach3 takes the place of the tool for the pole of G16, Mach4 the origin; it is taken as Mach3 does.</source>
+        <translation>G16의 극점으로 Mach3는 공구 위치를, Mach4는 원점을 씁니다. 여기서는 Mach3처럼 봅니다.</translation>
+    </message>
+    <message>
+        <source>Begin the polar coordinates where both are the same: at X0 Y0.</source>
+        <translation>둘이 같은 곳인 X0 Y0에서 극좌표를 시작하십시오.</translation>
+    </message>
+    <message>
+        <source>Polar coordinates are meant for G0 and G1 in the XY plane; what {} does in them is not written.</source>
+        <translation>극좌표는 XY 평면의 G0과 G1을 위한 것이며 그 안에서 {} 코드가 하는 일은 문서에 없습니다.</translation>
+    </message>
+    <message>
+        <source>Write G15 before it.</source>
+        <translation>그 앞에 G15를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>Whether G51 scales the word {} is not written; it is taken to scale it.</source>
+        <translation>G51이 {} 워드의 크기를 조정하는지는 문서에 없습니다. 조정하는 것으로 봅니다.</translation>
+    </message>
+    <message>
+        <source>Write G50 before it, or give the centre of an arc by I and J.</source>
+        <translation>그 앞에 G50을 쓰거나 원호의 중심을 I와 J로 지정하십시오.</translation>
+    </message>
+    <message>
+        <source>{} works in the XY plane only.</source>
+        <translation>{} 코드는 XY 평면에서만 동작합니다.</translation>
+    </message>
+    <message>
+        <source>Write G17 before it; the code has no effect.</source>
+        <translation>그 앞에 G17을 쓰십시오. 이 코드는 효과가 없습니다.</translation>
+    </message>
+    <message>
+        <source>{} without H, or with H0, sets the tool length offset to 0.</source>
+        <translation>H가 없거나 H0인 {} 코드는 공구 길이 보정을 0으로 합니다.</translation>
+    </message>
+    <message>
+        <source>Write the number of the tool behind H.</source>
+        <translation>H 뒤에 공구 번호를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>M47 begins the program again, without end.</source>
+        <translation>M47은 프로그램을 처음부터 끝없이 다시 시작합니다.</translation>
+    </message>
+    <message>
+        <source>{} seeks the reference switches; where the axes stand afterwards, only the machine knows.</source>
+        <translation>{} 코드는 기준점 스위치를 찾습니다. 그 뒤 축의 위치는 기계만 압니다.</translation>
+    </message>
+    <message>
+        <source>Position the axes before the next cut.</source>
+        <translation>다음 절삭 전에 축의 위치를 정하십시오.</translation>
+    </message>
+    <message>
+        <source>Nothing leads to this line: line {} leaves the blocks before it for good.</source>
+        <translation>이 행에 이르는 길이 없습니다. {}행에서 앞의 블록을 완전히 벗어납니다.</translation>
+    </message>
+    <message>
+        <source>Remove it, or give it the block number or the label that something jumps to.</source>
+        <translation>행을 지우거나 점프 목표인 블록 번호 또는 레이블을 붙이십시오.</translation>
+    </message>
+    <message>
+        <source>T{} is selected, but the tool table does not have it.</source>
+        <translation>T{} 공구를 선택했지만 공구 표에 없습니다.</translation>
+    </message>
+    <message>
+        <source>Add the tool, or correct the number.</source>
+        <translation>공구를 추가하거나 번호를 고치십시오.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>
