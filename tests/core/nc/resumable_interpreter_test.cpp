@@ -158,13 +158,13 @@ std::string straightLines(std::size_t count) {
 
 TEST(ResumableInterpreter, SaysWhatAFreshRunSays) {
     std::size_t resumed = 0;
-    for (unsigned seed = 1; seed <= 1000; ++seed) {
+    for (unsigned seed = 1; seed <= 400; ++seed) {
         checkEdits(DialectId::linuxcnc, kLinuxCnc, seed, resumed);
         checkEdits(DialectId::fanuc, kFanuc, seed, resumed);
         if (HasFatalFailure())
             return;
     }
-    EXPECT_GT(resumed, 1000U); // or nothing was tried
+    EXPECT_GT(resumed, 400U); // or nothing was tried
 }
 
 TEST(ResumableInterpreter, GoesOnShortBeforeTheChange) {
@@ -231,7 +231,7 @@ TEST(ResumableInterpreter, TheBeginningIsThereBeforeTheRest) {
     EXPECT_LT(published.front()->motionCount(), 120'000U);
     for (const auto& program : published) {
         EXPECT_TRUE(program->unverified());
-        EXPECT_EQ(program->diagnostics().back().id, "still-reading");
+        EXPECT_STREQ(program->diagnostics().back().id, "still-reading");
         EXPECT_EQ(program->firstDifference(*whole), program->blockCount());
     }
     EXPECT_FALSE(whole->unverified());
