@@ -209,15 +209,20 @@ void Session::adoptProgram(const std::shared_ptr<const Program>& program, bool w
     m_program = program;
     if (m_job.wantsStock())
         fitStock(!whole);
+    simulate(more);
+    emit programChanged();
+    refreshProblems();
+    requestTick();
+}
+
+/// `more`: the program before was the beginning of this one.
+void Session::simulate(bool more) {
     if (m_loadedSetup != m_job.setup() || !m_frame)
         load();
     else if (more)
         continueWithMore();
     else
         continueWithEdit();
-    emit programChanged();
-    refreshProblems();
-    requestTick();
 }
 
 void Session::fitStock(bool forNow) {

@@ -180,6 +180,7 @@ private:
     void showReading(double done);
     void endReading();
     void adoptProgram(const std::shared_ptr<const Program>& program, bool whole);
+    void simulate(bool more);
     void fitStock(bool forNow);
     void continueWithEdit();
     void continueWithMore();
