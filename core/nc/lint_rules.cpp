@@ -101,7 +101,8 @@ void toolNotInTable(const LintView& view, const Message& /*message*/) {
     ToolOffsets& tools = view.execution.tools;
     const int tool = view.execution.state.selectedTool;
     if (tools.given() && tool > 0 && tools.find(tool) == nullptr)
-        view.memory.missingTools.try_emplace(tool, view.execution.line, view.execution.block.word('T'));
+        view.memory.missingTools.try_emplace(
+            tool, LintMemory::Selected{view.execution.line, view.execution.block.word('T')});
 }
 
 void feedZero(const LintView& view, const Message& message) {
