@@ -336,7 +336,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!session.frame()->findings.empty(), kPatience); // T1 is not defined
     }
 
-    void noticesChangesOnTheDiskAlsoAfterARename() {
+    void fault36ChangesOnTheDiskAreNoticedAlsoAfterARename() {
         QTemporaryDir folder;
         const QString file = write(folder, "watched.nc", kSquare);
         Session session;
@@ -500,7 +500,7 @@ private slots:
         QVERIFY(session.frame() == nullptr);
     }
 
-    void aDeletedFileIsNotLost() {
+    void fault36ADeletedFileIsNotLost() {
         QTemporaryDir folder;
         Session session;
         const QString file = write(folder, "square.nc", kSquare);
