@@ -203,7 +203,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(cameBack(), kPatience);
     }
 
-    void aDriveThatDoesNotAnswerHoldsNothingUp() {
+    void fault37ADriveThatDoesNotAnswerHoldsNothingUp() {
         std::promise<void> answer;
         std::shared_future<void> answered = answer.get_future().share();
         const auto asked = std::make_shared<std::atomic<int>>(0);
