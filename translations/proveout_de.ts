@@ -3426,12 +3426,40 @@
         <translation>{} setzt die Fräserradiuskorrektur auf dem Weg aus.</translation>
     </message>
     <message>
-        <source>The way into {} and round outside corners is shown as LinuxCNC goes it; this control has other ways, set by its parameters.</source>
-        <translation>Der Weg in {} hinein und um Außenecken wird so gezeigt, wie LinuxCNC ihn fährt; diese Steuerung hat andere Wege, die ihre Parameter bestimmen.</translation>
+        <source>Cutter compensation cannot begin on an arc (alarm 034).</source>
+        <translation>Die Fräserradiuskorrektur kann nicht auf einem Bogen beginnen (Alarm 034).</translation>
     </message>
     <message>
-        <source>The contour itself is right; check the clearance where the tool comes in and leaves.</source>
-        <translation>Die Kontur selbst stimmt; prüfen Sie den Freiraum, wo das Werkzeug an- und abfährt.</translation>
+        <source>Lead in with G0 or G1; the arc is skipped.</source>
+        <translation>Fahren Sie mit G0 oder G1 an; der Bogen wird übersprungen.</translation>
+    </message>
+    <message>
+        <source>The corner before this motion is not compensated: the tool stands square beside the block before it, and goes on from there.</source>
+        <translation>Die Ecke vor dieser Bewegung wird nicht korrigiert: Das Werkzeug steht rechtwinklig neben dem Satz davor und fährt von dort weiter.</translation>
+    </message>
+    <message>
+        <source>Keep stops, repeated codes and blocks without a motion away from corners.</source>
+        <translation>Halten Sie Stopps, wiederholte Codes und Sätze ohne Bewegung von Ecken fern.</translation>
+    </message>
+    <message>
+        <source>The tool changes its side between paths that do not meet.</source>
+        <translation>Das Werkzeug wechselt die Seite zwischen Bahnen, die sich nicht treffen.</translation>
+    </message>
+    <message>
+        <source>Write G40 before the other side.</source>
+        <translation>Schreiben Sie G40 vor die andere Seite.</translation>
+    </message>
+    <message>
+        <source>The tool with a radius of {} mm goes backward in the motion of line {}; the control leaves out points of the corner before it, or stops (alarm 041).</source>
+        <translation>Das Werkzeug mit einem Radius von {} mm fährt in der Bewegung von Zeile {} rückwärts; die Steuerung lässt Punkte der Ecke davor weg oder hält an (Alarm 041).</translation>
+    </message>
+    <message>
+        <source>The compensated arc begins {} mm off its circle.</source>
+        <translation>Der korrigierte Bogen beginnt {} mm neben seinem Kreis.</translation>
+    </message>
+    <message>
+        <source>Change side, radius or code of compensation before a straight motion.</source>
+        <translation>Wechseln Sie Seite, Radius oder Code der Korrektur vor einer geraden Bewegung.</translation>
     </message>
     <message>
         <source>Interpretation was stopped before this line; the last one was {}.</source>

@@ -3426,12 +3426,40 @@
         <translation>{}은(는) 이동하는 동안 공구경 보정을 일시 취소합니다.</translation>
     </message>
     <message>
-        <source>The way into {} and round outside corners is shown as LinuxCNC goes it; this control has other ways, set by its parameters.</source>
-        <translation>{}의 진입과 바깥쪽 모서리 경로는 LinuxCNC 방식으로 표시됩니다. 이 제어기의 경로는 파라미터에 따라 다릅니다.</translation>
+        <source>Cutter compensation cannot begin on an arc (alarm 034).</source>
+        <translation>공구경 보정은 원호에서 시작할 수 없습니다(알람 034).</translation>
     </message>
     <message>
-        <source>The contour itself is right; check the clearance where the tool comes in and leaves.</source>
-        <translation>윤곽 자체는 맞습니다. 공구가 진입하고 이탈하는 곳의 여유를 확인하십시오.</translation>
+        <source>Lead in with G0 or G1; the arc is skipped.</source>
+        <translation>G0 또는 G1로 진입하십시오. 원호는 건너뜁니다.</translation>
+    </message>
+    <message>
+        <source>The corner before this motion is not compensated: the tool stands square beside the block before it, and goes on from there.</source>
+        <translation>이 동작 앞의 모서리는 보정되지 않습니다. 공구는 앞 블록의 끝에서 직각 위치에 있다가 거기서 계속 이동합니다.</translation>
+    </message>
+    <message>
+        <source>Keep stops, repeated codes and blocks without a motion away from corners.</source>
+        <translation>정지, 반복된 코드, 동작이 없는 블록을 모서리에 두지 마십시오.</translation>
+    </message>
+    <message>
+        <source>The tool changes its side between paths that do not meet.</source>
+        <translation>공구가 서로 만나지 않는 경로 사이에서 보정 방향을 바꿉니다.</translation>
+    </message>
+    <message>
+        <source>Write G40 before the other side.</source>
+        <translation>반대쪽 보정 앞에 G40을 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The tool with a radius of {} mm goes backward in the motion of line {}; the control leaves out points of the corner before it, or stops (alarm 041).</source>
+        <translation>반지름 {} mm의 공구가 {}행의 동작에서 거꾸로 갑니다. 컨트롤러는 그 앞 모서리의 점을 생략하거나 정지합니다(알람 041).</translation>
+    </message>
+    <message>
+        <source>The compensated arc begins {} mm off its circle.</source>
+        <translation>보정된 원호가 자기 원에서 {} mm 벗어난 곳에서 시작합니다.</translation>
+    </message>
+    <message>
+        <source>Change side, radius or code of compensation before a straight motion.</source>
+        <translation>보정의 방향, 반지름, 코드는 직선 동작 앞에서 바꾸십시오.</translation>
     </message>
     <message>
         <source>Interpretation was stopped before this line; the last one was {}.</source>

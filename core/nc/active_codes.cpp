@@ -39,7 +39,7 @@ int activeCode(const MachineState& state, ModalGroup group, const Dialect& diale
     case ModalGroup::units:
         return state.inch ? 200 : 210;
     case ModalGroup::cutterCompensation:
-        return !state.compensation.on ? 400 : state.compensation.offset >= 0 ? 410 : 420;
+        return !state.compensation.on ? 400 : state.compensation.side >= 0 ? 410 : 420;
     case ModalGroup::toolLength:
         return state.lengthSign == 0 ? 490 : state.lengthSign > 0 ? 430 : 440;
     case ModalGroup::retract:

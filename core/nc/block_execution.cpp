@@ -5,6 +5,7 @@
 #include "core/nc/block_plan.h"
 #include "core/nc/execution.h"
 #include "core/nc/lint.h"
+#include "core/nc/vector_path.h"
 
 namespace proveout {
 
@@ -44,6 +45,8 @@ void executeBlock(Execution& execution) {
     execution.program.beginBlock(execution.line);
     const std::size_t first = execution.program.motionCount();
     plan.run(execution);
+    if (execution.dialect.vectors.used)
+        countBlock(execution);
     if (execution.dialect.macros == MacroLanguage::macroB)
         remember(execution);
     if (execution.lint == nullptr)

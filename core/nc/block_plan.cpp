@@ -118,11 +118,11 @@ private:
         return true;
     }
 
-    /// H without G43 is another register for the offset in force; D without G41 is not supported.
+    /// H without G43 and D without G41 are other registers for the offsets in force.
     void planRegisters() {
-        if (m_execution.dialect.macros == MacroLanguage::macroB && m_execution.state.compensation.on &&
-            m_block.has('D') && !m_used.has('D')) {
-            tell(nc_message::kCompensationForbids, m_block.word('D'), {nameOf(m_block.word('D'))});
+        if (m_execution.dialect.vectors.used && m_block.has('D') && !m_used.has('D') &&
+            m_groups[static_cast<std::size_t>(ModalGroup::cutterCompensation)] == nullptr) {
+            m_plan.add(Step::cutterCompensation, changeRadiusRegister, m_block.word('D'));
             m_used.add(LetterSet("D"));
         }
         if (m_execution.state.lengthSign == 0 || !m_block.has('H') || m_used.has('H') ||

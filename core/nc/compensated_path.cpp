@@ -9,6 +9,7 @@
 #include "core/nc/arc_words.h"
 #include "core/nc/execution.h"
 #include "core/nc/motion_building.h"
+#include "core/nc/vector_path.h"
 
 namespace proveout {
 
@@ -209,12 +210,17 @@ void appendCompensated(Execution& execution, const Word& word, const Motion& mot
     // Inverse time counts for the programmed length, not for the one of the path beside it.
     Motion programmed = motion;
     setInverseTimeFeed(execution, programmed);
-    Joining(execution, word, programmed).append();
+    if (execution.dialect.vectors.used)
+        appendByVectors(execution, word, programmed);
+    else
+        Joining(execution, word, programmed).append();
 }
 
 void finishCompensated(Execution& execution, const Word& word) {
     const CutterCompensation& compensation = execution.state.compensation;
-    if (compensation.held)
+    if (execution.dialect.vectors.used)
+        standSquare(execution);
+    else if (compensation.held)
         Joining(execution, word, motionFromHere(execution, MotionKind::feed))
             .finish(compensation.path.end, true);
 }

@@ -33,6 +33,7 @@ bool mayBegin(Execution& execution, const Word& word) {
 void begin(Execution& execution, const Word& word, double offset) {
     CutterCompensation& compensation = execution.state.compensation;
     compensation.on = true;
+    compensation.side = std::signbit(offset) ? kRight : kLeft;
     compensation.offset = offset;
     if (offset == 0) {
         execution.reporter.tell(execution.tools.given() || execution.block.has('D')
@@ -75,57 +76,7 @@ void compensateForDiameter(Execution& execution, const Word& word, double side) 
         execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "D"});
 }
 
-/// The radius in the register of the D word, or of the last one; nothing where nobody knows it, which is
-/// told.
-std::optional<double> radiusInRegister(Execution& execution, const Word& word) {
-    MachineState& state = execution.state;
-    const bool given = execution.block.has('D');
-    if (given) {
-        const auto number = wholeNumber(execution, execution.block.word('D'), 0, OffsetRegisters::kLargest);
-        if (!number)
-            return {};
-        state.radiusRegister = *number;
-    }
-    const auto radius = execution.registers.radius(state.radiusRegister);
-    if (!radius) {
-        execution.reporter.tell(nc_message::kRegisterUnknown, given ? execution.block.word('D') : word,
-                                {fmt::format("D{}", state.radiusRegister)});
-    }
-    return radius;
-}
-
-/// A mirror image has the tool on the other side.
-void compensateByRegister(Execution& execution, const Word& word, double side) {
-    const auto radius = radiusInRegister(execution, word);
-    if (!radius)
-        return;
-    MachineState& state = execution.state;
-    const double offset = state.frame.transformation.flips(state.plane) ? -side * *radius : side * *radius;
-    if ((state.compensation.on && state.compensation.offset == offset) || !mayBegin(execution, word))
-        return;
-    state.compensation.on = true;
-    state.compensation.offset = offset;
-    if (offset != 0) {
-        if (!state.cornersTold)
-            execution.reporter.tell(nc_message::kCompensationCorners, word, {nameOf(word)});
-        state.cornersTold = true;
-        return;
-    }
-    const bool certain = execution.registers.certain(OffsetRegisters::Entry::radius, state.radiusRegister);
-    execution.reporter.tell(certain ? nc_message::kCompensationNoDiameter
-                                    : nc_message::kCompensationDiameterUnknown,
-                            word, {nameOf(word)});
-}
-
 } // namespace
-
-void compensateLeftByRegister(Execution& execution, const Word& word) {
-    compensateByRegister(execution, word, kLeft);
-}
-
-void compensateRightByRegister(Execution& execution, const Word& word) {
-    compensateByRegister(execution, word, kRight);
-}
 
 void endCompensation(Execution& execution, const Word& word) {
     finishCompensated(execution, word);

@@ -71,6 +71,7 @@ constexpr Dialect kDialects[] = {
      .peckLiftMm = 0,
      .radiusWins = true,
      .arcRadiiMm = 0.02,
+     .vectors = {.used = true, .readAhead = 3, .crossesAtCorner = true},
      .rapidAfterG80 = true},
     {.id = DialectId::haas,
      .key = "haas",
@@ -100,6 +101,7 @@ constexpr Dialect kDialects[] = {
      .peckLiftMm = 0,
      .radiusWins = true,
      .arcRadiiMm = 0.02,
+     .vectors = {.used = true, .readAhead = 80, .crossesAtCorner = false},
      .rapidAfterG80 = true},
     // Source: grbl 1.1, its documentation and source.
     {.id = DialectId::grbl,

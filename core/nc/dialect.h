@@ -30,6 +30,15 @@ enum class ArcRule : std::uint8_t {
     nist,     ///< of RS274/NGC, from which Mach comes
 };
 
+/// Cutter compensation by vectors, Fanuc's way; what the builder of the machine sets, typical values.
+struct VectorRules {
+    bool used = false;           ///< otherwise LinuxCNC's way
+    bool typeB = false;          ///< of start-up and cancel: Fanuc 5003#0, Haas setting 43
+    int readAhead = 3;           ///< blocks that the control knows at a time: Fanuc 19625
+    double smallMoveMm = 1e-3;   ///< corner moves up to this along each axis are left out: Fanuc 5010
+    bool crossesAtCorner = true; ///< from G41 to G42 where the paths meet, otherwise on the way of the block
+};
+
 /// One row of the table of dialects.
 struct Dialect {
     DialectId id;
@@ -63,6 +72,7 @@ struct Dialect {
     double peckLiftMm; ///< above R to clear the chips: Haas setting 52
     bool radiusWins;   ///< over I J K in an arc; a full circle by R moves nothing, and no centre is a line
     double arcRadiiMm; ///< by which an arc's radii may differ: Fanuc 3410; 0: by `arcs`
+    VectorRules vectors = {};
     ArcRule arcs = ArcRule::linuxcnc;
     std::size_t longestLine = 0;   ///< characters that the control reads; 0: any number
     double largestBlockNumber = 0; ///< 0: any

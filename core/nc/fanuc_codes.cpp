@@ -36,7 +36,7 @@ constexpr CodeRow kFanuc[] = {
     {'G', 310, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "skip motion (probe)"), skipMotion, Step::nonModal, LetterSet("XYZPQ"), AxisUse::takes, WithCompensation::refused},
     {'G', 330, ModalGroup::motion, PROVEOUT_TEXT("Core", "thread cutting"), nullptr, Step::none, {}, AxisUse::takes},
     {'G', 370, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "automatic tool length measurement"), nullptr, Step::none, {}, AxisUse::takes},
-    {'G', 400, ModalGroup::cutterCompensation, PROVEOUT_TEXT("Core", "cutter compensation off"), endCompensation, Step::cutterCompensation},
+    {'G', 400, ModalGroup::cutterCompensation, PROVEOUT_TEXT("Core", "cutter compensation off"), endCompensationOnTheWay, Step::cutterCompensation, LetterSet("IJK")},
     {'G', 410, ModalGroup::cutterCompensation, PROVEOUT_TEXT("Core", "cutter compensation left"), compensateLeftByRegister, Step::cutterCompensation, LetterSet("D")},
     {'G', 420, ModalGroup::cutterCompensation, PROVEOUT_TEXT("Core", "cutter compensation right"), compensateRightByRegister, Step::cutterCompensation, LetterSet("D")},
     {'G', 430, ModalGroup::toolLength, PROVEOUT_TEXT("Core", "tool length offset"), useRegisterLength, Step::toolLength, LetterSet("H"), AxisUse::none},

@@ -140,10 +140,14 @@ void cancelModalMacro(Execution& execution, const Word& word);    ///< G67
 void endCompensation(Execution& execution, const Word& word);           ///< G40
 void compensateLeft(Execution& execution, const Word& word);            ///< G41
 void compensateRight(Execution& execution, const Word& word);           ///< G42
-void compensateLeftByRegister(Execution& execution, const Word& word);  ///< G41 of Fanuc
-void compensateRightByRegister(Execution& execution, const Word& word); ///< G42 of Fanuc
 void compensateLeftByDiameter(Execution& execution, const Word& word);  ///< G41.1
 void compensateRightByDiameter(Execution& execution, const Word& word); ///< G42.1
+
+// vector_codes.cpp
+void endCompensationOnTheWay(Execution& execution, const Word& word);   ///< G40 of Fanuc
+void compensateLeftByRegister(Execution& execution, const Word& word);  ///< G41 of Fanuc
+void compensateRightByRegister(Execution& execution, const Word& word); ///< G42 of Fanuc
+void changeRadiusRegister(Execution& execution, const Word& word);      ///< D alone
 
 // mach_handlers.cpp
 void millCircleClockwise(Execution& execution, const Word& word);        ///< G12 of Mach

@@ -44,7 +44,10 @@ void suspendCompensation(Execution& execution, const Word& word) {
     CutterCompensation& compensation = execution.state.compensation;
     if (!compensation.on)
         return;
-    execution.reporter.tell(nc_message::kCompensationSuspended, word, {nameOf(word)});
+    const PlaneAxes plane = axes(execution.state.plane);
+    // The manuals do not tell what becomes of the offset in axes that stand still.
+    if (!execution.block.has(axisLetter(plane.first)) || !execution.block.has(axisLetter(plane.second)))
+        execution.reporter.tell(nc_message::kCompensationSuspended, word, {nameOf(word)});
     finishCompensated(execution, word);
     compensation.entered = compensation.held = false;
 }

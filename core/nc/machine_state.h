@@ -71,7 +71,6 @@ struct MachineState {
     double programNumber = 0; ///< O
     PolarMode polar;
     Turning turning;
-    bool cornersTold = false;
     bool dataInput = false; ///< from G10 L50 to G11
 
     CutterCompensation compensation;

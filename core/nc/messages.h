@@ -420,13 +420,6 @@ inline constexpr Message kLengthWithoutAxis{
     PROVEOUT_TEXT("Core", "{} changes the tool length without a Z word; some machines move by the "
                           "difference, others stand still."),
     PROVEOUT_TEXT("Core", "Position Z in the same block; here it stands still.")};
-inline constexpr Message kCompensationCorners{
-    Severity::warning, true, "compensation-corners",
-    PROVEOUT_TEXT("Core",
-                  "The way into {} and round outside corners is shown as LinuxCNC goes it; this control "
-                  "has other ways, set by its parameters."),
-    PROVEOUT_TEXT("Core",
-                  "The contour itself is right; check the clearance where the tool comes in and leaves.")};
 inline constexpr Message kCompensationSuspended{
     Severity::warning, true, "compensation-suspended",
     PROVEOUT_TEXT("Core", "{} suspends cutter compensation on its way."),
@@ -762,6 +755,30 @@ inline constexpr Message kCompensationExitArc{
     Severity::error, true, "compensation-exit-arc",
     PROVEOUT_TEXT("Core", "The first motion after G40 must be straight."),
     PROVEOUT_TEXT("Core", "Lead out with G0 or G1; the arc is skipped.")};
+inline constexpr Message kCompensationStartArc{
+    Severity::error, true, "compensation-start-arc",
+    PROVEOUT_TEXT("Core", "Cutter compensation cannot begin on an arc (alarm 034)."),
+    PROVEOUT_TEXT("Core", "Lead in with G0 or G1; the arc is skipped.")};
+inline constexpr Message kCompensationSquare{
+    Severity::warning, false, "compensation-square",
+    PROVEOUT_TEXT("Core",
+                  "The corner before this motion is not compensated: the tool stands square beside the "
+                  "block before it, and goes on from there."),
+    PROVEOUT_TEXT("Core", "Keep stops, repeated codes and blocks without a motion away from corners.")};
+inline constexpr Message kCompensationSideApart{
+    Severity::warning, true, "compensation-side-apart",
+    PROVEOUT_TEXT("Core", "The tool changes its side between paths that do not meet."),
+    PROVEOUT_TEXT("Core", "Write G40 before the other side.")};
+inline constexpr Message kCompensationErased{
+    Severity::error, true, "compensation-erased",
+    PROVEOUT_TEXT("Core",
+                  "The tool with a radius of {} mm goes backward in the motion of line {}; the control "
+                  "leaves out points of the corner before it, or stops (alarm 041)."),
+    PROVEOUT_TEXT("Core", "Use a smaller tool, or leave the short motion out.")};
+inline constexpr Message kCompensationOffCircle{
+    Severity::warning, true, "compensation-off-circle",
+    PROVEOUT_TEXT("Core", "The compensated arc begins {} mm off its circle."),
+    PROVEOUT_TEXT("Core", "Change side, radius or code of compensation before a straight motion.")};
 inline constexpr Message kCompensationAtEnd{
     Severity::warning, false, "compensation-at-end",
     PROVEOUT_TEXT("Core", "Cutter compensation is still on at the end of the program."),

@@ -20,7 +20,7 @@ double planeCode(const MachineState& state) {
 double compensationCode(const MachineState& state) {
     if (!state.compensation.on)
         return 40;
-    return state.compensation.offset >= 0 ? 41 : 42;
+    return state.compensation.side >= 0 ? 41 : 42;
 }
 
 double workOffsetCode(const MachineState& state) {

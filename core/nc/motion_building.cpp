@@ -45,6 +45,19 @@ void setFeed(Motion& motion, const MachineState& state) {
 
 } // namespace
 
+Vec3 tipAt(const Execution& execution, const Vec3& programmed) {
+    const Vec3& displacement = execution.state.compensation.displacement;
+    if (displacement == Vec3(0))
+        return programmed;
+    constexpr double kRounding = 1e-9; ///< of adding and subtracting the displacement
+    const Vec3 tip = programmed + displacement;
+    const std::size_t count = execution.program.motionCount();
+    if (count == 0)
+        return tip;
+    const Vec3 last = execution.program.endOf(count - 1);
+    return glm::distance(tip, last) < kRounding ? last : tip;
+}
+
 Motion motionFromHere(const Execution& execution, MotionKind kind) {
     const MachineState& state = execution.state;
     Motion motion;
@@ -241,7 +254,7 @@ void appendMotion(Execution& execution, Motion motion) {
 }
 
 void appendWithFeed(Execution& execution, Motion motion) {
-    motion.start += execution.state.compensation.displacement;
+    motion.start = tipAt(execution, motion.start);
     execution.state.compensation.displacement = Vec3(0);
     motion.unverified = execution.reporter.unverified();
     execution.program.append(motion);
@@ -272,7 +285,8 @@ void appendPieces(Execution& execution, const Motion& whole, const std::vector<V
 }
 
 void appendOrdered(Execution& execution, const Word& word, const Motion& motion) {
-    if (execution.state.compensation.moves())
+    const CutterCompensation& compensation = execution.state.compensation;
+    if (compensation.moves() || (execution.dialect.vectors.used && compensation.leaving()))
         appendCompensated(execution, word, motion);
     else
         appendMotion(execution, motion);

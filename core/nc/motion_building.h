@@ -14,6 +14,9 @@ namespace proveout {
 /// "X, Y": the axes of some AxisBits.
 [[nodiscard]] std::string namesOfAxes(std::uint8_t axes);
 
+/// Where the tip stands when the machine is to stand at `programmed`: elsewhere under cutter compensation.
+[[nodiscard]] Vec3 tipAt(const Execution& execution, const Vec3& programmed);
+
 /// A motion that begins and ends where the machine stands.
 [[nodiscard]] Motion motionFromHere(const Execution& execution, MotionKind kind);
 

@@ -63,6 +63,7 @@ class Program {
 public:
     [[nodiscard]] std::size_t motionCount() const { return m_motions.size(); }
     [[nodiscard]] Motion motion(std::size_t index) const;
+    [[nodiscard]] const Vec3& endOf(std::size_t index) const { return m_motions[index].end; }
     /// Where the text sends motion `index`: under cutter compensation beside the motion's end, else there.
     [[nodiscard]] Vec3 programmedEnd(std::size_t index) const;
 

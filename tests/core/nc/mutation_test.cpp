@@ -122,9 +122,28 @@ std::string randomCompensated(std::mt19937& random) {
     return text;
 }
 
-void check(const std::string& text) {
+/// The same for compensation by registers, with what may stand between and in the mode.
+std::string randomByRegister(std::mt19937& random) {
+    const std::vector<std::string> between{
+        "",       "",      "",         "G4 P1\n", "M8\n",        "G91 G28 Z0\nG90\n",
+        "Z-1.\n", "M0\n",  "G41\n",    "G42\n",   "G40\n",       "G42 D2\n",
+        "D3\n",   "D0\n",  "G53 X1\n", "G17\n",   "G4 P1\nM8\n", "G40 X1. I1. J2.\n",
+        "G18\n",  "G41\n", "G20\n",    "G21\n"};
+    std::string text = "G0 X0 Y0 Z0 F100\nG41 D1\n";
+    for (std::size_t n = random() % 40; n > 0; --n) {
+        const std::vector<std::string> codes{"G0", "G1", "G2", "G3", "G1", "G1", "G2", "G3", ""};
+        text += codes[random() % codes.size()];
+        for (const char letter : std::string(random() % 3 == 0 ? "XYZIJ" : "XYR")) {
+            if (random() % 8 != 0)
+                text.append(1, letter).append(std::to_string((static_cast<int>(random() % 41) - 20) / 2.0));
+        }
+        text += "\n" + between[random() % between.size()];
+    }
+    return text;
+}
+
+void check(const std::string& text, const InterpretOptions& options = {}) {
     const NcText nc(text);
-    const InterpretOptions options;
     EXPECT_EQ(test::brokenPromise(nc, options, *interpret(nc, options)), "") << text;
 }
 
@@ -145,6 +164,20 @@ TEST(Mutation, RandomCompensationIsAnswered) {
         SCOPED_TRACE(testing::Message() << "seed " << seed);
         std::mt19937 random(seed);
         ASSERT_NO_FATAL_FAILURE(check(randomCompensated(random)));
+        if (HasFailure())
+            return;
+    }
+}
+
+TEST(Mutation, RandomCompensationByRegisterIsAnswered) {
+    InterpretOptions options;
+    options.assumeStartAtZero = true;
+    options.tools = ToolOffsets({{1, {Vec3(0), 4}}, {2, {Vec3(0), 1}}, {3, {Vec3(0), -2}}});
+    for (unsigned seed = 1; seed <= 20000; ++seed) {
+        SCOPED_TRACE(testing::Message() << "seed " << seed);
+        std::mt19937 random(seed);
+        options.dialect = seed % 3 == 0 ? DialectId::haas : DialectId::fanuc;
+        ASSERT_NO_FATAL_FAILURE(check(randomByRegister(random), options));
         if (HasFailure())
             return;
     }

@@ -41,7 +41,7 @@ std::vector<PlanePath> randomPath(std::mt19937& random, const RandomPathShape& s
         const double length = uniform(random, shape.shortest, shape.longest);
         const double sweep = uniform(random, 0.2, shape.longestSweep) * (chance(random, 0.5) ? 1 : -1);
         paths.push_back(rounded(
-            chance(random, 0.5)
+            shape.lines || chance(random, 0.5)
                 ? lineFrom(last.end, heading, length)
                 : arcFrom(last.end, heading, uniform(random, shape.smallestRadius, shape.longest), sweep)));
     }

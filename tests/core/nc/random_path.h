@@ -17,6 +17,7 @@ struct RandomPathShape {
     double flattestTurn = 0;
     double smallestRadius = 2;
     double longestSweep = 4.5; ///< rad
+    bool lines = false;        ///< no arcs
 };
 
 /// Lines and arcs that follow each other at corners of any kind, from the origin on. The first is a line.
