@@ -3813,6 +3813,46 @@
         <source>Add the tool, or correct the number.</source>
         <translation>Ergänzen Sie das Werkzeug, oder berichtigen Sie die Nummer.</translation>
     </message>
+    <message>
+        <source>chamfer</source>
+        <translation>Fase</translation>
+    </message>
+    <message>
+        <source>corner radius</source>
+        <translation>Eckenradius</translation>
+    </message>
+    <message>
+        <source>No straight or circular motion stands on both sides of the chamfer or corner radius (alarm 051).</source>
+        <translation>Fase oder Eckenradius steht nicht zwischen zwei Geraden oder Bögen (Alarm 051).</translation>
+    </message>
+    <message>
+        <source>Let G1, G2 or G3 in the plane follow; the corner stays sharp.</source>
+        <translation>Lassen Sie G1, G2 oder G3 in der Ebene folgen; die Ecke bleibt scharf.</translation>
+    </message>
+    <message>
+        <source>The chamfer or corner radius of {} mm does not fit between the motions (alarm 055).</source>
+        <translation>Die Fase oder der Eckenradius von {} mm passt nicht zwischen die Bewegungen (Alarm 055).</translation>
+    </message>
+    <message>
+        <source>Use a smaller one; the corner stays sharp.</source>
+        <translation>Nehmen Sie ein kleineres Maß; die Ecke bleibt scharf.</translation>
+    </message>
+    <message>
+        <source>A chamfer or corner radius stands between motions in one plane only.</source>
+        <translation>Eine Fase oder ein Eckenradius steht nur zwischen Bewegungen in einer Ebene.</translation>
+    </message>
+    <message>
+        <source>Move along the third axis in another block; the corner stays sharp.</source>
+        <translation>Bewegen Sie die dritte Achse in einem anderen Satz; die Ecke bleibt scharf.</translation>
+    </message>
+    <message>
+        <source>The manuals do not tell how a chamfer counts along an arc; here it is the straight distance from the corner.</source>
+        <translation>Die Handbücher sagen nicht, wie eine Fase entlang eines Bogens zählt; hier ist es der gerade Abstand von der Ecke.</translation>
+    </message>
+    <message>
+        <source>Write the motions out.</source>
+        <translation>Schreiben Sie die Bewegungen aus.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

@@ -3813,6 +3813,46 @@
         <source>Add the tool, or correct the number.</source>
         <translation>공구를 추가하거나 번호를 고치십시오.</translation>
     </message>
+    <message>
+        <source>chamfer</source>
+        <translation>모따기</translation>
+    </message>
+    <message>
+        <source>corner radius</source>
+        <translation>모서리 반지름</translation>
+    </message>
+    <message>
+        <source>No straight or circular motion stands on both sides of the chamfer or corner radius (alarm 051).</source>
+        <translation>모따기 또는 모서리 반지름의 양쪽에 직선 또는 원호 동작이 없습니다(알람 051).</translation>
+    </message>
+    <message>
+        <source>Let G1, G2 or G3 in the plane follow; the corner stays sharp.</source>
+        <translation>평면 안의 G1, G2 또는 G3가 뒤따르게 하십시오. 모서리는 그대로 남습니다.</translation>
+    </message>
+    <message>
+        <source>The chamfer or corner radius of {} mm does not fit between the motions (alarm 055).</source>
+        <translation>{} mm의 모따기 또는 모서리 반지름이 동작 사이에 들어가지 않습니다(알람 055).</translation>
+    </message>
+    <message>
+        <source>Use a smaller one; the corner stays sharp.</source>
+        <translation>더 작은 값을 쓰십시오. 모서리는 그대로 남습니다.</translation>
+    </message>
+    <message>
+        <source>A chamfer or corner radius stands between motions in one plane only.</source>
+        <translation>모따기와 모서리 반지름은 한 평면 안의 동작 사이에만 쓸 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Move along the third axis in another block; the corner stays sharp.</source>
+        <translation>셋째 축은 다른 블록에서 움직이십시오. 모서리는 그대로 남습니다.</translation>
+    </message>
+    <message>
+        <source>The manuals do not tell how a chamfer counts along an arc; here it is the straight distance from the corner.</source>
+        <translation>원호에서 모따기를 어떻게 재는지는 설명서에 없습니다. 여기서는 모서리로부터의 직선 거리입니다.</translation>
+    </message>
+    <message>
+        <source>Write the motions out.</source>
+        <translation>동작을 직접 풀어 쓰십시오.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

@@ -18,6 +18,10 @@ struct Word {
     bool point = true; ///< whether it says how large 1 is: it has a decimal point or was computed
 };
 
+/// Stand for ",C" and ",R" of Fanuc's dialect, which are words of their own.
+inline constexpr char kChamferLetter = '[';
+inline constexpr char kRoundingLetter = ']';
+
 /// A set of letters of words.
 class LetterSet {
 public:

@@ -3,6 +3,7 @@
 #include <string>
 
 #include "core/nc/block_plan.h"
+#include "core/nc/corner_insertion.h"
 #include "core/nc/execution.h"
 #include "core/nc/lint.h"
 #include "core/nc/vector_path.h"
@@ -45,8 +46,10 @@ void executeBlock(Execution& execution) {
     execution.program.beginBlock(execution.line);
     const std::size_t first = execution.program.motionCount();
     plan.run(execution);
-    if (execution.dialect.vectors.used)
+    if (execution.dialect.vectors.used) {
         countBlock(execution);
+        checkOrderedCorner(execution);
+    }
     if (execution.dialect.macros == MacroLanguage::macroB)
         remember(execution);
     if (execution.lint == nullptr)

@@ -31,7 +31,7 @@ public:
                 return planWithArguments();
         }
         for (const Word& word : m_block.earlier())
-            tell(nc_message::kLastWordCounts, word, {std::string(1, word.letter)});
+            tell(nc_message::kLastWordCounts, word, {writtenAs(word.letter)});
         for (const LetterRow& row : letters()) {
             if (row.handler != nullptr && m_block.has(row.letter))
                 m_plan.add(row.step, row.handler, m_block.word(row.letter));
@@ -258,8 +258,8 @@ private:
                 continue;
             const Word& word = m_block.word(row.letter);
             if (m_execution.dialect.refusesUnused)
-                return refuse(nc_message::kWordUnused, word, {std::string(1, row.letter)});
-            tell(nc_message::kWordIgnored, word, {std::string(1, row.letter)});
+                return refuse(nc_message::kWordUnused, word, {writtenAs(row.letter)});
+            tell(nc_message::kWordIgnored, word, {writtenAs(row.letter)});
         }
         return true;
     }

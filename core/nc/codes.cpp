@@ -41,6 +41,8 @@ constexpr LetterRow kLetters[] = {
     {'X', PROVEOUT_TEXT("Core", "X coordinate")},
     {'Y', PROVEOUT_TEXT("Core", "Y coordinate")},
     {'Z', PROVEOUT_TEXT("Core", "Z coordinate")},
+    {kChamferLetter, PROVEOUT_TEXT("Core", "chamfer")},
+    {kRoundingLetter, PROVEOUT_TEXT("Core", "corner radius")},
     {'^', PROVEOUT_TEXT("Core", "polar angle in degrees")},
 };
 

@@ -247,6 +247,12 @@ double trimmedSweep(const PlanePath& arc, const Vec2& start, const Vec2& end) {
            angleFrom(end - arc.centre, arc.end - arc.centre);
 }
 
+double sweepWithin(const PlanePath& arc, const Vec2& start, const Vec2& end) {
+    const double direction = std::copysign(1.0, arc.sweep);
+    const double along = std::fmod(direction * trimmedSweep(arc, start, end), 2 * kPi);
+    return direction * (along <= 0 ? along + 2 * kPi : along);
+}
+
 bool goesBackward(const PlanePath& path, const Vec2& start, const Vec2& end) {
     if (path.arc())
         return trimmedSweep(path, start, end) * std::copysign(1.0, path.sweep) <= 0;

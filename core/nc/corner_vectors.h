@@ -58,6 +58,9 @@ private:
 /// backward.
 [[nodiscard]] double trimmedSweep(const PlanePath& arc, const Vec2& start, const Vec2& end);
 
+/// The same as a control runs it: in the direction of the arc, once round at most.
+[[nodiscard]] double sweepWithin(const PlanePath& arc, const Vec2& start, const Vec2& end);
+
 /// Whether an offset path that is to lead from `start` to `end` goes against its programmed direction.
 [[nodiscard]] bool goesBackward(const PlanePath& path, const Vec2& start, const Vec2& end);
 

@@ -11,8 +11,9 @@ namespace {
 
 // clang-format off
 constexpr CodeRow kFanuc[] = {
-    {'G', 20, ModalGroup::motion, PROVEOUT_TEXT("Core", "clockwise arc"), moveArcClockwise, Step::motion, LetterSet("XYZIJKR")},
-    {'G', 30, ModalGroup::motion, PROVEOUT_TEXT("Core", "counter-clockwise arc"), moveArcCounterClockwise, Step::motion, LetterSet("XYZIJKR")},
+    {'G', 10, ModalGroup::motion, PROVEOUT_TEXT("Core", "straight feed"), moveFeed, Step::motion, LetterSet("XYZ[]")},
+    {'G', 20, ModalGroup::motion, PROVEOUT_TEXT("Core", "clockwise arc"), moveArcClockwise, Step::motion, LetterSet("XYZIJKR[]")},
+    {'G', 30, ModalGroup::motion, PROVEOUT_TEXT("Core", "counter-clockwise arc"), moveArcCounterClockwise, Step::motion, LetterSet("XYZIJKR[]")},
     {'G', 40, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "dwell"), dwellByLetter, Step::dwell, LetterSet("XUP"), AxisUse::takes},
     {'G', 50, ModalGroup::lookAhead, PROVEOUT_TEXT("Core", "high-speed machining"), keepState, Step::lookAhead, LetterSet("PQR")},
     {'G', 51, ModalGroup::lookAhead, PROVEOUT_TEXT("Core", "look-ahead contour control"), keepState, Step::lookAhead, LetterSet("PQR")},

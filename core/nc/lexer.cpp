@@ -11,7 +11,7 @@ namespace proveout {
 
 namespace {
 
-constexpr LetterSet kLengths("XYZIJKRQUVW");
+constexpr LetterSet kLengths("XYZIJKRQUVW[]");
 constexpr std::size_t kLongestBlockNumber = 15; ///< digits; more than any control can hold
 
 /// DC1 to DC4 of a serial line, the end-of-file byte of DOS.
@@ -120,6 +120,8 @@ private:
             readProgramName();
             return true;
         }
+        if (c == ',')
+            return readCornerWord();
         if (c == '/') {
             m_at = m_context.blockDelete ? m_text.size() : m_at;
             if (!atEnd())
@@ -139,6 +141,16 @@ private:
             m_line.statement.reset();
         }
         m_at = m_text.size();
+        return true;
+    }
+
+    bool readCornerWord() {
+        const std::size_t at = proveout::skipBlanks(m_text, m_at + 1);
+        const char letter = at < m_text.size() ? upperCase(m_text[at]) : '\0';
+        if (letter != 'C' && letter != 'R')
+            return false;
+        m_at = at;
+        readWord(letter == 'C' ? kChamferLetter : kRoundingLetter);
         return true;
     }
 

@@ -7,6 +7,7 @@
 #include "core/nc/canned_cycle.h"
 #include "core/nc/codes.h"
 #include "core/nc/compensated_path.h"
+#include "core/nc/corner_insertion.h"
 #include "core/nc/motion.h"
 #include "core/nc/polar_words.h"
 #include "core/nc/transformation_codes.h"
@@ -74,6 +75,7 @@ struct MachineState {
     bool dataInput = false; ///< from G10 L50 to G11
 
     CutterCompensation compensation;
+    OrderedCorner corner; ///< of Fanuc's dialect
 
     /// Of the tip of the cutter, in machine coordinates; where the text says that it is, even if cutter
     /// compensation displaces it.

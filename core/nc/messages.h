@@ -695,6 +695,29 @@ inline constexpr Message kArcTurns{Severity::error, true, "arc-turns",
                                    PROVEOUT_TEXT("Core", "P must be a whole number of turns from 1 to {}."),
                                    PROVEOUT_TEXT("Core", "Check the P word.")};
 
+// Optional chamfers and corner radii.
+inline constexpr Message kCornerWithoutMotion{
+    Severity::error, true, "corner-without-motion",
+    PROVEOUT_TEXT("Core",
+                  "No straight or circular motion stands on both sides of the chamfer or corner radius "
+                  "(alarm 051)."),
+    PROVEOUT_TEXT("Core", "Let G1, G2 or G3 in the plane follow; the corner stays sharp.")};
+inline constexpr Message kCornerTooLarge{
+    Severity::error, true, "corner-too-large",
+    PROVEOUT_TEXT("Core",
+                  "The chamfer or corner radius of {} mm does not fit between the motions (alarm 055)."),
+    PROVEOUT_TEXT("Core", "Use a smaller one; the corner stays sharp.")};
+inline constexpr Message kCornerOffPlane{
+    Severity::error, true, "corner-off-plane",
+    PROVEOUT_TEXT("Core", "A chamfer or corner radius stands between motions in one plane only."),
+    PROVEOUT_TEXT("Core", "Move along the third axis in another block; the corner stays sharp.")};
+inline constexpr Message kChamferOnArc{
+    Severity::warning, true, "chamfer-on-arc",
+    PROVEOUT_TEXT("Core",
+                  "The manuals do not tell how a chamfer counts along an arc; here it is the straight "
+                  "distance from the corner."),
+    PROVEOUT_TEXT("Core", "Write the motions out.")};
+
 // Cutter compensation.
 inline constexpr Message kCompensationOnAlready{Severity::error, true, "compensation-on-already",
                                                 PROVEOUT_TEXT("Core", "Cutter compensation is on already."),

@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "core/nc/arc_words.h"
+#include "core/nc/corner_insertion.h"
+#include "core/nc/execution.h"
 #include "core/nc/handlers.h"
 #include "core/nc/motion_building.h"
 #include "core/nc/turned_arc.h"
@@ -65,14 +67,14 @@ void moveArc(Execution& execution, const Word& word, bool clockwise) {
         leaveOut(execution, motion);
         return;
     }
-    appendOrdered(execution, word, motion);
+    appendWithCorner(execution, word, motion);
 }
 
 } // namespace
 
 void moveRapid(Execution& execution, const Word& word) {
     if (!onlySelectsMode(execution))
-        appendOrdered(execution, word, motionToTarget(execution, MotionKind::rapid));
+        appendWithCorner(execution, word, motionToTarget(execution, MotionKind::rapid));
 }
 
 void moveFeed(Execution& execution, const Word& word) {
@@ -81,7 +83,7 @@ void moveFeed(Execution& execution, const Word& word) {
     const Motion motion = motionToTarget(execution, MotionKind::feed);
     tellMissingFeed(execution, word);
     tellUnknownStart(execution, motion, word);
-    appendOrdered(execution, word, motion);
+    appendWithCorner(execution, word, motion);
 }
 
 void moveArcClockwise(Execution& execution, const Word& word) {

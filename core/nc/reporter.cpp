@@ -10,6 +10,10 @@ std::string nameOf(const Word& word) {
     return fmt::format("{}{:g}", word.letter, word.value);
 }
 
+std::string writtenAs(char letter) {
+    return letter == kChamferLetter ? ",C" : letter == kRoundingLetter ? ",R" : std::string(1, letter);
+}
+
 void Reporter::tell(const Message& message, int column, int length, std::vector<std::string> arguments) {
     m_memory.unverified = m_memory.unverified || message.unverified;
     if (m_memory.told == m_limit) {

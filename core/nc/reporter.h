@@ -14,6 +14,8 @@ namespace proveout {
 
 /// A word as messages show it: "G38.2".
 [[nodiscard]] std::string nameOf(const Word& word);
+/// A letter of words as the text has it.
+[[nodiscard]] std::string writtenAs(char letter);
 
 /// Hands messages to the program that is being built: the first `limit` of them, then a count. Keeps a
 /// reference to the program. Knows whether anything was told that leaves the rest unverified.

@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <fmt/format.h>
-#include <numbers>
 #include <optional>
 #include <string>
 
@@ -33,14 +32,6 @@ Vec3 withPlane(Vec3 point, const Vec2& place, const PlaneAxes& plane) {
     point[plane.first] = place.x;
     point[plane.second] = place.y;
     return point;
-}
-
-/// The control runs an arc in its direction, once round at most.
-double sweepWithin(const PlanePath& path, const Vec2& start, const Vec2& end) {
-    constexpr double kTurn = 2 * std::numbers::pi;
-    const double direction = std::copysign(1.0, path.sweep);
-    const double along = std::fmod(direction * trimmedSweep(path, start, end), kTurn);
-    return direction * (along <= 0 ? along + kTurn : along);
 }
 
 /// One programmed motion that is to be compensated.
@@ -268,6 +259,17 @@ void appendByVectors(Execution& execution, const Word& word, const Motion& motio
 void standSquare(Execution& execution) {
     execution.state.compensation.held = false;
     execution.program.settle();
+}
+
+void shortenHeld(Execution& execution, const PlanePath& programmed) {
+    CutterCompensation& compensation = execution.state.compensation;
+    compensation.vectors.programmed = programmed;
+    compensation.path = *offsetPath(programmed, compensation.vectors.offset);
+    const Vec2& end = compensation.path.end;
+    const double sweep = programmed.arc() ? sweepWithin(compensation.path, compensation.from, end) : 0;
+    execution.program.moveEnds(compensation.firstHeld, execution.state.plane, end, sweep);
+    const PlaneAxes plane = axes(execution.state.plane);
+    compensation.displacement = withPlane(Vec3(0), end - inPlane(execution.state.position, plane), plane);
 }
 
 void countBlock(Execution& execution) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "core/nc/block.h"
+#include "core/nc/compensation.h"
 #include "core/nc/motion.h"
 
 namespace proveout {
@@ -16,6 +17,10 @@ void appendByVectors(Execution& execution, const Word& word, const Motion& motio
 
 /// The control does not know what follows: the tool stays square beside the end of the last motion.
 void standSquare(Execution& execution);
+
+/// The last motion, which the control still holds, is this part of what was programmed; the machine stands at
+/// the end of it.
+void shortenHeld(Execution& execution, const PlanePath& programmed);
 
 /// At the end of a block: whether the control still reads as far as the next motion in the plane.
 void countBlock(Execution& execution);

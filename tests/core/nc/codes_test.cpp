@@ -76,7 +76,7 @@ TEST(Codes, ExplainEveryOtherLetter) {
     std::string letterRow;
     for (const LetterRow& row : letters())
         letterRow += row.letter;
-    EXPECT_EQ(letterRow, "@ABCDEFHIJKLNOPQRSTUVWXYZ^");
+    EXPECT_EQ(letterRow, "@ABCDEFHIJKLNOPQRSTUVWXYZ[]^");
 }
 
 } // namespace proveout

@@ -137,7 +137,8 @@ std::string randomByRegister(std::mt19937& random) {
             if (random() % 8 != 0)
                 text.append(1, letter).append(std::to_string((static_cast<int>(random() % 41) - 20) / 2.0));
         }
-        text += "\n" + between[random() % between.size()];
+        const std::vector<std::string> corners{"", "", ",C1.", ",R2.", ",R.5"};
+        text += corners[random() % corners.size()] + "\n" + between[random() % between.size()];
     }
     return text;
 }

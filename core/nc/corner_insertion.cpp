@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/nc/corner_insertion.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+#include <string>
+
+#include "core/nc/corner_shape.h"
+#include "core/nc/execution.h"
+#include "core/nc/motion_building.h"
+#include "core/nc/vector_path.h"
+
+namespace proveout {
+
+namespace {
+
+/// A motion shorter than this in the plane leads nowhere there.
+constexpr double kNoLength = 1e-9;
+
+Vec2 inPlane(const Vec3& point, const PlaneAxes& plane) {
+    return {point[plane.first], point[plane.second]};
+}
+
+Vec3 withPlane(Vec3 point, const Vec2& place, const PlaneAxes& plane) {
+    point[plane.first] = place.x;
+    point[plane.second] = place.y;
+    return point;
+}
+
+bool leadsNowhere(const PlanePath& path) {
+    constexpr double kNoCircle = 1; ///< rad: a whole circle leads to where it begins, too
+    return std::abs(path.sweep) < kNoCircle && glm::distance(path.start, path.end) < kNoLength;
+}
+
+/// A corner that an earlier block ordered, at the motion behind it.
+class Insertion {
+public:
+    Insertion(Execution& execution, const Word& word, Motion& motion)
+        : m_execution(execution), m_corner(execution.state.corner), m_word(word), m_motion(motion),
+          m_plane(axes(execution.state.plane)), m_after{inPlane(motion.start, m_plane),
+                                                        inPlane(motion.end, m_plane),
+                                                        inPlane(motion.centre, m_plane), motion.sweep} {}
+
+    /// Shortens the motion to what is left of it behind the corner; false where nothing is.
+    bool insert() {
+        m_corner.pending = false;
+        if (!fits() || needsNoCorner(m_corner.path, m_after))
+            return true;
+        const auto shape = m_corner.rounded ? roundingBetween(m_corner.path, m_after, m_corner.size)
+                                            : chamferBetween(m_corner.path, m_after, m_corner.size);
+        const bool whole = m_corner.compensated || m_corner.path.arc();
+        const bool consumed = shape && whole && leadsNowhere(upTo(m_corner.path, shape->start));
+        if (!shape || consumed) {
+            tell(nc_message::kCornerTooLarge, {fmt::format("{:.6g}", m_corner.size)});
+            return true;
+        }
+        if (!m_corner.rounded && (m_corner.path.arc() || m_after.arc()))
+            tell(nc_message::kChamferOnArc);
+        shortenBefore(*shape);
+        appendBetween(*shape);
+        return shortenAfter(*shape);
+    }
+
+private:
+    void tell(const Message& message, std::vector<std::string> arguments = {}) {
+        m_execution.reporter.tell(message, m_word, std::move(arguments));
+    }
+
+    bool fits() {
+        const CutterCompensation& compensation = m_execution.state.compensation;
+        const bool held =
+            m_corner.compensated == compensation.moves() && (compensation.held || !m_corner.compensated);
+        if (m_motion.kind == MotionKind::rapid || !held || leadsNowhere(m_after))
+            tell(nc_message::kCornerWithoutMotion);
+        else if (m_corner.across || m_motion.start[m_plane.normal] != m_motion.end[m_plane.normal] ||
+                 !planeKnown(m_motion))
+            tell(nc_message::kCornerOffPlane);
+        else
+            return m_corner.size > 0;
+        return false;
+    }
+
+    void shortenBefore(const PlanePath& shape) {
+        const PlanePath before = upTo(m_corner.path, shape.start);
+        MachineState& state = m_execution.state;
+        if (!m_corner.compensated)
+            m_execution.program.moveEnds(m_corner.motion, state.plane, shape.start, before.sweep);
+        state.position = withPlane(state.position, shape.start, m_plane);
+        if (m_corner.compensated)
+            shortenHeld(m_execution, before);
+    }
+
+    void appendBetween(const PlanePath& shape) {
+        Motion between = m_motion;
+        between.kind = shape.arc() ? MotionKind::arc : MotionKind::feed;
+        between.end = withPlane(m_motion.start, shape.end, m_plane);
+        between.start = withPlane(m_motion.start, shape.start, m_plane);
+        between.centre = withPlane(m_motion.start, shape.centre, m_plane);
+        between.sweep = shape.sweep;
+        between.feedMmPerMin = m_corner.feed;
+        between.endKnown = m_motion.startKnown;
+        appendOrdered(m_execution, m_word, between);
+    }
+
+    bool shortenAfter(const PlanePath& shape) {
+        const PlanePath after = fromOn(m_after, shape.end);
+        m_motion.start = withPlane(m_motion.start, shape.end, m_plane);
+        m_motion.sweep = after.sweep;
+        if (!leadsNowhere(after))
+            return true;
+        arrive(m_execution.state, m_motion);
+        return false;
+    }
+
+    Execution& m_execution;
+    OrderedCorner& m_corner;
+    const Word& m_word;
+    Motion& m_motion;
+    PlaneAxes m_plane;
+    PlanePath m_after;
+};
+
+/// The word that orders a corner; null where there is none.
+const Word* cornerWord(const Block& block) {
+    return block.has(kRoundingLetter)  ? &block.word(kRoundingLetter)
+           : block.has(kChamferLetter) ? &block.word(kChamferLetter)
+                                       : nullptr;
+}
+
+/// Outside of cutter compensation.
+void appendMovable(Execution& execution, Motion motion) {
+    setInverseTimeFeed(execution, motion);
+    motion.unverified = execution.reporter.unverified();
+    execution.program.settle();
+    execution.program.appendCompensated(motion, motion.end);
+    arrive(execution.state, motion);
+}
+
+/// Appends a motion whose end the next one may move.
+void appendHeld(Execution& execution, const Word& word, const Motion& motion, const Word& ordered) {
+    const PlaneAxes plane = axes(execution.state.plane);
+    OrderedCorner corner;
+    corner.pending = corner.seen = true;
+    corner.rounded = ordered.letter == kRoundingLetter;
+    corner.size = execution.length(ordered.letter);
+    corner.compensated = execution.state.compensation.moves();
+    corner.across = motion.start[plane.normal] != motion.end[plane.normal];
+    corner.feed = motion.feedMmPerMin;
+    corner.path = {inPlane(motion.start, plane), inPlane(motion.end, plane), inPlane(motion.centre, plane),
+                   motion.sweep};
+    const bool leaving = execution.state.compensation.leaving() && !corner.compensated;
+    if (leaving || !planeKnown(motion) || leadsNowhere(corner.path)) {
+        execution.reporter.tell(nc_message::kCornerWithoutMotion, ordered);
+        appendOrdered(execution, word, motion);
+        return;
+    }
+    if (corner.compensated)
+        appendOrdered(execution, word, motion);
+    else
+        appendMovable(execution, motion);
+    corner.motion = execution.program.motionCount() - 1;
+    execution.state.corner = corner;
+}
+
+} // namespace
+
+void appendWithCorner(Execution& execution, const Word& word, const Motion& motion) {
+    Motion rest = motion;
+    if (execution.state.corner.pending && !Insertion(execution, word, rest).insert())
+        return;
+    const Word* ordered = cornerWord(execution.block);
+    if (ordered == nullptr || motion.kind == MotionKind::rapid)
+        appendOrdered(execution, word, rest);
+    else
+        appendHeld(execution, word, rest, *ordered);
+}
+
+void checkOrderedCorner(Execution& execution) {
+    OrderedCorner& corner = execution.state.corner;
+    const bool seen = corner.seen;
+    corner.seen = false;
+    if (!corner.pending || seen)
+        return;
+    const auto codes = execution.block.codes();
+    const CodeRow* row = codes.size() == 1 ? execution.codes.find(codes.front()) : nullptr;
+    if (row != nullptr && row->step == Step::dwell && !corner.dwelled) {
+        corner.dwelled = true;
+        return;
+    }
+    corner.pending = false;
+    execution.reporter.tell(nc_message::kCornerWithoutMotion, 1, 0);
+}
+
+} // namespace proveout
