@@ -74,7 +74,7 @@ Box3 cuttingBounds(const Program& program) {
     Box3 box;
     for (std::size_t i = 0; i < program.motionCount(); ++i) {
         const Motion motion = program.motion(i);
-        if (motion.kind != MotionKind::rapid && motion.known())
+        if (motion.kind != MotionKind::rapid && motion.known() && !motion.probing)
             box.add(bounds(motion));
     }
     return box;

@@ -189,6 +189,8 @@ void Session::interpret() {
     m_editPause.stop();
     InterpretOptions options = interpretOptions(setup(), document().path);
     options.file.clear(); // messages without a file are about the text in the editor
+    if (m_job.wantsStock())
+        options.part = {};
     endReading();
     m_source.request(document().text, std::move(options), !m_program);
 }
@@ -207,8 +209,11 @@ void Session::endReading() {
 void Session::adoptProgram(const std::shared_ptr<const Program>& program, bool whole) {
     const bool more = std::exchange(m_begun, !whole);
     m_program = program;
-    if (m_job.wantsStock())
+    if (m_job.wantsStock()) {
         fitStock(!whole);
+        if (whole && program->asksForStock())
+            return interpret(); // now there is a stock to probe
+    }
     simulate(more);
     emit programChanged();
     refreshProblems();

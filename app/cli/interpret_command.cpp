@@ -3,7 +3,6 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,10 +12,10 @@
 #include "app/cli/option_error.h"
 #include "app/cli/report.h"
 #include "app/cli/setup_options.h"
-#include "core/cutter/tool_file.h"
 #include "core/formats/nc_motion.h"
 #include "core/simulation/finding_log.h"
 #include "core/simulation/interpretation.h"
+#include "core/simulation/probed_stock.h"
 
 namespace proveout::cli {
 
@@ -24,7 +23,8 @@ namespace {
 
 struct InterpretCommandOptions {
     std::string program;
-    std::string toolsFile;
+    ToolOptions tools;
+    StockOptions stock;
     std::string start;
     std::string dialect;
     std::vector<std::string> compared; ///< two dialects, or none
@@ -49,14 +49,15 @@ ExitCode run(const InterpretCommandOptions& options) {
             return fail(aboutOption("--start", std::move(start.error())).value());
         interpreting.start = *start;
     }
-    std::optional<ToolTable> tools;
-    if (!options.toolsFile.empty()) {
-        auto read = readToolFile(options.toolsFile);
-        if (!read)
-            return fail(std::move(read.error()));
-        tools = std::move(*read);
-        interpreting.tools = toolOffsets(*tools);
-    }
+    Setup setup;
+    if (auto tools = options.tools.apply(setup.tools); !tools)
+        return fail(std::move(tools.error()));
+    if (options.tools.given())
+        interpreting.tools = toolOffsets(setup.tools);
+    if (auto stock = options.stock.apply(setup.stock); !stock)
+        return fail(std::move(stock.error()));
+    if (!options.stock.size.empty())
+        interpreting.part = partToProbe(setup);
     auto text = NcText::load(options.program);
     if (!text)
         return fail(std::move(text.error()));
@@ -75,8 +76,8 @@ ExitCode run(const InterpretCommandOptions& options) {
     writeNcMotion(std::cout, *program, *text, meta);
     std::cout.flush();
     report.add(program->diagnostics());
-    if (tools)
-        report.add(FindingLog().diagnostics(*program, ToolChoice(*program, *tools)));
+    if (options.tools.given())
+        report.add(FindingLog().diagnostics(*program, ToolChoice(*program, setup.tools)));
     if (program->unverified() || program->motionCount() == 0)
         report.markUnverified();
     return report.exitCode();
@@ -96,7 +97,8 @@ void addInterpretCommand(CLI::App& app, ExitCode& exitCode) {
         ->expected(2)
         ->check(CLI::IsMember(dialectKeys()))
         ->type_name("D,D");
-    command->add_option("--tools", options->toolsFile, "Tool table (TOML)")->type_name("FILE");
+    options->tools.addTo(*command);
+    options->stock.addTo(*command);
     command->add_option("--start", options->start, "Position before the first block, mm (0,0,0, assumed)")
         ->type_name("X,Y,Z");
     command->add_flag("--block-delete", options->blockDelete, "Skip blocks that begin with /");

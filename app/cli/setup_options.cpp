@@ -17,20 +17,68 @@ const std::string kGuessed = "auto";
 
 } // namespace
 
+void StockOptions::addTo(CLI::App& command) {
+    command.add_option("--stock", size, "Size of the stock, mm")->type_name("WxDxH");
+    command.add_option("--stock-origin", origin, "Lower-left-top corner of the stock, mm (0,0,0)")
+        ->type_name("X,Y,Z");
+}
+
+Result<void> StockOptions::apply(StockBox& stock) const {
+    if (!size.empty()) {
+        const auto sides = parseStockSize(size);
+        if (!sides)
+            return aboutOption("--stock", sides.error());
+        stock.width = sides->x;
+        stock.depth = sides->y;
+        stock.height = sides->z;
+    }
+    if (!origin.empty()) {
+        const auto corner = parsePoint(origin);
+        if (!corner)
+            return aboutOption("--stock-origin", corner.error());
+        stock.corner = *corner;
+    }
+    return {};
+}
+
+void ToolOptions::addTo(CLI::App& command) {
+    command
+        .add_option("--tool", tools,
+                    "A tool, e.g. 1=ball:d=11,l=50; repeatable; shapes: proveout-cli tools --shapes")
+        ->type_name("N=SHAPE:key=value,…")
+        ->allow_extra_args(false);
+    command.add_option("--tools", file, "Tool table (TOML)")->type_name("FILE");
+}
+
+Result<void> ToolOptions::apply(ToolTable& table) const {
+    if (!file.empty()) {
+        auto read = readToolFile(file);
+        if (!read)
+            return tl::unexpected(std::move(read.error()));
+        for (const auto& [number, cutter] : read->tools())
+            table.set(number, cutter);
+    }
+    std::set<int> named;
+    for (const auto& option : tools) {
+        auto tool = parseToolOption(option);
+        if (!tool)
+            return aboutOption("--tool", std::move(tool.error()));
+        if (!named.insert(tool->first).second)
+            return aboutOption(
+                "--tool",
+                failure("tool-twice", "Tool {} is given twice.", {std::to_string(tool->first)}).value());
+        table.set(tool->first, std::move(tool->second));
+    }
+    return {};
+}
+
 void SetupOptions::addTo(CLI::App& command) {
     command.add_option("PROG", m_program, "NC program")->type_name("");
     command.add_option("--job", m_jobFile, "Job file with program, stock, grid, tools and decimation")
         ->type_name("FILE");
-    command.add_option("--stock", m_stock, "Size of the stock, mm")->type_name("WxDxH");
-    command.add_option("--stock-origin", m_stockOrigin, "Lower-left-top corner of the stock, mm (0,0,0)")
-        ->type_name("X,Y,Z");
+    m_stock.addTo(command);
     command.add_option("--grid", m_grid, "Grid spacing, mm (1)")->type_name("H");
-    command
-        .add_option("--tool", m_tools,
-                    "A tool, e.g. 1=ball:d=11,l=50; repeatable; shapes: proveout-cli tools --shapes")
-        ->type_name("N=SHAPE:key=value,…")
-        ->allow_extra_args(false);
-    command.add_option("--tools", m_toolsFile, "Tool table (TOML)")->type_name("FILE");
+    m_tools.addTo(command);
     command.add_option("--start", m_start, "Position before the first block, mm (not known)")
         ->type_name("X,Y,Z");
     command.add_flag("--block-delete", m_blockDelete, "Skip blocks that begin with /");
@@ -50,11 +98,13 @@ Result<Job> SetupOptions::job() const {
         job.program = m_program;
     if (job.program.empty())
         return failure("no-program", "No program is given: name one, or a --job.", {}, "proveout-cli");
-    if (m_jobFile.empty() && m_stock.empty())
+    if (m_jobFile.empty() && m_stock.size.empty())
         return failure("no-stock", "No stock is given: use --stock WxDxH, or a --job.", {}, "proveout-cli");
-    if (auto stock = applyStock(job.setup); !stock)
+    if (auto stock = m_stock.apply(job.setup.stock); !stock)
         return tl::unexpected(std::move(stock.error()));
-    if (auto tools = applyTools(job.setup); !tools)
+    if (m_grid)
+        job.setup.spacing = *m_grid;
+    if (auto tools = m_tools.apply(job.setup.tools); !tools)
         return tl::unexpected(std::move(tools.error()));
     if (!m_start.empty()) {
         auto start = parsePoint(m_start);
@@ -69,48 +119,6 @@ Result<Job> SetupOptions::job() const {
     m_decimation.apply(job.parameters, {.region = job.regionNamed, .period = fromFile},
                        gridPoints(job.setup.stock, job.setup.spacing));
     return job;
-}
-
-Result<void> SetupOptions::applyStock(Setup& setup) const {
-    if (!m_stock.empty()) {
-        const auto size = parseStockSize(m_stock);
-        if (!size)
-            return aboutOption("--stock", size.error());
-        setup.stock.width = size->x;
-        setup.stock.depth = size->y;
-        setup.stock.height = size->z;
-    }
-    if (!m_stockOrigin.empty()) {
-        const auto corner = parsePoint(m_stockOrigin);
-        if (!corner)
-            return aboutOption("--stock-origin", corner.error());
-        setup.stock.corner = *corner;
-    }
-    if (m_grid)
-        setup.spacing = *m_grid;
-    return {};
-}
-
-Result<void> SetupOptions::applyTools(Setup& setup) const {
-    if (!m_toolsFile.empty()) {
-        auto table = readToolFile(m_toolsFile);
-        if (!table)
-            return tl::unexpected(std::move(table.error()));
-        for (const auto& [number, cutter] : table->tools())
-            setup.tools.set(number, cutter);
-    }
-    std::set<int> given;
-    for (const auto& option : m_tools) {
-        auto tool = parseToolOption(option);
-        if (!tool)
-            return aboutOption("--tool", std::move(tool.error()));
-        if (!given.insert(tool->first).second)
-            return aboutOption(
-                "--tool",
-                failure("tool-twice", "Tool {} is given twice.", {std::to_string(tool->first)}).value());
-        setup.tools.set(tool->first, std::move(tool->second));
-    }
-    return {};
 }
 
 Result<void> SetupOptions::checkGrid(const Job& job, const MapOutputs& outputs) const {
@@ -128,7 +136,7 @@ tl::unexpected<Diagnostics> SetupOptions::aboutGrid(Diagnostics diagnostics) con
     const std::string_view id = diagnostics.front().id;
     const bool origin = id.starts_with("stock-origin");
     const bool size = id.starts_with("stock-size");
-    const bool given = origin ? !m_stockOrigin.empty() : size ? !m_stock.empty() : m_grid.has_value();
+    const bool given = origin ? !m_stock.origin.empty() : size ? !m_stock.size.empty() : m_grid.has_value();
     if (given || m_jobFile.empty())
         return aboutOption(origin ? "--stock-origin" : size ? "--stock" : "--grid", std::move(diagnostics));
     for (Diagnostic& diagnostic : diagnostics)

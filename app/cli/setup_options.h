@@ -15,6 +15,26 @@
 
 namespace proveout::cli {
 
+/// `--stock` and `--stock-origin`.
+struct StockOptions {
+    std::string size;
+    std::string origin;
+
+    void addTo(CLI::App& command);
+    /// Changes what is given.
+    [[nodiscard]] Result<void> apply(StockBox& stock) const;
+};
+
+/// `--tools` and `--tool`; the latter outrank the file.
+struct ToolOptions {
+    std::string file;
+    std::vector<std::string> tools;
+
+    void addTo(CLI::App& command);
+    [[nodiscard]] bool given() const { return !file.empty() || !tools.empty(); }
+    [[nodiscard]] Result<void> apply(ToolTable& table) const;
+};
+
 /// The set-up of a run, from a job file, from options, or both: an option outranks the job.
 class SetupOptions {
 public:
@@ -25,22 +45,18 @@ public:
     /// Refuses a stock and a grid that cannot be, or need more memory than may be taken.
     [[nodiscard]] Result<void> checkGrid(const Job& job, const MapOutputs& outputs) const;
     [[nodiscard]] const DecimationOptions& decimation() const { return m_decimation; }
-    [[nodiscard]] std::vector<std::string> inputs() const { return {m_program, m_jobFile, m_toolsFile}; }
+    [[nodiscard]] std::vector<std::string> inputs() const { return {m_program, m_jobFile, m_tools.file}; }
     /// What messages without a place of their own are about.
     [[nodiscard]] const std::string& subject() const { return m_program.empty() ? m_jobFile : m_program; }
 
 private:
-    [[nodiscard]] Result<void> applyStock(Setup& setup) const;
-    [[nodiscard]] Result<void> applyTools(Setup& setup) const;
     [[nodiscard]] tl::unexpected<Diagnostics> aboutGrid(Diagnostics diagnostics) const;
 
     std::string m_program;
     std::string m_jobFile;
-    std::string m_stock;
-    std::string m_stockOrigin;
+    StockOptions m_stock;
     std::optional<double> m_grid;
-    std::vector<std::string> m_tools;
-    std::string m_toolsFile;
+    ToolOptions m_tools;
     std::string m_start;
     bool m_blockDelete = false;
     std::string m_dialect;

@@ -95,9 +95,10 @@ private:
     }
 
     void writeMotion(const Motion& motion) {
-        const char* const kind = motion.kind == MotionKind::rapid  ? "rapid"
-                                 : motion.kind == MotionKind::feed ? "feed"
-                                                                   : "arc";
+        const char* const kind = motion.probing                     ? "probe"
+                                 : motion.kind == MotionKind::rapid ? "rapid"
+                                 : motion.kind == MotionKind::feed  ? "feed"
+                                                                    : "arc";
         ++m_counts[kind];
         m_lengths[static_cast<std::size_t>(motion.kind)] += pathLength(motion);
         if (motion.kind == MotionKind::arc)

@@ -6,6 +6,7 @@
 #include "core/nc/corner_insertion.h"
 #include "core/nc/execution.h"
 #include "core/nc/lint.h"
+#include "core/nc/probing.h"
 #include "core/nc/vector_path.h"
 
 namespace proveout {
@@ -52,6 +53,7 @@ void executeBlock(Execution& execution) {
     }
     if (execution.dialect.macros == MacroLanguage::macroB)
         remember(execution);
+    lookForProbeUse(execution, before.probed.axes, first);
     if (execution.lint == nullptr)
         return;
     lintBlock({execution, before, *execution.lint, first});

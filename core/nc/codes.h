@@ -124,10 +124,14 @@ struct CodeRow {
     [[nodiscard]] bool supported() const { return handler != nullptr; }
 };
 
+/// What the number of a word stands for, which decides its unit.
+enum class Quantity : std::uint8_t { number, length, angle, feed, speed };
+
 /// A letter that is not a code: what its number means.
 struct LetterRow {
     char letter;
-    const char* name;              ///< marked with PROVEOUT_TEXT
+    const char* name; ///< marked with PROVEOUT_TEXT
+    Quantity quantity = Quantity::number;
     CodeHandler handler = nullptr; ///< where the word takes effect by itself
     Step step = Step::none;
 };

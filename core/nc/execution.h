@@ -21,6 +21,7 @@
 namespace proveout {
 
 struct LintMemory;
+class ProbeTarget;
 
 /// What the handler of a code works on: the block, and everything that the block may change.
 struct Execution {
@@ -37,6 +38,7 @@ struct Execution {
     ModalSaves& saves;
     SplineState& splines;
     LintMemory* lint;      ///< null: nothing is told that is no error
+    ProbeTarget* target;   ///< of probing motions; null: there is none
     std::size_t callLevel; ///< 0: the main program
     std::uint32_t line;    ///< source line, 1-based
     std::size_t maxMotions;

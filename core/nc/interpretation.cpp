@@ -100,6 +100,10 @@ void Interpretation::end() {
     m_reporter.tellSuppressed();
     m_program->setSourceBlockCount(m_run.sourceBlocks);
     m_program->setAsksForTools(m_run.tools.asked());
+    m_program->setAsksForStock(m_state.probed.asked);
+    m_program->setRunsAgain(m_run.runsAgain);
+    if (m_watch.active())
+        m_program->setLineValues(std::make_shared<const LineValues>(m_watch.values()));
     m_context.tell(1);
 }
 
@@ -121,12 +125,33 @@ void Interpretation::runWatched() {
     constexpr std::size_t kMostAgain = 10'000;
     const bool again = m_calls.at() < m_run.linesRead;
     const std::size_t told = m_reporter.count();
-    runLine();
+    m_run.runsAgain = m_run.runsAgain || again;
+    if (m_calls.inMainText() && m_watch.watches(m_calls.at()))
+        runLineWatched();
+    else
+        runLine();
     m_run.toldAgain += again && m_reporter.count() > told ? 1 : 0;
     if (m_run.toldAgain < kMostAgain || m_finished)
         return;
     m_reporter.tellInAnyCase(nc_message::kTooManyAgain, 1, 0, {std::to_string(kMostAgain)});
     m_finished = m_cutShort = true;
+}
+
+void Interpretation::runLineWatched() {
+    const std::string_view text = m_calls.text().line(m_calls.at());
+    const auto modes = [&] { return describe(m_state, m_parameters, m_calls, m_codes, m_dialect).modes; };
+    // To look at a value is no use of it by the program.
+    const auto forgetReads = [&] {
+        (void)m_values.takeInputRead();
+        (void)m_system.takeProbeRead();
+    };
+    m_watch.begin(text, m_readContext, modes());
+    forgetReads();
+    runLine();
+    m_watch.end(m_line, text, m_readContext, m_state, modes());
+    forgetReads();
+    if (!m_options.watchToEnd)
+        m_finished = m_cutShort = true;
 }
 
 void Interpretation::runLine() {
@@ -171,12 +196,14 @@ void Interpretation::runStatement(const MacroStatement& statement, bool first) {
     if (statement.kind == StatementKind::gotoBlock)
         noteLeaving();
     const MacroFlow::Next next = m_macros.run(statement);
+    tellInputRead();
     if (next == MacroFlow::Next::failed)
         m_state.forget(LetterSet("XYZ"));
     if (next != MacroFlow::Next::rest)
         return;
     const std::string_view text = m_calls.currentText();
     readRest(text, m_macros.rest(), m_readContext, m_line);
+    tellInputRead();
     if (m_line.error)
         skipUnreadable(text, false);
     else if (!m_line.block.empty() || !m_line.assignments.empty())

@@ -13,6 +13,7 @@
 #include "core/nc/execution.h"
 #include "core/nc/interpreter.h"
 #include "core/nc/lexer.h"
+#include "core/nc/line_watch.h"
 #include "core/nc/machine_values.h"
 #include "core/nc/macro_flow.h"
 #include "core/nc/macro_variables.h"
@@ -47,6 +48,7 @@ private:
     bool lookUp();
     void runWatched();
     void runLine();
+    void runLineWatched();
     void runStatement(const MacroStatement& statement, bool first);
     bool runRequest(const FlowRequest& request);
     void runFlow(bool first);
@@ -96,6 +98,7 @@ private:
     const WorkContext& m_context;
     std::shared_ptr<Program> m_program;
     Reporter m_reporter;
+    const std::unique_ptr<ProbeTarget> m_target = m_options.part.target();
 
     RunState m_run;
     MachineState& m_state = m_run.machine;
@@ -116,6 +119,7 @@ private:
     KeepPoint m_keepPoint;
     std::size_t m_nextPoint = SIZE_MAX; ///< line
     bool m_begun = false;
+    LineWatch m_watch{m_options.watchedLine};
     bool m_finished = false;
     bool m_cutShort = false; ///< stopped, or at a limit: what the rest of the program says is not known
 };

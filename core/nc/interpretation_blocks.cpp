@@ -69,6 +69,7 @@ void Interpretation::assign() {
         else if (!m_parameters.setNamed(name, order.value))
             m_reporter.tell(nc_message::kNamesTooMany, order.column, order.length, {shown});
     }
+    (void)m_system.takeProbeRead(); // writing it is no use of it
 }
 
 /// What writing a system variable of custom macro B does besides; true where it is stored nowhere.
@@ -120,6 +121,7 @@ Execution Interpretation::executionOf(const Block& block, FlowRequest& request) 
             m_run.saves,
             m_run.splines,
             m_options.lint ? &m_run.lint : nullptr,
+            m_target.get(),
             m_calls.depth(),
             mainLine(),
             m_options.maxMotions,

@@ -125,6 +125,8 @@ void Interpretation::tellAboutLine(std::string_view text) {
 
 /// From here on the program depends on what only the machine has.
 void Interpretation::tellInputRead() {
+    if (m_system.takeProbeRead())
+        tellProbeUse(m_state, m_reporter);
     if (!m_values.takeInputRead() || !m_state.inputAssumed)
         return;
     m_state.inputAssumed = false;

@@ -14,6 +14,7 @@
 #include "core/base/work_context.h"
 #include "core/nc/dialect.h"
 #include "core/nc/nc_text.h"
+#include "core/nc/probe_target.h"
 #include "core/nc/program.h"
 #include "core/nc/tool_offsets.h"
 
@@ -32,7 +33,14 @@ struct InterpretOptions {
     std::size_t maxMotions = 50'000'000;
     /// The last block that moves is this one, counted from 1: for looking at the control behind it.
     std::size_t stopAfterBlocks = std::numeric_limits<std::size_t>::max();
-    ToolOffsets tools;                    ///< lengths and diameters that the control knows
+    /// A line of the main text, 1-based, whose values are wanted (Program::lineValues): the program ends
+    /// behind its first execution. 0: none.
+    std::uint32_t watchedLine = 0;
+    bool watchToEnd = false; ///< it goes on instead, and counts the executions
+    ToolOffsets tools;       ///< lengths and diameters that the control knows
+    /// What probing motions meet. Without it they are taken to reach their programmed end, and what follows
+    /// is unverified.
+    PartToProbe part;
     std::uint64_t maxSteps = 100'000'000; ///< lines run through, those of loops and subprograms each time
     std::vector<std::filesystem::path> subprogramFolders; ///< of O-word subprograms in files of their own
     std::size_t maxDiagnostics = 100; ///< at least 5; further ones are counted in one last message

@@ -10,6 +10,7 @@
 #include "core/nc/corner_insertion.h"
 #include "core/nc/motion.h"
 #include "core/nc/polar_words.h"
+#include "core/nc/probing.h"
 #include "core/nc/transformation_codes.h"
 #include "core/nc/work_frame.h"
 
@@ -88,10 +89,10 @@ struct MachineState {
     std::uint8_t unknownTold = 0; ///< AxisBits
     bool missingFeedTold = false;
     bool referenceTold = false;
-    bool probeTold = false;
     bool arcCentreTold = false;
     bool dwellUnitTold = false;
 
+    ProbeState probed;
     bool inputAssumed = false; ///< M66 put into #5399 what nobody knows, and nothing has read it yet
 
     /// Of the spindle where it turns; 0 where G96 leaves it open.

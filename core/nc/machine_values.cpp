@@ -78,6 +78,7 @@ std::optional<double> MachineValues::numbered(int number) const {
     if (number == kActiveOffset)
         return m_state.workOffset;
     m_inputRead = m_inputRead || number == kInputParameter;
+    noteProbeRead(number, m_state.probed.firstResult, m_state.probed.lastResult);
     return {};
 }
 

@@ -145,8 +145,10 @@ std::optional<double> MacroVariables::numbered(int number) const {
         return m_state.fromMm(m_state.position[*axis] + m_state.toolOffset[*axis]);
     if (const auto axis = axisOf(number, kLengthInForce))
         return m_state.fromMm(m_state.toolOffset[*axis]);
-    if (const auto axis = axisOf(number, kSkip))
-        return m_state.fromMm(work[*axis]);
+    if (const auto axis = axisOf(number, kSkip)) {
+        noteProbeRead(number, kSkip, kSkip + kAxes - 1);
+        return m_state.fromMm(m_state.probed.place[*axis]);
+    }
     return {};
 }
 

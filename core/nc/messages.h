@@ -568,11 +568,54 @@ inline constexpr Message kSkipAssumed{
     Severity::warning, true, "skip-assumed",
     PROVEOUT_TEXT(
         "Core", "The skip motion is shown to its end; where a signal stops it, only the machine finds out."),
-    PROVEOUT_TEXT("Core", "#5061 to #5063 hold that end.")};
+    PROVEOUT_TEXT("Core",
+                  "#5061 to #5063 hold that end. With a stock and a cutter for its tool it stops at the "
+                  "stock.")};
 inline constexpr Message kProbeAssumed{
     Severity::warning, true, "probe-assumed",
     PROVEOUT_TEXT("Core", "Where the probe meets the part is known to the machine only."),
-    PROVEOUT_TEXT("Core", "It is taken to go to its programmed end; #5061 to #5069 hold that, #5070 is 0.")};
+    PROVEOUT_TEXT("Core",
+                  "It is taken to go to its programmed end; #5061 to #5069 hold that, #5070 is 0. With a "
+                  "stock and a cutter for its tool it stops at the stock.")};
+inline constexpr Message kProbeContact{
+    Severity::warning, false, "probe-contact",
+    PROVEOUT_TEXT("Core",
+                  "The probe is assumed to stop at X{} Y{} Z{} mm, where it touches the simulated stock."),
+    PROVEOUT_TEXT("Core",
+                  "On the machine the part decides; what follows is verified as long as it does not go on "
+                  "from there or read the result.")};
+inline constexpr Message kProbeRelease{
+    Severity::warning, false, "probe-release",
+    PROVEOUT_TEXT("Core",
+                  "The probe is assumed to stop at X{} Y{} Z{} mm, where it leaves the simulated stock."),
+    PROVEOUT_TEXT("Core",
+                  "On the machine the part decides; what follows is verified as long as it does not go on "
+                  "from there or read the result.")};
+inline constexpr Message kProbeUsed{
+    Severity::warning, true, "probe-used",
+    PROVEOUT_TEXT("Core",
+                  "This line uses what a probing motion has found, which is assumed from the simulated "
+                  "stock."),
+    PROVEOUT_TEXT("Core", "What follows is shown for that; it cannot be vouched for on another part.")};
+inline constexpr Message kProbeMissed{
+    Severity::error, true, "probe-missed",
+    PROVEOUT_TEXT("Core",
+                  "{} reaches its end without touching the simulated stock; the control stops there."),
+    PROVEOUT_TEXT("Core", "Check stock, tool and offsets, or probe farther.")};
+inline constexpr Message kProbeHeld{
+    Severity::error, true, "probe-held",
+    PROVEOUT_TEXT("Core", "{} reaches its end without leaving the simulated stock; the control stops there."),
+    PROVEOUT_TEXT("Core", "Check stock, tool and offsets, or move farther.")};
+inline constexpr Message kProbeTouches{
+    Severity::error, true, "probe-touches",
+    PROVEOUT_TEXT("Core", "{} begins where the probe touches the simulated stock; the control stops there."),
+    PROVEOUT_TEXT("Core", "Retract before it; the motion is skipped.")};
+inline constexpr Message kProbeFree{
+    Severity::error, true, "probe-free",
+    PROVEOUT_TEXT("Core",
+                  "{} begins where the probe touches nothing of the simulated stock; the control stops "
+                  "there."),
+    PROVEOUT_TEXT("Core", "Touch the part before it; the motion is skipped.")};
 inline constexpr Message kSplinePlane{Severity::error, true, "spline-plane",
                                       PROVEOUT_TEXT("Core", "{} draws in the XY plane only."),
                                       PROVEOUT_TEXT("Core", "Write G17 before it.")};

@@ -46,6 +46,7 @@ void restore(Execution& execution, const MachineState& saved, const Word& word) 
                         execution.saves,
                         execution.splines,
                         nullptr,
+                        execution.target,
                         execution.callLevel,
                         execution.line,
                         execution.maxMotions,

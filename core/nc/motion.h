@@ -31,6 +31,7 @@ struct Motion {
     bool startAtReference = false;
     bool endAtReference = false;
     bool unverified = false; ///< stands behind something that was not understood
+    bool probing = false;    ///< stops at the stock instead of cutting it
     int tool = 0;            ///< number of the tool in the spindle, 0: none
     std::uint32_t line = 0;  ///< source line, 1-based
     Vec3 start{0};

@@ -30,6 +30,18 @@ public:
     [[nodiscard]] virtual double leastUnit() const { return 1; }
     /// The value of a predefined parameter by name (lower case); nothing where the name is an ordinary one.
     [[nodiscard]] virtual std::optional<double> named(std::string_view name) const = 0;
+
+    /// Whether the result of a probing motion was asked for since the last call of this.
+    [[nodiscard]] bool takeProbeRead() const { return std::exchange(m_probeRead, false); }
+
+protected:
+    /// The control asks for a number: what a probing motion leaves lies within.
+    void noteProbeRead(int number, int first, int last) const {
+        m_probeRead = m_probeRead || (number >= first && number <= last);
+    }
+
+private:
+    mutable bool m_probeRead = false;
 };
 
 /// The parameters of a program as its control keeps them. LinuxCNC: numbers up to 5601 that begin as 0, of

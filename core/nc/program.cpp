@@ -15,6 +15,7 @@ constexpr std::uint8_t kUnverifiedFlag = 1;
 constexpr std::uint8_t kPerRevolutionFlag = 2;
 constexpr std::uint8_t kStartAtReferenceFlag = 4;
 constexpr std::uint8_t kEndAtReferenceFlag = 8;
+constexpr std::uint8_t kProbingFlag = 16;
 
 } // namespace
 
@@ -56,6 +57,7 @@ Motion Program::motion(std::size_t index) const {
     motion.perRevolution = (packed.flags & kPerRevolutionFlag) != 0;
     motion.startAtReference = (packed.flags & kStartAtReferenceFlag) != 0;
     motion.endAtReference = (packed.flags & kEndAtReferenceFlag) != 0;
+    motion.probing = (packed.flags & kProbingFlag) != 0;
     motion.tool = m_states[packed.state].tool;
     motion.spindleRpm = m_states[packed.state].spindleRpm;
     motion.orderedRpm = m_states[packed.state].orderedRpm;
@@ -156,6 +158,7 @@ bool Program::samePath(std::size_t index, const Program& other, std::size_t othe
     const PackedMotion& a = m_motions[index];
     const PackedMotion& b = other.m_motions[otherIndex];
     if (a.end != b.end || a.kind != b.kind || a.startKnown != b.startKnown || a.endKnown != b.endKnown ||
+        (a.flags & kProbingFlag) != (b.flags & kProbingFlag) ||
         m_states[a.state].tool != other.m_states[b.state].tool || startOf(index) != other.startOf(otherIndex))
         return false;
     if (a.arc == kNoArc || b.arc == kNoArc)
@@ -235,10 +238,10 @@ void Program::store(const Motion& motion) {
     packed.kind = static_cast<std::uint8_t>(motion.kind);
     packed.startKnown = motion.startKnown;
     packed.endKnown = motion.endKnown;
-    packed.flags = static_cast<std::uint8_t>((motion.unverified ? kUnverifiedFlag : 0) |
-                                             (motion.perRevolution ? kPerRevolutionFlag : 0) |
-                                             (motion.startAtReference ? kStartAtReferenceFlag : 0) |
-                                             (motion.endAtReference ? kEndAtReferenceFlag : 0));
+    packed.flags = static_cast<std::uint8_t>(
+        (motion.unverified ? kUnverifiedFlag : 0) | (motion.perRevolution ? kPerRevolutionFlag : 0) |
+        (motion.startAtReference ? kStartAtReferenceFlag : 0) |
+        (motion.endAtReference ? kEndAtReferenceFlag : 0) | (motion.probing ? kProbingFlag : 0));
     if (motion.kind == MotionKind::arc) {
         packed.arc = static_cast<std::uint32_t>(m_arcs.size());
         m_arcs.push_back({motion.centre, motion.sweep, motion.plane});

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <utility>
 #include <variant>
@@ -13,6 +14,7 @@
 #include "core/base/geometry.h"
 #include "core/nc/control_state.h"
 #include "core/nc/dialect.h"
+#include "core/nc/line_values.h"
 #include "core/nc/motion.h"
 
 namespace proveout {
@@ -105,6 +107,12 @@ public:
     [[nodiscard]] std::size_t sourceBlockCount() const { return m_sourceBlocks; }
     /// Whether the sizes of the control's tools had a say in it.
     [[nodiscard]] bool asksForTools() const { return m_asksForTools; }
+    /// Whether it probes, so that stock and cutters have a say in it.
+    [[nodiscard]] bool asksForStock() const { return m_asksForStock; }
+    /// Whether lines may have been executed more than once: a loop, or a subprogram.
+    [[nodiscard]] bool runsAgain() const { return m_runsAgain; }
+    /// Of the line that was watched; null without one.
+    [[nodiscard]] const std::shared_ptr<const LineValues>& lineValues() const { return m_lineValues; }
     /// How the control stands where the interpretation ended.
     [[nodiscard]] const ControlState& controlState() const { return m_controlState; }
     /// In which it was read.
@@ -153,6 +161,9 @@ public:
     void append(Diagnostic diagnostic);
     void setSourceBlockCount(std::size_t count) { m_sourceBlocks = count; }
     void setAsksForTools(bool asks) { m_asksForTools = asks; }
+    void setAsksForStock(bool asks) { m_asksForStock = asks; }
+    void setRunsAgain(bool again) { m_runsAgain = again; }
+    void setLineValues(std::shared_ptr<const LineValues> values) { m_lineValues = std::move(values); }
     void setControlState(ControlState state) { m_controlState = std::move(state); }
     void setDialect(DialectId dialect) { m_dialect = dialect; }
 
@@ -218,6 +229,9 @@ private:
     bool m_linesRise = true; ///< no line was executed after a later one
     bool m_unverified = false;
     bool m_asksForTools = false;
+    bool m_asksForStock = false;
+    bool m_runsAgain = false;
+    std::shared_ptr<const LineValues> m_lineValues;
     ControlState m_controlState;
     DialectId m_dialect = DialectId::linuxcnc;
 };

@@ -41,6 +41,8 @@ bool targetsChanged(const NcText& a, const NcText& b, std::size_t first) {
 
 bool alike(const InterpretOptions& a, InterpretOptions b) {
     b.stopAfterBlocks = a.stopAfterBlocks;
+    b.watchedLine = a.watchedLine;
+    b.watchToEnd = a.watchToEnd;
     return a == b;
 }
 
@@ -82,7 +84,7 @@ std::shared_ptr<const Program> ResumableInterpreter::interpret(const NcText& tex
     Interpretation run(now.text, now.options, now.guess, context);
     const bool again = m_last && alike(m_last->options, options) && m_last->guess == now.guess;
     const std::size_t unchanged = again ? unchangedPoints(text) : 0;
-    const std::size_t usable = pointsBeforeBlock(options.stopAfterBlocks, unchanged);
+    const std::size_t usable = pointsBefore(options, unchanged);
     m_resumedAt = 0;
     if (usable > 0) {
         m_resumedAt = m_points[usable - 1].calls.line;
@@ -107,10 +109,12 @@ std::shared_ptr<const Program> ResumableInterpreter::interpret(const NcText& tex
     return m_last->program;
 }
 
-std::size_t ResumableInterpreter::pointsBeforeBlock(std::size_t block, std::size_t most) const {
+std::size_t ResumableInterpreter::pointsBefore(const InterpretOptions& options, std::size_t most) const {
     const auto end = m_points.begin() + static_cast<std::ptrdiff_t>(most);
-    const auto at = std::partition_point(m_points.begin(), end,
-                                         [&](const ResumePoint& p) { return p.program.blocks < block; });
+    const auto at = std::partition_point(m_points.begin(), end, [&](const ResumePoint& p) {
+        return p.program.blocks < options.stopAfterBlocks &&
+               (options.watchedLine == 0 || p.run.linesRead < options.watchedLine);
+    });
     return static_cast<std::size_t>(at - m_points.begin());
 }
 

@@ -15,9 +15,10 @@
 namespace proveout {
 
 /// Interprets a text again and again while it is edited, or looked at block by block: each time from the last
-/// place before the first change, and before the block at which to stop, at which the run before can be taken
-/// up. The program is the one that `interpret` makes. One call at a time, any thread. Keeps the text and the
-/// program of the farthest call, and some 50 KB for each of at most `kMostPoints` places.
+/// place before the first change, and before the block at which to stop or the line that is watched, at which
+/// the run before can be taken up. The program is the one that `interpret` makes. One call at a time, any
+/// thread. Keeps the text and the program of the farthest call, and some 50 KB for each of at most
+/// `kMostPoints` places.
 class ResumableInterpreter {
 public:
     static constexpr std::size_t kMostPoints = 64;
@@ -46,7 +47,7 @@ private:
     };
 
     [[nodiscard]] std::size_t unchangedPoints(const NcText& text) const;
-    [[nodiscard]] std::size_t pointsBeforeBlock(std::size_t block, std::size_t most) const;
+    [[nodiscard]] std::size_t pointsBefore(const InterpretOptions& options, std::size_t most) const;
     void forgetFrom(std::size_t index);
     std::size_t keep(ResumePoint point);
 

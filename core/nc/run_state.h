@@ -33,7 +33,8 @@ struct RunState {
     std::size_t steps = 0;
     std::size_t toldAgain = 0; ///< lines that were told about though they had run before
     std::size_t sourceBlocks = 0;
-    double mainNumber = 0; ///< O of the main program
+    bool runsAgain = false; ///< a line was reached that stands before one reached earlier
+    double mainNumber = 0;  ///< O of the main program
     bool percentOpen = false;
     bool percentClosed = false;
     bool controlCodeTold = false;

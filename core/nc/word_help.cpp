@@ -28,11 +28,24 @@ std::size_t behindComment(std::string_view line, std::size_t at) {
     return line[at] == ';' ? line.size() : std::min(line.find(')', at), line.size() - 1) + 1;
 }
 
-/// Behind a parameter: "#5", "#<name>".
+/// Behind a parameter: "#5", "##5", "#<name>"; one whose number has to be computed ends behind its "#".
 std::size_t behindParameter(std::string_view line, std::size_t at) {
     if (at + 1 < line.size() && line[at + 1] == '<')
         return std::min(line.find('>', at), line.size() - 1) + 1;
-    return at + 1;
+    std::size_t end = line.find_first_not_of('#', at);
+    while (end < line.size() && line[end] >= '0' && line[end] <= '9')
+        ++end;
+    return std::min(end, line.size());
+}
+
+WordHelp helpForParameter(std::string_view line, std::size_t begin, std::size_t end) {
+    WordHelp help;
+    help.begin = begin;
+    help.end = end;
+    help.word = line.substr(begin, end - begin);
+    help.name = PROVEOUT_TEXT("Core", "parameter");
+    help.parameter = true;
+    return help;
 }
 
 WordHelp helpFor(char letter, const NumberRead& number, DialectId dialect) {
@@ -97,7 +110,10 @@ std::optional<WordHelp> helpAt(std::string_view line, std::size_t at, DialectId 
         if (line[i] == '(' || line[i] == ';') {
             i = behindComment(line, i);
         } else if (line[i] == '#') {
-            i = behindParameter(line, i);
+            const std::size_t end = behindParameter(line, i);
+            if (at < end)
+                return helpForParameter(line, i, end);
+            i = end;
         } else if (!isLetter(line[i])) {
             ++i;
         } else if (const std::size_t behind = behindLetters(line, i); behind > i + 1) {

@@ -18,9 +18,10 @@ struct WordHelp {
     const char* name = nullptr;  ///< marked with PROVEOUT_TEXT; null where the dialect does not know the code
     const char* group = nullptr; ///< of codes: their modal group, marked with PROVEOUT_TEXT
     bool supported = true;
+    bool parameter = false; ///< "#5", "#<depth>"
 };
 
-/// The word at index `at` of a line; nothing in comments, between words, in parameters and keywords.
+/// The word or the parameter at index `at` of a line; nothing in comments, between words, and in keywords.
 [[nodiscard]] std::optional<WordHelp> helpAt(std::string_view line, std::size_t at, DialectId dialect);
 
 /// For people; marked with PROVEOUT_TEXT.

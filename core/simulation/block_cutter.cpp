@@ -92,7 +92,7 @@ std::optional<CutRecord> cutBlock(ZMap& zmap, const Program& program, std::size_
     for (std::size_t index = motions.first; index < motions.last; ++index) {
         const Motion motion = program.motion(index);
         const Cutter* cutter = setup.tools.find(tools.tool(motion.tool));
-        if (cutter == nullptr)
+        if (cutter == nullptr || motion.probing)
             continue;
         const std::optional<CutRecord> record = cut(zmap, *cutter, motion, stop);
         if (!record) {

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/memory.h"
+#include "core/simulation/probed_stock.h"
 
 namespace proveout {
 
@@ -38,6 +39,7 @@ InterpretOptions interpretOptions(const Setup& setup, const std::filesystem::pat
     options.start = setup.start;
     options.tools = toolOffsets(setup.tools);
     options.maxMotions = motionsThatFit(options.maxMotions);
+    options.part = partToProbe(setup);
     if (!file.empty())
         options.subprogramFolders = {file.parent_path()};
     return options;
@@ -47,6 +49,8 @@ bool interpretedAlike(const Program& program, const Setup& one, const Setup& oth
     const auto sameTool = [](const auto& a, const auto& b) {
         return a.first == b.first && a.second.radius() == b.second.radius();
     };
+    if (program.asksForStock() && (one.stock != other.stock || one.tools != other.tools))
+        return false;
     return one.dialect == other.dialect && one.blockDelete == other.blockDelete && one.start == other.start &&
            (!program.asksForTools() || std::ranges::equal(one.tools.tools(), other.tools.tools(), sameTool));
 }

@@ -12,8 +12,9 @@ namespace proveout {
 /// compensated, so that programs position the tip.
 [[nodiscard]] ToolOffsets toolOffsets(const ToolTable& tools);
 
-/// How a program is interpreted on a set-up. `file` is where it lies, and names it in messages; its
-/// subprograms are looked for beside it. Empty where it lies nowhere yet. Without limits of its own.
+/// How a program is interpreted on a set-up, whose stock its probing motions meet. `file` is where it lies,
+/// and names it in messages; its subprograms are looked for beside it. Empty where it lies nowhere yet.
+/// Without limits of its own.
 [[nodiscard]] InterpretOptions interpretOptions(const Setup& setup, const std::filesystem::path& file);
 
 /// Whether a program that was interpreted on one set-up is the same on the other.

@@ -20,11 +20,16 @@ std::optional<std::uint32_t> firstMiss(const Program& program, const Program::To
 
 } // namespace
 
-ToolChoice::ToolChoice(const Program& program, const ToolTable& tools) {
+std::optional<int> assumedTool(const Program& program, const ToolTable& tools) {
     const bool changesTools = std::ranges::any_of(
         program.events(), [](const Event& event) { return std::holds_alternative<ToolChange>(event.data); });
-    if (!changesTools && tools.tools().size() == 1)
-        m_assumed = tools.tools().begin()->first;
+    if (changesTools || tools.tools().size() != 1)
+        return {};
+    return tools.tools().begin()->first;
+}
+
+ToolChoice::ToolChoice(const Program& program, const ToolTable& tools)
+    : m_assumed(assumedTool(program, tools)) {
     std::set<int> told;
     for (const Program::ToolRun& run : program.toolRuns()) {
         const int number = tool(run.tool);

@@ -16,6 +16,10 @@ struct MissingTool {
     std::uint32_t line = 0; ///< source line of the first motion that misses it
 };
 
+/// The tool that a program without tool changes, as far as it is, is taken to run with: the only one in the
+/// table.
+[[nodiscard]] std::optional<int> assumedTool(const Program& program, const ToolTable& tools);
+
 /// Which cutter a motion has, and which tools have none: a pure function of program and tool table, known
 /// before anything is cut. A program that never changes tools, with exactly one cutter in the table, is taken
 /// to run with that one. Value type.

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
 #include <gmock/gmock.h>
 #include <sstream>
 
@@ -96,6 +97,19 @@ TEST_F(CliInterpret, DialectsAndRulesAreListedFromTheirTables) {
     EXPECT_THAT(run("dialects").out, testing::HasSubstr("Fanuc"));
     EXPECT_THAT(run("rules").out, testing::HasSubstr("length-missing"));
     EXPECT_GT(run("rules --json").json()["rules"].size(), 10U);
+}
+
+TEST_F(CliInterpret, ProbesTheStockThatIsGiven) {
+    const std::string program = "T2 M6\nG0 X10 Y15 Z5\nG38.2 Z-8 F50\nG0 Z5\nM2\n";
+    const auto probing = [](const std::vector<nlohmann::json>& records) {
+        return *std::ranges::find(records, "probe", [](const auto& record) { return record["k"]; });
+    };
+    EXPECT_EQ(probing(lines(program))["e"], (nlohmann::json{10, 15, -8}));
+    EXPECT_EQ(finished.exitCode, 2);
+    const std::string stock = "--stock 40x30x10 --stock-origin 0,0,-1 --tool 2=ball:d=6";
+    EXPECT_NEAR(probing(lines(program, stock))["e"][2].get<double>(), -1, 2e-3);
+    EXPECT_EQ(finished.exitCode, 0) << finished.err;
+    EXPECT_THAT(finished.err, testing::HasSubstr("X10.000 Y15.000 Z-1.000"));
 }
 
 } // namespace

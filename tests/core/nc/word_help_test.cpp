@@ -30,9 +30,18 @@ TEST(WordHelp, SaysNothingAboutCommentsBlanksAndKeywords) {
     EXPECT_EQ(shownAt(line, 7), "");
     EXPECT_EQ(shownAt(line, 15), "");
     EXPECT_EQ(shownAt("o100 while [#1 LT 3]", 7), "");
-    EXPECT_EQ(shownAt("G1 X#<depth>", 8), "");
     EXPECT_EQ(shownAt("", 0), "");
     EXPECT_EQ(shownAt("G1", 99), "");
+}
+
+TEST(WordHelp, NamesParameters) {
+    EXPECT_EQ(shownAt("G1 X#<depth>", 8), "#<depth>: parameter");
+    EXPECT_EQ(shownAt("#12=##3", 2), "#12: parameter");
+    EXPECT_EQ(shownAt("#12=##3", 4), "##3: parameter");
+    EXPECT_EQ(shownAt("X#[#1+2]", 1), "#: parameter");
+    EXPECT_EQ(shownAt("X#[#1+2]", 4), "#1: parameter");
+    EXPECT_EQ(shownAt("X#", 1), "#: parameter");
+    EXPECT_EQ(shownAt("(#1)", 1), "");
 }
 
 TEST(WordHelp, FollowsTheDialect) {

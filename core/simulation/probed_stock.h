@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/cutting/stock_contact.h"
+#include "core/nc/probe_target.h"
+#include "core/simulation/setup.h"
+
+namespace proveout {
+
+/// The stock of a set-up as probing motions meet it: cut by all motions before that the simulation would cut
+/// with, by the same cutters. Does nothing before the first probing motion; keeps four bytes for each square
+/// of the plan that a motion reaches. The tool that probes is its cutter of the tool table, a shape that does
+/// not give way.
+class ProbedStock final : public ProbeTarget {
+public:
+    explicit ProbedStock(std::shared_ptr<const Setup> setup);
+
+    [[nodiscard]] Answer probe(const Program& program, const Motion& motion, Seek seek,
+                               const WorkContext& context) override;
+
+private:
+    using Square = std::vector<std::uint32_t>; ///< the motions that reach it
+
+    [[nodiscard]] const Cutter* cutterOf(const Program& program, const Motion& motion) const;
+    void takeIn(const Program& program);
+    /// Indices of the squares under a range in plan, clipped to the stock.
+    struct Range {
+        std::size_t i0, j0, i1, j1; ///< half open
+    };
+    [[nodiscard]] Range squaresUnder(const Vec2& lo, const Vec2& hi) const;
+    [[nodiscard]] std::vector<PastCut> cutsWithin(const Program& program, const Vec2& lo,
+                                                  const Vec2& hi) const;
+    [[nodiscard]] Answer contact(const StockContact& stock, const Cutter& cutter, const Motion& motion) const;
+    [[nodiscard]] Answer release(const StockContact& stock, const Cutter& cutter, const Motion& motion) const;
+
+    std::shared_ptr<const Setup> m_setup;
+    double m_size; ///< of a square, mm
+    std::size_t m_columns;
+    std::vector<Square> m_squares;
+    std::size_t m_taken = 0; ///< motions
+};
+
+/// The part that the programs of a set-up probe: the same where stock and cutters are.
+[[nodiscard]] PartToProbe partToProbe(const Setup& setup);
+
+} // namespace proveout
