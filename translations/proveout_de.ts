@@ -2618,10 +2618,6 @@
         <translation>Wo der Taster das Teil berührt, weiß nur die Maschine.</translation>
     </message>
     <message>
-        <source>It is taken to go to its programmed end; #5061 to #5069 hold that, #5070 is 0.</source>
-        <translation>Angenommen wird die Bewegung bis zum programmierten Ende; #5061 bis #5069 nennen es, #5070 ist 0.</translation>
-    </message>
-    <message>
         <source>{} draws in the XY plane only.</source>
         <translation>{} zeichnet nur in der XY-Ebene.</translation>
     </message>
@@ -3290,10 +3286,6 @@
         <translation>Die Bewegung mit Löschen des Restwegs wird bis zu ihrem Ende gezeigt; wo ein Signal sie anhält, stellt erst die Maschine fest.</translation>
     </message>
     <message>
-        <source>#5061 to #5063 hold that end.</source>
-        <translation>#5061 bis #5063 enthalten dieses Ende.</translation>
-    </message>
-    <message>
         <source>The arc has both a centre and a radius; the radius counts.</source>
         <translation>Der Bogen hat sowohl einen Mittelpunkt als auch einen Radius; der Radius gilt.</translation>
     </message>
@@ -3852,6 +3844,70 @@
     <message>
         <source>Write the motions out.</source>
         <translation>Schreiben Sie die Bewegungen aus.</translation>
+    </message>
+    <message>
+        <source>#5061 to #5063 hold that end. With a stock and a cutter for its tool it stops at the stock.</source>
+        <translation>#5061 bis #5063 enthalten diesen Endpunkt. Mit einem Rohteil und einem Fräser für ihr Werkzeug hält sie am Rohteil.</translation>
+    </message>
+    <message>
+        <source>It is taken to go to its programmed end; #5061 to #5069 hold that, #5070 is 0. With a stock and a cutter for its tool it stops at the stock.</source>
+        <translation>Angenommen wird, dass er bis zum programmierten Ende fährt; #5061 bis #5069 enthalten es, #5070 ist 0. Mit einem Rohteil und einem Fräser für sein Werkzeug hält er am Rohteil.</translation>
+    </message>
+    <message>
+        <source>The probe is assumed to stop at X{} Y{} Z{} mm, where it touches the simulated stock.</source>
+        <translation>Angenommen wird, dass der Taster bei X{} Y{} Z{} mm hält, wo er das simulierte Rohteil berührt.</translation>
+    </message>
+    <message>
+        <source>On the machine the part decides; what follows is verified as long as it does not go on from there or read the result.</source>
+        <translation>An der Maschine entscheidet das Teil; was folgt, ist geprüft, solange es nicht von dort weitergeht oder das Ergebnis liest.</translation>
+    </message>
+    <message>
+        <source>The probe is assumed to stop at X{} Y{} Z{} mm, where it leaves the simulated stock.</source>
+        <translation>Angenommen wird, dass der Taster bei X{} Y{} Z{} mm hält, wo er das simulierte Rohteil verlässt.</translation>
+    </message>
+    <message>
+        <source>This line uses what a probing motion has found, which is assumed from the simulated stock.</source>
+        <translation>Diese Zeile benutzt, was eine Tastbewegung gefunden hat; das ist nach dem simulierten Rohteil angenommen.</translation>
+    </message>
+    <message>
+        <source>What follows is shown for that; it cannot be vouched for on another part.</source>
+        <translation>Was folgt, wird dafür gezeigt; für ein anderes Teil lässt es sich nicht gewährleisten.</translation>
+    </message>
+    <message>
+        <source>{} reaches its end without touching the simulated stock; the control stops there.</source>
+        <translation>{} erreicht sein Ende, ohne das simulierte Rohteil zu berühren; die Steuerung hält dort an.</translation>
+    </message>
+    <message>
+        <source>Check stock, tool and offsets, or probe farther.</source>
+        <translation>Rohteil, Werkzeug und Versätze prüfen oder weiter tasten.</translation>
+    </message>
+    <message>
+        <source>{} reaches its end without leaving the simulated stock; the control stops there.</source>
+        <translation>{} erreicht sein Ende, ohne das simulierte Rohteil zu verlassen; die Steuerung hält dort an.</translation>
+    </message>
+    <message>
+        <source>Check stock, tool and offsets, or move farther.</source>
+        <translation>Rohteil, Werkzeug und Versätze prüfen oder weiter fahren.</translation>
+    </message>
+    <message>
+        <source>{} begins where the probe touches the simulated stock; the control stops there.</source>
+        <translation>{} beginnt dort, wo der Taster das simulierte Rohteil berührt; die Steuerung hält dort an.</translation>
+    </message>
+    <message>
+        <source>Retract before it; the motion is skipped.</source>
+        <translation>Vorher freifahren; die Bewegung wird übersprungen.</translation>
+    </message>
+    <message>
+        <source>{} begins where the probe touches nothing of the simulated stock; the control stops there.</source>
+        <translation>{} beginnt dort, wo der Taster nichts vom simulierten Rohteil berührt; die Steuerung hält dort an.</translation>
+    </message>
+    <message>
+        <source>Touch the part before it; the motion is skipped.</source>
+        <translation>Vorher das Teil berühren; die Bewegung wird übersprungen.</translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation>Parameter</translation>
     </message>
 </context>
 <context>
@@ -5549,6 +5605,34 @@ Vorgabe: %3 mm</translation>
     <message>
         <source>Not carried out: the program is unverified from here</source>
         <translation>Wird nicht ausgeführt: Ab hier ist das Programm ungeprüft</translation>
+    </message>
+    <message>
+        <source>Value: %1</source>
+        <translation>Wert: %1</translation>
+    </message>
+    <message>
+        <source>Not set</source>
+        <translation>Nicht gesetzt</translation>
+    </message>
+    <message>
+        <source>Behind this line: %1</source>
+        <translation>Nach dieser Zeile: %1</translation>
+    </message>
+    <message>
+        <source>In force before and behind: %1</source>
+        <translation>Vorher und nachher wirksam: %1</translation>
+    </message>
+    <message>
+        <source>In force before: %1</source>
+        <translation>Vorher wirksam: %1</translation>
+    </message>
+    <message>
+        <source>This line is not executed</source>
+        <translation>Diese Zeile wird nicht ausgeführt</translation>
+    </message>
+    <message>
+        <source>First of %1 executions</source>
+        <translation>Erste von %1 Ausführungen</translation>
     </message>
 </context>
 </TS>

@@ -2618,10 +2618,6 @@
         <translation>프로브가 어디에서 공작물에 닿는지는 기계만 압니다.</translation>
     </message>
     <message>
-        <source>It is taken to go to its programmed end; #5061 to #5069 hold that, #5070 is 0.</source>
-        <translation>프로그램된 끝점까지 간다고 가정합니다. #5061~#5069에 그 값이 있고 #5070은 0입니다.</translation>
-    </message>
-    <message>
         <source>{} draws in the XY plane only.</source>
         <translation>{}은(는) XY 평면에서만 그립니다.</translation>
     </message>
@@ -3290,10 +3286,6 @@
         <translation>스킵 이동은 끝까지 표시합니다. 신호로 정지하는 위치는 기계에서만 알 수 있습니다.</translation>
     </message>
     <message>
-        <source>#5061 to #5063 hold that end.</source>
-        <translation>#5061부터 #5063까지에 그 끝점이 들어 있습니다.</translation>
-    </message>
-    <message>
         <source>The arc has both a centre and a radius; the radius counts.</source>
         <translation>원호에 중심과 반지름이 모두 있습니다. 반지름이 적용됩니다.</translation>
     </message>
@@ -3852,6 +3844,70 @@
     <message>
         <source>Write the motions out.</source>
         <translation>동작을 직접 풀어 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>#5061 to #5063 hold that end. With a stock and a cutter for its tool it stops at the stock.</source>
+        <translation>#5061에서 #5063까지는 이 끝점을 가집니다. 소재와 그 공구의 커터가 정의되어 있으면 소재에서 멈춥니다.</translation>
+    </message>
+    <message>
+        <source>It is taken to go to its programmed end; #5061 to #5069 hold that, #5070 is 0. With a stock and a cutter for its tool it stops at the stock.</source>
+        <translation>프로그램된 끝점까지 간다고 가정합니다. #5061에서 #5069까지 그 값을 가지며 #5070은 0입니다. 소재와 그 공구의 커터가 정의되어 있으면 소재에서 멈춥니다.</translation>
+    </message>
+    <message>
+        <source>The probe is assumed to stop at X{} Y{} Z{} mm, where it touches the simulated stock.</source>
+        <translation>프로브는 시뮬레이션된 소재에 닿는 X{} Y{} Z{} mm에서 멈춘다고 가정합니다.</translation>
+    </message>
+    <message>
+        <source>On the machine the part decides; what follows is verified as long as it does not go on from there or read the result.</source>
+        <translation>기계에서는 공작물이 결정합니다. 그 위치에서 이어 가거나 결과를 읽지 않는 한 이후 내용은 검증됩니다.</translation>
+    </message>
+    <message>
+        <source>The probe is assumed to stop at X{} Y{} Z{} mm, where it leaves the simulated stock.</source>
+        <translation>프로브는 시뮬레이션된 소재에서 떨어지는 X{} Y{} Z{} mm에서 멈춘다고 가정합니다.</translation>
+    </message>
+    <message>
+        <source>This line uses what a probing motion has found, which is assumed from the simulated stock.</source>
+        <translation>이 줄은 프로빙 동작이 찾은 값을 사용하며, 그 값은 시뮬레이션된 소재로부터 가정한 것입니다.</translation>
+    </message>
+    <message>
+        <source>What follows is shown for that; it cannot be vouched for on another part.</source>
+        <translation>이후 내용은 그 값에 대해 표시됩니다. 다른 공작물에서는 보장할 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>{} reaches its end without touching the simulated stock; the control stops there.</source>
+        <translation>{}이(가) 시뮬레이션된 소재에 닿지 않고 끝에 도달합니다. 제어기는 거기에서 멈춥니다.</translation>
+    </message>
+    <message>
+        <source>Check stock, tool and offsets, or probe farther.</source>
+        <translation>소재, 공구, 옵셋을 확인하거나 더 멀리 프로빙하십시오.</translation>
+    </message>
+    <message>
+        <source>{} reaches its end without leaving the simulated stock; the control stops there.</source>
+        <translation>{}이(가) 시뮬레이션된 소재에서 떨어지지 않고 끝에 도달합니다. 제어기는 거기에서 멈춥니다.</translation>
+    </message>
+    <message>
+        <source>Check stock, tool and offsets, or move farther.</source>
+        <translation>소재, 공구, 옵셋을 확인하거나 더 멀리 이동하십시오.</translation>
+    </message>
+    <message>
+        <source>{} begins where the probe touches the simulated stock; the control stops there.</source>
+        <translation>{}이(가) 프로브가 시뮬레이션된 소재에 닿아 있는 곳에서 시작합니다. 제어기는 거기에서 멈춥니다.</translation>
+    </message>
+    <message>
+        <source>Retract before it; the motion is skipped.</source>
+        <translation>그 전에 후퇴하십시오. 이 동작은 건너뜁니다.</translation>
+    </message>
+    <message>
+        <source>{} begins where the probe touches nothing of the simulated stock; the control stops there.</source>
+        <translation>{}이(가) 프로브가 시뮬레이션된 소재에 닿지 않은 곳에서 시작합니다. 제어기는 거기에서 멈춥니다.</translation>
+    </message>
+    <message>
+        <source>Touch the part before it; the motion is skipped.</source>
+        <translation>그 전에 공작물에 닿게 하십시오. 이 동작은 건너뜁니다.</translation>
+    </message>
+    <message>
+        <source>parameter</source>
+        <translation>매개변수</translation>
     </message>
 </context>
 <context>
@@ -5548,6 +5604,34 @@ Default: %3 mm</source>
     <message>
         <source>Not carried out: the program is unverified from here</source>
         <translation>실행하지 않습니다. 여기부터 프로그램을 검증할 수 없습니다</translation>
+    </message>
+    <message>
+        <source>Value: %1</source>
+        <translation>값: %1</translation>
+    </message>
+    <message>
+        <source>Not set</source>
+        <translation>설정되지 않음</translation>
+    </message>
+    <message>
+        <source>Behind this line: %1</source>
+        <translation>이 줄 다음: %1</translation>
+    </message>
+    <message>
+        <source>In force before and behind: %1</source>
+        <translation>이전과 이후 유효: %1</translation>
+    </message>
+    <message>
+        <source>In force before: %1</source>
+        <translation>이전 유효: %1</translation>
+    </message>
+    <message>
+        <source>This line is not executed</source>
+        <translation>이 줄은 실행되지 않습니다</translation>
+    </message>
+    <message>
+        <source>First of %1 executions</source>
+        <translation>%1회 실행 중 첫 번째</translation>
     </message>
 </context>
 </TS>

@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
+#include "core/simulation/interpretation.h"
 #include "ui/editor/file_changed_bar.h"
 #include "ui/editor/find_bar.h"
 #include "ui/editor/nc_editor.h"
@@ -89,6 +90,11 @@ EditorPanel::EditorPanel(Session& session, QWidget* parent)
     connect(m_editor, &NcEditor::savedStateChanged, &session, &Session::setTextModified);
     connect(m_editor, &NcEditor::lineChosen, &session,
             [&session](int line) { session.seekToLine(static_cast<std::uint32_t>(line)); });
+    connect(m_editor, &NcEditor::valuesWanted, this,
+            [this](std::uint32_t line) { askForValues(line, false); });
+    connect(m_editor, &NcEditor::valuesUnwanted, &m_values, &ProgramSource::cancel);
+    connect(&m_values, &ProgramSource::ready, this,
+            [this](const std::shared_ptr<const Program>& program) { showValues(*program); });
     connect(m_editor, &QsciScintilla::selectionChanged, this, &EditorPanel::updateActions);
     connect(m_editor, &QsciScintilla::textChanged, this, &EditorPanel::updateActions);
     connect(&session, &Session::textReplaced, this, &EditorPanel::loadText);
@@ -100,6 +106,8 @@ EditorPanel::EditorPanel(Session& session, QWidget* parent)
     connect(&session, &Session::programChanged, this, [this] {
         if (m_session.program())
             m_editor->showDialect(m_session.program()->dialect());
+        m_values.cancel();
+        m_editor->showValues(nullptr);
     });
     connect(&session, &Session::tick, this, &EditorPanel::showFrame);
     connect(&session, &Session::lineRequested, this,
@@ -135,6 +143,24 @@ void EditorPanel::updateActions() {
     m_commands.find("edit-paste")->setEnabled(editable);
     m_commands.find("edit-delete")->setEnabled(editable && selected);
     m_commands.find("edit-replace")->setEnabled(editable);
+}
+
+void EditorPanel::askForValues(std::uint32_t line, bool toEnd) {
+    if (!m_session.program())
+        return;
+    InterpretOptions options = interpretOptions(m_session.setup(), m_session.document().path);
+    options.watchedLine = line;
+    options.watchToEnd = m_counts = toEnd;
+    m_values.request(m_session.document().text, std::move(options));
+}
+
+/// First what the line says, then how often it does.
+void EditorPanel::showValues(const Program& program) {
+    const auto& values = program.lineValues();
+    m_editor->showValues(values);
+    const bool again = m_session.program() && m_session.program()->runsAgain();
+    if (!m_counts && again && values->executions > 0)
+        askForValues(values->line, true);
 }
 
 void EditorPanel::showFrame(const FramePtr& frame) {

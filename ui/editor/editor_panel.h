@@ -6,6 +6,7 @@
 #include <QWidget>
 
 #include "ui/command_table.h"
+#include "ui/program_source.h"
 #include "ui/session.h"
 
 class QLabel;
@@ -36,6 +37,8 @@ private:
     void showFrame(const FramePtr& frame);
     void showProblems();
     void updateActions();
+    void askForValues(std::uint32_t line, bool toEnd);
+    void showValues(const Program& program);
 
     Session& m_session;
     NcEditor* m_editor;
@@ -43,6 +46,8 @@ private:
     FileChangedBar* m_changed;
     QLabel* m_readOnly;
     CommandActions<EditorPanel> m_commands;
+    ProgramSource m_values; ///< interprets up to the line that the mouse points at
+    bool m_counts = false;  ///< it runs to the end, for the number of executions
 };
 
 } // namespace proveout

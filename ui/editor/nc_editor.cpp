@@ -8,10 +8,7 @@
 #include <QHelpEvent>
 #include <QMenu>
 #include <QMimeData>
-#include <QToolTip>
 
-#include "core/nc/word_help.h"
-#include "ui/editor/word_tip.h"
 #include "ui/theme.h"
 
 namespace proveout {
@@ -135,6 +132,8 @@ void NcEditor::markSaved() {
 }
 
 void NcEditor::onModified(int position, int type, const char* text, int length) {
+    m_values.reset();
+    leaveWord();
     if (m_loading)
         return;
     m_edited = true;
@@ -166,36 +165,6 @@ void NcEditor::revealLine(int line) {
     if (line - 1 >= first && line - 1 < first + shown - 1)
         return;
     SendScintilla(SCI_SETFIRSTVISIBLELINE, static_cast<unsigned long>(std::max(0L, line - 1 - shown / 3)));
-}
-
-bool NcEditor::showTip(QPoint place, QPoint globalPlace) {
-    QString tip = m_problems.tipAt(place);
-    const QString word = wordTip(place);
-    if (!tip.isEmpty() && !word.isEmpty())
-        tip += QStringLiteral("\n\n");
-    tip += word;
-    if (tip.isEmpty()) {
-        QToolTip::hideText();
-        return false;
-    }
-    // Plain text: the sentences hold words of the user's file.
-    QToolTip::showText(globalPlace, tip.toHtmlEscaped().replace(u'\n', QStringLiteral("<br>")), this);
-    return true;
-}
-
-/// What the word under a place of the viewport means.
-QString NcEditor::wordTip(QPoint place) const {
-    const long position = SendScintilla(SCI_POSITIONFROMPOINTCLOSE, static_cast<unsigned long>(place.x()),
-                                        static_cast<long>(place.y()));
-    if (position < 0)
-        return {};
-    const long line = SendScintilla(SCI_LINEFROMPOSITION, static_cast<unsigned long>(position));
-    const long begin = SendScintilla(SCI_POSITIONFROMLINE, static_cast<unsigned long>(line));
-    const long end = SendScintilla(SCI_GETLINEENDPOSITION, static_cast<unsigned long>(line));
-    const std::string_view text =
-        textBytes().substr(static_cast<std::size_t>(begin), static_cast<std::size_t>(end - begin));
-    const auto help = helpAt(text, static_cast<std::size_t>(position - begin), m_highlighter.dialect());
-    return help ? readableHelp(*help, m_highlighter.dialect()) : QString();
 }
 
 void NcEditor::goTo(int line, int column) {

@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -10,6 +12,8 @@
 #include <Qsci/qsciscintilla.h>
 
 #include "core/base/diagnostic.h"
+#include "core/nc/line_values.h"
+#include "core/nc/word_help.h"
 #include "ui/document.h"
 #include "ui/editor/nc_highlighter.h"
 #include "ui/editor/problem_marks.h"
@@ -33,6 +37,8 @@ public:
     /// Colours the codes of this dialect as known ones.
     void showDialect(DialectId dialect);
     void showProblems(const Diagnostics& problems) { m_problems.show(problems); }
+    /// The values of a line, for the tooltip that shows one of its words, now or until the text changes.
+    void showValues(std::shared_ptr<const LineValues> values);
     /// Puts the caret on a place (1-based) and shows it.
     void goTo(int line, int column);
     [[nodiscard]] int caretLine() const; ///< 1-based
@@ -51,11 +57,15 @@ signals:
     /// The user replaced `removed` bytes at `offset`.
     void edited(std::size_t offset, std::size_t removed, std::string_view inserted);
     void savedStateChanged(bool modified);
+    /// The mouse rests on a word of a line (1-based), or does no longer.
+    void valuesWanted(std::uint32_t line);
+    void valuesUnwanted();
     /// The user moved the caret to another line (1-based) without editing.
     void lineChosen(int line);
 
 protected:
     bool event(QEvent* event) override;
+    bool viewportEvent(QEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
@@ -68,7 +78,20 @@ private:
     void adoptPalette();
     void onModified(int position, int type, const char* text, int length);
     bool showTip(QPoint place, QPoint globalPlace);
-    [[nodiscard]] QString wordTip(QPoint place) const;
+    /// A word that is pointed at.
+    struct PointedWord {
+        WordHelp help;
+        std::uint32_t line = 0; ///< 1-based
+        QRect place;            ///< in the viewport
+    };
+    struct Tip {
+        QString problems;
+        PointedWord word;
+        QPoint place; ///< on the screen
+    };
+    [[nodiscard]] std::optional<PointedWord> wordAt(QPoint place) const;
+    void showWordTip();
+    void leaveWord();
     void revealLine(int line);
 
     NcHighlighter m_highlighter;
@@ -76,6 +99,8 @@ private:
     bool m_loading = false;
     bool m_edited = false; ///< since the key that is being handled went down
     int m_currentLine = 0;
+    std::optional<Tip> m_tip; ///< of a word, as long as it may be shown
+    std::shared_ptr<const LineValues> m_values;
 };
 
 } // namespace proveout

@@ -232,6 +232,82 @@ private slots:
                  qPrintable(tipAt(12)));
     }
 
+    void wordsTellTheirValuesAtThatPoint() {
+        QTemporaryDir folder;
+        const QString path = folder.filePath("values.ngc");
+        const QByteArray text =
+            "#1=10.5\nG1 X[#1+2] F300\no1 repeat [3]\n#1=[#1+1]\no1 endrepeat\nG55 G20\nX1\n"
+            "M2\nX9\n";
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(text);
+        file.close();
+        Session session;
+        EditorPanel panel(session);
+        panel.resize(400, 300);
+        panel.show();
+        QVERIFY(session.openFile(path));
+        QTRY_VERIFY(session.program() != nullptr);
+        NcEditor& editor = panel.editor();
+        const auto point = [&](const char* word, int from = 0) {
+            const long position = text.indexOf(word, from);
+            const auto at = [&](unsigned message) {
+                return static_cast<int>(editor.SendScintilla(message, 0UL, position));
+            };
+            const QPoint inside(at(QsciScintilla::SCI_POINTXFROMPOSITION) + 2,
+                                at(QsciScintilla::SCI_POINTYFROMPOSITION) + 5);
+            const QPoint place = editor.viewport()->mapTo(&editor, inside);
+            QHelpEvent event(QEvent::ToolTip, place, editor.mapToGlobal(place));
+            QApplication::sendEvent(&editor, &event);
+        };
+        const auto tells = [](const char* what) { return QToolTip::text().contains(QLatin1String(what)); };
+        point("X[");
+        QVERIFY(tells("X: X coordinate (LinuxCNC)")); // at once; the value follows
+        QTRY_VERIFY2(tells("<br>Value: 12.5 mm"), qPrintable(QToolTip::text()));
+        point("#1+2");
+        QTRY_VERIFY2(tells("#1: parameter (LinuxCNC)<br>Value: 10.5"), qPrintable(QToolTip::text()));
+        point("G1 ");
+        QTRY_VERIFY2(tells("Behind this line: G1 (straight feed)"), qPrintable(QToolTip::text()));
+        QVERIFY2(tells("In force before: G80"), qPrintable(QToolTip::text()));
+        point("#1=[");
+        QTRY_VERIFY2(tells("Value: 10.5<br>Behind this line: 11.5"), qPrintable(QToolTip::text()));
+        QTRY_VERIFY2(tells("First of 3 executions"), qPrintable(QToolTip::text()));
+        point("X1\n");
+        QTRY_VERIFY2(tells("Value: 1 in (25.4 mm)"), qPrintable(QToolTip::text()));
+        point("X9");
+        QTRY_VERIFY2(tells("This line is not executed"), qPrintable(QToolTip::text()));
+    }
+
+    void aTipThatWasLeftStaysAway() {
+        NcEditor editor;
+        editor.resize(400, 200);
+        editor.show();
+        Document document;
+        document.text = NcText("G54 X1\n");
+        editor.load(document);
+        int wanted = 0;
+        int unwanted = 0;
+        connect(&editor, &NcEditor::valuesWanted, this, [&] { ++wanted; });
+        connect(&editor, &NcEditor::valuesUnwanted, this, [&] { ++unwanted; });
+        const QPoint inside(editor.viewport()->mapTo(
+            &editor,
+            QPoint(static_cast<int>(editor.SendScintilla(QsciScintilla::SCI_POINTXFROMPOSITION, 0UL, 1L)),
+                   5)));
+        QHelpEvent help(QEvent::ToolTip, inside, editor.mapToGlobal(inside));
+        QApplication::sendEvent(&editor, &help);
+        QCOMPARE(wanted, 1);
+        QEvent leave(QEvent::Leave);
+        QApplication::sendEvent(editor.viewport(), &leave);
+        QCOMPARE(unwanted, 1);
+        QToolTip::hideText();
+        QTRY_VERIFY(!QToolTip::isVisible());
+        LineValues values;
+        values.line = 1;
+        values.executions = 1;
+        editor.showValues(std::make_shared<const LineValues>(values));
+        QVERIFY(!QToolTip::isVisible());
+    }
+
     void largeTextsAreReadOnly() {
         QTemporaryDir folder;
         const QString path = folder.filePath("large.nc");
