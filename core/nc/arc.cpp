@@ -14,12 +14,13 @@ constexpr double kTurn = 2 * std::numbers::pi;
 /// Ends that are one point make a full circle. What lies between that and a visible distance is decided by
 /// the exact geometry: a hair's breadth or nearly a full circle.
 double sweepAbout(const Vec2& centre, const ArcEnds& ends, double samePoint) {
-    if (glm::length(ends.end - ends.start) <= samePoint)
-        return ends.clockwise ? -kTurn : kTurn;
     const Vec2 from = ends.start - centre;
     const Vec2 to = ends.end - centre;
     // One angle instead of a difference of two: flat arcs about far centres keep their digits.
     double sweep = std::atan2(from.x * to.y - from.y * to.x, glm::dot(from, to));
+    // Wherever within the tolerance the end lies, the sweep leads to it.
+    if (glm::length(ends.end - ends.start) <= samePoint)
+        return sweep + (ends.clockwise ? -kTurn : kTurn);
     if (ends.clockwise && sweep >= 0)
         sweep -= kTurn;
     if (!ends.clockwise && sweep <= 0)

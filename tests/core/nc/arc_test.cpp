@@ -72,12 +72,24 @@ TEST(Arc, EndsThatCoincideMakeAFullCircle) {
     const Vec2 point(10, 0);
     EXPECT_EQ(arcAbout(Vec2(0), {point, point, false}, kMm)->sweep, 2 * kPi);
     EXPECT_EQ(arcAbout(Vec2(0), {point, point, true}, kMm)->sweep, -2 * kPi);
-    EXPECT_EQ(arcAbout(Vec2(0), {point, point + Vec2(0, 1e-9), false}, kMm)->sweep, 2 * kPi)
+    EXPECT_NEAR(arcAbout(Vec2(0), {point, point + Vec2(0, 1e-9), false}, kMm)->sweep, 2 * kPi, 1e-9)
         << "what is left of adding up increments";
     EXPECT_NEAR(arcAbout(Vec2(0), {point, point + Vec2(0, 1e-4), false}, kMm)->sweep, 1e-5, 1e-9)
         << "a visible distance is decided by the geometry";
     EXPECT_NEAR(arcAbout(Vec2(0), {point, point - Vec2(0, 1e-4), false}, kMm)->sweep, 2 * kPi - 1e-5, 1e-9);
     EXPECT_EQ(faultOf(arcOfRadius(5, {point, point, false}, kMm)), ArcFault::fullWithRadius);
+}
+
+TEST(Arc, OfAFullCircleLeadsToItsEndAsWell) {
+    ArcTolerances tolerances = kMm;
+    tolerances.samePoint = 0.0005; // half a least unit
+    const Vec2 point(10, 0);
+    for (const double away : {0.0004, -0.0004}) {
+        EXPECT_NEAR(arcAbout(Vec2(0), {point, point + Vec2(0, away), false}, tolerances)->sweep,
+                    2 * kPi + away / 10, 1e-12);
+        EXPECT_NEAR(arcAbout(Vec2(0), {point, point + Vec2(0, away), true}, tolerances)->sweep,
+                    -2 * kPi + away / 10, 1e-12);
+    }
 }
 
 TEST(Arc, ToleratesWhatLinuxCncTolerates) {
