@@ -51,9 +51,12 @@ public:
         std::array<double, kCells> highest{};
         std::array<double, kCorners * kCorners> at{};
         for (const Sweep& sweep : m_sweeps) {
-            for (std::size_t k = 0; k < at.size(); ++k)
-                at[k] = sweep.envelope(corner.x + size * static_cast<double>(k % kCorners),
-                                       corner.y + size * static_cast<double>(k / kCorners));
+            for (std::size_t k = 0; k < at.size(); ++k) {
+                const std::size_t row = k / kCorners;
+                const std::size_t column = k % kCorners;
+                at[k] = sweep.envelope(corner.x + size * static_cast<double>(column),
+                                       corner.y + size * static_cast<double>(row));
+            }
             for (std::size_t cell = 0; cell < kCells; ++cell) {
                 const std::size_t k = cell / kParts * kCorners + cell % kParts;
                 highest[cell] = std::min(
@@ -161,7 +164,9 @@ private:
         const ExactStock stock(m_box, m_cuts(corner, corner + Vec2(size * kFiner)));
         const auto highest = stock.highest(corner, size, m_lowest);
         for (std::size_t k = 0; k < kCells; ++k) {
-            const Vec2 part(static_cast<double>(k % kParts), static_cast<double>(k / kParts));
+            const std::size_t row = k / kParts;
+            const std::size_t column = k % kParts;
+            const Vec2 part(static_cast<double>(column), static_cast<double>(row));
             const Vec2 from = corner + size * part;
             // Nothing stands beside the stock.
             if (highest[k] < m_lowest || glm::any(glm::greaterThan(from, m_far)) ||

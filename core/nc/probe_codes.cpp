@@ -45,10 +45,8 @@ ProbeTarget::Answer ask(Execution& execution, const Motion& motion, Seek seek) {
 }
 
 std::vector<std::string> coordinates(const Vec3& place) {
-    std::vector<std::string> texts;
-    for (int axis = 0; axis < 3; ++axis)
-        texts.push_back(fmt::format("{:.3f}", place[axis] + 0.0));
-    return texts;
+    const auto shown = [&](int axis) { return fmt::format("{:.3f}", place[axis] + 0.0); };
+    return {shown(0), shown(1), shown(2)};
 }
 
 /// Carries the motion out as it was answered, and keeps where it stopped.

@@ -54,6 +54,14 @@ struct Content {
     double label = 0;
 };
 
+/// Whether a statement that is no jump stands there: of a loop, perhaps.
+bool mayEnterLoop(std::string_view line, std::size_t at, MacroLanguage macros) {
+    if (macros != MacroLanguage::macroB)
+        return false;
+    const auto statement = readStatement(line, at);
+    return statement && statement->kind != StatementKind::gotoBlock;
+}
+
 /// What a line is to one who looks for a way to it.
 Content contentOf(std::string_view line, MacroLanguage macros) {
     std::size_t at = skipBlanks(line, 0);
@@ -72,12 +80,9 @@ Content contentOf(std::string_view line, MacroLanguage macros) {
             at = number.end;
         } else if (c == ';') {
             break;
-        } else if (c == '%' || c == '/' || c == 'O' || c == ':' || c == '<') {
+        } else if (c == '%' || c == '/' || c == 'O' || c == ':' || c == '<' ||
+                   mayEnterLoop(line, at, macros)) {
             return {Role::entry};
-        } else if (const auto statement = readStatement(line, at);
-                   statement && macros == MacroLanguage::macroB &&
-                   statement->kind != StatementKind::gotoBlock) {
-            return {Role::entry}; // of a loop, perhaps
         } else {
             return label ? Content{Role::labelled, *label} : Content{Role::plain};
         }

@@ -101,8 +101,7 @@ std::vector<PastCut> ProbedStock::cutsWithin(const Program& program, const Vec2&
             motions.insert(motions.end(), square.begin(), square.end());
         }
     std::ranges::sort(motions);
-    const auto twice = std::ranges::unique(motions);
-    motions.erase(twice.begin(), twice.end());
+    motions.erase(std::unique(motions.begin(), motions.end()), motions.end());
     std::vector<PastCut> cuts;
     for (const std::uint32_t index : motions) {
         const Motion motion = program.motion(index);

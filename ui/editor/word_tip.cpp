@@ -52,9 +52,9 @@ QString parameterText(const WordHelp& help, const LineValues& values) {
     const auto parameter = std::ranges::find(values.parameters, help.begin, &LineValues::Parameter::begin);
     if (parameter == values.parameters.end())
         return {};
-    const QString before =
-        parameter->before ? QCoreApplication::translate("WordTip", "Value: %1").arg(shown(*parameter->before))
-                          : QCoreApplication::translate("WordTip", "Not set");
+    QString before = parameter->before
+                         ? QCoreApplication::translate("WordTip", "Value: %1").arg(shown(*parameter->before))
+                         : QCoreApplication::translate("WordTip", "Not set");
     if (parameter->before == parameter->after || !parameter->after)
         return before;
     return before + u'\n' +
