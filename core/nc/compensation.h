@@ -11,6 +11,9 @@
 
 namespace proveout {
 
+/// A motion shorter than this in the plane, in mm, leads nowhere there.
+inline constexpr double kNoLength = 1e-9;
+
 /// A straight or circular path. The radius at both ends of an arc may differ a little.
 struct PlanePath {
     Vec2 start{0};

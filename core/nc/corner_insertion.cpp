@@ -15,19 +15,6 @@ namespace proveout {
 
 namespace {
 
-/// A motion shorter than this in the plane leads nowhere there.
-constexpr double kNoLength = 1e-9;
-
-Vec2 inPlane(const Vec3& point, const PlaneAxes& plane) {
-    return {point[plane.first], point[plane.second]};
-}
-
-Vec3 withPlane(Vec3 point, const Vec2& place, const PlaneAxes& plane) {
-    point[plane.first] = place.x;
-    point[plane.second] = place.y;
-    return point;
-}
-
 bool leadsNowhere(const PlanePath& path) {
     constexpr double kNoCircle = 1; ///< rad: a whole circle leads to where it begins, too
     return std::abs(path.sweep) < kNoCircle && glm::distance(path.start, path.end) < kNoLength;

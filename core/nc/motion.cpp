@@ -12,10 +12,6 @@ namespace {
 
 constexpr double kPi = std::numbers::pi;
 
-Vec2 inPlane(const Vec3& point, const PlaneAxes& plane) {
-    return {point[plane.first], point[plane.second]};
-}
-
 /// What the formulas below need of an arc: a radius that goes linearly from `startRadius` by `radiusGrowth`.
 struct Spiral {
     PlaneAxes plane;
@@ -58,6 +54,16 @@ PlaneAxes axes(Plane plane) {
         return {1, 2, 0};
     }
     return {0, 1, 2};
+}
+
+Vec2 inPlane(const Vec3& point, const PlaneAxes& plane) {
+    return {point[plane.first], point[plane.second]};
+}
+
+Vec3 withPlane(Vec3 point, const Vec2& place, const PlaneAxes& plane) {
+    point[plane.first] = place.x;
+    point[plane.second] = place.y;
+    return point;
 }
 
 double arcRadius(const Motion& motion) {

@@ -54,6 +54,10 @@ struct PlaneAxes {
     int normal;
 };
 [[nodiscard]] PlaneAxes axes(Plane plane);
+/// A point without its coordinate along the normal.
+[[nodiscard]] Vec2 inPlane(const Vec3& point, const PlaneAxes& plane);
+/// `point` moved to another place in the plane.
+[[nodiscard]] Vec3 withPlane(Vec3 point, const Vec2& place, const PlaneAxes& plane);
 
 /// Distance of the start point from the arc's centre, in its plane.
 [[nodiscard]] double arcRadius(const Motion& motion);

@@ -15,23 +15,11 @@ namespace proveout {
 
 namespace {
 
-/// A motion shorter than this in the plane leads nowhere there.
-constexpr double kNoLength = 1e-9;
 /// Blocks of the look-ahead that are motions: the one before a corner and the one behind it.
 constexpr int kBlocksOfCorner = 2;
 
 std::string shown(double length) {
     return fmt::format("{:.6g}", length);
-}
-
-Vec2 inPlane(const Vec3& point, const PlaneAxes& plane) {
-    return {point[plane.first], point[plane.second]};
-}
-
-Vec3 withPlane(Vec3 point, const Vec2& place, const PlaneAxes& plane) {
-    point[plane.first] = place.x;
-    point[plane.second] = place.y;
-    return point;
 }
 
 /// One programmed motion that is to be compensated.
