@@ -18,6 +18,9 @@ done
 # Remembers what it has checked; the test of the same name then reports. A finding must not stop the other tests.
 tests/lint/clang_tidy.py build/release || true
 
+# Random input is the same in every run, so that a failure is one of the change that runs it; tests started by
+# hand find new input each time. Of a test that fails, only what failed is printed.
+export PROVEOUT_SEED="${PROVEOUT_SEED:-1}" GTEST_BRIEF=1
 # What the tests see does not depend on the desktop they are started from.
 export LC_ALL=C.UTF-8 QT_QPA_PLATFORM=xcb QT_SCALE_FACTOR=1 LIBGL_ALWAYS_SOFTWARE=1
 if [ -z "${XDG_RUNTIME_DIR:-}" ]; then

@@ -14,6 +14,7 @@
 
 #include "tests/core/file_size_limit.h"
 #include "tests/core/temporary_folder.h"
+#include "tests/random_seed.h"
 
 namespace proveout {
 namespace {
@@ -195,7 +196,7 @@ TEST(AtomicFile, FullDiskTellsTheBytesThatAreExpected) {
 }
 
 TEST(AtomicFile, KilledWhileSavingLeavesTheOldOrTheNewFile) {
-    const unsigned seed = std::random_device{}();
+    const unsigned seed = randomSeed();
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
     const TemporaryFolder folder;

@@ -5,6 +5,8 @@
 #include <random>
 #include <thread>
 
+#include "tests/random_seed.h"
+
 namespace proveout {
 namespace {
 
@@ -31,7 +33,7 @@ TEST(PersistentArray, CopiesShareUntilOneOfThemIsWritten) {
 
 /// Any sequence of copies, edits, appends and truncations acts like vectors that are copied whole.
 TEST(PersistentArray, ActsLikeAVectorThatIsCopied) {
-    const unsigned seed = std::random_device{}();
+    const unsigned seed = randomSeed();
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
     const auto below = [&random](std::size_t n) { return static_cast<std::size_t>(random()) % n; };

@@ -4,12 +4,14 @@
 #include "core/cutting/stock_contact.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
 
 #include "core/cutting/cutting.h"
 #include "tests/core/cutting/random_motion.h"
+#include "tests/random_seed.h"
 
 namespace proveout {
 namespace {
@@ -99,7 +101,7 @@ TEST(StockContact, OfARoundPocketIsTheSameInEveryDirection) {
                           {straightMotion({20, 10, -4}, {20, 20, -4}), &mill},
                           {arcMotion(Plane::xy, {20, 15, -4}, 4, 0, 2 * std::numbers::pi, 0, 4), &mill},
                           {arcMotion(Plane::xy, {20, 15, -4}, 8, 0, 2 * std::numbers::pi, 0, 8), &mill}});
-    const unsigned seed = std::random_device{}();
+    const unsigned seed = randomSeed();
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random(seed);
     for (int k = 0; k < 24; ++k) {
@@ -185,21 +187,58 @@ double bruteForceWay(const CutStock& stock, const Cutter& cutter, const Vec3& st
     return best * glm::distance(start, end);
 }
 
-struct Probe {
-    std::string shape;
-    double diameter;
-    std::string rest;
+/// How far the tool at a place is above the stock at a column; below 0 it stands in it.
+double gapAt(const CutStock& stock, const Cutter& cutter, const Vec3& tip, const Vec2& column) {
+    double height = 0;
+    for (const PastCut& past : stock.cuts)
+        height = std::min(height, envelope(*past.cutter, past.motion, column.x, column.y));
+    const bool beside = column.x < 0 || column.y < 0 || column.x > kStock.width || column.y > kStock.depth;
+    const double radius = glm::distance(column, Vec2(tip));
+    if (beside || radius > cutter.radius() || height <= -kStock.height)
+        return kNever;
+    return tip.z + cutter.height(radius) - height;
+}
 
-    [[nodiscard]] Cutter cutter(double larger = 0) const {
-        return cutterOf(shape + ":d=" + std::to_string(diameter + larger) + rest);
+/// Whether the tool at a place stands in the stock: columns about it and along its rim, ever closer ones
+/// where the gap is smallest.
+bool standsInStock(const CutStock& stock, const Cutter& cutter, const Vec3& tip) {
+    struct Column {
+        Vec2 at;
+        double gap;
+    };
+    const auto column = [&](const Vec2& at) { return Column{at, gapAt(stock, cutter, tip, at)}; };
+    std::vector<Column> columns;
+    const auto addSquare = [&](const Vec2& middle, double half, double spacing) {
+        const int n = static_cast<int>(half / spacing);
+        for (int j = -n; j <= n; ++j)
+            for (int i = -n; i <= n; ++i)
+                columns.push_back(column(middle + Vec2(i, j) * spacing));
+    };
+    addSquare(Vec2(tip), cutter.radius(), kColumns);
+    constexpr int kOfRim = 2000;
+    for (int k = 0; k < kOfRim; ++k)
+        for (const double inside : {1e-9, 1e-3, 4e-3}) {
+            const double angle = 2 * std::numbers::pi * k / kOfRim;
+            columns.push_back(
+                column(Vec2(tip) + Vec2(std::cos(angle), std::sin(angle)) * (cutter.radius() - inside)));
+        }
+    constexpr std::size_t kNearest = 30;
+    for (const double spacing : {kColumns, kColumns / 8, kColumns / 64}) {
+        std::ranges::sort(columns, {}, &Column::gap);
+        if (columns.front().gap <= 0)
+            return true;
+        const std::vector<Column> nearest(columns.begin(), columns.begin() + kNearest);
+        for (const Column& near : nearest)
+            addSquare(near.at, 2 * spacing, spacing / 8);
     }
-};
+    return std::ranges::min(columns, {}, &Column::gap).gap <= 0;
+}
 
 TEST(StockContact, AgreesWithBruteForce) {
-    const unsigned seed = std::random_device{}();
+    const unsigned seed = randomSeed();
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     Random random(seed);
-    const Probe probes[] = {{"flat", 3, ""}, {"ball", 4, ""}, {"bull", 4, ",r=1"}};
+    const Cutter probes[] = {cutterOf("flat:d=3"), cutterOf("ball:d=4"), cutterOf("bull:d=4,r=1")};
     int touched = 0;
     for (int trial = 0; trial < 12; ++trial) {
         SCOPED_TRACE(testing::Message() << "trial " << trial);
@@ -213,20 +252,25 @@ TEST(StockContact, AgreesWithBruteForce) {
             cuts.push_back({straightMotion(from, to), &mills[k % mills.size()]});
         }
         const CutStock stock(cuts);
-        const Probe& probe = probes[trial % 3];
+        const Cutter& probe = probes[trial % 3];
         const Vec3 start(uniform(random, -3, 43), uniform(random, -3, 33), uniform(random, 0.5, 4));
         Vec3 end(uniform(random, -3, 43), uniform(random, -3, 33), uniform(random, -8, -2));
         if (trial % 4 == 0)
             end = Vec3(start.x, start.y, -8);
-        const double way = stock.way(probe.cutter(), start, end);
-        EXPECT_LE(way, bruteForceWay(stock, probe.cutter(), start, end) + kTolerance);
-        // A probe that reaches every place between the columns from one of them is late by no more than a
-        // ridge between them may rise.
-        constexpr double kRise = 3 * kColumns;
-        const double larger = kColumns * std::numbers::sqrt2 / 2;
-        const Vec3 down(0, 0, probe.shape == "ball" ? larger : 0);
-        EXPECT_GE(way, bruteForceWay(stock, probe.cutter(2 * larger), start - down, end - down) - kRise);
-        touched += way < kNever ? 1 : 0;
+        const double way = stock.way(probe, start, end);
+        EXPECT_LE(way, bruteForceWay(stock, probe, start, end) + kTolerance);
+        if (way == kNever)
+            continue;
+        const double length = glm::distance(start, end);
+        EXPECT_TRUE(std::ranges::any_of(std::array{1.0, 2.0, 4.0, 10.0},
+                                        [&](double tolerances) {
+                                            const double further =
+                                                std::min(length, way + tolerances * kTolerance);
+                                            return standsInStock(stock, probe,
+                                                                 start + (end - start) * (further / length));
+                                        }))
+            << "after " << way;
+        ++touched;
     }
     EXPECT_GT(touched, 2);
 }

@@ -10,6 +10,7 @@
 #include "core/base/tool_number.h"
 #include "tests/core/formats/random_bytes.h"
 #include "tests/core/temporary_folder.h"
+#include "tests/random_seed.h"
 
 namespace proveout {
 namespace {
@@ -284,7 +285,7 @@ Job randomJob(std::mt19937& random, const fs::path& folder) {
 }
 
 TEST_F(JobFile, ReadsWhatItWrites) {
-    const unsigned seed = std::random_device{}();
+    const unsigned seed = randomSeed();
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
     const fs::path folder = fs::canonical(m_folder.path());
@@ -340,7 +341,7 @@ TEST_F(JobFile, AProgramNameThatIsNotUtf8IsTold) {
 /// One bit flipped, or the end missing: the job is refused, or what was read keeps to the limits of its
 /// fields.
 TEST_F(JobFile, SurvivesDamage) {
-    const unsigned seed = std::random_device{}();
+    const unsigned seed = randomSeed();
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
     int readable = 0;

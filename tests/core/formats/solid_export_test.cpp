@@ -11,6 +11,7 @@
 #include "core/decimation/surface.h"
 #include "tests/core/decimation/random_triangulation.h"
 #include "tests/core/temporary_folder.h"
+#include "tests/random_seed.h"
 
 namespace proveout {
 namespace {
@@ -130,7 +131,7 @@ TEST_F(SolidExport, WhereRoundingIsNotToBlameThereIsNoWarning) {
 /// Pinched, cut through, decimated at random into long slivers: as long as a step of float32 is far below the
 /// spacing, it stays a solid.
 TEST_F(SolidExport, StlTakesEverySolidOfUsualSize) {
-    const unsigned seed = std::random_device{}();
+    const unsigned seed = randomSeed();
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
     const auto upTo = [&random](double size) {

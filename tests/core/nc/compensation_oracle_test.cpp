@@ -11,6 +11,7 @@
 #include "core/nc/interpreter.h"
 #include "tests/core/nc/oracle_comparison.h"
 #include "tests/core/nc/random_path.h"
+#include "tests/random_seed.h"
 
 namespace proveout::test {
 
@@ -85,7 +86,7 @@ std::string disagreement(const fs::path& file, int& refused) {
 TEST(CompensationOracle, AgreesOnRandomPrograms) {
     if (!oracleIsHere())
         GTEST_SKIP() << "LinuxCNC's interpreter is not here";
-    const auto seed = std::random_device{}();
+    const auto seed = randomSeed();
     std::cout << fmt::format("seed {}\n", seed);
     std::mt19937 random(seed);
     const fs::path folder = fs::path(testing::TempDir()) / fmt::format("proveout-compensation-{}", seed);

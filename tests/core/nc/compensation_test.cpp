@@ -11,6 +11,7 @@
 
 #include "core/nc/interpreter.h"
 #include "tests/core/nc/random_path.h"
+#include "tests/random_seed.h"
 
 namespace proveout::test {
 
@@ -96,7 +97,7 @@ std::string programAlong(const std::vector<PlanePath>& paths, bool left) {
 } // namespace
 
 TEST(Compensation, KeepsTheRadiusFromThePath) {
-    const auto seed = std::random_device{}();
+    const auto seed = randomSeed();
     SCOPED_TRACE(fmt::format("seed {}", seed));
     std::mt19937 random(seed);
     // Corners that are joined, and paths that do not turn back to their neighbours.

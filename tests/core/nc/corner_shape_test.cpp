@@ -8,6 +8,7 @@
 #include "core/nc/corner_shape.h"
 #include "tests/core/nc/random_arc.h"
 #include "tests/core/nc/random_path.h"
+#include "tests/random_seed.h"
 
 namespace proveout::test {
 
@@ -33,7 +34,7 @@ bool hasLength(const PlanePath& path) {
 } // namespace
 
 TEST(CornerShape, RoundingsTouchBothPaths) {
-    const auto seed = std::random_device{}();
+    const auto seed = randomSeed();
     SCOPED_TRACE(fmt::format("seed {}", seed));
     std::mt19937 random(seed);
     int made = 0;
@@ -60,7 +61,7 @@ TEST(CornerShape, RoundingsTouchBothPaths) {
 }
 
 TEST(CornerShape, ChamfersBeginAndEndAtTheirLength) {
-    const auto seed = std::random_device{}();
+    const auto seed = randomSeed();
     SCOPED_TRACE(fmt::format("seed {}", seed));
     std::mt19937 random(seed);
     for (int i = 0; i < kPaths && !HasFailure(); ++i) {

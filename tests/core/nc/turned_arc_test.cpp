@@ -7,6 +7,7 @@
 #include <random>
 
 #include "tests/core/nc/random_arc.h"
+#include "tests/random_seed.h"
 
 namespace proveout::test {
 
@@ -22,7 +23,7 @@ double distance(const Vec3& point, const Vec3& a, const Vec3& b) {
 } // namespace
 
 TEST(TurnedArc, LiesWithinTheChordErrorOfItsPieces) {
-    const unsigned seed = std::random_device()();
+    const unsigned seed = randomSeed();
     std::mt19937 random(seed);
     for (int round = 0; round < 300; ++round) {
         const Motion arc = randomArc(random, 1e-3);

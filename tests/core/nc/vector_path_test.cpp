@@ -10,6 +10,7 @@
 
 #include "core/nc/interpreter.h"
 #include "tests/core/nc/random_path.h"
+#include "tests/random_seed.h"
 
 namespace proveout::test {
 
@@ -147,7 +148,7 @@ bool toldId(const Program& program, const std::string& id) {
 } // namespace
 
 TEST(VectorPath, KeepsTheRadiusFromLinesAndArcs) {
-    const auto seed = std::random_device{}();
+    const auto seed = randomSeed();
     SCOPED_TRACE(fmt::format("seed {}", seed));
     std::mt19937 random(seed);
     const RandomPathShape shape{6, 15, 60, 1.2, 0.001, 15, 1.2};
@@ -157,7 +158,7 @@ TEST(VectorPath, KeepsTheRadiusFromLinesAndArcs) {
 }
 
 TEST(VectorPath, KeepsTheRadiusAtSharpCornersOfLines) {
-    const auto seed = std::random_device{}();
+    const auto seed = randomSeed();
     SCOPED_TRACE(fmt::format("seed {}", seed));
     std::mt19937 random(seed);
     RandomPathShape shape{6, 20, 60, 2.9, 0.001, 15, 1.2};

@@ -4,6 +4,7 @@
 
 #include "tests/core/simulation/moments.h"
 #include "tests/core/simulation/programs.h"
+#include "tests/random_seed.h"
 
 namespace proveout {
 namespace {
@@ -24,7 +25,7 @@ DecimationParameters randomParameters(std::mt19937& random) {
 }
 
 TEST(Parameters, ChangedAtABlockEqualAFreshRunThere) {
-    const std::uint32_t seed = std::random_device{}();
+    const std::uint32_t seed = randomSeed();
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937 random(seed);
     const auto program = programOf(randomProgram(random(), 70));

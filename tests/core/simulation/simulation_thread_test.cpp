@@ -14,6 +14,7 @@
 
 #include "tests/core/simulation/moments.h"
 #include "tests/core/simulation/programs.h"
+#include "tests/random_seed.h"
 
 namespace proveout {
 namespace {
@@ -379,7 +380,7 @@ TEST(SimulationThread, ACancelOfALoadHoldsForWhatFollowsFromIt) {
 
 /// Random commands from another thread for some seconds, then the state must be what the last ones ask for.
 TEST(SimulationThread, SurvivesAStormOfCommands) {
-    const std::uint32_t seed = std::random_device{}();
+    const std::uint32_t seed = randomSeed();
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937 random(seed);
     const std::vector<std::shared_ptr<const Program>> programs{programOf(randomProgram(31, 150)),

@@ -7,6 +7,7 @@
 
 #include "tests/core/simulation/moments.h"
 #include "tests/core/simulation/programs.h"
+#include "tests/random_seed.h"
 
 namespace proveout {
 namespace {
@@ -50,7 +51,7 @@ TEST(Stop, AtOnceLeavesAValidState) {
 }
 
 TEST(Stop, AnywhereIsCompletedLater) {
-    const std::uint32_t seed = std::random_device{}();
+    const std::uint32_t seed = randomSeed();
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937 random(seed);
     const auto program = programOf(randomProgram(random(), 120));
@@ -103,7 +104,7 @@ TEST(Stop, AnywhereIsCompletedLater) {
 }
 
 TEST(Stop, RowsOfAnInterruptedRunAreTrue) {
-    const std::uint32_t seed = std::random_device{}();
+    const std::uint32_t seed = randomSeed();
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937 random(seed);
     const auto program = programOf(randomProgram(random(), 100));
