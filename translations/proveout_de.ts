@@ -3909,6 +3909,42 @@
         <source>parameter</source>
         <translation>Parameter</translation>
     </message>
+    <message>
+        <source>The block behind the chamfer or corner radius orders neither G1, G2 nor G3 (alarm 052, on newer controls 051).</source>
+        <translation>Der Satz hinter der Fase oder dem Eckenradius verlangt weder G1, G2 noch G3 (Alarm 052, bei neueren Steuerungen 051).</translation>
+    </message>
+    <message>
+        <source>Only one dwell in a block of its own may stand between; the corner stays sharp.</source>
+        <translation>Dazwischen darf nur eine Verweilzeit in einem eigenen Satz stehen; die Ecke bleibt scharf.</translation>
+    </message>
+    <message>
+        <source>The block orders a chamfer and a corner radius (alarm 053).</source>
+        <translation>Der Satz verlangt eine Fase und einen Eckenradius (Alarm 053).</translation>
+    </message>
+    <message>
+        <source>Keep one of them; the corner stays sharp.</source>
+        <translation>Behalten Sie eines davon; die Ecke bleibt scharf.</translation>
+    </message>
+    <message>
+        <source>Neither C nor R stands behind the comma (alarm 053).</source>
+        <translation>Hinter dem Komma steht weder C noch R (Alarm 053).</translation>
+    </message>
+    <message>
+        <source>Write ,C for a chamfer and ,R for a corner radius.</source>
+        <translation>Schreiben Sie ,C für eine Fase und ,R für einen Eckenradius.</translation>
+    </message>
+    <message>
+        <source>The chamfer or corner radius of {} mm is negative.</source>
+        <translation>Die Fase oder der Eckenradius von {} mm ist negativ.</translation>
+    </message>
+    <message>
+        <source>Write it without a sign; the corner stays sharp.</source>
+        <translation>Schreiben Sie das Maß ohne Vorzeichen; die Ecke bleibt scharf.</translation>
+    </message>
+    <message>
+        <source>The manuals do not tell whether G51 scales chamfers and corner radii too; here it does not.</source>
+        <translation>Die Handbücher sagen nicht, ob G51 auch Fasen und Eckenradien skaliert; hier tut es das nicht.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

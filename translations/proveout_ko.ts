@@ -3909,6 +3909,42 @@
         <source>parameter</source>
         <translation>매개변수</translation>
     </message>
+    <message>
+        <source>The block behind the chamfer or corner radius orders neither G1, G2 nor G3 (alarm 052, on newer controls 051).</source>
+        <translation>모따기 또는 모서리 반지름 다음 블록에 G1, G2, G3가 없습니다(알람 052, 새 컨트롤에서는 051).</translation>
+    </message>
+    <message>
+        <source>Only one dwell in a block of its own may stand between; the corner stays sharp.</source>
+        <translation>그 사이에는 단독 블록의 드웰 하나만 올 수 있습니다. 모서리는 그대로 남습니다.</translation>
+    </message>
+    <message>
+        <source>The block orders a chamfer and a corner radius (alarm 053).</source>
+        <translation>블록이 모따기와 모서리 반지름을 함께 지령합니다(알람 053).</translation>
+    </message>
+    <message>
+        <source>Keep one of them; the corner stays sharp.</source>
+        <translation>하나만 남기십시오. 모서리는 그대로 남습니다.</translation>
+    </message>
+    <message>
+        <source>Neither C nor R stands behind the comma (alarm 053).</source>
+        <translation>쉼표 뒤에 C도 R도 없습니다(알람 053).</translation>
+    </message>
+    <message>
+        <source>Write ,C for a chamfer and ,R for a corner radius.</source>
+        <translation>모따기는 ,C, 모서리 반지름은 ,R로 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The chamfer or corner radius of {} mm is negative.</source>
+        <translation>{} mm의 모따기 또는 모서리 반지름은 음수입니다.</translation>
+    </message>
+    <message>
+        <source>Write it without a sign; the corner stays sharp.</source>
+        <translation>부호 없이 쓰십시오. 모서리는 그대로 남습니다.</translation>
+    </message>
+    <message>
+        <source>The manuals do not tell whether G51 scales chamfers and corner radii too; here it does not.</source>
+        <translation>G51이 모따기와 모서리 반지름도 스케일링하는지 설명서에 없습니다. 여기서는 스케일링하지 않습니다.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

@@ -58,10 +58,12 @@ private:
         const CutterCompensation& compensation = m_execution.state.compensation;
         const bool held =
             m_corner.compensated == compensation.moves() && (compensation.held || !m_corner.compensated);
-        if (m_motion.kind == MotionKind::rapid || !held || leadsNowhere(m_after))
+        if (m_motion.kind == MotionKind::rapid)
+            tell(nc_message::kCornerNextBlock);
+        else if (!held || leadsNowhere(m_after))
             tell(nc_message::kCornerWithoutMotion);
-        else if (m_corner.across || m_motion.start[m_plane.normal] != m_motion.end[m_plane.normal] ||
-                 !planeKnown(m_motion))
+        else if (m_corner.across || m_corner.plane != m_execution.state.plane ||
+                 m_motion.start[m_plane.normal] != m_motion.end[m_plane.normal] || !planeKnown(m_motion))
             tell(nc_message::kCornerOffPlane);
         else
             return m_corner.size > 0;
@@ -87,7 +89,12 @@ private:
         between.sweep = shape.sweep;
         between.feedMmPerMin = m_corner.feed;
         between.endKnown = m_motion.startKnown;
+        const Motion before = m_execution.program.motion(m_corner.motion);
+        between.tool = before.tool;
+        between.spindleRpm = before.spindleRpm;
+        between.orderedRpm = before.orderedRpm;
         appendOrdered(m_execution, m_word, between);
+        m_execution.program.delayEvents(m_corner.events);
     }
 
     bool shortenAfter(const PlanePath& shape) {
@@ -108,11 +115,23 @@ private:
     PlanePath m_after;
 };
 
-/// The word that orders a corner; null where there is none.
-const Word* cornerWord(const Block& block) {
-    return block.has(kRoundingLetter)  ? &block.word(kRoundingLetter)
-           : block.has(kChamferLetter) ? &block.word(kChamferLetter)
-                                       : nullptr;
+/// The word that orders a corner; null where there is none, or two, which is told.
+const Word* cornerWord(Execution& execution) {
+    const Block& block = execution.block;
+    if (!block.has(kRoundingLetter))
+        return block.has(kChamferLetter) ? &block.word(kChamferLetter) : nullptr;
+    if (!block.has(kChamferLetter))
+        return &block.word(kRoundingLetter);
+    execution.reporter.tell(nc_message::kCornerTwice, block.word(kRoundingLetter));
+    return nullptr;
+}
+
+/// Whether scaling is in force that changes lengths in the plane.
+bool scaledInPlane(const MachineState& state) {
+    const Transformation& now = state.frame.transformation;
+    const PlaneAxes plane = axes(state.plane);
+    return now.scaled &&
+           (std::abs(now.factors[plane.first]) != 1 || std::abs(now.factors[plane.second]) != 1);
 }
 
 /// Outside of cutter compensation.
@@ -132,6 +151,7 @@ void appendHeld(Execution& execution, const Word& word, const Motion& motion, co
     corner.rounded = ordered.letter == kRoundingLetter;
     corner.size = execution.length(ordered.letter);
     corner.compensated = execution.state.compensation.moves();
+    corner.plane = execution.state.plane;
     corner.across = motion.start[plane.normal] != motion.end[plane.normal];
     corner.feed = motion.feedMmPerMin;
     corner.path = {inPlane(motion.start, plane), inPlane(motion.end, plane), inPlane(motion.centre, plane),
@@ -142,11 +162,16 @@ void appendHeld(Execution& execution, const Word& word, const Motion& motion, co
         appendOrdered(execution, word, motion);
         return;
     }
+    if (corner.size < 0)
+        execution.reporter.tell(nc_message::kCornerNegative, ordered, {fmt::format("{:.6g}", corner.size)});
+    else if (scaledInPlane(execution.state))
+        execution.reporter.tell(nc_message::kCornerScaled, ordered);
     if (corner.compensated)
         appendOrdered(execution, word, motion);
     else
         appendMovable(execution, motion);
     corner.motion = execution.program.motionCount() - 1;
+    corner.events = execution.program.events().size();
     execution.state.corner = corner;
 }
 
@@ -156,8 +181,8 @@ void appendWithCorner(Execution& execution, const Word& word, const Motion& moti
     Motion rest = motion;
     if (execution.state.corner.pending && !Insertion(execution, word, rest).insert())
         return;
-    const Word* ordered = cornerWord(execution.block);
-    if (ordered == nullptr || motion.kind == MotionKind::rapid)
+    const Word* ordered = motion.kind == MotionKind::rapid ? nullptr : cornerWord(execution);
+    if (ordered == nullptr)
         appendOrdered(execution, word, rest);
     else
         appendHeld(execution, word, rest, *ordered);
@@ -176,7 +201,7 @@ void checkOrderedCorner(Execution& execution) {
         return;
     }
     corner.pending = false;
-    execution.reporter.tell(nc_message::kCornerWithoutMotion, 1, 0);
+    execution.reporter.tell(nc_message::kCornerNextBlock, 1, 0);
 }
 
 } // namespace proveout

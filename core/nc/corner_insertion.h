@@ -22,8 +22,10 @@ struct OrderedCorner {
     bool rounded = false; ///< by ,R, otherwise ,C
     double size = 0;      ///< mm
     bool compensated = false;
-    bool across = false;    ///< the motion leads out of its plane too
+    bool across = false; ///< the motion leads out of its plane too
+    Plane plane = Plane::xy;
     std::size_t motion = 0; ///< number of the motion before the corner
+    std::size_t events = 0; ///< of the program before the corner; those since come behind it
     double feed = 0;        ///< of it
     PlanePath path;         ///< of it, as programmed
 };

@@ -120,8 +120,10 @@ private:
             readProgramName();
             return true;
         }
-        if (c == ',')
-            return readCornerWord();
+        if (c == ',') {
+            readCornerWord();
+            return true;
+        }
         if (c == '/') {
             m_at = m_context.blockDelete ? m_text.size() : m_at;
             if (!atEnd())
@@ -144,14 +146,15 @@ private:
         return true;
     }
 
-    bool readCornerWord() {
+    void readCornerWord() {
         const std::size_t at = proveout::skipBlanks(m_text, m_at + 1);
         const char letter = at < m_text.size() ? upperCase(m_text[at]) : '\0';
-        if (letter != 'C' && letter != 'R')
-            return false;
+        if (letter != 'C' && letter != 'R') {
+            fail(nc_message::kCornerComma, m_at, m_at + 1);
+            return;
+        }
         m_at = at;
         readWord(letter == 'C' ? kChamferLetter : kRoundingLetter);
-        return true;
     }
 
     void readProgramNumber() {

@@ -745,6 +745,30 @@ inline constexpr Message kCornerWithoutMotion{
                   "No straight or circular motion stands on both sides of the chamfer or corner radius "
                   "(alarm 051)."),
     PROVEOUT_TEXT("Core", "Let G1, G2 or G3 in the plane follow; the corner stays sharp.")};
+inline constexpr Message kCornerNextBlock{
+    Severity::error, true, "corner-next-block",
+    PROVEOUT_TEXT("Core",
+                  "The block behind the chamfer or corner radius orders neither G1, G2 nor G3 (alarm 052, on "
+                  "newer controls 051)."),
+    PROVEOUT_TEXT("Core", "Only one dwell in a block of its own may stand between; the corner stays sharp.")};
+inline constexpr Message kCornerTwice{
+    Severity::error, true, "corner-twice",
+    PROVEOUT_TEXT("Core", "The block orders a chamfer and a corner radius (alarm 053)."),
+    PROVEOUT_TEXT("Core", "Keep one of them; the corner stays sharp.")};
+inline constexpr Message kCornerComma{
+    Severity::error, true, "corner-comma",
+    PROVEOUT_TEXT("Core", "Neither C nor R stands behind the comma (alarm 053)."),
+    PROVEOUT_TEXT("Core", "Write ,C for a chamfer and ,R for a corner radius.")};
+inline constexpr Message kCornerNegative{
+    Severity::error, true, "corner-negative",
+    PROVEOUT_TEXT("Core", "The chamfer or corner radius of {} mm is negative."),
+    PROVEOUT_TEXT("Core", "Write it without a sign; the corner stays sharp.")};
+inline constexpr Message kCornerScaled{
+    Severity::warning, true, "corner-scaled",
+    PROVEOUT_TEXT("Core",
+                  "The manuals do not tell whether G51 scales chamfers and corner radii too; here it does "
+                  "not."),
+    PROVEOUT_TEXT("Core", "Write the motions out.")};
 inline constexpr Message kCornerTooLarge{
     Severity::error, true, "corner-too-large",
     PROVEOUT_TEXT("Core",

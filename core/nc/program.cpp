@@ -250,6 +250,11 @@ void Program::store(const Motion& motion) {
     m_motions.push_back(packed);
 }
 
+void Program::delayEvents(std::size_t first) {
+    for (std::size_t i = first; i < m_events.size(); ++i)
+        m_events[i].beforeMotion = static_cast<std::uint32_t>(m_motions.size());
+}
+
 void Program::append(EventData data, std::uint32_t line) {
     m_events.push_back({static_cast<std::uint32_t>(m_motions.size()), line, data});
 }

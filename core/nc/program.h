@@ -157,6 +157,8 @@ public:
     void moveEnds(std::size_t first, Plane plane, const Vec2& end, double sweep);
     /// From now on the motions stay as they are.
     void settle();
+    /// The events from `first` on happen behind the motions that there are, none of which is settled.
+    void delayEvents(std::size_t first);
     void append(EventData data, std::uint32_t line);
     void append(Diagnostic diagnostic);
     void setSourceBlockCount(std::size_t count) { m_sourceBlocks = count; }
