@@ -78,7 +78,7 @@ std::optional<double> MachineValues::numbered(int number) const {
     if (number == kActiveOffset)
         return m_state.workOffset;
     m_inputRead = m_inputRead || number == kInputParameter;
-    noteProbeRead(number, m_state.probed.firstResult, m_state.probed.lastResult);
+    noteProbeRead(number, kProbeContact, kProbeSuccess);
     return {};
 }
 
@@ -87,16 +87,16 @@ const Message* MachineValues::refusal(int number) const {
 }
 
 std::optional<double> OffsetValues::numbered(int number) const {
+    noteProbeRead(number, kMachProbed, kMachProbed + kMachAxes - 1);
     return number == kActiveOffset ? std::optional(static_cast<double>(m_state.workOffset)) : std::nullopt;
 }
 
 const Message* OffsetValues::refusal(int number) const {
-    constexpr int kProbed = 2000;
     constexpr int kHome = 5161;
     constexpr int kSecondHome = 5181;
-    constexpr int kAxes = 6;
-    const auto within = [number](int first) { return number >= first && number < first + kAxes; };
-    return within(kProbed) || within(kHome) || within(kSecondHome) ? &nc_message::kMachineVariable : nullptr;
+    const auto within = [number](int first) { return number >= first && number < first + kMachAxes; };
+    const bool notProbed = within(kMachProbed) && !m_state.probed.asked;
+    return notProbed || within(kHome) || within(kSecondHome) ? &nc_message::kMachineVariable : nullptr;
 }
 
 std::optional<double> OffsetValues::named(std::string_view /*name*/) const {

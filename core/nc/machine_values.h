@@ -10,6 +10,12 @@ namespace proveout {
 
 /// Where M66 leaves what it has read.
 inline constexpr int kInputParameter = 5399;
+/// Where LinuxCNC's probing motions leave what they have found: from X on, and at last whether they have.
+inline constexpr int kProbeContact = 5061;
+inline constexpr int kProbeSuccess = 5070;
+/// Where G31 of Mach leaves what it has found: X, Y, Z, A, B, C.
+inline constexpr int kMachProbed = 2000;
+inline constexpr int kMachAxes = 6;
 
 /// What LinuxCNC's parameters tell of the machine: #5420 to #5428, #<_x>, #<_metric> and the like. Keeps a
 /// reference to the state.
@@ -29,8 +35,8 @@ private:
     mutable bool m_inputRead = false;
 };
 
-/// What Mach's parameters tell of the machine: #5220. Its reference positions and what a probe found are
-/// refused, because only the machine knows them. Keeps a reference to the state.
+/// What Mach's parameters tell of the machine: #5220. Its reference positions, and what a probe found before
+/// the program, are refused, because only the machine knows them. Keeps a reference to the state.
 class OffsetValues : public SystemValues {
 public:
     explicit OffsetValues(const MachineState& state) : m_state(state) {}

@@ -7,6 +7,7 @@
 
 #include "core/nc/execution.h"
 #include "core/nc/handlers.h"
+#include "core/nc/machine_values.h"
 #include "core/nc/motion_building.h"
 #include "core/nc/probe_target.h"
 #include "core/nc/probing.h"
@@ -18,9 +19,7 @@ namespace {
 using Seek = ProbeTarget::Seek;
 using Kind = ProbeTarget::Answer::Kind;
 
-constexpr int kContact = 5061; ///< X; the other axes that LinuxCNC knows follow
-constexpr int kContactAxes = 9;
-constexpr int kSuccess = 5070;
+constexpr int kContactAxes = 9; ///< that LinuxCNC knows
 
 constexpr int kTowards = 382; ///< G38.2; those that tell no error are one tenth further
 constexpr int kAway = 384;
@@ -78,19 +77,17 @@ void tellAssumed(Execution& execution, const Word& word, const Message& message)
 /// The result in program coordinates, in the unit of the program.
 void storeResult(Execution& execution, bool success) {
     for (int axis = 0; axis < kContactAxes; ++axis)
-        execution.parameters.setNumbered(
-            kContact + axis, axis < 3 ? execution.state.fromMm(execution.state.probed.place[axis]) : 0.0);
-    execution.parameters.setNumbered(kSuccess, success ? 1 : 0);
+        execution.parameters.setNumbered(kProbeContact + axis,
+                                         axis < 3 ? execution.state.fromMm(execution.state.probed.place[axis])
+                                                  : 0.0);
+    execution.parameters.setNumbered(kProbeSuccess, success ? 1 : 0);
 }
 
-/// Mach's: X, Y and Z.
+/// Mach's, of the axes that there are.
 void storeMachResult(Execution& execution) {
-    constexpr int kFirst = 2000;
-    ProbeState& probed = execution.state.probed;
-    probed.firstResult = kFirst;
-    probed.lastResult = kFirst + 2;
-    for (int axis = 0; axis < 3; ++axis)
-        execution.parameters.setNumbered(kFirst + axis, execution.state.fromMm(probed.place[axis]));
+    for (int axis = 0; axis < kMachAxes; ++axis)
+        execution.parameters.setNumbered(
+            kMachProbed + axis, axis < 3 ? execution.state.fromMm(execution.state.probed.place[axis]) : 0.0);
 }
 
 /// What a machine answers with an error; it does not go on then.

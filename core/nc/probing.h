@@ -17,8 +17,6 @@ class Reporter;
 struct ProbeState {
     Vec3 place{0};          ///< where it stopped, in program coordinates, mm
     std::uint8_t axes = 0;  ///< AxisBits of the machine's position that it has left and nothing else has set
-    int firstResult = 5061; ///< parameters that hold the result; custom macro B has its own
-    int lastResult = 5070;
     bool simulated = false; ///< answered by the stock of the simulation
     bool asked = false;     ///< a probing motion was carried out
     bool assumedTold = false;

@@ -111,6 +111,13 @@ TEST(Probe, SkipMotionOfFanucKeepsWhereItStopped) {
     EXPECT_THAT(told(*probed("F100\nG31 Z5.\nG0 Z9.", DialectId::fanuc)), IsEmpty());
 }
 
+TEST(Probe, SkipMotionOfMachLeavesItsOwnParameters) {
+    const auto program = probed("F100\nG31 Z-5\nG0 Z9\nX1\nZ[#2002+2]", DialectId::mach);
+    ASSERT_EQ(program->motionCount(), 4U);
+    EXPECT_EQ(program->motion(3).end.z, 2);
+    EXPECT_THAT(told(*program), ElementsAre("2 probe-contact", "5 probe-used"));
+}
+
 TEST(Probe, OfFanucIsUsedInAStatement) {
     EXPECT_THAT(told(*probed("F100\nG31 Z-5.\nG0 Z9.\nIF[#5063 GT 1]THEN #1=2\nX1.", DialectId::fanuc)),
                 ElementsAre("2 probe-contact", "4 probe-used"));
