@@ -15,12 +15,20 @@ namespace {
 constexpr std::size_t kLinesPerLook = 1024; ///< lines between two looks at the stop token
 constexpr std::size_t kLinesPerTell = 65536;
 
+/// The row of the table with what the builder of the machine set.
+Dialect configured(DialectId id, const InterpretOptions& options) {
+    Dialect result = dialect(id);
+    result.vectors.typeB = options.compensationTypeB;
+    return result;
+}
+
 } // namespace
 
 Interpretation::Interpretation(const NcText& text, const InterpretOptions& options, DialectGuess guess,
                                const WorkContext& context)
-    : m_text(text), m_options(options), m_guess(std::move(guess)), m_dialect(dialect(m_guess.dialect)),
-      m_codes(codesOf(m_guess.dialect)), m_context(context), m_program(std::make_shared<Program>()),
+    : m_text(text), m_options(options), m_guess(std::move(guess)),
+      m_dialect(configured(m_guess.dialect, options)), m_codes(codesOf(m_guess.dialect)), m_context(context),
+      m_program(std::make_shared<Program>()),
       m_reporter(*m_program, options.file, options.maxDiagnostics, m_dialect.answer),
       m_run(m_dialect.macros, options.tools),
       m_calls(text, options.file, {options.maxSteps, options.subprogramFolders, m_dialect.deepestCalls},

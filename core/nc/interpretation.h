@@ -92,7 +92,7 @@ private:
     const NcText& m_text;
     const InterpretOptions& m_options;
     const DialectGuess m_guess;
-    const Dialect& m_dialect;
+    const Dialect m_dialect; ///< as the options set it
     const bool m_macroB = m_dialect.macros == MacroLanguage::macroB;
     const CodeTable& m_codes;
     const WorkContext& m_context;

@@ -24,8 +24,11 @@ struct InterpretOptions {
     std::string file; ///< name for diagnostics
     /// Nothing: by the signs in the text, which is told.
     std::optional<DialectId> dialect = DialectId::linuxcnc;
-    bool lint = true;          ///< tell also what is no error and yet seldom meant (lint.h)
-    bool blockDelete = false;  ///< skip blocks that begin with "/"
+    bool lint = true;         ///< tell also what is no error and yet seldom meant (lint.h)
+    bool blockDelete = false; ///< skip blocks that begin with "/"
+    /// Cutter compensation of Fanuc and Haas begins and ends round outside corners: type B of Fanuc's 5003#0,
+    /// and of Haas' setting 43.
+    bool compensationTypeB = false;
     std::optional<Vec3> start; ///< mm, before the first block; without it no axis is known
     /// `interpret`: start at 0,0,0, which is the machine's zero too; every motion counts as known.
     bool assumeStartAtZero = false;

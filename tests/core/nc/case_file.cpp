@@ -46,6 +46,8 @@ void apply(CaseFile& into, const std::string& key, const std::string& value) {
         into.options.lint = value == "yes";
     } else if (key == "delete") {
         into.options.blockDelete = value == "yes";
+    } else if (key == "start-up") {
+        into.options.compensationTypeB = value == "B";
     } else if (key == "tools") {
         std::map<int, ToolOffset> tools;
         for (std::string tool; std::getline(in, tool, ',');) {

@@ -15,7 +15,8 @@ namespace proveout::test {
 ///
 /// Keys: rule (required: the rule and where it is written), dialect (required), start ("x y z", or
 /// "unknown"; without it 0 0 0, which is the machine's zero too), tools ("1 d6 l50, 2 d10": diameters and
-/// lengths), delete ("yes": blocks that begin with "/" are skipped), lint ("yes": its
+/// lengths), delete ("yes": blocks that begin with "/" are skipped), start-up ("B": of cutter
+/// compensation), lint ("yes": its
 /// messages are among the steps).
 ///
 /// Steps, each with the line of the program that it comes from:
