@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The spindle in the canned cycles of Fanuc's dialect, which the case files do not show. Source: operator's
-// manual B-64304EN-2, II 4.1 and 4.2.
+// manual B-64304EN-2, canned cycles for drilling, rigid tapping.
 #include <gtest/gtest.h>
 #include <string>
 #include <vector>
