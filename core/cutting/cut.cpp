@@ -76,22 +76,32 @@ CutRecord takeAll(ZMap& zmap, const std::vector<std::size_t>& tiles, std::vector
     return record;
 }
 
-std::vector<TileCut> lowerAtOnce(ZMap& zmap, const std::vector<std::size_t>& tiles, const Sweep& sweep,
+/// A sweep, and how its inner loops see it.
+struct Work {
+    const Sweep& sweep;
+    std::vector<StraightPass> passes;
+
+    [[nodiscard]] TileCut lower(ZMap& zmap, std::size_t tile, const std::stop_token& stop) const {
+        return lowerTile(zmap, tile, sweep, passes, stop);
+    }
+};
+
+std::vector<TileCut> lowerAtOnce(ZMap& zmap, const std::vector<std::size_t>& tiles, const Work& work,
                                  const std::stop_token& stop) {
     std::vector<TileCut> done(tiles.size());
     tbb::parallel_for(std::size_t{0}, tiles.size(),
-                      [&](std::size_t k) { done[k] = lowerTile(zmap, tiles[k], sweep, stop); });
+                      [&](std::size_t k) { done[k] = work.lower(zmap, tiles[k], stop); });
     return done;
 }
 
-CutRecord lower(ZMap& zmap, const std::vector<std::size_t>& tiles, const Sweep& sweep, bool withThreads) {
+CutRecord lower(ZMap& zmap, const std::vector<std::size_t>& tiles, const Work& work, bool withThreads) {
     if (withThreads && tiles.size() > 1) {
-        std::vector<TileCut> done = lowerAtOnce(zmap, tiles, sweep, {});
+        std::vector<TileCut> done = lowerAtOnce(zmap, tiles, work, {});
         return takeAll(zmap, tiles, done);
     }
     CutRecord record;
     for (const std::size_t index : tiles) {
-        TileCut done = lowerTile(zmap, index, sweep, {});
+        TileCut done = work.lower(zmap, index, {});
         take(zmap, index, done, record);
     }
     return record;
@@ -99,9 +109,9 @@ CutRecord lower(ZMap& zmap, const std::vector<std::size_t>& tiles, const Sweep& 
 
 /// All tiles are lowered as copies, so that the map stays as it was where they do not all get done.
 std::optional<CutRecord> lowerUnlessStopped(ZMap& zmap, const std::vector<std::size_t>& tiles,
-                                            const Sweep& sweep, const std::stop_token& stop) {
+                                            const Work& work, const std::stop_token& stop) {
     (void)zmap.snapshot(); // from now on every tile counts as shared
-    std::vector<TileCut> done = lowerAtOnce(zmap, tiles, sweep, stop);
+    std::vector<TileCut> done = lowerAtOnce(zmap, tiles, work, stop);
     if (!std::ranges::all_of(done, &TileCut::complete))
         return std::nullopt;
     return takeAll(zmap, tiles, done);
@@ -127,10 +137,11 @@ std::optional<CutRecord> cut(ZMap& zmap, const Cutter& cutter, const Motion& mot
         return CutRecord();
     const std::vector<std::size_t> tiles = tilesToLower(zmap, sweep);
     const double points = pointsUnder(sweep, zmap.grid(), tiles.size());
+    const Work work{sweep, sweep.passes(zmap.grid().hx, zmap.grid().hy)};
     std::optional<CutRecord> record =
         stop.stop_possible() && points * sweep.costOfPoint() > kPointsWorthStopping
-            ? lowerUnlessStopped(zmap, tiles, sweep, stop)
-            : lower(zmap, tiles, sweep, points > kPointsWorthThreads);
+            ? lowerUnlessStopped(zmap, tiles, work, stop)
+            : lower(zmap, tiles, work, points > kPointsWorthThreads);
     if (record)
         record->removedMm3 *= zmap.grid().hx * zmap.grid().hy;
     return record;

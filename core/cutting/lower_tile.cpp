@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <limits>
 
@@ -69,36 +70,131 @@ double total(const LaneSums& sums) {
 /// The work on one tile, row by row.
 class TileWork {
 public:
-    TileWork(ZMap& zmap, std::size_t index, const Sweep& sweep, const std::stop_token& stop)
-        : m_zmap(zmap), m_index(index), m_sweep(sweep), m_stop(stop), m_grid(zmap.grid()),
+    TileWork(ZMap& zmap, std::size_t index, const Sweep& sweep, std::span<const StraightPass> passes,
+             const std::stop_token& stop)
+        : m_zmap(zmap), m_index(index), m_sweep(sweep), m_passes(passes), m_stop(stop), m_grid(zmap.grid()),
           m_rect(zmap.tileRect(index)), m_floor(zmap.floor()) {
         m_envelope.fill(kInfinity);
     }
 
     TileCut run() {
+        if (m_passes.empty())
+            lowerRows();
+        else
+            lowerBlocks();
+        finish();
+        return std::move(m_result);
+    }
+
+private:
+    [[nodiscard]] const Tile& tile() const { return m_tile != nullptr ? *m_tile : m_zmap.tile(m_index); }
+
+    [[nodiscard]] bool goesOn() {
+        m_result.complete = !m_stop.stop_requested();
+        return m_result.complete;
+    }
+
+    void lowerBlocks() {
+        const Vec2 first = Vec2(m_grid.x(m_rect.i0), m_grid.y(m_rect.j0)) - m_sweep.origin();
+        std::uint32_t below = 0;
+        for (const StraightPass& pass : m_passes)
+            below |= blocksBelow(pass.overTile(first.x, first.y), tile().blockMaxima.data(), pass.slack());
+        for (; below != 0 && goesOn(); below &= below - 1)
+            lowerBlock(std::countr_zero(below), first);
+    }
+
+    void lowerBlock(int block, const Vec2& first) {
+        if (tile().blockMaxima[static_cast<std::size_t>(block)] <= m_floor)
+            return;
+        const int i = block % Tile::kBlocks * Tile::kBlockSize;
+        const int j = block / Tile::kBlocks * Tile::kBlockSize;
+        const Vec2 corner = first + Vec2(i * m_grid.hx, j * m_grid.hy);
+        const float* from = &tile().heights[static_cast<std::size_t>(j * Tile::kSize + i)];
+        std::size_t stride = Tile::kSize;
+        Lowered lowered;
+        for (const StraightPass& pass : m_passes) {
+            proveout::lowerBlock(pass.overBlock(corner.x, corner.y), from, stride, m_floor, m_block);
+            lowered.add(m_block);
+            from = m_block.heights.data();
+            stride = BlockHeights::kSize;
+        }
+        if (lowered.rows != 0)
+            take(i, j, lowered);
+        if (Tile* own = m_tile != nullptr ? m_tile : m_zmap.ownedTile(m_index))
+            own->blockMaxima[static_cast<std::size_t>(block)] = m_block.maximum;
+    }
+
+    /// The points of a block that became lower by any of several passes.
+    struct Lowered {
+        std::array<std::uint16_t, BlockHeights::kSize> columns{}; ///< a bit a column, by row
+        std::uint32_t rows = 0;                                   ///< a bit a row
+
+        void add(const BlockHeights& block) {
+            rows |= block.rows;
+            for (std::size_t row = 0; row < columns.size(); ++row)
+                columns[row] |= block.lowered[row];
+        }
+    };
+
+    /// The block whose first point is (i, j) of the tile.
+    void take(int i, int j, const Lowered& lowered) {
+        acquire();
+        const int i0 = m_rect.i0 + i;
+        const int j0 = m_rect.j0 + j;
+        const bool inside =
+            i0 > 0 && j0 > 0 && i0 + BlockHeights::kSize < m_grid.nx && j0 + BlockHeights::kSize < m_grid.ny;
+        if (inside)
+            return takeInside(i, j, lowered);
+        for (int row = 0; row < BlockHeights::kSize; ++row) {
+            if (const std::uint32_t bits = lowered.columns[static_cast<std::size_t>(row)]; bits != 0)
+                takeRow(row, i, j + row, bits);
+        }
+    }
+
+    /// Points that all weigh the same.
+    void takeInside(int i, int j, const Lowered& lowered) {
+        const BlockLoss loss =
+            putRows(m_block, lowered.rows, &m_tile->heights[static_cast<std::size_t>(j * Tile::kSize + i)]);
+        m_blockLoss.sum += loss.sum;
+        m_blockLoss.depth = std::max(m_blockLoss.depth, loss.depth);
+        std::uint32_t columns = 0;
+        for (const std::uint32_t bits : lowered.columns) {
+            columns |= bits;
+            m_result.record.points += std::popcount(bits);
+        }
+        const int i0 = m_rect.i0 + i;
+        const int j0 = m_rect.j0 + j;
+        m_result.record.changed = hull(m_result.record.changed,
+                                       {i0 + std::countr_zero(columns), j0 + std::countr_zero(lowered.rows),
+                                        i0 + static_cast<int>(std::bit_width(columns)),
+                                        j0 + static_cast<int>(std::bit_width(lowered.rows))});
+    }
+
+    /// A row of a block in which points became lower.
+    void takeRow(int rowOfBlock, int begin, int row, std::uint32_t bits) {
+        const bool edge = isEdge(row);
+        lowerRow(&m_block.heights[static_cast<std::size_t>(rowOfBlock * BlockHeights::kSize)],
+                 &m_tile->heights[static_cast<std::size_t>(row * Tile::kSize + begin)],
+                 &m_removed[static_cast<std::size_t>(begin)], BlockHeights::kSize, m_floor,
+                 edge ? m_edge : m_inner);
+        note(row, {begin + std::countr_zero(bits), begin + static_cast<int>(std::bit_width(bits))}, edge);
+    }
+
+    void lowerRows() {
         const Box3& reach = m_sweep.reach();
         const double rows = m_rect.height();
         const double lo =
             std::clamp(std::ceil((reach.lo.y - m_grid.y0) / m_grid.hy - 1e-6) - m_rect.j0, 0.0, rows);
         const double hi =
             std::clamp(std::floor((reach.hi.y - m_grid.y0) / m_grid.hy + 1e-6) - m_rect.j0 + 1, 0.0, rows);
-        for (int row = static_cast<int>(lo); row < static_cast<int>(hi); ++row) {
-            if (m_stop.stop_requested()) {
-                m_result.complete = false;
-                break;
-            }
+        for (int row = static_cast<int>(lo); row < static_cast<int>(hi) && goesOn(); ++row)
             lower(row);
-        }
-        finish();
-        return std::move(m_result);
     }
 
-private:
     void lower(int row) {
         const RowPoints points{m_grid.x(m_rect.i0), m_grid.hx, m_grid.y(m_rect.j0 + row), m_rect.width()};
-        const Tile& tile = m_tile != nullptr ? *m_tile : m_zmap.tile(m_index);
         const Columns columns = m_sweep.row(
-            points, &tile.heights[static_cast<std::size_t>(row * Tile::kSize)], m_envelope.data());
+            points, &tile().heights[static_cast<std::size_t>(row * Tile::kSize)], m_envelope.data());
         if (columns.empty())
             return;
         const int begin = columns.begin / kLanes * kLanes;
@@ -109,15 +205,20 @@ private:
 
     /// Lowers the whole lanes [begin, end) about the columns that were asked.
     void lower(int row, const Columns& columns, int begin, int end) {
-        const Tile& tile = m_tile != nullptr ? *m_tile : m_zmap.tile(m_index);
         const auto at = static_cast<std::size_t>(row * Tile::kSize + begin);
-        if (!anyLower(&m_envelope[static_cast<std::size_t>(begin)], &tile.heights[at], end - begin, m_floor))
+        if (!anyLower(&m_envelope[static_cast<std::size_t>(begin)], &tile().heights[at], end - begin,
+                      m_floor))
             return;
         acquire();
-        const bool edge = m_rect.j0 + row == 0 || m_rect.j0 + row == m_grid.ny - 1;
+        const bool edge = isEdge(row);
         lowerRow(&m_envelope[static_cast<std::size_t>(begin)], &m_tile->heights[at],
                  &m_removed[static_cast<std::size_t>(begin)], end - begin, m_floor, edge ? m_edge : m_inner);
         note(row, columns, edge);
+    }
+
+    /// Of the map: what is there weighs half.
+    [[nodiscard]] bool isEdge(int row) const {
+        return m_rect.j0 + row == 0 || m_rect.j0 + row == m_grid.ny - 1;
     }
 
     void acquire() {
@@ -158,7 +259,10 @@ private:
                 record.maxDepth = std::max(record.maxDepth, static_cast<double>(sums->depth[lane]));
             }
         }
-        record.removedMm3 = total(m_inner) + total(m_edge) / 2 - m_columnHalves;
+        record.maxDepth = std::max(record.maxDepth, static_cast<double>(m_blockLoss.depth));
+        record.removedMm3 = m_blockLoss.sum + total(m_inner) + total(m_edge) / 2 - m_columnHalves;
+        if (!m_passes.empty())
+            return m_tile->takeMaximum();
         m_tile->loweredPoints += static_cast<std::uint32_t>(record.points);
         if (m_tile->loweredPoints >= kRefreshAfter)
             m_tile->refreshMaximum();
@@ -167,23 +271,27 @@ private:
     ZMap& m_zmap;
     std::size_t m_index;
     const Sweep& m_sweep;
+    std::span<const StraightPass> m_passes;
     const std::stop_token& m_stop;
     const Grid& m_grid;
     IndexRect m_rect;
     float m_floor;
     Tile* m_tile = nullptr;
+    BlockHeights m_block;
     Row m_envelope; ///< +infinity between two rows
     Row m_removed;
     LaneSums m_inner;
     LaneSums m_edge;
+    BlockLoss m_blockLoss;
     double m_columnHalves = 0;
     TileCut m_result;
 };
 
 } // namespace
 
-TileCut lowerTile(ZMap& zmap, std::size_t index, const Sweep& sweep, const std::stop_token& stop) {
-    return TileWork(zmap, index, sweep, stop).run();
+TileCut lowerTile(ZMap& zmap, std::size_t index, const Sweep& sweep, std::span<const StraightPass> passes,
+                  const std::stop_token& stop) {
+    return TileWork(zmap, index, sweep, passes, stop).run();
 }
 
 } // namespace proveout

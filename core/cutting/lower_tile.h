@@ -3,9 +3,11 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <stop_token>
 
 #include "core/cutting/cutting.h"
+#include "core/cutting/straight_pass.h"
 #include "core/cutting/sweep.h"
 #include "core/zmap/zmap.h"
 
@@ -20,9 +22,10 @@ struct TileCut {
 };
 
 /// Lowers tile `index` of the map in place, or a copy of it where it is shared; a tile of which nothing
-/// changes is never copied. Different tiles may be lowered at once. Looks at `stop` at every row: what was
-/// lowered in place until then stays lowered.
+/// changes is never copied. Different tiles may be lowered at once. `passes` are those of the sweep over the
+/// map's grid, or none: then it is asked row by row. Looks at `stop` at every row: what was lowered in place
+/// until then stays lowered.
 [[nodiscard]] TileCut lowerTile(ZMap& zmap, std::size_t index, const Sweep& sweep,
-                                const std::stop_token& stop);
+                                std::span<const StraightPass> passes, const std::stop_token& stop);
 
 } // namespace proveout

@@ -66,6 +66,17 @@ Sweep::Sweep(const Cutter& cutter, const Motion& motion, double topZ)
     m_reach.hi = box.hi + base + Vec3(m_rim, m_rim, lowestOfProfile);
 }
 
+std::vector<StraightPass> Sweep::passes(double hx, double hy) const {
+    std::vector<StraightPass> passes;
+    if (m_arc || !std::ranges::all_of(m_profiles, [&](const ConvexProfile& profile) {
+            return StraightPass::suffices(profile, m_straight, hx, hy);
+        }))
+        return passes;
+    for (const ConvexProfile& profile : m_profiles)
+        passes.emplace_back(profile, m_straight, hx, hy);
+    return passes;
+}
+
 double Sweep::costOfPoint() const {
     constexpr double kSearch = 400; // measured: 8 µs against 20 ns
     return m_arc ? kSearch * static_cast<double>(m_parts.size()) : 1;

@@ -7,6 +7,7 @@
 #include "core/base/geometry.h"
 #include "core/cutting/arc_sweep.h"
 #include "core/cutting/row_points.h"
+#include "core/cutting/straight_pass.h"
 #include "core/cutting/straight_sweep.h"
 #include "core/nc/motion.h"
 
@@ -26,6 +27,12 @@ public:
     [[nodiscard]] const Box3& reach() const { return m_reach; }
     /// The lowest height that the cutter reaches anywhere.
     [[nodiscard]] double lowest() const { return m_reach.lo.z; }
+
+    /// Where the coordinates of passes() begin, over ground.
+    [[nodiscard]] Vec2 origin() const { return Vec2(m_origin); }
+    /// A straight motion as inner loops see it over a grid, a pass a profile. None for arcs, and where single
+    /// precision does not suffice.
+    [[nodiscard]] std::vector<StraightPass> passes(double hx, double hy) const;
 
     /// The work on one point at most, as a multiple of that on a point of a straight motion.
     [[nodiscard]] double costOfPoint() const;

@@ -6,17 +6,26 @@
 namespace proveout {
 
 void Tile::refreshMaximum() {
-    // Lanes side by side, so that the compiler can keep them in vector registers.
-    constexpr std::size_t kLanes = 32;
-    static_assert((std::size_t{kSize} * kSize) % kLanes == 0);
-    std::array<float, kLanes> lanes;
-    std::copy_n(heights.begin(), kLanes, lanes.begin());
-    for (std::size_t i = kLanes; i < heights.size(); i += kLanes) {
-        for (std::size_t lane = 0; lane < kLanes; ++lane)
-            lanes[lane] = heights[i + lane] > lanes[lane] ? heights[i + lane] : lanes[lane];
+    for (int block = 0; block < kBlocks * kBlocks; ++block) {
+        const float* first = &heights[static_cast<std::size_t>(block / kBlocks * kBlockSize * kSize +
+                                                               block % kBlocks * kBlockSize)];
+        // Lanes side by side, so that the compiler can keep them in vector registers.
+        std::array<float, kBlockSize> lanes;
+        std::copy_n(first, kBlockSize, lanes.begin());
+        for (int row = 1; row < kBlockSize; ++row) {
+            for (std::size_t lane = 0; lane < kBlockSize; ++lane) {
+                const float height = first[static_cast<std::size_t>(row * kSize) + lane];
+                lanes[lane] = height > lanes[lane] ? height : lanes[lane];
+            }
+        }
+        blockMaxima[static_cast<std::size_t>(block)] = *std::ranges::max_element(lanes);
     }
-    maximum = *std::max_element(lanes.begin(), lanes.end());
+    takeMaximum();
     loweredPoints = 0;
+}
+
+void Tile::takeMaximum() {
+    maximum = *std::ranges::max_element(blockMaxima);
 }
 
 } // namespace proveout

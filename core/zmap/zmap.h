@@ -17,13 +17,20 @@ namespace proveout {
 /// A square of 64 × 64 heights, row by row, contiguous. Points outside the grid hold `floor`.
 struct Tile {
     static constexpr int kSize = 64;
+    /// Cutting looks at blocks of 16 × 16 points, 4 × 4 of them a tile, counted row by row.
+    static constexpr int kBlockSize = 16;
+    static constexpr int kBlocks = kSize / kBlockSize;
+
     std::array<float, std::size_t{kSize} * kSize> heights;
-    float maximum = 0;               ///< an upper bound of all heights; exact after refreshMaximum()
-    std::uint32_t loweredPoints = 0; ///< points lowered since then: the writer's hint that a refresh pays
+    std::array<float, std::size_t{kBlocks} * kBlocks>
+        blockMaxima{};               ///< upper bounds of the heights of each block
+    float maximum = 0;               ///< an upper bound of all heights: the largest of the blocks'
+    std::uint32_t loweredPoints = 0; ///< since refreshMaximum(): the writer's hint that another one pays
 
     [[nodiscard]] float& at(int i, int j) { return heights[static_cast<std::size_t>(j * kSize + i)]; }
     [[nodiscard]] float at(int i, int j) const { return heights[static_cast<std::size_t>(j * kSize + i)]; }
-    void refreshMaximum();
+    void refreshMaximum(); ///< makes all bounds exact
+    void takeMaximum();    ///< of the blocks'
 };
 
 /// The grid points of tile `index`, tiles counted row by row.

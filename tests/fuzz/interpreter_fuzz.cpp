@@ -47,8 +47,8 @@ InterpretOptions optionsOf(unsigned choice) {
         options.tools = someTools();
     // An execution has to be quick.
     options.maxDiagnostics = (choice & kFew) != 0 ? 10 : options.maxDiagnostics;
-    options.maxMotions = (choice & kFew) != 0 ? 5 : 2000;
-    options.maxSteps = 2000;
+    options.maxMotions = (choice & kFew) != 0 ? 5 : 400;
+    options.maxSteps = 400;
     return options;
 }
 

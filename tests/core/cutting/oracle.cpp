@@ -13,7 +13,7 @@ namespace proveout {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr double kRimMask = 1e-6;
+constexpr double kRimMask = 2e-5; // where a micrometre over ground is many of height
 
 /// The profile by its shape's own formula would be more independent still; Cutter::height is checked against
 /// those in cutter_test.

@@ -10,7 +10,7 @@ namespace proveout {
 
 struct OracleHeight {
     double z;   ///< absolute; +infinity where the cutter never comes
-    bool onRim; ///< a nearest place of the path is within 1e-6 mm of the rim: not to be compared
+    bool onRim; ///< a nearest place of the path is within 2e-5 mm of the rim: not to be compared
 };
 
 /// The place of the tip; the formula of the contract in motion.h, once more.

@@ -124,14 +124,14 @@ std::string told(const Cutter& cutter, const Motion& m) {
 }
 
 double largestError(const Cutter& cutter, const Motion& motion, const StockBox& stock, double spacing,
-                    int samples) {
+                    int samples, int stride) {
     const Grid grid = makeGrid(stock, spacing).value();
     ZMap zmap(stock, grid);
     (void)cut(zmap, cutter, motion);
     const ZMapSnapshot moment = zmap.snapshot();
     double largest = 0;
-    for (int j = 0; j < grid.ny; ++j) {
-        for (int i = 0; i < grid.nx; ++i) {
+    for (int j = 0; j < grid.ny; j += stride) {
+        for (int i = 0; i < grid.nx; i += stride) {
             const OracleHeight truth = oracleEnvelope(cutter, motion, grid.x(i), grid.y(j), samples);
             if (truth.onRim)
                 continue;

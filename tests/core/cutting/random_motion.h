@@ -33,8 +33,9 @@ enum class ArcKind { level, helix, spiral, turns };
 /// What to print when a random case fails.
 [[nodiscard]] std::string told(const Cutter& cutter, const Motion& motion);
 
-/// The largest difference of `cut` from the oracle over all points of a fresh map, rim points left out.
+/// The largest difference of `cut` from the oracle over every `stride`-th row and column of points of a fresh
+/// map, rim points left out.
 [[nodiscard]] double largestError(const Cutter& cutter, const Motion& motion, const StockBox& stock,
-                                  double spacing, int samples);
+                                  double spacing, int samples, int stride = 1);
 
 } // namespace proveout

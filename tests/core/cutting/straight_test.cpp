@@ -2,14 +2,15 @@
 // Straight motions of all shapes and slopes against the brute-force oracle.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <utility>
 
 #include "tests/core/cutting/random_motion.h"
 
 namespace proveout {
 namespace {
 
-/// The promise is 1e-3 mm; float32 heights down to 30 mm leave far less, so that is what is asked.
-constexpr double kAllowed = 2e-5;
+/// The promise is 1e-3 mm; what single precision leaves of it, so that is what is asked.
+constexpr double kAllowed = 1e-4;
 constexpr int kSamples = 300;
 
 using Case = std::tuple<std::string, StraightKind>;
@@ -25,9 +26,12 @@ TEST_P(StraightMotions, AgreeWithTheOracle) {
         const Cutter cutter = randomCutter(random, shape);
         const Motion motion = randomStraight(random, stock, kind);
         SCOPED_TRACE(fmt::format("seed {} {}", seed, told(cutter, motion)));
-        const double error = largestError(cutter, motion, stock, 1.5, kSamples);
-        EXPECT_LE(error, kAllowed);
-        largest = std::max(largest, error);
+        // The points lie close together in single precision, far apart in double precision.
+        for (const auto& [spacing, stride] : {std::pair{0.15, 10}, {1.5, 1}}) {
+            const double error = largestError(cutter, motion, stock, spacing, kSamples, stride);
+            EXPECT_LE(error, kAllowed) << "spacing " << spacing;
+            largest = std::max(largest, error);
+        }
     }
     RecordProperty("largestErrorMm", fmt::format("{:.2e}", largest));
 }

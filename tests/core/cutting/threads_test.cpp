@@ -71,12 +71,13 @@ TEST(Threads, LowerDifferentTilesAtOnce) {
         if (k % 2 == 0)
             held = zmap.snapshot();
         const Sweep sweep(cutter, motion, stock.topZ());
+        const auto passes = sweep.passes(grid.hx, grid.hy);
         std::vector<TileCut> done(zmap.tileCount());
         std::vector<std::thread> workers;
         for (std::size_t worker = 0; worker < kThreads; ++worker)
             workers.emplace_back([&, worker] {
                 for (std::size_t tile = worker; tile < done.size(); tile += kThreads)
-                    done[tile] = lowerTile(zmap, tile, sweep, {});
+                    done[tile] = lowerTile(zmap, tile, sweep, passes, {});
             });
         for (std::thread& worker : workers)
             worker.join();

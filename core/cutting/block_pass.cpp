@@ -1,0 +1,370 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Compiled once an instruction set; the best that the processor has is taken where a function is first
+// called.
+#include "core/cutting/block_pass.h"
+
+#include <bit>
+
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/cutting/block_pass.cpp"
+// Before Highway: its headers are compiled again and again.
+#include <hwy/foreach_target.h> // IWYU pragma: keep
+#include <hwy/highway.h>
+
+HWY_BEFORE_NAMESPACE();
+namespace proveout {
+namespace HWY_NAMESPACE {
+namespace {
+
+namespace hn = hwy::HWY_NAMESPACE;
+
+/// A row of a block is as wide as the widest vector.
+using Floats = hn::CappedTag<float, BlockHeights::kSize>;
+using V = hn::Vec<Floats>;
+using M = hn::Mask<Floats>;
+
+constexpr Floats kFloats;
+constexpr int kMostSteps = 60;  ///< of Newton
+constexpr float kStill = 1e-5F; ///< of a sine; what stands still is lowest there to its square
+constexpr float kTiny = 1e-30F;
+
+HWY_INLINE V all(float value) {
+    return hn::Set(kFloats, value);
+}
+/// Square root of what may be below zero by rounding. Correctly rounded everywhere.
+HWY_INLINE V rootOf(V value) {
+    return hn::Sqrt(hn::Max(value, hn::Zero(kFloats)));
+}
+HWY_INLINE V square(V value) {
+    return hn::Mul(value, value);
+}
+
+// A product is rounded before it is added to, although processors can do otherwise: those that cannot would
+// give other bits.
+HWY_INLINE V productPlus(V a, V b, V c) {
+    return hn::Add(hn::Mul(a, b), c);
+}
+HWY_INLINE V productMinus(V a, V b, V c) {
+    return hn::Sub(hn::Mul(a, b), c);
+}
+/// c - a·b
+HWY_INLINE V minusProduct(V a, V b, V c) {
+    return hn::Sub(c, hn::Mul(a, b));
+}
+
+HWY_INLINE std::uint32_t bitsOf(M mask) {
+    std::uint8_t bytes[8] = {}; // as many as are written at most
+    hn::StoreMaskBits(kFloats, mask, bytes);
+    return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
+}
+
+// The profile's height above its reference, by the squared distance from the axis.
+
+struct FlatForm {
+    explicit FlatForm(const BlockPass&) {}
+    HWY_INLINE V height(V) const { return hn::Zero(kFloats); }
+};
+
+struct LineForm {
+    V flatTo, rise;
+    explicit LineForm(const BlockPass& pass) : flatTo(all(pass.flatTo)), rise(all(pass.rise)) {}
+    HWY_INLINE V height(V distance2) const {
+        return hn::Mul(rise, hn::Max(hn::Sub(hn::Sqrt(distance2), flatTo), hn::Zero(kFloats)));
+    }
+};
+
+struct BallForm {
+    V radius2;
+    explicit BallForm(const BlockPass& pass) : radius2(all(pass.radius * pass.radius)) {}
+    HWY_INLINE V height(V distance2) const { return hn::Neg(rootOf(hn::Sub(radius2, distance2))); }
+};
+
+struct CornerForm {
+    V flatTo, ring, radius2;
+    explicit CornerForm(const BlockPass& pass)
+        : flatTo(all(pass.flatTo)), ring(all(pass.ring)), radius2(all(pass.radius * pass.radius)) {}
+    HWY_INLINE V height(V distance2) const {
+        const V out = hn::Sub(hn::Max(hn::Sqrt(distance2), flatTo), ring);
+        return hn::Neg(rootOf(minusProduct(out, out, radius2)));
+    }
+};
+
+// How far ahead of a point the cutter stands, on a slope, where it is lowest over it; by the distance across.
+
+struct RimLead {
+    V rim2;
+    explicit RimLead(const BlockPass& pass) : rim2(all(pass.rim2)) {}
+    HWY_INLINE V operator()(V across2) const { return rootOf(hn::Sub(rim2, across2)); }
+};
+
+struct LineLead {
+    V rate2, flatTo2, rim2;
+    explicit LineLead(const BlockPass& pass)
+        : rate2(all(pass.lead)), flatTo2(all(pass.flatTo * pass.flatTo)), rim2(all(pass.rim2)) {}
+    HWY_INLINE V operator()(V across2) const {
+        const V lead2 = hn::Max(hn::Mul(rate2, across2), hn::Sub(flatTo2, across2));
+        return rootOf(hn::Min(lead2, hn::Sub(rim2, across2)));
+    }
+};
+
+struct BallLead {
+    V rate, radius2, rim2;
+    explicit BallLead(const BlockPass& pass)
+        : rate(all(pass.lead)), radius2(all(pass.radius * pass.radius)), rim2(all(pass.rim2)) {}
+    HWY_INLINE V operator()(V across2) const {
+        return hn::Min(hn::Mul(rate, rootOf(hn::Sub(radius2, across2))), rootOf(hn::Sub(rim2, across2)));
+    }
+};
+
+/// See touchingRadius() in straight_sweep.cpp. Every lane stops by itself, so that its steps do not depend on
+/// its neighbours, nor on how many there are.
+struct CornerLead {
+    V ring, corner, fall, fall2, flatTo2, rim2;
+    explicit CornerLead(const BlockPass& pass)
+        : ring(all(pass.ring)), corner(all(pass.radius)), fall(hn::Abs(all(pass.slope))), fall2(square(fall)),
+          flatTo2(all(pass.flatTo * pass.flatTo)), rim2(all(pass.rim2)) {}
+
+    HWY_INLINE V sine(V r, V across2) const {
+        const V r2 = square(r);
+        return hn::Div(hn::Mul(fall, r),
+                       hn::Sqrt(hn::Max(productPlus(fall2, r2, hn::Sub(r2, across2)), all(kTiny))));
+    }
+    HWY_INLINE V step(V sigma, V across2) const {
+        const V one = all(1);
+        const V r = productPlus(corner, sigma, ring);
+        const V reach = productMinus(r, r, across2);
+        const V sigma2 = square(sigma);
+        const V cosine2 = hn::Sub(one, sigma2);
+        const V weight = hn::Mul(fall2, r);
+        const V value = minusProduct(hn::Mul(weight, r), cosine2, hn::Mul(sigma2, reach));
+        const V inward = hn::Mul(corner, minusProduct(weight, cosine2, hn::Mul(r, sigma2)));
+        const V rise = productPlus(sigma, productPlus(weight, r, reach), inward);
+        return hn::Div(hn::Mul(all(0.5F), value), rise);
+    }
+    HWY_INLINE V operator()(V across2) const {
+        const V within2 = hn::Min(across2, rim2);
+        const V low =
+            hn::Max(sine(hn::Add(ring, corner), within2), hn::Div(hn::Sub(hn::Sqrt(within2), ring), corner));
+        V sigma = hn::Min(all(1), sine(productPlus(corner, low, ring), within2));
+        M moving = hn::Eq(sigma, sigma);
+        for (int k = 0; k < kMostSteps; ++k) {
+            const V back = step(sigma, within2);
+            moving = hn::And(moving, hn::Gt(back, all(kStill)));
+            if (hn::AllFalse(kFloats, moving))
+                break;
+            sigma = hn::IfThenElse(moving, hn::Sub(sigma, back), sigma);
+        }
+        const V r = productPlus(corner, sigma, ring);
+        const V lead2 = hn::Max(productMinus(r, r, within2), hn::Sub(flatTo2, within2));
+        return rootOf(hn::Min(lead2, hn::Sub(rim2, within2)));
+    }
+};
+
+/// The envelope, and which lanes are under the cutter.
+struct Cut {
+    V z;
+    M under;
+};
+
+template<class Form>
+struct LevelEnvelope {
+    Form form;
+    V begin, end, z, rim2;
+    explicit LevelEnvelope(const BlockPass& pass)
+        : form(pass), begin(all(pass.begin)), end(all(pass.end)), z(all(pass.z)), rim2(all(pass.rim2)) {}
+    HWY_INLINE Cut operator()(V along, V across) const {
+        const V off = hn::Sub(along, hn::Min(hn::Max(along, begin), end));
+        const V distance2 = productPlus(off, off, square(across));
+        return {hn::Add(z, form.height(distance2)), hn::Le(distance2, rim2)};
+    }
+};
+
+template<class Form, class Lead>
+struct SlopedEnvelope {
+    Form form;
+    Lead lead;
+    V begin, end, z, slope, ahead, rim2;
+    explicit SlopedEnvelope(const BlockPass& pass)
+        : form(pass), lead(pass), begin(all(pass.begin)), end(all(pass.end)), z(all(pass.z)),
+          slope(all(pass.slope)), ahead(all(pass.slope < 0 ? 1.0F : -1.0F)), rim2(all(pass.rim2)) {}
+    HWY_INLINE Cut operator()(V along, V across) const {
+        const V across2 = square(across);
+        const V off = hn::Sub(along, hn::Min(hn::Max(along, begin), end));
+        const M under = hn::Le(productPlus(off, off, across2), rim2);
+        const V place = hn::Min(hn::Max(productPlus(ahead, lead(across2), along), begin), end);
+        const V away = hn::Sub(along, place);
+        const V height = form.height(productPlus(away, away, across2));
+        return {hn::Add(productPlus(slope, place, z), height), under};
+    }
+};
+
+/// Calls `work` with the envelope of a pass: one type a form and slope, so that loops are compiled for it.
+template<class Work>
+HWY_INLINE void withEnvelope(const BlockPass& pass, const Work& work) {
+    switch (pass.form) {
+    case BlockPass::Form::flat:
+        if (pass.level)
+            return work(LevelEnvelope<FlatForm>(pass));
+        return work(SlopedEnvelope<FlatForm, RimLead>(pass));
+    case BlockPass::Form::line:
+        if (pass.level)
+            return work(LevelEnvelope<LineForm>(pass));
+        if (pass.lead < 0)
+            return work(SlopedEnvelope<LineForm, RimLead>(pass));
+        return work(SlopedEnvelope<LineForm, LineLead>(pass));
+    case BlockPass::Form::ball:
+        if (pass.level)
+            return work(LevelEnvelope<BallForm>(pass));
+        return work(SlopedEnvelope<BallForm, BallLead>(pass));
+    case BlockPass::Form::corner:
+        if (pass.level)
+            return work(LevelEnvelope<CornerForm>(pass));
+        return work(SlopedEnvelope<CornerForm, CornerLead>(pass));
+    }
+}
+
+/// 0, 1, … 15 times a step, from `start`.
+struct Ramp {
+    V steps[BlockHeights::kSize];
+    explicit Ramp(float step) {
+        for (std::size_t k = 0; k * hn::Lanes(kFloats) < BlockHeights::kSize; ++k)
+            steps[k] = hn::Mul(all(step), hn::Iota(kFloats, static_cast<float>(k * hn::Lanes(kFloats))));
+    }
+};
+
+void LowerBlock(const BlockPass& pass, const float* heights, std::size_t stride, float floor,
+                BlockHeights& result) {
+    constexpr std::size_t kSize = BlockHeights::kSize;
+    const std::size_t lanes = hn::Lanes(kFloats);
+    withEnvelope(pass, [&](const auto& envelope) HWY_ATTR {
+        const Ramp along(pass.alongX);
+        const Ramp across(pass.acrossX);
+        const V lowest = all(floor);
+        V maximum = lowest;
+        result.rows = 0;
+        for (std::size_t row = 0; row < kSize; ++row) {
+            const V alongRow = all(pass.along + static_cast<float>(row) * pass.alongY);
+            const V acrossRow = all(pass.across + static_cast<float>(row) * pass.acrossY);
+            const float* old = heights + row * stride;
+            std::uint32_t bits = 0;
+            for (std::size_t column = 0; column < kSize; column += lanes) {
+                const V before = hn::LoadU(kFloats, old + column);
+                const Cut cut = envelope(hn::Add(alongRow, along.steps[column / lanes]),
+                                         hn::Add(acrossRow, across.steps[column / lanes]));
+                const V z = hn::Max(cut.z, lowest);
+                const M lower = hn::And(cut.under, hn::Lt(z, before));
+                const V now = hn::IfThenElse(lower, z, before);
+                maximum = hn::Max(maximum, now);
+                hn::Store(now, kFloats, &result.heights[row * kSize + column]);
+                bits |= bitsOf(lower) << column;
+            }
+            result.lowered[row] = static_cast<std::uint16_t>(bits);
+            result.rows |= static_cast<std::uint32_t>(bits != 0) << row;
+        }
+        result.maximum = hn::GetLane(hn::MaxOfLanes(kFloats, maximum));
+    });
+}
+
+#if HWY_TARGET == HWY_SCALAR
+using Doubles = hn::Rebind<double, Floats>; // of one lane there are no halves
+#else
+using Doubles = hn::Rebind<double, hn::Half<Floats>>;
+#endif
+
+/// Sums, column by column, in double precision.
+struct ColumnSums {
+    using Sum = hn::Vec<Doubles>;
+    Sum sums[BlockHeights::kSize];
+
+    ColumnSums() {
+        for (Sum& sum : sums)
+            sum = hn::Zero(Doubles());
+    }
+    /// `at`: the index of the vector in its row.
+    HWY_INLINE void add(std::size_t at, V values) {
+#if HWY_TARGET == HWY_SCALAR
+        sums[at] = hn::Add(sums[at], hn::PromoteTo(Doubles(), values));
+#else
+        sums[2 * at] = hn::Add(sums[2 * at], hn::PromoteTo(Doubles(), hn::LowerHalf(values)));
+        const auto upper = hn::UpperHalf(hn::Half<Floats>(), values);
+        sums[2 * at + 1] = hn::Add(sums[2 * at + 1], hn::PromoteTo(Doubles(), upper));
+#endif
+    }
+    [[nodiscard]] double total() const {
+        alignas(64) double columns[BlockHeights::kSize];
+        for (std::size_t k = 0; k * hn::Lanes(Doubles()) < BlockHeights::kSize; ++k)
+            hn::Store(sums[k], Doubles(), columns + k * hn::Lanes(Doubles()));
+        double total = 0;
+        for (const double column : columns)
+            total += column;
+        return total;
+    }
+};
+
+BlockLoss PutRows(const BlockHeights& block, std::uint32_t rows, float* heights) {
+    ColumnSums sums;
+    V depth = hn::Zero(kFloats);
+    const std::size_t lanes = hn::Lanes(kFloats);
+    for (; rows != 0; rows &= rows - 1) {
+        const auto row = static_cast<std::size_t>(std::countr_zero(rows));
+        float* old = heights + row * Tile::kSize;
+        for (std::size_t column = 0; column < BlockHeights::kSize; column += lanes) {
+            const V now = hn::Load(kFloats, &block.heights[row * BlockHeights::kSize + column]);
+            const V lost = hn::Sub(hn::LoadU(kFloats, old + column), now);
+            hn::StoreU(now, kFloats, old + column);
+            depth = hn::Max(depth, lost);
+            sums.add(column / lanes, lost);
+        }
+    }
+    return {sums.total(), hn::GetLane(hn::MaxOfLanes(kFloats, depth))};
+}
+
+std::uint32_t BlocksBelow(const BlockPass& pass, const float* maxima, float slack) {
+    std::uint32_t found = 0;
+    const std::size_t lanes = hn::Lanes(kFloats);
+    constexpr std::size_t kBlocks = std::size_t{Tile::kBlocks} * Tile::kBlocks;
+    withEnvelope(pass, [&](const auto& envelope) HWY_ATTR {
+        for (std::size_t block = 0; block < kBlocks; block += lanes) {
+            const V index = hn::Iota(kFloats, static_cast<float>(block));
+            const V row = hn::Floor(hn::Mul(index, all(1.0F / Tile::kBlocks)));
+            const V column = minusProduct(row, all(Tile::kBlocks), index);
+            const V along =
+                productPlus(row, all(pass.alongY), productPlus(column, all(pass.alongX), all(pass.along)));
+            const V across =
+                productPlus(row, all(pass.acrossY), productPlus(column, all(pass.acrossX), all(pass.across)));
+            const Cut cut = envelope(along, across);
+            const V above = hn::LoadU(kFloats, maxima + block);
+            const M below = hn::And(cut.under, hn::Lt(hn::Sub(cut.z, all(slack)), above));
+            found |= bitsOf(below) << block;
+        }
+    });
+    return found;
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace proveout
+HWY_AFTER_NAMESPACE();
+
+#if HWY_ONCE
+namespace proveout {
+
+HWY_EXPORT(LowerBlock);
+HWY_EXPORT(PutRows);
+HWY_EXPORT(BlocksBelow);
+
+void lowerBlock(const BlockPass& pass, const float* heights, std::size_t stride, float floor,
+                BlockHeights& result) {
+    HWY_DYNAMIC_DISPATCH(LowerBlock)(pass, heights, stride, floor, result);
+}
+
+BlockLoss putRows(const BlockHeights& block, std::uint32_t rows, float* heights) {
+    return HWY_DYNAMIC_DISPATCH(PutRows)(block, rows, heights);
+}
+
+std::uint32_t blocksBelow(const BlockPass& pass, const float* maxima, float slack) {
+    return HWY_DYNAMIC_DISPATCH(BlocksBelow)(pass, maxima, slack);
+}
+
+} // namespace proveout
+#endif

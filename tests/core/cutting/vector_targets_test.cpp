@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The inner loops of every instruction set that this processor has.
+#include <cstdint>
+#include <gtest/gtest.h>
+#include <hwy/targets.h>
+#include <iostream>
+#include <string>
+#include <vector>
+
+#include "core/cutting/cutting.h"
+#include "tests/core/cutting/random_motion.h"
+#include "tests/random_seed.h"
+
+namespace proveout {
+namespace {
+
+const StockBox kStock{{-3, 5, 2}, 40, 36, 12};
+constexpr int kMotions = 200;
+
+/// Heights after random straight motions of all shapes and slopes, cut with one instruction set.
+std::vector<float> heightsWith(std::int64_t target, std::uint32_t seed) {
+    hwy::SetSupportedTargetsForTest(target);
+    Random random(seed);
+    const Grid grid = makeGrid(kStock, 0.1).value();
+    ZMap zmap(kStock, grid);
+    const char* shapes[] = {"flat", "ball", "bull", "cone"};
+    for (int k = 0; k < kMotions; ++k) {
+        const Cutter cutter = randomCutter(random, shapes[k % 4]);
+        (void)cut(zmap, cutter, randomStraight(random, kStock, static_cast<StraightKind>(k % 5)));
+    }
+    hwy::SetSupportedTargetsForTest(0);
+    std::vector<float> heights(static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny));
+    zmap.snapshot().read({0, 0, grid.nx, grid.ny}, heights);
+    return heights;
+}
+
+TEST(VectorTargets, GiveTheSameHeightsToTheLastBit) {
+    const std::uint32_t seed = randomSeed();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
+    const std::vector<float> best = heightsWith(targets.front(), seed);
+    for (const std::int64_t target : targets) {
+        std::cout << hwy::TargetName(target) << "\n";
+        EXPECT_EQ(heightsWith(target, seed), best) << hwy::TargetName(target);
+    }
+}
+
+} // namespace
+} // namespace proveout
