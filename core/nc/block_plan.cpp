@@ -307,13 +307,19 @@ private:
     const Word* m_machineWord = nullptr; ///< G53
 };
 
+bool isRefused(WithCompensation with, const CutterCompensation& compensation) {
+    if (with == WithCompensation::refusedBeside && compensation.leaving())
+        return true;
+    return with != WithCompensation::allowed && compensation.on;
+}
+
 } // namespace
 
 void BlockPlan::run(Execution& execution) const {
     for (std::uint64_t rest = m_present; rest != 0; rest &= rest - 1) {
         const Order& order = m_orders[static_cast<std::size_t>(std::countr_zero(rest))];
         // Asked only now: G40 of the same block comes first.
-        if (order.withCompensation == WithCompensation::refused && execution.state.compensation.on)
+        if (isRefused(order.withCompensation, execution.state.compensation))
             execution.reporter.tell(nc_message::kCompensationForbids, *order.word, {nameOf(*order.word)});
         else
             order.handler(execution, *order.word);

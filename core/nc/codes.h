@@ -108,7 +108,11 @@ enum class AxisUse : std::uint8_t {
 };
 
 /// What happens to a code while cutter compensation is on.
-enum class WithCompensation : std::uint8_t { allowed, refused };
+enum class WithCompensation : std::uint8_t {
+    allowed,
+    refused,
+    refusedBeside, ///< and as long as the tool stands beside the path, which G40 alone does not change
+};
 
 struct CodeRow {
     char letter; ///< G or M

@@ -11,8 +11,8 @@ namespace {
 
 // clang-format off
 constexpr CodeRow kHaas[] = {
-    {'G', 120, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "clockwise circular pocket"), millPocketClockwise, Step::nonModal, LetterSet("ZIKQDL"), AxisUse::takes, WithCompensation::refused},
-    {'G', 130, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "counter-clockwise circular pocket"), millPocketCounterClockwise, Step::nonModal, LetterSet("ZIKQDL"), AxisUse::takes, WithCompensation::refused},
+    {'G', 120, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "clockwise circular pocket"), millPocketClockwise, Step::nonModal, LetterSet("ZIKQDL"), AxisUse::takes, WithCompensation::refusedBeside},
+    {'G', 130, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "counter-clockwise circular pocket"), millPocketCounterClockwise, Step::nonModal, LetterSet("ZIKQDL"), AxisUse::takes, WithCompensation::refusedBeside},
     {'G', 470, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "engraving of text"), nullptr, Step::none, {}, AxisUse::takes},
     {'G', 700, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "bolt hole circle"), drillBoltCircle, Step::nonModal, LetterSet("IJL"), AxisUse::takes, WithCompensation::refused},
     {'G', 710, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "bolt hole arc"), drillBoltArc, Step::nonModal, LetterSet("IJKL"), AxisUse::takes, WithCompensation::refused},

@@ -16,8 +16,8 @@ namespace {
 constexpr CodeRow kOwn[] = {
     {'G', 20, ModalGroup::motion, PROVEOUT_TEXT("Core", "clockwise arc"), moveArcClockwise, Step::motion, LetterSet("XYZIJKR")},
     {'G', 30, ModalGroup::motion, PROVEOUT_TEXT("Core", "counter-clockwise arc"), moveArcCounterClockwise, Step::motion, LetterSet("XYZIJKR")},
-    {'G', 120, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "clockwise circular pocket"), millCircleClockwise, Step::nonModal, LetterSet("I"), AxisUse::takes, WithCompensation::refused},
-    {'G', 130, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "counter-clockwise circular pocket"), millCircleCounterClockwise, Step::nonModal, LetterSet("I"), AxisUse::takes, WithCompensation::refused},
+    {'G', 120, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "clockwise circular pocket"), millCircleClockwise, Step::nonModal, LetterSet("I"), AxisUse::takes, WithCompensation::refusedBeside},
+    {'G', 130, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "counter-clockwise circular pocket"), millCircleCounterClockwise, Step::nonModal, LetterSet("I"), AxisUse::takes, WithCompensation::refusedBeside},
     {'G', 150, ModalGroup::polar, PROVEOUT_TEXT("Core", "polar coordinates off"), endPolar, Step::polar},
     {'G', 160, ModalGroup::polar, PROVEOUT_TEXT("Core", "polar coordinates on"), beginPolarHere, Step::polar},
     {'G', 281, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "seek the reference switches"), referenceAxes, Step::nonModal, LetterSet("XYZ"), AxisUse::takes, WithCompensation::refused},
