@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <cstdint>
 #include <span>
+#include <string>
+#include <string_view>
 #include <vector>
 
 namespace proveout {
@@ -51,6 +53,7 @@ public:
 
     void clear() {
         m_letters = {};
+        m_called.clear();
         m_codeCount = 0;
         m_earlier.clear();
     }
@@ -87,6 +90,9 @@ public:
     [[nodiscard]] std::span<const Word> codes() const { return {m_codes.data(), m_codeCount}; }
     /// Words whose letter came once more, in the order of the text.
     [[nodiscard]] std::span<const Word> earlier() const { return m_earlier; }
+    /// The name between < and > of the program that the block calls; empty where it gives none.
+    [[nodiscard]] const std::string& called() const { return m_called; }
+    void setCalled(std::string_view name) { m_called = name; }
     [[nodiscard]] bool empty() const { return m_letters.empty() && m_codeCount == 0; }
 
 private:
@@ -95,6 +101,7 @@ private:
     static constexpr std::size_t kLetters = '^' - '@' + 1;
 
     LetterSet m_letters;
+    std::string m_called;
     std::size_t m_codeCount = 0;
     std::array<Word, kLetters> m_words;
     std::array<Word, kMostCodes> m_codes;

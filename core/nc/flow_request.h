@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <string>
 
 #include "core/nc/block.h"
 #include "core/nc/parameters.h"
@@ -25,6 +26,7 @@ struct FlowRequest {
     int repeats = 1;
     Word word;                      ///< that asked for it
     Parameters::Locals arguments{}; ///< of macros
+    std::string name{};             ///< of the program, instead of its number
 };
 
 } // namespace proveout

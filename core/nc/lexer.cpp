@@ -176,8 +176,24 @@ private:
             fail(nc_message::kNameUnclosed, m_at, m_text.size());
             return;
         }
-        m_line.programNumber = true;
+        if (m_line.block.empty())
+            m_line.programNumber = true;
+        else if (callsProgram())
+            m_line.block.setCalled(m_text.substr(m_at + 1, end - m_at - 1));
+        else
+            return failOnCharacter();
         m_at = end + 1;
+    }
+
+    /// Whether the block has M98, G65 or G66.
+    [[nodiscard]] bool callsProgram() const {
+        constexpr double kSubprogram = 98;
+        constexpr double kMacro = 65;
+        constexpr double kModalMacro = 66;
+        return std::ranges::any_of(m_line.block.codes(), [](const Word& word) {
+            return word.letter == 'M' ? word.value == kSubprogram
+                                      : word.value == kMacro || word.value == kModalMacro;
+        });
     }
 
     void failOnCharacter() {

@@ -36,18 +36,20 @@ std::optional<int> whole(Execution& execution, const Word& word, int most) {
 /// The P and L words of a call; false where they are none.
 bool readCall(Execution& execution, const Word& word, FlowRequest& request) {
     const Block& block = execution.block;
-    if (!block.has('P')) {
+    request.name = block.called();
+    if (!block.has('P') && request.name.empty()) {
         execution.reporter.tell(nc_message::kWordMissing, word,
                                 {fmt::format("{}{:g}", word.letter, word.value), "P"});
         return false;
     }
-    const auto program = whole(execution, block.word('P'), kMostNumber);
+    const auto program =
+        request.name.empty() ? whole(execution, block.word('P'), kMostNumber) : std::optional(0);
     const auto repeats = block.has('L') ? whole(execution, block.word('L'), kMostRepeats) : std::optional(1);
     if (!program || !repeats)
         return false;
     request.program = *program;
     request.repeats = *repeats;
-    request.word = block.word('P');
+    request.word = request.name.empty() ? block.word('P') : word;
     return true;
 }
 

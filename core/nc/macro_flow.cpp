@@ -14,16 +14,25 @@ namespace {
 constexpr double kMostNumber = 99'999'999; ///< of blocks and programs
 
 /// How controls and people name the file of a program.
-std::vector<std::string> fileNames(int program) {
+std::vector<std::string> fileNames(const FlowRequest& request) {
     constexpr std::array kForms{"O{:04}", "o{:04}", "{:04}", "O{}", "o{}", "{}"};
     constexpr std::array kExtensions{"",     ".nc",  ".NC",  ".tap", ".TAP", ".cnc",
                                      ".CNC", ".txt", ".TXT", ".eia", ".EIA", ".ngc"};
     std::vector<std::string> names;
+    if (!request.name.empty()) {
+        for (const char* extension : kExtensions)
+            names.push_back(request.name + extension);
+        return names;
+    }
     for (const char* form : kForms) {
         for (const char* extension : kExtensions)
-            names.push_back(fmt::format(fmt::runtime(form), program) + extension);
+            names.push_back(fmt::format(fmt::runtime(form), request.program) + extension);
     }
     return names;
+}
+
+const MacroIndex::Range* programIn(const MacroIndex& index, const FlowRequest& request) {
+    return request.name.empty() ? index.program(request.program) : index.program(request.name);
 }
 
 } // namespace
@@ -173,20 +182,25 @@ bool MacroFlow::run(const FlowRequest& request) {
 }
 
 bool MacroFlow::call(const FlowRequest& request, bool macro) {
-    const std::string label = std::to_string(request.program);
+    const std::string label = request.name.empty() ? std::to_string(request.program) : request.name;
     if (!m_calls.mayCall())
         return refuse(nc_message::kCallTooDeep, request.word,
                       {std::to_string(m_calls.deepest()), m_calls.chain(label)});
     CallStack::Source* source = &m_calls.source();
-    const MacroIndex::Range* program = m_calls.macroIndex().program(request.program);
+    const MacroIndex::Range* program = programIn(m_calls.macroIndex(), request);
     if (program == nullptr) {
-        const CallStack::FileFound found = m_calls.file(fileNames(request.program));
+        const std::vector<std::string> names = fileNames(request);
+        const CallStack::FileFound found = m_calls.file(names);
         if (found.source == nullptr && found.fault == CallStack::FileFault::unreadable)
             return refuse(nc_message::kSubUnreadable, request.word, {label, found.reason});
         if (found.source == nullptr)
-            return refuse(nc_message::kSubUnknown, request.word, {label, fileNames(request.program).front()});
+            return refuse(nc_message::kSubUnknown, request.word, {label, names.front()});
         source = found.source;
-        program = m_calls.macroIndex(*source).program(request.program);
+        const MacroIndex& index = m_calls.macroIndex(*source);
+        program = programIn(index, request);
+        // The file that has the name is the program, whatever stands in it.
+        if (program == nullptr && !request.name.empty())
+            program = &index.programOf(0);
     }
     CallStack::Level level;
     level.entry = program == nullptr ? 0 : program->first;

@@ -15,6 +15,7 @@ namespace {
 /// What the beginning of a line says about the order of blocks.
 struct Head {
     std::optional<long long> program;
+    std::string_view name; ///< of a program, between < and >
     std::optional<long long> label;
     std::optional<MacroStatement> statement;
     bool orders = false; ///< something behind them is carried out
@@ -40,6 +41,10 @@ Head headOf(std::string_view line) {
             head.program = wholeNumber(line, ++at);
             if (!head.program)
                 return head;
+        } else if (c == '<' && head.name.empty() && line.find('>', at) != std::string_view::npos) {
+            const std::size_t end = line.find('>', at);
+            head.name = line.substr(at + 1, end - at - 1);
+            at = end + 1;
         } else if (c == 'N' && !head.label) {
             head.label = wholeNumber(line, ++at);
             if (!head.label)
@@ -81,16 +86,17 @@ MacroIndex::MacroIndex(const NcText& text) {
     for (std::size_t line = 0; line < text.lineCount(); ++line) {
         const std::string_view content = text.line(line);
         const Head head = headOf(content);
-        if (head.program) {
+        if (head.program || !head.name.empty()) {
             open.clear();
+            const Range begins{head.program.value_or(-1), std::string(head.name), line, line};
             if (begun) {
                 m_programs.back().end = line;
-                m_programs.push_back({*head.program, line, line});
+                m_programs.push_back(begins);
             } else {
-                m_programs.back() = {*head.program, line, line};
+                m_programs.back() = begins;
             }
         }
-        begun = begun || head.program || head.orders;
+        begun = begun || head.program || !head.name.empty() || head.orders;
         if (head.label)
             m_labels.push_back({*head.label, line});
         const auto loop = head.statement ? loopOf(content, *head.statement) : std::nullopt;
@@ -116,6 +122,11 @@ MacroIndex::MacroIndex(const NcText& text) {
 
 const MacroIndex::Range* MacroIndex::program(long long number) const {
     const auto found = std::ranges::find(m_programs, number, &Range::number);
+    return found == m_programs.end() ? nullptr : &*found;
+}
+
+const MacroIndex::Range* MacroIndex::program(std::string_view name) const {
+    const auto found = std::ranges::find(m_programs, name, &Range::name);
     return found == m_programs.end() ? nullptr : &*found;
 }
 

@@ -3,6 +3,8 @@
 
 #include <compare>
 #include <cstddef>
+#include <string>
+#include <string_view>
 #include <vector>
 
 #include "core/nc/nc_text.h"
@@ -19,17 +21,20 @@ public:
 
     /// Whether the text has neither a program's number nor block numbers nor loops.
     [[nodiscard]] bool empty() const {
-        return m_programs.size() == 1 && m_programs.front().number < 0 && m_labels.empty() && m_loops.empty();
+        return m_programs.size() == 1 && m_programs.front().number < 0 && m_programs.front().name.empty() &&
+               m_labels.empty() && m_loops.empty();
     }
 
     /// A program from its O-word, or from the beginning of the text, to the line before the next one.
     struct Range {
         long long number = -1; ///< -1: without an O-word
+        std::string name;      ///< between < and >
         std::size_t first = 0;
         std::size_t end = 0;
     };
-    /// The first program of that number; null where there is none.
+    /// The first program of that number, or name; null where there is none.
     [[nodiscard]] const Range* program(long long number) const;
+    [[nodiscard]] const Range* program(std::string_view name) const;
     [[nodiscard]] const Range& programOf(std::size_t line) const;
 
     /// The line with block number `number` that a jump from `line` finds: the next one in the same program,
