@@ -3945,6 +3945,30 @@
         <source>The manuals do not tell whether G51 scales chamfers and corner radii too; here it does not.</source>
         <translation>Die Handbücher sagen nicht, ob G51 auch Fasen und Eckenradien skaliert; hier tut es das nicht.</translation>
     </message>
+    <message>
+        <source>A setting of the control says whether G68 with G91 adds its angle to the one in force (Fanuc: parameter 5400#0, Haas: setting 73); here the angle is {} degrees.</source>
+        <translation>Eine Einstellung der Steuerung sagt, ob G68 bei G91 seinen Winkel zum wirksamen addiert (Fanuc: Parameter 5400#0, Haas: Einstellung 73); hier beträgt der Winkel {} Grad.</translation>
+    </message>
+    <message>
+        <source>Write G90 before G68, or G69 between them.</source>
+        <translation>Schreiben Sie G90 vor G68 oder G69 dazwischen.</translation>
+    </message>
+    <message>
+        <source>{} stands within a canned cycle (alarm 044).</source>
+        <translation>{} steht in einem Festzyklus (Alarm 044).</translation>
+    </message>
+    <message>
+        <source>End the cycle with G80 before it.</source>
+        <translation>Beenden Sie den Zyklus vorher mit G80.</translation>
+    </message>
+    <message>
+        <source>A chamfer or corner radius stands where cutter compensation begins, ends or changes its side (alarm 039).</source>
+        <translation>Eine Fase oder ein Eckenradius steht dort, wo die Fräserradiuskorrektur beginnt, endet oder die Seite wechselt (Alarm 039).</translation>
+    </message>
+    <message>
+        <source>Put it between other motions; the corner stays sharp.</source>
+        <translation>Setzen Sie sie zwischen andere Bewegungen; die Ecke bleibt scharf.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

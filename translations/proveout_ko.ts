@@ -3945,6 +3945,30 @@
         <source>The manuals do not tell whether G51 scales chamfers and corner radii too; here it does not.</source>
         <translation>G51이 모따기와 모서리 반지름도 스케일링하는지 설명서에 없습니다. 여기서는 스케일링하지 않습니다.</translation>
     </message>
+    <message>
+        <source>A setting of the control says whether G68 with G91 adds its angle to the one in force (Fanuc: parameter 5400#0, Haas: setting 73); here the angle is {} degrees.</source>
+        <translation>G91에서 G68이 각도를 현재 각도에 더하는지는 컨트롤의 설정에 달려 있습니다(Fanuc: 파라미터 5400#0, Haas: 세팅 73). 여기서 각도는 {}도입니다.</translation>
+    </message>
+    <message>
+        <source>Write G90 before G68, or G69 between them.</source>
+        <translation>G68 앞에 G90을 쓰거나 그 사이에 G69를 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>{} stands within a canned cycle (alarm 044).</source>
+        <translation>{}이(가) 고정 사이클 안에 있습니다(알람 044).</translation>
+    </message>
+    <message>
+        <source>End the cycle with G80 before it.</source>
+        <translation>그 앞에서 G80으로 사이클을 끝내십시오.</translation>
+    </message>
+    <message>
+        <source>A chamfer or corner radius stands where cutter compensation begins, ends or changes its side (alarm 039).</source>
+        <translation>공구 반경 보정이 시작되거나 끝나거나 방향을 바꾸는 곳에 모따기 또는 모서리 반지름이 있습니다(알람 039).</translation>
+    </message>
+    <message>
+        <source>Put it between other motions; the corner stays sharp.</source>
+        <translation>다른 동작 사이에 두십시오. 모서리는 그대로 남습니다.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

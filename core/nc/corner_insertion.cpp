@@ -15,6 +15,12 @@ namespace proveout {
 
 namespace {
 
+/// Whether the next motion in the plane goes to the other side of its path than the one that is held.
+bool changesSide(const CutterCompensation& compensation) {
+    return compensation.moves() && compensation.held &&
+           (compensation.vectors.offset > 0) != (compensation.offset > 0);
+}
+
 bool leadsNowhere(const PlanePath& path) {
     constexpr double kNoCircle = 1; ///< rad: a whole circle leads to where it begins, too
     return std::abs(path.sweep) < kNoCircle && glm::distance(path.start, path.end) < kNoLength;
@@ -56,10 +62,11 @@ private:
 
     bool fits() {
         const CutterCompensation& compensation = m_execution.state.compensation;
-        const bool held =
-            m_corner.compensated == compensation.moves() && (compensation.held || !m_corner.compensated);
+        const bool held = compensation.held || !m_corner.compensated;
         if (m_motion.kind == MotionKind::rapid)
             tell(nc_message::kCornerNextBlock);
+        else if (m_corner.compensated != compensation.moves() || changesSide(compensation))
+            tell(nc_message::kCornerCompensation);
         else if (!held || leadsNowhere(m_after))
             tell(nc_message::kCornerWithoutMotion);
         else if (m_corner.across || m_corner.plane != m_execution.state.plane ||
@@ -156,9 +163,12 @@ void appendHeld(Execution& execution, const Word& word, const Motion& motion, co
     corner.feed = motion.feedMmPerMin;
     corner.path = {inPlane(motion.start, plane), inPlane(motion.end, plane), inPlane(motion.centre, plane),
                    motion.sweep};
-    const bool leaving = execution.state.compensation.leaving() && !corner.compensated;
-    if (leaving || !planeKnown(motion) || leadsNowhere(corner.path)) {
-        execution.reporter.tell(nc_message::kCornerWithoutMotion, ordered);
+    const CutterCompensation& compensation = execution.state.compensation;
+    const bool changes =
+        corner.compensated ? !compensation.entered || changesSide(compensation) : compensation.leaving();
+    if (changes || !planeKnown(motion) || leadsNowhere(corner.path)) {
+        execution.reporter.tell(changes ? nc_message::kCornerCompensation : nc_message::kCornerWithoutMotion,
+                                ordered);
         appendOrdered(execution, word, motion);
         return;
     }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The canned cycles G73 to G89 as the motions that they stand for, and G98, G99.
+#include <algorithm>
+
 #include "core/nc/cycle_order.h"
 #include "core/nc/cycle_run.h"
 #include "core/nc/execution.h"
@@ -24,6 +26,17 @@ bool spindleTurns(Execution& execution, const Word& word, SpindleNeed need) {
                                                                 : "M4";
     execution.reporter.tell(nc_message::kCycleSpindle, word, {needed});
     return false;
+}
+
+void tellReferenceInCycle(Execution& execution, const Word& word) {
+    // A motion code of the same block ends the cycle first, whatever the order of the steps.
+    const bool ends = std::ranges::any_of(execution.block.codes(), [&](const Word& code) {
+        const CodeRow* row = execution.codes.find(code);
+        return row != nullptr && !isCycle(row) &&
+               (row->group == ModalGroup::motion || row->group == ModalGroup::motionOff);
+    });
+    if (execution.dialect.noReferenceInCycle && isCycle(execution.state.motion) && !ends)
+        execution.reporter.tell(nc_message::kReferenceInCycle, word, {nameOf(word)});
 }
 
 std::optional<CycleOrder> readCycle(Execution& execution, const Word& word, const CannedCycle& cycle) {

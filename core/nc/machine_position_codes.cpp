@@ -3,6 +3,7 @@
 // reference position, machine coordinate system.
 #include <string>
 
+#include "core/nc/cycle_order.h"
 #include "core/nc/execution.h"
 #include "core/nc/handlers.h"
 #include "core/nc/motion_building.h"
@@ -62,6 +63,7 @@ void sendTo(Execution& execution, Motion& motion, int axis, double value) {
 /// By way of the point of the axis words to the first reference position, which is the machine's zero; where
 /// another one lies, nobody knows.
 void goToReference(Execution& execution, const Word& word, bool first) {
+    tellReferenceInCycle(execution, word);
     const bool named = execution.block.letters().any(kAxes);
     if (!named && !execution.dialect.allAxesGoHome) {
         execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "X"});

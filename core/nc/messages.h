@@ -400,6 +400,15 @@ inline constexpr Message kRotationOneAxis{
     PROVEOUT_TEXT("Core", "The first motion behind {} does not say where both axes of the rotation go; "
                           "controls differ here."),
     PROVEOUT_TEXT("Core", "Position both axes in G90 behind it.")};
+inline constexpr Message kRotationSetting{
+    Severity::warning, true, "rotation-setting",
+    PROVEOUT_TEXT("Core", "A setting of the control says whether G68 with G91 adds its angle to the one in "
+                          "force (Fanuc: parameter 5400#0, Haas: setting 73); here the angle is {} degrees."),
+    PROVEOUT_TEXT("Core", "Write G90 before G68, or G69 between them.")};
+inline constexpr Message kReferenceInCycle{
+    Severity::error, true, "reference-in-cycle",
+    PROVEOUT_TEXT("Core", "{} stands within a canned cycle (alarm 044)."),
+    PROVEOUT_TEXT("Core", "End the cycle with G80 before it.")};
 inline constexpr Message kMachineIgnored{
     Severity::warning, true, "machine-coordinates-ignored",
     PROVEOUT_TEXT("Core", "G53 is ignored with incremental distances; nothing moves."),
@@ -759,6 +768,12 @@ inline constexpr Message kCornerComma{
     Severity::error, true, "corner-comma",
     PROVEOUT_TEXT("Core", "Neither C nor R stands behind the comma (alarm 053)."),
     PROVEOUT_TEXT("Core", "Write ,C for a chamfer and ,R for a corner radius.")};
+inline constexpr Message kCornerCompensation{
+    Severity::error, true, "corner-compensation",
+    PROVEOUT_TEXT("Core",
+                  "A chamfer or corner radius stands where cutter compensation begins, ends or changes its "
+                  "side (alarm 039)."),
+    PROVEOUT_TEXT("Core", "Put it between other motions; the corner stays sharp.")};
 inline constexpr Message kCornerNegative{
     Severity::error, true, "corner-negative",
     PROVEOUT_TEXT("Core", "The chamfer or corner radius of {} mm is negative."),

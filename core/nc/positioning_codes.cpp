@@ -2,6 +2,7 @@
 // Fanuc's ways to a place that are no motion codes: G27, G29, G60.
 #include <string>
 
+#include "core/nc/cycle_order.h"
 #include "core/nc/execution.h"
 #include "core/nc/handlers.h"
 #include "core/nc/motion_building.h"
@@ -38,11 +39,13 @@ bool moveToIntermediate(Execution& execution, const Word& word) {
 
 } // namespace
 
-void checkReference(Execution& execution, const Word& /*word*/) {
+void checkReference(Execution& execution, const Word& word) {
+    tellReferenceInCycle(execution, word);
     appendMotion(execution, motionToTarget(execution, MotionKind::rapid));
 }
 
 void returnFromReference(Execution& execution, const Word& word) {
+    tellReferenceInCycle(execution, word);
     if (moveToIntermediate(execution, word))
         appendMotion(execution, motionToTarget(execution, MotionKind::rapid));
 }

@@ -4,6 +4,7 @@
 #include "core/nc/transformation_codes.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <optional>
 #include <string>
 
@@ -172,8 +173,11 @@ void turnCoordinates(Execution& execution, const Word& word) {
         given[axis] = execution.length(axisLetter(axis));
         centre[axis] = now.stretch(given)[axis];
     }
-    const bool adds = execution.dialect.rotationAdds && state.incremental && now.turned;
+    const bool open = state.incremental && now.turned && now.degrees != 0;
+    const bool adds = execution.dialect.rotationAdds && open;
     now.degrees = execution.angle('R') + (adds ? now.degrees : 0);
+    if (open)
+        execution.reporter.tell(nc_message::kRotationSetting, word, {fmt::format("{:.6g}", now.degrees)});
     now.turned = true;
     now.plane = state.plane;
     now.turnAt = centre;
