@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <stop_token>
 #include <vector>
 
@@ -35,6 +36,16 @@ struct CutRecord {
 /// ms. Motions that are much work take memory for copies of the tiles that they lower.
 [[nodiscard]] std::optional<CutRecord> cut(ZMap& zmap, const Cutter& cutter, const Motion& motion,
                                            const std::stop_token& stop);
+
+struct CutterMotion {
+    const Cutter* cutter = nullptr; ///< kept by the caller; none: the motion cuts nothing
+    Motion motion;
+};
+/// cut() of each of these motions, one after the other, to the last bit of heights and records, but tile by
+/// tile: a tile stays near the processor while all that touches it is done, and many motions are worth
+/// threads where one is not. A record each. Nothing where it was stopped, and the map is what it was.
+[[nodiscard]] std::optional<std::vector<CutRecord>> cut(ZMap& zmap, std::span<const CutterMotion> motions,
+                                                        const std::stop_token& stop);
 
 /// The lower envelope of the swept cutter over (x, y), absolute z; +infinity where the cutter never comes.
 /// Source of truth of `cut`, in double; one point at a time.

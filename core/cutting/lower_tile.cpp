@@ -67,24 +67,30 @@ double total(const LaneSums& sums) {
     return sum;
 }
 
-/// The work on one tile, row by row.
+/// The work on one tile, sweep by sweep.
 class TileWork {
 public:
-    TileWork(ZMap& zmap, std::size_t index, const Sweep& sweep, std::span<const StraightPass> passes,
-             const std::stop_token& stop)
-        : m_zmap(zmap), m_index(index), m_sweep(sweep), m_passes(passes), m_stop(stop), m_grid(zmap.grid()),
-          m_rect(zmap.tileRect(index)), m_floor(zmap.floor()) {
+    TileWork(ZMap& zmap, std::size_t index, const std::stop_token& stop)
+        : m_zmap(zmap), m_index(index), m_stop(stop), m_grid(zmap.grid()), m_rect(zmap.tileRect(index)),
+          m_floor(zmap.floor()) {
         m_envelope.fill(kInfinity);
     }
 
-    TileCut run() {
-        if (m_passes.empty())
-            lowerRows();
+    /// Nothing more is lowered once it was stopped.
+    CutRecord lower(const PreparedSweep& prepared) {
+        m_sums = {};
+        // A tile that lies below the cutter as a whole cannot change, nor one that is all on the floor.
+        if (static_cast<double>(tile().maximum) <= prepared.sweep.lowest() || tile().maximum <= m_floor)
+            return {};
+        if (prepared.passes.empty())
+            lowerRows(prepared.sweep);
         else
-            lowerBlocks();
-        finish();
-        return std::move(m_result);
+            lowerBlocks(prepared);
+        finish(!prepared.passes.empty());
+        return m_sums.record;
     }
+
+    TileCut result() { return std::move(m_result); }
 
 private:
     [[nodiscard]] const Tile& tile() const { return m_tile != nullptr ? *m_tile : m_zmap.tile(m_index); }
@@ -94,16 +100,16 @@ private:
         return m_result.complete;
     }
 
-    void lowerBlocks() {
-        const Vec2 first = Vec2(m_grid.x(m_rect.i0), m_grid.y(m_rect.j0)) - m_sweep.origin();
+    void lowerBlocks(const PreparedSweep& prepared) {
+        const Vec2 first = Vec2(m_grid.x(m_rect.i0), m_grid.y(m_rect.j0)) - prepared.sweep.origin();
         std::uint32_t below = 0;
-        for (const StraightPass& pass : m_passes)
+        for (const StraightPass& pass : prepared.passes)
             below |= blocksBelow(pass.overTile(first.x, first.y), tile().blockMaxima.data(), pass.slack());
         for (; below != 0 && goesOn(); below &= below - 1)
-            lowerBlock(std::countr_zero(below), first);
+            lowerBlock(std::countr_zero(below), first, prepared.passes);
     }
 
-    void lowerBlock(int block, const Vec2& first) {
+    void lowerBlock(int block, const Vec2& first, std::span<const StraightPass> passes) {
         if (tile().blockMaxima[static_cast<std::size_t>(block)] <= m_floor)
             return;
         const int i = block % Tile::kBlocks * Tile::kBlockSize;
@@ -112,7 +118,7 @@ private:
         const float* from = &tile().heights[static_cast<std::size_t>(j * Tile::kSize + i)];
         std::size_t stride = Tile::kSize;
         Lowered lowered;
-        for (const StraightPass& pass : m_passes) {
+        for (const StraightPass& pass : passes) {
             proveout::lowerBlock(pass.overBlock(corner.x, corner.y), from, stride, m_floor, m_block);
             lowered.add(m_block);
             from = m_block.heights.data();
@@ -155,19 +161,19 @@ private:
     void takeInside(int i, int j, const Lowered& lowered) {
         const BlockLoss loss =
             putRows(m_block, lowered.rows, &m_tile->heights[static_cast<std::size_t>(j * Tile::kSize + i)]);
-        m_blockLoss.sum += loss.sum;
-        m_blockLoss.depth = std::max(m_blockLoss.depth, loss.depth);
+        m_sums.blocks.sum += loss.sum;
+        m_sums.blocks.depth = std::max(m_sums.blocks.depth, loss.depth);
         std::uint32_t columns = 0;
         for (const std::uint32_t bits : lowered.columns) {
             columns |= bits;
-            m_result.record.points += std::popcount(bits);
+            m_sums.record.points += std::popcount(bits);
         }
         const int i0 = m_rect.i0 + i;
         const int j0 = m_rect.j0 + j;
-        m_result.record.changed = hull(m_result.record.changed,
-                                       {i0 + std::countr_zero(columns), j0 + std::countr_zero(lowered.rows),
-                                        i0 + static_cast<int>(std::bit_width(columns)),
-                                        j0 + static_cast<int>(std::bit_width(lowered.rows))});
+        m_sums.record.changed =
+            hull(m_sums.record.changed, {i0 + std::countr_zero(columns), j0 + std::countr_zero(lowered.rows),
+                                         i0 + static_cast<int>(std::bit_width(columns)),
+                                         j0 + static_cast<int>(std::bit_width(lowered.rows))});
     }
 
     /// A row of a block in which points became lower.
@@ -176,24 +182,24 @@ private:
         lowerRow(&m_block.heights[static_cast<std::size_t>(rowOfBlock * BlockHeights::kSize)],
                  &m_tile->heights[static_cast<std::size_t>(row * Tile::kSize + begin)],
                  &m_removed[static_cast<std::size_t>(begin)], BlockHeights::kSize, m_floor,
-                 edge ? m_edge : m_inner);
+                 edge ? m_sums.edge : m_sums.inner);
         note(row, {begin + std::countr_zero(bits), begin + static_cast<int>(std::bit_width(bits))}, edge);
     }
 
-    void lowerRows() {
-        const Box3& reach = m_sweep.reach();
+    void lowerRows(const Sweep& sweep) {
+        const Box3& reach = sweep.reach();
         const double rows = m_rect.height();
         const double lo =
             std::clamp(std::ceil((reach.lo.y - m_grid.y0) / m_grid.hy - 1e-6) - m_rect.j0, 0.0, rows);
         const double hi =
             std::clamp(std::floor((reach.hi.y - m_grid.y0) / m_grid.hy + 1e-6) - m_rect.j0 + 1, 0.0, rows);
         for (int row = static_cast<int>(lo); row < static_cast<int>(hi) && goesOn(); ++row)
-            lower(row);
+            lower(sweep, row);
     }
 
-    void lower(int row) {
+    void lower(const Sweep& sweep, int row) {
         const RowPoints points{m_grid.x(m_rect.i0), m_grid.hx, m_grid.y(m_rect.j0 + row), m_rect.width()};
-        const Columns columns = m_sweep.row(
+        const Columns columns = sweep.row(
             points, &tile().heights[static_cast<std::size_t>(row * Tile::kSize)], m_envelope.data());
         if (columns.empty())
             return;
@@ -212,7 +218,8 @@ private:
         acquire();
         const bool edge = isEdge(row);
         lowerRow(&m_envelope[static_cast<std::size_t>(begin)], &m_tile->heights[at],
-                 &m_removed[static_cast<std::size_t>(begin)], end - begin, m_floor, edge ? m_edge : m_inner);
+                 &m_removed[static_cast<std::size_t>(begin)], end - begin, m_floor,
+                 edge ? m_sums.edge : m_sums.inner);
         note(row, columns, edge);
     }
 
@@ -240,28 +247,29 @@ private:
         while (!(m_removed[static_cast<std::size_t>(last - 1)] > 0))
             --last;
         const int j = m_rect.j0 + row;
-        m_result.record.changed =
-            hull(m_result.record.changed, {m_rect.i0 + first, j, m_rect.i0 + last, j + 1});
+        m_sums.record.changed = hull(m_sums.record.changed, {m_rect.i0 + first, j, m_rect.i0 + last, j + 1});
         const double weight = edge ? 0.25 : 0.5;
         if (first == 0 && m_rect.i0 == 0)
-            m_columnHalves += weight * static_cast<double>(m_removed[0]);
+            m_sums.columnHalves += weight * static_cast<double>(m_removed[0]);
         if (m_rect.i0 + last == m_grid.nx)
-            m_columnHalves += weight * static_cast<double>(m_removed[static_cast<std::size_t>(last - 1)]);
+            m_sums.columnHalves +=
+                weight * static_cast<double>(m_removed[static_cast<std::size_t>(last - 1)]);
     }
 
-    void finish() {
-        if (m_tile == nullptr)
-            return;
-        CutRecord& record = m_result.record;
-        for (const LaneSums* sums : {&m_inner, &m_edge}) {
+    void finish(bool byBlocks) {
+        CutRecord& record = m_sums.record;
+        for (const LaneSums* sums : {&m_sums.inner, &m_sums.edge}) {
             for (std::size_t lane = 0; lane < kLanes; ++lane) {
                 record.points += sums->points[lane];
                 record.maxDepth = std::max(record.maxDepth, static_cast<double>(sums->depth[lane]));
             }
         }
-        record.maxDepth = std::max(record.maxDepth, static_cast<double>(m_blockLoss.depth));
-        record.removedMm3 = m_blockLoss.sum + total(m_inner) + total(m_edge) / 2 - m_columnHalves;
-        if (!m_passes.empty())
+        record.maxDepth = std::max(record.maxDepth, static_cast<double>(m_sums.blocks.depth));
+        record.removedMm3 =
+            m_sums.blocks.sum + total(m_sums.inner) + total(m_sums.edge) / 2 - m_sums.columnHalves;
+        if (record.points == 0)
+            return;
+        if (byBlocks)
             return m_tile->takeMaximum();
         m_tile->loweredPoints += static_cast<std::uint32_t>(record.points);
         if (m_tile->loweredPoints >= kRefreshAfter)
@@ -270,8 +278,6 @@ private:
 
     ZMap& m_zmap;
     std::size_t m_index;
-    const Sweep& m_sweep;
-    std::span<const StraightPass> m_passes;
     const std::stop_token& m_stop;
     const Grid& m_grid;
     IndexRect m_rect;
@@ -280,18 +286,27 @@ private:
     BlockHeights m_block;
     Row m_envelope; ///< +infinity between two rows
     Row m_removed;
-    LaneSums m_inner;
-    LaneSums m_edge;
-    BlockLoss m_blockLoss;
-    double m_columnHalves = 0;
     TileCut m_result;
+
+    /// Of one sweep.
+    struct Sums {
+        CutRecord record;
+        LaneSums inner;
+        LaneSums edge;
+        BlockLoss blocks;
+        double columnHalves = 0;
+    } m_sums;
 };
 
 } // namespace
 
-TileCut lowerTile(ZMap& zmap, std::size_t index, const Sweep& sweep, std::span<const StraightPass> passes,
+TileCut lowerTile(ZMap& zmap, std::size_t index, std::span<const PreparedSweep> sweeps,
+                  std::span<const std::uint32_t> order, std::span<CutRecord> records,
                   const std::stop_token& stop) {
-    return TileWork(zmap, index, sweep, passes, stop).run();
+    TileWork work(zmap, index, stop);
+    for (std::size_t k = 0; k < order.size(); ++k)
+        records[k] = work.lower(sweeps[order[k]]);
+    return work.result();
 }
 
 } // namespace proveout

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// One sweep into one tile.
+// Sweeps into one tile.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <stop_token>
+#include <vector>
 
 #include "core/cutting/cutting.h"
 #include "core/cutting/straight_pass.h"
@@ -13,19 +15,27 @@
 
 namespace proveout {
 
-/// What a sweep did to a tile. `removedMm3` of the record is the sum of heights, not yet times the cell's
-/// area.
+/// A sweep, and how inner loops see it over the grid of a map.
+struct PreparedSweep {
+    Sweep sweep;
+    std::vector<StraightPass> passes; ///< none: it is asked row by row
+
+    PreparedSweep(const Cutter& cutter, const Motion& motion, const ZMap& zmap)
+        : sweep(cutter, motion, zmap.stock().topZ()), passes(sweep.passes(zmap.grid().hx, zmap.grid().hy)) {}
+};
+
 struct TileCut {
-    CutRecord record;
     std::shared_ptr<Tile> copy; ///< the lowered tile, where a snapshot shares the old one
     bool complete = true;       ///< false where it was stopped on the way
 };
 
-/// Lowers tile `index` of the map in place, or a copy of it where it is shared; a tile of which nothing
-/// changes is never copied. Different tiles may be lowered at once. `passes` are those of the sweep over the
-/// map's grid, or none: then it is asked row by row. Looks at `stop` at every row: what was lowered in place
-/// until then stays lowered.
-[[nodiscard]] TileCut lowerTile(ZMap& zmap, std::size_t index, const Sweep& sweep,
-                                std::span<const StraightPass> passes, const std::stop_token& stop);
+/// Lowers tile `index` of the map in place, or a copy of it where it is shared, by those of `sweeps` that
+/// `order` names, one after the other; a tile of which nothing changes is never copied. `records`, one for
+/// each of `order`, are what they did; `removedMm3` of them is the sum of heights, not yet times the cell's
+/// area. Different tiles may be lowered at once. Looks at `stop` at every row or block: what was lowered in
+/// place until then stays lowered.
+[[nodiscard]] TileCut lowerTile(ZMap& zmap, std::size_t index, std::span<const PreparedSweep> sweeps,
+                                std::span<const std::uint32_t> order, std::span<CutRecord> records,
+                                const std::stop_token& stop);
 
 } // namespace proveout

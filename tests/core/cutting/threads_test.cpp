@@ -54,6 +54,12 @@ TEST(Threads, ChangeNothing) {
 }
 
 /// Plain threads, so that ThreadSanitizer sees them: what runs inside oneTBB is suppressed there.
+TileCut lowerAlone(ZMap& zmap, std::size_t tile, const PreparedSweep& prepared) {
+    const std::uint32_t first = 0;
+    CutRecord record;
+    return lowerTile(zmap, tile, {&prepared, 1}, {&first, 1}, {&record, 1}, {});
+}
+
 TEST(Threads, LowerDifferentTilesAtOnce) {
     constexpr std::size_t kThreads = 4;
     const StockBox stock{{0, 0, 0}, 60, 50, 15};
@@ -70,14 +76,13 @@ TEST(Threads, LowerDifferentTilesAtOnce) {
         // Shared tiles are copied by the workers, owned ones are written in place.
         if (k % 2 == 0)
             held = zmap.snapshot();
-        const Sweep sweep(cutter, motion, stock.topZ());
-        const auto passes = sweep.passes(grid.hx, grid.hy);
+        const PreparedSweep prepared(cutter, motion, zmap);
         std::vector<TileCut> done(zmap.tileCount());
         std::vector<std::thread> workers;
         for (std::size_t worker = 0; worker < kThreads; ++worker)
             workers.emplace_back([&, worker] {
                 for (std::size_t tile = worker; tile < done.size(); tile += kThreads)
-                    done[tile] = lowerTile(zmap, tile, sweep, passes, {});
+                    done[tile] = lowerAlone(zmap, tile, prepared);
             });
         for (std::thread& worker : workers)
             worker.join();

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "core/cutting/sweep.h"
+#include "core/zmap/zmap.h"
+
+namespace proveout {
+
+/// The tiles, ascending, that a sweep may lower: those under it that are not below the cutter as a whole, nor
+/// all on the floor.
+[[nodiscard]] std::vector<std::size_t> tilesToLower(const ZMap& zmap, const Sweep& sweep);
+
+} // namespace proveout

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Finishing programs of growing size, for measurements: a ball-end mill goes to and fro over a wavy surface.
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "core/cutting/cutting.h"
+
+namespace proveout::bench {
+
+struct Workload {
+    const char* name;
+    double width; ///< mm, of the stock
+    double depth;
+    double diameter;
+    int lines;   ///< to and fro
+    int perLine; ///< motions of each
+};
+/// From a small mould to a panel die of a million motions.
+[[nodiscard]] std::span<const Workload> workloads();
+
+[[nodiscard]] StockBox stockOf(const Workload& workload);
+/// Feed motions through and beside the stock; each keeps a pointer to `cutter`.
+[[nodiscard]] std::vector<CutterMotion> motionsOf(const Workload& workload, const Cutter& cutter);
+
+} // namespace proveout::bench

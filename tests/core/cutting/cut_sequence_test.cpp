@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Sequences of motions against the same motions one by one.
+#include <chrono>
+#include <gtest/gtest.h>
+#include <oneapi/tbb/global_control.h>
+#include <stop_token>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "core/cutting/cutting.h"
+#include "tests/core/cutting/random_motion.h"
+#include "tests/random_seed.h"
+
+namespace proveout {
+namespace {
+
+const StockBox kStock{{-3, 5, 2}, 50, 40, 12};
+
+/// Motions of all shapes and kinds; some have no cutter, some no known path.
+struct RandomSequence {
+    std::vector<Cutter> cutters;
+    std::vector<CutterMotion> motions;
+
+    RandomSequence(Random& random, int count) {
+        for (const char* shape : {"flat", "ball", "bull", "cone"})
+            cutters.push_back(randomCutter(random, shape));
+        for (int k = 0; k < count; ++k) {
+            Motion motion = k % 7 == 6
+                                ? randomArc(random, kStock, Plane::xy, ArcKind::level)
+                                : randomStraight(random, kStock, static_cast<StraightKind>(random() % 5));
+            if (random() % 30 == 0)
+                motion.startKnown = 0;
+            motions.push_back({random() % 30 == 0 ? nullptr : &cutters[random() % cutters.size()], motion});
+        }
+    }
+};
+
+ZMap freshMap(double spacing) {
+    return {kStock, makeGrid(kStock, spacing).value()};
+}
+
+void expectSame(const CutRecord& a, const CutRecord& b) {
+    EXPECT_EQ(a.removedMm3, b.removedMm3);
+    EXPECT_EQ(a.maxDepth, b.maxDepth);
+    EXPECT_EQ(a.points, b.points);
+    EXPECT_EQ(a.changed, b.changed);
+}
+
+TEST(CutSequence, IsTheMotionsOneByOne) {
+    const std::uint32_t seed = randomSeed();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    for (int round = 0; round < 12; ++round) {
+        const RandomSequence sequence(random, 60);
+        const double spacing = round % 2 == 0 ? 0.15 : 0.7;
+        ZMap expected = freshMap(spacing);
+        std::vector<CutRecord> records;
+        for (const CutterMotion& one : sequence.motions)
+            records.push_back(one.cutter == nullptr ? CutRecord() : cut(expected, *one.cutter, one.motion));
+        for (const std::size_t threads : {1U, 2U, 4U}) {
+            const tbb::global_control control(tbb::global_control::max_allowed_parallelism, threads);
+            ZMap zmap = freshMap(spacing);
+            const ZMapSnapshot held = zmap.snapshot(); // every tile is copied before it is written
+            const auto found = cut(zmap, sequence.motions, {});
+            ASSERT_TRUE(found);
+            EXPECT_TRUE(
+                zmap.snapshot().sameHeights(expected.snapshot(), {0, 0, zmap.grid().nx, zmap.grid().ny}));
+            ASSERT_EQ(found->size(), records.size());
+            for (std::size_t k = 0; k < records.size(); ++k)
+                expectSame((*found)[k], records[k]);
+            EXPECT_EQ(held.volume(), freshMap(spacing).snapshot().volume());
+        }
+    }
+}
+
+TEST(CutSequence, LosesWhatTheMapLoses) {
+    const std::uint32_t seed = randomSeed();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const RandomSequence sequence(random, 200);
+    ZMap zmap = freshMap(0.15);
+    const double before = zmap.snapshot().volume();
+    const auto records = cut(zmap, sequence.motions, {});
+    ASSERT_TRUE(records);
+    double removed = 0;
+    for (const CutRecord& record : *records)
+        removed += record.removedMm3;
+    EXPECT_NEAR(removed, before - zmap.snapshot().volume(), 1e-9 * before);
+}
+
+TEST(CutSequence, LeavesTheMapAsItWasWhereItIsStopped) {
+    const std::uint32_t seed = randomSeed();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    const RandomSequence sequence(random, 400);
+    ZMap zmap = freshMap(0.1);
+    const ZMapSnapshot before = zmap.snapshot();
+    const IndexRect all{0, 0, zmap.grid().nx, zmap.grid().ny};
+    ZMap whole = freshMap(0.1);
+    (void)cut(whole, sequence.motions, {});
+    for (int round = 0; round < 20; ++round) {
+        std::stop_source source;
+        std::jthread stopper([&source, delay = std::chrono::microseconds(random() % 20000)] {
+            std::this_thread::sleep_for(delay);
+            source.request_stop();
+        });
+        if (round == 0)
+            stopper.join();
+        ZMap fresh(before);
+        const auto records = cut(fresh, sequence.motions, source.get_token());
+        EXPECT_TRUE(fresh.snapshot().sameHeights(records ? whole.snapshot() : before, all));
+        EXPECT_TRUE(round > 0 || !records);
+    }
+}
+
+} // namespace
+} // namespace proveout
