@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The document of the session: text, set-up and parameters with their files.
+#include <memory>
+#include <utility>
+
+#include <QFileInfo>
+
+#include "core/base/memory.h"
+#include "core/decimation/map_memory.h"
+#include "core/simulation/interpretation.h"
+#include "ui/file_paths.h"
+#include "ui/program_index.h"
+#include "ui/session.h"
+
+namespace proveout {
+
+bool Session::openFile(const QString& file) {
+    Result<JobDocument> job = JobDocument::open(file);
+    if (!job)
+        return told(tl::unexpected(std::move(job.error())));
+    adopt(std::move(*job));
+    tell(m_job.warnings());
+    return true;
+}
+
+void Session::newFile() {
+    adopt({});
+}
+
+void Session::adopt(JobDocument job) {
+    m_playback.playing = false;
+    m_job = std::move(job);
+    m_hasDocument = true;
+    m_program.reset();
+    m_begun = false;
+    m_loadedSetup.reset();
+    ++m_generation;
+    m_frame.reset();
+    m_frameLog.clear();
+    m_messages.clear();
+    m_simulationErrors.clear();
+    m_simulation->post(PauseCommand{});
+    m_watch.watch(toQString(document().path));
+    interpret();
+    emit textReplaced();
+    emit documentChanged();
+    emit setupChanged();
+    emit parametersChanged();
+    emit playbackChanged();
+    emit programChanged();
+    refreshProblems();
+    requestTick();
+}
+
+bool Session::save() {
+    if (document().path.empty())
+        return false;
+    const bool before = document().modified;
+    const Result<void> written = m_job.save();
+    return saved(written, before && !document().modified);
+}
+
+bool Session::saveAs(const QString& file) {
+    const Result<void> written = m_job.saveTextAs(file);
+    return saved(written, written.has_value());
+}
+
+bool Session::saveJobAs(const QString& file) {
+    return saved(m_job.saveJobAs(file), false);
+}
+
+void Session::detachJob() {
+    m_job.detachJob();
+    emit documentChanged();
+}
+
+bool Session::saved(const Result<void>& written, bool text) {
+    if (text) {
+        m_watch.watch(toQString(document().path)); // from what we have written on
+        emit fileWritten();
+    }
+    emit documentChanged();
+    return told(written);
+}
+
+bool Session::told(const Result<void>& result) {
+    tell(result ? Diagnostics() : result.error());
+    return result.has_value();
+}
+
+void Session::reload() {
+    if (told(m_job.reload())) {
+        m_watch.watch(toQString(document().path));
+        emit textReplaced();
+        interpret();
+    }
+    emit documentChanged();
+}
+
+void Session::keepMine() {
+    m_job.keepMine();
+    emit documentChanged();
+}
+
+void Session::watchedFileChanged() {
+    if (!QFileInfo::exists(toQString(document().path)))
+        keepMine(); // the window holds the last copy
+    emit fileChangedOnDisk();
+}
+
+void Session::applyEdit(std::size_t offset, std::size_t removed, std::string_view inserted) {
+    m_job.edit(offset, removed, inserted);
+    m_editPause.start();
+}
+
+void Session::setTextModified(bool modified) {
+    if (m_job.setTextModified(modified))
+        emit documentChanged();
+}
+
+void Session::setParameters(const DecimationParameters& parameters) {
+    if (parameters == m_job.parameters())
+        return;
+    m_job.setParameters(parameters);
+    restartHoldBack();
+    postParameters();
+    emit parametersChanged();
+    emit documentChanged();
+}
+
+Result<void> Session::setSetup(const Setup& setup) {
+    const Setup& before = *m_job.setup();
+    if (setup == before)
+        return {};
+    const Result<Grid> grid = makeGrid(setup.stock, setup.spacing);
+    if (!grid)
+        return tl::unexpected(grid.error());
+    Result<void> fits =
+        checkMapMemory(setup.stock, *grid, m_job.parameters(), {}, static_cast<double>(memoryLimitBytes()));
+    if (!fits)
+        return fits;
+    const bool otherProgram = !m_program || !interpretedAlike(*m_program, setup, before);
+    const DecimationParameters parametersBefore = parameters();
+    m_job.setSetup(std::make_shared<const Setup>(setup));
+    if (otherProgram)
+        interpret();
+    else
+        load();
+    tellSetup(parametersBefore);
+    emit documentChanged();
+    return {};
+}
+
+/// The region size may have followed the map.
+void Session::tellSetup(const DecimationParameters& before) {
+    emit setupChanged();
+    if (!(before == parameters()))
+        emit parametersChanged();
+}
+
+StockBox Session::stockFittedToProgram() const {
+    return m_program ? fittedStock(*m_program, setup()) : setup().stock;
+}
+
+void Session::fitStock(bool forNow) {
+    Setup fitted = setup();
+    fitted.stock = fittedStock(*m_program, fitted);
+    fitted.spacing = fittedSpacing(fitted.stock);
+    const DecimationParameters before = parameters();
+    // The same again is no reason to simulate anew.
+    m_job.fitSetup(fitted == setup() ? m_job.setup() : std::make_shared<const Setup>(std::move(fitted)),
+                   forNow);
+    tellSetup(before);
+}
+
+} // namespace proveout
