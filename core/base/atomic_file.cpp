@@ -22,7 +22,8 @@ namespace proveout {
 namespace {
 
 constexpr std::size_t kBufferSize = std::size_t{1} << 20;
-constexpr off_t kSurelyFits = 16'000'000; ///< bytes
+constexpr std::size_t kToldBytes = std::size_t{1} << 22; ///< between two messages of progress
+constexpr off_t kSurelyFits = 16'000'000;                ///< bytes
 
 /// In the place of an errno: the target is a device, a pipe or the like.
 constexpr int kNotRegular = -1;
@@ -239,7 +240,8 @@ Result<void> writeFile(const std::filesystem::path& target, std::string_view byt
     return file.commit();
 }
 
-Result<std::string> readFile(const std::filesystem::path& source, std::uint64_t limit) {
+Result<std::string> readFile(const std::filesystem::path& source, std::uint64_t limit,
+                             const WorkContext& context) {
     // O_NONBLOCK: opening a FIFO must not wait for a writer.
     const int descriptor = ::open(source.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);
     if (descriptor < 0)
@@ -267,7 +269,13 @@ Result<std::string> readFile(const std::filesystem::path& source, std::uint64_t 
     bytes.reserve(static_cast<std::size_t>(info.st_size));
     std::array<char, 65536> chunk{};
     int error = 0;
-    for (;;) {
+    std::size_t toTell = kToldBytes;
+    while (!context.stopped()) {
+        if (bytes.size() >= toTell) {
+            toTell += kToldBytes;
+            context.tell(
+                std::min(1.0, static_cast<double>(bytes.size()) / static_cast<double>(info.st_size)));
+        }
         const auto count = ::read(descriptor, chunk.data(), chunk.size());
         if (count > 0) {
             bytes.append(chunk.data(), static_cast<std::size_t>(count));
@@ -282,6 +290,9 @@ Result<std::string> readFile(const std::filesystem::path& source, std::uint64_t 
     ::close(descriptor);
     if (error != 0)
         return cannotRead(source, error);
+    if (context.stopped())
+        return failure("cancelled", PROVEOUT_TEXT("Core", "Reading the file was cancelled."), {},
+                       source.string());
     return bytes;
 }
 

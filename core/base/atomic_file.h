@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/base/diagnostic.h"
+#include "core/base/work_context.h"
 
 namespace proveout {
 
@@ -56,9 +57,12 @@ private:
 /// Writes a whole file atomically.
 [[nodiscard]] Result<void> writeFile(const std::filesystem::path& target, std::string_view bytes);
 
+inline constexpr std::uint64_t kLargestReadFile = 4'000'000'000; ///< bytes
+
 /// Reads a whole regular file; never waits (a FIFO is refused). Errors: missing, unreadable, a folder or
-/// special file, larger than `limit` bytes or than the memory that is free.
+/// special file, larger than `limit` bytes or than the memory that is free, stopped (id "cancelled").
 [[nodiscard]] Result<std::string> readFile(const std::filesystem::path& source,
-                                           std::uint64_t limit = 4'000'000'000);
+                                           std::uint64_t limit = kLargestReadFile,
+                                           const WorkContext& context = {});
 
 } // namespace proveout

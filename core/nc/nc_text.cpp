@@ -223,6 +223,13 @@ std::string NcText::toString() const {
     return text;
 }
 
+std::vector<std::string_view> NcText::runs() const {
+    std::vector<std::string_view> runs;
+    for (const Piece& piece : m_state->pieces)
+        runs.push_back(piece.bytes());
+    return runs;
+}
+
 std::size_t NcText::sameLines(const NcText& other) const {
     const State& mine = *m_state;
     const State& theirs = *other.m_state;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "core/base/diagnostic.h"
+#include "core/base/work_context.h"
 
 namespace proveout {
 
@@ -21,14 +22,17 @@ public:
     NcText();
     explicit NcText(std::string text);
 
-    /// Reads a file. Errors: unreadable; UTF-16; binary content (id "nc-binary", at 1:1).
-    [[nodiscard]] static Result<NcText> load(const std::filesystem::path& file);
+    /// Reads a file. Errors: those of readFile(); UTF-16; binary content (id "nc-binary", at 1:1).
+    [[nodiscard]] static Result<NcText> load(const std::filesystem::path& file,
+                                             const WorkContext& context = {});
 
     [[nodiscard]] std::size_t size() const;      ///< bytes
     [[nodiscard]] std::size_t lineCount() const; ///< at least 1
     /// Line `index` (0-based) without its line end; valid as long as this object or a copy of it.
     [[nodiscard]] std::string_view line(std::size_t index) const;
     [[nodiscard]] std::string toString() const;
+    /// The bytes of the text in order, as they lie in memory; valid as long as this object or a copy of it.
+    [[nodiscard]] std::vector<std::string_view> runs() const;
 
     /// Whether a UTF-8 byte order mark was skipped.
     [[nodiscard]] bool hadByteOrderMark() const;

@@ -60,8 +60,8 @@ bool looksBinary(std::string_view text) {
 
 } // namespace
 
-Result<NcText> NcText::load(const std::filesystem::path& file) {
-    auto bytes = readFile(file);
+Result<NcText> NcText::load(const std::filesystem::path& file, const WorkContext& context) {
+    auto bytes = readFile(file, kLargestReadFile, context);
     if (!bytes)
         return tl::unexpected(bytes.error());
     const std::string_view sample = std::string_view(*bytes).substr(0, kSample);
