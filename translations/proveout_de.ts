@@ -3969,6 +3969,22 @@
         <source>Put it between other motions; the corner stays sharp.</source>
         <translation>Setzen Sie sie zwischen andere Bewegungen; die Ecke bleibt scharf.</translation>
     </message>
+    <message>
+        <source>Reading the file was cancelled.</source>
+        <translation>Das Lesen der Datei wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The file needs more memory to be read than there is.</source>
+        <translation>Zum Lesen der Datei ist mehr Speicher nötig, als vorhanden ist.</translation>
+    </message>
+    <message>
+        <source>Reading the file had to stop: {}.</source>
+        <translation>Das Lesen der Datei musste abgebrochen werden: {}.</translation>
+    </message>
+    <message>
+        <source>The file was not opened, because the open program was changed while the file was being read.</source>
+        <translation>Die Datei wurde nicht geöffnet, weil das offene Programm geändert wurde, während sie gelesen wurde.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>
@@ -4789,6 +4805,10 @@
     <message>
         <source>Reading the program</source>
         <translation>Programm wird gelesen</translation>
+    </message>
+    <message>
+        <source>Opening the file</source>
+        <translation>Datei wird geöffnet</translation>
     </message>
 </context>
 <context>

@@ -3969,6 +3969,22 @@
         <source>Put it between other motions; the corner stays sharp.</source>
         <translation>다른 동작 사이에 두십시오. 모서리는 그대로 남습니다.</translation>
     </message>
+    <message>
+        <source>Reading the file was cancelled.</source>
+        <translation>파일 읽기를 취소했습니다.</translation>
+    </message>
+    <message>
+        <source>The file needs more memory to be read than there is.</source>
+        <translation>파일을 읽는 데 필요한 메모리가 부족합니다.</translation>
+    </message>
+    <message>
+        <source>Reading the file had to stop: {}.</source>
+        <translation>파일 읽기를 중단해야 했습니다: {}.</translation>
+    </message>
+    <message>
+        <source>The file was not opened, because the open program was changed while the file was being read.</source>
+        <translation>파일을 읽는 동안 열려 있는 프로그램이 변경되어 파일을 열지 않았습니다.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>
@@ -4788,6 +4804,10 @@
     <message>
         <source>Reading the program</source>
         <translation>프로그램 읽는 중</translation>
+    </message>
+    <message>
+        <source>Opening the file</source>
+        <translation>파일 여는 중</translation>
     </message>
 </context>
 <context>

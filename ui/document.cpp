@@ -3,6 +3,7 @@
 
 #include <fstream>
 #include <string_view>
+#include <vector>
 
 #include "core/base/atomic_file.h"
 
@@ -68,8 +69,8 @@ LineEnd mostFrequentLineEnd(std::string_view text) {
     return cr > lf ? LineEnd::cr : LineEnd::lf;
 }
 
-Result<Document> loadDocument(const std::filesystem::path& file) {
-    Result<NcText> text = NcText::load(file);
+Result<Document> loadDocument(const std::filesystem::path& file, const WorkContext& context) {
+    Result<NcText> text = NcText::load(file, context);
     if (!text)
         return tl::unexpected(std::move(text.error()));
     Document document;
@@ -77,7 +78,8 @@ Result<Document> loadDocument(const std::filesystem::path& file) {
     document.text = std::move(*text);
     document.byteOrderMark = startsWithByteOrderMark(file);
     document.readOnly = document.text.size() > kEditableBytes;
-    const std::string bytes = document.text.toString();
+    const std::vector<std::string_view> runs = document.text.runs();
+    const std::string_view bytes = runs.empty() ? std::string_view() : runs.front(); // read in one piece
     document.utf8 = isUtf8(bytes);
     document.lineEnd = mostFrequentLineEnd(bytes);
     return document;
@@ -87,7 +89,8 @@ Result<void> saveDocument(const Document& document, const std::filesystem::path&
     AtomicFile out(file);
     if (document.byteOrderMark)
         out.write(kByteOrderMark);
-    out.write(document.text.toString());
+    for (const std::string_view run : document.text.runs())
+        out.write(run);
     return out.commit();
 }
 

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/base/diagnostic.h"
+#include "core/base/work_context.h"
 #include "core/nc/nc_text.h"
 
 namespace proveout {
@@ -27,8 +28,9 @@ struct Document {
     bool readOnly = false;
 };
 
-/// Errors: those of NcText::load.
-[[nodiscard]] Result<Document> loadDocument(const std::filesystem::path& file);
+/// Any thread. Errors: those of NcText::load.
+[[nodiscard]] Result<Document> loadDocument(const std::filesystem::path& file,
+                                            const WorkContext& context = {});
 
 /// Writes the text atomically, byte order mark included.
 [[nodiscard]] Result<void> saveDocument(const Document& document, const std::filesystem::path& file);

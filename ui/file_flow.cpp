@@ -22,6 +22,7 @@ namespace proveout {
 FileFlow::FileFlow(Session& session, QWidget& window)
     : QObject(&window), m_session(session), m_window(window) {
     connect(&session, &Session::troubled, this, [this] { m_closeAfterExport = false; });
+    connect(&session, &Session::opened, &m_recent, &RecentFiles::add);
     connect(&session, &Session::exported, this, [this] {
         if (std::exchange(m_closeAfterExport, false))
             emit closeWanted();
@@ -37,9 +38,9 @@ QString FileFlow::startFolder() const {
 }
 
 bool FileFlow::open(const QString& file) {
-    if (!mayDiscard() || !m_session.openFile(QFileInfo(file).absoluteFilePath()))
+    if (!mayDiscard())
         return false;
-    m_recent.add(file);
+    m_session.openFile(QFileInfo(file).absoluteFilePath());
     return true;
 }
 

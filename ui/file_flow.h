@@ -22,7 +22,8 @@ public:
     FileFlow(Session& session, QWidget& window);
 
     [[nodiscard]] RecentFiles& recent() { return m_recent; }
-    /// Opens a file after asking about unsaved changes. False where it was not opened.
+    /// Opens a file after asking about unsaved changes, as Session::openFile() does. False where the user
+    /// does not want to.
     bool open(const QString& file);
     void openByDialog();
     void newFile();

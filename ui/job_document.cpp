@@ -15,8 +15,10 @@ bool isJobFile(const QString& file) {
     return file.endsWith(QLatin1String(".proveout"), Qt::CaseInsensitive);
 }
 
-Result<Document> readText(const std::filesystem::path& file) {
-    Result<Document> text = loadDocument(file);
+} // namespace
+
+Result<Document> JobDocument::readText(const std::filesystem::path& file, const WorkContext& context) {
+    Result<Document> text = loadDocument(file, context);
     if (!text) {
         // A place in a text that is not open would be shown in the one that is.
         for (Diagnostic& error : text.error())
@@ -25,9 +27,7 @@ Result<Document> readText(const std::filesystem::path& file) {
     return text;
 }
 
-} // namespace
-
-Result<JobDocument> JobDocument::open(const QString& file) {
+Result<JobDocument> JobDocument::open(const QString& file, const WorkContext& context) {
     JobDocument document;
     std::filesystem::path program = toPath(file);
     if (isJobFile(file)) {
@@ -42,7 +42,7 @@ Result<JobDocument> JobDocument::open(const QString& file) {
         document.m_parameters = job->parameters;
         document.m_regionNamed = job->regionNamed;
     }
-    Result<Document> text = readText(program);
+    Result<Document> text = readText(program, context);
     if (!text)
         return tl::unexpected(std::move(text.error()));
     document.m_text = std::move(*text);
@@ -78,15 +78,9 @@ Result<void> JobDocument::saveJobAs(const QString& file) {
     return {};
 }
 
-Result<void> JobDocument::reload() {
-    Result<Document> text = readText(m_text.path);
-    if (!text) {
-        keepMine();
-        return tl::unexpected(std::move(text.error()));
-    }
-    m_text = std::move(*text);
+void JobDocument::replaceText(Document text) {
+    m_text = std::move(text);
     m_keptMine = false;
-    return {};
 }
 
 void JobDocument::edit(std::size_t offset, std::size_t removed, std::string_view inserted) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -8,6 +9,7 @@
 #include <QString>
 
 #include "core/base/diagnostic.h"
+#include "core/base/work_context.h"
 #include "core/decimation/parameters.h"
 #include "core/simulation/setup.h"
 #include "ui/document.h"
@@ -15,15 +17,18 @@
 namespace proveout {
 
 /// What File > Open reads and File > Save writes: a program text with its set-up and decimation parameters,
-/// and the job file that holds these two where there is one. Thread: the UI thread. Value type.
+/// and the job file that holds these two where there is one. Value type; one thread at a time.
 class JobDocument {
 public:
     /// A text without a name, with nothing defined.
     JobDocument() = default;
     /// Reads an NC program or, told by its extension, a `.proveout` job and the program that it names. A
-    /// program alone comes with no tools and no stock of its own. Errors: those of readJob() and
+    /// program alone comes with no tools and no stock of its own. Any thread. Errors: those of readJob() and
     /// loadDocument().
-    [[nodiscard]] static Result<JobDocument> open(const QString& file);
+    [[nodiscard]] static Result<JobDocument> open(const QString& file, const WorkContext& context = {});
+    /// Reads a text alone. Any thread. Errors: those of loadDocument(), without a place.
+    [[nodiscard]] static Result<Document> readText(const std::filesystem::path& file,
+                                                   const WorkContext& context = {});
     /// What was strange about the job file that was read, yet no error.
     [[nodiscard]] const Diagnostics& warnings() const { return m_warnings; }
 
@@ -44,9 +49,8 @@ public:
     [[nodiscard]] Result<void> saveJobAs(const QString& file);
     /// Set-up and parameters stay, but no longer belong to a job file.
     void detachJob() { m_jobFile.clear(); }
-    /// Reads the text again. Errors: those of loadDocument(); the text then stays as it is, and is kept
-    /// (keepMine).
-    [[nodiscard]] Result<void> reload();
+    /// The text was read again.
+    void replaceText(Document text);
 
     /// Replaces the bytes [offset, offset + removed) of the text.
     void edit(std::size_t offset, std::size_t removed, std::string_view inserted);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 #include <variant>
 
 namespace proveout {
@@ -16,9 +17,9 @@ constexpr double kSmallestSide = 5;
 constexpr double kFinestSpacing = 0.01;
 constexpr double kPointsAlongSide = 400;
 
-double largestRadius(const Program& program, const ToolTable& tools) {
+double largestRadius(const std::vector<int>& numbers, const ToolTable& tools) {
     double radius = 0;
-    for (const int number : usedTools(program)) {
+    for (const int number : numbers) {
         if (const Cutter* cutter = tools.find(number))
             radius = std::max(radius, cutter->radius());
     }
@@ -60,31 +61,27 @@ std::optional<std::size_t> neighbouringToolChange(const Program& program, std::s
     return nearest;
 }
 
-std::vector<int> usedTools(const Program& program) {
+CuttingExtent cuttingExtent(const Program& program) {
     std::set<int> tools;
-    for (std::size_t i = 0; i < program.motionCount(); ++i) {
-        const Motion motion = program.motion(i);
-        if (motion.kind != MotionKind::rapid && motion.tool > 0)
-            tools.insert(motion.tool);
-    }
-    return {tools.begin(), tools.end()};
-}
-
-Box3 cuttingBounds(const Program& program) {
     Box3 box;
+    int newest = 0; // a tool cuts many motions in a row
     for (std::size_t i = 0; i < program.motionCount(); ++i) {
         const Motion motion = program.motion(i);
-        if (motion.kind != MotionKind::rapid && motion.known() && !motion.probing)
+        if (motion.kind == MotionKind::rapid)
+            continue;
+        if (motion.tool > 0 && std::exchange(newest, motion.tool) != motion.tool)
+            tools.insert(motion.tool);
+        if (motion.known() && !motion.probing)
             box.add(bounds(motion));
     }
-    return box;
+    return {{tools.begin(), tools.end()}, box};
 }
 
-StockBox fittedStock(const Program& program, const Setup& present) {
-    const Box3 box = cuttingBounds(program);
+StockBox fittedStock(const CuttingExtent& cutting, const Setup& present) {
+    const Box3& box = cutting.box;
     if (box.empty())
         return present.stock;
-    const double radius = largestRadius(program, present.tools);
+    const double radius = largestRadius(cutting.tools, present.tools);
     const double margin = radius > 0 ? radius : kSideWithoutTool;
     const double top = box.lo.z < 0 ? 0 : std::ceil(box.hi.z);
     StockBox stock;

@@ -28,16 +28,19 @@ struct ToolChangeMark {
 /// The index of the block that holds motion `motion`; blockCount() for one behind the last.
 [[nodiscard]] std::size_t blockOfMotion(const Program& program, std::size_t motion);
 
-/// Numbers of the tools that cut, ascending, each once.
-[[nodiscard]] std::vector<int> usedTools(const Program& program);
+/// What all motions that cut by intention (feeds and arcs, no rapids) reach together. Value type.
+struct CuttingExtent {
+    std::vector<int> tools; ///< their numbers, ascending, each once
+    Box3 box;               ///< of the motions that are wholly known; mm
+};
 
-/// The box of all motions that cut by intention (feeds and arcs, no rapids) and are wholly known.
-[[nodiscard]] Box3 cuttingBounds(const Program& program);
+/// Goes through all motions: not for the UI thread.
+[[nodiscard]] CuttingExtent cuttingExtent(const Program& program);
 
 /// The stock that holds the cutting motions of a program: the cutter's radius wider than they are, 5 mm
 /// deeper than the deepest of them, its top at Z0 where something is cut below it, else at the highest of
 /// them. Rounded outwards to whole mm. `present` where nothing is cut.
-[[nodiscard]] StockBox fittedStock(const Program& program, const Setup& present);
+[[nodiscard]] StockBox fittedStock(const CuttingExtent& cutting, const Setup& present);
 
 /// A spacing of the series 1, 2, 5 that gives the longer side of a stock a few hundred grid points.
 [[nodiscard]] double fittedSpacing(const StockBox& stock);

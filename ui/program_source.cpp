@@ -5,8 +5,6 @@
 #include <new>
 #include <utility>
 
-#include <QMetaObject>
-
 #include "core/base/text.h"
 
 namespace proveout {
@@ -24,82 +22,37 @@ ProgramSource::Interpret resuming() {
 } // namespace
 
 ProgramSource::ProgramSource(QObject* parent, Interpret interpret)
-    : QObject(parent), m_interpret(interpret ? std::move(interpret) : resuming()),
-      m_thread([this](const std::stop_token& stop) { run(stop); }) {}
-
-ProgramSource::~ProgramSource() {
-    m_current.request_stop();
-    m_thread.request_stop();
-    m_thread.join();
-}
+    : QObject(parent), m_interpret(interpret ? std::move(interpret) : resuming()) {}
 
 void ProgramSource::request(NcText text, InterpretOptions options, bool beginning) {
-    cancel();
-    {
-        const std::scoped_lock lock(m_mutex);
-        m_waiting =
-            Request{std::move(text), std::move(options), beginning, m_generation, m_current.get_token()};
-    }
-    m_wake.notify_one();
-}
-
-void ProgramSource::cancel() {
-    m_current.request_stop();
-    m_current = std::stop_source();
-    ++m_generation;
-    const std::scoped_lock lock(m_mutex);
-    m_waiting.reset();
-}
-
-void ProgramSource::stop() {
-    m_current.request_stop();
-}
-
-/// Has something told on the UI thread, unless nobody wants to know any more.
-template<typename Tell>
-void ProgramSource::post(std::uint64_t generation, Tell tell) {
-    QMetaObject::invokeMethod(
-        this,
-        [this, generation, tell = std::move(tell)] {
-            if (generation == m_generation)
-                tell();
-        },
-        Qt::QueuedConnection);
-}
-
-void ProgramSource::run(const std::stop_token& stop) {
-    while (true) {
-        Request request;
-        {
-            std::unique_lock lock(m_mutex);
-            if (!m_wake.wait(lock, stop, [this] { return m_waiting.has_value(); }))
-                return;
-            request = std::move(*m_waiting);
-            m_waiting.reset();
-        }
-        post(request.generation, [this, result = carryOut(request)] {
-            if (result)
-                emit ready(*result);
-            else
-                emit failed(result.error());
+    m_task.start(
+        [this, request = Request{std::move(text), std::move(options), beginning}](const Reply& reply) {
+            reply.post([this, result = carryOut(request, reply)] {
+                if (result)
+                    emit ready(result->program, result->cutting);
+                else
+                    emit failed(result.error());
+            });
         });
-    }
 }
 
-Result<std::shared_ptr<const Program>> ProgramSource::carryOut(const Request& request) {
+Result<ProgramSource::Interpreted> ProgramSource::carryOut(const Request& request, const Reply& reply) {
     try {
         WorkContext context;
-        context.stop = request.stop;
-        context.progress = [this, &request](double done) {
+        context.stop = reply.stop;
+        context.progress = [this, &reply](double done) {
             if (done > 0 && done < 1)
-                post(request.generation, [this, done] { emit progressed(done); });
+                reply.post([this, done] { emit progressed(done); });
         };
         ResumableInterpreter::Publish publish;
         if (request.beginning)
-            publish = [this, &request](const std::shared_ptr<const Program>& program) {
-                post(request.generation, [this, program] { emit begun(program); });
+            publish = [this, &reply](const std::shared_ptr<const Program>& program) {
+                reply.post(
+                    [this, program, cutting = cuttingExtent(*program)] { emit begun(program, cutting); });
             };
-        return m_interpret(request.text, request.options, context, publish);
+        const auto program = m_interpret(request.text, request.options, context, publish);
+        const bool watching = request.options.watchedLine > 0;
+        return Interpreted{program, watching ? CuttingExtent() : cuttingExtent(*program)};
     } catch (const std::bad_alloc&) {
         return failure(
             "out-of-memory",

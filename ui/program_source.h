@@ -2,14 +2,8 @@
 // Interpretation in the background.
 #pragma once
 
-#include <condition_variable>
-#include <cstdint>
 #include <functional>
 #include <memory>
-#include <mutex>
-#include <optional>
-#include <stop_token>
-#include <thread>
 
 #include <QObject>
 
@@ -19,6 +13,8 @@
 #include "core/nc/nc_text.h"
 #include "core/nc/program.h"
 #include "core/nc/resumable_interpreter.h"
+#include "ui/newest_task.h"
+#include "ui/program_index.h"
 
 namespace proveout {
 
@@ -33,43 +29,38 @@ public:
         const NcText&, const InterpretOptions&, const WorkContext&, const ResumableInterpreter::Publish&)>;
     /// `interpret` is called on the thread; what it throws is told by `failed`. None: a ResumableInterpreter.
     explicit ProgramSource(QObject* parent = nullptr, Interpret interpret = {});
-    ~ProgramSource() override;
 
     /// `beginning`: the beginning of a long program is wanted before the rest was read.
     void request(NcText text, InterpretOptions options, bool beginning = false);
     /// Forgets what is under way.
-    void cancel();
+    void cancel() { m_task.cancel(); }
     /// What is under way is ready as far as it is.
-    void stop();
+    void stop() { m_task.stop(); }
 
 signals:
-    /// The beginning of a program that is still being read.
-    void begun(const std::shared_ptr<const Program>& program);
+    /// The beginning of a program that is still being read, and what it cuts.
+    void begun(const std::shared_ptr<const Program>& program, const CuttingExtent& cutting);
     /// How far a long text is read, in [0, 1).
     void progressed(double done);
-    void ready(const std::shared_ptr<const Program>& program);
+    /// `cutting`: empty where one line is watched.
+    void ready(const std::shared_ptr<const Program>& program, const CuttingExtent& cutting);
     void failed(const Diagnostics& errors);
 
 private:
+    using Reply = NewestTask::Reply;
     struct Request {
         NcText text;
         InterpretOptions options;
         bool beginning = false;
-        std::uint64_t generation = 0;
-        std::stop_token stop;
     };
-    void run(const std::stop_token& stop);
-    [[nodiscard]] Result<std::shared_ptr<const Program>> carryOut(const Request& request);
-    template<typename Tell>
-    void post(std::uint64_t generation, Tell tell);
+    struct Interpreted {
+        std::shared_ptr<const Program> program;
+        CuttingExtent cutting;
+    };
+    [[nodiscard]] Result<Interpreted> carryOut(const Request& request, const Reply& reply);
 
-    Interpret m_interpret;
-    std::mutex m_mutex;
-    std::condition_variable_any m_wake;
-    std::optional<Request> m_waiting; ///< guarded by m_mutex
-    std::stop_source m_current;       ///< of the newest request; UI thread
-    std::uint64_t m_generation = 0;   ///< UI thread
-    std::jthread m_thread;
+    Interpret m_interpret; ///< used on the thread of the task only
+    NewestTask m_task;     ///< last: its thread ends before what it uses
 };
 
 } // namespace proveout

@@ -8,7 +8,6 @@
 
 #include "core/base/text.h"
 #include "core/simulation/interpretation.h"
-#include "ui/file_paths.h"
 #include "ui/program_index.h"
 
 namespace proveout {
@@ -33,23 +32,27 @@ Session::Session(QObject* parent) : QObject(parent) {
     connect(&m_watch, &FileWatch::changed, this, &Session::watchedFileChanged);
     connect(&m_tick, &RepaintTick::fired, this, &Session::onTick);
     connect(&m_source, &ProgramSource::begun, this,
-            [this](const std::shared_ptr<const Program>& program) { adoptProgram(program, false); });
+            [this](const auto& program, const auto& cutting) { adoptProgram(program, cutting, false); });
+    connect(&m_reader, &DocumentReader::progressChanged, this, &Session::showWork);
     connect(&m_source, &ProgramSource::progressed, this, [this](double done) {
-        m_reading = true;
-        showReading(done);
+        m_interpreted = done;
+        showWork();
     });
-    connect(&m_source, &ProgramSource::ready, this, [this](const std::shared_ptr<const Program>& program) {
-        endReading();
-        adoptProgram(program, true);
+    connect(&m_source, &ProgramSource::ready, this, [this](const auto& program, const auto& cutting) {
+        m_interpreted.reset();
+        showWork();
+        adoptProgram(program, cutting, true);
     });
     connect(&m_source, &ProgramSource::failed, this, [this](const Diagnostics& errors) {
-        endReading();
+        m_interpreted.reset();
+        showWork();
         m_begun = false; // no more comes
         tell(errors);
     });
     connect(&m_export, &ExportJob::progressed, this, [this](double done) {
-        if (m_exporting)
-            setWork(Work{tr("Exporting"), done});
+        if (m_exported)
+            m_exported = done;
+        showWork();
     });
 
     SimulationListener listener;
@@ -82,24 +85,17 @@ void Session::interpret() {
     options.file.clear(); // messages without a file are about the text in the editor
     if (m_job.wantsStock())
         options.part = {};
-    endReading();
+    m_interpreted.reset();
+    showWork();
     m_source.request(document().text, std::move(options), !m_program);
 }
 
-void Session::showReading(double done) {
-    if (!m_exporting)
-        setWork(Work{tr("Reading the program"), done});
-}
-
-void Session::endReading() {
-    if (std::exchange(m_reading, false) && !m_exporting)
-        setWork(std::nullopt);
-}
-
 /// `whole`: else its rest is still being read, and may leave the stock.
-void Session::adoptProgram(const std::shared_ptr<const Program>& program, bool whole) {
+void Session::adoptProgram(const std::shared_ptr<const Program>& program, const CuttingExtent& cutting,
+                           bool whole) {
     const bool more = std::exchange(m_begun, !whole);
     m_program = program;
+    m_cutting = cutting;
     if (m_job.wantsStock()) {
         fitStock(!whole);
         if (whole && program->asksForStock())
@@ -153,9 +149,8 @@ void Session::load() {
 }
 
 void Session::simulationProgressed(double done) {
-    if (m_exporting || m_reading)
-        return;
-    setWork(done < 1 ? std::optional<Work>({tr("Simulating"), done}) : std::nullopt);
+    m_simulated = done < 1 ? std::optional(done) : std::nullopt;
+    showWork();
 }
 
 void Session::simulationFailed(const Diagnostics& errors, std::uint64_t generation) {
@@ -283,7 +278,7 @@ void Session::setSpeed(double blocksPerSecond, bool everyBlock) {
 // Export, progress, problems.
 
 void Session::exportMesh(const QString& file, const ExportOptions& options) {
-    if (m_exporting) {
+    if (m_exported) {
         tell(
             failure("export-running",
                     PROVEOUT_TEXT("Core", "An export is still being written; wait for its end or cancel it."))
@@ -296,8 +291,8 @@ void Session::exportMesh(const QString& file, const ExportOptions& options) {
         return;
     }
     m_messages.clear();
-    m_exporting = true;
-    setWork(Work{tr("Exporting"), 0});
+    m_exported = 0;
+    showWork();
     // Held back is playback, not what the user wants in a file.
     auto moment = std::make_shared<Frame>(*m_frame);
     moment->parameters = parameters();
@@ -306,8 +301,8 @@ void Session::exportMesh(const QString& file, const ExportOptions& options) {
 }
 
 void Session::exportDone(const Result<ExportSummary>& result) {
-    m_exporting = false;
-    setWork(std::nullopt);
+    m_exported.reset();
+    showWork();
     if (!result) {
         tell(result.error());
         return;
@@ -321,19 +316,29 @@ void Session::exportDone(const Result<ExportSummary>& result) {
 }
 
 void Session::cancelWork() {
-    if (m_exporting) {
-        m_export.cancel();
-        return;
-    }
-    if (m_reading) {
-        m_source.stop();
-        return;
-    }
+    // What work() tells of.
+    if (m_exported)
+        return m_export.cancel();
+    if (m_reader.progress())
+        return m_reader.cancel();
+    if (m_interpreted)
+        return m_source.stop();
     m_simulation->cancel();
     stopPlaying();
 }
 
-void Session::setWork(std::optional<Work> work) {
+void Session::showWork() {
+    std::optional<Work> work;
+    if (m_exported)
+        work = {tr("Exporting"), *m_exported};
+    else if (m_reader.progress())
+        work = {tr("Opening the file"), *m_reader.progress()};
+    else if (m_interpreted)
+        work = {tr("Reading the program"), *m_interpreted};
+    else if (m_simulated)
+        work = {tr("Simulating"), *m_simulated};
+    if (work == m_work)
+        return;
     m_work = std::move(work);
     emit workChanged();
 }

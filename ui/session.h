@@ -22,11 +22,13 @@
 #include "core/simulation/setup.h"
 #include "core/simulation/simulation_thread.h"
 #include "core/simulation/statistics.h"
+#include "ui/document_reader.h"
 #include "ui/export_job.h"
 #include "ui/file_watch.h"
 #include "ui/frame_log.h"
 #include "ui/job_document.h"
 #include "ui/played_parameters.h"
+#include "ui/program_index.h"
 #include "ui/program_source.h"
 #include "ui/repaint_tick.h"
 
@@ -48,6 +50,8 @@ inline constexpr double kUnitBlocksPerSecond = 50;
 struct Work {
     QString label;
     double done = 0; ///< in [0, 1]
+
+    friend bool operator==(const Work&, const Work&) = default;
 };
 
 /// Holds one document with its setup, parameters, program, playback and newest frame, and owns the threads
@@ -75,6 +79,8 @@ public:
     [[nodiscard]] const DecimationParameters& parameters() const { return m_job.parameters(); }
     /// The newest interpretation; null before the first one. May be ahead of frame()->program.
     [[nodiscard]] const std::shared_ptr<const Program>& program() const { return m_program; }
+    /// What program() cuts.
+    [[nodiscard]] const CuttingExtent& cutting() const { return m_cutting; }
     /// Whether program() is only the beginning of one whose rest is still being read.
     [[nodiscard]] bool isReading() const { return m_begun; }
     /// The newest frame; null before the first one of a document.
@@ -94,7 +100,9 @@ public:
     /// Whether the place of a problem is one of the open text; others name their file (a job file, say).
     [[nodiscard]] static bool isInText(const Diagnostic& problem);
     [[nodiscard]] const std::optional<Work>& work() const { return m_work; }
-    [[nodiscard]] bool exporting() const { return m_exporting; }
+    [[nodiscard]] bool exporting() const { return m_exported.has_value(); }
+    /// Whether a file is being read whose content will take the place of the document, or of its text.
+    [[nodiscard]] bool isOpening() const { return m_reader.isReading(); }
     /// What the last export wrote; empty before the first one.
     [[nodiscard]] const std::optional<ExportSummary>& lastExport() const { return m_lastExport; }
 
@@ -104,9 +112,11 @@ public:
     /// Asks for a tick outside playback, e.g. after a colour was changed in a panel.
     void requestTick() { m_tick.request(); }
 
-    /// Opens an NC program or a `.proveout` job. What went wrong stands in problems(); the open document then
-    /// stays as it was. Unsaved changes are the caller's to ask about.
-    bool openFile(const QString& file);
+    /// Opens an NC program or a `.proveout` job: it is read in the background, and takes the place of the
+    /// document when it is there whole (opened()). What went wrong stands in problems() (troubled()); the
+    /// open document then stays as it was. Unsaved changes are the caller's to ask about before; a change of
+    /// the document while the file is read stops the opening, so that none is lost. The newest file wins.
+    void openFile(const QString& file);
     void newFile();
     /// Writes text and job to where they came from. False where that failed or where there is no path yet.
     bool save();
@@ -114,7 +124,7 @@ public:
     bool saveJobAs(const QString& file);
     /// Setup and parameters stay, but no longer belong to a job file.
     void detachJob();
-    /// Reads the text again from the disk.
+    /// Reads the text again from the disk, in the background as openFile() does.
     void reload();
     /// Leaves the text as it is although the file has changed; it counts as modified.
     void keepMine();
@@ -152,6 +162,8 @@ signals:
     void documentChanged();
     /// The text was replaced as a whole (opened, reloaded): views load it anew.
     void textReplaced();
+    /// openFile() is through: the document is that of the file.
+    void opened(const QString& file);
     void programChanged();
     void setupChanged();
     void parametersChanged();
@@ -177,9 +189,10 @@ private:
     bool told(const Result<void>& result);
     void watchedFileChanged();
     void interpret();
-    void showReading(double done);
-    void endReading();
-    void adoptProgram(const std::shared_ptr<const Program>& program, bool whole);
+    void textRead(Result<Document> text);
+    void stopOpening();
+    void adoptProgram(const std::shared_ptr<const Program>& program, const CuttingExtent& cutting,
+                      bool whole);
     void simulate(bool more);
     void fitStock(bool forNow);
     void continueWithEdit();
@@ -194,7 +207,7 @@ private:
     void restartHoldBack();
     void postParameters();
     void refreshProblems();
-    void setWork(std::optional<Work> work);
+    void showWork();
     void exportDone(const Result<ExportSummary>& result);
 
     JobDocument m_job;
@@ -202,6 +215,7 @@ private:
     Playback m_playback;
 
     std::shared_ptr<const Program> m_program;
+    CuttingExtent m_cutting;
     std::shared_ptr<const Setup> m_loadedSetup; ///< what the simulation runs on; null: nothing loaded
     std::uint64_t m_generation = 0;
     std::uint64_t m_loadGeneration = 0; ///< of the newest load; failures of older ones are nobody's concern
@@ -214,15 +228,18 @@ private:
     Diagnostics m_messages;         ///< about files and jobs
     Diagnostics m_simulationErrors; ///< of the last load
     Diagnostics m_problems;
-    bool m_exporting = false;
-    bool m_reading = false; ///< a long text, which is told
-    bool m_begun = false;   ///< the program is only its beginning
+    bool m_begun = false; ///< the program is only its beginning
     std::optional<Work> m_work;
+    // How far what may be told by it is, in [0, 1]; empty where it is not under way.
+    std::optional<double> m_exported;
+    std::optional<double> m_interpreted; ///< a long text
+    std::optional<double> m_simulated;
     std::optional<ExportSummary> m_lastExport;
 
     FileWatch m_watch;
     RepaintTick m_tick;
     QTimer m_editPause; ///< typing is interpreted after a short rest
+    DocumentReader m_reader;
     ExportJob m_export;
     ProgramSource m_source;
     std::unique_ptr<SimulationThread> m_simulation; ///< last: its thread ends before what it posts to

@@ -6,6 +6,7 @@
 #include <QFileInfo>
 
 #include "core/base/memory.h"
+#include "core/base/text.h"
 #include "core/decimation/map_memory.h"
 #include "core/simulation/interpretation.h"
 #include "ui/file_paths.h"
@@ -14,16 +15,18 @@
 
 namespace proveout {
 
-bool Session::openFile(const QString& file) {
-    Result<JobDocument> job = JobDocument::open(file);
-    if (!job)
-        return told(tl::unexpected(std::move(job.error())));
-    adopt(std::move(*job));
-    tell(m_job.warnings());
-    return true;
+void Session::openFile(const QString& file) {
+    m_reader.open(file, [this, file](Result<JobDocument> job) {
+        if (!job)
+            return tell(job.error());
+        adopt(std::move(*job));
+        tell(m_job.warnings());
+        emit opened(file);
+    });
 }
 
 void Session::newFile() {
+    m_reader.cancel();
     adopt({});
 }
 
@@ -32,6 +35,7 @@ void Session::adopt(JobDocument job) {
     m_job = std::move(job);
     m_hasDocument = true;
     m_program.reset();
+    m_cutting = {};
     m_begun = false;
     m_loadedSetup.reset();
     ++m_generation;
@@ -89,15 +93,35 @@ bool Session::told(const Result<void>& result) {
 }
 
 void Session::reload() {
-    if (told(m_job.reload())) {
+    m_reader.readText(document().path, [this](Result<Document> text) { textRead(std::move(text)); });
+}
+
+void Session::textRead(Result<Document> text) {
+    if (!text)
+        m_job.keepMine();
+    else if (text->path == document().path) { // else it was saved elsewhere in the meantime
+        m_job.replaceText(*text);
         m_watch.watch(toQString(document().path));
         emit textReplaced();
         interpret();
     }
+    told(text ? Result<void>() : tl::unexpected(text.error()));
     emit documentChanged();
 }
 
+/// The document is changed: what is being read would take the change away.
+void Session::stopOpening() {
+    if (!m_reader.isReading())
+        return;
+    m_reader.cancel();
+    tell(failure("opening-stopped",
+                 PROVEOUT_TEXT("Core", "The file was not opened, because the open program was changed "
+                                       "while the file was being read."))
+             .value());
+}
+
 void Session::keepMine() {
+    stopOpening();
     m_job.keepMine();
     emit documentChanged();
 }
@@ -109,6 +133,7 @@ void Session::watchedFileChanged() {
 }
 
 void Session::applyEdit(std::size_t offset, std::size_t removed, std::string_view inserted) {
+    stopOpening();
     m_job.edit(offset, removed, inserted);
     m_editPause.start();
 }
@@ -121,6 +146,7 @@ void Session::setTextModified(bool modified) {
 void Session::setParameters(const DecimationParameters& parameters) {
     if (parameters == m_job.parameters())
         return;
+    stopOpening();
     m_job.setParameters(parameters);
     restartHoldBack();
     postParameters();
@@ -141,6 +167,7 @@ Result<void> Session::setSetup(const Setup& setup) {
         return fits;
     const bool otherProgram = !m_program || !interpretedAlike(*m_program, setup, before);
     const DecimationParameters parametersBefore = parameters();
+    stopOpening();
     m_job.setSetup(std::make_shared<const Setup>(setup));
     if (otherProgram)
         interpret();
@@ -159,12 +186,12 @@ void Session::tellSetup(const DecimationParameters& before) {
 }
 
 StockBox Session::stockFittedToProgram() const {
-    return m_program ? fittedStock(*m_program, setup()) : setup().stock;
+    return m_program ? fittedStock(m_cutting, setup()) : setup().stock;
 }
 
 void Session::fitStock(bool forNow) {
     Setup fitted = setup();
-    fitted.stock = fittedStock(*m_program, fitted);
+    fitted.stock = fittedStock(m_cutting, fitted);
     fitted.spacing = fittedSpacing(fitted.stock);
     const DecimationParameters before = parameters();
     // The same again is no reason to simulate anew.

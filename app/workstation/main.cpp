@@ -96,6 +96,17 @@ bool trigger(MainWindow& window, const QStringList& ids) {
     return true;
 }
 
+/// What is to be done with the document. False where there is no such command.
+bool goOn(MainWindow& window, const Options& options) {
+    if (!trigger(window, options.actions))
+        return false;
+    if (!options.screenshot.isEmpty())
+        new ScreenshotRun(window, options.screenshot, options.seek);
+    else if (options.seek)
+        window.session().seek(*options.seek);
+    return true;
+}
+
 int run() {
     const Options options = readOptions(QApplication::arguments());
     QTemporaryDir ownSettings;
@@ -114,17 +125,25 @@ int run() {
     if (!options.size.isEmpty())
         window.resize(options.size);
     window.show();
-    if (!options.file.isEmpty() && !window.files().open(options.file) && !options.screenshot.isEmpty()) {
-        for (const Diagnostic& problem : session.problems())
-            std::fprintf(stderr, "%s\n", oneLine(problem).c_str());
-        return kUsage;
-    }
-    if (!trigger(window, options.actions))
-        return kUsage;
+    if (options.file.isEmpty())
+        return goOn(window, options) ? QApplication::exec() : kUsage;
+    // The commands are about what the file holds.
+    QObject::connect(
+        &session, &Session::opened, &window,
+        [&] {
+            if (!goOn(window, options))
+                QCoreApplication::exit(kUsage);
+        },
+        Qt::SingleShotConnection);
     if (!options.screenshot.isEmpty())
-        new ScreenshotRun(window, options.screenshot, options.seek);
-    else if (options.seek)
-        session.seek(*options.seek);
+        QObject::connect(&session, &Session::troubled, &window, [&] {
+            if (session.hasDocument())
+                return;
+            for (const Diagnostic& problem : session.problems())
+                std::fprintf(stderr, "%s\n", oneLine(problem).c_str());
+            QCoreApplication::exit(kUsage);
+        });
+    window.files().open(options.file);
     return QApplication::exec();
 }
 

@@ -97,6 +97,11 @@ EditorPanel::EditorPanel(Session& session, QWidget* parent)
             [this](const std::shared_ptr<const Program>& program) { showValues(*program); });
     connect(m_editor, &QsciScintilla::selectionChanged, this, &EditorPanel::updateActions);
     connect(m_editor, &QsciScintilla::textChanged, this, &EditorPanel::updateActions);
+    connect(m_editor, &NcEditor::loaded, this, [this] {
+        updateActions();
+        showProblems();
+        showFrame(m_session.frame());
+    });
     connect(&session, &Session::textReplaced, this, &EditorPanel::loadText);
     connect(&session, &Session::documentChanged, this, [this] {
         if (!m_session.document().modified)
@@ -130,7 +135,6 @@ void EditorPanel::loadText() {
     m_editor->load(m_session.document());
     m_readOnly->setVisible(m_session.document().readOnly);
     m_changed->hide();
-    updateActions();
 }
 
 void EditorPanel::updateActions() {

@@ -2,6 +2,7 @@
 #include "ui/editor/nc_editor.h"
 
 #include <algorithm>
+#include <utility>
 
 #include <QApplication>
 #include <QContextMenuEvent>
@@ -19,9 +20,11 @@ constexpr int kNumberMargin = 0;
 constexpr int kProblemMargin = 1;
 constexpr int kArrowMargin = 2;
 constexpr int kArrowMarginWidth = 14;
+constexpr int kTabWidth = 4;
 constexpr int kCurrentArrow = 1;
 constexpr int kCurrentBackground = 2;
 constexpr double kCurrentTint = 0.22;
+constexpr std::size_t kBytesAtOnce = 1'000'000; ///< a few milliseconds
 
 /// `share` of `b` in `a`; opaque, because a translucent marker is not drawn behind styled text.
 QColor mixed(const QColor& a, const QColor& b, double share) {
@@ -52,7 +55,7 @@ NcEditor::NcEditor(QWidget* parent)
     setLexer(&m_highlighter);
     setUpMargins();
     setWrapMode(WrapNone);
-    setTabWidth(4);
+    setAnnotationDisplay(AnnotationHidden); // there are none; shown, each line is asked when a text comes
     setScrollWidthTracking(true);
     setScrollWidth(1);
     SendScintilla(SCI_SETCARETLINEVISIBLEALWAYS, 1UL);
@@ -82,7 +85,8 @@ void NcEditor::showDialect(DialectId dialect) {
     if (dialect == m_highlighter.dialect())
         return;
     m_highlighter.setDialect(dialect);
-    SendScintilla(SCI_COLOURISE, 0UL, -1L);
+    SendScintilla(SCI_STARTSTYLING, 0UL); // what is seen is coloured anew when it is painted
+    viewport()->update();
 }
 
 void NcEditor::adoptPalette() {
@@ -106,25 +110,53 @@ void NcEditor::adoptPalette() {
 }
 
 void NcEditor::load(const Document& document) {
-    const std::string bytes = document.text.toString();
+    m_place.reset();
+    m_filling.cancel();
+    auto before = std::exchange(m_document, nullptr); // that may be much to free: not on this thread
+    auto next = std::make_shared<ScintillaDocument>(*this);
+    if (document.text.size() <= kBytesAtOnce) {
+        next->fill(document.text);
+        showDocument(std::move(next), document, document.readOnly);
+        m_filling.start([before = std::move(before)](const NewestTask::Reply&) mutable { before.reset(); });
+        return;
+    }
+    showDocument(std::make_shared<ScintillaDocument>(*this), document, true);
+    m_isFilling = true;
+    m_filling.start(
+        [this, before = std::move(before), next, document](const NewestTask::Reply& reply) mutable {
+            before.reset();
+            const bool whole = next->fill(document.text, reply.stop);
+            reply.post([this, next, document, whole] {
+                showDocument(next, document,
+                             document.readOnly || !whole); // an edit counts on all bytes being there
+            });
+        });
+}
+
+void NcEditor::showDocument(std::shared_ptr<const ScintillaDocument> shown, const Document& document,
+                            bool readOnly) {
     m_loading = true;
-    setReadOnly(false);
-    SendScintilla(SCI_SETUNDOCOLLECTION, 0UL);
-    SendScintilla(SCI_CLEARALL);
+    shown->showIn(*this);
+    m_document = std::move(shown);
+    m_isFilling = false;
     setUtf8(document.utf8);
     SendScintilla(SCI_SETEOLMODE, static_cast<unsigned long>(scintillaLineEnd(document.lineEnd)));
-    SendScintilla(SCI_ALLOCATE, asWord(bytes.size() + 1));
-    SendScintilla(SCI_ADDTEXT, asWord(bytes.size()), bytes.data());
+    setTabWidth(kTabWidth);
     SendScintilla(SCI_SETUNDOCOLLECTION, 1UL);
-    SendScintilla(SCI_EMPTYUNDOBUFFER);
     SendScintilla(SCI_SETSAVEPOINT);
     SendScintilla(SCI_GOTOPOS, 0UL);
-    setReadOnly(document.readOnly);
+    setReadOnly(readOnly);
     m_loading = false;
     m_currentLine = 0;
+    m_values.reset();
+    leaveWord();
     m_problems.clear();
     setMarginWidth(kNumberMargin,
                    QString(qMax(4, static_cast<int>(QString::number(lines()).size()) + 1), u'0'));
+    emit textChanged();
+    emit loaded();
+    if (const auto place = std::exchange(m_place, std::nullopt))
+        goTo(place->first, place->second);
 }
 
 void NcEditor::markSaved() {
@@ -148,9 +180,15 @@ void NcEditor::onModified(int position, int type, const char* text, int length) 
 void NcEditor::showCurrentLine(int line, bool follow) {
     if (line == m_currentLine)
         return;
-    m_currentLine = line;
-    markerDeleteAll(kCurrentArrow);
-    markerDeleteAll(kCurrentBackground);
+    const int marked = std::exchange(m_currentLine, line) - 1;
+    // All lines are gone through only where an edit has moved the mark.
+    const bool there = marked >= 0 && (markersAtLine(marked) & (1U << kCurrentArrow)) != 0;
+    for (const int mark : {kCurrentArrow, kCurrentBackground}) {
+        if (there)
+            markerDelete(marked, mark);
+        else if (marked >= 0)
+            markerDeleteAll(mark);
+    }
     if (line <= 0)
         return;
     markerAdd(line - 1, kCurrentArrow);
@@ -168,6 +206,10 @@ void NcEditor::revealLine(int line) {
 }
 
 void NcEditor::goTo(int line, int column) {
+    if (m_isFilling) {
+        m_place = {line, column};
+        return;
+    }
     const int index = std::clamp(line - 1, 0, std::max(0, lines() - 1));
     const long begin = SendScintilla(SCI_POSITIONFROMLINE, static_cast<unsigned long>(index));
     const long end = SendScintilla(SCI_GETLINEENDPOSITION, static_cast<unsigned long>(index));

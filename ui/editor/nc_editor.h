@@ -17,6 +17,8 @@
 #include "ui/document.h"
 #include "ui/editor/nc_highlighter.h"
 #include "ui/editor/problem_marks.h"
+#include "ui/editor/scintilla_document.h"
+#include "ui/newest_task.h"
 
 namespace proveout {
 
@@ -28,8 +30,11 @@ class NcEditor final : public QsciScintilla {
 public:
     explicit NcEditor(QWidget* parent = nullptr);
 
-    /// Shows a document from its first line; the undo history begins anew.
+    /// Shows a document from its first line; the undo history begins anew. A long text is read in the
+    /// background from the immutable `document.text`: until then there is none, and nothing can be edited.
     void load(const Document& document);
+    /// Whether the text is still to come.
+    [[nodiscard]] bool isFilling() const { return m_isFilling; }
     /// From now on "not modified" means the present text.
     void markSaved();
     /// Marks the line (1-based, 0: none) of the block that was executed last, and shows it where `follow`.
@@ -39,7 +44,7 @@ public:
     void showProblems(const Diagnostics& problems) { m_problems.show(problems); }
     /// The values of a line, for the tooltip that shows one of its words, now or until the text changes.
     void showValues(std::shared_ptr<const LineValues> values);
-    /// Puts the caret on a place (1-based) and shows it.
+    /// Puts the caret on a place (1-based) and shows it, once the text is there.
     void goTo(int line, int column);
     [[nodiscard]] int caretLine() const; ///< 1-based
     /// The text, until the next change of it.
@@ -54,6 +59,8 @@ public:
     void replaceBytes(std::size_t begin, std::size_t end, std::string_view text);
 
 signals:
+    /// Another text is there, also the empty one before a long one.
+    void loaded();
     /// The user replaced `removed` bytes at `offset`.
     void edited(std::size_t offset, std::size_t removed, std::string_view inserted);
     void savedStateChanged(bool modified);
@@ -74,6 +81,8 @@ protected:
     [[nodiscard]] bool canInsertFromMimeData(const QMimeData* source) const override;
 
 private:
+    void showDocument(std::shared_ptr<const ScintillaDocument> shown, const Document& document,
+                      bool readOnly);
     void setUpMargins();
     void adoptPalette();
     void onModified(int position, int type, const char* text, int length);
@@ -96,11 +105,15 @@ private:
 
     NcHighlighter m_highlighter;
     ProblemMarks m_problems;
+    std::shared_ptr<const ScintillaDocument> m_document; ///< what is shown; null before the first one
     bool m_loading = false;
-    bool m_edited = false; ///< since the key that is being handled went down
+    bool m_isFilling = false;
+    std::optional<std::pair<int, int>> m_place; ///< to go to when the text is there
+    bool m_edited = false;                      ///< since the key that is being handled went down
     int m_currentLine = 0;
     std::optional<Tip> m_tip; ///< of a word, as long as it may be shown
     std::shared_ptr<const LineValues> m_values;
+    NewestTask m_filling; ///< fills a document that no view shows yet
 };
 
 } // namespace proveout

@@ -30,19 +30,23 @@ constexpr int kMostMargins = 5;
 constexpr std::size_t kMostShown = 1000;
 constexpr std::array kSeverities{Severity::note, Severity::warning, Severity::error, Severity::fault};
 
-int markOf(Severity severity) {
+constexpr int markOf(Severity severity) {
     return kFirstMark + static_cast<int>(severity);
 }
+
+constexpr unsigned kMarks = [] {
+    unsigned marks = 0;
+    for (const Severity severity : kSeverities)
+        marks |= 1U << markOf(severity);
+    return marks;
+}();
 
 } // namespace
 
 ProblemMarks::ProblemMarks(QsciScintilla& text, int margin) : m_text(text), m_margin(margin) {
-    unsigned mask = 0;
-    for (const Severity severity : kSeverities)
-        mask |= 1U << markOf(severity);
     text.setMarginType(margin, Scintilla::SymbolMargin);
     text.setMarginWidth(margin, kMarginWidth);
-    text.setMarginMarkerMask(margin, static_cast<int>(mask));
+    text.setMarginMarkerMask(margin, static_cast<int>(kMarks));
     text.indicatorDefine(Scintilla::SquiggleIndicator, kErrorSquiggle);
     text.indicatorDefine(Scintilla::SquiggleIndicator, kWarningSquiggle);
 }
@@ -62,8 +66,7 @@ void ProblemMarks::adoptPalette() {
 
 void ProblemMarks::show(const Diagnostics& problems) {
     m_problems.clear();
-    for (const Severity severity : kSeverities)
-        m_text.markerDeleteAll(markOf(severity));
+    takeMarksAway();
     for (const int squiggle : {kErrorSquiggle, kWarningSquiggle}) {
         m_text.SendScintilla(Scintilla::SCI_SETINDICATORCURRENT, static_cast<unsigned long>(squiggle));
         m_text.SendScintilla(Scintilla::SCI_INDICATORCLEARRANGE, 0UL,
@@ -82,8 +85,31 @@ void ProblemMarks::show(const Diagnostics& problems) {
         Severity& mark = worst.emplace(problem.where.line, problem.severity).first->second;
         mark = std::max(mark, problem.severity);
     }
-    for (const auto& [line, severity] : worst)
+    for (const auto& [line, severity] : worst) {
         m_text.markerAdd(line - 1, markOf(severity));
+        m_marked.push_back(line - 1);
+    }
+}
+
+void ProblemMarks::clear() {
+    m_problems.clear();
+    m_marked.clear();
+}
+
+/// Scintilla goes through all lines for each kind of mark. Marks that all stand where they were put are the
+/// only ones: an edit moves them, or joins some, and adds none.
+void ProblemMarks::takeMarksAway() {
+    bool moved = false;
+    for (const int line : m_marked) {
+        moved = moved || (m_text.markersAtLine(line) & kMarks) == 0;
+        for (const Severity severity : kSeverities)
+            m_text.markerDelete(line, markOf(severity));
+    }
+    m_marked.clear();
+    for (const Severity severity : kSeverities) {
+        if (moved)
+            m_text.markerDeleteAll(markOf(severity));
+    }
 }
 
 std::pair<long, long> ProblemMarks::rangeOf(const Diagnostic& problem) const {

@@ -23,12 +23,13 @@ public:
     void adoptPalette();
     void show(const Diagnostics& problems);
     /// Forgets them: the text has been replaced.
-    void clear() { m_problems.clear(); }
+    void clear();
     /// What is told at a place of the viewport: of the squiggle there, or of the whole line in the margins.
     /// Empty where there is nothing.
     [[nodiscard]] QString tipAt(QPoint place) const;
 
 private:
+    void takeMarksAway();
     [[nodiscard]] std::pair<long, long> rangeOf(const Diagnostic& problem) const;
     [[nodiscard]] bool isInMargins(QPoint place) const;
     [[nodiscard]] int lineAt(QPoint place) const; ///< 1-based; 0: none
@@ -36,6 +37,7 @@ private:
     QsciScintilla& m_text;
     int m_margin;
     Diagnostics m_problems;
+    std::vector<int> m_marked; ///< lines (0-based), each once, as they were when they were marked
 };
 
 } // namespace proveout

@@ -12,7 +12,6 @@
 #include "core/base/memory.h"
 #include "ui/diagnostic_text.h"
 #include "ui/panel_layout.h"
-#include "ui/program_index.h"
 #include "ui/setup/stock_form.h"
 #include "ui/setup/tool_table_editor.h"
 
@@ -24,11 +23,9 @@ constexpr int kRestMs = 250;
 
 std::vector<int> missingTools(const Session& session) {
     std::vector<int> missing;
-    if (session.program()) {
-        for (const int number : usedTools(*session.program())) {
-            if (session.setup().tools.find(number) == nullptr)
-                missing.push_back(number);
-        }
+    for (const int number : session.cutting().tools) {
+        if (session.setup().tools.find(number) == nullptr)
+            missing.push_back(number);
     }
     return missing;
 }

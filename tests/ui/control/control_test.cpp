@@ -6,6 +6,7 @@
 #include <QTest>
 #include <QTreeWidget>
 
+#include "tests/ui/opened.h"
 #include "ui/control/control_panel.h"
 
 namespace proveout {
@@ -26,7 +27,7 @@ private slots:
         panel.show();
         auto* tree = panel.findChild<QTreeWidget*>();
         QVERIFY(!tree->isVisible());
-        QVERIFY(session.openFile(path));
+        QVERIFY(opened(session, path));
         QTRY_VERIFY(session.program() && session.frame());
         session.seek(1);
         QTRY_COMPARE(value(*tree, QStringLiteral("plane")), QStringLiteral("G17"));

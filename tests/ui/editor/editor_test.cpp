@@ -5,10 +5,12 @@
 
 #include <QApplication>
 #include <QHelpEvent>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolTip>
 
+#include "tests/ui/opened.h"
 #include "ui/document.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
@@ -41,6 +43,90 @@ class EditorTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void aLongTextIsFilledInTheBackground() {
+        std::string bytes;
+        for (int line = 0; bytes.size() < 3'000'000; ++line)
+            bytes += "G1 X" + std::to_string(line) + "\r\n";
+        bytes += "(\xFC)"; // Latin-1
+        NcEditor editor;
+        QSignalSpy loaded(&editor, &NcEditor::loaded);
+        QSignalSpy edited(&editor, &NcEditor::edited);
+        QSignalSpy savedState(&editor, &NcEditor::savedStateChanged);
+        Document document;
+        document.text = NcText(bytes);
+        document.utf8 = false;
+        document.lineEnd = LineEnd::crLf;
+        editor.load(document);
+        QVERIFY(editor.isFilling());
+        QVERIFY(editor.isReadOnly());
+        QVERIFY(editor.textBytes().empty());
+        editor.goTo(1000, 3);
+        QTRY_VERIFY_WITH_TIMEOUT(!editor.isFilling(), kOpeningPatience);
+        QCOMPARE(loaded.count(), 2); // the empty one before
+        QVERIFY(editor.textBytes() == bytes);
+        QCOMPARE(editor.caretLine(), 1000);
+        QVERIFY(!editor.isReadOnly());
+        QVERIFY(!editor.isUtf8());
+        QVERIFY(!editor.isUndoAvailable());
+        QCOMPARE(editor.eolMode(), QsciScintilla::EolWindows);
+        QCOMPARE(editor.tabWidth(), 4);
+        QCOMPARE(edited.count(), 0);
+        QCOMPARE(savedState.count(), 0);
+        editor.insertAt(QStringLiteral("Y2"), 0, 2);
+        QCOMPARE(edited.count(), 1);
+        QVERIFY(editor.isUndoAvailable());
+        editor.undo();
+        QVERIFY(editor.textBytes() == bytes);
+    }
+
+    void theNewestTextIsTheOneThatIsShown() {
+        Document longOne;
+        longOne.text = NcText(std::string(30'000'000, '\n'));
+        Document shortOne;
+        shortOne.text = NcText(std::string("G0 X1\n"));
+        NcEditor editor;
+        QSignalSpy loaded(&editor, &NcEditor::loaded);
+        editor.load(longOne);
+        editor.load(longOne);
+        editor.load(shortOne);
+        QVERIFY(!editor.isFilling());
+        QTest::qWait(300);
+        QCOMPARE(loaded.count(), 3);
+        QCOMPARE(QByteArray(editor.textBytes().data()), QByteArray("G0 X1\n"));
+        QVERIFY(!editor.isReadOnly());
+        editor.load(longOne); // and it may end while it is filled
+    }
+
+    void marksOfProblemsGoWhereTheTextGoes() {
+        Document document;
+        document.text = NcText(std::string("G0\nG1\nG2\nG3\n"));
+        NcEditor editor;
+        editor.load(document);
+        Diagnostic problem;
+        problem.severity = Severity::error;
+        problem.id = "any";
+        problem.text = "Any.";
+        problem.where.line = 2;
+        Diagnostic next = problem;
+        next.where.line = 3;
+        editor.showProblems({problem, next});
+        editor.showCurrentLine(2, false);
+        const auto marked = [&] {
+            QString lines;
+            for (int line = 0; line < editor.lines(); ++line)
+                lines += editor.markersAtLine(line) != 0 ? u'x' : u'-';
+            return lines;
+        };
+        QCOMPARE(marked(), QStringLiteral("-xx--"));
+        editor.insertAt(QStringLiteral("(new)\n"), 0, 0);
+        QCOMPARE(marked(), QStringLiteral("--xx--"));
+        editor.showProblems({problem});
+        editor.showCurrentLine(0, false);
+        QCOMPARE(marked(), QStringLiteral("-x----"));
+        editor.showProblems({});
+        QCOMPARE(marked(), QStringLiteral("------"));
+    }
+
     void coloursByTheCodesTable_data() {
         QTest::addColumn<QByteArray>("line");
         QTest::addColumn<QByteArray>("expected");
@@ -246,7 +332,7 @@ private slots:
         EditorPanel panel(session);
         panel.resize(400, 300);
         panel.show();
-        QVERIFY(session.openFile(path));
+        QVERIFY(opened(session, path));
         QTRY_VERIFY(session.program() != nullptr);
         NcEditor& editor = panel.editor();
         const auto point = [&](const char* word, int from = 0) {
@@ -317,10 +403,11 @@ private slots:
         file.close();
         Session session;
         EditorPanel panel(session);
-        QVERIFY(session.openFile(path));
+        QVERIFY(opened(session, path));
         QVERIFY(session.document().readOnly);
         QVERIFY(panel.editor().isReadOnly());
-        QCOMPARE(panel.editor().lines(), 600'001);
+        QTRY_COMPARE_WITH_TIMEOUT(panel.editor().lines(), 600'001, kOpeningPatience);
+        QVERIFY(panel.editor().isReadOnly());
     }
 };
 

@@ -202,6 +202,7 @@ private slots:
             text += "N10 G1 X12.5 Y-3.25\n";
         const auto lines = text.size() / 20;
         editor.load(documentOf(std::move(text)));
+        QTRY_VERIFY_WITH_TIMEOUT(!editor.isFilling(), 30'000);
         EditorSearch search(editor, nullptr);
         QSignalSpy tallied(&search, &EditorSearch::tallied);
         const auto cpuMs = [] {

@@ -12,6 +12,7 @@
 #include <QTest>
 #include <QWheelEvent>
 
+#include "tests/ui/opened.h"
 #include "tests/ui/save_dialog_user.h"
 #include "ui/plots/parameter_trace.h"
 #include "ui/plots/plot_changes.h"
@@ -405,7 +406,7 @@ void PlotsTest::panelShowsARunAndExportsIt() {
     PlotsPanel panel(session);
     panel.resize(900, 260);
     panel.show();
-    QVERIFY(session.openFile(QStringLiteral(PROVEOUT_SOURCE_DIR "/resources/samples/core-insert.proveout")));
+    QVERIFY(opened(session, QStringLiteral(PROVEOUT_SOURCE_DIR "/resources/samples/core-insert.proveout")));
     QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, 10000);
     connect(&session, &Session::tick, this, [&](const FramePtr& drawn) {
         if (drawn)

@@ -14,9 +14,11 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTimer>
 
 #include "core/cutter/cutter.h"
 #include "core/formats/stl.h"
+#include "tests/ui/opened.h"
 #include "ui/diagnostic_text.h"
 #include "ui/file_paths.h"
 #include "ui/playback_commands.h"
@@ -75,7 +77,7 @@ class SessionTest : public QObject {
 private slots:
     void opensTheSampleJob() {
         Session session;
-        QVERIFY(session.openFile(kSample));
+        QVERIFY(opened(session, kSample));
         QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
         QCOMPARE(session.blockCount(), std::size_t{255});
         QCOMPARE(session.block(), std::size_t{0});
@@ -86,7 +88,7 @@ private slots:
 
     void seeksStepsAndPlaysToTheEnd() {
         Session session;
-        QVERIFY(session.openFile(kSample));
+        QVERIFY(opened(session, kSample));
         QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
         session.seek(100);
         QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{100}, kPatience);
@@ -107,7 +109,7 @@ private slots:
 
     void paperModeDrawsEveryBlock() {
         Session session;
-        QVERIFY(session.openFile(kSample));
+        QVERIFY(opened(session, kSample));
         QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
         connect(&session, &Session::tick, this, [&](const FramePtr& frame) {
             if (frame)
@@ -129,7 +131,7 @@ private slots:
     void holdsBackOnATinyMapWhilePlayingOnly() {
         QTemporaryDir folder;
         Session session;
-        QVERIFY(session.openFile(write(folder, "square.nc", kSquare)));
+        QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
         QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
         Setup setup = session.setup();
         setup.tools.set(1, parseCutter("flat:d=4,l=20").value());
@@ -166,7 +168,7 @@ private slots:
     void anEditGoesOnFromTheFirstChangedBlock() {
         QTemporaryDir folder;
         Session session;
-        QVERIFY(session.openFile(write(folder, "square.nc", kSquare)));
+        QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
         Setup setup = session.setup();
         QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
         setup = session.setup();
@@ -190,7 +192,7 @@ private slots:
         QByteArray edited = kSquare;
         edited.replace("Z-1", "Z-2");
         Session fresh;
-        QVERIFY(fresh.openFile(write(folder, "edited.nc", edited)));
+        QVERIFY(opened(fresh, write(folder, "edited.nc", edited)));
         QTRY_VERIFY_WITH_TIMEOUT(fresh.frame() != nullptr, kPatience);
         QVERIFY(fresh.setSetup(session.setup()).has_value());
         fresh.seek(fresh.blockCount());
@@ -201,7 +203,7 @@ private slots:
     void regionsFollowTheMapUnlessTheirSizeIsNamed() {
         QTemporaryDir folder;
         Session session;
-        QVERIFY(session.openFile(write(folder, "square.nc", kSquare)));
+        QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
         QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
         QCOMPARE(session.parameters().regionCells, 16);
         int told = 0;
@@ -232,7 +234,7 @@ private slots:
 
     void aChangedAllowanceChangesTheFaces() {
         Session session;
-        QVERIFY(session.openFile(kSample));
+        QVERIFY(opened(session, kSample));
         QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
         session.seek(200);
         QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{200}, kPatience);
@@ -250,7 +252,7 @@ private slots:
     void exportsWhatTheFrameShows() {
         QTemporaryDir folder;
         Session session;
-        QVERIFY(session.openFile(kSample));
+        QVERIFY(opened(session, kSample));
         QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
         session.seek(120);
         QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{120}, kPatience);
@@ -272,7 +274,7 @@ private slots:
 
     void anUnwritablePathIsAMessage() {
         Session session;
-        QVERIFY(session.openFile(kSample));
+        QVERIFY(opened(session, kSample));
         QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
         session.exportMesh(QStringLiteral("/nonexistent/folder/part.stl"), {});
         QTRY_VERIFY_WITH_TIMEOUT(hasProblem(session, "file-unwritable") && !session.work(), kPatience);
@@ -285,7 +287,7 @@ private slots:
             "\xEF\xBB\xBFG21\r\n(M\xFChle \xE9)\r\nG0 X1\r\n\r\nM30"; // mark, Latin-1, no last line end
         const QString file = write(folder, "latin.nc", bytes);
         Session session;
-        QVERIFY(session.openFile(file));
+        QVERIFY(opened(session, file));
         QVERIFY(!session.document().utf8);
         QCOMPARE(session.document().lineEnd, LineEnd::crLf);
         session.applyEdit(0, 0, "(a)\r\n");
@@ -300,20 +302,22 @@ private slots:
     void badInputIsToldAndLeavesTheDocument() {
         QTemporaryDir folder;
         Session session;
-        QVERIFY(session.openFile(write(folder, "good.nc", kSquare)));
-        QVERIFY(!session.openFile(folder.filePath("missing.nc")));
+        QVERIFY(opened(session, write(folder, "good.nc", kSquare)));
+        QVERIFY(!opened(session, folder.filePath("missing.nc")));
         QVERIFY(!session.problems().empty());
-        QVERIFY(!session.openFile(write(folder, "binary.nc", QByteArray(1000, '\0'))));
+        QVERIFY(!opened(session, write(folder, "binary.nc", QByteArray(1000, '\0'))));
         QVERIFY(hasProblem(session, "nc-binary"));
-        QVERIFY(!session.openFile(write(folder, "broken.proveout", "{\"schema\": ")));
+        QVERIFY(!opened(session, write(folder, "wide.nc", QByteArray("\xFF\xFEG\0", 4))));
+        QVERIFY(hasProblem(session, "nc-encoding"));
+        QVERIFY(!opened(session, write(folder, "broken.proveout", "{\"schema\": ")));
         QVERIFY(!session.problems().empty());
-        QVERIFY(!session.openFile(folder.path()));
+        QVERIFY(!opened(session, folder.path()));
         QCOMPARE(QFileInfo(toQString(session.document().path)).fileName(), QString("good.nc"));
     }
 
     void aGridThatIsTooLargeIsRefused() {
         Session session;
-        QVERIFY(session.openFile(kSample));
+        QVERIFY(opened(session, kSample));
         QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
         Setup setup = session.setup();
         setup.spacing = 0.0005;
@@ -327,10 +331,10 @@ private slots:
     void programsWithoutToolsOrMotionsAreTold() {
         QTemporaryDir folder;
         Session session;
-        QVERIFY(session.openFile(write(folder, "empty.nc", "%\n(nothing)\n%\n")));
+        QVERIFY(opened(session, write(folder, "empty.nc", "%\n(nothing)\n%\n")));
         QTRY_VERIFY_WITH_TIMEOUT(hasProblem(session, "no-motion"), kPatience);
         QCOMPARE(session.blockCount(), std::size_t{0});
-        QVERIFY(session.openFile(write(folder, "square.nc", kSquare)));
+        QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
         QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
         session.seek(session.blockCount());
         QTRY_VERIFY_WITH_TIMEOUT(!session.frame()->findings.empty(), kPatience); // T1 is not defined
@@ -340,7 +344,7 @@ private slots:
         QTemporaryDir folder;
         const QString file = write(folder, "watched.nc", kSquare);
         Session session;
-        QVERIFY(session.openFile(file));
+        QVERIFY(opened(session, file));
         QSignalSpy changed(&session, &Session::fileChangedOnDisk);
         for (int round = 1; round <= 2; ++round) {
             const QString next = write(folder, "next.nc", kSquare + QByteArray(round, '\n'));
@@ -348,6 +352,7 @@ private slots:
             QTRY_COMPARE_WITH_TIMEOUT(changed.count(), round, kPatience);
         }
         session.reload();
+        QVERIFY(openingIsOver(session));
         QCOMPARE(QByteArray::fromStdString(session.document().text.toString()), kSquare + "\n\n");
         session.applyEdit(0, 0, "(mine)\n");
         session.setTextModified(true);
@@ -359,7 +364,7 @@ private slots:
     void fitsTheStockToTheProgram() {
         QTemporaryDir folder;
         Session session;
-        QVERIFY(session.openFile(write(folder, "square.nc", kSquare)));
+        QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
         QTRY_VERIFY_WITH_TIMEOUT(session.program() != nullptr, kPatience);
         const StockBox stock = session.setup().stock;
         QCOMPARE(stock.corner, Vec3(-5, -5, 0)); // no cutter is known: 5 mm around
@@ -373,17 +378,17 @@ private slots:
     void aNewProgramInheritsNothing() {
         QTemporaryDir folder;
         Session session;
-        QVERIFY(session.openFile(write(folder, "first.nc", kSquare)));
+        QVERIFY(opened(session, write(folder, "first.nc", kSquare)));
         Setup setup = session.setup();
         setup.tools.set(1, parseCutter("ball:d=10,l=30").value());
         QVERIFY(session.setSetup(setup));
         DecimationParameters parameters;
         parameters.allowance = 0.3;
         session.setParameters(parameters);
-        QVERIFY(session.openFile(write(folder, "second.nc", kSquare)));
+        QVERIFY(opened(session, write(folder, "second.nc", kSquare)));
         QVERIFY(session.setup().tools.tools().empty());
         QCOMPARE(session.parameters().allowance, DecimationParameters{}.allowance);
-        QVERIFY(session.openFile(kSample));
+        QVERIFY(opened(session, kSample));
         session.newFile();
         QVERIFY(session.setup().tools.tools().empty());
         QVERIFY(session.jobFile().isEmpty());
@@ -393,7 +398,7 @@ private slots:
     void savesProgramAndJobTogether() {
         QTemporaryDir folder;
         Session session;
-        QVERIFY(session.openFile(write(folder, "square.nc", kSquare)));
+        QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
         QVERIFY(session.saveJobAs(folder.filePath("square.proveout")));
         QVERIFY(!session.modified());
         DecimationParameters parameters;
@@ -405,25 +410,25 @@ private slots:
         QVERIFY(session.save());
         QVERIFY(!session.modified());
         QCOMPARE(bytesOf(folder.filePath("square.nc")), "(a)\n" + kSquare);
-        QVERIFY(session.openFile(folder.filePath("square.proveout")));
+        QVERIFY(opened(session, folder.filePath("square.proveout")));
         QCOMPARE(session.parameters().allowance, 0.3);
         // Under another name the job must follow its program.
         QVERIFY(session.saveAs(folder.filePath("other.nc")));
         QVERIFY(session.jobModified());
         QVERIFY(session.save());
         Session again;
-        QVERIFY(again.openFile(folder.filePath("square.proveout")));
+        QVERIFY(opened(again, folder.filePath("square.proveout")));
         QCOMPARE(QFileInfo(toQString(again.document().path)).fileName(), QString("other.nc"));
     }
 
     void tellsFieldsOfAJobThatAreNotKnown() {
         QTemporaryDir folder;
         Session session;
-        QVERIFY(session.openFile(write(folder, "square.nc", kSquare)));
+        QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
         const QString job = folder.filePath("square.proveout");
         QVERIFY(session.saveJobAs(job));
         write(folder, "square.proveout", bytesOf(job).replace("\"allowance\"", "\"allowence\""));
-        QVERIFY(session.openFile(job));
+        QVERIFY(opened(session, job));
         QVERIFY2(!session.problems().empty(), "a misspelt field is no reason to be silent");
         const Diagnostic& problem = session.problems().front();
         QCOMPARE(problem.severity, Severity::warning);
@@ -434,7 +439,7 @@ private slots:
     void problemsKeepTheirPlaceUnderAnotherName() {
         QTemporaryDir folder;
         Session session;
-        QVERIFY(session.openFile(write(folder, "a.nc", "G0 X0\nG1 X10 Q5\nM30\n")));
+        QVERIFY(opened(session, write(folder, "a.nc", "G0 X0\nG1 X10 Q5\nM30\n")));
         const auto inText = [&session] {
             return std::count_if(session.problems().begin(), session.problems().end(), &Session::isInText);
         };
@@ -447,7 +452,7 @@ private slots:
     void findingsMoveWithTheirLines() {
         QTemporaryDir folder;
         Session session;
-        QVERIFY(session.openFile(write(folder, "rapid.nc", kSquare)));
+        QVERIFY(opened(session, write(folder, "rapid.nc", kSquare)));
         QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
         const auto lineOf = [&session](const char* id) {
             for (const Diagnostic& problem : session.problems())
@@ -464,7 +469,7 @@ private slots:
 
     void playingEndsWhereNothingPlays() {
         Session session;
-        QVERIFY(session.openFile(kSample));
+        QVERIFY(opened(session, kSample));
         QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
         session.seek(100);
         QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{100}, kPatience);
@@ -488,12 +493,12 @@ private slots:
     void aLoadThatFailsIsNotPlayed() {
         QTemporaryDir folder;
         Session source;
-        QVERIFY(source.openFile(kSample));
+        QVERIFY(opened(source, kSample));
         QVERIFY(source.saveJobAs(folder.filePath("large.proveout")));
         QJsonObject job = QJsonDocument::fromJson(bytesOf(folder.filePath("large.proveout"))).object();
         job["grid"] = 0.0005;
         Session session;
-        QVERIFY(session.openFile(write(folder, "large.proveout", QJsonDocument(job).toJson())));
+        QVERIFY(opened(session, write(folder, "large.proveout", QJsonDocument(job).toJson())));
         QTRY_VERIFY_WITH_TIMEOUT(hasProblem(session, "grid-too-fine"), kPatience);
         session.play();
         QTRY_VERIFY_WITH_TIMEOUT(!session.playback().playing, kPatience);
@@ -504,10 +509,11 @@ private slots:
         QTemporaryDir folder;
         Session session;
         const QString file = write(folder, "square.nc", kSquare);
-        QVERIFY(session.openFile(file));
+        QVERIFY(opened(session, file));
         QVERIFY(QFile::remove(file));
         QTRY_VERIFY_WITH_TIMEOUT(session.modified(), kPatience);
         session.reload();
+        QVERIFY(openingIsOver(session));
         QVERIFY(session.modified());
         QVERIFY(session.save());
         QCOMPARE(bytesOf(file), kSquare);
@@ -517,7 +523,7 @@ private slots:
     void oneExportAtATime() {
         QTemporaryDir folder;
         Session session;
-        QVERIFY(session.openFile(kSample));
+        QVERIFY(opened(session, kSample));
         QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
         QSignalSpy exported(&session, &Session::exported);
         session.exportMesh(folder.filePath("first.stl"), {});
@@ -558,7 +564,7 @@ private slots:
         });
         connect(&session, &Session::problemsChanged, this,
                 [&] { told = told || hasProblem(session, "still-reading"); });
-        QVERIFY(session.openFile(write(folder, "long.nc", longProgram(600'000))));
+        QVERIFY(opened(session, write(folder, "long.nc", longProgram(600'000))));
         QTRY_COMPARE_WITH_TIMEOUT(session.blockCount(), std::size_t{600'003}, kPatience);
         QVERIFY(counts.size() >= 2);
         QVERIFY(counts.front() < 150'000);
@@ -577,16 +583,122 @@ private slots:
             if (session.work() && session.work()->label == Session::tr("Reading the program"))
                 session.cancelWork();
         });
-        QVERIFY(session.openFile(write(folder, "long.nc", longProgram(3'000'000))));
+        QVERIFY(opened(session, write(folder, "long.nc", longProgram(3'000'000))));
         QTRY_VERIFY_WITH_TIMEOUT(hasProblem(session, "interpretation-stopped"), kPatience);
         QVERIFY(session.blockCount() < 2'900'000);
         QVERIFY(!hasProblem(session, "still-reading"));
     }
 
+    void theEventLoopGoesRoundWhileALongFileIsOpened() {
+        QTemporaryDir folder;
+        const QString file = write(folder, "long.nc", longProgram(3'000'000));
+        Session session;
+        QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
+        int told = 0;
+        connect(&session, &Session::workChanged, this, [&] {
+            told += session.work() && session.work()->label == Session::tr("Opening the file") ? 1 : 0;
+        });
+        int rounds = 0;
+        QTimer round;
+        connect(&round, &QTimer::timeout, this, [&] { ++rounds; });
+        round.start(0);
+        bool through = false;
+        connect(&session, &Session::opened, this, [&] { through = true; });
+        session.openFile(file);
+        QVERIFY(session.isOpening());
+        while (session.isOpening())
+            QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
+        QVERIFY(through);
+        QVERIFY2(rounds > 10, qPrintable(QString::number(rounds)));
+        QVERIFY(told >= 2);
+        QCOMPARE(session.document().path, toPath(file));
+    }
+
+    void anOpeningThatIsCancelledLeavesTheDocument() {
+        QTemporaryDir folder;
+        Session session;
+        QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
+        QSignalSpy replaced(&session, &Session::textReplaced);
+        bool cancelled = false;
+        connect(&session, &Session::workChanged, this, [&] {
+            if (session.work() && session.work()->label == Session::tr("Opening the file")) {
+                cancelled = true;
+                session.cancelWork();
+            }
+        });
+        QVERIFY(!opened(session, write(folder, "long.nc", longProgram(3'000'000))));
+        QVERIFY(cancelled);
+        QTest::qWait(100); // what was still under way
+        QCOMPARE(replaced.count(), 0);
+        QVERIFY(!session.work());
+        QCOMPARE(session.document().path, toPath(folder.filePath("square.nc")));
+        QCOMPARE(session.document().text.toString(), kSquare.toStdString());
+        QVERIFY(session.frame() != nullptr);
+    }
+
+    void theNewestFileIsTheOneThatIsOpened() {
+        QTemporaryDir folder;
+        const QString file = write(folder, "long.nc", longProgram(3'000'000));
+        Session session;
+        QSignalSpy spy(&session, &Session::opened);
+        session.openFile(file);
+        session.openFile(file);
+        QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
+        QTRY_VERIFY_WITH_TIMEOUT(session.blockCount() > 0, kPatience);
+        QCOMPARE(spy.count(), 1);
+        QCOMPARE(session.document().path, toPath(folder.filePath("square.nc")));
+        session.openFile(file);
+        session.newFile();
+        QVERIFY(!session.isOpening());
+        QTest::qWait(100);
+        QVERIFY(session.document().path.empty());
+    }
+
+    void aChangeWhileAFileIsReadIsNotLost_data() {
+        QTest::addColumn<int>("change");
+        QTest::newRow("text") << 0;
+        QTest::newRow("set-up") << 1;
+        QTest::newRow("parameters") << 2;
+    }
+    void aChangeWhileAFileIsReadIsNotLost() {
+        QFETCH(int, change);
+        QTemporaryDir folder;
+        const QString file = write(folder, "long.nc", longProgram(3'000'000));
+        Session session;
+        QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
+        session.openFile(file);
+        Setup setup = session.setup();
+        setup.spacing *= 2;
+        DecimationParameters parameters = session.parameters();
+        parameters.allowance = 0.3;
+        if (change == 0)
+            session.applyEdit(0, 0, "(mine)\n");
+        else if (change == 1)
+            QVERIFY(session.setSetup(setup));
+        else
+            session.setParameters(parameters);
+        QVERIFY(!session.isOpening());
+        QVERIFY(hasProblem(session, "opening-stopped"));
+        QTest::qWait(100);
+        QCOMPARE(session.document().path, toPath(folder.filePath("square.nc")));
+        QCOMPARE(session.document().text.toString(), (change == 0 ? "(mine)\n" : "") + kSquare.toStdString());
+        QCOMPARE(session.setup().spacing == setup.spacing, change == 1);
+        QCOMPARE(session.parameters() == parameters, change == 2);
+    }
+
+    void aSessionMayEndWhileAFileIsRead() {
+        QTemporaryDir folder;
+        const QString file = write(folder, "long.nc", longProgram(3'000'000));
+        Session session;
+        session.openFile(file);
+    }
+
     void keepsMineUntilItIsSaved() {
         QTemporaryDir folder;
         Session session;
-        QVERIFY(session.openFile(write(folder, "square.nc", kSquare)));
+        QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
         session.keepMine();
         QVERIFY(session.modified());
         session.setTextModified(false); // undo came to the text that was read
@@ -598,9 +710,9 @@ private slots:
     void aFailedOpenIsToldWithItsFile() {
         QTemporaryDir folder;
         Session session;
-        QVERIFY(session.openFile(write(folder, "square.nc", kSquare)));
+        QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
         QSignalSpy troubled(&session, &Session::troubled);
-        QVERIFY(!session.openFile(write(folder, "picture.nc", QByteArray(64, '\0'))));
+        QVERIFY(!opened(session, write(folder, "picture.nc", QByteArray(64, '\0'))));
         QCOMPARE(troubled.count(), 1);
         const Diagnostic& problem = session.problems().front();
         QCOMPARE(problem.where.line, 0); // it is not about a line of the program that stays open

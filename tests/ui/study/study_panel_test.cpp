@@ -7,6 +7,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/ui/opened.h"
 #include "ui/study/chart_view.h"
 #include "ui/study/study_panel.h"
 #include "ui/viewport/offscreen_drawing.h"
@@ -51,7 +52,7 @@ private:
         job.close();
         auto session = std::make_unique<Session>();
         [&] {
-            QVERIFY(session->openFile(job.fileName()));
+            QVERIFY(opened(*session, job.fileName()));
             QTRY_VERIFY_WITH_TIMEOUT(session->blockCount() > 0, kLong);
         }();
         return session;

@@ -102,8 +102,7 @@ int main(int argc, char** argv) {
     viewport->setFixedSize(1280, 800);
     window.setCentralWidget(viewport);
     window.show();
-    if (!session.openFile(file))
-        return 3;
+    session.openFile(file);
     waitUntil([&] { return session.frame() != nullptr; }, 30);
     Setup setup = session.setup();
     setup.stock = {{0, 0, 0}, kSide, kSide, 40};

@@ -2,6 +2,7 @@
 #include <QLabel>
 #include <QTest>
 
+#include "tests/ui/opened.h"
 #include "ui/viewport/viewport.h"
 
 using namespace proveout;
@@ -28,7 +29,7 @@ void ViewportMessageTest::saysWhyThereIsNoPicture() {
 void ViewportMessageTest::paperModeGoesOnWithoutAPicture() {
     Session session;
     const std::unique_ptr<QWidget> view(createViewport(session, GlSupport{}, nullptr));
-    QVERIFY(session.openFile(QStringLiteral(PROVEOUT_SOURCE_DIR "/resources/samples/core-insert.proveout")));
+    QVERIFY(opened(session, QStringLiteral(PROVEOUT_SOURCE_DIR "/resources/samples/core-insert.proveout")));
     QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, 10000);
     session.setSpeed(1e9, true);
     session.play();

@@ -9,6 +9,7 @@
 #include <QTest>
 #include <QWheelEvent>
 
+#include "tests/ui/opened.h"
 #include "ui/gl/gl_functions.h"
 #include "ui/viewport/surface_pick.h"
 #include "ui/viewport/viewport.h"
@@ -77,7 +78,7 @@ void ViewportTest::init() {
     m_window->activateWindow();
     QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
     m_view->setFocus();
-    QVERIFY(m_session->openFile(kSample));
+    QVERIFY(opened(*m_session, kSample));
     QTRY_VERIFY_WITH_TIMEOUT(m_session->frame() != nullptr, 10000);
     m_session->seek(100);
     QTRY_COMPARE_WITH_TIMEOUT(m_session->block(), std::size_t{100}, 10000);

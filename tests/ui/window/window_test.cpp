@@ -252,6 +252,7 @@ private slots:
                 file.write(bytes);
             file.close();
             station.window.files().open(file.fileName());
+            QVERIFY(openingIsOver(station.session));
         };
         auto* problems = station.window.findChild<QDockWidget*>(QStringLiteral("dock-problems"));
         const auto* list = problems->findChild<QTreeView*>();
@@ -266,6 +267,7 @@ private slots:
             QVERIFY(QApplication::activeModalWidget() == nullptr);
         }
         station.window.files().open(folder.filePath("missing.nc"));
+        QVERIFY(openingIsOver(station.session));
         QVERIFY(sentence(station.session.problems().front()).startsWith(QLatin1String("missing.nc: ")));
         QVERIFY(QApplication::activeModalWidget() == nullptr);
     }

@@ -8,6 +8,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include "tests/ui/opened.h"
 #include "ui/appearance.h"
 #include "ui/main_window.h"
 #include "ui/resource_paths.h"
@@ -50,7 +51,8 @@ struct Workstation {
     void open(const QString& file) {
         window.files().open(file);
         // A test cannot go on without a frame, and a macro of Qt Test would return from here only.
-        if (!QTest::qWaitFor([this] { return session.frame() != nullptr; }, kPatience))
+        if (!openingIsOver(session) ||
+            !QTest::qWaitFor([this] { return session.frame() != nullptr; }, kPatience))
             qFatal("no frame of %s", qPrintable(file));
     }
     TimelineScale& scale() { return *window.findChild<TimelineScale*>(); }

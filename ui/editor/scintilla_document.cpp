@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/editor/scintilla_document.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+
+#include <Qsci/qsciscintillabase.h>
+
+namespace proveout {
+
+/// Scintilla's own interface, in the order of its ILoader.h, which QScintilla does not install.
+class ScintillaLoader {
+public:
+    virtual int Release() = 0;
+    virtual int AddData(const char* data, std::ptrdiff_t length) = 0;
+    virtual void* ConvertToDocument() = 0;
+
+protected:
+    ~ScintillaLoader() = default;
+};
+
+namespace {
+
+/// As much as is added between two looks whether to stop. Scintilla's buffer grows by a sixth each time at
+/// least.
+constexpr std::size_t kSlice = std::size_t{16} << 20;
+
+} // namespace
+
+// No bytes are reserved yet: Scintilla would clear them here, on the UI thread.
+ScintillaDocument::ScintillaDocument(const QsciScintillaBase& view)
+    : m_loader(
+          static_cast<ScintillaLoader*>(view.SendScintillaPtrResult(QsciScintillaBase::SCI_CREATELOADER))) {}
+
+ScintillaDocument::~ScintillaDocument() {
+    m_loader->Release();
+}
+
+bool ScintillaDocument::fill(const NcText& text, const std::stop_token& stop) {
+    for (std::string_view run : text.runs()) {
+        while (!run.empty()) {
+            if (stop.stop_requested())
+                return false;
+            const std::string_view slice = run.substr(0, std::min(kSlice, run.size()));
+            if (m_loader->AddData(slice.data(), static_cast<std::ptrdiff_t>(slice.size())) !=
+                QsciScintillaBase::SC_STATUS_OK)
+                return false;
+            run.remove_prefix(slice.size());
+        }
+    }
+    return true;
+}
+
+void ScintillaDocument::showIn(const QsciScintillaBase& view) const {
+    view.SendScintilla(QsciScintillaBase::SCI_SETDOCPOINTER, 0UL, m_loader->ConvertToDocument());
+}
+
+} // namespace proveout
