@@ -108,12 +108,18 @@ struct LineLead {
 };
 
 struct BallLead {
-    V rate, radius2, rim2;
+    V rate, radius2;
     explicit BallLead(const BlockPass& pass)
-        : rate(all(pass.lead)), radius2(all(pass.radius * pass.radius)), rim2(all(pass.rim2)) {}
-    HWY_INLINE V operator()(V across2) const {
-        return hn::Min(hn::Mul(rate, rootOf(hn::Sub(radius2, across2))), rootOf(hn::Sub(rim2, across2)));
-    }
+        : rate(all(pass.lead)), radius2(all(pass.radius * pass.radius)) {}
+    HWY_INLINE V operator()(V across2) const { return hn::Mul(rate, rootOf(hn::Sub(radius2, across2))); }
+};
+
+/// Of a ball that ends before its arc does.
+struct CutOffBallLead {
+    BallLead ball;
+    RimLead rim;
+    explicit CutOffBallLead(const BlockPass& pass) : ball(pass), rim(pass) {}
+    HWY_INLINE V operator()(V across2) const { return hn::Min(ball(across2), rim(across2)); }
 };
 
 /// See touchingRadius() in straight_sweep.cpp. Every lane stops by itself, so that its steps do not depend on
@@ -215,6 +221,8 @@ HWY_INLINE void withEnvelope(const BlockPass& pass, const Work& work) {
     case BlockPass::Form::ball:
         if (pass.level)
             return work(LevelEnvelope<BallForm>(pass));
+        if (pass.rim2 < pass.radius * pass.radius)
+            return work(SlopedEnvelope<BallForm, CutOffBallLead>(pass));
         return work(SlopedEnvelope<BallForm, BallLead>(pass));
     case BlockPass::Form::corner:
         if (pass.level)
@@ -232,8 +240,8 @@ struct Ramp {
     }
 };
 
-void LowerBlock(const BlockPass& pass, const float* heights, std::size_t stride, float floor,
-                BlockHeights& result) {
+void vectorLowerBlock(const BlockPass& pass, const float* heights, std::size_t stride, float floor,
+                      BlockHeights& result) {
     constexpr std::size_t kSize = BlockHeights::kSize;
     const std::size_t lanes = hn::Lanes(kFloats);
     withEnvelope(pass, [&](const auto& envelope) HWY_ATTR {
@@ -301,7 +309,7 @@ struct ColumnSums {
     }
 };
 
-BlockLoss PutRows(const BlockHeights& block, std::uint32_t rows, float* heights) {
+BlockLoss vectorPutRows(const BlockHeights& block, std::uint32_t rows, float* heights) {
     ColumnSums sums;
     V depth = hn::Zero(kFloats);
     const std::size_t lanes = hn::Lanes(kFloats);
@@ -319,7 +327,7 @@ BlockLoss PutRows(const BlockHeights& block, std::uint32_t rows, float* heights)
     return {sums.total(), hn::GetLane(hn::MaxOfLanes(kFloats, depth))};
 }
 
-std::uint32_t BlocksBelow(const BlockPass& pass, const float* maxima, float slack) {
+std::uint32_t vectorBlocksBelow(const BlockPass& pass, const float* maxima, float slack) {
     std::uint32_t found = 0;
     const std::size_t lanes = hn::Lanes(kFloats);
     constexpr std::size_t kBlocks = std::size_t{Tile::kBlocks} * Tile::kBlocks;
@@ -349,21 +357,21 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace proveout {
 
-HWY_EXPORT(LowerBlock);
-HWY_EXPORT(PutRows);
-HWY_EXPORT(BlocksBelow);
+HWY_EXPORT(vectorLowerBlock);
+HWY_EXPORT(vectorPutRows);
+HWY_EXPORT(vectorBlocksBelow);
 
 void lowerBlock(const BlockPass& pass, const float* heights, std::size_t stride, float floor,
                 BlockHeights& result) {
-    HWY_DYNAMIC_DISPATCH(LowerBlock)(pass, heights, stride, floor, result);
+    HWY_DYNAMIC_DISPATCH(vectorLowerBlock)(pass, heights, stride, floor, result);
 }
 
 BlockLoss putRows(const BlockHeights& block, std::uint32_t rows, float* heights) {
-    return HWY_DYNAMIC_DISPATCH(PutRows)(block, rows, heights);
+    return HWY_DYNAMIC_DISPATCH(vectorPutRows)(block, rows, heights);
 }
 
 std::uint32_t blocksBelow(const BlockPass& pass, const float* maxima, float slack) {
-    return HWY_DYNAMIC_DISPATCH(BlocksBelow)(pass, maxima, slack);
+    return HWY_DYNAMIC_DISPATCH(vectorBlocksBelow)(pass, maxima, slack);
 }
 
 } // namespace proveout

@@ -79,6 +79,11 @@ void judgeUnknownRapid(const ZMap& zmap, const Cutter& cutter, const Motion& mot
         findings.add(block, FindingKind::rapidUnchecked, below);
 }
 
+/// The cutter of a motion; none where it is not known, or only probes.
+const Cutter* cutterOf(const Motion& motion, const Setup& setup, const ToolChoice& tools) {
+    return motion.probing ? nullptr : setup.tools.find(tools.tool(motion.tool));
+}
+
 } // namespace
 
 std::optional<CutRecord> cutBlock(ZMap& zmap, const Program& program, std::size_t block, const Setup& setup,
@@ -91,8 +96,8 @@ std::optional<CutRecord> cutBlock(ZMap& zmap, const Program& program, std::size_
         before = zmap.snapshot();
     for (std::size_t index = motions.first; index < motions.last; ++index) {
         const Motion motion = program.motion(index);
-        const Cutter* cutter = setup.tools.find(tools.tool(motion.tool));
-        if (cutter == nullptr || motion.probing)
+        const Cutter* cutter = cutterOf(motion, setup, tools);
+        if (cutter == nullptr)
             continue;
         const std::optional<CutRecord> record = cut(zmap, *cutter, motion, stop);
         if (!record) {
@@ -109,6 +114,28 @@ std::optional<CutRecord> cutBlock(ZMap& zmap, const Program& program, std::size_
         sum.add(*record);
     }
     return sum;
+}
+
+std::optional<std::vector<CutRecord>> cutBlocks(ZMap& zmap, const Program& program, std::size_t first,
+                                                std::size_t last, const Setup& setup, const ToolChoice& tools,
+                                                const std::stop_token& stop) {
+    std::vector<CutterMotion> motions;
+    std::vector<std::size_t> blocks; ///< of each motion
+    for (std::size_t block = first; block < last; ++block) {
+        const auto range = program.blockMotions(block);
+        for (std::size_t index = range.first; index < range.last; ++index) {
+            const Motion motion = program.motion(index);
+            motions.push_back({cutterOf(motion, setup, tools), motion});
+            blocks.push_back(block);
+        }
+    }
+    const auto records = cut(zmap, motions, stop);
+    if (!records)
+        return std::nullopt;
+    std::vector<CutRecord> sums(last - first);
+    for (std::size_t k = 0; k < records->size(); ++k)
+        sums[blocks[k] - first].add((*records)[k]);
+    return sums;
 }
 
 } // namespace proveout

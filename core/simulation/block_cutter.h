@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <stop_token>
+#include <vector>
 
 #include "core/cutting/cutting.h"
 #include "core/nc/program.h"
@@ -21,5 +22,12 @@ namespace proveout {
 [[nodiscard]] std::optional<CutRecord> cutBlock(ZMap& zmap, const Program& program, std::size_t block,
                                                 const Setup& setup, const ToolChoice& tools,
                                                 FindingLog* findings, const std::stop_token& stop);
+
+/// The blocks [first, last) at once, without looking for findings: a record each, the same as of cutBlock().
+/// Nothing where it was stopped, and the map is what it was.
+[[nodiscard]] std::optional<std::vector<CutRecord>> cutBlocks(ZMap& zmap, const Program& program,
+                                                              std::size_t first, std::size_t last,
+                                                              const Setup& setup, const ToolChoice& tools,
+                                                              const std::stop_token& stop);
 
 } // namespace proveout

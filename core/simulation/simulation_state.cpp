@@ -15,6 +15,8 @@ namespace {
 /// Cutting time between two checkpoints. A step backward replays at most this much, and the decimation
 /// period.
 constexpr double kCheckpointSeconds = 0.01;
+/// Blocks that are cut at once where nobody looks at them one by one.
+constexpr std::size_t kFirstPortion = 16;
 
 } // namespace
 
@@ -32,10 +34,31 @@ std::optional<CutRecord> Simulation::State::cutNext(StockRun& run, FindingLog* l
     ++run.block;
     run.removedMm3 += record->removedMm3;
     run.cutSeconds += seconds;
+    rememberMoment(run);
+    return record;
+}
+
+bool Simulation::State::cutMany(StockRun& run, std::size_t count, const WorkContext& context) {
+    const StopWatch watch;
+    const auto records =
+        cutBlocks(run.zmap, *program, run.block, run.block + count, *setup, tools, context.stop);
+    const double seconds = watch.seconds();
+    effort.cutSeconds += seconds;
+    if (!records)
+        return false;
+    atRest.outdate();
+    run.block += count;
+    for (const CutRecord& record : *records)
+        run.removedMm3 += record.removedMm3;
+    run.cutSeconds += seconds;
+    rememberMoment(run);
+    return true;
+}
+
+void Simulation::State::rememberMoment(const StockRun& run) {
     if (checkpoints.wanted() &&
         run.cutSeconds - checkpoints.before(run.block).cutSeconds > kCheckpointSeconds)
         checkpoints.add(run.moment());
-    return record;
 }
 
 void Simulation::State::touchChanged(const IndexRect& changed) {
@@ -151,8 +174,17 @@ Checkpoint Simulation::State::nearest(std::size_t block) const {
 
 bool Simulation::State::replay(StockRun& run, std::size_t block, const WorkContext& context) {
     const std::size_t from = run.block;
+    std::size_t portion = kFirstPortion;
     while (run.block < block && !context.stopped()) {
-        (void)cutNext(run, nullptr, context);
+        const std::size_t count = std::min(portion, block - run.block);
+        const StopWatch watch;
+        if (!cutMany(run, count, context))
+            break;
+        // Portions as long as what lies between two checkpoints: so many blocks share the work of beginning.
+        if (watch.seconds() < kCheckpointSeconds / 2)
+            portion *= 2;
+        else if (watch.seconds() > kCheckpointSeconds)
+            portion = std::max(portion / 2, kFirstPortion);
         context.tell(static_cast<double>(run.block - from) / static_cast<double>(block - from));
     }
     return run.block == block;

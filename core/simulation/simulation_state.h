@@ -64,6 +64,10 @@ struct Simulation::State {
 
     /// Nothing where it was stopped: the block counts as not executed.
     std::optional<CutRecord> cutNext(StockRun& run, FindingLog* log, const WorkContext& context);
+    /// The next `count` blocks at once, without findings; false where it was stopped: none of them counts.
+    bool cutMany(StockRun& run, std::size_t count, const WorkContext& context);
+    /// Takes a checkpoint where the last one is long ago.
+    void rememberMoment(const StockRun& run);
     /// The box of a slanted motion holds regions that it never touched: only changed heights count.
     void touchChanged(const IndexRect& changed);
     void step(const WorkContext& context);

@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Both samples end to end, and what a user waits for: seeks, steps backward, a change of the allowance.
 // Argument: the decimation period; 0 is cutting alone.
+#include <algorithm>
 #include <benchmark/benchmark.h>
 #include <memory>
 #include <random>
 #include <string>
+#include <vector>
 
+#include "core/base/stop_watch.h"
 #include "core/formats/job_file.h"
 #include "core/nc/interpreter.h"
 #include "core/simulation/simulation.h"
@@ -58,13 +61,20 @@ void runSample(benchmark::State& state, const char* name, double spacing, bool e
 }
 
 /// Seeks to random blocks of a program that was run before.
-void seekSample(benchmark::State& state, const char* name) {
+void seekSample(benchmark::State& state, const char* name, double spacing) {
     const Sample sample(name);
-    const auto simulation = sample.start(static_cast<int>(state.range(0)), 1);
+    const auto simulation = sample.start(static_cast<int>(state.range(0)), spacing);
     simulation->seek(simulation->blockCount());
     std::mt19937 random(1);
-    for (auto _ : state)
+    std::vector<double> milliseconds;
+    for (auto _ : state) {
+        const StopWatch watch;
         simulation->seek(random() % (simulation->blockCount() + 1));
+        milliseconds.push_back(1000 * watch.seconds());
+    }
+    std::ranges::sort(milliseconds);
+    state.counters["99th_ms"] = milliseconds[milliseconds.size() * 99 / 100];
+    state.counters["largest_ms"] = milliseconds.back();
 }
 
 /// Steps backward from the end, one block at a time.
@@ -95,8 +105,13 @@ BENCHMARK_CAPTURE(runSample, mouse_1mm_every_block, kMouse, 1.0, true)
     ->Arg(20)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(runSample, mouse_0_1mm, kMouse, 0.1, false)->Arg(0)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(seekSample, insert, kInsert)->Arg(20)->Arg(-1)->Unit(benchmark::kMillisecond);
-BENCHMARK_CAPTURE(seekSample, mouse, kMouse)->Arg(20)->Arg(-1)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(seekSample, insert, kInsert, 1.0)->Arg(20)->Arg(-1)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(seekSample, mouse, kMouse, 1.0)->Arg(20)->Arg(-1)->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(seekSample, mouse_0_1mm, kMouse, 0.1)
+    ->Arg(20)
+    ->Arg(0)
+    ->Unit(benchmark::kMillisecond)
+    ->MinTime(5);
 BENCHMARK_CAPTURE(stepBack, mouse, kMouse)->Arg(20)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(tune, mouse, kMouse)->Arg(20)->Unit(benchmark::kMillisecond);
 
