@@ -62,7 +62,9 @@ private:
 
     bool fits() {
         const CutterCompensation& compensation = m_execution.state.compensation;
-        const bool held = compensation.held || !m_corner.compensated;
+        // A stop of the program leaves the tool at the end of the motion before.
+        const bool held =
+            m_corner.compensated ? compensation.held : !m_execution.program.isSettled(m_corner.motion);
         if (m_motion.kind == MotionKind::rapid)
             tell(nc_message::kCornerNextBlock);
         else if (m_corner.compensated != compensation.moves() || changesSide(compensation))

@@ -152,6 +152,8 @@ public:
     void append(const Motion& motion);
     /// A motion under cutter compensation. Its end may be moved until `settle`.
     void appendCompensated(const Motion& motion, const Vec3& programmedEnd);
+    /// Whether the end of a motion stays where it is.
+    [[nodiscard]] bool isSettled(std::size_t motion) const { return motion < m_settled; }
     /// Moves the ends of the motions from `first` on, in the axes of a plane; `sweep` is of the first, where
     /// that is an arc. None of them is settled, and only the first leads anywhere in the plane.
     void moveEnds(std::size_t first, Plane plane, const Vec2& end, double sweep);
