@@ -231,7 +231,7 @@ HWY_INLINE void withEnvelope(const BlockPass& pass, const Work& work) {
     }
 }
 
-/// 0, 1, … 15 times a step, from `start`.
+/// 0, 1, … 15 times a step.
 struct Ramp {
     V steps[BlockHeights::kSize];
     explicit Ramp(float step) {

@@ -11,10 +11,10 @@
 
 namespace proveout {
 
-/// One straight motion of one convex profile seen from a square of points, in single precision. The origin
-/// along the path is chosen near the points, so that every number is as small as the cutter and the square
-/// and digits do not depend on where they lie. A point at column i, row j lies `along` + i·`alongX` +
-/// j·`alongY` on the path's line and `across` + … beside it.
+/// One straight motion of one convex profile seen from a square of points, in single precision, lengths
+/// in mm, heights from the top of the stock. The origin along the path is chosen near the points, so that
+/// every number is as small as the cutter and the square and digits do not depend on where they lie. A point
+/// at column i, row j lies `along` + i·`alongX` + j·`alongY` on the path's line and `across` + … beside it.
 struct BlockPass {
     enum class Form : std::uint8_t { flat, line, ball, corner };
 

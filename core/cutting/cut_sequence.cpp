@@ -2,8 +2,10 @@
 // Many motions into the z-map: binned to the tiles that they may lower, then tile by tile.
 #include <algorithm>
 #include <atomic>
+#include <cstdint>
 #include <oneapi/tbb/parallel_for.h>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "core/cutting/cutting.h"
@@ -14,9 +16,10 @@ namespace proveout {
 
 namespace {
 
-/// Motions are binned in portions that have about so many tiles in all: their sweeps and records take some 20
-/// MB.
+// Motions are binned in portions: of that many tiles in all the records take 10 MB, of that many motions the
+// sweeps 15 MB, more where cutters have several profiles.
 constexpr std::size_t kTilesOfPortion = 200'000;
+constexpr std::size_t kMotionsOfPortion = 16'384;
 
 /// Some motions of a sequence, and the tiles that they may lower.
 class Portion {
@@ -25,7 +28,9 @@ public:
     Portion(const ZMap& zmap, std::span<const CutterMotion> motions, std::size_t first) : m_end(first) {
         std::vector<std::uint32_t> counts(zmap.tileCount());
         std::vector<Pair> pairs;
-        for (; m_end < motions.size() && pairs.size() < kTilesOfPortion; ++m_end)
+        for (;
+             m_end < motions.size() && pairs.size() < kTilesOfPortion && m_sweeps.size() < kMotionsOfPortion;
+             ++m_end)
             addMotion(zmap, motions[m_end], counts, pairs);
         bin(counts, pairs);
     }
