@@ -4873,6 +4873,22 @@
         <source>Dialect of the program</source>
         <translation>Dialekt des Programms</translation>
     </message>
+    <message>
+        <source>Start of cutter compensation</source>
+        <translation>Beginn der Fräserradiuskorrektur</translation>
+    </message>
+    <message>
+        <source>Type A: straight to the path</source>
+        <translation>Typ A: gerade zur Bahn</translation>
+    </message>
+    <message>
+        <source>Type B: round outside corners</source>
+        <translation>Typ B: um Außenecken herum</translation>
+    </message>
+    <message>
+        <source>How compensation begins and ends at outside corners, as set on the control: SUP in parameter 5003 of Fanuc, setting 43 of Haas</source>
+        <translation>Wie die Korrektur an Außenecken beginnt und endet, wie an der Steuerung eingestellt: SUP in Parameter 5003 von Fanuc, Einstellung 43 von Haas</translation>
+    </message>
 </context>
 <context>
     <name>Severity</name>

@@ -4872,6 +4872,22 @@
         <source>Dialect of the program</source>
         <translation>프로그램의 제어기 방식</translation>
     </message>
+    <message>
+        <source>Start of cutter compensation</source>
+        <translation>공구경 보정 시작 방식</translation>
+    </message>
+    <message>
+        <source>Type A: straight to the path</source>
+        <translation>A형: 경로로 곧바로</translation>
+    </message>
+    <message>
+        <source>Type B: round outside corners</source>
+        <translation>B형: 바깥쪽 코너를 돌아서</translation>
+    </message>
+    <message>
+        <source>How compensation begins and ends at outside corners, as set on the control: SUP in parameter 5003 of Fanuc, setting 43 of Haas</source>
+        <translation>바깥쪽 코너에서 보정을 시작하고 끝내는 방식으로, 제어기 설정과 같습니다. Fanuc은 파라미터 5003의 SUP, Haas는 설정 43입니다</translation>
+    </message>
 </context>
 <context>
     <name>Severity</name>

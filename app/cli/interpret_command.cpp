@@ -29,6 +29,7 @@ struct InterpretCommandOptions {
     std::string dialect;
     std::vector<std::string> compared; ///< two dialects, or none
     bool blockDelete = false;
+    CompensationStart compensationStart;
 };
 
 ExitCode run(const InterpretCommandOptions& options) {
@@ -41,6 +42,7 @@ ExitCode run(const InterpretCommandOptions& options) {
     interpreting.file = options.program;
     interpreting.dialect = dialectOfOption(options.dialect);
     interpreting.blockDelete = options.blockDelete;
+    options.compensationStart.apply(interpreting.compensationTypeB);
     interpreting.subprogramFolders = {std::filesystem::path(options.program).parent_path()};
     interpreting.assumeStartAtZero = options.start.empty();
     if (!options.start.empty()) {
@@ -76,6 +78,7 @@ ExitCode run(const InterpretCommandOptions& options) {
     writeNcMotion(std::cout, *program, *text, meta);
     std::cout.flush();
     report.add(program->diagnostics());
+    report.add(unusedCompensationStart(interpreting.compensationTypeB, *program));
     if (options.tools.given())
         report.add(FindingLog().diagnostics(*program, ToolChoice(*program, setup.tools)));
     if (program->unverified() || program->motionCount() == 0)
@@ -102,6 +105,7 @@ void addInterpretCommand(CLI::App& app, ExitCode& exitCode) {
     command->add_option("--start", options->start, "Position before the first block, mm (0,0,0, assumed)")
         ->type_name("X,Y,Z");
     command->add_flag("--block-delete", options->blockDelete, "Skip blocks that begin with /");
+    options->compensationStart.addTo(*command);
     command->callback([options, &exitCode] { exitCode = run(*options); });
 }
 

@@ -3,6 +3,7 @@
 
 #include <utility>
 
+#include "app/cli/setup_options.h"
 #include "core/simulation/interpretation.h"
 
 namespace proveout::cli {
@@ -13,6 +14,7 @@ Result<std::shared_ptr<const Program>> loadProgram(const Job& job, Report& repor
         return tl::unexpected(std::move(text.error()));
     std::shared_ptr<const Program> program = interpret(*text, interpretOptions(job.setup, job.program));
     report.add(program->diagnostics());
+    report.add(unusedCompensationStart(job.setup.compensationTypeB, *program));
     if (program->unverified() || program->motionCount() == 0)
         report.markUnverified();
     return program;

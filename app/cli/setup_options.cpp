@@ -72,6 +72,32 @@ Result<void> ToolOptions::apply(ToolTable& table) const {
     return {};
 }
 
+void CompensationStart::addTo(CLI::App& command) {
+    command
+        .add_option("--compensation-start", type,
+                    "How cutter compensation of Fanuc and Haas begins and ends at outside corners: type a "
+                    "straight, type b round them (a)")
+        ->check(CLI::IsMember(std::vector<std::string>{"a", "b"}))
+        ->type_name("T");
+}
+
+void CompensationStart::apply(bool& typeB) const {
+    if (!type.empty())
+        typeB = type == "b";
+}
+
+Diagnostics unusedCompensationStart(bool typeB, const Program& program) {
+    const Dialect& row = dialect(program.dialect());
+    if (!typeB || row.vectors.used)
+        return {};
+    Diagnostics told =
+        failure("compensation-start-unused",
+                "Type B of the start of cutter compensation changes nothing: {} knows no types.", {row.name})
+            .value();
+    told.front().severity = Severity::warning;
+    return told;
+}
+
 void SetupOptions::addTo(CLI::App& command) {
     command.add_option("PROG", m_program, "NC program")->type_name("");
     command.add_option("--job", m_jobFile, "Job file with program, stock, grid, tools and decimation")
@@ -82,6 +108,7 @@ void SetupOptions::addTo(CLI::App& command) {
     command.add_option("--start", m_start, "Position before the first block, mm (not known)")
         ->type_name("X,Y,Z");
     command.add_flag("--block-delete", m_blockDelete, "Skip blocks that begin with /");
+    m_compensationStart.addTo(command);
     addDialectOption(command, m_dialect);
     m_decimation.addTo(command);
 }
@@ -115,6 +142,7 @@ Result<Job> SetupOptions::job() const {
     if (!m_dialect.empty())
         job.setup.dialect = dialectOfOption(m_dialect);
     job.setup.blockDelete = job.setup.blockDelete || m_blockDelete;
+    m_compensationStart.apply(job.setup.compensationTypeB);
     const bool fromFile = !m_jobFile.empty();
     m_decimation.apply(job.parameters, {.region = job.regionNamed, .period = fromFile},
                        gridPoints(job.setup.stock, job.setup.spacing));

@@ -12,6 +12,7 @@
 #include "core/base/diagnostic.h"
 #include "core/decimation/map_memory.h"
 #include "core/formats/job_file.h"
+#include "core/nc/program.h"
 
 namespace proveout::cli {
 
@@ -34,6 +35,18 @@ struct ToolOptions {
     [[nodiscard]] bool given() const { return !file.empty() || !tools.empty(); }
     [[nodiscard]] Result<void> apply(ToolTable& table) const;
 };
+
+/// `--compensation-start`, a setting of the controls whose dialect compensates by vectors.
+struct CompensationStart {
+    std::string type; ///< "a", "b", or empty
+
+    void addTo(CLI::App& command);
+    /// Changes what is given.
+    void apply(bool& typeB) const;
+};
+
+/// A warning where type B is asked for, and the control of the program knows no types.
+[[nodiscard]] Diagnostics unusedCompensationStart(bool typeB, const Program& program);
 
 /// The set-up of a run, from a job file, from options, or both: an option outranks the job.
 class SetupOptions {
@@ -59,6 +72,7 @@ private:
     ToolOptions m_tools;
     std::string m_start;
     bool m_blockDelete = false;
+    CompensationStart m_compensationStart;
     std::string m_dialect;
     DecimationOptions m_decimation;
 };

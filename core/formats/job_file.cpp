@@ -62,6 +62,15 @@ void readTools(JsonFields tools, ToolTable& table) {
     });
 }
 
+constexpr Choice kCompensationStarts[] = {{"a", ""}, {"b", ""}};
+
+/// Type A in the jobs of a time that knew no other.
+void readCompensationStart(JsonFields& fields, bool& typeB) {
+    std::size_t index = typeB ? 1 : 0;
+    fields.read("compensationStart", index, kCompensationStarts);
+    typeB = index == 1;
+}
+
 constexpr const char* kGuessed = "auto"; ///< the dialect is that of the signs in the program
 
 void readDialect(JsonFields& fields, std::optional<DialectId>& dialect) {
@@ -163,6 +172,7 @@ Result<Job> parse(std::string_view text, const fs::path& file) {
     }
     readDialect(fields, job.setup.dialect);
     fields.read("blockDelete", job.setup.blockDelete);
+    readCompensationStart(fields, job.setup.compensationTypeB);
     readParameters(fields.object("decimation"), job);
     fields.warnAboutUnknown();
     const bool usable = complaints.errors.empty();
@@ -196,6 +206,9 @@ ordered_json toJson(const Job& job, const fs::path& file) {
     if (setup.dialect)
         out["dialect"] = dialect(*setup.dialect).key;
     out["blockDelete"] = setup.blockDelete;
+    // Only where it is not the standard: the jobs of other controls have nothing to do with it.
+    if (setup.compensationTypeB)
+        out["compensationStart"] = kCompensationStarts[1].key;
     out["decimation"] = writeParameters(job.parameters);
     return out;
 }

@@ -36,6 +36,7 @@ InterpretOptions interpretOptions(const Setup& setup, const std::filesystem::pat
     options.file = file.string();
     options.dialect = setup.dialect;
     options.blockDelete = setup.blockDelete;
+    options.compensationTypeB = setup.compensationTypeB;
     options.start = setup.start;
     options.tools = toolOffsets(setup.tools);
     options.maxMotions = motionsThatFit(options.maxMotions);
@@ -52,6 +53,7 @@ bool interpretedAlike(const Program& program, const Setup& one, const Setup& oth
     if (program.asksForStock() && (one.stock != other.stock || one.tools != other.tools))
         return false;
     return one.dialect == other.dialect && one.blockDelete == other.blockDelete && one.start == other.start &&
+           (one.compensationTypeB == other.compensationTypeB || !dialect(program.dialect()).vectors.used) &&
            (!program.asksForTools() || std::ranges::equal(one.tools.tools(), other.tools.tools(), sameTool));
 }
 

@@ -18,6 +18,7 @@ struct Setup {
     std::optional<Vec3> start;        ///< position of the cutter before the first block, if it is known
     std::optional<DialectId> dialect; ///< of the program; nothing: by the signs in its text
     bool blockDelete = false;         ///< skip blocks that begin with "/"
+    bool compensationTypeB = false;   ///< InterpretOptions
 
     friend bool operator==(const Setup&, const Setup&) = default;
 };

@@ -76,6 +76,34 @@ TEST_F(CliInterpret, DialectIsChosenOrGuessed) {
     EXPECT_EQ(run("interpret p.nc --dialect basic").exitCode, 3);
 }
 
+TEST_F(CliInterpret, TheStartOfCompensationIsOfTypeAOrB) {
+    const std::string program = "G90 G1 G42 D1 X0 Y0 F100\nX-20. Y20.\nG40 X0\nM30\n";
+    const std::string options = "--start=-20,0,0 --tool 1=flat:d=10 --dialect ";
+    const auto ends = [&](const std::string& more) {
+        std::vector<nlohmann::json> points;
+        for (const auto& record : lines(program, options + more))
+            if (record["k"] == "feed")
+                points.push_back(record["e"]);
+        return points;
+    };
+    const auto typeA = ends("fanuc");
+    EXPECT_EQ(typeA.size(), 3U);
+    EXPECT_EQ(ends("fanuc --compensation-start a"), typeA);
+    for (const std::string control : {"fanuc", "haas"}) {
+        const auto typeB = ends(control + " --compensation-start b");
+        ASSERT_EQ(typeB.size(), 4U) << control << ": it goes round the corner";
+        EXPECT_EQ(typeB.front(), (nlohmann::json{5, -5, 0}));
+        EXPECT_EQ(finished.err.find("compensation-start"), std::string::npos) << finished.err;
+    }
+    for (const std::string control : {"linuxcnc", "grbl", "mach"}) {
+        const auto before = ends(control);
+        const int exitCode = finished.exitCode;
+        EXPECT_EQ(ends(control + " --compensation-start b"), before) << control;
+        EXPECT_EQ(finished.exitCode, exitCode);
+        EXPECT_TRUE(finished.tells("p.nc: warning: Type B ", "compensation-start-unused")) << finished.err;
+    }
+}
+
 TEST_F(CliInterpret, DialectsAreComparedLineByLine) {
     const auto records = lines("G21 G90\nG0 X1.\nX2000\nM30\n", "--compare-dialects linuxcnc,fanuc");
     EXPECT_EQ(finished.exitCode, 0) << finished.err;

@@ -272,6 +272,20 @@ TEST_F(CliSimulate, BlockDeleteAndStart) {
     EXPECT_GT(started.json()["removedMm3"], 1);
 }
 
+TEST_F(CliSimulate, TheStartOfCompensationStandsInTheJobOrOutranksIt) {
+    write("c.nc", "G90 G0 X5. Y15. Z-1.\nG1 G42 D1 X20. Y15. F100\nX10. Y25.\nG40 X20.\nM30\n");
+    write("c.proveout", R"({"proveout": 1, "program": "c.nc", "dialect": "fanuc", "compensationStart": "b",
+        "stock": {"width": 40, "depth": 30, "height": 10}, "tools": {"1": "ball:d=4,l=20"}})");
+    const auto motions = [this](const std::string& more) {
+        return run("simulate --job c.proveout --json" + more).json()["motions"].get<int>();
+    };
+    EXPECT_EQ(motions(""), 5);
+    EXPECT_EQ(motions(" --compensation-start b"), 5);
+    EXPECT_EQ(motions(" --compensation-start a"), 4);
+    EXPECT_TRUE(run("simulate --job c.proveout --dialect linuxcnc")
+                    .tells("c.proveout: warning: Type B ", "compensation-start-unused"));
+}
+
 TEST_F(CliSimulate, NothingLeftIsSaid) {
     write("all.nc", "T1 M6\nG0 X-40 Y15 Z5\nG1 Z-10 F100\nX90\n");
     const auto done = run("simulate all.nc --stock 40x30x10 --grid 1 --tool 1=flat:d=90,l=20 --stl a.stl");

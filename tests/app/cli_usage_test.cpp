@@ -49,6 +49,8 @@ TEST_F(CliUsage, MistakesPrintTheUsageOnStderrAndExitWith3) {
                                          simulate + "--order backwards",
                                          simulate + "--borders none",
                                          simulate + "--dialect klingon",
+                                         simulate + "--compensation-start c",
+                                         simulate + "--compensation-start",
                                          simulate + "--grid",
                                          simulate + "extra",
                                          std::string("interpret"),

@@ -34,10 +34,11 @@ std::vector<int> missingTools(const Session& session) {
 
 SetupPanel::SetupPanel(Session& session, QWidget* parent)
     : QWidget(parent), m_session(session), m_programTitle(sectionLabel(this)),
-      m_dialectLabel(new QLabel(this)), m_dialect(new QComboBox(this)), m_stockTitle(sectionLabel(this)),
-      m_stock(new StockForm(this)), m_fit(new QPushButton(this)), m_memory(wrappedLabel(this)),
-      m_problem(wrappedLabel(this)), m_toolsTitle(sectionLabel(this)), m_tools(new ToolTableEditor(this)),
-      m_missing(wrappedLabel(this)), m_define(new QPushButton(this)), m_blockDelete(new QCheckBox(this)) {
+      m_dialectLabel(new QLabel(this)), m_dialect(new QComboBox(this)), m_compensationLabel(new QLabel(this)),
+      m_compensation(new QComboBox(this)), m_stockTitle(sectionLabel(this)), m_stock(new StockForm(this)),
+      m_fit(new QPushButton(this)), m_memory(wrappedLabel(this)), m_problem(wrappedLabel(this)),
+      m_toolsTitle(sectionLabel(this)), m_tools(new ToolTableEditor(this)), m_missing(wrappedLabel(this)),
+      m_define(new QPushButton(this)), m_blockDelete(new QCheckBox(this)) {
     build();
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRestMs);
@@ -46,11 +47,13 @@ SetupPanel::SetupPanel(Session& session, QWidget* parent)
     connect(m_tools, &ToolTableEditor::edited, &m_rest, qOverload<>(&QTimer::start));
     connect(m_blockDelete, &QCheckBox::toggled, &m_rest, qOverload<>(&QTimer::start));
     connect(m_dialect, &QComboBox::activated, &m_rest, qOverload<>(&QTimer::start));
+    connect(m_compensation, &QComboBox::activated, &m_rest, qOverload<>(&QTimer::start));
     connect(m_fit, &QPushButton::clicked, this, &SetupPanel::fitToProgram);
     connect(m_define, &QPushButton::clicked, this, &SetupPanel::defineMissingTools);
     connect(&session, &Session::setupChanged, this, &SetupPanel::showSetup);
     connect(&session, &Session::programChanged, this, &SetupPanel::showMissingTools);
     connect(&session, &Session::programChanged, this, &SetupPanel::showDialect);
+    connect(&session, &Session::programChanged, this, &SetupPanel::showCompensation);
     retranslate();
     showSetup();
 }
@@ -59,9 +62,14 @@ void SetupPanel::build() {
     auto* content = new QWidget;
     auto* layout = new QVBoxLayout(content);
     m_dialectLabel->setBuddy(m_dialect);
+    m_compensationLabel->setBuddy(m_compensation);
+    m_compensation->setObjectName(QStringLiteral("compensation-start"));
+    m_compensation->addItems({QString(), QString()});
     layout->addWidget(m_programTitle);
     layout->addWidget(m_dialectLabel);
     layout->addWidget(m_dialect);
+    layout->addWidget(m_compensationLabel);
+    layout->addWidget(m_compensation);
     layout->addWidget(m_blockDelete);
     layout->addSpacing(10);
     for (QWidget* widget :
@@ -85,6 +93,8 @@ void SetupPanel::showSetup() {
     m_blockDelete->setChecked(m_session.setup().blockDelete);
     m_problem->hide();
     showDialect();
+    m_compensation->setCurrentIndex(m_session.setup().compensationTypeB ? 1 : 0);
+    showCompensation();
     showMemory(m_session.setup());
     showMissingTools();
 }
@@ -101,6 +111,15 @@ void SetupPanel::showDialect() {
     for (const Dialect& row : dialects())
         m_dialect->addItem(QString::fromUtf8(row.name));
     m_dialect->setCurrentIndex(chosen ? static_cast<int>(*chosen) + 1 : 0);
+}
+
+/// Only for the controls that have this setting.
+void SetupPanel::showCompensation() {
+    const auto& chosen = m_session.setup().dialect;
+    const bool known = chosen || m_session.program();
+    const bool shown = known && dialect(chosen ? *chosen : m_session.program()->dialect()).vectors.used;
+    m_compensationLabel->setVisible(shown);
+    m_compensation->setVisible(shown);
 }
 
 void SetupPanel::showMissingTools() {
@@ -132,6 +151,7 @@ void SetupPanel::apply() {
     m_stock->put(setup);
     setup.tools = m_tools->tools();
     setup.blockDelete = m_blockDelete->isChecked();
+    setup.compensationTypeB = m_compensation->currentIndex() == 1;
     setup.dialect.reset();
     if (const int index = m_dialect->currentIndex(); index > 0)
         setup.dialect = static_cast<DialectId>(index - 1);
@@ -160,6 +180,12 @@ void SetupPanel::retranslate() {
     m_dialectLabel->setText(tr("Dialect of the program"));
     m_dialect->setToolTip(
         tr("How the program is read: arcs, cycles, offsets and numbers differ from control to control"));
+    m_compensationLabel->setText(tr("Start of cutter compensation"));
+    m_compensation->setItemText(0, tr("Type A: straight to the path"));
+    m_compensation->setItemText(1, tr("Type B: round outside corners"));
+    m_compensation->setToolTip(
+        tr("How compensation begins and ends at outside corners, as set on the control: "
+           "SUP in parameter 5003 of Fanuc, setting 43 of Haas"));
     m_stockTitle->setText(tr("Stock and grid"));
     m_fit->setText(tr("Fit to program"));
     m_fit->setToolTip(tr("Make the stock just large enough for all cutting motions"));

@@ -31,6 +31,7 @@ private:
     void retranslate();
     void showSetup();
     void showDialect();
+    void showCompensation();
     void showMissingTools();
     void showMemory(const Setup& setup);
     void apply();
@@ -41,6 +42,8 @@ private:
     QLabel* m_programTitle;
     QLabel* m_dialectLabel;
     QComboBox* m_dialect;
+    QLabel* m_compensationLabel;
+    QComboBox* m_compensation;
     QLabel* m_stockTitle;
     StockForm* m_stock;
     QPushButton* m_fit;

@@ -89,6 +89,23 @@ TEST_F(JobFile, OptionalFieldsHaveTheirDefaults) {
     EXPECT_EQ(job->parameters, DecimationParameters());
 }
 
+TEST_F(JobFile, CompensationStartsByTypeAUnlessTheJobSaysB) {
+    const auto typeB = [this](const std::string& field) {
+        return read(with("\"grid\"", field + "\"grid\"")).value().setup.compensationTypeB;
+    };
+    EXPECT_FALSE(typeB(""));
+    EXPECT_FALSE(typeB(R"("compensationStart": "a", )"));
+    EXPECT_TRUE(typeB(R"("compensationStart": "b", )"));
+    const std::string refused =
+        "5:3 The field \"compensationStart\" must be one of \"a\", \"b\". [job-field]\n";
+    for (const char* value : {"\"c\"", "\"\"", "\"B\"", "true", "1", "null", "[\"b\"]", "{}"})
+        EXPECT_EQ(told(with("\"grid\"", std::string("\"compensationStart\": ") + value + ", \"grid\"")),
+                  refused)
+            << value;
+    EXPECT_THAT(told(with("\"grid\"", "\"compensation-start\": \"b\", \"grid\"")),
+                HasSubstr("compensationStart"));
+}
+
 TEST_F(JobFile, RegionAndPeriodAreTheStandardsOfTheMethodUnlessTheyAreGiven) {
     const auto parameters = [this](const std::string& decimation) {
         return read(R"({"proveout": 1, "program": "a.nc", "stock": {"width": 1, "depth": 2, "height": 3},
@@ -271,6 +288,7 @@ Job randomJob(std::mt19937& random, const fs::path& folder) {
     if (random() % 2 == 0)
         job.setup.start = Vec3(real(random), -real(random), 0.1);
     job.setup.blockDelete = random() % 2 == 0;
+    job.setup.compensationTypeB = random() % 2 == 0;
     auto& parameters = job.parameters;
     parameters.method = static_cast<DecimationMethod>(random() % kMethodChoices.size());
     parameters.regionCells = 2 + static_cast<int>(random() % 255);

@@ -53,4 +53,17 @@ TEST(Interpretation, IsTheSameWhereRadiiStartAndBlockDeleteAre) {
     EXPECT_FALSE(interpretedAlike(*plain, withBall(8), other));
 }
 
+TEST(Interpretation, TypeOfTheCompensationsStartIsASettingOfControlsThatKnowIt) {
+    const NcText text("F100\nG0 X0 Y-20 Z0\nG41 D3 G1 X0 Y0\nG40 X-20\nM30\n");
+    proveout::Setup typeB = withBall(8);
+    typeB.compensationTypeB = true;
+    EXPECT_TRUE(interpretOptions(typeB, {}).compensationTypeB);
+    for (const Dialect& row : dialects()) {
+        InterpretOptions options;
+        options.dialect = row.id;
+        EXPECT_EQ(interpretedAlike(*interpret(text, options), withBall(8), typeB), !row.vectors.used)
+            << row.key;
+    }
+}
+
 } // namespace proveout

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/setup/setup_panel.h"
+
+#include <QComboBox>
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include "tests/ui/opened.h"
+
+namespace proveout {
+namespace {
+
+constexpr int kPatience = 10'000; ///< ms
+
+/// Type B goes round its first corner in one motion more.
+const char* const kCompensated = "G90 G1 G42 D1 X0 Y0 F100\nX-20. Y20.\nG40 X0\nM30\n";
+
+QString write(const QTemporaryDir& folder, const QByteArray& text) {
+    const QString name = folder.filePath(QStringLiteral("p.nc"));
+    QFile file(name);
+    const bool written = file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
+    return written ? name : QString();
+}
+
+QComboBox& compensation(const SetupPanel& panel) {
+    return *panel.findChild<QComboBox*>(QStringLiteral("compensation-start"));
+}
+
+bool isOffered(const SetupPanel& panel) {
+    return compensation(panel).isVisibleTo(&panel);
+}
+
+Result<void> setDialect(Session& session, std::optional<DialectId> dialect) {
+    Setup setup = session.setup();
+    setup.dialect = dialect;
+    setup.start = Vec3(-20, 0, 0);
+    setup.tools.set(1, parseCutter("flat:d=10").value());
+    return session.setSetup(setup);
+}
+
+} // namespace
+
+class SetupPanelTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theStartOfCompensationIsChosenAndSavedWithTheJob() {
+        QTemporaryDir folder;
+        Session session;
+        SetupPanel panel(session);
+        QVERIFY(opened(session, write(folder, kCompensated)));
+        QVERIFY(setDialect(session, DialectId::fanuc).has_value());
+        const auto motions = [&session] { return session.program() ? session.program()->motionCount() : 0; };
+        QTRY_COMPARE_WITH_TIMEOUT(motions(), std::size_t{3}, kPatience);
+        const QString job = folder.filePath(QStringLiteral("p.proveout"));
+        QVERIFY(session.saveJobAs(job));
+        QVERIFY(!session.modified());
+
+        QVERIFY(isOffered(panel));
+        QTest::keyClick(&compensation(panel), Qt::Key_Down);
+        QTRY_COMPARE_WITH_TIMEOUT(motions(), std::size_t{4}, kPatience);
+        QVERIFY(session.setup().compensationTypeB);
+        QVERIFY(session.modified());
+        QVERIFY(session.save());
+        QVERIFY(!session.modified());
+
+        Session other;
+        SetupPanel shown(other);
+        QCOMPARE(compensation(shown).currentIndex(), 0);
+        QVERIFY(opened(other, job));
+        QCOMPARE(compensation(shown).currentIndex(), 1);
+        other.newFile();
+        QCOMPARE(compensation(shown).currentIndex(), 0);
+    }
+
+    void theStartOfCompensationIsOfferedWhereTheControlHasIt() {
+        QTemporaryDir folder;
+        Session session;
+        SetupPanel panel(session);
+        QVERIFY(!isOffered(panel));
+        for (const Dialect& row : dialects()) {
+            QVERIFY(setDialect(session, row.id).has_value());
+            QCOMPARE(isOffered(panel), row.vectors.used);
+        }
+        // A dialect that nobody named is known once the text was read.
+        QVERIFY(opened(session, write(folder, "O1\nG65 P2 X5.\nM30\nO2\nM99\n")));
+        QVERIFY(!session.setup().dialect);
+        QTRY_VERIFY_WITH_TIMEOUT(isOffered(panel), kPatience);
+        session.applyEdit(0, session.document().text.size(), "o<a> sub\no<a> endsub\nM2\n");
+        QTRY_VERIFY_WITH_TIMEOUT(!isOffered(panel), kPatience);
+    }
+};
+
+} // namespace proveout
+
+QTEST_MAIN(proveout::SetupPanelTest)
+#include "setup_panel_test.moc"
