@@ -3985,6 +3985,18 @@
         <source>The file was not opened, because the open program was changed while the file was being read.</source>
         <translation>Die Datei wurde nicht geöffnet, weil das offene Programm geändert wurde, während sie gelesen wurde.</translation>
     </message>
+    <message>
+        <source>More than five brackets stand within each other; the control gives alarm 118.</source>
+        <translation>Mehr als fünf Klammern stehen ineinander; die Steuerung meldet Alarm 118.</translation>
+    </message>
+    <message>
+        <source>The centre of {} is where the tool stands, which is not known for {}.</source>
+        <translation>Der Mittelpunkt von {} liegt dort, wo das Werkzeug steht; das ist für {} nicht bekannt.</translation>
+    </message>
+    <message>
+        <source>Write the centre, or position the tool before.</source>
+        <translation>Geben Sie den Mittelpunkt an, oder positionieren Sie das Werkzeug vorher.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

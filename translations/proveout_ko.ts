@@ -3985,6 +3985,18 @@
         <source>The file was not opened, because the open program was changed while the file was being read.</source>
         <translation>파일을 읽는 동안 열려 있는 프로그램이 변경되어 파일을 열지 않았습니다.</translation>
     </message>
+    <message>
+        <source>More than five brackets stand within each other; the control gives alarm 118.</source>
+        <translation>괄호가 다섯 겹을 넘습니다. 제어기는 알람 118을 냅니다.</translation>
+    </message>
+    <message>
+        <source>The centre of {} is where the tool stands, which is not known for {}.</source>
+        <translation>{}의 중심은 공구가 있는 위치인데, {} 축은 그 위치를 알 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Write the centre, or position the tool before.</source>
+        <translation>중심을 적거나 먼저 공구를 위치 결정하십시오.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>

@@ -72,6 +72,7 @@ constexpr Dialect kDialects[] = {
      .radiusWins = true,
      .arcRadiiMm = 0.02,
      .vectors = {.used = true, .readAhead = 3, .crossesAtCorner = true},
+     .deepestBrackets = 5,
      .rapidAfterG80 = true,
      .noReferenceInCycle = true},
     {.id = DialectId::haas,

@@ -76,6 +76,7 @@ struct Dialect {
     ArcRule arcs = ArcRule::linuxcnc;
     std::size_t longestLine = 0;   ///< characters that the control reads; 0: any number
     double largestBlockNumber = 0; ///< 0: any
+    int deepestBrackets = 0;       ///< in an expression, those of functions included; 0: any
     bool streamed = false;         ///< lines come over a serial line: serial_line.h
     bool machineIsAbsolute =
         false;                    ///< G53 counts from the machine's zero in G91 too; otherwise it is refused

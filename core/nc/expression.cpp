@@ -182,8 +182,16 @@ tl::expected<std::string, ReadError> ExpressionReader::quotedName(std::size_t& a
 
 Value ExpressionReader::bracket(std::size_t& at) {
     const std::size_t open = at - 1;
-    const Value value = operand(at, kWeakest);
+    const Value value = bracketed(at);
     return value ? closed(*value, open, at) : value;
+}
+
+/// What follows a bracket that stands open.
+Value ExpressionReader::bracketed(std::size_t& at) {
+    const Level level(m_brackets);
+    if (m_deepestBrackets > 0 && m_brackets > m_deepestBrackets)
+        return fail(nc_message::kBracketsTooDeep, at - 1, at);
+    return operand(at, kWeakest);
 }
 
 Value ExpressionReader::closed(double value, std::size_t open, std::size_t& at) {
@@ -263,12 +271,12 @@ Value ExpressionReader::ofPair(const PairFunction& function, std::size_t begin, 
     if (peek(at) != '[')
         return fail(nc_message::kBracketMissing, begin, at, m_line.substr(begin, at - begin));
     const std::size_t open = at++;
-    const Value first = operand(at, kWeakest);
+    const Value first = bracketed(at);
     if (!first)
         return first;
     Value second = 1.0;
     if (function.comma && peek(at) == ',') {
-        second = operand(++at, kWeakest);
+        second = bracketed(++at);
         if (second)
             second = closed(*second, open, at);
     } else if (const Value end = closed(*first, open, at); !end) {

@@ -38,7 +38,8 @@ public:
 
     ExpressionReader(std::string_view line, const ReadContext& context)
         : m_line(line), m_parameters(context.parameters), m_system(context.system),
-          m_rules(expressionRules(context.dialect.macros)) {}
+          m_rules(expressionRules(context.dialect.macros)),
+          m_deepestBrackets(context.dialect.deepestBrackets) {}
 
     /// The value that begins at `at`, which then points behind it: a number, a parameter, a bracket or a
     /// function, with a sign or without; kNull is one, where the dialect knows null. `letter` names in
@@ -65,6 +66,7 @@ private:
     Value plainNumber(std::size_t& at, std::string_view letter);
     Value parameter(std::size_t& at);
     Value bracket(std::size_t& at);
+    Value bracketed(std::size_t& at);
     Value operand(std::size_t& at, int strength);
     Value operation(double left, std::size_t& at, int strength);
     Value function(std::size_t& at, std::string_view letter);
@@ -81,6 +83,8 @@ private:
     const ExpressionRules& m_rules;
     double m_leastUnit = 1;
     int m_depth = 0;
+    int m_deepestBrackets;
+    int m_brackets = 0; ///< that stand open
 };
 
 } // namespace proveout

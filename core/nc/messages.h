@@ -39,6 +39,10 @@ inline constexpr Message kNestedTooDeep{
     Severity::error, true, "nested-too-deep",
     PROVEOUT_TEXT("Core", "The expression is nested deeper than 100 levels."),
     PROVEOUT_TEXT("Core", "Compute it in several steps.")};
+inline constexpr Message kBracketsTooDeep{
+    Severity::error, true, "brackets-too-deep",
+    PROVEOUT_TEXT("Core", "More than five brackets stand within each other; the control gives alarm 118."),
+    PROVEOUT_TEXT("Core", "Compute it in several steps.")};
 inline constexpr Message kParameterUnset{
     Severity::error, true, "parameter-unset", PROVEOUT_TEXT("Core", "The parameter {} was never set."),
     PROVEOUT_TEXT("Core",
@@ -395,6 +399,10 @@ inline constexpr Message kTransformationOrder{
                   "{} stands within {}: the control wants mirror image, scaling and rotation begun in "
                   "this order and ended in the opposite one."),
     PROVEOUT_TEXT("Core", "End the inner one first.")};
+inline constexpr Message kCentreUnknown{
+    Severity::warning, true, "centre-unknown",
+    PROVEOUT_TEXT("Core", "The centre of {} is where the tool stands, which is not known for {}."),
+    PROVEOUT_TEXT("Core", "Write the centre, or position the tool before.")};
 inline constexpr Message kRotationOneAxis{
     Severity::warning, true, "rotation-one-axis",
     PROVEOUT_TEXT("Core", "The first motion behind {} does not say where both axes of the rotation go; "

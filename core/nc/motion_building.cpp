@@ -167,6 +167,12 @@ std::uint8_t readAxisWords(Execution& execution, Motion& motion, std::uint8_t kn
     return named;
 }
 
+/// A transformation about an unknown centre leads to unknown places.
+void forgetUnplaced(const Execution& execution, Motion& motion) {
+    if (!execution.machineCoordinates)
+        motion.endKnown &= static_cast<std::uint8_t>(~execution.state.frame.transformation.unplacedAxes());
+}
+
 } // namespace
 
 Motion motionToTarget(Execution& execution, MotionKind kind) {
@@ -190,6 +196,7 @@ Motion motionToTarget(Execution& execution, MotionKind kind) {
             motion.end[axis] = machine[axis];
     }
     motion.endKnown = bitsThatTurn(frame, known);
+    forgetUnplaced(execution, motion);
     motion.endAtReference = motion.endAtReference && (motion.endKnown & kAxisZ) == 0;
     return motion;
 }
@@ -257,6 +264,7 @@ void appendWithFeed(Execution& execution, Motion motion) {
     motion.start = tipAt(execution, motion.start);
     execution.state.compensation.displacement = Vec3(0);
     motion.unverified = execution.reporter.unverified();
+    forgetUnplaced(execution, motion);
     execution.program.append(motion);
     arrive(execution.state, motion);
 }

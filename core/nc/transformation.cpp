@@ -34,6 +34,12 @@ std::uint8_t Transformation::mixedAxes() const {
                                      1U << static_cast<unsigned>(axis.second));
 }
 
+std::uint8_t Transformation::unplacedAxes() const {
+    const std::uint8_t mixed = mixedAxes();
+    const auto bits = static_cast<std::uint8_t>((scaled ? scaleUnknown : 0U) | (turnUnknown & mixed));
+    return (bits & mixed) != 0 ? static_cast<std::uint8_t>(bits | mixed) : bits;
+}
+
 Vec3 Transformation::mirror(const Vec3& point) const {
     Vec3 result = point;
     for (int axis = 0; axis < 3; ++axis) {

@@ -21,10 +21,15 @@ struct Transformation {
     Vec3 scaleAt{0};
     Vec3 turnAt{0};
     double degrees = 0; ///< right-handed about the normal of the plane
+    /// AxisBits of centres that were to lie where the tool stood, which nobody knew.
+    std::uint8_t scaleUnknown = 0;
+    std::uint8_t turnUnknown = 0;
 
     [[nodiscard]] bool any() const { return mirrored != 0 || scaled || turned; }
     /// Of axes whose place depends on more than their own words.
     [[nodiscard]] std::uint8_t mixedAxes() const;
+    /// Of axes whose place depends on a centre that is not known.
+    [[nodiscard]] std::uint8_t unplacedAxes() const;
 
     [[nodiscard]] Vec3 apply(const Vec3& point) const;
     [[nodiscard]] Vec3 undo(const Vec3& point) const;

@@ -10,6 +10,7 @@
 
 #include "core/nc/execution.h"
 #include "core/nc/handlers.h"
+#include "core/nc/motion_building.h"
 
 namespace proveout {
 
@@ -83,6 +84,17 @@ void awaitPosition(Execution& execution, std::uint8_t turned, bool ended) {
         execution.state.turning = {turned, ended};
 }
 
+/// AxisBits of `centre` where the place of the tool stands for it and is not known, which is told.
+std::uint8_t centreUnknown(Execution& execution, const Word& word, std::uint8_t centre) {
+    const MachineState& state = execution.state;
+    const std::uint8_t mixed = state.frame.mixedAxes();
+    const auto known = (state.known & mixed) == mixed ? state.known : state.known & ~unsigned{mixed};
+    const auto unknown = static_cast<std::uint8_t>(centre & ~known);
+    if (unknown != 0)
+        execution.reporter.tell(nc_message::kCentreUnknown, word, {nameOf(word), namesOfAxes(unknown)});
+    return unknown;
+}
+
 } // namespace
 
 void tellTurning(Execution& execution, std::uint8_t named) {
@@ -138,10 +150,14 @@ void scaleCoordinates(Execution& execution, const Word& word) {
     // An axis without a word is scaled about where the tool stands.
     const Vec3 stands = now.unturn(state.frame.toWork(state.position));
     Vec3 given(0);
+    std::uint8_t aboutTool = 0;
     for (int axis = 0; axis < 3; ++axis) {
         if (execution.block.has(axisLetter(axis)))
             given[axis] = execution.length(axisLetter(axis));
+        else if ((*factors)[axis] != 1)
+            aboutTool |= static_cast<std::uint8_t>(1U << static_cast<unsigned>(axis));
     }
+    now.scaleUnknown = centreUnknown(execution, word, aboutTool);
     given = now.mirror(given);
     for (int axis = 0; axis < 3; ++axis)
         now.scaleAt[axis] = execution.block.has(axisLetter(axis)) ? given[axis] : stands[axis];
@@ -166,9 +182,12 @@ void turnCoordinates(Execution& execution, const Word& word) {
     Transformation& now = transformation(execution);
     const PlaneAxes plane = axes(state.plane);
     Vec3 centre = state.frame.toWork(state.position);
+    std::uint8_t aboutTool = 0;
     for (const int axis : {plane.first, plane.second}) {
-        if (!execution.block.has(axisLetter(axis)))
+        if (!execution.block.has(axisLetter(axis))) {
+            aboutTool |= static_cast<std::uint8_t>(1U << static_cast<unsigned>(axis));
             continue;
+        }
         Vec3 given(0);
         given[axis] = execution.length(axisLetter(axis));
         centre[axis] = now.stretch(given)[axis];
@@ -178,6 +197,7 @@ void turnCoordinates(Execution& execution, const Word& word) {
     now.degrees = execution.angle('R') + (adds ? now.degrees : 0);
     if (open)
         execution.reporter.tell(nc_message::kRotationSetting, word, {fmt::format("{:.6g}", now.degrees)});
+    now.turnUnknown = centreUnknown(execution, word, aboutTool);
     now.turned = true;
     now.plane = state.plane;
     now.turnAt = centre;
