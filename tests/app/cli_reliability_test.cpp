@@ -30,6 +30,28 @@ TEST_F(Reliability, Fault01EmptyProgramsAreUnverified) {
     EXPECT_EQ(run("interpret p.nc").exitCode, 2);
 }
 
+/// Of all names that a program may have: short ones, and as long as they fit into a line, where the text
+/// itself takes a quarter.
+TEST_F(Reliability, Fault13NamesTakeLittleMemory) {
+#if defined(__SANITIZE_THREAD__) || defined(__SANITIZE_ADDRESS__)
+    GTEST_SKIP() << "sanitizers take memory of their own";
+#endif
+    constexpr int kNames = 100'200;
+    const auto peak = [this](std::size_t longer) {
+        std::string program;
+        for (int i = 0; i < kNames; ++i)
+            program += fmt::format("#<n{:06}{}>=1\n", i, std::string(longer, 'a'));
+        write("names.nc", program + "M2\n");
+        const auto done = run("simulate names.nc --stock 10x10x10 --grid 1 --json" + kTool);
+        EXPECT_EQ(done.exitCode, 2);
+        EXPECT_THAT(done.err, HasSubstr("[names-too-many]"));
+        return done.json()["peakBytes"].get<double>();
+    };
+    EXPECT_LT(peak(0), 50e6);
+    constexpr std::size_t kLonger = 240; // in lines of 252 characters, all that LinuxCNC reads
+    EXPECT_LT(peak(kLonger), 50e6 + 4.0 * kNames * kLonger);
+}
+
 TEST_F(Reliability, Fault32ToolsWithoutACutterLeaveThePartUnverified) {
     write("p.nc", "G21 T777 M6\nG0 X1 Y1 Z5\nG1 Z-1 F100\nM30\n");
     const auto done = run("simulate p.nc --json" + kStock + kTool);
