@@ -70,11 +70,13 @@ LineEnd mostFrequentLineEnd(std::string_view text) {
 }
 
 Result<Document> loadDocument(const std::filesystem::path& file, const WorkContext& context) {
+    const FileState onDisk = stateOf(file); // before: a change while it is read is one to be told
     Result<NcText> text = NcText::load(file, context);
     if (!text)
         return tl::unexpected(std::move(text.error()));
     Document document;
     document.path = file;
+    document.onDisk = onDisk;
     document.text = std::move(*text);
     document.byteOrderMark = startsWithByteOrderMark(file);
     document.readOnly = document.text.size() > kEditableBytes;

@@ -8,6 +8,7 @@
 #include "core/base/diagnostic.h"
 #include "core/base/work_context.h"
 #include "core/nc/nc_text.h"
+#include "ui/file_state.h"
 
 namespace proveout {
 
@@ -26,6 +27,7 @@ struct Document {
     LineEnd lineEnd = LineEnd::lf; ///< of most lines; a new line gets it
     bool modified = false;
     bool readOnly = false;
+    FileState onDisk; ///< of the file, from before it was read
 };
 
 /// Any thread. Errors: those of NcText::load.

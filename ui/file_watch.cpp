@@ -3,6 +3,8 @@
 
 #include <QFileInfo>
 
+#include "ui/file_paths.h"
+
 namespace proveout {
 
 namespace {
@@ -20,6 +22,10 @@ FileWatch::FileWatch(QObject* parent) : QObject(parent) {
 }
 
 void FileWatch::watch(const QString& file) {
+    watch(file, stateOf(toPath(file)));
+}
+
+void FileWatch::watch(const QString& file, const FileState& known) {
     m_settle.stop();
     if (!m_watcher.files().isEmpty())
         m_watcher.removePaths(m_watcher.files());
@@ -28,14 +34,10 @@ void FileWatch::watch(const QString& file) {
     m_file = file;
     if (file.isEmpty())
         return;
-    m_known = stateOnDisk();
+    m_known = known;
     m_watcher.addPath(file);
     m_watcher.addPath(QFileInfo(file).absolutePath());
-}
-
-FileWatch::State FileWatch::stateOnDisk() const {
-    const QFileInfo info(m_file);
-    return info.exists() ? State{info.size(), info.lastModified()} : State{};
+    m_settle.start(); // what happened before is compared once the watcher misses nothing more
 }
 
 void FileWatch::look() {
@@ -43,7 +45,7 @@ void FileWatch::look() {
         return;
     if (!m_watcher.files().contains(m_file))
         m_watcher.addPath(m_file);
-    const State state = stateOnDisk();
+    const FileState state = stateOf(toPath(m_file));
     if (state == m_known)
         return;
     m_known = state;

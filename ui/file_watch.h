@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QDateTime>
 #include <QFileSystemWatcher>
 #include <QObject>
 #include <QString>
 #include <QTimer>
+
+#include "ui/file_state.h"
 
 namespace proveout {
 
@@ -17,23 +18,20 @@ class FileWatch : public QObject {
 public:
     explicit FileWatch(QObject* parent = nullptr);
 
-    /// Watches `file` from its present state on (call it after each own save); empty: nothing.
+    /// Watches `file`; empty: nothing. `known` is its state as it was read: what has happened to it since is
+    /// told too.
+    void watch(const QString& file, const FileState& known);
+    /// From its present state on; call it after each own save.
     void watch(const QString& file);
 
 signals:
     void changed();
 
 private:
-    struct State {
-        qint64 size = -1; ///< -1: the file is missing
-        QDateTime modified;
-        friend bool operator==(const State&, const State&) = default;
-    };
-    [[nodiscard]] State stateOnDisk() const;
     void look();
 
     QString m_file;
-    State m_known;
+    FileState m_known;
     QFileSystemWatcher m_watcher;
     QTimer m_settle; ///< a rename-save is over when nothing happened for a moment
 };

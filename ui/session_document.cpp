@@ -44,7 +44,7 @@ void Session::adopt(JobDocument job) {
     m_messages.clear();
     m_simulationErrors.clear();
     m_simulation->post(PauseCommand{});
-    m_watch.watch(toQString(document().path));
+    m_watch.watch(toQString(document().path), document().onDisk);
     interpret();
     emit textReplaced();
     emit documentChanged();
@@ -101,7 +101,7 @@ void Session::textRead(Result<Document> text) {
         m_job.keepMine();
     else if (text->path == document().path) { // else it was saved elsewhere in the meantime
         m_job.replaceText(*text);
-        m_watch.watch(toQString(document().path));
+        m_watch.watch(toQString(document().path), document().onDisk);
         emit textReplaced();
         interpret();
     }

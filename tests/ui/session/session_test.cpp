@@ -14,6 +14,7 @@
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QThread>
 #include <QTimer>
 
 #include "core/cutter/cutter.h"
@@ -359,6 +360,31 @@ private slots:
         QVERIFY(session.save()); // our own save is no change by somebody else
         QTest::qWait(600);
         QCOMPARE(changed.count(), 2);
+    }
+
+    void fault36AChangeBetweenReadingAndWatchingIsNoticed() {
+        QTemporaryDir folder;
+        const QString file = write(folder, "watched.nc", kSquare);
+        Session session;
+        QSignalSpy changed(&session, &Session::fileChangedOnDisk);
+        const auto changeBehindItsReader = [&](const QByteArray& text) {
+            QThread::msleep(300); // read by now, but without events nobody here has got it
+            write(folder, "watched.nc", text);
+            QVERIFY(openingIsOver(session));
+            if (session.document().text.toString() == text.toStdString())
+                QSKIP("the machine is too busy: the text was not read in time");
+        };
+        session.openFile(file);
+        changeBehindItsReader(kSquare + "\n");
+        QTRY_COMPARE_WITH_TIMEOUT(changed.count(), 1, kPatience);
+        session.reload();
+        changeBehindItsReader(kSquare + "\n\n");
+        QTRY_COMPARE_WITH_TIMEOUT(changed.count(), 2, kPatience);
+        session.reload();
+        QThread::msleep(300);
+        QVERIFY(QFile::remove(file));
+        QVERIFY(openingIsOver(session));
+        QTRY_VERIFY_WITH_TIMEOUT(session.modified(), kPatience); // the window holds the last copy
     }
 
     void fitsTheStockToTheProgram() {
