@@ -3997,6 +3997,214 @@
         <source>Write the centre, or position the tool before.</source>
         <translation>Geben Sie den Mittelpunkt an, oder positionieren Sie das Werkzeug vorher.</translation>
     </message>
+    <message>
+        <source>The profile at character {} has no width.</source>
+        <translation>Das Profil bei Zeichen {} hat keine Breite.</translation>
+    </message>
+    <message>
+        <source>The profile goes on at character {} after {} points; it may have no more.</source>
+        <translation>Das Profil geht bei Zeichen {} nach {} Punkten weiter; mehr darf es nicht haben.</translation>
+    </message>
+    <message>
+        <source>At character {} the profile turns back towards the axis.</source>
+        <translation>Bei Zeichen {} kehrt das Profil zur Achse zurück.</translation>
+    </message>
+    <message>
+        <source>At character {}, “{}” is no point of a profile; a point is written as {}, an arc to it as {} or {}.</source>
+        <translation>Bei Zeichen {}: „{}“ ist kein Punkt eines Profils; ein Punkt wird wie {} geschrieben, ein Bogen dorthin wie {} oder {}.</translation>
+    </message>
+    <message>
+        <source>At character {} the profile falls; from the axis outwards it may only rise or stay.</source>
+        <translation>Bei Zeichen {} fällt das Profil; von der Achse nach außen darf es nur steigen oder gleich bleiben.</translation>
+    </message>
+    <message>
+        <source>At character {} the profile begins with “{}”, not at the tip, {}.</source>
+        <translation>Bei Zeichen {} beginnt das Profil mit „{}“ statt an der Spitze, {}.</translation>
+    </message>
+    <message>
+        <source>The arc at character {} has the radius {} mm, too small for ends {} mm apart.</source>
+        <translation>Der Bogen bei Zeichen {} hat den Radius {} mm, zu klein für Enden im Abstand von {} mm.</translation>
+    </message>
+    <message>
+        <source>The arc at character {} has ends that are {} mm and {} mm away from its centre.</source>
+        <translation>Die Enden des Bogens bei Zeichen {} sind {} mm und {} mm von seinem Mittelpunkt entfernt.</translation>
+    </message>
+    <message>
+        <source>The arc at character {} falls or turns back towards the axis; it may be a quarter of a circle at most, from level to upright.</source>
+        <translation>Der Bogen bei Zeichen {} fällt oder kehrt zur Achse zurück; er darf höchstens ein Viertelkreis sein, von waagrecht bis senkrecht.</translation>
+    </message>
+    <message>
+        <source>Before character {} the profile rises on the axis itself; its tip has no width.</source>
+        <translation>Vor Zeichen {} steigt das Profil auf der Achse selbst; seine Spitze hat keine Breite.</translation>
+    </message>
+    <message>
+        <source>The arcs up to character {} are so large that they take more than {} lines.</source>
+        <translation>Die Bögen bis Zeichen {} sind so groß, dass sie mehr als {} Geraden brauchen.</translation>
+    </message>
+    <message>
+        <source>The pilot, pilot={}, is not smaller than the diameter, {} mm.</source>
+        <translation>Der Zapfen, pilot={}, ist nicht kleiner als der Durchmesser, {} mm.</translation>
+    </message>
+    <message>
+        <source>The pilot, pl={}, is shorter than its point, {} mm.</source>
+        <translation>Der Zapfen, pl={}, ist kürzer als seine Spitze, {} mm.</translation>
+    </message>
+    <message>
+        <source>The lead, lead={}, ends in a point; {} mm is the longest.</source>
+        <translation>Der Anschnitt, lead={}, läuft in einer Spitze zusammen; {} mm sind das Längste.</translation>
+    </message>
+    <message>
+        <source>The height h={} is not more than that of the rounded tip, {} mm.</source>
+        <translation>Die Höhe h={} ist nicht größer als die der gerundeten Spitze, {} mm.</translation>
+    </message>
+    <message>
+        <source>The neck, neck={}, must be thinner than {} mm, the head at its top.</source>
+        <translation>Der Hals, neck={}, muss dünner sein als {} mm, der Kopf an seiner Oberseite.</translation>
+    </message>
+    <message>
+        <source>With h={} the flanks meet below the top; {} mm is the limit.</source>
+        <translation>Mit h={} treffen sich die Flanken unter der Oberseite; {} mm sind die Grenze.</translation>
+    </message>
+    <message>
+        <source>A cutter of the shape {} needs the key {} ({}), e.g. {}.</source>
+        <translation>Ein Fräser der Form {} braucht den Schlüssel {} ({}), z. B. {}.</translation>
+    </message>
+    <message>
+        <source>The corner radius r={} does not fit; {} mm is the largest.</source>
+        <translation>Der Eckenradius r={} passt nicht; {} mm ist der größte.</translation>
+    </message>
+    <message>
+        <source>Angle of each side</source>
+        <translation>Winkel je Seite</translation>
+    </message>
+    <message>
+        <source>Height of the taper</source>
+        <translation>Höhe des Kegels</translation>
+    </message>
+    <message>
+        <source>Diameter at the tip</source>
+        <translation>Durchmesser an der Spitze</translation>
+    </message>
+    <message>
+        <source>Diameter of the ball</source>
+        <translation>Durchmesser der Kugel</translation>
+    </message>
+    <message>
+        <source>Diameter of the pilot</source>
+        <translation>Durchmesser des Zapfens</translation>
+    </message>
+    <message>
+        <source>Length of the pilot with its point</source>
+        <translation>Länge des Zapfens mit Spitze</translation>
+    </message>
+    <message>
+        <source>Point angle of the pilot</source>
+        <translation>Spitzenwinkel des Zapfens</translation>
+    </message>
+    <message>
+        <source>Length of the lead</source>
+        <translation>Länge des Anschnitts</translation>
+    </message>
+    <message>
+        <source>Approach angle of the edge</source>
+        <translation>Einstellwinkel der Schneide</translation>
+    </message>
+    <message>
+        <source>Height of the edge</source>
+        <translation>Höhe der Schneide</translation>
+    </message>
+    <message>
+        <source>Profile, RADIUS/HEIGHT:… from the tip outwards</source>
+        <translation>Profil, RADIUS/HÖHE:… von der Spitze nach außen</translation>
+    </message>
+    <message>
+        <source>Diameter of the neck</source>
+        <translation>Durchmesser des Halses</translation>
+    </message>
+    <message>
+        <source>Width of the head</source>
+        <translation>Breite des Kopfes</translation>
+    </message>
+    <message>
+        <source>Angle between face and flank</source>
+        <translation>Winkel zwischen Stirn und Flanke</translation>
+    </message>
+    <message>
+        <source>Height of the head</source>
+        <translation>Höhe des Kopfes</translation>
+    </message>
+    <message>
+        <source>Diameter of the neck (0: as the head&apos;s top)</source>
+        <translation>Durchmesser des Halses (0: wie die Oberseite des Kopfes)</translation>
+    </message>
+    <message>
+        <source>Tapered end mill</source>
+        <translation>Konischer Schaftfräser</translation>
+    </message>
+    <message>
+        <source>Tapered ball-end mill</source>
+        <translation>Konischer Kugelfräser</translation>
+    </message>
+    <message>
+        <source>Chamfer mill</source>
+        <translation>Fasenfräser</translation>
+    </message>
+    <message>
+        <source>Face mill</source>
+        <translation>Planfräser</translation>
+    </message>
+    <message>
+        <source>Spot drill</source>
+        <translation>NC-Anbohrer</translation>
+    </message>
+    <message>
+        <source>Centre drill</source>
+        <translation>Zentrierbohrer</translation>
+    </message>
+    <message>
+        <source>Reamer</source>
+        <translation>Reibahle</translation>
+    </message>
+    <message>
+        <source>Tap</source>
+        <translation>Gewindebohrer</translation>
+    </message>
+    <message>
+        <source>Thread mill</source>
+        <translation>Gewindefräser</translation>
+    </message>
+    <message>
+        <source>Lollipop cutter</source>
+        <translation>Kugelfräser mit Hals (Lollipop)</translation>
+    </message>
+    <message>
+        <source>T-slot or keyseat cutter</source>
+        <translation>T-Nuten- oder Schlitzfräser</translation>
+    </message>
+    <message>
+        <source>Dovetail cutter</source>
+        <translation>Schwalbenschwanzfräser</translation>
+    </message>
+    <message>
+        <source>Form cutter</source>
+        <translation>Formfräser</translation>
+    </message>
+    <message>
+        <source>The neck of the cutter goes through {} mm of stock above its head.</source>
+        <translation>Der Hals des Fräsers geht über dem Kopf durch {} mm Rohteil.</translation>
+    </message>
+    <message>
+        <source>Cut a slot for the neck first, or choose a tool with a thinner neck.</source>
+        <translation>Fräsen Sie zuerst eine Nut für den Hals, oder wählen Sie ein Werkzeug mit dünnerem Hals.</translation>
+    </message>
+    <message>
+        <source>Above the head of the cutter {} mm³ of stock stay, which the z-map shows as removed; the layer is highest at X{} Y{} Z{}.</source>
+        <translation>Über dem Kopf des Fräsers bleiben {} mm³ Rohteil stehen, die die Z-Map als abgetragen zeigt; am höchsten ist die Schicht bei X{} Y{} Z{}.</translation>
+    </message>
+    <message>
+        <source>Check by other means what is done there from here on.</source>
+        <translation>Prüfen Sie auf andere Weise, was dort von hier an geschieht.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>
@@ -5370,6 +5578,12 @@ Default: %5 %4</source>
         <translation>%1
 Bereich: %2 bis %3 %4
 Vorgabe: %5 %4</translation>
+    </message>
+    <message>
+        <source>An arc to a point is told by its centre or its radius, as in %1 or %2; a radius below zero is a hollow.
+Default: %3</source>
+        <translation>Ein Bogen zu einem Punkt wird durch seinen Mittelpunkt oder seinen Radius angegeben, wie in %1 oder %2; ein Radius unter null ist eine Höhlung.
+Vorgabe: %3</translation>
     </message>
 </context>
 <context>

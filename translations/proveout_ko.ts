@@ -3997,6 +3997,214 @@
         <source>Write the centre, or position the tool before.</source>
         <translation>중심을 적거나 먼저 공구를 위치 결정하십시오.</translation>
     </message>
+    <message>
+        <source>The profile at character {} has no width.</source>
+        <translation>{}번째 문자의 프로파일에 폭이 없습니다.</translation>
+    </message>
+    <message>
+        <source>The profile goes on at character {} after {} points; it may have no more.</source>
+        <translation>{}번째 문자에서 프로파일이 점 {}개를 넘습니다. 더 이상은 허용되지 않습니다.</translation>
+    </message>
+    <message>
+        <source>At character {} the profile turns back towards the axis.</source>
+        <translation>{}번째 문자에서 프로파일이 축 쪽으로 되돌아갑니다.</translation>
+    </message>
+    <message>
+        <source>At character {}, “{}” is no point of a profile; a point is written as {}, an arc to it as {} or {}.</source>
+        <translation>{}번째 문자의 “{}”은(는) 프로파일의 점이 아닙니다. 점은 {}처럼, 그 점까지의 원호는 {} 또는 {}처럼 씁니다.</translation>
+    </message>
+    <message>
+        <source>At character {} the profile falls; from the axis outwards it may only rise or stay.</source>
+        <translation>{}번째 문자에서 프로파일이 내려갑니다. 축에서 바깥쪽으로는 올라가거나 같은 높이여야 합니다.</translation>
+    </message>
+    <message>
+        <source>At character {} the profile begins with “{}”, not at the tip, {}.</source>
+        <translation>{1}번째 문자에서 프로파일이 선단 {3}이(가) 아니라 “{2}”(으)로 시작합니다.</translation>
+    </message>
+    <message>
+        <source>The arc at character {} has the radius {} mm, too small for ends {} mm apart.</source>
+        <translation>{}번째 문자의 원호는 반경이 {} mm로, 간격이 {} mm인 끝점에는 너무 작습니다.</translation>
+    </message>
+    <message>
+        <source>The arc at character {} has ends that are {} mm and {} mm away from its centre.</source>
+        <translation>{}번째 문자의 원호는 두 끝점이 중심에서 {} mm와 {} mm 떨어져 있습니다.</translation>
+    </message>
+    <message>
+        <source>The arc at character {} falls or turns back towards the axis; it may be a quarter of a circle at most, from level to upright.</source>
+        <translation>{}번째 문자의 원호가 내려가거나 축 쪽으로 되돌아갑니다. 수평에서 수직까지 최대 사분원이어야 합니다.</translation>
+    </message>
+    <message>
+        <source>Before character {} the profile rises on the axis itself; its tip has no width.</source>
+        <translation>{}번째 문자 앞에서 프로파일이 축 위에서 올라가므로 선단에 폭이 없습니다.</translation>
+    </message>
+    <message>
+        <source>The arcs up to character {} are so large that they take more than {} lines.</source>
+        <translation>{}번째 문자까지의 원호가 너무 커서 직선이 {}개보다 많이 필요합니다.</translation>
+    </message>
+    <message>
+        <source>The pilot, pilot={}, is not smaller than the diameter, {} mm.</source>
+        <translation>파일럿 pilot={}이(가) 지름 {} mm보다 작지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The pilot, pl={}, is shorter than its point, {} mm.</source>
+        <translation>파일럿 길이 pl={}이(가) 선단 높이 {} mm보다 짧습니다.</translation>
+    </message>
+    <message>
+        <source>The lead, lead={}, ends in a point; {} mm is the longest.</source>
+        <translation>절입부 lead={}이(가) 한 점에서 만납니다. 최대 길이는 {} mm입니다.</translation>
+    </message>
+    <message>
+        <source>The height h={} is not more than that of the rounded tip, {} mm.</source>
+        <translation>높이 h={}이(가) 둥근 선단의 높이 {} mm보다 크지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The neck, neck={}, must be thinner than {} mm, the head at its top.</source>
+        <translation>목 neck={}은(는) 머리 윗면의 지름 {} mm보다 가늘어야 합니다.</translation>
+    </message>
+    <message>
+        <source>With h={} the flanks meet below the top; {} mm is the limit.</source>
+        <translation>h={}이면 옆면이 윗면 아래에서 만납니다. 한계는 {} mm입니다.</translation>
+    </message>
+    <message>
+        <source>A cutter of the shape {} needs the key {} ({}), e.g. {}.</source>
+        <translation>형상 {}의 공구에는 키 {}({})가 필요합니다. 예: {}.</translation>
+    </message>
+    <message>
+        <source>The corner radius r={} does not fit; {} mm is the largest.</source>
+        <translation>코너 반경 r={}은(는) 맞지 않습니다. 최댓값은 {} mm입니다.</translation>
+    </message>
+    <message>
+        <source>Angle of each side</source>
+        <translation>한쪽 각도</translation>
+    </message>
+    <message>
+        <source>Height of the taper</source>
+        <translation>테이퍼 높이</translation>
+    </message>
+    <message>
+        <source>Diameter at the tip</source>
+        <translation>선단 지름</translation>
+    </message>
+    <message>
+        <source>Diameter of the ball</source>
+        <translation>볼 지름</translation>
+    </message>
+    <message>
+        <source>Diameter of the pilot</source>
+        <translation>파일럿 지름</translation>
+    </message>
+    <message>
+        <source>Length of the pilot with its point</source>
+        <translation>선단을 포함한 파일럿 길이</translation>
+    </message>
+    <message>
+        <source>Point angle of the pilot</source>
+        <translation>파일럿 선단각</translation>
+    </message>
+    <message>
+        <source>Length of the lead</source>
+        <translation>절입부 길이</translation>
+    </message>
+    <message>
+        <source>Approach angle of the edge</source>
+        <translation>절삭날 접근각</translation>
+    </message>
+    <message>
+        <source>Height of the edge</source>
+        <translation>절삭날 높이</translation>
+    </message>
+    <message>
+        <source>Profile, RADIUS/HEIGHT:… from the tip outwards</source>
+        <translation>선단에서 바깥쪽으로 적은 프로파일, 반경/높이:… 형식</translation>
+    </message>
+    <message>
+        <source>Diameter of the neck</source>
+        <translation>목 지름</translation>
+    </message>
+    <message>
+        <source>Width of the head</source>
+        <translation>머리 폭</translation>
+    </message>
+    <message>
+        <source>Angle between face and flank</source>
+        <translation>밑면과 옆면 사이의 각도</translation>
+    </message>
+    <message>
+        <source>Height of the head</source>
+        <translation>머리 높이</translation>
+    </message>
+    <message>
+        <source>Diameter of the neck (0: as the head&apos;s top)</source>
+        <translation>목 지름(0: 머리 윗면과 같음)</translation>
+    </message>
+    <message>
+        <source>Tapered end mill</source>
+        <translation>테이퍼 엔드밀</translation>
+    </message>
+    <message>
+        <source>Tapered ball-end mill</source>
+        <translation>테이퍼 볼 엔드밀</translation>
+    </message>
+    <message>
+        <source>Chamfer mill</source>
+        <translation>모따기 커터</translation>
+    </message>
+    <message>
+        <source>Face mill</source>
+        <translation>페이스 밀</translation>
+    </message>
+    <message>
+        <source>Spot drill</source>
+        <translation>스폿 드릴</translation>
+    </message>
+    <message>
+        <source>Centre drill</source>
+        <translation>센터 드릴</translation>
+    </message>
+    <message>
+        <source>Reamer</source>
+        <translation>리머</translation>
+    </message>
+    <message>
+        <source>Tap</source>
+        <translation>탭</translation>
+    </message>
+    <message>
+        <source>Thread mill</source>
+        <translation>나사 밀</translation>
+    </message>
+    <message>
+        <source>Lollipop cutter</source>
+        <translation>롤리팝 커터</translation>
+    </message>
+    <message>
+        <source>T-slot or keyseat cutter</source>
+        <translation>T홈 또는 키홈 커터</translation>
+    </message>
+    <message>
+        <source>Dovetail cutter</source>
+        <translation>더브테일 커터</translation>
+    </message>
+    <message>
+        <source>Form cutter</source>
+        <translation>총형 커터</translation>
+    </message>
+    <message>
+        <source>The neck of the cutter goes through {} mm of stock above its head.</source>
+        <translation>공구의 목이 머리 위쪽 소재 {} mm를 지나갑니다.</translation>
+    </message>
+    <message>
+        <source>Cut a slot for the neck first, or choose a tool with a thinner neck.</source>
+        <translation>먼저 목이 지나갈 홈을 가공하거나 목이 더 가는 공구를 선택하십시오.</translation>
+    </message>
+    <message>
+        <source>Above the head of the cutter {} mm³ of stock stay, which the z-map shows as removed; the layer is highest at X{} Y{} Z{}.</source>
+        <translation>공구 머리 위에 소재 {} mm³가 남지만 Z맵에는 제거된 것으로 표시됩니다. 남은 층은 X{} Y{} Z{}에서 가장 높습니다.</translation>
+    </message>
+    <message>
+        <source>Check by other means what is done there from here on.</source>
+        <translation>이후 그곳에서 이루어지는 가공은 다른 방법으로 확인하십시오.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>
@@ -5369,6 +5577,12 @@ Default: %5 %4</source>
         <translation>%1
 범위: %2~%3 %4
 기본값: %5 %4</translation>
+    </message>
+    <message>
+        <source>An arc to a point is told by its centre or its radius, as in %1 or %2; a radius below zero is a hollow.
+Default: %3</source>
+        <translation>점까지의 원호는 %1 또는 %2처럼 중심이나 반경으로 지정합니다. 0보다 작은 반경은 오목한 원호입니다.
+기본값: %3</translation>
     </message>
 </context>
 <context>

@@ -20,6 +20,10 @@ struct ToolsOptions {
 };
 
 void printKey(const ShapeKey& key) {
+    if (key.isText()) {
+        fmt::print("  {:<6} {}, e.g. {} (required)\n", key.key, key.label, key.standardText);
+        return;
+    }
     const std::string standard =
         key.required ? std::string("required") : fmt::format("{} {}", key.standard, key.unit);
     fmt::print("  {:<6} {}: {} to {} {} ({})\n", key.key, key.label, key.minimum, key.maximum, key.unit,
@@ -39,14 +43,18 @@ void printShapes() {
 
 nlohmann::ordered_json keysOf(std::span<const ShapeKey> keys) {
     auto list = nlohmann::ordered_json::array();
-    for (const ShapeKey& key : keys)
-        list.push_back({{"key", key.key},
-                        {"label", key.label},
-                        {"unit", key.unit},
+    for (const ShapeKey& key : keys) {
+        nlohmann::ordered_json row{{"key", key.key}, {"label", key.label}};
+        if (key.isText())
+            row["standard"] = key.standardText;
+        else
+            row.update({{"unit", key.unit},
                         {"minimum", key.minimum},
                         {"maximum", key.maximum},
-                        {"standard", key.standard},
-                        {"required", key.required}});
+                        {"standard", key.standard}});
+        row["required"] = key.required;
+        list.push_back(std::move(row));
+    }
     return list;
 }
 

@@ -5,9 +5,9 @@
 #include <cmath>
 #include <limits>
 
-namespace proveout {
+#include "core/cutter/solvable_pieces.h"
 
-namespace {
+namespace proveout {
 
 double heightOf(const ProfilePiece& piece, double r) {
     if (piece.kind == PieceKind::line) {
@@ -15,19 +15,20 @@ double heightOf(const ProfilePiece& piece, double r) {
         return piece.z0 + along * (piece.z1 - piece.z0);
     }
     const double out = r - piece.centreR;
-    return piece.centreZ - std::sqrt(std::max(0.0, piece.radius * piece.radius - out * out));
+    const double half = std::sqrt(std::max(0.0, piece.radius * piece.radius - out * out));
+    return piece.kind == PieceKind::arc ? piece.centreZ - half : piece.centreZ + half;
 }
 
-} // namespace
-
-Cutter::Cutter(std::string spec, std::vector<ProfilePiece> pieces, double fluteLength, double shankRadius,
+Cutter::Cutter(std::string spec, CutterProfile profile, double fluteLength, double shankRadius,
                double shankLength)
-    : m_spec(std::move(spec)), m_pieces(std::move(pieces)),
-      m_radius(m_pieces.empty() ? 0.0 : m_pieces.back().r1), m_fluteLength(fluteLength),
-      m_shankRadius(shankRadius), m_shankLength(shankLength) {}
+    : m_spec(std::move(spec)), m_profile(std::move(profile)),
+      m_solvable(proveout::solvablePieces(m_profile.pieces)),
+      m_radius(m_profile.pieces.empty() ? 0.0 : m_profile.pieces.back().r1),
+      m_fluteLength(std::max(fluteLength, profileHeight())), m_shankRadius(shankRadius),
+      m_shankLength(shankLength) {}
 
 double Cutter::height(double r) const {
-    for (const ProfilePiece& piece : m_pieces) {
+    for (const ProfilePiece& piece : pieces()) {
         if (r <= piece.r1)
             return heightOf(piece, std::max(r, piece.r0));
     }
@@ -35,7 +36,11 @@ double Cutter::height(double r) const {
 }
 
 double Cutter::rimHeight() const {
-    return m_pieces.empty() ? 0.0 : m_pieces.back().z1;
+    return pieces().empty() ? 0.0 : pieces().back().z1;
+}
+
+double Cutter::profileHeight() const {
+    return head() && !head()->back.empty() ? head()->back.front().z0 : rimHeight();
 }
 
 } // namespace proveout

@@ -2,6 +2,7 @@
 // A cutter is the curve h(r): the height of its surface above the tip at the radius r from its axis.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -10,11 +11,11 @@
 
 namespace proveout {
 
-enum class PieceKind { line, arc };
+enum class PieceKind { line, arc, upperArc };
 
-/// One piece of the profile over radii [r0, r1]. Heights rise (or stay) with the radius and each piece is
-/// convex. line: from (r0, z0) straight to (r1, z1). arc:  the lower quarter of a circle round (centreR,
-/// centreZ): z = centreZ - sqrt(radius² - (r - centreR)²).
+/// One piece of a profile over radii [r0, r1], from (r0, z0) to (r1, z1). line: straight. arc: of the lower
+/// half of a circle round (centreR, centreZ): z = centreZ - sqrt(radius² - (r - centreR)²). upperArc: of its
+/// upper half, a hollow in the side of a cutter or the round top of a head.
 struct ProfilePiece {
     PieceKind kind = PieceKind::line;
     double r0 = 0;
@@ -26,17 +27,37 @@ struct ProfilePiece {
     double radius = 0;
 };
 
+/// A head that is wider than the neck above it. Seen from above it goes under material that stays.
+struct NeckedHead {
+    double neckRadius = 0;
+    /// The top of the head from the neck outwards to the rim, without gaps in r; heights fall (or stay).
+    std::vector<ProfilePiece> back;
+};
+
+/// What the row of a shape makes.
+struct CutterProfile {
+    /// From the axis outwards, without gaps in r; heights rise (or stay), and may jump up between two pieces.
+    std::vector<ProfilePiece> pieces;
+    std::optional<NeckedHead> head; ///< none: above its rim the cutter is as wide as there
+};
+
+/// The height of a piece at r0 <= r <= r1.
+[[nodiscard]] double heightOf(const ProfilePiece& piece, double r);
+
 /// A rotating cutter, tip at the origin, axis +Z, mm. Value type, immutable after construction.
 class Cutter {
 public:
     Cutter() = default;
-    /// `pieces` from the axis outwards, without gaps in r; `spec` is the text it was made from, e.g.
-    /// "ball:d=11,l=50".
-    Cutter(std::string spec, std::vector<ProfilePiece> pieces, double fluteLength, double shankRadius,
+    /// `spec` is the text it was made from, e.g. "ball:d=11,l=50". The flutes are at least as
+    /// long as the profile is high; of a necked head their length is that of head and neck.
+    Cutter(std::string spec, CutterProfile profile, double fluteLength, double shankRadius,
            double shankLength);
 
     [[nodiscard]] const std::string& spec() const { return m_spec; }
-    [[nodiscard]] const std::vector<ProfilePiece>& pieces() const { return m_pieces; }
+    [[nodiscard]] const std::vector<ProfilePiece>& pieces() const { return m_profile.pieces; }
+    /// pieces() with lines for the arcs that cutting cannot solve, within kProfileError of them in height.
+    [[nodiscard]] const std::vector<ProfilePiece>& solvablePieces() const { return m_solvable; }
+    [[nodiscard]] const std::optional<NeckedHead>& head() const { return m_profile.head; }
     [[nodiscard]] double radius() const { return m_radius; } ///< the largest radius
     [[nodiscard]] double fluteLength() const { return m_fluteLength; }
     [[nodiscard]] double shankRadius() const { return m_shankRadius; }
@@ -45,12 +66,15 @@ public:
     [[nodiscard]] double height(double r) const;
     /// Height of the profile at its rim, where the cylindrical part begins.
     [[nodiscard]] double rimHeight() const;
+    /// Height of the whole profile, of a head's back too.
+    [[nodiscard]] double profileHeight() const;
 
     friend bool operator==(const Cutter& a, const Cutter& b) { return a.m_spec == b.m_spec; }
 
 private:
     std::string m_spec;
-    std::vector<ProfilePiece> m_pieces;
+    CutterProfile m_profile;
+    std::vector<ProfilePiece> m_solvable;
     double m_radius = 0;
     double m_fluteLength = 0;
     double m_shankRadius = 0;

@@ -40,7 +40,8 @@ std::string listOf(const Rows& rows) {
 /// The keys of a shape with the values that were given for them.
 struct KeyValues {
     std::vector<ShapeKey> keys;
-    std::vector<std::optional<double>> given;
+    std::vector<std::optional<double>> given; ///< 0 for a value that is text
+    std::string_view text;                    ///< of the key that is text
 
     explicit KeyValues(const CutterShape& shape) : keys(shape.keys.begin(), shape.keys.end()) {
         keys.insert(keys.end(), commonShapeKeys().begin(), commonShapeKeys().end());
@@ -52,7 +53,7 @@ struct KeyValues {
     }
 };
 
-Result<double> parseValue(const ShapeKey& key, std::string_view text) {
+Result<double> parseNumber(const ShapeKey& key, std::string_view text) {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
@@ -67,6 +68,19 @@ Result<double> parseValue(const ShapeKey& key, std::string_view text) {
     return value;
 }
 
+Result<void> readValue(KeyValues& values, std::size_t index, std::string_view text) {
+    if (values.keys[index].isText()) {
+        values.given[index] = 0;
+        values.text = text;
+        return {};
+    }
+    auto value = parseNumber(values.keys[index], text);
+    if (!value)
+        return tl::unexpected(std::move(value.error()));
+    values.given[index] = *value;
+    return {};
+}
+
 Result<void> readAssignment(KeyValues& values, std::string_view assignment) {
     std::string_view text = assignment;
     const std::string_view name = takeUntil(text, '=');
@@ -76,15 +90,22 @@ Result<void> readAssignment(KeyValues& values, std::string_view assignment) {
         if (values.given[i])
             return failure("cutter-key-twice", PROVEOUT_TEXT("Core", "The key {} is given twice."),
                            {std::string(name)});
-        auto value = parseValue(values.keys[i], trimmed(text));
-        if (!value)
-            return tl::unexpected(std::move(value.error()));
-        values.given[i] = *value;
-        return {};
+        return readValue(values, i, trimmed(text));
     }
     return failure("cutter-key-unknown",
                    PROVEOUT_TEXT("Core", "“{}” is no key of this cutter shape; there are {}."),
                    {std::string(name), listOf(values.keys)});
+}
+
+tl::unexpected<Diagnostics> keyMissing(const CutterShape& shape, const ShapeKey& key) {
+    if (key.isText())
+        return failure("cutter-key-missing",
+                       PROVEOUT_TEXT("Core", "A cutter of the shape {} needs the key {} ({}), e.g. {}."),
+                       {shape.key, key.key, key.label, key.standardText});
+    return failure("cutter-key-missing",
+                   PROVEOUT_TEXT("Core", "A cutter of the shape {} needs the key {} ({}, {} to {} {})."),
+                   {shape.key, key.key, key.label, fmt::format("{}", key.minimum),
+                    fmt::format("{}", key.maximum), key.unit});
 }
 
 Result<KeyValues> readKeys(const CutterShape& shape, std::string_view text) {
@@ -95,12 +116,7 @@ Result<KeyValues> readKeys(const CutterShape& shape, std::string_view text) {
     }
     for (std::size_t i = 0; i < values.keys.size(); ++i) {
         if (values.keys[i].required && !values.given[i])
-            return failure(
-                "cutter-key-missing",
-                PROVEOUT_TEXT("Core", "A cutter of the shape {} needs the key {} ({}, {} to {} {})."),
-                {shape.key, values.keys[i].key, values.keys[i].label,
-                 fmt::format("{}", values.keys[i].minimum), fmt::format("{}", values.keys[i].maximum),
-                 values.keys[i].unit});
+            return keyMissing(shape, values.keys[i]);
     }
     return values;
 }
@@ -111,6 +127,11 @@ const CutterShape* findShape(std::string_view name) {
             return &shape;
     }
     return nullptr;
+}
+
+/// Where none is given: as thick as the cutter, or as the neck of its head.
+double shankRadiusOf(const CutterProfile& profile) {
+    return profile.head ? profile.head->neckRadius : profile.pieces.back().r1;
 }
 
 } // namespace
@@ -131,22 +152,22 @@ Result<Cutter> parseCutter(std::string_view spec) {
     std::vector<double> ownValues(own);
     for (std::size_t i = 0; i < own; ++i)
         ownValues[i] = values->value(i);
-    auto pieces = shape->profile(ownValues);
-    if (!pieces)
-        return tl::unexpected(std::move(pieces.error()));
+    const auto textAt = values->text.empty() ? 0 : values->text.data() - spec.data();
+    auto profile = shape->profile({ownValues, values->text, static_cast<std::size_t>(textAt)});
+    if (!profile)
+        return tl::unexpected(std::move(profile.error()));
 
-    const double rim = pieces->back().z1;
-    const double radius = pieces->back().r1;
-    if (values->given[own] && *values->given[own] < rim)
-        return failure(
-            "flutes-too-short",
-            PROVEOUT_TEXT("Core",
-                          "The flute length l={} is less than the height of the cutter's profile, {} mm."),
-            {fmt::format("{}", *values->given[own]), fmt::format("{:.4g}", rim)});
-    const double fluteLength = std::max(values->value(own), rim);
     const double shankDiameter = values->value(own + 1);
-    return Cutter(std::string(trimmed(spec)), std::move(*pieces), fluteLength,
-                  shankDiameter > 0 ? shankDiameter / 2 : radius, values->value(own + 2));
+    const double shankRadius = shankDiameter > 0 ? shankDiameter / 2 : shankRadiusOf(*profile);
+    Cutter cutter(std::string(trimmed(spec)), std::move(*profile), values->value(own), shankRadius,
+                  values->value(own + 2));
+    if (!values->given[own] || *values->given[own] >= cutter.profileHeight())
+        return cutter;
+    return failure(
+        "flutes-too-short",
+        PROVEOUT_TEXT("Core",
+                      "The flute length l={} is less than the height of the cutter's profile, {} mm."),
+        {fmt::format("{}", *values->given[own]), fmt::format("{:.4g}", cutter.profileHeight())});
 }
 
 Result<std::pair<int, Cutter>> parseToolOption(std::string_view option) {

@@ -2,11 +2,9 @@
 #include "core/cutter/shapes.h"
 
 #include <array>
-#include <cmath>
-#include <fmt/format.h>
-#include <glm/trigonometric.hpp>
 
 #include "core/base/text.h"
+#include "core/cutter/shape_profiles.h"
 
 namespace proveout {
 
@@ -18,19 +16,102 @@ constexpr double kLargestSize = 10000;
 constexpr ShapeKey kDiameter{"d", PROVEOUT_TEXT("Core", "Diameter"), "mm", kLeastSize, kLargestSize, 10,
                              true};
 
+constexpr ShapeKey kCornerRadius{"r",  PROVEOUT_TEXT("Core", "Corner radius"), "mm", 0, kLargestSize, 0,
+                                 false};
+constexpr ShapeKey kFlatTip{
+    "tip", PROVEOUT_TEXT("Core", "Diameter of the flat tip"), "mm", 0, kLargestSize, 0, false};
+constexpr ShapeKey kIncludedAngle{"angle", PROVEOUT_TEXT("Core", "Included angle"), "°", 1, 179, 90, true};
+/// From the axis.
+constexpr ShapeKey kSideAngle{"angle", PROVEOUT_TEXT("Core", "Angle of each side"), "°", 0.5, 89, 3, true};
+constexpr ShapeKey kTaperHeight{
+    "h", PROVEOUT_TEXT("Core", "Height of the taper"), "mm", kLeastSize, kLargestSize, 20, true};
+
+/// The same key with another proposal, which is also what an optional key has that is left out.
+constexpr ShapeKey withStandard(ShapeKey key, double standard) {
+    key.standard = standard;
+    return key;
+}
+
+constexpr ShapeKey required(ShapeKey key) {
+    key.required = true;
+    return key;
+}
+
+/// A diameter of one part of a cutter.
+constexpr ShapeKey diameterOf(const char* key, const char* label, double standard,
+                              double minimum = kLeastSize) {
+    return {key, label, "mm", minimum, kLargestSize, standard, true};
+}
+
 constexpr std::array kDiameterOnly = {kDiameter};
-constexpr std::array kBullKeys = {
-    kDiameter,
-    ShapeKey{"r", PROVEOUT_TEXT("Core", "Corner radius"), "mm", 0, kLargestSize, 1, true},
-};
-constexpr std::array kConeKeys = {
-    kDiameter,
-    ShapeKey{"angle", PROVEOUT_TEXT("Core", "Included angle"), "°", 1, 179, 90, true},
-    ShapeKey{"tip", PROVEOUT_TEXT("Core", "Diameter of the flat tip"), "mm", 0, kLargestSize, 0, false},
-};
+constexpr std::array kBullKeys = {kDiameter, required(withStandard(kCornerRadius, 1))};
+constexpr std::array kConeKeys = {kDiameter, kIncludedAngle, kFlatTip};
 constexpr std::array kDrillKeys = {
     kDiameter,
     ShapeKey{"angle", PROVEOUT_TEXT("Core", "Point angle"), "°", 1, 179, 118, true},
+};
+constexpr std::array kTaperKeys = {
+    diameterOf("d", PROVEOUT_TEXT("Core", "Diameter at the tip"), 6),
+    kSideAngle,
+    kTaperHeight,
+    kCornerRadius,
+};
+constexpr std::array kTaperBallKeys = {
+    diameterOf("d", PROVEOUT_TEXT("Core", "Diameter of the ball"), 4),
+    kSideAngle,
+    kTaperHeight,
+};
+constexpr std::array kChamferKeys = {kDiameter, kIncludedAngle, required(withStandard(kFlatTip, 2))};
+constexpr std::array kSpotKeys = {kDiameter, withStandard(kDrillKeys[1], 90)};
+constexpr std::array kCentreKeys = {
+    kDiameter,
+    diameterOf("pilot", PROVEOUT_TEXT("Core", "Diameter of the pilot"), 4),
+    ShapeKey{"pl", PROVEOUT_TEXT("Core", "Length of the pilot with its point"), "mm", kLeastSize,
+             kLargestSize, 5, true},
+    ShapeKey{"angle", PROVEOUT_TEXT("Core", "Included angle"), "°", 1, 179, 60, false},
+    ShapeKey{"point", PROVEOUT_TEXT("Core", "Point angle of the pilot"), "°", 1, 179, 118, false},
+};
+constexpr ShapeKey kLead{"lead", PROVEOUT_TEXT("Core", "Length of the lead"), "mm", 0, kLargestSize, 0.5,
+                         false};
+constexpr std::array kReamerKeys = {
+    kDiameter,
+    kLead,
+    ShapeKey{"angle", PROVEOUT_TEXT("Core", "Angle of each side"), "°", 0.5, 89, 45, false},
+};
+constexpr std::array kTapKeys = {
+    kDiameter,
+    required(withStandard(kFlatTip, 7)),
+    required(withStandard(kLead, 6)),
+};
+constexpr std::array kThreadMillKeys = {kDiameter, kFlatTip, withStandard(kLead, 0)};
+constexpr std::array kFaceKeys = {
+    withStandard(kDiameter, 50),
+    ShapeKey{"angle", PROVEOUT_TEXT("Core", "Approach angle of the edge"), "°", 10, 90, 45, true},
+    ShapeKey{"h", PROVEOUT_TEXT("Core", "Height of the edge"), "mm", kLeastSize, kLargestSize, 6, true},
+    withStandard(kCornerRadius, 0.8),
+};
+constexpr std::array kFormKeys = {
+    ShapeKey{"p", PROVEOUT_TEXT("Core", "Profile, RADIUS/HEIGHT:… from the tip outwards"), "", 0, 0, 0, true,
+             "0/0:3/0:4/1@3/1:6/3@-2:6/8"},
+};
+constexpr ShapeKey kNeck = diameterOf("neck", PROVEOUT_TEXT("Core", "Diameter of the neck"), 6);
+constexpr std::array kLollipopKeys = {
+    diameterOf("d", PROVEOUT_TEXT("Core", "Diameter of the ball"), 10),
+    kNeck,
+};
+constexpr std::array kSlotKeys = {
+    withStandard(kDiameter, 20),
+    ShapeKey{"w", PROVEOUT_TEXT("Core", "Width of the head"), "mm", kLeastSize, kLargestSize, 6, true},
+    withStandard(kNeck, 9),
+    kCornerRadius,
+};
+constexpr std::array kDovetailKeys = {
+    withStandard(kDiameter, 20),
+    ShapeKey{"angle", PROVEOUT_TEXT("Core", "Angle between face and flank"), "°", 10, 89, 60, true},
+    ShapeKey{"h", PROVEOUT_TEXT("Core", "Height of the head"), "mm", kLeastSize, kLargestSize, 6, true},
+    ShapeKey{"neck", PROVEOUT_TEXT("Core", "Diameter of the neck (0: as the head's top)"), "mm", 0,
+             kLargestSize, 0, false},
+    kCornerRadius,
 };
 
 constexpr std::array kCommonKeys = {
@@ -40,79 +121,26 @@ constexpr std::array kCommonKeys = {
     ShapeKey{"sl", PROVEOUT_TEXT("Core", "Shank length"), "mm", 0, kLargestSize, 30, false},
 };
 
-ProfilePiece flatTo(double radius) {
-    ProfilePiece piece;
-    piece.r1 = radius;
-    return piece;
-}
-
-/// A quarter of a circle that leaves the tip plane at `from`.
-ProfilePiece cornerFrom(double from, double cornerRadius) {
-    ProfilePiece piece;
-    piece.kind = PieceKind::arc;
-    piece.r0 = from;
-    piece.r1 = from + cornerRadius;
-    piece.z1 = cornerRadius;
-    piece.centreR = from;
-    piece.centreZ = cornerRadius;
-    piece.radius = cornerRadius;
-    return piece;
-}
-
-Result<std::vector<ProfilePiece>> flatProfile(std::span<const double> values) {
-    return std::vector{flatTo(values[0] / 2)};
-}
-
-Result<std::vector<ProfilePiece>> ballProfile(std::span<const double> values) {
-    return std::vector{cornerFrom(0, values[0] / 2)};
-}
-
-Result<std::vector<ProfilePiece>> bullProfile(std::span<const double> values) {
-    const double radius = values[0] / 2;
-    const double corner = values[1];
-    if (corner > radius)
-        return failure(
-            "corner-radius-too-large",
-            PROVEOUT_TEXT("Core", "The corner radius r={} is larger than half the diameter, {} mm."),
-            {fmt::format("{}", corner), fmt::format("{}", radius)});
-    if (corner == 0)
-        return std::vector{flatTo(radius)};
-    if (corner == radius)
-        return std::vector{cornerFrom(0, radius)};
-    auto piece = cornerFrom(radius - corner, corner);
-    piece.r1 = radius; // the sum may round to something else
-    return std::vector{flatTo(radius - corner), piece};
-}
-
-Result<std::vector<ProfilePiece>> coneProfile(std::span<const double> values) {
-    const double radius = values[0] / 2;
-    const double tip = values[2] / 2;
-    if (tip >= radius)
-        return failure("tip-too-large",
-                       PROVEOUT_TEXT("Core", "The flat tip tip={} is not smaller than the diameter, {} mm."),
-                       {fmt::format("{}", values[2]), fmt::format("{}", values[0])});
-    std::vector<ProfilePiece> pieces;
-    if (tip > 0)
-        pieces.push_back(flatTo(tip));
-    ProfilePiece side;
-    side.r0 = tip;
-    side.r1 = radius;
-    side.z1 = (radius - tip) / std::tan(glm::radians(values[1]) / 2);
-    pieces.push_back(side);
-    return pieces;
-}
-
-/// A drill cuts as a cone does; its chisel edge is left out.
-Result<std::vector<ProfilePiece>> drillProfile(std::span<const double> values) {
-    return coneProfile(std::array{values[0], values[1], 0.0});
-}
-
 constexpr std::array kShapes = {
     CutterShape{"flat", PROVEOUT_TEXT("Core", "Flat end mill"), kDiameterOnly, flatProfile},
     CutterShape{"ball", PROVEOUT_TEXT("Core", "Ball-end mill"), kDiameterOnly, ballProfile},
     CutterShape{"bull", PROVEOUT_TEXT("Core", "Bull-nose mill"), kBullKeys, bullProfile},
     CutterShape{"cone", PROVEOUT_TEXT("Core", "Cone or V cutter"), kConeKeys, coneProfile},
     CutterShape{"drill", PROVEOUT_TEXT("Core", "Drill"), kDrillKeys, drillProfile},
+    CutterShape{"taper", PROVEOUT_TEXT("Core", "Tapered end mill"), kTaperKeys, taperProfile},
+    CutterShape{"taperball", PROVEOUT_TEXT("Core", "Tapered ball-end mill"), kTaperBallKeys,
+                taperBallProfile},
+    CutterShape{"chamfer", PROVEOUT_TEXT("Core", "Chamfer mill"), kChamferKeys, coneProfile},
+    CutterShape{"face", PROVEOUT_TEXT("Core", "Face mill"), kFaceKeys, faceProfile},
+    CutterShape{"spot", PROVEOUT_TEXT("Core", "Spot drill"), kSpotKeys, drillProfile},
+    CutterShape{"centre", PROVEOUT_TEXT("Core", "Centre drill"), kCentreKeys, centreProfile},
+    CutterShape{"reamer", PROVEOUT_TEXT("Core", "Reamer"), kReamerKeys, reamerProfile},
+    CutterShape{"tap", PROVEOUT_TEXT("Core", "Tap"), kTapKeys, threadProfile},
+    CutterShape{"threadmill", PROVEOUT_TEXT("Core", "Thread mill"), kThreadMillKeys, threadProfile},
+    CutterShape{"lollipop", PROVEOUT_TEXT("Core", "Lollipop cutter"), kLollipopKeys, lollipopProfile},
+    CutterShape{"tslot", PROVEOUT_TEXT("Core", "T-slot or keyseat cutter"), kSlotKeys, slotProfile},
+    CutterShape{"dovetail", PROVEOUT_TEXT("Core", "Dovetail cutter"), kDovetailKeys, dovetailProfile},
+    CutterShape{"form", PROVEOUT_TEXT("Core", "Form cutter"), kFormKeys, formProfile},
 };
 
 } // namespace

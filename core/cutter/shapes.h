@@ -2,8 +2,9 @@
 // The table of cutter shapes: one row a shape. Parser, dialogs, help and tests read it.
 #pragma once
 
+#include <cstddef>
 #include <span>
-#include <vector>
+#include <string_view>
 
 #include "core/base/diagnostic.h"
 #include "core/cutter/cutter.h"
@@ -18,6 +19,19 @@ struct ShapeKey {
     double maximum;
     double standard; ///< what a dialog proposes; the value of an optional key that is left out
     bool required;
+    /// What a dialog proposes for a value that is text; null: the value is a number.
+    const char* standardText = nullptr;
+
+    [[nodiscard]] bool isText() const { return standardText != nullptr; }
+};
+
+/// What was given for the keys of a shape.
+struct ShapeValues {
+    std::span<const double> numbers; ///< by key; 0 for one that is text
+    std::string_view text;           ///< of the shape's one key that is text
+    std::size_t textAt = 0;          ///< where it stands in the spec, bytes from 0
+
+    [[nodiscard]] double operator[](std::size_t key) const { return numbers[key]; }
 };
 
 struct CutterShape {
@@ -26,7 +40,7 @@ struct CutterShape {
     std::span<const ShapeKey> keys;
     /// Makes the profile from the values of `keys`, in their order. Errors: values that fit no shape
     /// together.
-    Result<std::vector<ProfilePiece>> (*profile)(std::span<const double> values);
+    Result<CutterProfile> (*profile)(const ShapeValues& values);
 };
 
 [[nodiscard]] std::span<const CutterShape> cutterShapes();

@@ -58,7 +58,7 @@ bool coveredBy(const ProfilePiece& piece, const ProfilePiece& next) {
 } // namespace
 
 std::vector<ConvexProfile> convexProfiles(const Cutter& cutter, double rimSlack) {
-    const auto& pieces = cutter.pieces();
+    const auto& pieces = cutter.solvablePieces();
     std::vector<ConvexProfile> profiles;
     profiles.reserve(pieces.size());
     for (std::size_t i = 0; i < pieces.size(); ++i) {

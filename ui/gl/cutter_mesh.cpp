@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <ranges>
 
 namespace proveout {
 namespace {
@@ -11,7 +12,7 @@ namespace {
 constexpr int kSectors = 48;
 constexpr int kArcSteps = 14;
 
-/// One line of the outline in r-z, going up or outwards, with the outward normals at its ends.
+/// One line of the outline in r-z, going round from the tip to the top, with the outward normals at its ends.
 struct OutlineEdge {
     glm::dvec2 from;
     glm::dvec2 to;
@@ -33,23 +34,41 @@ public:
         m_at = to;
     }
 
-    void arc(const ProfilePiece& piece) {
-        const glm::dvec2 centre(piece.centreR, piece.centreZ);
-        const double first = std::acos(std::clamp((piece.r0 - centre.x) / piece.radius, -1.0, 1.0));
-        const double last = std::acos(std::clamp((piece.r1 - centre.x) / piece.radius, -1.0, 1.0));
-        const auto direction = [&](int step) {
-            const double angle = first + (last - first) * step / kArcSteps;
-            return glm::dvec2(std::cos(angle), -std::sin(angle));
-        };
-        for (int step = 0; step < kArcSteps; ++step) {
-            const glm::dvec2 a = direction(step);
-            const glm::dvec2 b = direction(step + 1);
-            m_edges.push_back({centre + piece.radius * a, centre + piece.radius * b, a, b, 0});
-        }
-        m_at = {piece.r1, piece.z1};
+    /// A piece of the profile, or of the back of a head, from one of its radii to the other. A wall leads to
+    /// it where it does not begin here.
+    void piece(const ProfilePiece& piece, bool inwards) {
+        const glm::dvec2 inner(piece.r0, piece.z0);
+        const glm::dvec2 outer(piece.r1, piece.z1);
+        line(inwards ? outer : inner, 0);
+        if (piece.kind == PieceKind::line)
+            line(inwards ? inner : outer, 0);
+        else
+            arc(piece, inwards);
+        m_at = inwards ? inner : outer;
     }
 
 private:
+    void arc(const ProfilePiece& piece, bool inwards) {
+        const glm::dvec2 centre(piece.centreR, piece.centreZ);
+        const double up = piece.kind == PieceKind::upperArc ? 1 : -1;
+        const auto angleAt = [&](double r) {
+            return std::acos(std::clamp((r - centre.x) / piece.radius, -1.0, 1.0));
+        };
+        const double first = angleAt(inwards ? piece.r1 : piece.r0);
+        const double last = angleAt(inwards ? piece.r0 : piece.r1);
+        const auto direction = [&](int step) {
+            const double angle = first + (last - first) * step / kArcSteps;
+            return glm::dvec2(std::cos(angle), up * std::sin(angle));
+        };
+        // A hollow is seen from its centre, all else from outside.
+        const double side = up > 0 && !inwards ? -1 : 1;
+        for (int step = 0; step < kArcSteps; ++step) {
+            const glm::dvec2 a = direction(step);
+            const glm::dvec2 b = direction(step + 1);
+            m_edges.push_back({centre + piece.radius * a, centre + piece.radius * b, side * a, side * b, 0});
+        }
+    }
+
     glm::dvec2 m_at{0, 0};
     std::vector<OutlineEdge> m_edges;
 };
@@ -57,12 +76,15 @@ private:
 Outline outline(const Cutter& cutter) {
     Outline outline;
     for (const ProfilePiece& piece : cutter.pieces())
-        if (piece.kind == PieceKind::arc)
-            outline.arc(piece);
-        else
-            outline.line({piece.r1, piece.z1}, 0);
-    const double flutesEnd = std::max(cutter.fluteLength(), cutter.rimHeight());
-    outline.line({cutter.radius(), flutesEnd}, 0);
+        outline.piece(piece, false);
+    const double flutesEnd = std::max(cutter.fluteLength(), cutter.profileHeight());
+    if (const auto& head = cutter.head()) {
+        for (const ProfilePiece& piece : std::views::reverse(head->back))
+            outline.piece(piece, true);
+        outline.line({head->neckRadius, flutesEnd}, 1);
+    } else {
+        outline.line({cutter.radius(), flutesEnd}, 0);
+    }
     const double shank = cutter.shankRadius() > 0 ? cutter.shankRadius() : cutter.radius();
     const double length = cutter.shankLength() > 0 ? cutter.shankLength() : flutesEnd;
     outline.line({shank, flutesEnd}, 1);

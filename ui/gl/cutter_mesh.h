@@ -17,8 +17,9 @@ struct CutterVertex {
 };
 
 /// The cutter's profile revolved about its axis: fluted part to the flute length, shank above it, closed at
-/// the top. Three vertices a triangle, counter-clockwise seen from outside. Without a shank length one is
-/// drawn as long as the flutes.
+/// the top. Of a necked head the neck is as long as the flutes are said to be, and drawn as the shank is.
+/// Three vertices a triangle, counter-clockwise seen from outside. Without a shank length one is drawn as
+/// long as the flutes.
 [[nodiscard]] std::vector<CutterVertex> cutterMesh(const Cutter& cutter);
 
 } // namespace proveout

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/setup/tool_form.h"
 
+#include <algorithm>
+#include <string_view>
+
 #include <QDoubleSpinBox>
 #include <QEvent>
 #include <QFormLayout>
+#include <QLineEdit>
 #include <QSignalBlocker>
 
 #include "ui/choice_box.h"
@@ -12,8 +16,22 @@
 namespace proveout {
 
 namespace {
+
 constexpr int kBoxWidth = 110;
+
+QString nameOf(const std::string& key) {
+    return QString::fromStdString("tool-" + key);
 }
+
+/// The key of a shape; null where it has none of this name, or means something else by it.
+const ShapeKey* sameKey(const std::vector<ShapeKey>& keys, const ShapeKey& wanted) {
+    const auto found = std::ranges::find_if(keys, [&](const ShapeKey& key) {
+        return std::string_view(key.key) == wanted.key && std::string_view(key.label) == wanted.label;
+    });
+    return found == keys.end() ? nullptr : &*found;
+}
+
+} // namespace
 
 ToolForm::ToolForm(QWidget* parent)
     : QWidget(parent), m_spec(standardSpec()), m_shape(new ChoiceBox(this)), m_layout(new QFormLayout(this)) {
@@ -42,20 +60,36 @@ void ToolForm::show(const ToolSpec& spec) {
         build();
         return;
     }
-    for (const auto& [key, value] : m_spec.values) {
-        if (auto* box = findChild<QDoubleSpinBox*>(QString::fromStdString("tool-" + key))) {
-            const QSignalBlocker quiet(box);
-            box->setValue(value);
-        }
+    for (const auto& [key, value] : m_spec.values)
+        showNumber(key, value);
+    for (const auto& [key, text] : m_spec.texts)
+        showText(key, text);
+}
+
+void ToolForm::showNumber(const std::string& key, double value) {
+    if (auto* box = findChild<QDoubleSpinBox*>(nameOf(key))) {
+        const QSignalBlocker quiet(box);
+        box->setValue(value);
+    }
+}
+
+void ToolForm::showText(const std::string& key, const std::string& text) {
+    auto* box = findChild<QLineEdit*>(nameOf(key));
+    // What is being typed keeps its cursor.
+    if (box != nullptr && box->text() != QString::fromStdString(text)) {
+        const QSignalBlocker quiet(box);
+        box->setText(QString::fromStdString(text));
     }
 }
 
 void ToolForm::chooseShape(int index) {
     ToolSpec chosen = readSpec(cutterShapes()[static_cast<std::size_t>(index)].key);
-    for (auto& [key, value] : chosen.values) {
+    const std::vector<ShapeKey> before = keysOf(m_spec.shape);
+    for (const ShapeKey& key : keysOf(chosen.shape)) {
         // What both shapes have (diameter, lengths) stays.
-        if (const auto before = m_spec.values.find(key); before != m_spec.values.end())
-            value = before->second;
+        const ShapeKey* same = key.isText() ? nullptr : sameKey(before, key);
+        if (same != nullptr)
+            chosen.values[key.key] = std::clamp(m_spec.values[key.key], key.minimum, key.maximum);
     }
     m_spec = std::move(chosen);
     build();
@@ -71,16 +105,21 @@ void ToolForm::build() {
 }
 
 void ToolForm::addKey(const ShapeKey& key) {
+    QWidget* box = key.isText() ? textBox(key) : numberBox(key);
+    box->setObjectName(nameOf(key.key));
+    box->setMinimumWidth(kBoxWidth);
+    box->setAccessibleName(coreText(key.label));
+    m_layout->addRow(coreText(key.label), box);
+}
+
+QWidget* ToolForm::numberBox(const ShapeKey& key) {
     auto* box = new QDoubleSpinBox(this);
-    box->setObjectName(QStringLiteral("tool-") + QLatin1String(key.key));
     box->setDecimals(3);
     box->setRange(key.minimum, key.maximum);
     box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
     box->setKeyboardTracking(false);
-    box->setMinimumWidth(kBoxWidth);
     box->setSuffix(u' ' + coreText(key.unit));
     box->setValue(m_spec.values[key.key]);
-    box->setAccessibleName(coreText(key.label));
     const QString unit = coreText(key.unit);
     box->setToolTip(tr("%1\nRange: %2 to %3 %4\nDefault: %5 %4")
                         .arg(coreText(key.label), locale().toString(key.minimum),
@@ -89,7 +128,23 @@ void ToolForm::addKey(const ShapeKey& key) {
         m_spec.values[name] = value;
         emit edited();
     });
-    m_layout->addRow(coreText(key.label), box);
+    return box;
+}
+
+QWidget* ToolForm::textBox(const ShapeKey& key) {
+    auto* box = new QLineEdit(QString::fromStdString(m_spec.texts[key.key]), this);
+    box->setToolTip(
+        coreText(key.label) + u'\n' +
+        tr("An arc to a point is told by its centre or its radius, as in %1 or %2; a radius below "
+           "zero is a hollow.\nDefault: %3")
+            .arg(QStringLiteral("4/1@3/1"), QStringLiteral("4/1@1"), QLatin1String(key.standardText)));
+    connect(box, &QLineEdit::editingFinished, this, [this, box, name = std::string(key.key)] {
+        if (box->text().toStdString() == m_spec.texts[name])
+            return;
+        m_spec.texts[name] = box->text().toStdString();
+        emit edited();
+    });
+    return box;
 }
 
 void ToolForm::changeEvent(QEvent* event) {

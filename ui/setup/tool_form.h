@@ -9,7 +9,6 @@
 #include "ui/setup/tool_spec.h"
 
 class QComboBox;
-class QDoubleSpinBox;
 class QFormLayout;
 
 namespace proveout {
@@ -34,6 +33,10 @@ private:
     void chooseShape(int index);
     void build();
     void addKey(const ShapeKey& key);
+    [[nodiscard]] QWidget* numberBox(const ShapeKey& key);
+    [[nodiscard]] QWidget* textBox(const ShapeKey& key);
+    void showNumber(const std::string& key, double value);
+    void showText(const std::string& key, const std::string& text);
     void nameShapes();
 
     ToolSpec m_spec;

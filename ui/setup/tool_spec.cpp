@@ -23,23 +23,48 @@ std::vector<ShapeKey> keysOf(std::string_view shape) {
     return keys;
 }
 
+namespace {
+
+/// Takes the value of a key that the tool has.
+void readPair(std::string_view pair, ToolSpec& tool) {
+    const std::size_t equals = pair.find('=');
+    if (equals == std::string_view::npos)
+        return;
+    const std::string key(pair.substr(0, equals));
+    const std::string_view given = pair.substr(equals + 1);
+    if (const auto text = tool.texts.find(key); text != tool.texts.end())
+        text->second = given;
+    double value = 0;
+    const auto place = tool.values.find(key);
+    if (place != tool.values.end() &&
+        std::from_chars(given.data(), given.data() + given.size(), value).ec == std::errc())
+        place->second = value;
+}
+
+/// The value of a key as a spec holds it; empty where it need not be told.
+std::string valueToTell(const ToolSpec& spec, const ShapeKey& key) {
+    if (key.isText())
+        return spec.texts.at(key.key);
+    const double value = spec.values.at(key.key);
+    return key.required || value != key.standard ? fmt::format("{}", value) : std::string();
+}
+
+} // namespace
+
 ToolSpec readSpec(std::string_view spec) {
     ToolSpec tool;
     const std::size_t colon = std::min(spec.find(':'), spec.size());
     tool.shape = spec.substr(0, colon);
-    for (const ShapeKey& key : keysOf(tool.shape))
-        tool.values[key.key] = key.standard;
+    for (const ShapeKey& key : keysOf(tool.shape)) {
+        if (key.isText())
+            tool.texts[key.key] = key.standardText;
+        else
+            tool.values[key.key] = key.standard;
+    }
     spec.remove_prefix(std::min(colon + 1, spec.size()));
     while (!spec.empty()) {
         const std::string_view pair = spec.substr(0, spec.find(','));
-        const std::size_t equals = pair.find('=');
-        double value = 0;
-        if (equals != std::string_view::npos &&
-            std::from_chars(pair.data() + equals + 1, pair.data() + pair.size(), value).ec == std::errc()) {
-            const auto place = tool.values.find(std::string(pair.substr(0, equals)));
-            if (place != tool.values.end())
-                place->second = value;
-        }
+        readPair(pair, tool);
         spec.remove_prefix(std::min(pair.size() + 1, spec.size()));
     }
     return tool;
@@ -48,9 +73,9 @@ ToolSpec readSpec(std::string_view spec) {
 std::string writeSpec(const ToolSpec& spec) {
     std::string text;
     for (const ShapeKey& key : keysOf(spec.shape)) {
-        const auto value = spec.values.find(key.key);
-        if (value != spec.values.end() && (key.required || value->second != key.standard))
-            text += fmt::format("{}{}={}", text.empty() ? ':' : ',', key.key, value->second);
+        const std::string value = valueToTell(spec, key);
+        if (key.required || !value.empty())
+            text += fmt::format("{}{}={}", text.empty() ? ':' : ',', key.key, value);
     }
     return spec.shape + text;
 }

@@ -14,6 +14,7 @@ namespace proveout {
 struct ToolSpec {
     std::string shape;
     std::map<std::string, double> values;
+    std::map<std::string, std::string> texts; ///< of keys whose values are text
 };
 
 /// Reads the spec of a cutter; keys that are no shape's are dropped.

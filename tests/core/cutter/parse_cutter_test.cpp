@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "core/cutter/shapes.h"
 #include "core/cutter/tool_table.h"
+#include "tests/core/cutter/standard_spec.h"
 
 namespace proveout {
 namespace {
@@ -76,11 +76,87 @@ INSTANTIATE_TEST_SUITE_P(Specs, BadCutters,
                                          Bad{"drill:d=10,angle=118,tip=1", "cutter-key-unknown",
                                              "there are d, angle, l, sd, sl"}));
 
+INSTANTIATE_TEST_SUITE_P(
+    Shapes, BadCutters,
+    testing::Values(Bad{"taper:d=6,angle=3", "cutter-key-missing", "key h"},
+                    Bad{"taper:d=6,angle=0.1,h=5", "cutter-value-out-of-range", "0.5 to 89 °"},
+                    Bad{"taper:d=6,angle=30,h=5,r=6", "corner-radius-too-large", "5.196 mm"},
+                    Bad{"taper:d=6,angle=30,h=0.5,r=1", "taper-too-low", "0.5 mm"},
+                    Bad{"taperball:d=6,angle=30,h=1.5", "taper-too-low", "1.5 mm"},
+                    Bad{"chamfer:d=6,angle=90", "cutter-key-missing", "key tip"},
+                    Bad{"chamfer:d=6,angle=90,tip=6", "tip-too-large", "tip=6"},
+                    Bad{"face:d=50,angle=5,h=6", "cutter-value-out-of-range", "10 to 90 °"},
+                    Bad{"face:d=50,angle=90,h=6,r=30", "corner-radius-too-large", "25 mm"},
+                    Bad{"centre:d=4,pilot=4,pl=3", "pilot-too-large", "pilot=4"},
+                    Bad{"centre:d=10,pilot=4,pl=1", "pilot-too-short", "1.202 mm"},
+                    Bad{"reamer:d=4,lead=3", "lead-too-long", "2 mm"},
+                    Bad{"tap:d=4", "cutter-key-missing", "key tip"},
+                    Bad{"tap:d=4,tip=4,lead=1", "tip-too-large", "tip=4"},
+                    Bad{"lollipop:d=6,neck=6", "neck-too-thick", "6 mm"},
+                    Bad{"tslot:d=20,w=4,neck=8,r=3", "corner-radius-too-large", "2 mm"},
+                    Bad{"tslot:d=20,w=4,neck=18,r=1", "neck-too-thick", "18 mm"},
+                    Bad{"tslot:d=20,w=4,neck=8,l=3", "flutes-too-short", "4 mm"},
+                    Bad{"dovetail:d=20,angle=45,h=10", "head-too-high", "10 mm"},
+                    Bad{"dovetail:d=20,angle=45,h=5,neck=11", "neck-too-thick", "10 mm"},
+                    Bad{"dovetail:d=20,angle=60,h=1,r=1", "corner-radius-too-large", "0.6667 mm"}));
+
+INSTANTIATE_TEST_SUITE_P(Profiles, BadCutters,
+                         testing::Values(Bad{"form:", "cutter-key-missing", "0/0:3/0"},
+                                         Bad{"form:p=", "form-unreadable", "At character 1, “”"},
+                                         Bad{"form:p=0/0", "form-no-width", "character 8"},
+                                         Bad{"form:p=0/0:0/5", "form-no-width", "character 12"},
+                                         Bad{"form:p=1/0:5/0", "form-start", "At character 8"},
+                                         Bad{"form:p=0/1:5/1", "form-start", "“0/1”"},
+                                         Bad{"form:p=0/0@1:5/0", "form-start", "“0/0@1”"},
+                                         Bad{"form:p=0/0:0/1:3/2", "form-no-tip", "character 16"},
+                                         Bad{"form:p=0/0:5", "form-unreadable", "At character 12, “5”"},
+                                         Bad{"form:p=0/0:5/0:", "form-unreadable", "At character 16, “”"},
+                                         Bad{" form:p=0/0:5/x", "form-unreadable", "At character 13, “5/x”"},
+                                         Bad{"form:p=0/0:nan/0", "form-unreadable", "“nan/0”"},
+                                         Bad{"form:p=0/0:5/inf", "form-unreadable", "“5/inf”"},
+                                         Bad{"form:p=0/0:5/1e9", "form-unreadable", "“5/1e9”"},
+                                         Bad{"form:p=0/0:5/0:4/1", "form-turns-back", "At character 16"},
+                                         Bad{"form:p=0/0:-5/0", "form-turns-back", "At character 12"},
+                                         Bad{"form:p=0/0:5/2:6/1", "form-falls", "At character 16"},
+                                         Bad{"form:p=0/0:5/-1", "form-falls", "At character 12"},
+                                         Bad{"form:p=0/0:5/2@", "form-unreadable", "“5/2@”"},
+                                         Bad{"form:p=0/0:5/2@1/", "form-unreadable", "“5/2@1/”"},
+                                         Bad{"form:p=0/0:5/2@2", "form-arc-radius", "5.38516 mm apart"},
+                                         Bad{"form:p=0/0:5/2@0", "form-arc-radius", "radius 0 mm"},
+                                         Bad{"form:p=0/0:5/2@nan", "form-unreadable", "“5/2@nan”"},
+                                         Bad{"form:p=0/0:5/5@1/5", "form-arc-centre", "5.09902 mm and 4 mm"},
+                                         Bad{"form:p=0/0:5/2@3", "form-arc-turns", "character 12"},
+                                         Bad{"form:p=0/0:5/0@3", "form-arc-turns", "level to upright"},
+                                         Bad{"form:p=0/0:5/0:5/5@4", "form-arc-turns", "character 16"},
+                                         Bad{"form:p=0/0:3/0:9000/8997@-8997:9000/8998:9999/9997@-1000",
+                                             "form-too-fine", "1000 lines"},
+                                         Bad{"form:p=0/0:3/0,p=0/0", "cutter-key-twice", "key p"},
+                                         Bad{"form:p=0/0:3/0,d=6", "cutter-key-unknown",
+                                             "there are p, l, sd, sl"}));
+
+TEST(ParseCutter, RefusesAProfileOfThousandsOfPoints) {
+    std::string spec = "form:p=0/0";
+    for (int k = 1; k <= 5000; ++k)
+        spec += fmt::format(":{}/{}", k, k);
+    const auto cutter = parseCutter(spec);
+    ASSERT_FALSE(cutter.has_value());
+    EXPECT_STREQ(cutter.error()[0].id, "form-too-long");
+    EXPECT_THAT(message(cutter.error()[0]), HasSubstr("200 points"));
+}
+
+TEST(ParseCutter, TakesProfilesThatAreWrittenWithThreeDecimals) {
+    // A corner of 1.5 mm that leaves a side of 10° at its tangent point.
+    EXPECT_TRUE(parseCutter("form:p=0/0:4/0:5.477/1.240@4/1.5:7/9.878").has_value());
+}
+
+TEST(ParseCutter, GivesAHeadAShankAsThickAsItsNeck) {
+    EXPECT_DOUBLE_EQ(parseCutter("dovetail:d=20,angle=45,h=5").value().shankRadius(), 5) << "as the neck";
+    EXPECT_EQ(parseCutter("dovetail:d=20,angle=45,h=5,sd=12").value().shankRadius(), 6);
+}
+
 TEST(ParseCutter, MakesACutterOfEveryRowFromItsProposedValues) {
     for (const CutterShape& shape : cutterShapes()) {
-        std::string spec = std::string(shape.key) + ":";
-        for (const ShapeKey& key : shape.keys)
-            spec += fmt::format("{}={},", key.key, key.standard);
+        const std::string spec = standardSpecOf(shape);
         SCOPED_TRACE(spec);
         EXPECT_TRUE(parseCutter(spec).has_value());
     }

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "tests/core/cutter/standard_spec.h"
 #include "tests/core/temporary_folder.h"
 
 namespace proveout {
@@ -43,6 +44,18 @@ TEST_F(ToolFile, ReadsNumbersAndCutters) {
     ASSERT_EQ(tools->tools().size(), 2U);
     EXPECT_EQ(tools->find(1)->radius(), 5.5);
     EXPECT_EQ(tools->find(12)->spec(), "flat:d=6");
+}
+
+TEST_F(ToolFile, HoldsCuttersOfEveryShape) {
+    std::string text;
+    int number = 0;
+    for (const CutterShape& shape : cutterShapes())
+        text += fmt::format("[[tool]]\nnumber = {}\ncutter = \"{}\"\n", ++number, standardSpecOf(shape));
+    const auto tools = read(text);
+    ASSERT_TRUE(tools) << oneLine(tools.error().front());
+    number = 0;
+    for (const CutterShape& shape : cutterShapes())
+        EXPECT_EQ(tools->find(++number)->spec(), standardSpecOf(shape));
 }
 
 TEST_F(ToolFile, TellsAHundredErrorsAndHowManyMoreThereAre) {

@@ -9,6 +9,7 @@
 
 #include <QTest>
 
+#include "tests/core/cutter/standard_spec.h"
 #include "tests/ui/viewport/frame_builder.h"
 #include "ui/gl/cutter_mesh.h"
 #include "ui/gl/path_lines.h"
@@ -54,9 +55,24 @@ void GlMeshesTest::slotsNeverOverlap() {
 
 void GlMeshesTest::cutterIsClosedAndToScale_data() {
     QTest::addColumn<QString>("spec");
-    for (const char* spec :
-         {"ball:d=11,l=50", "flat:d=6,l=20", "bull:d=10,r=2,l=30", "cone:d=12,angle=90,l=25"})
+    for (const char* spec : {"ball:d=11,l=50", "flat:d=6,l=20", "bull:d=10,r=2,l=30",
+                             "cone:d=12,angle=90,l=25", "tslot:d=20,w=6,neck=9,r=1",
+                             "dovetail:d=20,angle=60,h=6,neck=8,r=0.5", "form:p=0/0:3/0:3/1:6/4@-3"})
         QTest::newRow(spec) << QString::fromLatin1(spec);
+    for (const CutterShape& shape : cutterShapes())
+        QTest::newRow(shape.key) << QString::fromStdString(standardSpecOf(shape));
+}
+
+/// How far a place in r-z is from the profile, the back of a head and its walls, mm of height.
+static double distanceFromProfile(const Cutter& cutter, double r, double z) {
+    std::vector<ProfilePiece> pieces = cutter.pieces();
+    if (cutter.head())
+        pieces.insert(pieces.end(), cutter.head()->back.begin(), cutter.head()->back.end());
+    double nearest = std::abs(z - cutter.height(r));
+    for (const ProfilePiece& piece : pieces)
+        if (piece.r0 - 1e-4 < r && r < piece.r1 + 1e-4)
+            nearest = std::min(nearest, std::abs(z - heightOf(piece, std::clamp(r, piece.r0, piece.r1))));
+    return nearest;
 }
 
 void GlMeshesTest::cutterIsClosedAndToScale() {
@@ -83,7 +99,7 @@ void GlMeshesTest::cutterIsClosedAndToScale() {
     for (const CutterVertex& vertex : mesh) {
         const double r = std::hypot(vertex.position.x, vertex.position.y);
         if (vertex.part < 0.5f && r < cutter.radius() * 0.999)
-            QVERIFY(std::abs(vertex.position.z - cutter.height(r)) < 1e-3);
+            QVERIFY(distanceFromProfile(cutter, r, static_cast<double>(vertex.position.z)) < 1e-3);
         QVERIFY(vertex.part > 0.5f || r <= cutter.radius() * 1.0001);
     }
 }

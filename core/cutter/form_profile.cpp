@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A free profile, written as points from the tip outwards: RADIUS/HEIGHT:RADIUS/HEIGHT:… An arc to a point is
+// RADIUS/HEIGHT@RADIUS/HEIGHT with its centre, or RADIUS/HEIGHT@R with its radius, below zero where it is a
+// hollow in the cutter.
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <fmt/format.h>
+#include <glm/geometric.hpp>
+#include <optional>
+
+#include "core/base/geometry.h"
+#include "core/base/text.h"
+#include "core/cutter/shape_profiles.h"
+#include "core/cutter/solvable_pieces.h"
+
+namespace proveout {
+
+namespace {
+
+/// Each piece is a pass of cutting, and a hollow is many.
+constexpr std::size_t kMostPoints = 200;
+constexpr std::size_t kMostPieces = 1000;
+constexpr double kLargestPlace = 10000; // mm
+/// Ends of an arc that is written with three decimals lie that far from a circle.
+constexpr double kRoundedPlace = 2e-3;
+/// Radii that differ by less stand upright above each other.
+constexpr double kSameRadius = 1e-6;
+
+std::optional<double> numberOf(std::string_view text) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() || !(std::abs(value) <= kLargestPlace))
+        return {};
+    return value;
+}
+
+/// Radius and height.
+std::optional<Vec2> placeOf(std::string_view text) {
+    const auto slash = text.find('/');
+    if (slash == std::string_view::npos)
+        return {};
+    const auto radius = numberOf(text.substr(0, slash));
+    const auto height = numberOf(text.substr(slash + 1));
+    if (!radius || !height)
+        return {};
+    return Vec2(*radius, *height);
+}
+
+/// Whether an arc rises all the way, from level to upright at most.
+bool withinQuarter(const ProfilePiece& arc) {
+    if (arc.kind == PieceKind::arc)
+        return arc.centreR <= arc.r0 + kRoundedPlace && arc.centreZ >= arc.z1 - kRoundedPlace;
+    return arc.centreR >= arc.r1 - kRoundedPlace && arc.centreZ <= arc.z0 + kRoundedPlace;
+}
+
+/// Reads point by point; places are told as characters of the spec, counted from 1.
+class FormReader {
+public:
+    explicit FormReader(const ShapeValues& values) : m_text(values.text), m_specAt(values.textAt) {}
+
+    Result<CutterProfile> read() {
+        for (std::size_t at = 0; at <= m_text.size(); ++m_points) {
+            const auto end = std::min(m_text.find(':', at), m_text.size());
+            m_at = at;
+            if (auto added = addPoint(m_text.substr(at, end - at)); !added)
+                return tl::unexpected(std::move(added.error()));
+            at = end + 1;
+        }
+        if (m_profile.pieces.empty())
+            return fail("form-no-width", PROVEOUT_TEXT("Core", "The profile at character {} has no width."));
+        return std::move(m_profile);
+    }
+
+private:
+    [[nodiscard]] tl::unexpected<Diagnostics> fail(const char* id, const char* text,
+                                                   std::vector<std::string> more = {}) const {
+        more.insert(more.begin(), std::to_string(m_specAt + m_at + 1));
+        return failure(id, text, std::move(more));
+    }
+
+    Result<void> addPoint(std::string_view text) {
+        if (m_points == kMostPoints)
+            return fail("form-too-long",
+                        PROVEOUT_TEXT("Core", "The profile goes on at character {} after {} points; it may "
+                                              "have no more."),
+                        {std::to_string(kMostPoints)});
+        const auto at = text.find('@');
+        const auto place = placeOf(text.substr(0, at));
+        if (!place)
+            return unreadable(text);
+        if (m_points == 0)
+            return begin(*place, text);
+        if (place->x < m_last.x)
+            return fail("form-turns-back",
+                        PROVEOUT_TEXT("Core", "At character {} the profile turns back towards the axis."));
+        if (place->y < m_last.y)
+            return fall();
+        auto added =
+            at == std::string_view::npos ? addLine(*place) : addArc(*place, text.substr(at + 1), text);
+        m_last = *place;
+        return added;
+    }
+
+    [[nodiscard]] tl::unexpected<Diagnostics> unreadable(std::string_view text) const {
+        return fail("form-unreadable",
+                    PROVEOUT_TEXT("Core", "At character {}, “{}” is no point of a profile; a point is "
+                                          "written as {}, an arc to it as {} or {}."),
+                    {std::string(text.substr(0, 40)), "5/2", "5/2@3/2", "5/2@2"});
+    }
+
+    [[nodiscard]] tl::unexpected<Diagnostics> fall() const {
+        return fail("form-falls", PROVEOUT_TEXT("Core", "At character {} the profile falls; from the axis "
+                                                        "outwards it may only rise or stay."));
+    }
+
+    Result<void> begin(const Vec2& place, std::string_view text) {
+        if (place != Vec2(0) || text.find('@') != std::string_view::npos)
+            return fail("form-start",
+                        PROVEOUT_TEXT("Core", "At character {} the profile begins with “{}”, not at the tip, "
+                                              "{}."),
+                        {std::string(text.substr(0, 40)), "0/0"});
+        return {};
+    }
+
+    Result<void> addLine(const Vec2& to) {
+        if (to.x - m_last.x > kSameRadius)
+            return add(sideBetween(m_last.x, m_last.y, to.x, to.y));
+        m_wall = m_wall || to.y > m_last.y;
+        return {};
+    }
+
+    Result<void> addArc(const Vec2& to, std::string_view round, std::string_view text) {
+        const Vec2 chord = to - m_last;
+        if (chord.x <= kSameRadius || chord.y <= kSameRadius)
+            return turns();
+        const Vec2 inwards = glm::normalize(Vec2(-chord.y, chord.x)); // away from the tip plane
+        const Vec2 middle = (m_last + to) / 2.0;
+        Result<double> away = 0; // of the centre from the middle of the chord
+        if (const auto radius = numberOf(round))
+            away = awayByRadius(*radius, glm::length(chord));
+        else if (const auto centre = placeOf(round))
+            away = awayByCentre(*centre, to, inwards);
+        else
+            return unreadable(text);
+        if (!away)
+            return tl::unexpected(std::move(away.error()));
+        ProfilePiece arc = sideBetween(m_last.x, m_last.y, to.x, to.y);
+        const Vec2 centre = middle + inwards * *away;
+        arc.kind = *away > 0 ? PieceKind::arc : PieceKind::upperArc;
+        arc.centreR = centre.x;
+        arc.centreZ = centre.y;
+        arc.radius = glm::distance(centre, to);
+        if (!withinQuarter(arc))
+            return turns();
+        return add(arc);
+    }
+
+    [[nodiscard]] Result<double> awayByRadius(double radius, double chord) const {
+        if (2 * std::abs(radius) < chord)
+            return fail("form-arc-radius",
+                        PROVEOUT_TEXT("Core", "The arc at character {} has the radius {} mm, too small for "
+                                              "ends {} mm apart."),
+                        {fmt::format("{}", radius), fmt::format("{:.6g}", chord)});
+        return std::copysign(std::sqrt(radius * radius - chord * chord / 4), radius);
+    }
+
+    [[nodiscard]] Result<double> awayByCentre(const Vec2& centre, const Vec2& to, const Vec2& inwards) const {
+        const double from = glm::distance(centre, m_last);
+        const double until = glm::distance(centre, to);
+        if (std::abs(from - until) > kRoundedPlace)
+            return fail("form-arc-centre",
+                        PROVEOUT_TEXT("Core",
+                                      "The arc at character {} has ends that are {} mm and {} mm away "
+                                      "from its centre."),
+                        {fmt::format("{:.6g}", from), fmt::format("{:.6g}", until)});
+        return glm::dot(centre - (m_last + to) / 2.0, inwards);
+    }
+
+    [[nodiscard]] tl::unexpected<Diagnostics> turns() const {
+        return fail("form-arc-turns",
+                    PROVEOUT_TEXT("Core", "The arc at character {} falls or turns back towards the axis; it "
+                                          "may be a quarter of a circle at most, from level to upright."));
+    }
+
+    Result<void> add(const ProfilePiece& piece) {
+        if (m_profile.pieces.empty() && m_wall)
+            return fail("form-no-tip", PROVEOUT_TEXT("Core", "Before character {} the profile rises on the "
+                                                             "axis itself; its tip has no width."));
+        m_profile.pieces.push_back(piece);
+        m_solvable += solvablePieces({piece}).size();
+        if (m_solvable > kMostPieces)
+            return fail("form-too-fine",
+                        PROVEOUT_TEXT("Core", "The arcs up to character {} are so large that they take more "
+                                              "than {} lines."),
+                        {std::to_string(kMostPieces)});
+        return {};
+    }
+
+    std::string_view m_text;
+    std::size_t m_specAt;
+    std::size_t m_at = 0; ///< of the point that is read, in m_text
+    std::size_t m_points = 0;
+    std::size_t m_solvable = 0;
+    Vec2 m_last{0};
+    bool m_wall = false; ///< upright part somewhere so far
+    CutterProfile m_profile;
+};
+
+} // namespace
+
+Result<CutterProfile> formProfile(const ShapeValues& values) {
+    return FormReader(values).read();
+}
+
+} // namespace proveout

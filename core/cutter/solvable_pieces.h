@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/cutter/cutter.h"
+
+namespace proveout {
+
+/// How far in height, mm, lines may lie from the arc that they stand for. The rest of a micrometre is left to
+/// the rounding of cutting.
+inline constexpr double kProfileError = 7e-4;
+/// Where such an arc stands upright, this much of its radii, mm, counts as its wall.
+inline constexpr double kUprightPart = 1e-5;
+
+/// Cutting solves lines, and arcs of the lower half whose centre is not beyond the axis: both are convex. Any
+/// other arc becomes as few lines as stay within kProfileError of it.
+[[nodiscard]] std::vector<ProfilePiece> solvablePieces(const std::vector<ProfilePiece>& pieces);
+
+} // namespace proveout
