@@ -40,6 +40,47 @@ double refine(const std::function<double(double)>& f, double a, double m, double
     return m;
 }
 
+/// The radii at which the profile stands upright.
+std::vector<double> wallsOf(const Cutter& cutter) {
+    std::vector<double> walls = {cutter.radius()};
+    const auto& pieces = cutter.pieces();
+    for (std::size_t k = 0; k < pieces.size(); ++k) {
+        const ProfilePiece& piece = pieces[k];
+        if (piece.kind == PieceKind::arc && piece.centreR + piece.radius - piece.r1 < kRimMask)
+            walls.push_back(piece.r1);
+        if (piece.kind == PieceKind::upperArc && piece.r0 - (piece.centreR - piece.radius) < kRimMask)
+            walls.push_back(piece.r0);
+        if (k > 0 && piece.z0 > pieces[k - 1].z1)
+            walls.push_back(piece.r0);
+    }
+    return walls;
+}
+
+/// The places between two neighbours at which the path comes under another piece of the profile, each on the
+/// side that is nearer.
+void addCrossings(const Cutter& cutter, const std::function<double(double)>& distance,
+                  std::vector<double>& places) {
+    std::vector<double> crossings;
+    for (std::size_t k = 0; k + 1 < places.size(); ++k) {
+        const double first = distance(places[k]);
+        const double second = distance(places[k + 1]);
+        for (const ProfilePiece& piece : cutter.pieces()) {
+            if ((first <= piece.r1) == (second <= piece.r1))
+                continue;
+            double inside = first <= piece.r1 ? places[k] : places[k + 1];
+            double outside = first <= piece.r1 ? places[k + 1] : places[k];
+            for (int step = 0; step < 60; ++step) {
+                const double middle = (inside + outside) / 2;
+                (distance(middle) <= piece.r1 ? inside : outside) = middle;
+            }
+            crossings.push_back(inside);
+        }
+    }
+    places.insert(places.end(), crossings.begin(), crossings.end());
+    std::sort(places.begin(), places.end());
+    places.erase(std::unique(places.begin(), places.end()), places.end());
+}
+
 } // namespace
 
 Vec3 oraclePoint(const Motion& motion, double t) {
@@ -73,6 +114,7 @@ OracleHeight oracleEnvelope(const Cutter& cutter, const Motion& motion, double x
     std::vector<double> distances;
     for (const double t : places)
         distances.push_back(distance(t));
+    const std::vector<double> walls = wallsOf(cutter);
     bool onRim = false;
     std::vector<double> nearest;
     for (std::size_t k = 0; k < places.size(); ++k) {
@@ -87,12 +129,14 @@ OracleHeight oracleEnvelope(const Cutter& cutter, const Motion& motion, double x
             t = refine(distance, k == 0 ? 0 : places[k - 1], k == 0 ? places[1] / 2 : (1 + places[k - 1]) / 2,
                        k == 0 ? places[1] : 1);
         nearest.push_back(t);
-        onRim = onRim || std::abs(distance(t) - cutter.radius()) < kRimMask ||
-                std::abs(distances[k] - cutter.radius()) < kRimMask;
+        for (const double wall : walls)
+            onRim =
+                onRim || std::abs(distance(t) - wall) < kRimMask || std::abs(distances[k] - wall) < kRimMask;
     }
     places.insert(places.end(), nearest.begin(), nearest.end());
     std::sort(places.begin(), places.end());
     places.erase(std::unique(places.begin(), places.end()), places.end());
+    addCrossings(cutter, distance, places);
 
     std::vector<double> heights;
     for (const double t : places)

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/core/cutting/random_motion.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <numbers>
+#include <utility>
 
 #include "core/cutting/cutting.h"
 #include "tests/core/cutting/oracle.h"
@@ -14,18 +16,156 @@ double uniform(Random& random, double lo, double hi) {
     return std::uniform_real_distribution<double>(lo, hi)(random);
 }
 
+namespace {
+
+/// The rest of a spec for a cutter that is `d` mm wide.
+struct RandomSpec {
+    const char* shape;
+    std::string (*keys)(Random& random, double d);
+};
+
+bool oneIn(Random& random, unsigned chances) {
+    return random() % chances == 0;
+}
+
+std::string onlyDiameter(Random& /*random*/, double d) {
+    return fmt::format("d={}", d);
+}
+
+/// A tip or corner, often none.
+double partOf(Random& random, double whole, double most) {
+    return oneIn(random, 2) ? 0.0 : whole * uniform(random, 0.05, most);
+}
+
+std::string bullKeys(Random& random, double d) {
+    return fmt::format("d={},r={}", d, d * uniform(random, 0.02, 0.5));
+}
+
+std::string coneKeys(Random& random, double d) {
+    const double angle = uniform(random, 15, 160);
+    return fmt::format("d={},angle={},tip={}", d, angle, partOf(random, d, 0.9));
+}
+
+std::string drillKeys(Random& random, double d) {
+    return fmt::format("d={},angle={}", d, uniform(random, 15, 160));
+}
+
+std::string taperKeys(Random& random, double d) {
+    const double angle = uniform(random, 0.5, 50);
+    const double corner = partOf(random, d / 4, 0.9);
+    return fmt::format("d={},angle={},h={},r={}", d / 2, angle, corner + uniform(random, 0.5, 6), corner);
+}
+
+std::string taperBallKeys(Random& random, double d) {
+    return fmt::format("d={},angle={},h={}", d / 2, uniform(random, 0.5, 50),
+                       d / 4 + uniform(random, 0.5, 6));
+}
+
+std::string faceKeys(Random& random, double d) {
+    const double corner = partOf(random, d / 2, 0.9);
+    const double angle = oneIn(random, 4) ? 90 : uniform(random, 20, 90);
+    return fmt::format("d={},angle={},h={},r={}", d, angle, corner + uniform(random, 0.5, 3), corner);
+}
+
+std::string centreKeys(Random& random, double d) {
+    const double pilot = d * uniform(random, 0.1, 0.8);
+    return fmt::format("d={},pilot={},pl={},angle={}", d, pilot, pilot * uniform(random, 0.4, 2),
+                       uniform(random, 30, 120));
+}
+
+std::string reamerKeys(Random& random, double d) {
+    return fmt::format("d={},lead={},angle={}", d, d * uniform(random, 0, 0.25), uniform(random, 5, 60));
+}
+
+std::string threadKeys(Random& random, double d) {
+    return fmt::format("d={},tip={},lead={}", d, d * uniform(random, 0, 0.9), d * uniform(random, 0, 0.8));
+}
+
+std::string neckKeys(Random& random, double d) {
+    return fmt::format("d={},neck={}", d, d * uniform(random, 0.2, 0.9));
+}
+
+std::string slotKeys(Random& random, double d) {
+    const double width = uniform(random, 0.5, 5);
+    return fmt::format("d={},w={},neck={},r={}", d, width, d * uniform(random, 0.1, 0.3),
+                       std::min(width / 2, d * partOf(random, 0.3, 1)));
+}
+
+std::string dovetailKeys(Random& random, double d) {
+    const double angle = uniform(random, 40, 85);
+    return fmt::format("d={},angle={},h={},r={}", d, angle, d * 0.3, partOf(random, d, 0.12));
+}
+
+/// Adds a point to a profile by one of the ways that there are, and moves `last` there.
+std::string randomFormPoint(Random& random, double size, Vec2& last) {
+    const double radius = size * std::pow(10.0, uniform(random, -0.5, 1));
+    double from = uniform(random, 0, std::numbers::pi / 2);
+    double to = uniform(random, 0, std::numbers::pi / 2);
+    if (from > to)
+        std::swap(from, to);
+    if (oneIn(random, 3))
+        from = 0;
+    if (oneIn(random, 3))
+        to = std::numbers::pi / 2;
+    // Large arcs in full would make large cutters.
+    const double width = std::min(1.0, size / radius);
+    to = from + (to - from) * width;
+    Vec2 step(uniform(random, 0.1, 1) * size, uniform(random, 0, 1) * size);
+    std::string round;
+    switch (random() % 5) {
+    case 0:
+        step.y = 0;
+        break;
+    case 1:
+        step.x = 0;
+        break;
+    case 2:
+        step = radius * Vec2(std::sin(to) - std::sin(from), std::cos(from) - std::cos(to));
+        round = fmt::format("@{}", radius);
+        break;
+    case 3:
+        step = radius * Vec2(std::cos(from) - std::cos(to), std::sin(to) - std::sin(from));
+        round = fmt::format("@{}", -radius);
+        break;
+    default:
+        break;
+    }
+    if (std::min(step.x, step.y) < 1e-3)
+        round.clear();
+    last += step;
+    return fmt::format(":{}/{}{}", last.x, last.y, round);
+}
+
+std::string formKeys(Random& random, double d) {
+    const auto count = 1 + random() % 4;
+    const double size = d / 2 / static_cast<double>(count + 1);
+    Vec2 last(uniform(random, 0.02, 1) * size, 0);
+    std::string points = fmt::format("p=0/0:{}/0", last.x);
+    for (unsigned k = 0; k < count; ++k)
+        points += randomFormPoint(random, size, last);
+    return points;
+}
+
+constexpr RandomSpec kSpecs[] = {
+    {"flat", onlyDiameter},       {"ball", onlyDiameter},     {"bull", bullKeys},
+    {"cone", coneKeys},           {"drill", drillKeys},       {"taper", taperKeys},
+    {"taperball", taperBallKeys}, {"chamfer", coneKeys},      {"face", faceKeys},
+    {"spot", drillKeys},          {"centre", centreKeys},     {"reamer", reamerKeys},
+    {"tap", threadKeys},          {"threadmill", threadKeys}, {"lollipop", neckKeys},
+    {"tslot", slotKeys},          {"dovetail", dovetailKeys}, {"form", formKeys},
+};
+
+} // namespace
+
 Cutter cutterOf(const std::string& spec) {
     return parseCutter(spec).value();
 }
 
 Cutter randomCutter(Random& random, const std::string& shape) {
+    const auto row =
+        std::ranges::find_if(kSpecs, [&](const RandomSpec& spec) { return shape == spec.shape; });
     const double d = uniform(random, 2, 12);
-    if (shape == "bull")
-        return cutterOf(fmt::format("bull:d={},r={}", d, d * uniform(random, 0.02, 0.5)));
-    if (shape == "cone")
-        return cutterOf(fmt::format("cone:d={},angle={},tip={}", d, uniform(random, 15, 160),
-                                    random() % 2 == 0 ? 0.0 : d * uniform(random, 0.05, 0.9)));
-    return cutterOf(fmt::format("{}:d={}", shape, d));
+    return cutterOf(shape + ':' + row->keys(random, d));
 }
 
 Motion straightMotion(const Vec3& start, const Vec3& end) {
@@ -123,21 +263,54 @@ std::string told(const Cutter& cutter, const Motion& m) {
                        m.sweep);
 }
 
+namespace {
+
+/// How far a height of the map is from the oracle's; 0 where that cannot be told.
+double errorAt(const ZMapSnapshot& moment, int i, int j, const Cutter& cutter, const Motion& motion,
+               int samples) {
+    const Grid& grid = moment.grid();
+    const StockBox& stock = moment.stock();
+    const OracleHeight truth = oracleEnvelope(cutter, motion, grid.x(i), grid.y(j), samples);
+    if (truth.onRim)
+        return 0;
+    const double expected = std::clamp(truth.z - stock.topZ(), -stock.height, 0.0);
+    return std::abs(static_cast<double>(moment.height(i, j)) - expected);
+}
+
+ZMapSnapshot cutOnce(const Cutter& cutter, const Motion& motion, const StockBox& stock, double spacing) {
+    ZMap zmap(stock, makeGrid(stock, spacing).value());
+    (void)cut(zmap, cutter, motion);
+    return zmap.snapshot();
+}
+
+} // namespace
+
 double largestError(const Cutter& cutter, const Motion& motion, const StockBox& stock, double spacing,
                     int samples, int stride) {
-    const Grid grid = makeGrid(stock, spacing).value();
-    ZMap zmap(stock, grid);
-    (void)cut(zmap, cutter, motion);
-    const ZMapSnapshot moment = zmap.snapshot();
+    const ZMapSnapshot moment = cutOnce(cutter, motion, stock, spacing);
     double largest = 0;
-    for (int j = 0; j < grid.ny; j += stride) {
-        for (int i = 0; i < grid.nx; i += stride) {
-            const OracleHeight truth = oracleEnvelope(cutter, motion, grid.x(i), grid.y(j), samples);
-            if (truth.onRim)
-                continue;
-            const double expected = std::clamp(truth.z - stock.topZ(), -stock.height, 0.0);
-            largest = std::max(largest, std::abs(static_cast<double>(moment.height(i, j)) - expected));
-        }
+    for (int j = 0; j < moment.grid().ny; j += stride) {
+        for (int i = 0; i < moment.grid().nx; i += stride)
+            largest = std::max(largest, errorAt(moment, i, j, cutter, motion, samples));
+    }
+    return largest;
+}
+
+double largestErrorNear(Random& random, const Cutter& cutter, const Motion& motion, const StockBox& stock,
+                        double spacing, int samples, int points) {
+    const ZMapSnapshot moment = cutOnce(cutter, motion, stock, spacing);
+    const Grid& grid = moment.grid();
+    const auto index = [](double at, double from, double step, int count) {
+        return std::clamp(static_cast<int>(std::lround((at - from) / step)), 0, count - 1);
+    };
+    double largest = 0;
+    for (int k = 0; k < points; ++k) {
+        const Vec3 tip = oraclePoint(motion, uniform(random, 0, 1));
+        const double away = cutter.radius() * uniform(random, 0, 1.05);
+        const double angle = uniform(random, 0, 2 * std::numbers::pi);
+        const int i = index(tip.x + away * std::cos(angle), grid.x0, grid.hx, grid.nx);
+        const int j = index(tip.y + away * std::sin(angle), grid.y0, grid.hy, grid.ny);
+        largest = std::max(largest, errorAt(moment, i, j, cutter, motion, samples));
     }
     return largest;
 }

@@ -16,7 +16,7 @@ using Random = std::mt19937;
 [[nodiscard]] double uniform(Random& random, double lo, double hi);
 
 [[nodiscard]] Cutter cutterOf(const std::string& spec);
-/// A random cutter of the shape "flat", "ball", "bull" or "cone", 2 to 12 mm wide.
+/// A random cutter of the shape with this key, mostly 2 to 12 mm wide.
 [[nodiscard]] Cutter randomCutter(Random& random, const std::string& shape);
 
 [[nodiscard]] Motion straightMotion(const Vec3& start, const Vec3& end);
@@ -37,5 +37,8 @@ enum class ArcKind { level, helix, spiral, turns };
 /// map, rim points left out.
 [[nodiscard]] double largestError(const Cutter& cutter, const Motion& motion, const StockBox& stock,
                                   double spacing, int samples, int stride = 1);
+/// The same over so many random points near the path.
+[[nodiscard]] double largestErrorNear(Random& random, const Cutter& cutter, const Motion& motion,
+                                      const StockBox& stock, double spacing, int samples, int points);
 
 } // namespace proveout

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every shape of the table on every kind of motion against the brute-force oracle, at random points.
+// PROVEOUT_MOTIONS sets how many motions each of them does; PROVEOUT_SEED the seed, which is printed.
+#include <array>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <iostream>
+#include <ostream>
+#include <string>
+
+#include "core/cutter/shapes.h"
+#include "tests/core/cutting/random_motion.h"
+#include "tests/random_seed.h"
+
+namespace proveout {
+namespace {
+
+const StockBox kStock{{-3, 5, 2}, 24, 18, 30};
+/// The promise.
+constexpr double kAllowed = 1e-3;
+constexpr int kPoints = 10;
+
+template<StraightKind kind>
+Motion straight(Random& random) {
+    return randomStraight(random, kStock, kind);
+}
+
+template<Plane plane, ArcKind kind>
+Motion arc(Random& random) {
+    return randomArc(random, kStock, plane, kind);
+}
+
+struct MotionRow {
+    const char* name;
+    Motion (*make)(Random& random);
+    int samples; ///< of the oracle
+};
+
+void PrintTo(const MotionRow& row, std::ostream* out) {
+    *out << row.name;
+}
+
+constexpr std::array kMotions = {
+    MotionRow{"level", straight<StraightKind::level>, 300},
+    MotionRow{"sloped", straight<StraightKind::sloped>, 300},
+    MotionRow{"steep", straight<StraightKind::steep>, 300},
+    MotionRow{"plunge", straight<StraightKind::plunge>, 300},
+    MotionRow{"still", straight<StraightKind::still>, 300},
+    MotionRow{"arcXy", arc<Plane::xy, ArcKind::level>, 1000},
+    MotionRow{"arcZx", arc<Plane::zx, ArcKind::level>, 1000},
+    MotionRow{"arcYz", arc<Plane::yz, ArcKind::level>, 1000},
+    MotionRow{"helixXy", arc<Plane::xy, ArcKind::helix>, 1000},
+    MotionRow{"helixZx", arc<Plane::zx, ArcKind::helix>, 1000},
+    MotionRow{"helixYz", arc<Plane::yz, ArcKind::helix>, 1000},
+    MotionRow{"spiralXy", arc<Plane::xy, ArcKind::spiral>, 1000},
+    MotionRow{"spiralZx", arc<Plane::zx, ArcKind::spiral>, 1000},
+    MotionRow{"spiralYz", arc<Plane::yz, ArcKind::spiral>, 1000},
+    MotionRow{"turnsXy", arc<Plane::xy, ArcKind::turns>, 1000},
+};
+
+int motionCount() {
+    const char* chosen = std::getenv("PROVEOUT_MOTIONS");
+    return chosen == nullptr ? 4 : std::stoi(chosen);
+}
+
+std::vector<std::string> shapeKeys() {
+    std::vector<std::string> keys;
+    for (const CutterShape& shape : cutterShapes())
+        keys.emplace_back(shape.key);
+    return keys;
+}
+
+using Case = std::tuple<std::string, MotionRow>;
+
+class ShapeMotions : public testing::TestWithParam<Case> {};
+
+TEST_P(ShapeMotions, AgreeWithTheOracle) {
+    const auto& [shape, row] = GetParam();
+    const std::uint32_t first = randomSeed();
+    double largest = 0;
+    const int count = motionCount();
+    for (int k = 0; k < count; ++k) {
+        const std::uint32_t seed = first + static_cast<std::uint32_t>(k);
+        Random random(seed);
+        const Cutter cutter = randomCutter(random, shape);
+        const Motion motion = row.make(random);
+        // Points far apart are computed in double precision, points close together in single precision.
+        const double spacing = motion.kind == MotionKind::arc || k % 2 == 0 ? 1.5 : 0.15;
+        const double error = largestErrorNear(random, cutter, motion, kStock, spacing, row.samples, kPoints);
+        EXPECT_LE(error, kAllowed) << fmt::format("seed {} spacing {} {}", seed, spacing,
+                                                  told(cutter, motion));
+        largest = std::max(largest, error);
+    }
+    std::cout << fmt::format("{} {}: {} motions from seed {}, largest error {:.2e} mm\n", shape, row.name,
+                             count, first, largest);
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryShape, ShapeMotions,
+                         testing::Combine(testing::ValuesIn(shapeKeys()), testing::ValuesIn(kMotions)),
+                         [](const testing::TestParamInfo<Case>& one) {
+                             return std::get<0>(one.param) + "_" + std::get<1>(one.param).name;
+                         });
+
+} // namespace
+} // namespace proveout
