@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "core/cutting/overhang.h"
+
 namespace proveout {
 
 namespace {
@@ -16,6 +18,13 @@ void judge(const CutRecord& record, const Motion& motion, const Cutter& cutter, 
         findings.add(block, FindingKind::rapidCuts, record.maxDepth);
     if (cutter.fluteLength() > 0 && record.maxDepth > cutter.fluteLength() + kNothingRemoved)
         findings.add(block, FindingKind::depthBeyondFlutes, record.maxDepth);
+}
+
+void judge(const Overhang& overhang, std::size_t block, FindingLog& findings) {
+    if (overhang.neckDepth > kNothingRemoved)
+        findings.add(block, FindingKind::neckInStock, overhang.neckDepth);
+    if (overhang.height > kNothingRemoved)
+        findings.add(block, FindingKind::overhangLost, overhang.volumeMm3, overhang.place);
 }
 
 /// Whether the cutter may stand over the stock in plan: an axis that is not known may be anywhere.
@@ -84,6 +93,21 @@ const Cutter* cutterOf(const Motion& motion, const Setup& setup, const ToolChoic
     return motion.probing ? nullptr : setup.tools.find(tools.tool(motion.tool));
 }
 
+/// Cuts one motion and adds what it leaves above the head of the cutter, which costs a moment of the map and
+/// so is only for cutters with one. Nothing where it was stopped: the map may have been cut then.
+std::optional<CutRecord> cutWithHead(ZMap& zmap, const Cutter& cutter, const Motion& motion,
+                                     Overhang& overhang, const std::stop_token& stop) {
+    const ZMapSnapshot before = zmap.snapshot();
+    std::optional<CutRecord> record = cut(zmap, cutter, motion, stop);
+    if (!record)
+        return record;
+    const auto left = overhangLeft(before, zmap.snapshot(), record->changed, cutter, motion, stop);
+    if (!left)
+        return std::nullopt;
+    overhang.add(*left);
+    return record;
+}
+
 } // namespace
 
 std::optional<CutRecord> cutBlock(ZMap& zmap, const Program& program, std::size_t block, const Setup& setup,
@@ -92,14 +116,17 @@ std::optional<CutRecord> cutBlock(ZMap& zmap, const Program& program, std::size_
     CutRecord sum;
     const auto motions = program.blockMotions(block);
     std::optional<ZMapSnapshot> before;
-    if (stop.stop_possible() && motions.last - motions.first > 1)
-        before = zmap.snapshot();
+    Overhang overhang;
     for (std::size_t index = motions.first; index < motions.last; ++index) {
         const Motion motion = program.motion(index);
         const Cutter* cutter = cutterOf(motion, setup, tools);
         if (cutter == nullptr)
             continue;
-        const std::optional<CutRecord> record = cut(zmap, *cutter, motion, stop);
+        const bool measured = findings != nullptr && cutter->head();
+        if (stop.stop_possible() && !before && (measured || motions.last - motions.first > 1))
+            before = zmap.snapshot();
+        const std::optional<CutRecord> record =
+            measured ? cutWithHead(zmap, *cutter, motion, overhang, stop) : cut(zmap, *cutter, motion, stop);
         if (!record) {
             if (before)
                 zmap = ZMap(*before);
@@ -113,6 +140,8 @@ std::optional<CutRecord> cutBlock(ZMap& zmap, const Program& program, std::size_
             judge(*record, motion, *cutter, block, *findings);
         sum.add(*record);
     }
+    if (findings != nullptr)
+        judge(overhang, block, *findings);
     return sum;
 }
 

@@ -42,6 +42,14 @@ constexpr std::array kRows{
                              "The rapid motion passes over the stock at a height that is not known; whether "
                              "it cuts is not known."),
                PROVEOUT_TEXT("Core", "Position Z above the stock before the rapid.")},
+    FindingRow{Severity::fault, false, "neck-in-stock",
+               PROVEOUT_TEXT("Core", "The neck of the cutter goes through {} mm of stock above its head."),
+               PROVEOUT_TEXT("Core", "Cut a slot for the neck first, or choose a tool with a thinner neck.")},
+    FindingRow{Severity::error, true, "overhang-lost",
+               PROVEOUT_TEXT("Core",
+                             "Above the head of the cutter {} mm³ of stock stay, which the z-map shows as "
+                             "removed; the layer is highest at X{} Y{} Z{}."),
+               PROVEOUT_TEXT("Core", "Check by other means what is done there from here on.")},
 };
 
 // About the tools.
@@ -56,12 +64,13 @@ constexpr FindingRow kNoTool{Severity::error, true, "no-tool",
                              PROVEOUT_TEXT("Core", "The program cuts with no tool in the spindle."),
                              PROVEOUT_TEXT("Core", "Select a tool with T and M6 before the first cut.")};
 
-void tell(BoundedDiagnostics& out, const FindingRow& row, std::string value, std::uint32_t line) {
+void tell(BoundedDiagnostics& out, const FindingRow& row, std::vector<std::string> values,
+          std::uint32_t line) {
     out.add({row.severity,
              row.unverified,
              row.id,
              row.text,
-             {std::move(value)},
+             std::move(values),
              row.hint,
              {},
              {static_cast<int>(line), 1, 0}});
@@ -69,9 +78,9 @@ void tell(BoundedDiagnostics& out, const FindingRow& row, std::string value, std
 
 void tellAboutTools(const Program& program, const ToolChoice& tools, BoundedDiagnostics& out) {
     if (tools.assumed() && program.blockCount() > 0)
-        tell(out, kToolAssumed, std::to_string(*tools.assumed()), program.blockLine(0));
+        tell(out, kToolAssumed, {std::to_string(*tools.assumed())}, program.blockLine(0));
     for (const MissingTool& missing : tools.missing())
-        tell(out, missing.number == 0 ? kNoTool : kToolUndefined, std::to_string(missing.number),
+        tell(out, missing.number == 0 ? kNoTool : kToolUndefined, {std::to_string(missing.number)},
              missing.line);
 }
 
@@ -89,7 +98,23 @@ void FindingLog::add(std::size_t block, FindingKind kind, double value) {
     ++m_counts[static_cast<std::size_t>(kind)];
 }
 
+void FindingLog::add(std::size_t block, FindingKind kind, double value, const Vec3& place) {
+    add(block, kind, value);
+    m_places.insert_or_assign(static_cast<std::uint32_t>(block), place);
+}
+
+std::vector<std::string> FindingLog::argumentsOf(const Finding& finding) const {
+    std::vector<std::string> arguments = {fmt::format("{:.3f}", finding.value)};
+    const auto place = m_places.find(finding.block);
+    if (finding.kind == FindingKind::overhangLost && place != m_places.end()) {
+        for (int axis = 0; axis < 3; ++axis)
+            arguments.push_back(fmt::format("{:.3f}", place->second[axis]));
+    }
+    return arguments;
+}
+
 void FindingLog::truncate(std::size_t block) {
+    m_places.erase(m_places.lower_bound(static_cast<std::uint32_t>(block)), m_places.end());
     const auto first = std::ranges::lower_bound(m_findings, block, {}, &Finding::block);
     for (auto gone = first; gone != m_findings.end(); ++gone)
         --m_counts[static_cast<std::size_t>(gone->kind)];
@@ -109,7 +134,7 @@ Diagnostics FindingLog::diagnostics(const Program& program, const ToolChoice& to
         --left[kind];
         const auto line = program.blockLine(finding.block);
         if (told.emplace(line, finding.kind).second)
-            tell(out, kRows[kind], fmt::format("{:.3f}", finding.value), line);
+            tell(out, kRows[kind], argumentsOf(finding), line);
     }
     for (std::size_t kind = 0; kind < kKinds; ++kind)
         out.leaveOut(kRows[kind].severity, kRows[kind].unverified, left[kind]);

@@ -4,9 +4,12 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <map>
+#include <string>
 #include <vector>
 
 #include "core/base/diagnostic.h"
+#include "core/base/geometry.h"
 #include "core/nc/program.h"
 #include "core/simulation/tool_choice.h"
 
@@ -17,6 +20,8 @@ enum class FindingKind : std::uint8_t {
     depthBeyondFlutes, ///< more height removed at once than the flutes are long; value: depth, mm
     rapidUnchecked,    ///< a rapid from an unknown position ends in the stock; value: depth below its top, mm
     rapidAtUnknownHeight, ///< a rapid passes over the stock, and nobody knows how high; no value
+    neckInStock,          ///< the neck of a cutter went through material above its head; value: height, mm
+    overhangLost, ///< the z-map has lost what stays above a head; value: mm³, and the place of the highest
 };
 
 /// What the simulation found, block by block. Lines are asked from the program when the sentences are made,
@@ -25,6 +30,8 @@ class FindingLog {
 public:
     /// Blocks come in ascending order; a repeated kind of one block keeps the larger value.
     void add(std::size_t block, FindingKind kind, double value);
+    /// The same of a kind that names a place; one kind does.
+    void add(std::size_t block, FindingKind kind, double value, const Vec3& place);
     /// Forgets everything about blocks from `block` on.
     void truncate(std::size_t block);
     /// First what is known before any block, about the tools (each missing one once); then what was found, at
@@ -39,9 +46,13 @@ private:
         FindingKind kind;
         double value;
     };
-    static constexpr std::size_t kKinds = 4;
+    static constexpr std::size_t kKinds = 6;
+
+    /// Values and place for the text of a finding.
+    [[nodiscard]] std::vector<std::string> argumentsOf(const Finding& finding) const;
 
     std::vector<Finding> m_findings;
+    std::map<std::uint32_t, Vec3> m_places;     ///< by block, of the kind that has them
     std::array<std::size_t, kKinds> m_counts{}; ///< of m_findings, by kind
 };
 

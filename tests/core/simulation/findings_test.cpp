@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cmath>
 #include <ctime>
 #include <fmt/format.h>
 #include <gmock/gmock.h>
@@ -137,6 +138,55 @@ TEST(Findings, DepthBeyondTheFlutesIsAFault) {
     EXPECT_STREQ(findings[0].id, "depth-beyond-flutes");
     EXPECT_EQ(findings[0].severity, Severity::fault);
     EXPECT_EQ(findings[0].where.line, 5);
+}
+
+/// A slot along the stock for tool 1, then a wider one below it for tool 2.
+std::string tSlot(const char* depth) {
+    return fmt::format("T1 M6\nG0 X-15 Y15 Z5\nZ{0}\nG1 X55 F100\nG0 Z5\n"
+                       "T2 M6\nG0 X-15 Y15 Z5\nZ{0}\nG1 X55\nG0 X60\nZ5\n",
+                       depth);
+}
+
+std::shared_ptr<const Setup> tSlotSetup(const char* slot, const char* head) {
+    auto setup = std::make_shared<Setup>(*setupWithTool(1, slot));
+    setup->tools.set(2, parseCutter(head).value());
+    return setup;
+}
+
+TEST(Findings, WhatStaysAboveAHeadIsUnverifiedWithVolumeAndPlace) {
+    const auto setup = tSlotSetup("flat:d=6,l=20", "tslot:d=14,w=3,neck=6");
+    const auto findings = findingsOf(tSlot("-8"), setup);
+    ASSERT_EQ(findings.size(), 1U);
+    EXPECT_STREQ(findings[0].id, "overhang-lost");
+    EXPECT_TRUE(findings[0].unverified);
+    EXPECT_EQ(findings[0].severity, Severity::error);
+    EXPECT_EQ(findings[0].where.line, 9);
+    ASSERT_EQ(findings[0].arguments.size(), 4U);
+    EXPECT_NEAR(std::stod(findings[0].arguments[0]), 40 * 8 * 5, 1) << "length, width and height";
+    EXPECT_NEAR(std::abs(std::stod(findings[0].arguments[2]) - 15), 5.5, 1.6);
+    EXPECT_EQ(findings[0].arguments[3], "-5.000") << "the back of the head";
+    EXPECT_EQ(find(findingsOf(tSlot("-3"), setup), "overhang-lost"), nullptr) << "the head comes out above";
+}
+
+TEST(Findings, ANeckThatGoesThroughStockIsAFault) {
+    const auto findings = findingsOf(tSlot("-8"), tSlotSetup("flat:d=4,l=20", "tslot:d=14,w=3,neck=8"));
+    const auto* found = find(findings, "neck-in-stock");
+    ASSERT_NE(found, nullptr);
+    EXPECT_EQ(found->severity, Severity::fault);
+    EXPECT_EQ(found->where.line, 9);
+    EXPECT_EQ(found->arguments.front(), "5.000");
+}
+
+TEST(Findings, WhatStaysAboveAHeadIsToldTheSameAfterAnySeek) {
+    const auto program = programOf(tSlot("-8"));
+    const auto setup = tSlotSetup("flat:d=6,l=20", "tslot:d=14,w=3,neck=6");
+    const auto simulation = startedSimulation(program, setup, {});
+    simulation->seek(simulation->blockCount());
+    const Diagnostics whole = simulation->frame().findings;
+    for (const std::size_t block : {3U, 9U, 0U, 6U}) {
+        simulation->seek(block);
+        EXPECT_EQ(simulation->frame().findings, whole) << "block " << block;
+    }
 }
 
 /// `count` rapids that each remove material.
