@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <functional>
 #include <limits>
 #include <vector>
 
@@ -22,10 +21,11 @@ double heightOver(const Cutter& cutter, double distance) {
 }
 
 /// Golden section on a triple a < m < b with f(m) no higher than both; what is infinite counts as high.
-double refine(const std::function<double(double)>& f, double a, double m, double b) {
+template<class Function>
+double refine(const Function& f, double a, double m, double b) {
     constexpr double kGolden = 0.381966011250105;
     double best = f(m);
-    for (int step = 0; step < 90 && b - a > 1e-15; ++step) {
+    for (int step = 0; step < 60 && b - a > 1e-14; ++step) {
         const bool right = b - m > m - a;
         const double probe = right ? m + kGolden * (b - m) : m - kGolden * (m - a);
         const double value = f(probe);
@@ -56,103 +56,165 @@ std::vector<double> wallsOf(const Cutter& cutter) {
     return walls;
 }
 
-/// The places between two neighbours at which the path comes under another piece of the profile, each on the
-/// side that is nearer.
-void addCrossings(const Cutter& cutter, const std::function<double(double)>& distance,
-                  std::vector<double>& places) {
-    std::vector<double> crossings;
-    for (std::size_t k = 0; k + 1 < places.size(); ++k) {
-        const double first = distance(places[k]);
-        const double second = distance(places[k + 1]);
-        for (const ProfilePiece& piece : cutter.pieces()) {
-            if ((first <= piece.r1) == (second <= piece.r1))
-                continue;
-            double inside = first <= piece.r1 ? places[k] : places[k + 1];
-            double outside = first <= piece.r1 ? places[k + 1] : places[k];
-            for (int step = 0; step < 60; ++step) {
-                const double middle = (inside + outside) / 2;
-                (distance(middle) <= piece.r1 ? inside : outside) = middle;
-            }
-            crossings.push_back(inside);
-        }
+/// A place on the path, as seen from the point.
+struct Place {
+    double t;
+    double distance;
+    double height; ///< of the cutter over the point
+};
+
+/// The search over one path for one point.
+class Search {
+public:
+    Search(const Cutter& cutter, const OraclePath& path, double x, double y)
+        : m_cutter(cutter), m_path(path), m_x(x), m_y(y) {
+        const auto count = path.samples().size();
+        m_places.reserve(count + 16);
+        for (std::size_t k = 0; k < count; ++k)
+            m_places.push_back(
+                seen(static_cast<double>(k) / static_cast<double>(count - 1), path.samples()[k]));
     }
-    places.insert(places.end(), crossings.begin(), crossings.end());
-    std::sort(places.begin(), places.end());
-    places.erase(std::unique(places.begin(), places.end()), places.end());
+
+    OracleHeight run() {
+        const bool onRim = addNearest();
+        addCrossings();
+        return {lowest(), onRim};
+    }
+
+private:
+    [[nodiscard]] Place seen(double t, const Vec3& tip) const {
+        const double distance = std::hypot(tip.x - m_x, tip.y - m_y);
+        return {t, distance, tip.z + heightOver(m_cutter, distance)};
+    }
+    [[nodiscard]] Place at(double t) const { return seen(t, m_path.at(t)); }
+
+    void add(const std::vector<Place>& places) {
+        m_places.insert(m_places.end(), places.begin(), places.end());
+        std::ranges::sort(m_places, {}, &Place::t);
+        const auto twice = std::ranges::unique(m_places, {}, &Place::t);
+        m_places.erase(twice.begin(), twice.end());
+    }
+
+    /// The local minima of the distance. Tells whether one of them is at a wall.
+    bool addNearest() {
+        const std::vector<double> walls = wallsOf(m_cutter);
+        const auto atWall = [&](const Place& place) {
+            return std::ranges::any_of(
+                walls, [&](double wall) { return std::abs(place.distance - wall) < kRimMask; });
+        };
+        const auto distance = [&](double t) { return at(t).distance; };
+        const std::size_t last = m_places.size() - 1;
+        bool onRim = false;
+        std::vector<Place> nearest;
+        for (std::size_t k = 0; k <= last; ++k) {
+            const Place& place = m_places[k];
+            if ((k > 0 && m_places[k - 1].distance <= place.distance) ||
+                (k < last && m_places[k + 1].distance < place.distance))
+                continue;
+            // A minimum may hide beside an end.
+            const double a = k > 0 ? m_places[k - 1].t : 0;
+            const double b = k < last ? m_places[k + 1].t : 1;
+            nearest.push_back(at(refine(distance, a, k == 0 || k == last ? (a + b) / 2 : place.t, b)));
+            onRim = onRim || atWall(nearest.back()) || atWall(place);
+        }
+        onRim = onRim || atWall(m_places.front()) || atWall(m_places.back());
+        add(nearest);
+        return onRim;
+    }
+
+    /// The places at which the path comes under another piece of the profile, each on the side that is
+    /// nearer.
+    void addCrossings() {
+        std::vector<Place> crossings;
+        for (std::size_t k = 0; k + 1 < m_places.size(); ++k) {
+            for (const ProfilePiece& piece : m_cutter.pieces()) {
+                const bool first = m_places[k].distance <= piece.r1;
+                if (first == (m_places[k + 1].distance <= piece.r1))
+                    continue;
+                Place inside = m_places[first ? k : k + 1];
+                double outside = m_places[first ? k + 1 : k].t;
+                for (int step = 0; step < 60; ++step) {
+                    const Place middle = at((inside.t + outside) / 2);
+                    if (middle.distance <= piece.r1)
+                        inside = middle;
+                    else
+                        outside = middle.t;
+                }
+                crossings.push_back(inside);
+            }
+        }
+        add(crossings);
+    }
+
+    [[nodiscard]] double lowest() const {
+        const auto height = [&](double t) { return at(t).height; };
+        const std::size_t last = m_places.size() - 1;
+        double best = kInfinity;
+        for (std::size_t k = 0; k <= last; ++k) {
+            const Place& place = m_places[k];
+            best = std::min(best, place.height);
+            if (place.height == kInfinity || (k > 0 && m_places[k - 1].height < place.height) ||
+                (k < last && m_places[k + 1].height < place.height))
+                continue;
+            // Of a level stretch its first place is enough.
+            if (k > 1 && m_places[k - 1].height == place.height && m_places[k - 2].height == place.height)
+                continue;
+            best = std::min(best, height(refine(height, m_places[k > 0 ? k - 1 : k].t, place.t,
+                                                m_places[k < last ? k + 1 : k].t)));
+        }
+        return best;
+    }
+
+    const Cutter& m_cutter;
+    const OraclePath& m_path;
+    double m_x;
+    double m_y;
+    std::vector<Place> m_places; ///< ascending
+};
+
+struct ArcAxes {
+    int u;
+    int v;
+    int n;
+};
+
+ArcAxes arcAxes(const Motion& motion) {
+    static constexpr std::array<ArcAxes, 3> kAxes = {{{0, 1, 2}, {2, 0, 1}, {1, 2, 0}}};
+    return kAxes[static_cast<std::size_t>(motion.plane)];
 }
 
 } // namespace
 
-Vec3 oraclePoint(const Motion& motion, double t) {
-    if (motion.kind != MotionKind::arc)
-        return motion.start + t * (motion.end - motion.start);
-    static constexpr std::array<std::array<int, 3>, 3> kAxes = {{{0, 1, 2}, {2, 0, 1}, {1, 2, 0}}};
-    const auto [u, v, n] = kAxes[static_cast<std::size_t>(motion.plane)];
-    const double u0 = motion.start[u] - motion.centre[u];
-    const double v0 = motion.start[v] - motion.centre[v];
-    const double r0 = std::hypot(u0, v0);
-    const double r1 = std::hypot(motion.end[u] - motion.centre[u], motion.end[v] - motion.centre[v]);
-    const double r = r0 + t * (r1 - r0);
-    const double angle = std::atan2(v0, u0) + t * motion.sweep;
+OraclePath::OraclePath(const Motion& motion, int samples) : m_motion(motion) {
+    const auto [u, v, n] = arcAxes(motion);
+    const Vec3 start = motion.start - motion.centre;
+    const Vec3 end = motion.end - motion.centre;
+    m_radius = std::hypot(start[u], start[v]);
+    m_widening = std::hypot(end[u], end[v]) - m_radius;
+    m_angle = std::atan2(start[v], start[u]);
+    for (int k = 0; k <= samples; ++k)
+        m_samples.push_back(at(samples > 0 ? static_cast<double>(k) / samples : 0));
+}
+
+Vec3 OraclePath::at(double t) const {
+    if (m_motion.kind != MotionKind::arc)
+        return m_motion.start + t * (m_motion.end - m_motion.start);
+    const auto [u, v, n] = arcAxes(m_motion);
+    const double r = m_radius + t * m_widening;
+    const double angle = m_angle + t * m_motion.sweep;
     Vec3 place{0};
-    place[u] = motion.centre[u] + r * std::cos(angle);
-    place[v] = motion.centre[v] + r * std::sin(angle);
-    place[n] = motion.start[n] + t * (motion.end[n] - motion.start[n]);
+    place[u] = m_motion.centre[u] + r * std::cos(angle);
+    place[v] = m_motion.centre[v] + r * std::sin(angle);
+    place[n] = m_motion.start[n] + t * (m_motion.end[n] - m_motion.start[n]);
     return place;
 }
 
-OracleHeight oracleEnvelope(const Cutter& cutter, const Motion& motion, double x, double y, int samples) {
-    const auto distance = [&](double t) {
-        const Vec3 tip = oraclePoint(motion, t);
-        return std::hypot(tip.x - x, tip.y - y);
-    };
-    const auto height = [&](double t) { return oraclePoint(motion, t).z + heightOver(cutter, distance(t)); };
+Vec3 oraclePoint(const Motion& motion, double t) {
+    return OraclePath(motion, 0).at(t);
+}
 
-    std::vector<double> places;
-    for (int k = 0; k <= samples; ++k)
-        places.push_back(static_cast<double>(k) / samples);
-    std::vector<double> distances;
-    for (const double t : places)
-        distances.push_back(distance(t));
-    const std::vector<double> walls = wallsOf(cutter);
-    bool onRim = false;
-    std::vector<double> nearest;
-    for (std::size_t k = 0; k < places.size(); ++k) {
-        const bool left = k == 0 || distances[k] <= distances[k - 1];
-        const bool right = k + 1 == places.size() || distances[k] <= distances[k + 1];
-        if (!left || !right)
-            continue;
-        double t = places[k];
-        if (k > 0 && k + 1 < places.size())
-            t = refine(distance, places[k - 1], t, places[k + 1]);
-        else if (distances.size() > 1) // a minimum may hide beside an end
-            t = refine(distance, k == 0 ? 0 : places[k - 1], k == 0 ? places[1] / 2 : (1 + places[k - 1]) / 2,
-                       k == 0 ? places[1] : 1);
-        nearest.push_back(t);
-        for (const double wall : walls)
-            onRim =
-                onRim || std::abs(distance(t) - wall) < kRimMask || std::abs(distances[k] - wall) < kRimMask;
-    }
-    places.insert(places.end(), nearest.begin(), nearest.end());
-    std::sort(places.begin(), places.end());
-    places.erase(std::unique(places.begin(), places.end()), places.end());
-    addCrossings(cutter, distance, places);
-
-    std::vector<double> heights;
-    for (const double t : places)
-        heights.push_back(height(t));
-    double best = kInfinity;
-    for (std::size_t k = 0; k < places.size(); ++k) {
-        if (heights[k] == kInfinity)
-            continue;
-        best = std::min(best, heights[k]);
-        if ((k > 0 && heights[k - 1] < heights[k]) || (k + 1 < places.size() && heights[k + 1] < heights[k]))
-            continue;
-        const double a = k > 0 ? places[k - 1] : places[k];
-        const double b = k + 1 < places.size() ? places[k + 1] : places[k];
-        best = std::min(best, height(refine(height, a, places[k], b)));
-    }
-    return {best, onRim};
+OracleHeight oracleEnvelope(const Cutter& cutter, const OraclePath& path, double x, double y) {
+    return Search(cutter, path, x, y).run();
 }
 
 } // namespace proveout

@@ -4,6 +4,8 @@
 // golden section.
 #pragma once
 
+#include <vector>
+
 #include "core/cutter/cutter.h"
 #include "core/nc/motion.h"
 
@@ -15,10 +17,25 @@ struct OracleHeight {
                 ///< the profile: not to be compared
 };
 
-/// The place of the tip; the formula of the contract in motion.h, once more.
+/// The places of the tip; the formula of the contract in motion.h, once more.
+class OraclePath {
+public:
+    /// With so many samples, evenly from 0 to 1, taken once for all points.
+    OraclePath(const Motion& motion, int samples);
+
+    [[nodiscard]] Vec3 at(double t) const;
+    [[nodiscard]] const std::vector<Vec3>& samples() const { return m_samples; }
+
+private:
+    Motion m_motion;
+    double m_radius = 0; ///< of an arc, and its angle at the start
+    double m_widening = 0;
+    double m_angle = 0;
+    std::vector<Vec3> m_samples;
+};
+
 [[nodiscard]] Vec3 oraclePoint(const Motion& motion, double t);
 
-[[nodiscard]] OracleHeight oracleEnvelope(const Cutter& cutter, const Motion& motion, double x, double y,
-                                          int samples);
+[[nodiscard]] OracleHeight oracleEnvelope(const Cutter& cutter, const OraclePath& path, double x, double y);
 
 } // namespace proveout

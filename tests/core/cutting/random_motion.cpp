@@ -266,11 +266,10 @@ std::string told(const Cutter& cutter, const Motion& m) {
 namespace {
 
 /// How far a height of the map is from the oracle's; 0 where that cannot be told.
-double errorAt(const ZMapSnapshot& moment, int i, int j, const Cutter& cutter, const Motion& motion,
-               int samples) {
+double errorAt(const ZMapSnapshot& moment, int i, int j, const Cutter& cutter, const OraclePath& path) {
     const Grid& grid = moment.grid();
     const StockBox& stock = moment.stock();
-    const OracleHeight truth = oracleEnvelope(cutter, motion, grid.x(i), grid.y(j), samples);
+    const OracleHeight truth = oracleEnvelope(cutter, path, grid.x(i), grid.y(j));
     if (truth.onRim)
         return 0;
     const double expected = std::clamp(truth.z - stock.topZ(), -stock.height, 0.0);
@@ -288,10 +287,11 @@ ZMapSnapshot cutOnce(const Cutter& cutter, const Motion& motion, const StockBox&
 double largestError(const Cutter& cutter, const Motion& motion, const StockBox& stock, double spacing,
                     int samples, int stride) {
     const ZMapSnapshot moment = cutOnce(cutter, motion, stock, spacing);
+    const OraclePath path(motion, samples);
     double largest = 0;
     for (int j = 0; j < moment.grid().ny; j += stride) {
         for (int i = 0; i < moment.grid().nx; i += stride)
-            largest = std::max(largest, errorAt(moment, i, j, cutter, motion, samples));
+            largest = std::max(largest, errorAt(moment, i, j, cutter, path));
     }
     return largest;
 }
@@ -299,18 +299,19 @@ double largestError(const Cutter& cutter, const Motion& motion, const StockBox& 
 double largestErrorNear(Random& random, const Cutter& cutter, const Motion& motion, const StockBox& stock,
                         double spacing, int samples, int points) {
     const ZMapSnapshot moment = cutOnce(cutter, motion, stock, spacing);
+    const OraclePath path(motion, samples);
     const Grid& grid = moment.grid();
     const auto index = [](double at, double from, double step, int count) {
         return std::clamp(static_cast<int>(std::lround((at - from) / step)), 0, count - 1);
     };
     double largest = 0;
     for (int k = 0; k < points; ++k) {
-        const Vec3 tip = oraclePoint(motion, uniform(random, 0, 1));
+        const Vec3 tip = path.at(uniform(random, 0, 1));
         const double away = cutter.radius() * uniform(random, 0, 1.05);
         const double angle = uniform(random, 0, 2 * std::numbers::pi);
         const int i = index(tip.x + away * std::cos(angle), grid.x0, grid.hx, grid.nx);
         const int j = index(tip.y + away * std::sin(angle), grid.y0, grid.hy, grid.ny);
-        largest = std::max(largest, errorAt(moment, i, j, cutter, motion, samples));
+        largest = std::max(largest, errorAt(moment, i, j, cutter, path));
     }
     return largest;
 }
