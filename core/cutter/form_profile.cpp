@@ -54,10 +54,10 @@ bool withinQuarter(const ProfilePiece& arc) {
     return arc.centreR >= arc.r1 - kRoundedPlace && arc.centreZ <= arc.z0 + kRoundedPlace;
 }
 
-/// Reads point by point; places are told as characters of the spec, counted from 1.
+/// Reads point by point; places are told as characters of the text, counted from 1.
 class FormReader {
 public:
-    explicit FormReader(const ShapeValues& values) : m_text(values.text), m_specAt(values.textAt) {}
+    explicit FormReader(std::string_view text) : m_text(text) {}
 
     Result<CutterProfile> read() {
         for (std::size_t at = 0; at <= m_text.size(); ++m_points) {
@@ -75,7 +75,7 @@ public:
 private:
     [[nodiscard]] tl::unexpected<Diagnostics> fail(const char* id, const char* text,
                                                    std::vector<std::string> more = {}) const {
-        more.insert(more.begin(), std::to_string(m_specAt + m_at + 1));
+        more.insert(more.begin(), std::to_string(m_at + 1));
         return failure(id, text, std::move(more));
     }
 
@@ -198,7 +198,6 @@ private:
     }
 
     std::string_view m_text;
-    std::size_t m_specAt;
     std::size_t m_at = 0; ///< of the point that is read, in m_text
     std::size_t m_points = 0;
     std::size_t m_solvable = 0;
@@ -210,7 +209,7 @@ private:
 } // namespace
 
 Result<CutterProfile> formProfile(const ShapeValues& values) {
-    return FormReader(values).read();
+    return FormReader(values.text).read();
 }
 
 } // namespace proveout

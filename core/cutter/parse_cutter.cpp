@@ -152,8 +152,7 @@ Result<Cutter> parseCutter(std::string_view spec) {
     std::vector<double> ownValues(own);
     for (std::size_t i = 0; i < own; ++i)
         ownValues[i] = values->value(i);
-    const auto textAt = values->text.empty() ? 0 : values->text.data() - spec.data();
-    auto profile = shape->profile({ownValues, values->text, static_cast<std::size_t>(textAt)});
+    auto profile = shape->profile({ownValues, values->text});
     if (!profile)
         return tl::unexpected(std::move(profile.error()));
 

@@ -29,7 +29,6 @@ struct ShapeKey {
 struct ShapeValues {
     std::span<const double> numbers; ///< by key; 0 for one that is text
     std::string_view text;           ///< of the shape's one key that is text
-    std::size_t textAt = 0;          ///< where it stands in the spec, bytes from 0
 
     [[nodiscard]] double operator[](std::size_t key) const { return numbers[key]; }
 };

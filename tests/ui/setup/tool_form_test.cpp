@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/setup/tool_form.h"
+
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QLineEdit>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "tests/core/cutter/standard_spec.h"
+
+namespace proveout {
+
+class ToolFormTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyShapeIsProposedAsACutterThatCanBe() {
+        ToolForm form;
+        QSignalSpy edited(&form, &ToolForm::edited);
+        QCOMPARE(shapes(form).count(), static_cast<int>(cutterShapes().size()));
+        for (const CutterShape& shape : cutterShapes()) {
+            choose(form, shape.key);
+            QCOMPARE(form.spec().shape, std::string(shape.key));
+            for (const ShapeKey& key : shape.keys)
+                QVERIFY2(form.findChild<QWidget*>(nameOf(key.key)) != nullptr, key.key);
+        }
+        QCOMPARE(edited.size(), static_cast<int>(cutterShapes().size()));
+    }
+
+    void aSpecOfEveryShapeComesBackAsItWas() {
+        for (const CutterShape& shape : cutterShapes()) {
+            const std::string spec = standardSpecOf(shape);
+            ToolForm form;
+            form.show(readSpec(spec));
+            const Result<Cutter> shown = parseCutter(writeSpec(form.spec()));
+            QVERIFY2(shown.has_value(), spec.c_str());
+            QCOMPARE(shown->pieces().size(), parseCutter(spec)->pieces().size());
+            QCOMPARE(readSpec(writeSpec(form.spec())).values, form.spec().values);
+            QCOMPARE(readSpec(writeSpec(form.spec())).texts, form.spec().texts);
+        }
+    }
+
+    void whatBothShapesMeanBySameNameStays() {
+        ToolForm form;
+        form.show(readSpec("flat:d=8,l=33"));
+        choose(form, "drill");
+        QCOMPARE(form.spec().values.at("d"), 8.0);
+        QCOMPARE(form.spec().values.at("l"), 33.0);
+        box<QDoubleSpinBox>(form, "angle").setValue(140);
+        choose(form, "spot");
+        QCOMPARE(form.spec().values.at("angle"), 140.0);
+        choose(form, "taper");
+        QCOMPARE(form.spec().values.at("angle"), 3.0); // of a side, not of the point
+        QCOMPARE(form.spec().values.at("d"), 6.0);     // at the tip
+        QCOMPARE(form.spec().values.at("l"), 33.0);
+    }
+
+    void aProfileIsEditedAsText() {
+        ToolForm form;
+        form.show(readSpec("form:p=0/0:3/0:4/1@1,l=20"));
+        auto& profile = box<QLineEdit>(form, "p");
+        QCOMPARE(profile.text(), QStringLiteral("0/0:3/0:4/1@1"));
+        QVERIFY(profile.toolTip().contains(QLatin1String("4/1@3/1")));
+        QSignalSpy edited(&form, &ToolForm::edited);
+        profile.setText(QStringLiteral("0/0:5/2"));
+        emit profile.editingFinished();
+        QCOMPARE(edited.size(), 1);
+        QCOMPARE(writeSpec(form.spec()), std::string("form:p=0/0:5/2,l=20"));
+        emit profile.editingFinished(); // as the focus goes, with nothing changed
+        QCOMPARE(edited.size(), 1);
+    }
+
+private:
+    static QString nameOf(const char* key) { return QStringLiteral("tool-") + QLatin1String(key); }
+    static QComboBox& shapes(const ToolForm& form) { return *form.findChild<QComboBox*>(); }
+    template<class Box>
+    static Box& box(const ToolForm& form, const char* key) {
+        return *form.findChild<Box*>(nameOf(key));
+    }
+    static void choose(const ToolForm& form, const char* shape) {
+        QComboBox& box = shapes(form);
+        box.setCurrentIndex(box.findData(QLatin1String(shape)));
+        emit box.activated(box.currentIndex());
+    }
+};
+
+} // namespace proveout
+
+QTEST_MAIN(proveout::ToolFormTest)
+#include "tool_form_test.moc"
