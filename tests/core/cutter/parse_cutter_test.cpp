@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <cstdint>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <random>
 
 #include "core/cutter/shapes.h"
 #include "core/cutter/tool_table.h"
 #include "tests/core/cutter/standard_spec.h"
+#include "tests/random_seed.h"
 
 namespace proveout {
 namespace {
@@ -142,6 +146,38 @@ TEST(ParseCutter, RefusesAProfileOfThousandsOfPoints) {
     ASSERT_FALSE(cutter.has_value());
     EXPECT_STREQ(cutter.error()[0].id, "form-too-long");
     EXPECT_THAT(message(cutter.error()[0]), HasSubstr("200 points"));
+}
+
+TEST(ParseCutter, AnyTextIsAProfileOrAMessage) {
+    const std::uint32_t seed = randomSeed();
+    SCOPED_TRACE(fmt::format("seed {}", seed));
+    std::mt19937 random(seed);
+    const std::string start = "form:p=0/0:3/0:4/1@3/1:6/3@-2:6/8:7/9@1";
+    const std::string letters = "0123456789/:@.-+e,= x";
+    int taken = 0;
+    for (int k = 0; k < 20'000; ++k) {
+        std::string spec = start;
+        for (unsigned change = 0; change <= random() % 4; ++change) {
+            const std::size_t at = 7 + random() % (spec.size() - 7);
+            if (random() % 3 == 0)
+                spec.erase(at, 1);
+            else
+                spec.insert(at, 1, letters[random() % letters.size()]);
+        }
+        const auto cutter = parseCutter(spec);
+        if (!cutter) {
+            ASSERT_FALSE(cutter.error().empty()) << spec;
+            continue;
+        }
+        ++taken;
+        double last = 0;
+        for (const ProfilePiece& piece : cutter->solvablePieces()) {
+            ASSERT_TRUE(piece.r1 > piece.r0 && std::isfinite(piece.z0) && std::isfinite(piece.z1)) << spec;
+            ASSERT_GE(piece.z1, last - 2e-3) << spec;
+            last = piece.z1;
+        }
+    }
+    EXPECT_GT(taken, 100);
 }
 
 TEST(ParseCutter, TakesProfilesThatAreWrittenWithThreeDecimals) {

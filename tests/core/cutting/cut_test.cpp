@@ -30,7 +30,8 @@ struct Map {
     bool arcs; ///< among the motions: they are double precision everywhere, and slow on many points
 };
 const Map kMaps[] = {{kStock, 0.9, true}, {{{-3, 5, 2}, 30, 26, 12}, 0.15, false}};
-const std::vector<std::string> kShapes = {"flat", "ball", "bull", "cone"};
+/// One or more of every form of a piece, walls and hollows among them.
+const std::vector<std::string> kShapes = {"flat", "ball", "bull", "cone", "taperball", "centre", "form"};
 
 ZMap freshMap(const StockBox& stock = kStock, double spacing = 0.9) {
     return {stock, makeGrid(stock, spacing).value()};
@@ -360,7 +361,7 @@ TEST(Cut, SurvivesAnyNumbers) {
             motion.sweep = value();
         }
         ZMap zmap = freshMap(kStock, 5);
-        (void)cut(zmap, randomCutter(random, kShapes[random() % 4]), motion);
+        (void)cut(zmap, randomCutter(random, kShapes[random() % kShapes.size()]), motion);
         for (const float height : heightsOf(zmap))
             ASSERT_TRUE(height <= 0 && height >= -12);
     }

@@ -23,9 +23,9 @@ std::vector<float> heightsWith(std::int64_t target, std::uint32_t seed) {
     Random random(seed);
     const Grid grid = makeGrid(kStock, 0.1).value();
     ZMap zmap(kStock, grid);
-    const char* shapes[] = {"flat", "ball", "bull", "cone"};
+    const char* shapes[] = {"flat", "ball", "bull", "cone", "taperball", "centre", "form"};
     for (int k = 0; k < kMotions; ++k) {
-        const Cutter cutter = randomCutter(random, shapes[k % 4]);
+        const Cutter cutter = randomCutter(random, shapes[k % 7]);
         (void)cut(zmap, cutter, randomStraight(random, kStock, static_cast<StraightKind>(k % 5)));
     }
     hwy::SetSupportedTargetsForTest(0);
