@@ -131,6 +131,8 @@ public:
 
     /// Columns [i0, i1), at most kRow.
     void measure(int j, int i0, int i1) {
+        if (!anyLower(j, i0, i1))
+            return;
         const Grid& grid = m_before.grid();
         const RowPoints points{grid.x(i0), grid.hx, grid.y(j), i1 - i0};
         for (auto* layers : {&m_swept, &m_byHead})
@@ -147,6 +149,15 @@ public:
     [[nodiscard]] const Overhang& sum() const { return m_sum; }
 
 private:
+    /// The box of a slanted motion holds many points that it leaves alone.
+    [[nodiscard]] bool anyLower(int j, int i0, int i1) const {
+        for (int i = i0; i < i1; ++i) {
+            if (m_after.height(i, j) < m_before.height(i, j))
+                return true;
+        }
+        return false;
+    }
+
     void collect(const HeadSweep& sweep, const RowPoints& points) {
         ask(sweep.bottom, points, m_bottom);
         ask(sweep.back, points, m_back);
