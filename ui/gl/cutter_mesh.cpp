@@ -3,8 +3,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <numbers>
-#include <ranges>
 
 namespace proveout {
 namespace {
@@ -79,8 +79,8 @@ Outline outline(const Cutter& cutter) {
         outline.piece(piece, false);
     const double flutesEnd = std::max(cutter.fluteLength(), cutter.profileHeight());
     if (const auto& head = cutter.head()) {
-        for (const ProfilePiece& piece : std::views::reverse(head->back))
-            outline.piece(piece, true);
+        for (std::size_t k = head->back.size(); k > 0; --k)
+            outline.piece(head->back[k - 1], true);
         outline.line({head->neckRadius, flutesEnd}, 1);
     } else {
         outline.line({cutter.radius(), flutesEnd}, 0);
