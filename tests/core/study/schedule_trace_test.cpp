@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The trace of all schedules at once against one straight run a schedule.
+#include <cmath>
 #include <gtest/gtest.h>
 
 #include "core/simulation/block_cutter.h"
@@ -73,6 +74,7 @@ TEST_P(Forecasts, CountWhatStraightRunsCount) {
     const auto rehearsal = rehearse(job, base, options, drawing);
     ASSERT_TRUE(rehearsal);
     ASSERT_EQ(rehearsal->forecasts.size(), 15U);
+    double differ = 0;
     for (const Forecast& forecast : rehearsal->forecasts) {
         DecimationParameters parameters = base;
         parameters.regionCells = forecast.regionCells;
@@ -85,11 +87,14 @@ TEST_P(Forecasts, CountWhatStraightRunsCount) {
         EXPECT_EQ(forecast.count.moments, counted.moments);
         EXPECT_EQ(forecast.count.startRegions, counted.startRegions);
         EXPECT_EQ(forecast.count.regionsDecimated, counted.regionsDecimated);
-        // Triangles are sampled.
+        // Triangles are sampled, and those of larger regions told from the smallest: of twelve programs the
+        // worst forecast was 9 % off, whichever way the last digits of heights were rounded.
         const auto near = [](std::uint64_t a, std::uint64_t b) { return double(a) / double(b); };
-        EXPECT_NEAR(near(forecast.count.faces, counted.faces), 1, 0.05);
+        EXPECT_NEAR(near(forecast.count.faces, counted.faces), 1, 0.1);
         EXPECT_NEAR(near(forecast.count.facesMade, counted.facesMade), 1, 0.15);
+        differ += std::abs(near(forecast.count.faces, counted.faces) - 1);
     }
+    EXPECT_LT(differ / 15, 0.025);
 }
 
 INSTANTIATE_TEST_SUITE_P(
