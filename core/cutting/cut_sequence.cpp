@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <atomic>
 #include <cstdint>
+#include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <optional>
 #include <span>
@@ -39,28 +40,22 @@ public:
 
     /// False where it was stopped: some tiles were lowered then.
     bool lower(ZMap& zmap, const std::stop_token& stop, std::vector<CutRecord>& records) {
-        std::vector<TileCut> done(m_tiles.size());
         std::vector<CutRecord> parts(m_order.size());
-        std::atomic<bool> complete = true;
-        tbb::parallel_for(std::size_t{0}, m_tiles.size(), [&](std::size_t k) {
-            if (stop.stop_requested())
-                complete = false;
-            if (!complete)
-                return;
-            const std::span order(m_order.begin() + m_begins[k], m_order.begin() + m_begins[k + 1]);
-            const std::span own(parts.begin() + m_begins[k], order.size());
-            done[k] = lowerTile(zmap, m_tiles[k], m_sweeps, order, own, stop);
-            if (!done[k].complete)
-                complete = false;
+        const bool complete = lowerTiles(zmap, stop, [&](std::size_t k, PassTable&) {
+            const std::span own(parts.begin() + m_begins[k], orderOf(k).size());
+            return lowerTile(zmap, m_tiles[k], m_sweeps, orderOf(k), own, stop);
         });
-        for (std::size_t k = 0; k < m_tiles.size(); ++k) {
-            if (done[k].copy)
-                zmap.adoptTile(m_tiles[k], std::move(done[k].copy));
-        }
         // Of each motion in the order of its tiles, as where it is cut alone.
         for (std::size_t k = 0; k < m_order.size(); ++k)
             records[m_motions[m_order[k]]].add(parts[k]);
         return complete;
+    }
+
+    /// The same without records.
+    bool lowerByAll(ZMap& zmap, const std::stop_token& stop) {
+        return lowerTiles(zmap, stop, [&](std::size_t k, PassTable& table) {
+            return lowerTileByAll(zmap, m_tiles[k], m_sweeps, orderOf(k), table, stop);
+        });
     }
 
 private:
@@ -68,6 +63,30 @@ private:
         std::uint32_t tile;
         std::uint32_t sweep;
     };
+
+    /// The sweeps over a tile.
+    [[nodiscard]] std::span<const std::uint32_t> orderOf(std::size_t k) const {
+        return {m_order.begin() + m_begins[k], m_order.begin() + m_begins[k + 1]};
+    }
+
+    template<class LowerTile>
+    bool lowerTiles(ZMap& zmap, const std::stop_token& stop, const LowerTile& lowerOne) {
+        std::vector<TileCut> done(m_tiles.size());
+        std::atomic<bool> complete = true;
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, m_tiles.size()), [&](const auto& range) {
+            PassTable table;
+            for (std::size_t k = range.begin(); k != range.end() && complete; ++k) {
+                done[k] = lowerOne(k, table);
+                if (!done[k].complete || stop.stop_requested())
+                    complete = false;
+            }
+        });
+        for (std::size_t k = 0; k < m_tiles.size(); ++k) {
+            if (done[k].copy)
+                zmap.adoptTile(m_tiles[k], std::move(done[k].copy));
+        }
+        return complete;
+    }
 
     void addMotion(const ZMap& zmap, const CutterMotion& one, std::vector<std::uint32_t>& counts,
                    std::vector<Pair>& pairs) {
@@ -112,25 +131,40 @@ private:
     std::vector<std::uint32_t> m_order;  ///< sweeps, ascending within a tile
 };
 
+/// Calls `lower` with one portion after the other. Where it says that it was stopped, the map becomes what it
+/// was, and the answer is false.
+template<class Lower>
+bool byPortions(ZMap& zmap, std::span<const CutterMotion> motions, const std::stop_token& stop,
+                const Lower& lower) {
+    std::optional<ZMapSnapshot> before;
+    if (stop.stop_possible())
+        before = zmap.snapshot();
+    for (std::size_t next = 0; next < motions.size();) {
+        Portion portion(zmap, motions, next);
+        if (!lower(portion)) {
+            zmap = ZMap(*before);
+            return false;
+        }
+        next = portion.end();
+    }
+    return true;
+}
+
 } // namespace
 
 std::optional<std::vector<CutRecord>> cut(ZMap& zmap, std::span<const CutterMotion> motions,
                                           const std::stop_token& stop) {
-    std::optional<ZMapSnapshot> before;
-    if (stop.stop_possible())
-        before = zmap.snapshot();
     std::vector<CutRecord> records(motions.size());
-    for (std::size_t next = 0; next < motions.size();) {
-        Portion portion(zmap, motions, next);
-        if (!portion.lower(zmap, stop, records)) {
-            zmap = ZMap(*before);
-            return std::nullopt;
-        }
-        next = portion.end();
-    }
+    if (!byPortions(zmap, motions, stop,
+                    [&](Portion& portion) { return portion.lower(zmap, stop, records); }))
+        return std::nullopt;
     for (CutRecord& record : records)
         record.removedMm3 *= zmap.grid().hx * zmap.grid().hy;
     return records;
+}
+
+bool cutHeights(ZMap& zmap, std::span<const CutterMotion> motions, const std::stop_token& stop) {
+    return byPortions(zmap, motions, stop, [&](Portion& portion) { return portion.lowerByAll(zmap, stop); });
 }
 
 } // namespace proveout

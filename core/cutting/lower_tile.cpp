@@ -6,6 +6,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 #include "core/cutting/vector_clones.h"
 
@@ -18,6 +19,7 @@ constexpr int kLanes = 8;
 static_assert(Tile::kSize % kLanes == 0);
 /// Refreshing a tile's maximum costs about as much as lowering this many points.
 constexpr std::uint32_t kRefreshAfter = 1024;
+constexpr double kMiddle = (Tile::kSize - 1) / 2.0;
 
 using Row = std::array<float, Tile::kSize>;
 
@@ -67,123 +69,107 @@ double total(const LaneSums& sums) {
     return sum;
 }
 
+/// Of the points of a tile on the border of the map; none of others, where all weigh the same.
+std::optional<PointWeights> weightsOf(const Grid& grid, const IndexRect& rect) {
+    if (rect.i0 > 0 && rect.j0 > 0 && rect.i0 + Tile::kSize < grid.nx && rect.j0 + Tile::kSize < grid.ny)
+        return std::nullopt;
+    PointWeights weights;
+    for (int k = 0; k < Tile::kSize; ++k) {
+        const auto at = static_cast<std::size_t>(k);
+        weights.columns[at] = rect.i0 + k == 0 || rect.i0 + k == grid.nx - 1 ? 0.5F : 1.0F;
+        weights.rows[at] = rect.j0 + k == 0 || rect.j0 + k == grid.ny - 1 ? 0.5F : 1.0F;
+    }
+    return weights;
+}
+
 /// The work on one tile, sweep by sweep.
 class TileWork {
 public:
     TileWork(ZMap& zmap, std::size_t index, const std::stop_token& stop)
-        : m_zmap(zmap), m_index(index), m_stop(stop), m_grid(zmap.grid()), m_rect(zmap.tileRect(index)),
-          m_floor(zmap.floor()) {
+        : m_zmap(zmap), m_index(index), m_stop(stop), m_grid(zmap.grid()), m_spacing(m_grid.hx, m_grid.hy),
+          m_rect(zmap.tileRect(index)), m_floor(zmap.floor()), m_weights(weightsOf(m_grid, m_rect)) {
         m_envelope.fill(kInfinity);
     }
 
     /// Nothing more is lowered once it was stopped.
     CutRecord lower(const PreparedSweep& prepared) {
         m_sums = {};
-        // A tile that lies below the cutter as a whole cannot change, nor one that is all on the floor.
-        if (static_cast<double>(tile().maximum) <= prepared.sweep.lowest() || tile().maximum <= m_floor)
+        if (!mayLower(prepared.sweep) || !goesOn())
             return {};
-        if (prepared.passes.empty())
+        if (prepared.passes.empty()) {
             lowerRows(prepared.sweep);
-        else
-            lowerBlocks(prepared);
-        finish(!prepared.passes.empty());
+            finishRows();
+        } else {
+            lowerByPasses(prepared);
+        }
         return m_sums.record;
     }
 
-    TileCut result() { return std::move(m_result); }
+    /// All of them, in any order.
+    void lowerByAll(std::span<const PreparedSweep> sweeps, std::span<const std::uint32_t> order,
+                    PassTable& table) {
+        table.clear();
+        for (const std::uint32_t k : order) {
+            const PreparedSweep& prepared = sweeps[k];
+            if (!mayLower(prepared.sweep))
+                continue;
+            if (prepared.passes.empty())
+                (void)lower(prepared);
+            for (const StraightPass& pass : prepared.passes)
+                table.add(seen(pass, prepared.sweep));
+        }
+        if (table.size() == 0 || (m_tile == nullptr && !proveout::mayLower(table.passes(), tile(), m_floor)))
+            return;
+        acquire();
+        table.arrange();
+        m_result.complete = proveout::lowerByAll(table, *m_work, m_stop) && m_result.complete;
+        m_tile->takeMaximum();
+    }
+
+    TileCut result() {
+        // A tile of which nothing changed is the same as it was.
+        if (m_result.copy && m_result.copy->heights == m_zmap.tile(m_index).heights)
+            m_result.copy.reset();
+        return std::move(m_result);
+    }
 
 private:
     [[nodiscard]] const Tile& tile() const { return m_tile != nullptr ? *m_tile : m_zmap.tile(m_index); }
+
+    /// A tile that lies below the cutter as a whole cannot change, nor one that is all on the floor.
+    [[nodiscard]] bool mayLower(const Sweep& sweep) const {
+        return static_cast<double>(tile().maximum) > sweep.lowest() && tile().maximum > m_floor;
+    }
 
     [[nodiscard]] bool goesOn() {
         m_result.complete = !m_stop.stop_requested();
         return m_result.complete;
     }
 
-    void lowerBlocks(const PreparedSweep& prepared) {
-        const Vec2 first = Vec2(m_grid.x(m_rect.i0), m_grid.y(m_rect.j0)) - prepared.sweep.origin();
-        std::uint32_t below = 0;
+    [[nodiscard]] TilePass seen(const StraightPass& pass, const Sweep& sweep) const {
+        const Vec2 first(m_grid.x(m_rect.i0), m_grid.y(m_rect.j0));
+        const Vec2 middle = first + kMiddle * Vec2(m_grid.hx, m_grid.hy) - sweep.origin();
+        return pass.overTile(middle.x, middle.y, m_spacing);
+    }
+
+    void lowerByPasses(const PreparedSweep& prepared) {
+        m_passes.clear();
         for (const StraightPass& pass : prepared.passes)
-            below |= blocksBelow(pass.overTile(first.x, first.y), tile().blockMaxima.data(), pass.slack());
-        for (; below != 0 && goesOn(); below &= below - 1)
-            lowerBlock(std::countr_zero(below), first, prepared.passes);
-    }
-
-    void lowerBlock(int block, const Vec2& first, std::span<const StraightPass> passes) {
-        if (tile().blockMaxima[static_cast<std::size_t>(block)] <= m_floor)
+            m_passes.push_back(seen(pass, prepared.sweep));
+        if (m_tile == nullptr && !proveout::mayLower(m_passes, tile(), m_floor))
             return;
-        const int i = block % Tile::kBlocks * Tile::kBlockSize;
-        const int j = block / Tile::kBlocks * Tile::kBlockSize;
-        const Vec2 corner = first + Vec2(i * m_grid.hx, j * m_grid.hy);
-        const float* from = &tile().heights[static_cast<std::size_t>(j * Tile::kSize + i)];
-        std::size_t stride = Tile::kSize;
-        Lowered lowered;
-        for (const StraightPass& pass : passes) {
-            proveout::lowerBlock(pass.overBlock(corner.x, corner.y), from, stride, m_floor, m_block);
-            lowered.add(m_block);
-            from = m_block.heights.data();
-            stride = BlockHeights::kSize;
-        }
-        if (lowered.rows != 0)
-            take(i, j, lowered);
-        if (Tile* own = m_tile != nullptr ? m_tile : m_zmap.ownedTile(m_index))
-            own->blockMaxima[static_cast<std::size_t>(block)] = m_block.maximum;
-    }
-
-    /// The points of a block that became lower by any of several passes.
-    struct Lowered {
-        std::array<std::uint16_t, BlockHeights::kSize> columns{}; ///< a bit a column, by row
-        std::uint32_t rows = 0;                                   ///< a bit a row
-
-        void add(const BlockHeights& block) {
-            rows |= block.rows;
-            for (std::size_t row = 0; row < columns.size(); ++row)
-                columns[row] |= block.lowered[row];
-        }
-    };
-
-    /// The block whose first point is (i, j) of the tile.
-    void take(int i, int j, const Lowered& lowered) {
         acquire();
-        const int i0 = m_rect.i0 + i;
-        const int j0 = m_rect.j0 + j;
-        const bool inside =
-            i0 > 0 && j0 > 0 && i0 + BlockHeights::kSize < m_grid.nx && j0 + BlockHeights::kSize < m_grid.ny;
-        if (inside)
-            return takeInside(i, j, lowered);
-        for (int row = 0; row < BlockHeights::kSize; ++row) {
-            if (const std::uint32_t bits = lowered.columns[static_cast<std::size_t>(row)]; bits != 0)
-                takeRow(row, i, j + row, bits);
-        }
-    }
-
-    /// Points that all weigh the same.
-    void takeInside(int i, int j, const Lowered& lowered) {
-        const BlockLoss loss =
-            putRows(m_block, lowered.rows, &m_tile->heights[static_cast<std::size_t>(j * Tile::kSize + i)]);
-        m_sums.blocks.sum += loss.sum;
-        m_sums.blocks.depth = std::max(m_sums.blocks.depth, loss.depth);
-        std::uint32_t columns = 0;
-        for (const std::uint32_t bits : lowered.columns) {
-            columns |= bits;
-            m_sums.record.points += std::popcount(bits);
-        }
-        const int i0 = m_rect.i0 + i;
-        const int j0 = m_rect.j0 + j;
-        m_sums.record.changed =
-            hull(m_sums.record.changed, {i0 + std::countr_zero(columns), j0 + std::countr_zero(lowered.rows),
-                                         i0 + static_cast<int>(std::bit_width(columns)),
-                                         j0 + static_cast<int>(std::bit_width(lowered.rows))});
-    }
-
-    /// A row of a block in which points became lower.
-    void takeRow(int rowOfBlock, int begin, int row, std::uint32_t bits) {
-        const bool edge = isEdge(row);
-        lowerRow(&m_block.heights[static_cast<std::size_t>(rowOfBlock * BlockHeights::kSize)],
-                 &m_tile->heights[static_cast<std::size_t>(row * Tile::kSize + begin)],
-                 &m_removed[static_cast<std::size_t>(begin)], BlockHeights::kSize, m_floor,
-                 edge ? m_sums.edge : m_sums.inner);
-        note(row, {begin + std::countr_zero(bits), begin + static_cast<int>(std::bit_width(bits))}, edge);
+        const TileLoss loss = lowerByMotion(m_passes, *m_work, m_weights ? &*m_weights : nullptr);
+        if (loss.points == 0)
+            return;
+        m_tile->takeMaximum();
+        m_sums.record.removedMm3 = loss.sum;
+        m_sums.record.maxDepth = static_cast<double>(loss.depth);
+        m_sums.record.points = loss.points;
+        m_sums.record.changed = {m_rect.i0 + std::countr_zero(loss.columns),
+                                 m_rect.j0 + std::countr_zero(loss.rows),
+                                 m_rect.i0 + static_cast<int>(std::bit_width(loss.columns)),
+                                 m_rect.j0 + static_cast<int>(std::bit_width(loss.rows))};
     }
 
     void lowerRows(const Sweep& sweep) {
@@ -236,6 +222,7 @@ private:
             m_result.copy = std::make_shared<Tile>(m_zmap.tile(m_index));
             m_tile = m_result.copy.get();
         }
+        m_work.emplace(*m_tile, m_floor);
     }
 
     /// Where points of a row were lowered, and what the first and last column of the map lost.
@@ -256,7 +243,7 @@ private:
                 weight * static_cast<double>(m_removed[static_cast<std::size_t>(last - 1)]);
     }
 
-    void finish(bool byBlocks) {
+    void finishRows() {
         CutRecord& record = m_sums.record;
         for (const LaneSums* sums : {&m_sums.inner, &m_sums.edge}) {
             for (std::size_t lane = 0; lane < kLanes; ++lane) {
@@ -264,26 +251,27 @@ private:
                 record.maxDepth = std::max(record.maxDepth, static_cast<double>(sums->depth[lane]));
             }
         }
-        record.maxDepth = std::max(record.maxDepth, static_cast<double>(m_sums.blocks.depth));
-        record.removedMm3 =
-            m_sums.blocks.sum + total(m_sums.inner) + total(m_sums.edge) / 2 - m_sums.columnHalves;
+        record.removedMm3 = total(m_sums.inner) + total(m_sums.edge) / 2 - m_sums.columnHalves;
         if (record.points == 0)
             return;
-        if (byBlocks)
-            return m_tile->takeMaximum();
         m_tile->loweredPoints += static_cast<std::uint32_t>(record.points);
-        if (m_tile->loweredPoints >= kRefreshAfter)
-            m_tile->refreshMaximum();
+        if (m_tile->loweredPoints < kRefreshAfter)
+            return;
+        m_tile->refreshMaximum();
+        m_work->forget();
     }
 
     ZMap& m_zmap;
     std::size_t m_index;
     const std::stop_token& m_stop;
     const Grid& m_grid;
+    TileSpacing m_spacing;
     IndexRect m_rect;
     float m_floor;
     Tile* m_tile = nullptr;
-    BlockHeights m_block;
+    std::optional<TileUnderWork> m_work; ///< where the tile is ours
+    std::vector<TilePass> m_passes;
+    std::optional<PointWeights> m_weights;
     Row m_envelope; ///< +infinity between two rows
     Row m_removed;
     TileCut m_result;
@@ -293,7 +281,6 @@ private:
         CutRecord record;
         LaneSums inner;
         LaneSums edge;
-        BlockLoss blocks;
         double columnHalves = 0;
     } m_sums;
 };
@@ -306,6 +293,13 @@ TileCut lowerTile(ZMap& zmap, std::size_t index, std::span<const PreparedSweep> 
     TileWork work(zmap, index, stop);
     for (std::size_t k = 0; k < order.size(); ++k)
         records[k] = work.lower(sweeps[order[k]]);
+    return work.result();
+}
+
+TileCut lowerTileByAll(ZMap& zmap, std::size_t index, std::span<const PreparedSweep> sweeps,
+                       std::span<const std::uint32_t> order, PassTable& table, const std::stop_token& stop) {
+    TileWork work(zmap, index, stop);
+    work.lowerByAll(sweeps, order, table);
     return work.result();
 }
 

@@ -11,6 +11,7 @@
 #include "core/cutting/cutting.h"
 #include "core/cutting/straight_pass.h"
 #include "core/cutting/sweep.h"
+#include "core/cutting/tile_kernel.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout {
@@ -37,5 +38,10 @@ struct TileCut {
 [[nodiscard]] TileCut lowerTile(ZMap& zmap, std::size_t index, std::span<const PreparedSweep> sweeps,
                                 std::span<const std::uint32_t> order, std::span<CutRecord> records,
                                 const std::stop_token& stop);
+
+/// The same heights, without records, in whatever order is fastest. `table` is room to work in.
+[[nodiscard]] TileCut lowerTileByAll(ZMap& zmap, std::size_t index, std::span<const PreparedSweep> sweeps,
+                                     std::span<const std::uint32_t> order, PassTable& table,
+                                     const std::stop_token& stop);
 
 } // namespace proveout

@@ -8,22 +8,18 @@ namespace proveout {
 
 namespace {
 
-/// Distances are computed from numbers as large as the cutter and a block; a point on the rim must count as
+/// Distances are computed from numbers as large as the cutter and a tile; a point on the rim must count as
 /// under the cutter whichever way each of them rounds.
 constexpr double kRimSlack = 2e-7;
-/// Heights near the rim of a ball fall steeply, so that their slack is larger than that of places.
-constexpr double kHeightSlack = 2e-5;
+/// A bound is a sum of several products, each as large as a length or a height times a slope.
+constexpr double kBoundSlack = 2e-6;
 
 constexpr double kLargest = 200;   ///< mm: radius
-constexpr double kNarrowBlock = 4; ///< mm: from corner to corner; wider ones only below a cutter as large
+constexpr double kNarrowTile = 24; ///< mm: from its middle to a corner; wider ones only below large cutters
 constexpr double kSteepest = 16;   ///< mm per mm
 
 float toFloat(double value) {
     return static_cast<float>(value);
-}
-
-double extentOf(double hx, double hy) {
-    return std::hypot(hx, hy) * (Tile::kBlockSize - 1);
 }
 
 bool isBall(const ConvexProfile& profile) {
@@ -35,9 +31,24 @@ double lineLead(double fall, double rise) {
     return fall < rise ? fall * fall / ((rise - fall) * (rise + fall)) : -1;
 }
 
-BlockPass formOf(const ConvexProfile& profile, const StraightPath& path) {
+/// How far ahead of a point the cutter stands when it is lowest over it, about: exact for balls, and at the
+/// path's line for others.
+void setAhead(TilePass& form, const ConvexProfile& profile, double fall) {
+    const double sine = fall / std::sqrt(1 + fall * fall);
+    double radius = profile.rim;
+    if (profile.side == ConvexProfile::Side::arc)
+        radius = isBall(profile) ? profile.radius : profile.centreR + profile.radius * sine;
+    else if (profile.side == ConvexProfile::Side::line && fall < profile.slope)
+        radius = profile.flatTo;
+    form.aheadRate = isBall(profile) ? toFloat(sine) : 1.0F;
+    if (form.slope > 0)
+        form.aheadRate = -form.aheadRate;
+    form.aheadRadius2 = toFloat(radius * radius);
+}
+
+TilePass formOf(const ConvexProfile& profile, const StraightPath& path) {
     const double fall = std::abs(path.slope);
-    BlockPass form;
+    TilePass form;
     form.level = fall == 0 || path.length == 0;
     form.slope = form.level ? 0.0F : toFloat(path.slope);
     form.flatTo = toFloat(profile.flatTo);
@@ -46,83 +57,62 @@ BlockPass formOf(const ConvexProfile& profile, const StraightPath& path) {
     form.radius = toFloat(profile.radius);
     switch (profile.side) {
     case ConvexProfile::Side::none:
-        form.form = BlockPass::Form::flat;
+        form.form = TilePass::Form::flat;
         break;
     case ConvexProfile::Side::line:
-        form.form = BlockPass::Form::line;
+        form.form = TilePass::Form::line;
         form.lead = toFloat(lineLead(fall, profile.slope));
         break;
     case ConvexProfile::Side::arc:
-        form.form = isBall(profile) ? BlockPass::Form::ball : BlockPass::Form::corner;
+        form.form = isBall(profile) ? TilePass::Form::ball : TilePass::Form::corner;
         form.lead = toFloat(fall / std::sqrt(1 + fall * fall));
         break;
     }
+    if (!form.level)
+        setAhead(form, profile, fall);
+    const bool arc = profile.side == ConvexProfile::Side::arc;
+    form.inner = toFloat(arc ? profile.centreR : profile.flatTo);
+    form.outer = arc ? form.inner : toFloat(profile.rim);
     return form;
-}
-
-/// Every radius larger by `margin`; a ball becomes a corner round a flat.
-ConvexProfile dilatedOver(const ConvexProfile& profile, double margin) {
-    ConvexProfile wider = profile;
-    wider.rim += margin;
-    wider.flatTo += margin;
-    wider.centreR += margin;
-    return wider;
 }
 
 } // namespace
 
-bool StraightPass::suffices(const ConvexProfile& profile, const StraightPath& path, double hx, double hy) {
-    return profile.rim <= kLargest && extentOf(hx, hy) <= std::max(kNarrowBlock, profile.rim) &&
+bool StraightPass::suffices(const ConvexProfile& profile, const StraightPath& path,
+                            const TileSpacing& spacing) {
+    return profile.rim <= kLargest && spacing.tileReach <= std::max(kNarrowTile, 2 * profile.rim) &&
            std::abs(path.slope) <= kSteepest;
 }
 
-StraightPass::StraightPass(const ConvexProfile& profile, const StraightPath& path, double hx, double hy)
-    : m_path(path), m_hx(hx), m_hy(hy), m_rim(profile.rim), m_extent(extentOf(hx, hy)),
+StraightPass::StraightPass(const ConvexProfile& profile, const StraightPath& path)
+    : m_path(path), m_rim(profile.rim),
       m_reference(profile.side == ConvexProfile::Side::arc ? profile.centreZ : profile.z0),
-      m_form(formOf(profile, path)) {
-    const double wider = m_extent / 2 * (1 + 1e-6);
-    m_dilated = formOf(dilatedOver(profile, wider), path);
-    if (!m_form.level || m_form.form != BlockPass::Form::flat)
-        m_slack = toFloat(kHeightSlack * (1 + m_rim + m_extent));
-}
+      m_form(formOf(profile, path)) {}
 
-BlockPass StraightPass::seenFrom(const BlockPass& form, double rim, double extent, double x, double y) const {
+TilePass StraightPass::overTile(double x, double y, const TileSpacing& spacing) const {
     const double dx = x - m_path.from.x;
     const double dy = y - m_path.from.y;
     const double along = dx * m_path.along.x + dy * m_path.along.y;
+    const double size = m_rim + spacing.tileReach;
     // What lies farther than the cutter reaches, from any point, need not be told apart.
-    const double reach = rim + extent + 1;
-    // Numbers are told from the place on the path that is nearest to the first point.
+    const double far = size + 1;
     const double origin = std::clamp(along, 0.0, m_path.length);
-    BlockPass pass = form;
+    const double z = m_path.z + m_path.slope * origin + m_reference;
+    const double padded = m_rim + kRimSlack * size;
+    const double reach = padded + spacing.blockReach * (1 + 1e-5);
+    TilePass pass = m_form;
     pass.along = toFloat(along - origin);
     pass.across = toFloat(dy * m_path.along.x - dx * m_path.along.y);
-    pass.begin = toFloat(-std::min(origin, reach));
-    pass.end = toFloat(std::min(m_path.length - origin, reach));
-    pass.z = toFloat(m_path.z + m_path.slope * origin + m_reference);
-    const double padded = rim + kRimSlack * (rim + extent);
+    pass.alongX = toFloat(spacing.hx * m_path.along.x);
+    pass.alongY = toFloat(spacing.hy * m_path.along.y);
+    pass.acrossX = toFloat(-spacing.hx * m_path.along.y);
+    pass.acrossY = toFloat(spacing.hy * m_path.along.x);
+    pass.begin = toFloat(-std::min(origin, far));
+    pass.end = toFloat(std::min(m_path.length - origin, far));
+    pass.z = toFloat(z);
     pass.rim2 = toFloat(padded * padded);
-    return pass;
-}
-
-BlockPass StraightPass::overBlock(double x, double y) const {
-    BlockPass pass = seenFrom(m_form, m_rim, m_extent, x, y);
-    pass.alongX = toFloat(m_hx * m_path.along.x);
-    pass.alongY = toFloat(m_hy * m_path.along.y);
-    pass.acrossX = toFloat(-m_hx * m_path.along.y);
-    pass.acrossY = toFloat(m_hy * m_path.along.x);
-    return pass;
-}
-
-BlockPass StraightPass::overTile(double x, double y) const {
-    constexpr double kMiddle = (Tile::kBlockSize - 1) / 2.0;
-    const double wider = m_extent / 2;
-    BlockPass pass =
-        seenFrom(m_dilated, m_rim + wider, m_extent * Tile::kBlocks, x + kMiddle * m_hx, y + kMiddle * m_hy);
-    pass.alongX = toFloat(Tile::kBlockSize * m_hx * m_path.along.x);
-    pass.alongY = toFloat(Tile::kBlockSize * m_hy * m_path.along.y);
-    pass.acrossX = toFloat(-Tile::kBlockSize * m_hx * m_path.along.y);
-    pass.acrossY = toFloat(Tile::kBlockSize * m_hy * m_path.along.x);
+    pass.reach2 = toFloat(reach * reach);
+    pass.slack = toFloat(kBoundSlack * (size * (1 + std::abs(m_path.slope)) + std::abs(z)));
     return pass;
 }
 

@@ -69,11 +69,11 @@ Sweep::Sweep(const Cutter& cutter, const Motion& motion, double topZ)
 std::vector<StraightPass> Sweep::passes(double hx, double hy) const {
     std::vector<StraightPass> passes;
     if (m_arc || !std::ranges::all_of(m_profiles, [&](const ConvexProfile& profile) {
-            return StraightPass::suffices(profile, m_straight, hx, hy);
+            return StraightPass::suffices(profile, m_straight, {hx, hy});
         }))
         return passes;
     for (const ConvexProfile& profile : m_profiles)
-        passes.emplace_back(profile, m_straight, hx, hy);
+        passes.emplace_back(profile, m_straight);
     return passes;
 }
 

@@ -17,16 +17,28 @@ namespace {
 const StockBox kStock{{-3, 5, 2}, 40, 36, 12};
 constexpr int kMotions = 200;
 
-/// Heights after random straight motions of all shapes and slopes, cut with one instruction set.
-std::vector<float> heightsWith(std::int64_t target, std::uint32_t seed) {
+/// Heights after random straight motions of all shapes and slopes, cut with one instruction set, one by one
+/// or all at once.
+std::vector<float> heightsWith(std::int64_t target, std::uint32_t seed, bool atOnce) {
     hwy::SetSupportedTargetsForTest(target);
     Random random(seed);
     const Grid grid = makeGrid(kStock, 0.1).value();
     ZMap zmap(kStock, grid);
     const char* shapes[] = {"flat", "ball", "bull", "cone", "taperball", "centre", "form"};
+    std::vector<Cutter> cutters;
+    std::vector<CutterMotion> motions(kMotions);
     for (int k = 0; k < kMotions; ++k) {
-        const Cutter cutter = randomCutter(random, shapes[k % 7]);
-        (void)cut(zmap, cutter, randomStraight(random, kStock, static_cast<StraightKind>(k % 5)));
+        cutters.push_back(randomCutter(random, shapes[k % 7]));
+        motions[static_cast<std::size_t>(k)].motion =
+            randomStraight(random, kStock, static_cast<StraightKind>(k % 5));
+    }
+    for (std::size_t k = 0; k < motions.size(); ++k)
+        motions[k].cutter = &cutters[k];
+    if (atOnce) {
+        EXPECT_TRUE(cutHeights(zmap, motions, {}));
+    } else {
+        for (const CutterMotion& one : motions)
+            (void)cut(zmap, *one.cutter, one.motion);
     }
     hwy::SetSupportedTargetsForTest(0);
     std::vector<float> heights(static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny));
@@ -38,10 +50,11 @@ TEST(VectorTargets, GiveTheSameHeightsToTheLastBit) {
     const std::uint32_t seed = randomSeed();
     SCOPED_TRACE("seed " + std::to_string(seed));
     const std::vector<std::int64_t> targets = hwy::SupportedAndGeneratedTargets();
-    const std::vector<float> best = heightsWith(targets.front(), seed);
+    const std::vector<float> best = heightsWith(targets.front(), seed, false);
     for (const std::int64_t target : targets) {
         std::cout << hwy::TargetName(target) << "\n";
-        EXPECT_EQ(heightsWith(target, seed), best) << hwy::TargetName(target);
+        EXPECT_EQ(heightsWith(target, seed, false), best) << hwy::TargetName(target);
+        EXPECT_EQ(heightsWith(target, seed, true), best) << hwy::TargetName(target);
     }
 }
 

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Bounds of passes from below. Compiled once an instruction set.
+#if defined(PROVEOUT_CUTTING_SUPPORTING_PLANE) == defined(HWY_TARGET_TOGGLE)
+#ifdef PROVEOUT_CUTTING_SUPPORTING_PLANE
+#undef PROVEOUT_CUTTING_SUPPORTING_PLANE
+#else
+#define PROVEOUT_CUTTING_SUPPORTING_PLANE
+#endif
+
+#include "core/cutting/pass_envelope-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace proveout {
+namespace HWY_NAMESPACE {
+namespace {
+
+/// What bounds are made of, of a vector of passes, or of one pass in all lanes. As in TilePass.
+struct PassLanes {
+    V along, across, alongX, acrossX, alongY, acrossY, begin, end, z, slope, rise, radius, ring, aheadRate,
+        aheadRadius2, inner, outer, reach2, slack;
+};
+
+HWY_INLINE PassLanes allLanesOf(const TilePass& pass) {
+    return {all(pass.along),  all(pass.across),    all(pass.alongX),       all(pass.acrossX),
+            all(pass.alongY), all(pass.acrossY),   all(pass.begin),        all(pass.end),
+            all(pass.z),      all(pass.slope),     all(pass.rise),         all(pass.radius),
+            all(pass.ring),   all(pass.aheadRate), all(pass.aheadRadius2), all(pass.inner),
+            all(pass.outer),  all(pass.reach2),    all(pass.slack)};
+}
+
+HWY_INLINE PassLanes lanesOf(const PassTable& table, std::size_t at) {
+    const auto field = [&](std::size_t index)
+                           HWY_ATTR { return hn::LoadU(kFloats, table.field(index) + at); };
+    return {field(0),  field(1),  field(2),  field(3),  field(4),  field(5),  field(6),
+            field(7),  field(8),  field(9),  field(10), field(11), field(12), field(13),
+            field(14), field(15), field(16), field(17), field(18)};
+}
+
+/// Planes that lie nowhere above the envelope: over the middle of a block, and per column and row.
+struct Planes {
+    V middle;
+    V perColumn;
+    V perRow;
+    M reaches; ///< the block; where not, nothing is under the cutter
+
+    /// Over the block.
+    [[nodiscard]] HWY_INLINE V lowest() const {
+        const V tilt = hn::Add(hn::Abs(perColumn), hn::Abs(perRow));
+        return minusProduct(all(kHalf), tilt, middle);
+    }
+    static constexpr float kHalf = (TileUnderWork::kBlock - 1) / 2.0F;
+};
+
+/// `column`, `row`: a block's middle, from the tile's. Any gradient g has such a plane, whose height comes
+/// from the convex conjugate of profile and path: z(p) = min_u z₀ + m·u + h(|p - u|) is nowhere below
+/// g·p + z₀ + min_u (m - g_s)·u - h*(|g|). That is why it need only be guessed, and is: as the profile's
+/// where the cutter stands, about, when it is lowest over the middle.
+HWY_INLINE Planes supportingPlanes(const PassLanes& pass, V column, V row) {
+    const V zero = hn::Zero(kFloats);
+    const V along = productPlus(row, pass.alongY, productPlus(column, pass.alongX, pass.along));
+    const V across = productPlus(row, pass.acrossY, productPlus(column, pass.acrossX, pass.across));
+    const V across2 = square(across);
+    const V nearest = hn::Sub(along, hn::Min(hn::Max(along, pass.begin), pass.end));
+    const V ahead = hn::Mul(pass.aheadRate, rootOf(hn::Sub(pass.aheadRadius2, across2)));
+    const V wanted = hn::Add(along, ahead);
+    const V place = hn::Min(hn::Max(wanted, pass.begin), pass.end);
+    const V away = hn::Sub(along, place);
+    const V distance = hn::Sqrt(productPlus(away, away, across2));
+    // Near its end the arc is too steep for a bound to tell anything.
+    const V out = hn::Min(hn::Max(hn::Sub(distance, pass.ring), zero), hn::Mul(all(0.97F), pass.radius));
+    const V up = hn::Sqrt(hn::Max(minusProduct(out, out, square(pass.radius)), all(kTiny)));
+    const V ofLine = hn::IfThenElseZero(hn::Gt(distance, pass.inner), pass.rise);
+    const V part = hn::Div(hn::Add(hn::Div(out, up), ofLine), hn::Max(distance, all(kTiny)));
+    const V steepAcross = hn::Mul(part, across);
+    const V steepAlong = hn::IfThenElse(hn::Eq(place, wanted), pass.slope, hn::Mul(part, away));
+    const V steep2 = productPlus(steepAlong, steepAlong, square(steepAcross));
+    const V steep = hn::Sqrt(steep2);
+    const V flatPart = hn::Mul(steep, pass.inner);
+    const V linePart = minusProduct(pass.rise, hn::Sub(pass.outer, pass.inner), hn::Mul(steep, pass.outer));
+    const V conjugate =
+        productPlus(pass.radius, hn::Sqrt(hn::Add(all(1), steep2)), hn::Max(flatPart, linePart));
+    const V rest = hn::Sub(pass.slope, steepAlong);
+    const V ofPath = hn::Min(hn::Mul(rest, pass.begin), hn::Mul(rest, pass.end));
+    const V ofPoint = productPlus(steepAlong, along, hn::Mul(steepAcross, across));
+    Planes planes;
+    planes.middle = hn::Sub(hn::Add(hn::Add(pass.z, ofPath), hn::Sub(ofPoint, conjugate)),
+                            hn::Mul(pass.slack, hn::Add(all(1), steep)));
+    planes.perColumn = productPlus(steepAlong, pass.alongX, hn::Mul(steepAcross, pass.acrossX));
+    planes.perRow = productPlus(steepAlong, pass.alongY, hn::Mul(steepAcross, pass.acrossY));
+    planes.reaches = hn::Le(productPlus(nearest, nearest, across2), pass.reach2);
+    return planes;
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace proveout
+HWY_AFTER_NAMESPACE();
+
+#endif

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The inner loops of cutting: straight motions over one tile, in vectors of whatever width the processor has.
+// The same bits on every processor and for every width.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <stop_token>
+#include <vector>
+
+#include "core/cutting/tile_pass.h"
+#include "core/zmap/zmap.h"
+
+namespace proveout {
+
+/// The heights of a tile that is being lowered, and what bounds them. Blocks of 16 × 16 points are told apart
+/// by groups of four rows: a motion is computed only for groups that it may lower. Not thread-safe.
+class TileUnderWork {
+public:
+    static constexpr std::size_t kBlock = Tile::kBlockSize;
+    static constexpr std::size_t kGroupRows = 4;
+    static constexpr std::size_t kGroups = kBlock / kGroupRows;
+    static constexpr std::size_t kBlocks = std::size_t{Tile::kBlocks} * Tile::kBlocks;
+
+    /// `tile` is kept by the caller; nothing goes below `floor`.
+    TileUnderWork(Tile& tile, float floor) : m_tile(&tile), m_floor(floor) {}
+
+    [[nodiscard]] Tile& tile() const { return *m_tile; }
+    [[nodiscard]] float floor() const { return m_floor; }
+    /// Heights that others have lowered: what is known of them is forgotten.
+    void forget() { m_known = 0; }
+
+    /// The first point of a group of a block.
+    [[nodiscard]] float* heights(std::size_t block, std::size_t group) const {
+        const std::size_t row = block / Tile::kBlocks * kBlock + group * kGroupRows;
+        return &m_tile->heights[row * Tile::kSize + block % Tile::kBlocks * kBlock];
+    }
+    /// Of each column of a group of a block: an upper bound of its heights.
+    [[nodiscard]] float* columnMaxima(std::size_t block, std::size_t group) {
+        return &m_columnMaxima[(block * kGroups + group) * kBlock];
+    }
+    [[nodiscard]] bool isKnown(std::size_t block) const { return (m_known >> block & 1U) != 0; }
+    void setKnown(std::size_t block) { m_known |= 1U << block; }
+
+private:
+    Tile* m_tile;
+    float m_floor;
+    std::uint32_t m_known = 0; ///< a bit a block: whether its columns' maxima are
+    alignas(64) std::array<float, kBlocks * kBlock * kGroups> m_columnMaxima;
+};
+
+/// By how much of a cell's area points weigh in a volume: 1, on the border of the map a half.
+struct PointWeights {
+    alignas(64) std::array<float, Tile::kSize> columns;
+    std::array<float, Tile::kSize> rows;
+};
+
+/// What one motion took from a tile.
+struct TileLoss {
+    double sum = 0;  ///< of heights by weight, in an order that does not depend on the width of vectors
+    float depth = 0; ///< the largest
+    std::int64_t points = 0;
+    std::uint64_t columns = 0; ///< a bit each: whether any of their points became lower
+    std::uint64_t rows = 0;
+};
+
+/// Whether one of the passes may lower a point of the tile; where not, none does.
+[[nodiscard]] bool mayLower(std::span<const TilePass> passes, const Tile& tile, float floor);
+
+/// Lowers the tile by one motion: the passes of all its profiles. `weights`: none, and all points weigh 1.
+[[nodiscard]] TileLoss lowerByMotion(std::span<const TilePass> passes, TileUnderWork& work,
+                                     const PointWeights* weights);
+
+/// All passes that may lower a tile, field by field for the bounds of many at once. Not thread-safe.
+class PassTable {
+public:
+    /// What bounds are made of.
+    static constexpr std::array kFields = {
+        &TilePass::along,  &TilePass::across,    &TilePass::alongX,       &TilePass::acrossX,
+        &TilePass::alongY, &TilePass::acrossY,   &TilePass::begin,        &TilePass::end,
+        &TilePass::z,      &TilePass::slope,     &TilePass::rise,         &TilePass::radius,
+        &TilePass::ring,   &TilePass::aheadRate, &TilePass::aheadRadius2, &TilePass::inner,
+        &TilePass::outer,  &TilePass::reach2,    &TilePass::slack};
+
+    static constexpr std::size_t kWidest = 16; ///< floats in a vector
+
+    void clear() { m_passes.clear(); }
+    void add(const TilePass& pass) { m_passes.push_back(pass); }
+    /// To be called after the last add().
+    void arrange();
+
+    [[nodiscard]] std::size_t size() const { return m_passes.size(); }
+    [[nodiscard]] std::span<const TilePass> passes() const { return m_passes; }
+    /// Values of one field; as many as fill whole vectors, those of no pass with a `reach2` below 0.
+    [[nodiscard]] const float* field(std::size_t index) const { return &m_fields[index * m_padded]; }
+
+    /// Planes below those passes that may lower a block, over its middle and per column and row, and the
+    /// planes' lowest place in the block.
+    struct Candidates {
+        std::vector<float> middle;
+        std::vector<float> perColumn;
+        std::vector<float> perRow;
+        std::vector<float> lowest;
+        std::vector<std::int32_t> pass;
+    };
+    [[nodiscard]] Candidates& candidates() { return m_candidates; }
+
+private:
+    std::vector<TilePass> m_passes;
+    std::size_t m_padded = 0;
+    std::vector<float> m_fields;
+    Candidates m_candidates;
+};
+
+/// Lowers the tile by all passes, in whatever order takes least: heights are minima, so that order is
+/// nothing to them. False where it was stopped: some were done.
+[[nodiscard]] bool lowerByAll(PassTable& table, TileUnderWork& work, const std::stop_token& stop);
+
+} // namespace proveout
