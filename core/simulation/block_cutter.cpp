@@ -2,6 +2,7 @@
 #include "core/simulation/block_cutter.h"
 
 #include <algorithm>
+#include <vector>
 
 #include "core/cutting/overhang.h"
 
@@ -145,26 +146,17 @@ std::optional<CutRecord> cutBlock(ZMap& zmap, const Program& program, std::size_
     return sum;
 }
 
-std::optional<std::vector<CutRecord>> cutBlocks(ZMap& zmap, const Program& program, std::size_t first,
-                                                std::size_t last, const Setup& setup, const ToolChoice& tools,
-                                                const std::stop_token& stop) {
+bool cutBlocks(ZMap& zmap, const Program& program, std::size_t first, std::size_t last, const Setup& setup,
+               const ToolChoice& tools, const std::stop_token& stop) {
     std::vector<CutterMotion> motions;
-    std::vector<std::size_t> blocks; ///< of each motion
     for (std::size_t block = first; block < last; ++block) {
         const auto range = program.blockMotions(block);
         for (std::size_t index = range.first; index < range.last; ++index) {
             const Motion motion = program.motion(index);
             motions.push_back({cutterOf(motion, setup, tools), motion});
-            blocks.push_back(block);
         }
     }
-    const auto records = cut(zmap, motions, stop);
-    if (!records)
-        return std::nullopt;
-    std::vector<CutRecord> sums(last - first);
-    for (std::size_t k = 0; k < records->size(); ++k)
-        sums[blocks[k] - first].add((*records)[k]);
-    return sums;
+    return cutHeights(zmap, motions, stop);
 }
 
 } // namespace proveout

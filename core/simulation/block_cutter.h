@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <optional>
 #include <stop_token>
-#include <vector>
 
 #include "core/cutting/cutting.h"
 #include "core/nc/program.h"
@@ -23,11 +22,9 @@ namespace proveout {
                                                 const Setup& setup, const ToolChoice& tools,
                                                 FindingLog* findings, const std::stop_token& stop);
 
-/// The blocks [first, last) at once, without looking for findings: a record each, the same as of cutBlock().
-/// Nothing where it was stopped, and the map is what it was.
-[[nodiscard]] std::optional<std::vector<CutRecord>> cutBlocks(ZMap& zmap, const Program& program,
-                                                              std::size_t first, std::size_t last,
-                                                              const Setup& setup, const ToolChoice& tools,
-                                                              const std::stop_token& stop);
+/// The blocks [first, last) at once, where only heights are wanted: the same as of cutBlock(). False where it
+/// was stopped, and the map is what it was.
+[[nodiscard]] bool cutBlocks(ZMap& zmap, const Program& program, std::size_t first, std::size_t last,
+                             const Setup& setup, const ToolChoice& tools, const std::stop_token& stop);
 
 } // namespace proveout

@@ -40,16 +40,15 @@ std::optional<CutRecord> Simulation::State::cutNext(StockRun& run, FindingLog* l
 
 bool Simulation::State::cutMany(StockRun& run, std::size_t count, const WorkContext& context) {
     const StopWatch watch;
-    const auto records =
+    const bool done =
         cutBlocks(run.zmap, *program, run.block, run.block + count, *setup, tools, context.stop);
     const double seconds = watch.seconds();
     effort.cutSeconds += seconds;
-    if (!records)
+    if (!done)
         return false;
     atRest.outdate();
-    run.block += count;
-    for (const CutRecord& record : *records)
-        run.removedMm3 += record.removedMm3;
+    for (const std::size_t end = run.block + count; run.block < end; ++run.block)
+        run.removedMm3 += rows[run.block].removedMm3;
     run.cutSeconds += seconds;
     rememberMoment(run);
     return true;
@@ -92,7 +91,7 @@ void Simulation::State::step(const WorkContext& context) {
     BlockStatistics row;
     row.facesFull = static_cast<std::uint32_t>(surface.facesFull());
     row.cutSeconds = static_cast<float>(stock.cutSeconds - secondsBefore);
-    row.removedMm3 = static_cast<float>(record->removedMm3);
+    row.removedMm3 = record->removedMm3;
     row.maxDepth = static_cast<float>(record->maxDepth);
     const BlockStatistics old = first ? row : rows[block];
     if (schedule.isMoment(stock.block)) {

@@ -64,7 +64,8 @@ struct Simulation::State {
 
     /// Nothing where it was stopped: the block counts as not executed.
     std::optional<CutRecord> cutNext(StockRun& run, FindingLog* log, const WorkContext& context);
-    /// The next `count` blocks at once, without findings; false where it was stopped: none of them counts.
+    /// The next `count` blocks at once, which have been executed before, so that what they do is known but
+    /// for the heights; false where it was stopped: none of them counts.
     bool cutMany(StockRun& run, std::size_t count, const WorkContext& context);
     /// Takes a checkpoint where the last one is long ago.
     void rememberMoment(const StockRun& run);

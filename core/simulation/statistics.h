@@ -13,8 +13,8 @@ struct BlockStatistics {
     std::uint32_t regionsDecimated = 0; ///< regions decimated at the end of the block
     float cutSeconds = 0;
     float decimationSeconds = 0;
-    float removedMm3 = 0;
-    float maxDepth = 0; ///< largest height removed at a point, mm
+    float maxDepth = 0;    ///< largest height removed at a point, mm
+    double removedMm3 = 0; ///< exactly what the z-map lost
 };
 
 /// What is known of one frame that was drawn; it stands for the blocks (firstBlock, lastBlock].

@@ -2,6 +2,7 @@
 #include "tests/bench/workloads.h"
 
 #include <cmath>
+#include <fmt/format.h>
 
 namespace proveout::bench {
 
@@ -49,6 +50,19 @@ std::vector<CutterMotion> motionsOf(const Workload& workload, const Cutter& cutt
             motions.push_back({&cutter, motion});
         }
     return motions;
+}
+
+std::string programOf(const Workload& workload) {
+    const Cutter none;
+    std::string text = "G21 G90 G17 G94\nT1 M6\nG43 H1\nS10000 M3 F2000\n";
+    const auto motions = motionsOf(workload, none);
+    const Vec3& first = motions.front().motion.start;
+    text += fmt::format("G0 Z20\nG0 X{:.4f} Y{:.4f}\nG1 Z{:.4f}\n", first.x, first.y, first.z);
+    for (const CutterMotion& one : motions) {
+        const Vec3& end = one.motion.end;
+        text += fmt::format("X{:.4f} Y{:.4f} Z{:.4f}\n", end.x, end.y, end.z);
+    }
+    return text + "G0 Z20\nM30\n";
 }
 
 } // namespace proveout::bench

@@ -24,5 +24,7 @@ struct Workload {
 [[nodiscard]] StockBox stockOf(const Workload& workload);
 /// Feed motions through and beside the stock; each keeps a pointer to `cutter`.
 [[nodiscard]] std::vector<CutterMotion> motionsOf(const Workload& workload, const Cutter& cutter);
+/// The same motions as a program for tool 1, a block each behind its head.
+[[nodiscard]] std::string programOf(const Workload& workload);
 
 } // namespace proveout::bench

@@ -9,7 +9,7 @@ namespace {
 
 void append(std::string& text, double value) {
     std::array<char, 32> digits{};
-    // Values come from floats and counts: nine digits give each of them back.
+    // Most values come from floats and counts, which nine digits give back.
     const auto end =
         std::to_chars(digits.data(), digits.data() + digits.size(), value, std::chars_format::general, 9);
     text.append(digits.data(), end.ptr);

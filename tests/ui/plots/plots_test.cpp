@@ -27,7 +27,7 @@ BlockStatistics randomBlock(std::mt19937& random) {
     BlockStatistics row;
     row.facesFull = 500000;
     row.facesShown = static_cast<std::uint32_t>(random() % 500000);
-    row.removedMm3 = static_cast<float>(random() % 1000) / 8;
+    row.removedMm3 = static_cast<double>(random() % 1000) / 8;
     return row;
 }
 
@@ -249,8 +249,8 @@ void PlotsTest::stackedCurvesStandOnEachOther() {
 
 void PlotsTest::csvHoldsEveryValue() {
     PersistentArray<BlockStatistics> blocks;
-    blocks.push_back({1200, 39200, 3, 1, 0.001f, 0, 12.5f, 1});
-    blocks.push_back({980, 39200, 0, 4, 0.001f, 0, 0, 1});
+    blocks.push_back({1200, 39200, 3, 1, 0.001f, 0, 1, 12.5});
+    blocks.push_back({980, 39200, 0, 4, 0.001f, 0, 1, 0});
     const std::vector<FrameStatistics> frames{{0, 2, 0.0005f, 0.25f, 0, 0.0125f}};
     QCOMPARE(plotCsv(plot("faces"), {blocks, frames}),
              std::string("block,facesFull,facesShown\n1,39200,1200\n2,39200,980\n"));

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// seek_bench [SPACING [WORKLOAD [SEEKS]]]: what a user waits for on the timeline of a long program, cutting
+// alone: seeks to random blocks and steps back by one, after a whole run, within the standard budget of
+// checkpoints.
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+#include <fmt/format.h>
+#include <memory>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "core/base/stop_watch.h"
+#include "core/nc/interpreter.h"
+#include "core/simulation/simulation.h"
+#include "tests/bench/workloads.h"
+
+namespace proveout::bench {
+namespace {
+
+std::shared_ptr<const Setup> setupOf(const Workload& workload, double spacing) {
+    auto setup = std::make_shared<Setup>();
+    setup->stock = stockOf(workload);
+    setup->spacing = spacing;
+    setup->tools.set(1, parseCutter(fmt::format("ball:d={}", workload.diameter)).value());
+    return setup;
+}
+
+class Waits {
+public:
+    void add(double seconds) { m_seconds.push_back(seconds); }
+    /// Milliseconds that so large a part of all took at most.
+    [[nodiscard]] double at(double part) {
+        std::ranges::sort(m_seconds);
+        const double last = static_cast<double>(m_seconds.size() - 1);
+        return 1000 * m_seconds[static_cast<std::size_t>(last * part)];
+    }
+
+private:
+    std::vector<double> m_seconds;
+};
+
+void measure(const Workload& workload, double spacing, int seeks) {
+    const NcText text(programOf(workload));
+    DecimationParameters parameters;
+    parameters.period = 0;
+    const StopWatch run;
+    const auto simulation =
+        std::move(Simulation::create(interpret(text), setupOf(workload, spacing), parameters).value());
+    simulation->seek(simulation->blockCount());
+    const double runSeconds = run.seconds();
+    std::mt19937 random(1);
+    Waits sought;
+    Waits steppedBack;
+    for (int k = 0; k < seeks; ++k) {
+        const StopWatch seek;
+        simulation->seek(random() % (simulation->blockCount() + 1));
+        sought.add(seek.seconds());
+        const StopWatch back;
+        simulation->seek(std::max<std::size_t>(simulation->position(), 1) - 1);
+        steppedBack.add(back.seconds());
+    }
+    std::puts(fmt::format("{:<8}{:>9}{:>9.1f}{:>8}{:>10.1f}{:>10.1f}{:>10.1f}{:>10.1f}{:>10.1f}",
+                          workload.name, simulation->blockCount(), runSeconds, seeks, sought.at(0.5),
+                          sought.at(0.99), sought.at(1), steppedBack.at(0.5), steppedBack.at(1))
+                  .c_str());
+    std::fflush(stdout);
+}
+
+} // namespace
+} // namespace proveout::bench
+
+int main(int argc, char** argv) {
+    using namespace proveout::bench;
+    const double spacing = argc > 1 ? std::strtod(argv[1], nullptr) : 0.5;
+    const std::string only = argc > 2 ? argv[2] : "";
+    const int seeks = argc > 3 ? std::max(1, std::atoi(argv[3])) : 500;
+    std::puts(fmt::format("at {} mm: seconds of the first run with its interpretation; then milliseconds of "
+                          "seeks and of steps back\n{:<8}{:>9}{:>9}{:>8}{:>10}{:>10}{:>10}{:>10}{:>10}",
+                          spacing, "", "blocks", "run", "seeks", "half", "99 %", "largest", "back", "largest")
+                  .c_str());
+    for (const Workload& workload : workloads()) {
+        if (only.empty() || only == workload.name)
+            measure(workload, spacing, seeks);
+    }
+    return 0;
+}
