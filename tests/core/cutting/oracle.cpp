@@ -122,8 +122,8 @@ private:
         return onRim;
     }
 
-    /// The places at which the path comes under another piece of the profile, each on the side that is
-    /// nearer.
+    /// The places at which the path comes under another piece of the profile, on both sides, and some about
+    /// them.
     void addCrossings() {
         std::vector<Place> crossings;
         for (std::size_t k = 0; k + 1 < m_places.size(); ++k) {
@@ -141,6 +141,11 @@ private:
                         outside = middle.t;
                 }
                 crossings.push_back(inside);
+                crossings.push_back(at(outside));
+                // Beyond a wall it may fall to yet another minimum before the next sample.
+                for (const std::size_t side : {k, k + 1})
+                    for (const double part : {0.25, 0.5, 0.75})
+                        crossings.push_back(at(inside.t + part * (m_places[side].t - inside.t)));
             }
         }
         add(crossings);
