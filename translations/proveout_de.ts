@@ -1710,6 +1710,14 @@
         <translation>„{}“ ist kein Punkt der Form X,Y,Z in mm.</translation>
     </message>
     <message>
+        <source>The motion ends farther than {} mm from the machine&apos;s zero, along {}.</source>
+        <translation>Die Bewegung endet mehr als {} mm vom Maschinennullpunkt entfernt, entlang {}.</translation>
+    </message>
+    <message>
+        <source>Check the numbers, the scaling and what is repeated.</source>
+        <translation>Zahlen, Skalierung und Wiederholungen prüfen.</translation>
+    </message>
+    <message>
         <source>The path of the arc is {} mm long, beyond the limit of {} mm; it cuts nothing.</source>
         <translation>Die Bahn des Bogens ist {} mm lang, mehr als die Grenze von {} mm; er schneidet nichts.</translation>
     </message>

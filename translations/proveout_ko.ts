@@ -1710,6 +1710,14 @@
         <translation>“{}”은(는) X,Y,Z 형식의 점(mm)이 아닙니다.</translation>
     </message>
     <message>
+        <source>The motion ends farther than {} mm from the machine&apos;s zero, along {}.</source>
+        <translation>이동이 기계 원점에서 {} mm보다 먼 곳에서 끝납니다(축: {}).</translation>
+    </message>
+    <message>
+        <source>Check the numbers, the scaling and what is repeated.</source>
+        <translation>숫자, 스케일링, 반복을 확인하십시오.</translation>
+    </message>
+    <message>
         <source>The path of the arc is {} mm long, beyond the limit of {} mm; it cuts nothing.</source>
         <translation>원호 경로의 길이가 {} mm로 한계 {} mm를 넘습니다. 이 원호는 아무것도 깎지 않습니다.</translation>
     </message>

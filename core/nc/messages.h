@@ -35,6 +35,10 @@ inline constexpr Message kNumberOutOfRange{
     Severity::error, true, "number-out-of-range",
     PROVEOUT_TEXT("Core", "The number of {} is out of range: larger than 1e12."),
     PROVEOUT_TEXT("Core", "Check the number.")};
+inline constexpr Message kTargetTooFar{
+    Severity::error, true, "target-too-far",
+    PROVEOUT_TEXT("Core", "The motion ends farther than {} mm from the machine's zero, along {}."),
+    PROVEOUT_TEXT("Core", "Check the numbers, the scaling and what is repeated.")};
 inline constexpr Message kNestedTooDeep{
     Severity::error, true, "nested-too-deep",
     PROVEOUT_TEXT("Core", "The expression is nested deeper than 100 levels."),

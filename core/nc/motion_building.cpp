@@ -260,9 +260,33 @@ void appendMotion(Execution& execution, Motion motion) {
     appendWithFeed(execution, motion);
 }
 
+namespace {
+
+/// Scaling and repetition make numbers larger than any that a text may hold. Where an axis would go that far
+/// is not known any more, so that what comes after is computed from places that can be.
+void forgetTooFar(Execution& execution, Motion& motion) {
+    constexpr double kFarthest = 1e14; ///< mm; squares of it, and sums of them, are far from overflowing
+    std::uint8_t beyond = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (std::abs(motion.end[axis]) <= kFarthest)
+            continue;
+        beyond |= bit(axis);
+        motion.end[axis] = motion.start[axis];
+    }
+    if (beyond == 0)
+        return;
+    motion.endKnown &= static_cast<std::uint8_t>(~static_cast<unsigned>(beyond));
+    if (motion.kind == MotionKind::arc)
+        motion.kind = MotionKind::feed;
+    execution.reporter.tell(nc_message::kTargetTooFar, 1, 0, {"1e14", namesOfAxes(beyond)});
+}
+
+} // namespace
+
 void appendWithFeed(Execution& execution, Motion motion) {
     motion.start = tipAt(execution, motion.start);
     execution.state.compensation.displacement = Vec3(0);
+    forgetTooFar(execution, motion);
     motion.unverified = execution.reporter.unverified();
     forgetUnplaced(execution, motion);
     execution.program.append(motion);

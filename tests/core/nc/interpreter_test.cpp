@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <ctime>
 #include <functional>
 #include <gtest/gtest.h>
@@ -244,6 +245,22 @@ TEST(Interpreter, KeepsTheBytesOfAMotionSmall) {
     const auto program = interpret(NcText(repeated("G91 G1 X1 Y1 F100\n", 1000)), options);
     EXPECT_EQ(program->motionCount(), 1000U);
     EXPECT_LE(Program::kBytesPerMotion, 64U);
+}
+
+TEST(Interpreter, KnowsNoPlaceThatRepetitionMakesTooFar) {
+    InterpretOptions options;
+    options.dialect = DialectId::linuxcnc;
+    options.assumeStartAtZero = true;
+    const auto program = interpret(NcText(repeated("G91 G0 X999999999999 Y1\n", 150)), options);
+    ASSERT_TRUE(has(*program, "target-too-far"));
+    EXPECT_TRUE(program->unverified());
+    ASSERT_EQ(program->motionCount(), 150U);
+    for (std::size_t k = 0; k < program->motionCount(); ++k) {
+        const Motion motion = program->motion(k);
+        EXPECT_LE(std::abs(motion.end.x), 1e14);
+        EXPECT_EQ((motion.endKnown & kAxisX) != 0, k < 100);
+        EXPECT_EQ(motion.end.y, static_cast<double>(k + 1));
+    }
 }
 
 TEST(Interpreter, IsAFunctionOfItsInput) {
