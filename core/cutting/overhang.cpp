@@ -56,22 +56,34 @@ Cutter neckOf(const NeckedHead& head) {
     return {"", CutterProfile{{disc}, {}}, 0, 0, 0};
 }
 
-/// An arc in pieces over each of which the head passes a place once, or nearly at one height.
+/// An arc in pieces over each of which the head passes a place once, or nearly at one height: between the
+/// eighths of its circle, as in a vertical plane the way over ground turns back at quarters.
 std::vector<Motion> partsOf(const Motion& motion) {
     constexpr double kEighth = std::numbers::pi / 4;
-    if (motion.kind != MotionKind::arc || !withinLimits(motion))
+    if (motion.kind != MotionKind::arc || motion.sweep == 0 || !withinLimits(motion))
         return {motion};
-    const auto count = static_cast<int>(std::max(1.0, std::ceil(std::abs(motion.sweep) / kEighth)));
-    const int normal = axes(motion.plane).normal;
+    const auto [first, second, normal] = axes(motion.plane);
+    const double from =
+        std::atan2(motion.start[second] - motion.centre[second], motion.start[first] - motion.centre[first]) /
+        kEighth;
+    const double sweep = motion.sweep / kEighth;
+    std::vector<double> ends;
+    for (double k = std::ceil(std::min(from, from + sweep)); k < std::max(from, from + sweep); ++k)
+        ends.push_back((k - from) / sweep);
+    ends.push_back(1);
+    std::ranges::sort(ends);
     std::vector<Motion> parts;
-    parts.reserve(static_cast<std::size_t>(count));
-    for (int k = 0; k < count; ++k) {
+    double begin = 0;
+    for (const double end : ends) {
+        if (end <= begin)
+            continue;
         Motion part = motion;
-        part.start = pointAt(motion, static_cast<double>(k) / count);
-        part.end = pointAt(motion, static_cast<double>(k + 1) / count);
+        part.start = pointAt(motion, begin);
+        part.end = pointAt(motion, end);
         part.centre[normal] = part.start[normal];
-        part.sweep = motion.sweep / count;
+        part.sweep = motion.sweep * (end - begin);
         parts.push_back(part);
+        begin = end;
     }
     return parts;
 }
