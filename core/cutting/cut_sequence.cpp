@@ -17,10 +17,39 @@ namespace proveout {
 
 namespace {
 
-// Motions are binned in portions: of that many tiles in all the records take 10 MB, of that many motions the
-// sweeps 15 MB, more where cutters have several profiles.
-constexpr std::size_t kTilesOfPortion = 200'000;
-constexpr std::size_t kMotionsOfPortion = 16'384;
+// Motions are binned in portions: of that many tiles in all the records take 20 MB, of that many motions the
+// sweeps 20 MB, more where cutters have several profiles. Between two of them threads wait for each other.
+constexpr std::size_t kTilesOfPortion = 500'000;
+constexpr std::size_t kMotionsOfPortion = 32'768;
+/// Prepared at once, by several threads.
+constexpr std::size_t kMotionsOfBatch = 128;
+
+/// A motion, and the tiles that it may lower; neither where it cuts nothing.
+struct PlacedSweep {
+    std::optional<PreparedSweep> prepared;
+    std::vector<std::size_t> tiles;
+};
+
+PlacedSweep place(const ZMap& zmap, const CutterMotion& one) {
+    PlacedSweep placed;
+    if (one.cutter == nullptr)
+        return placed;
+    placed.prepared.emplace(*one.cutter, one.motion, zmap);
+    if (!placed.prepared->sweep.empty())
+        placed.tiles = tilesToLower(zmap, placed.prepared->sweep);
+    return placed;
+}
+
+std::vector<PlacedSweep> placeAll(const ZMap& zmap, std::span<const CutterMotion> motions) {
+    constexpr std::size_t kWorthATask = 16;
+    std::vector<PlacedSweep> placed(motions.size());
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, motions.size(), kWorthATask),
+                      [&](const auto& range) {
+                          for (std::size_t k = range.begin(); k != range.end(); ++k)
+                              placed[k] = place(zmap, motions[k]);
+                      });
+    return placed;
+}
 
 /// Some motions of a sequence, and the tiles that they may lower.
 class Portion {
@@ -29,10 +58,19 @@ public:
     Portion(const ZMap& zmap, std::span<const CutterMotion> motions, std::size_t first) : m_end(first) {
         std::vector<std::uint32_t> counts(zmap.tileCount());
         std::vector<Pair> pairs;
-        for (;
-             m_end < motions.size() && pairs.size() < kTilesOfPortion && m_sweeps.size() < kMotionsOfPortion;
-             ++m_end)
-            addMotion(zmap, motions[m_end], counts, pairs);
+        const auto full = [&] {
+            return m_end == motions.size() || pairs.size() >= kTilesOfPortion ||
+                   m_sweeps.size() >= kMotionsOfPortion;
+        };
+        while (!full()) {
+            const std::size_t count = std::min(kMotionsOfBatch, motions.size() - m_end);
+            for (PlacedSweep& placed : placeAll(zmap, motions.subspan(m_end, count))) {
+                if (full())
+                    break;
+                add(std::move(placed), counts, pairs);
+                ++m_end;
+            }
+        }
         bin(counts, pairs);
     }
 
@@ -88,21 +126,14 @@ private:
         return complete;
     }
 
-    void addMotion(const ZMap& zmap, const CutterMotion& one, std::vector<std::uint32_t>& counts,
-                   std::vector<Pair>& pairs) {
-        if (one.cutter == nullptr)
+    void add(PlacedSweep placed, std::vector<std::uint32_t>& counts, std::vector<Pair>& pairs) {
+        if (placed.tiles.empty())
             return;
-        PreparedSweep prepared(*one.cutter, one.motion, zmap);
-        if (prepared.sweep.empty())
-            return;
-        const std::vector<std::size_t> tiles = tilesToLower(zmap, prepared.sweep);
-        if (tiles.empty())
-            return;
-        for (const std::size_t tile : tiles) {
+        for (const std::size_t tile : placed.tiles) {
             pairs.push_back({static_cast<std::uint32_t>(tile), static_cast<std::uint32_t>(m_sweeps.size())});
             ++counts[tile];
         }
-        m_sweeps.push_back(std::move(prepared));
+        m_sweeps.push_back(std::move(*placed.prepared));
         m_motions.push_back(m_end);
     }
 
