@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace proveout {
@@ -62,6 +63,27 @@ double ArcPath::bend() const {
 
 bool ArcPath::levelCircle() const {
     return normal == 2 && climb == 0 && widening == 0;
+}
+
+double ArcPath::beside(const Vec2& point) const {
+    if (normal != 2) {
+        const Vec2 from(at(begin));
+        const Vec2 along = Vec2(at(end)) - from;
+        const double length = std::hypot(along.x, along.y);
+        const Vec2 off = point - from;
+        return length > 0 ? (off.y * along.x - off.x * along.y) / length : off.y;
+    }
+    const Vec2 to = point - Vec2(centre);
+    const double distance = std::hypot(to.x, to.y);
+    const double turned = std::remainder(std::atan2(to.y, to.x) - angle - sweep * begin, kTurn) / sweep;
+    const double turn = kTurn / std::abs(sweep);
+    double nearest = std::numeric_limits<double>::infinity();
+    const double before = begin + turned - turn * std::ceil(turned / turn);
+    for (double t = before; t < end + turn; t += turn) {
+        const double off = distance - radius - widening * std::clamp(t, begin, end);
+        nearest = std::abs(off) < std::abs(nearest) ? off : nearest;
+    }
+    return sweep > 0 ? -nearest : nearest;
 }
 
 ArcPath arcPath(const Motion& motion, const Vec3& origin) {

@@ -31,6 +31,9 @@ struct ArcPath {
     [[nodiscard]] Tangent tangentAt(double t) const;
     /// A bound of |p''| over the path.
     [[nodiscard]] double bend() const;
+    /// How far beside the path a point lies over ground, left of it positive; of a spiral, beside that turn
+    /// which is nearest; where the plane of the arc is upright, beside its chord.
+    [[nodiscard]] double beside(const Vec2& point) const;
     /// Whether the tip goes round one circle at one height.
     [[nodiscard]] bool levelCircle() const;
 };

@@ -92,6 +92,8 @@ void CutRecord::add(const CutRecord& other) {
     maxDepth = std::max(maxDepth, other.maxDepth);
     points += other.points;
     changed = hull(changed, other.changed);
+    engagedFrom = std::min(engagedFrom, other.engagedFrom);
+    engagedTo = std::max(engagedTo, other.engagedTo);
 }
 
 CutRecord cut(ZMap& zmap, const Cutter& cutter, const Motion& motion) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -21,7 +22,15 @@ struct CutRecord {
     double maxDepth = 0;     ///< largest height removed at a point, mm
     std::int64_t points = 0; ///< points that became lower
     IndexRect changed;       ///< the box of these points
+    /// How far beside the path these points lie, mm, left of it positive: from where to where. Of a plunge,
+    /// along Y.
+    float engagedFrom = std::numeric_limits<float>::infinity();
+    float engagedTo = -std::numeric_limits<float>::infinity();
 
+    /// The width that was cut across the path, mm, to one spacing of the grid.
+    [[nodiscard]] double radialEngagement() const {
+        return points > 0 ? static_cast<double>(engagedTo) - static_cast<double>(engagedFrom) : 0;
+    }
     void add(const CutRecord& other);
 };
 

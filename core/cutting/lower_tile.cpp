@@ -166,6 +166,8 @@ private:
         m_sums.record.removedMm3 = loss.sum;
         m_sums.record.maxDepth = static_cast<double>(loss.depth);
         m_sums.record.points = loss.points;
+        m_sums.record.engagedFrom = loss.engagedFrom;
+        m_sums.record.engagedTo = loss.engagedTo;
         m_sums.record.changed = {m_rect.i0 + std::countr_zero(loss.columns),
                                  m_rect.j0 + std::countr_zero(loss.rows),
                                  m_rect.i0 + static_cast<int>(std::bit_width(loss.columns)),
@@ -191,12 +193,12 @@ private:
             return;
         const int begin = columns.begin / kLanes * kLanes;
         const int end = (columns.end + kLanes - 1) / kLanes * kLanes;
-        lower(row, columns, begin, end);
+        lower(sweep, row, columns, begin, end);
         std::fill(m_envelope.begin() + begin, m_envelope.begin() + end, kInfinity);
     }
 
     /// Lowers the whole lanes [begin, end) about the columns that were asked.
-    void lower(int row, const Columns& columns, int begin, int end) {
+    void lower(const Sweep& sweep, int row, const Columns& columns, int begin, int end) {
         const auto at = static_cast<std::size_t>(row * Tile::kSize + begin);
         if (!anyLower(&m_envelope[static_cast<std::size_t>(begin)], &tile().heights[at], end - begin,
                       m_floor))
@@ -207,6 +209,7 @@ private:
                  &m_removed[static_cast<std::size_t>(begin)], end - begin, m_floor,
                  edge ? m_sums.edge : m_sums.inner);
         note(row, columns, edge);
+        noteEngagement(sweep, row, columns);
     }
 
     /// Of the map: what is there weighs half.
@@ -241,6 +244,18 @@ private:
         if (m_rect.i0 + last == m_grid.nx)
             m_sums.columnHalves +=
                 weight * static_cast<double>(m_removed[static_cast<std::size_t>(last - 1)]);
+    }
+
+    void noteEngagement(const Sweep& sweep, int row, const Columns& columns) {
+        CutRecord& record = m_sums.record;
+        for (int k = columns.begin; k < columns.end; ++k) {
+            if (!(m_removed[static_cast<std::size_t>(k)] > 0))
+                continue;
+            const auto beside =
+                static_cast<float>(sweep.beside({m_grid.x(m_rect.i0 + k), m_grid.y(m_rect.j0 + row)}));
+            record.engagedFrom = std::min(record.engagedFrom, beside);
+            record.engagedTo = std::max(record.engagedTo, beside);
+        }
     }
 
     void finishRows() {

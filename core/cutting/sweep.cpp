@@ -117,6 +117,14 @@ double Sweep::envelope(double x, double y) const {
     return lowest;
 }
 
+double Sweep::beside(const Vec2& point) const {
+    const Vec2 local = point - Vec2(m_origin);
+    if (m_arc)
+        return m_path.beside(local);
+    const Vec2 to = local - m_straight.from;
+    return to.y * m_straight.along.x - to.x * m_straight.along.y;
+}
+
 Columns Sweep::row(const RowPoints& row, const float* heights, float* out) const {
     const RowPoints local{row.x - m_origin.x, row.step, row.y - m_origin.y, row.count};
     return m_arc ? arcColumns(local, heights, out) : straightColumns(local, out);

@@ -42,6 +42,8 @@ public:
 
     /// The envelope over one point; +infinity where the cutter never comes.
     [[nodiscard]] double envelope(double x, double y) const;
+    /// How far beside the path a point lies over ground, mm, left of it positive.
+    [[nodiscard]] double beside(const Vec2& point) const;
     /// The envelope over a row of points into `out`, which holds +infinity. Returns the points that were
     /// asked; all others keep their infinity. `heights` are those of the z-map: points that surely stay at
     /// theirs may be left out.

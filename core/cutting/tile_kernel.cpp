@@ -89,7 +89,8 @@ private:
 class Losses {
 public:
     /// Of the tile's points; none: all weigh 1.
-    explicit Losses(const PointWeights* weights) : m_weights(weights), m_depth(hn::Zero(kFloats)) {}
+    explicit Losses(const PointWeights* weights)
+        : m_weights(weights), m_depth(hn::Zero(kFloats)), m_from(all(kInfinity)), m_to(all(-kInfinity)) {}
 
     /// What a vector of points loses, times its weights.
     [[nodiscard]] HWY_INLINE V weighed(std::size_t column, std::size_t row, V lost) const {
@@ -98,9 +99,11 @@ public:
         const V weights = hn::LoadU(kFloats, &m_weights->columns[column]);
         return hn::Mul(hn::Mul(lost, weights), all(m_weights->rows[row]));
     }
-    HWY_INLINE void add(V deepest, const ColumnSums& sums) {
+    HWY_INLINE void add(V deepest, const ColumnSums& sums, V from, V to) {
         m_depth = hn::Max(m_depth, deepest);
         m_sums.add(sums);
+        m_from = hn::Min(m_from, from);
+        m_to = hn::Max(m_to, to);
     }
     /// The columns of a block, a bit each, that became lower in a row.
     HWY_INLINE void note(std::size_t column, std::size_t row, std::uint64_t bits) {
@@ -112,6 +115,8 @@ public:
         TileLoss total = m_loss;
         total.sum = m_sums.total();
         total.depth = hn::GetLane(hn::MaxOfLanes(kFloats, m_depth));
+        total.engagedFrom = hn::GetLane(hn::MinOfLanes(kFloats, m_from));
+        total.engagedTo = hn::GetLane(hn::MaxOfLanes(kFloats, m_to));
         return total;
     }
 
@@ -119,6 +124,8 @@ private:
     const PointWeights* m_weights;
     ColumnSums m_sums;
     V m_depth;
+    V m_from; ///< beside the path
+    V m_to;
     TileLoss m_loss;
 };
 
@@ -139,17 +146,18 @@ struct BlockPlaces {
             acrossColumns[k] = hn::Mul(all(pass.acrossX), columns);
         }
     }
-    [[nodiscard]] HWY_INLINE V alongRow(std::size_t r) const {
-        return all(along + (row + static_cast<float>(r)) * alongY);
+    /// Of a row and a vector of it.
+    [[nodiscard]] HWY_INLINE V alongAt(std::size_t r, std::size_t k) const {
+        return hn::Add(all(along + (row + static_cast<float>(r)) * alongY), alongColumns[k]);
     }
-    [[nodiscard]] HWY_INLINE V acrossRow(std::size_t r) const {
-        return all(across + (row + static_cast<float>(r)) * acrossY);
+    [[nodiscard]] HWY_INLINE V acrossAt(std::size_t r, std::size_t k) const {
+        return hn::Add(all(across + (row + static_cast<float>(r)) * acrossY), acrossColumns[k]);
     }
 };
 
 /// For lowerGroup(): nobody wants to know.
 struct NoLosses {
-    HWY_INLINE void take(std::size_t, std::size_t, V, V, M) {}
+    HWY_INLINE void take(std::size_t, std::size_t, V, V, M, V) {}
     HWY_INLINE void endGroup() {}
 };
 
@@ -158,23 +166,27 @@ struct NoLosses {
 class GroupLosses {
 public:
     HWY_INLINE GroupLosses(Losses& losses, std::size_t block, std::size_t group)
-        : m_losses(losses), m_column(columnOf(block)), m_row(rowOf(block) + group * kGroupRows) {
+        : m_losses(losses), m_column(columnOf(block)), m_row(rowOf(block) + group * kGroupRows),
+          m_from(all(kInfinity)), m_to(all(-kInfinity)) {
         for (V& deepest : m_deepest)
             deepest = hn::Zero(kFloats);
     }
 
-    HWY_INLINE void take(std::size_t row, std::size_t vector, V before, V now, M lower) {
+    /// `beside`: where the points lie across the path.
+    HWY_INLINE void take(std::size_t row, std::size_t vector, V before, V now, M lower, V beside) {
         const V lost = hn::Sub(before, now);
         const V weighed = m_losses.weighed(m_column + vector * kLanes, m_row + row, lost);
         m_deepest[vector] = hn::Max(m_deepest[vector], lost);
         m_sums.add(vector, weighed);
         m_bits[row] |= static_cast<std::uint64_t>(bitsOf(lower)) << (vector * kLanes);
+        m_from = hn::Min(m_from, hn::IfThenElse(lower, beside, m_from));
+        m_to = hn::Max(m_to, hn::IfThenElse(lower, beside, m_to));
     }
     HWY_INLINE void endGroup() {
         V deepest = m_deepest[0];
         for (std::size_t k = 1; k < kVectors; ++k)
             deepest = hn::Max(deepest, m_deepest[k]);
-        m_losses.add(deepest, m_sums);
+        m_losses.add(deepest, m_sums, m_from, m_to);
         for (std::size_t r = 0; r < kGroupRows; ++r)
             m_losses.note(m_column, m_row + r, m_bits[r]);
     }
@@ -185,6 +197,8 @@ private:
     std::size_t m_row;
     V m_deepest[kVectors];
     ColumnSums m_sums;
+    V m_from;
+    V m_to;
     std::uint64_t m_bits[kGroupRows] = {};
 };
 
@@ -199,14 +213,15 @@ HWY_INLINE void lowerGroup(const Envelope& envelope, const BlockPlaces& places, 
             const std::size_t row = group * kGroupRows + r;
             float* at = heights + r * Tile::kSize + k * kLanes;
             const V before = hn::LoadU(kFloats, at);
-            const Cut cut = envelope(hn::Add(places.alongRow(row), places.alongColumns[k]),
-                                     hn::Add(places.acrossRow(row), places.acrossColumns[k]));
+            const V along = places.alongAt(row, k);
+            const V across = places.acrossAt(row, k);
+            const Cut cut = envelope(along, across);
             const V z = hn::Max(cut.z, lowest);
             const M lower = hn::And(cut.under, hn::Lt(z, before));
             const V now = hn::IfThenElse(lower, z, before);
             most = hn::Max(most, now);
             hn::StoreU(now, kFloats, at);
-            taker.take(r, k, before, now, lower);
+            taker.take(r, k, before, now, lower, across);
         }
         hn::StoreU(most, kFloats, columnMaxima + k * kLanes);
     }
@@ -350,7 +365,9 @@ struct BlockBefore {
                            &heights[row * kBlock + column]);
         }
     }
-    void compare(const TileUnderWork& work, std::size_t block, Losses& losses) const {
+    /// `pass`: one of them; all have the same path.
+    void compare(const TilePass& pass, const TileUnderWork& work, std::size_t block, Losses& losses) const {
+        const BlockPlaces places(pass, block);
         for (std::size_t group = 0; group < kGroups; ++group) {
             const float* to = work.heights(block, group);
             GroupLosses taker(losses, block, group);
@@ -359,7 +376,7 @@ struct BlockBefore {
                     const std::size_t row = group * kGroupRows + r;
                     const V before = hn::LoadU(kFloats, &heights[row * kBlock + k * kLanes]);
                     const V now = hn::LoadU(kFloats, to + r * Tile::kSize + k * kLanes);
-                    taker.take(r, k, before, now, hn::Lt(now, before));
+                    taker.take(r, k, before, now, hn::Lt(now, before), places.acrossAt(row, k));
                 }
             }
             taker.endGroup();
@@ -385,7 +402,7 @@ TileLoss lowerByPasses(std::span<const TilePass> passes, TileUnderWork& work, co
             if ((blocks[k] >> block & 1U) != 0)
                 lowerBlockByPass(passes[k], planes[k].of(block), work, block);
         }
-        before.compare(work, block, losses);
+        before.compare(passes.front(), work, block, losses);
     }
     return losses.total();
 }

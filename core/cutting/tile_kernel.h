@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <stop_token>
 #include <vector>
@@ -64,6 +65,8 @@ struct TileLoss {
     std::int64_t points = 0;
     std::uint64_t columns = 0; ///< a bit each: whether any of their points became lower
     std::uint64_t rows = 0;
+    float engagedFrom = std::numeric_limits<float>::infinity(); ///< as in CutRecord
+    float engagedTo = -std::numeric_limits<float>::infinity();
 };
 
 /// Whether one of the passes may lower a point of the tile; where not, none does.

@@ -198,6 +198,62 @@ TEST(Cut, SplittingAMotionChangesNothing) {
     });
 }
 
+/// What lies how far beside a straight path.
+class Engagement {
+public:
+    explicit Engagement(const Motion& motion) : m_motion(motion) {}
+
+    void add(const Vec2& point) {
+        const Vec2 along = Vec2(m_motion.end) - Vec2(m_motion.start);
+        const Vec2 to = point - Vec2(m_motion.start);
+        const double length = std::hypot(along.x, along.y);
+        const double beside =
+            length > 1e-10 ? (along.x * to.y - along.y * to.x) / length : point.y - m_motion.start.y;
+        m_from = std::min(m_from, beside);
+        m_to = std::max(m_to, beside);
+    }
+    void expect(const CutRecord& record) const {
+        if (m_motion.kind == MotionKind::arc)
+            return;
+        if (m_to < m_from) {
+            EXPECT_EQ(record.radialEngagement(), 0);
+            return;
+        }
+        EXPECT_NEAR(record.engagedFrom, m_from, 1e-4);
+        EXPECT_NEAR(record.engagedTo, m_to, 1e-4);
+    }
+
+private:
+    Motion m_motion;
+    double m_from = std::numeric_limits<double>::infinity();
+    double m_to = -std::numeric_limits<double>::infinity();
+};
+
+TEST(Cut, RecordsTheRadialEngagementOnArcs) {
+    constexpr double kPi = std::numbers::pi;
+    for (const double climb : {0.0, -1.0}) {
+        for (const double sweep : {1.5 * kPi, -1.5 * kPi, 2 * kPi, -2 * kPi}) {
+            SCOPED_TRACE(fmt::format("sweep {}, climb {}", sweep, climb));
+            ZMap zmap = freshMap({{0, 0, 0}, 60, 60, 12}, 0.1);
+            const Cutter cutter = cutterOf("flat:d=6");
+            const auto round = [&](double radius) {
+                return cut(zmap, cutter,
+                           arcMotion(Plane::xy, {30, 30, -2}, radius, 0.3, sweep, climb, radius));
+            };
+            const CutRecord slot = round(15);
+            EXPECT_NEAR(slot.engagedFrom, -3, 0.05);
+            EXPECT_NEAR(slot.engagedTo, 3, 0.05);
+            // What is left lies on the outer side: right where the path turns left. Open ends and steps of a
+            // helix engage more.
+            if (climb != 0 || std::abs(sweep) < 2 * kPi)
+                continue;
+            const CutRecord wider = round(16.5);
+            EXPECT_NEAR(wider.radialEngagement(), 1.5, 0.15);
+            EXPECT_NEAR(sweep > 0 ? wider.engagedFrom : -wider.engagedTo, -3, 0.05);
+        }
+    }
+}
+
 TEST(Cut, RecordsWhatTheMapLost) {
     forRandomMaps(40, 6, [](Random& /*random*/, const Map& map, const std::vector<Job>& jobs) {
         ZMap zmap = freshMap(map);
@@ -210,6 +266,7 @@ TEST(Cut, RecordsWhatTheMapLost) {
             std::int64_t points = 0;
             double depth = 0;
             IndexRect changed;
+            Engagement engagement(job.motion);
             for (int j = 0; j < zmap.grid().ny; ++j) {
                 for (int i = 0; i < zmap.grid().nx; ++i) {
                     const float lost = before.height(i, j) - after.height(i, j);
@@ -218,8 +275,10 @@ TEST(Cut, RecordsWhatTheMapLost) {
                     ++points;
                     depth = std::max(depth, static_cast<double>(lost));
                     changed = hull(changed, {i, j, i + 1, j + 1});
+                    engagement.add({zmap.grid().x(i), zmap.grid().y(j)});
                 }
             }
+            engagement.expect(record);
             EXPECT_EQ(record.points, points);
             EXPECT_EQ(record.maxDepth, depth);
             EXPECT_EQ(record.changed.empty(), changed.empty());
