@@ -29,6 +29,9 @@ struct ConvexProfile {
     /// height.
     [[nodiscard]] double height(double r) const;
 
+    /// The height that kernels count from: of the arc's centre, else the lowest.
+    [[nodiscard]] double reference() const { return side == Side::arc ? centreZ : z0; }
+
     /// The same profile with every radius larger by `margin`: nowhere above this one over any point that is
     /// nearer by up to `margin`.
     [[nodiscard]] ConvexProfile dilated(double margin) const;

@@ -109,7 +109,7 @@ std::optional<CutRecord> cut(ZMap& zmap, const Cutter& cutter, const Motion& mot
     const std::vector<std::size_t> tiles = tilesToLower(zmap, sweep);
     const double points = pointsUnder(sweep, zmap.grid(), tiles.size());
     std::optional<CutRecord> record =
-        stop.stop_possible() && points * sweep.costOfPoint() > kPointsWorthStopping
+        stop.stop_possible() && points * prepared.costOfPoint() > kPointsWorthStopping
             ? lowerUnlessStopped(zmap, tiles, prepared, stop)
             : lower(zmap, tiles, prepared, points > kPointsWorthThreads);
     if (record)

@@ -115,8 +115,8 @@ public:
                 continue;
             if (prepared.passes.empty())
                 (void)lower(prepared);
-            for (const StraightPass& pass : prepared.passes)
-                table.add(seen(pass, prepared.sweep));
+            for (const TilePass& pass : seen(prepared))
+                table.add(pass);
         }
         if (table.size() == 0 || (m_tile == nullptr && !proveout::mayLower(table.passes(), tile(), m_floor)))
             return;
@@ -146,20 +146,21 @@ private:
         return m_result.complete;
     }
 
-    [[nodiscard]] TilePass seen(const StraightPass& pass, const Sweep& sweep) const {
+    /// The passes over this tile; until they are asked for again.
+    [[nodiscard]] std::span<const TilePass> seen(const PreparedSweep& prepared) {
         const Vec2 first(m_grid.x(m_rect.i0), m_grid.y(m_rect.j0));
-        const Vec2 middle = first + kMiddle * Vec2(m_grid.hx, m_grid.hy) - sweep.origin();
-        return pass.overTile(middle.x, middle.y, m_spacing);
+        const Vec2 middle = first + kMiddle * Vec2(m_grid.hx, m_grid.hy) - prepared.sweep.origin();
+        m_passes.clear();
+        prepared.passes.addOverTile(middle.x, middle.y, m_spacing, m_passes);
+        return m_passes;
     }
 
     void lowerByPasses(const PreparedSweep& prepared) {
-        m_passes.clear();
-        for (const StraightPass& pass : prepared.passes)
-            m_passes.push_back(seen(pass, prepared.sweep));
-        if (m_tile == nullptr && !proveout::mayLower(m_passes, tile(), m_floor))
+        const std::span<const TilePass> passes = seen(prepared);
+        if (passes.empty() || (m_tile == nullptr && !proveout::mayLower(passes, tile(), m_floor)))
             return;
         acquire();
-        const TileLoss loss = lowerByMotion(m_passes, *m_work, m_weights ? &*m_weights : nullptr);
+        const TileLoss loss = lowerByMotion(passes, *m_work, m_weights ? &*m_weights : nullptr);
         if (loss.points == 0)
             return;
         m_tile->takeMaximum();

@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "core/cutting/cutting.h"
-#include "core/cutting/straight_pass.h"
 #include "core/cutting/sweep.h"
 #include "core/cutting/tile_kernel.h"
 #include "core/zmap/zmap.h"
@@ -19,10 +18,15 @@ namespace proveout {
 /// A sweep, and how inner loops see it over the grid of a map.
 struct PreparedSweep {
     Sweep sweep;
-    std::vector<StraightPass> passes; ///< none: it is asked row by row
+    SweepPasses passes; ///< none: it is asked row by row
 
     PreparedSweep(const Cutter& cutter, const Motion& motion, const ZMap& zmap)
         : sweep(cutter, motion, zmap.stock().topZ()), passes(sweep.passes(zmap.grid().hx, zmap.grid().hy)) {}
+
+    /// The work on one point at most, as a multiple of that on a point of a straight motion.
+    [[nodiscard]] double costOfPoint() const {
+        return passes.empty() ? sweep.costOfPoint() : passes.costOfPoint();
+    }
 };
 
 struct TileCut {

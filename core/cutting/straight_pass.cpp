@@ -46,7 +46,9 @@ void setAhead(TilePass& form, const ConvexProfile& profile, double fall) {
     form.aheadRadius2 = toFloat(radius * radius);
 }
 
-TilePass formOf(const ConvexProfile& profile, const StraightPath& path) {
+} // namespace
+
+TilePass StraightPass::formOf(const ConvexProfile& profile, const StraightPath& path) {
     const double fall = std::abs(path.slope);
     TilePass form;
     form.level = fall == 0 || path.length == 0;
@@ -76,8 +78,6 @@ TilePass formOf(const ConvexProfile& profile, const StraightPath& path) {
     return form;
 }
 
-} // namespace
-
 bool StraightPass::suffices(const ConvexProfile& profile, const StraightPath& path,
                             const TileSpacing& spacing) {
     return profile.rim <= kLargest && spacing.tileReach <= std::max(kNarrowTile, 2 * profile.rim) &&
@@ -85,9 +85,7 @@ bool StraightPass::suffices(const ConvexProfile& profile, const StraightPath& pa
 }
 
 StraightPass::StraightPass(const ConvexProfile& profile, const StraightPath& path)
-    : m_path(path), m_rim(profile.rim),
-      m_reference(profile.side == ConvexProfile::Side::arc ? profile.centreZ : profile.z0),
-      m_form(formOf(profile, path)) {}
+    : m_path(path), m_rim(profile.rim), m_reference(profile.reference()), m_form(formOf(profile, path)) {}
 
 TilePass StraightPass::overTile(double x, double y, const TileSpacing& spacing) const {
     const double dx = x - m_path.from.x;

@@ -31,6 +31,9 @@ public:
     [[nodiscard]] static bool suffices(const ConvexProfile& profile, const StraightPath& path,
                                        const TileSpacing& spacing);
 
+    /// What a pass of this slope is on any path and over any tile.
+    [[nodiscard]] static TilePass formOf(const ConvexProfile& profile, const StraightPath& path);
+
     /// Seen from the tile whose middle lies at (x, y), in the path's coordinates.
     [[nodiscard]] TilePass overTile(double x, double y, const TileSpacing& spacing) const;
 

@@ -66,15 +66,8 @@ Sweep::Sweep(const Cutter& cutter, const Motion& motion, double topZ)
     m_reach.hi = box.hi + base + Vec3(m_rim, m_rim, lowestOfProfile);
 }
 
-std::vector<StraightPass> Sweep::passes(double hx, double hy) const {
-    std::vector<StraightPass> passes;
-    if (m_arc || !std::ranges::all_of(m_profiles, [&](const ConvexProfile& profile) {
-            return StraightPass::suffices(profile, m_straight, {hx, hy});
-        }))
-        return passes;
-    for (const ConvexProfile& profile : m_profiles)
-        passes.emplace_back(profile, m_straight);
-    return passes;
+SweepPasses Sweep::passes(double hx, double hy) const {
+    return m_arc ? SweepPasses(m_profiles, m_path, {hx, hy}) : SweepPasses(m_profiles, m_straight, {hx, hy});
 }
 
 double Sweep::costOfPoint() const {

@@ -7,8 +7,8 @@
 #include "core/base/geometry.h"
 #include "core/cutting/arc_sweep.h"
 #include "core/cutting/row_points.h"
-#include "core/cutting/straight_pass.h"
 #include "core/cutting/straight_sweep.h"
+#include "core/cutting/sweep_passes.h"
 #include "core/nc/motion.h"
 
 namespace proveout {
@@ -30,11 +30,11 @@ public:
 
     /// Where the coordinates of passes() begin, over ground.
     [[nodiscard]] Vec2 origin() const { return Vec2(m_origin); }
-    /// A straight motion as inner loops see it over a grid, a pass a profile. None for arcs, and where single
-    /// precision does not suffice.
-    [[nodiscard]] std::vector<StraightPass> passes(double hx, double hy) const;
+    /// The motion as inner loops see it over a grid. None where single precision does not suffice.
+    [[nodiscard]] SweepPasses passes(double hx, double hy) const;
 
-    /// The work on one point at most, as a multiple of that on a point of a straight motion.
+    /// The work on one point at most where there are no passes, as a multiple of that on a point of a
+    /// straight motion.
     [[nodiscard]] double costOfPoint() const;
 
     /// The part of the band y0 <= y <= y1 that may lie under the cutter.

@@ -14,6 +14,8 @@
 #include <hwy/highway.h>
 
 #include "core/cutting/pass_envelope-inl.h"
+#include "core/cutting/round_envelope-inl.h"
+#include "core/cutting/round_plane-inl.h"
 #include "core/cutting/supporting_plane-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -157,7 +159,7 @@ struct BlockPlaces {
 
 /// For lowerGroup(): nobody wants to know.
 struct NoLosses {
-    HWY_INLINE void take(std::size_t, std::size_t, V, V, M, V) {}
+    HWY_INLINE void take(std::size_t, std::size_t, V, V, M, V, V) {}
     HWY_INLINE void endGroup() {}
 };
 
@@ -165,15 +167,15 @@ struct NoLosses {
 /// foresee it, and works on several rows at once.
 class GroupLosses {
 public:
-    HWY_INLINE GroupLosses(Losses& losses, std::size_t block, std::size_t group)
-        : m_losses(losses), m_column(columnOf(block)), m_row(rowOf(block) + group * kGroupRows),
+    HWY_INLINE GroupLosses(Losses& losses, const TilePass& pass, std::size_t block, std::size_t group)
+        : m_losses(losses), m_pass(pass), m_column(columnOf(block)), m_row(rowOf(block) + group * kGroupRows),
           m_from(all(kInfinity)), m_to(all(-kInfinity)) {
         for (V& deepest : m_deepest)
             deepest = hn::Zero(kFloats);
     }
 
-    /// `beside`: where the points lie across the path.
-    HWY_INLINE void take(std::size_t row, std::size_t vector, V before, V now, M lower, V beside) {
+    HWY_INLINE void take(std::size_t row, std::size_t vector, V before, V now, M lower, V along, V across) {
+        const V beside = besidePath(m_pass, along, across);
         const V lost = hn::Sub(before, now);
         const V weighed = m_losses.weighed(m_column + vector * kLanes, m_row + row, lost);
         m_deepest[vector] = hn::Max(m_deepest[vector], lost);
@@ -193,6 +195,7 @@ public:
 
 private:
     Losses& m_losses;
+    const TilePass& m_pass;
     std::size_t m_column;
     std::size_t m_row;
     V m_deepest[kVectors];
@@ -221,7 +224,7 @@ HWY_INLINE void lowerGroup(const Envelope& envelope, const BlockPlaces& places, 
             const V now = hn::IfThenElse(lower, z, before);
             most = hn::Max(most, now);
             hn::StoreU(now, kFloats, at);
-            taker.take(r, k, before, now, lower, across);
+            taker.take(r, k, before, now, lower, along, across);
         }
         hn::StoreU(most, kFloats, columnMaxima + k * kLanes);
     }
@@ -278,33 +281,33 @@ HWY_INLINE std::uint32_t groupsAbove(const Plane& plane, const float* columnMaxi
 }
 
 /// Planes below one pass over all blocks of a tile.
-struct BlockPlanes {
-    alignas(64) float middle[kBlocks];
-    alignas(64) float perColumn[kBlocks];
-    alignas(64) float perRow[kBlocks];
+Plane planeOf(const BlockPlanes& planes, std::size_t block) {
+    return {planes.middle[block], planes.perColumn[block], planes.perRow[block]};
+}
 
-    [[nodiscard]] Plane of(std::size_t block) const {
-        return {middle[block], perColumn[block], perRow[block]};
-    }
-};
-
-/// The blocks, a bit each, that a pass may lower.
+/// Planes below a pass over all blocks of a tile, and, a bit each, the blocks that it reaches below their
+/// maxima.
 std::uint32_t blocksAbove(const TilePass& pass, const float* blockMaxima, float floor, BlockPlanes& planes) {
+    const bool round = pass.path == TilePass::Path::round;
     const PassLanes lanesOfPass = allLanesOf(pass);
     std::uint32_t found = 0;
     for (std::size_t block = 0; block < kBlocks; block += kLanes) {
         const V index = hn::Iota(kFloats, static_cast<float>(block));
-        const V row = hn::Floor(hn::Mul(index, all(1.0F / Tile::kBlocks)));
-        const V column = minusProduct(row, all(Tile::kBlocks), index);
+        const V rows = hn::Floor(hn::Mul(index, all(1.0F / Tile::kBlocks)));
+        const V columns = minusProduct(rows, all(Tile::kBlocks), index);
         const V first = all(kBlockMiddle - kTileMiddle);
-        const Planes some = supportingPlanes(lanesOfPass, productPlus(column, all(kBlock), first),
-                                             productPlus(row, all(kBlock), first));
+        const V column = productPlus(columns, all(kBlock), first);
+        const V row = productPlus(rows, all(kBlock), first);
+        const Planes some =
+            round ? roundPlanes(pass, column, row) : supportingPlanes(lanesOfPass, column, row);
         const V maxima = hn::LoadU(kFloats, blockMaxima + block);
-        const M above = hn::Lt(hn::Max(some.lowest(), all(floor)), maxima);
+        const V lowest = some.lowest();
+        const M above = hn::Lt(hn::Max(lowest, all(floor)), maxima);
         found |= bitsOf(hn::And(some.reaches, above)) << block;
-        hn::StoreU(some.middle, kFloats, planes.middle + block);
-        hn::StoreU(some.perColumn, kFloats, planes.perColumn + block);
-        hn::StoreU(some.perRow, kFloats, planes.perRow + block);
+        hn::StoreU(some.middle, kFloats, planes.middle.data() + block);
+        hn::StoreU(some.perColumn, kFloats, planes.perColumn.data() + block);
+        hn::StoreU(some.perRow, kFloats, planes.perRow.data() + block);
+        hn::StoreU(lowest, kFloats, planes.lowest.data() + block);
     }
     return found;
 }
@@ -329,14 +332,15 @@ TileLoss lowerByPass(const TilePass& pass, TileUnderWork& work, const PointWeigh
     if (blocks == 0)
         return {};
     Losses losses(weights);
-    withEnvelope(pass, [&](const auto& envelope) HWY_ATTR {
+    withAnyEnvelope(pass, [&](const auto& envelope) HWY_ATTR {
         for (; blocks != 0; blocks &= blocks - 1) {
             const auto block = static_cast<std::size_t>(std::countr_zero(blocks));
             if (!work.isKnown(block))
                 learnMaxima(work, block);
             const std::uint32_t groups =
-                groupsAbove(planes.of(block), work.columnMaxima(block, 0), work.floor());
-            const auto taking = [&](std::size_t group) HWY_ATTR { return GroupLosses(losses, block, group); };
+                groupsAbove(planeOf(planes, block), work.columnMaxima(block, 0), work.floor());
+            const auto taking = [&](std::size_t group)
+                                    HWY_ATTR { return GroupLosses(losses, pass, block, group); };
             if (groups != 0)
                 lowerGroups(envelope, pass, work, block, groups, taking);
         }
@@ -348,7 +352,7 @@ void lowerBlockByPass(const TilePass& pass, const Plane& plane, TileUnderWork& w
     const std::uint32_t groups = groupsAbove(plane, work.columnMaxima(block, 0), work.floor());
     if (groups == 0)
         return;
-    withEnvelope(pass, [&](const auto& envelope) HWY_ATTR {
+    withAnyEnvelope(pass, [&](const auto& envelope) HWY_ATTR {
         lowerGroups(envelope, pass, work, block, groups, [](std::size_t) { return NoLosses(); });
     });
 }
@@ -370,13 +374,14 @@ struct BlockBefore {
         const BlockPlaces places(pass, block);
         for (std::size_t group = 0; group < kGroups; ++group) {
             const float* to = work.heights(block, group);
-            GroupLosses taker(losses, block, group);
+            GroupLosses taker(losses, pass, block, group);
             for (std::size_t k = 0; k < kVectors; ++k) {
                 for (std::size_t r = 0; r < kGroupRows; ++r) {
                     const std::size_t row = group * kGroupRows + r;
                     const V before = hn::LoadU(kFloats, &heights[row * kBlock + k * kLanes]);
                     const V now = hn::LoadU(kFloats, to + r * Tile::kSize + k * kLanes);
-                    taker.take(r, k, before, now, hn::Lt(now, before), places.acrossAt(row, k));
+                    taker.take(r, k, before, now, hn::Lt(now, before), places.alongAt(row, k),
+                               places.acrossAt(row, k));
                 }
             }
             taker.endGroup();
@@ -400,7 +405,7 @@ TileLoss lowerByPasses(std::span<const TilePass> passes, TileUnderWork& work, co
         const BlockBefore before(work, block);
         for (std::size_t k = 0; k < passes.size(); ++k) {
             if ((blocks[k] >> block & 1U) != 0)
-                lowerBlockByPass(passes[k], planes[k].of(block), work, block);
+                lowerBlockByPass(passes[k], planeOf(planes[k], block), work, block);
         }
         before.compare(passes.front(), work, block, losses);
     }
@@ -444,6 +449,11 @@ public:
             m_lowest[k] = hn::IfThenElse(better, z, m_lowest[k]);
             m_passes[k] = hn::IfThenElse(better, passes, m_passes[k]);
         }
+    }
+    /// One pass that may lower the block.
+    HWY_INLINE void look(const Plane& plane, float pass) {
+        const Planes planes{all(plane.middle), all(plane.perColumn), all(plane.perRow), {}};
+        look(planes, hn::Eq(planes.middle, planes.middle), all(pass));
     }
     [[nodiscard]] HWY_INLINE std::int32_t at(std::size_t place) const {
         alignas(64) float passes[kBlock];
@@ -489,7 +499,7 @@ private:
         const V most = all(maximum());
         const V floor = all(m_work.floor());
         const hn::RebindToSigned<Floats> ints;
-        for (std::size_t k = 0; k < m_table.size(); k += kLanes) {
+        for (std::size_t k = 0; k < m_table.straightCount(); k += kLanes) {
             const Planes planes = supportingPlanes(lanesOf(m_table, k), column, row);
             const V lowest = planes.lowest();
             const M may = hn::And(planes.reaches, hn::Lt(hn::Max(lowest, floor), most));
@@ -503,9 +513,27 @@ private:
             m_count += hn::CompressStore(hn::Iota(ints, static_cast<std::int32_t>(k)),
                                          hn::RebindMask(ints, may), ints, &m_found.pass[m_count]);
         }
+        findRound(seeds);
         // What fills the last vector is never found.
         for (std::size_t k = 0; k < kLanes; ++k)
             m_found.lowest[m_count + k] = kInfinity;
+    }
+
+    /// Of the passes on round paths, which stand behind the others.
+    void findRound(Seeds& seeds) {
+        const std::vector<PassTable::RoundPlanes>& rounds = m_table.roundPlanes();
+        for (std::size_t k = 0; k < rounds.size(); ++k) {
+            const BlockPlanes& planes = rounds[k].planes;
+            if ((rounds[k].blocks >> m_block & 1U) == 0)
+                continue;
+            const auto pass = static_cast<std::int32_t>(m_table.straightCount() + k);
+            seeds.look(planeOf(planes, m_block), static_cast<float>(pass));
+            m_found.middle[m_count] = planes.middle[m_block];
+            m_found.perColumn[m_count] = planes.perColumn[m_block];
+            m_found.perRow[m_count] = planes.perRow[m_block];
+            m_found.lowest[m_count] = planes.lowest[m_block];
+            m_found.pass[m_count++] = pass;
+        }
     }
 
     void lowerBySeed(std::int32_t pass) {
@@ -542,7 +570,7 @@ private:
     }
 
     void lowerBy(const TilePass& pass, std::uint32_t groups) {
-        withEnvelope(pass, [&](const auto& envelope) HWY_ATTR {
+        withAnyEnvelope(pass, [&](const auto& envelope) HWY_ATTR {
             lowerGroups(envelope, pass, m_work, m_block, groups, [](std::size_t) { return NoLosses(); });
         });
     }
@@ -555,6 +583,14 @@ private:
     std::int32_t m_seeds[Seeds::kPlaces];
     std::size_t m_seedCount = 0;
 };
+
+void vectorFindRound(PassTable& table, const Tile& tile, float floor) {
+    const std::span<const TilePass> rounds = table.passes().subspan(table.straightCount());
+    for (std::size_t k = 0; k < rounds.size(); ++k) {
+        PassTable::RoundPlanes& found = table.roundPlanes()[k];
+        found.blocks = blocksAbove(rounds[k], tile.blockMaxima.data(), floor, found.planes);
+    }
+}
 
 void vectorLowerBlockByAll(PassTable& table, TileUnderWork& work, std::size_t block) {
     BlockByAll(table, work, block).lower();
@@ -571,17 +607,23 @@ namespace proveout {
 HWY_EXPORT(vectorMayLower);
 HWY_EXPORT(vectorLowerByMotion);
 HWY_EXPORT(vectorLowerBlockByAll);
+HWY_EXPORT(vectorFindRound);
 
 void PassTable::arrange() {
-    m_padded = (m_passes.size() + kWidest - 1) / kWidest * kWidest;
+    const auto rounds = std::stable_partition(m_passes.begin(), m_passes.end(), [](const TilePass& pass) {
+        return pass.path == TilePass::Path::straight;
+    });
+    m_straight = static_cast<std::size_t>(rounds - m_passes.begin());
+    m_roundPlanes.resize(m_passes.size() - m_straight);
+    m_padded = (m_straight + kWidest - 1) / kWidest * kWidest;
     m_fields.assign(kFields.size() * m_padded, -1.0F);
     for (std::size_t field = 0; field < kFields.size(); ++field) {
         float* values = &m_fields[field * m_padded];
-        for (const TilePass& pass : m_passes)
-            *values++ = pass.*kFields[field];
+        for (std::size_t k = 0; k < m_straight; ++k)
+            *values++ = m_passes[k].*kFields[field];
     }
     // Whole vectors are written wherever the last value goes.
-    const std::size_t most = m_padded + kWidest;
+    const std::size_t most = m_padded + m_roundPlanes.size() + kWidest;
     for (std::vector<float>* values :
          {&m_candidates.middle, &m_candidates.perColumn, &m_candidates.perRow, &m_candidates.lowest})
         values->resize(std::max(values->size(), most));
@@ -597,6 +639,7 @@ TileLoss lowerByMotion(std::span<const TilePass> passes, TileUnderWork& work, co
 }
 
 bool lowerByAll(PassTable& table, TileUnderWork& work, const std::stop_token& stop) {
+    HWY_DYNAMIC_DISPATCH(vectorFindRound)(table, work.tile(), work.floor());
     for (std::size_t block = 0; block < TileUnderWork::kBlocks; ++block) {
         if (stop.stop_requested())
             return false;

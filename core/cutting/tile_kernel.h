@@ -76,10 +76,20 @@ struct TileLoss {
 [[nodiscard]] TileLoss lowerByMotion(std::span<const TilePass> passes, TileUnderWork& work,
                                      const PointWeights* weights);
 
+/// Planes below one pass over all blocks of a tile: over their middles, per column and row, and the planes'
+/// lowest places.
+struct BlockPlanes {
+    using PerBlock = std::array<float, TileUnderWork::kBlocks>;
+    alignas(64) PerBlock middle;
+    PerBlock perColumn;
+    PerBlock perRow;
+    PerBlock lowest;
+};
+
 /// All passes that may lower a tile, field by field for the bounds of many at once. Not thread-safe.
 class PassTable {
 public:
-    /// What bounds are made of.
+    /// What bounds of passes on straight paths are made of.
     static constexpr std::array kFields = {
         &TilePass::along,  &TilePass::across,    &TilePass::alongX,       &TilePass::acrossX,
         &TilePass::alongY, &TilePass::acrossY,   &TilePass::begin,        &TilePass::end,
@@ -95,8 +105,11 @@ public:
     void arrange();
 
     [[nodiscard]] std::size_t size() const { return m_passes.size(); }
+    /// Those on straight paths come first, once they are arranged.
+    [[nodiscard]] std::size_t straightCount() const { return m_straight; }
     [[nodiscard]] std::span<const TilePass> passes() const { return m_passes; }
-    /// Values of one field; as many as fill whole vectors, those of no pass with a `reach2` below 0.
+    /// Values of one field of passes on straight paths; as many as fill whole vectors, those of no pass with
+    /// a `reach2` below 0.
     [[nodiscard]] const float* field(std::size_t index) const { return &m_fields[index * m_padded]; }
 
     /// Planes below those passes that may lower a block, over its middle and per column and row, and the
@@ -108,10 +121,19 @@ public:
         std::vector<float> lowest;
         std::vector<std::int32_t> pass;
     };
+    /// Of each pass on a round path.
+    struct RoundPlanes {
+        BlockPlanes planes;
+        std::uint32_t blocks; ///< a bit each: which it may lower
+    };
+    [[nodiscard]] std::vector<RoundPlanes>& roundPlanes() { return m_roundPlanes; }
+
     [[nodiscard]] Candidates& candidates() { return m_candidates; }
 
 private:
     std::vector<TilePass> m_passes;
+    std::vector<RoundPlanes> m_roundPlanes;
+    std::size_t m_straight = 0;
     std::size_t m_padded = 0;
     std::vector<float> m_fields;
     Candidates m_candidates;

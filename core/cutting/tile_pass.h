@@ -5,14 +5,15 @@
 
 namespace proveout {
 
-/// One straight motion of one convex profile seen from a tile, in single precision, lengths in mm, heights
-/// from the top of the stock. Places on the path are counted from the one that is nearest to the tile's
-/// middle, so that every number is as small as the cutter and the tile, and digits do not depend on where
-/// they lie.
+/// One motion of one convex profile seen from a tile, in single precision, lengths in mm, heights from the
+/// top of the stock. Places on a straight path are counted from the one that is nearest to the tile's middle,
+/// so that every number is as small as the cutter and the tile, and digits do not depend on where they lie.
 struct TilePass {
     enum class Form : std::uint8_t { flat, line, ball, corner };
+    enum class Path : std::uint8_t { straight, round };
 
     Form form = Form::flat;
+    Path path = Path::straight;
     bool level = false; ///< nowhere rising or falling: what is nearest is lowest
 
     // Where the points of the tile lie: along the path's line and beside it.
@@ -23,10 +24,11 @@ struct TilePass {
     float alongY = 0; ///< per row
     float acrossY = 0;
 
-    // The path.
+    // A straight path; of a round one `z` alone.
     float begin = 0;
     float end = 0;
-    float z = 0; ///< of the profile's reference (the centre of its arc, else its lowest place) at 0
+    float z = 0; ///< of the profile's reference (the centre of its arc, else its lowest place) at 0, or at
+                 ///< the middle of a round path
     float slope = 0;
 
     // The profile.
@@ -45,6 +47,30 @@ struct TilePass {
     float outer = 0;
     float reach2 = 0; ///< middles of blocks that are farther have no point under the cutter
     float slack = 0;  ///< what computing in single precision may add to a bound or take from a height
+
+    /// A round path about Z, at most one turn of it: an arc, a helix, or a spiral that is nearly an arc.
+    /// Places of the tile are counted from its middle, along and across the direction from the path's centre
+    /// to the path's own middle, where angles begin.
+    struct Round {
+        float middleAlong = 0; ///< the tile's middle from the centre
+        float middleAcross = 0;
+        float excess = 0;   ///< the square of its distance from the centre, less that of the path's radius
+        float radius = 0;   ///< of the path at its middle
+        float widening = 0; ///< of the radius, mm per radian
+        float climb = 0;    ///< mm per radian
+        float half = 0;     ///< the path goes from minus to plus that, radians
+        float sine = 0;     ///< of `half`
+        float cosine = 0;
+        float beginAlong = 0; ///< the path's ends, from the tile's middle
+        float beginAcross = 0;
+        float endAlong = 0;
+        float endAcross = 0;
+        float lowest = 0;     ///< of the height of the reference
+        float spread = 0;     ///< the radius is nowhere farther from `radius`
+        float blockReach = 0; ///< from a block's middle to its corners
+        float left = 0;       ///< 1 where what is outside lies left of the path, else -1
+    };
+    Round round;
 };
 
 } // namespace proveout

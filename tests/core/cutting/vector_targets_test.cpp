@@ -17,7 +17,13 @@ namespace {
 const StockBox kStock{{-3, 5, 2}, 40, 36, 12};
 constexpr int kMotions = 200;
 
-/// Heights after random straight motions of all shapes and slopes, cut with one instruction set, one by one
+Motion randomMotion(Random& random, int k) {
+    if (k % 2 == 0)
+        return randomStraight(random, kStock, static_cast<StraightKind>(k / 2 % 5));
+    return randomArc(random, kStock, static_cast<Plane>(k / 2 % 3), static_cast<ArcKind>(k / 6 % 4));
+}
+
+/// Heights after random motions of all shapes, slopes and planes, cut with one instruction set, one by one
 /// or all at once.
 std::vector<float> heightsWith(std::int64_t target, std::uint32_t seed, bool atOnce) {
     hwy::SetSupportedTargetsForTest(target);
@@ -29,8 +35,7 @@ std::vector<float> heightsWith(std::int64_t target, std::uint32_t seed, bool atO
     std::vector<CutterMotion> motions(kMotions);
     for (int k = 0; k < kMotions; ++k) {
         cutters.push_back(randomCutter(random, shapes[k % 7]));
-        motions[static_cast<std::size_t>(k)].motion =
-            randomStraight(random, kStock, static_cast<StraightKind>(k % 5));
+        motions[static_cast<std::size_t>(k)].motion = randomMotion(random, k);
     }
     for (std::size_t k = 0; k < motions.size(); ++k)
         motions[k].cutter = &cutters[k];

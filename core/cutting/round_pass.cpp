@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/cutting/round_pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace proveout {
+
+namespace {
+
+constexpr double kTurn = 2 * std::numbers::pi;
+/// More numbers go into a distance than on a straight path.
+constexpr double kRimSlack = 5e-7;
+constexpr double kBoundSlack = 4e-6;
+
+constexpr double kLargestRadius = 1e5; ///< mm, of a path
+constexpr double kSteepest = 4;        ///< mm per mm
+constexpr double kMostClimb = 20;      ///< mm per radian
+/// By how much a point may be nearer to a spiral than to the circle it is told from, mm.
+constexpr double kNearer = 1e-5;
+/// Helices fall apart into parts of that: bounds take the lowest height of a part for all of it.
+constexpr double kPartOfHelix = kTurn / 4;
+
+float toFloat(double value) {
+    return static_cast<float>(value);
+}
+
+double least(const ArcPath& path) {
+    return std::min(std::abs(path.radius), std::abs(path.radius + path.widening));
+}
+
+} // namespace
+
+bool RoundPass::suffices(const ConvexProfile& profile, const ArcPath& path, const TileSpacing& spacing) {
+    if (path.normal != 2 || !(std::abs(path.sweep) > 0))
+        return false;
+    const double radius = least(path);
+    const double perRadian = 1 / std::abs(path.sweep);
+    const double climb = std::abs(path.climb) * perRadian;
+    const double aslant = std::abs(path.widening) * perRadian / radius;
+    StraightPath like;
+    like.slope = climb / radius;
+    return path.radius > 0 && radius > 0 && radius <= kLargestRadius && climb <= kMostClimb &&
+           like.slope <= kSteepest && 0.5 * aslant * aslant * profile.rim <= kNearer &&
+           StraightPass::suffices(profile, like, spacing);
+}
+
+RoundPass::RoundPass(const ConvexProfile& profile, const ArcPath& path, double begin, double end)
+    : m_centre(path.centre), m_rim(profile.rim) {
+    const double middle = (begin + end) / 2;
+    m_half = std::abs(path.sweep) * (end - begin) / 2;
+    m_widening = path.widening / path.sweep;
+    const double angle = path.angle + path.sweep * middle;
+    const double climb = path.climb / path.sweep;
+    StraightPath like;
+    like.length = path.climb == 0 ? 0 : 1;
+    m_towards = {std::cos(angle), std::sin(angle)};
+    m_radius = path.radius + path.widening * middle;
+    like.slope = m_slope = std::abs(climb) / m_radius;
+    m_form = StraightPass::formOf(profile, like);
+    m_form.path = TilePass::Path::round;
+    m_z = path.centre.z + path.climb * middle + profile.reference();
+    TilePass::Round& round = m_form.round;
+    round.radius = toFloat(m_radius);
+    round.widening = toFloat(m_widening);
+    round.climb = toFloat(climb);
+    round.half = toFloat(m_half);
+    round.sine = toFloat(std::sin(m_half));
+    round.cosine = toFloat(std::cos(m_half));
+    round.lowest = toFloat(m_z - std::abs(climb) * m_half);
+    round.spread = toFloat(std::abs(path.widening * (end - begin)) / 2);
+    round.left = path.sweep < 0 ? 1.0F : -1.0F;
+}
+
+std::vector<RoundPass> RoundPass::allOf(const ConvexProfile& profile, const ArcPath& path) {
+    const double angle = std::abs(path.sweep) * (path.end - path.begin);
+    const double most = path.climb == 0 ? kTurn * (1 + 1e-12) : kPartOfHelix;
+    const int count = std::max(1, static_cast<int>(std::ceil(angle / most)));
+    std::vector<RoundPass> passes;
+    for (int k = 0; k < count; ++k) {
+        const int part = path.climb < 0 ? count - 1 - k : k;
+        const auto at = [&](int of) {
+            return std::lerp(path.begin, path.end, of / static_cast<double>(count));
+        };
+        passes.emplace_back(profile, path, at(part), at(part + 1));
+    }
+    return passes;
+}
+
+TilePass RoundPass::overTile(double x, double y, const TileSpacing& spacing) const {
+    const Vec2 from = Vec2(x, y) - m_centre;
+    const double along = from.x * m_towards.x + from.y * m_towards.y;
+    const double across = from.y * m_towards.x - from.x * m_towards.y;
+    const double size = m_rim + spacing.tileReach;
+    const double padded = m_rim + kRimSlack * size;
+    TilePass pass = m_form;
+    TilePass::Round& round = pass.round;
+    const double spread = static_cast<double>(round.spread);
+    const double reach = padded + spread + spacing.blockReach * (1 + 1e-5);
+    pass.alongX = toFloat(spacing.hx * m_towards.x);
+    pass.alongY = toFloat(spacing.hy * m_towards.y);
+    pass.acrossX = toFloat(-spacing.hx * m_towards.y);
+    pass.acrossY = toFloat(spacing.hy * m_towards.x);
+    pass.z = toFloat(m_z);
+    pass.rim2 = toFloat(padded * padded);
+    pass.reach2 = toFloat(reach * reach);
+    pass.slack = toFloat(kBoundSlack * (size * (1 + m_slope) + std::abs(m_z)));
+    round.middleAlong = toFloat(along);
+    round.middleAcross = toFloat(across);
+    // In double: near the path it is a difference of large numbers.
+    round.excess = toFloat(along * along + across * across - m_radius * m_radius);
+    const auto end = [&](double side, float& endAlong, float& endAcross) {
+        const double angle = side * m_half;
+        const double radius = m_radius + m_widening * angle;
+        endAlong = toFloat(radius * std::cos(angle) - along);
+        endAcross = toFloat(radius * std::sin(angle) - across);
+    };
+    end(-1, round.beginAlong, round.beginAcross);
+    end(1, round.endAlong, round.endAcross);
+    round.blockReach = toFloat(spacing.blockReach * (1 + 1e-5));
+    return pass;
+}
+
+} // namespace proveout

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include "core/cutting/arc_path.h"
+#include "core/cutting/convex_profile.h"
+#include "core/cutting/straight_pass.h"
+#include "core/cutting/tile_pass.h"
+
+namespace proveout {
+
+/// One convex profile on a part of an arc, helix or narrow spiral about Z, ready to be seen from any tile of
+/// a grid. Immutable; any thread.
+class RoundPass {
+public:
+    /// The part from `begin` to `end` of the path, at most a turn.
+    RoundPass(const ConvexProfile& profile, const ArcPath& path, double begin, double end);
+
+    /// Whether single precision tells the envelope over a grid to a ten thousandth of a millimetre, for paths
+    /// about Z that widen and climb little.
+    [[nodiscard]] static bool suffices(const ConvexProfile& profile, const ArcPath& path,
+                                       const TileSpacing& spacing);
+    /// Those that make up a path, the lowest first.
+    [[nodiscard]] static std::vector<RoundPass> allOf(const ConvexProfile& profile, const ArcPath& path);
+
+    /// Seen from the tile whose middle lies at (x, y), in the path's coordinates.
+    [[nodiscard]] TilePass overTile(double x, double y, const TileSpacing& spacing) const;
+
+private:
+    Vec2 m_centre;
+    Vec2 m_towards; ///< from the centre to the middle of the part, of length 1
+    double m_radius;
+    double m_half; ///< as in TilePass::Round, and here in double
+    double m_widening;
+    double m_rim;
+    double m_z;     ///< of the profile's reference at the middle
+    double m_slope; ///< of the path
+    TilePass m_form;
+};
+
+} // namespace proveout

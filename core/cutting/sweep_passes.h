@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "core/cutting/curve_pass.h"
+#include "core/cutting/round_pass.h"
+#include "core/cutting/straight_pass.h"
+
+namespace proveout {
+
+/// One motion as inner loops see it over a grid: for each of the cutter's profiles what its path is made of.
+/// Immutable; any thread.
+class SweepPasses {
+public:
+    /// None where single precision does not suffice.
+    SweepPasses(std::span<const ConvexProfile> profiles, const StraightPath& path,
+                const TileSpacing& spacing);
+    SweepPasses(std::span<const ConvexProfile> profiles, const ArcPath& path, const TileSpacing& spacing);
+
+    [[nodiscard]] bool empty() const { return m_straight.empty() && m_round.empty() && m_curves.empty(); }
+    /// The work on one point at most, as a multiple of that on a point of a straight motion.
+    [[nodiscard]] double costOfPoint() const;
+    /// Adds those that may reach the tile whose middle lies at (x, y), in the path's coordinates.
+    void addOverTile(double x, double y, const TileSpacing& spacing, std::vector<TilePass>& passes) const;
+
+private:
+    std::vector<StraightPass> m_straight;
+    std::vector<RoundPass> m_round;
+    std::vector<CurvePass> m_curves;
+};
+
+} // namespace proveout
