@@ -35,6 +35,7 @@ PlacedSweep place(const ZMap& zmap, const CutterMotion& one) {
     if (one.cutter == nullptr)
         return placed;
     placed.prepared.emplace(*one.cutter, one.motion, zmap);
+    placed.prepared->mark = one.mark;
     if (!placed.prepared->sweep.empty())
         placed.tiles = tilesToLower(zmap, placed.prepared->sweep);
     return placed;
@@ -77,11 +78,13 @@ public:
     [[nodiscard]] std::size_t end() const { return m_end; } ///< the first motion that is not among them
 
     /// False where it was stopped: some tiles were lowered then.
-    bool lower(ZMap& zmap, const std::stop_token& stop, std::vector<CutRecord>& records) {
+    bool lower(ZMap& zmap, const std::stop_token& stop, std::vector<CutRecord>& records,
+               Provenance* provenance) {
         std::vector<CutRecord> parts(m_order.size());
         const bool complete = lowerTiles(zmap, stop, [&](std::size_t k, PassTable&) {
             const std::span own(parts.begin() + m_begins[k], orderOf(k).size());
-            return lowerTile(zmap, m_tiles[k], m_sweeps, orderOf(k), own, stop);
+            Provenance::Marks* marks = provenance == nullptr ? nullptr : &provenance->tile(m_tiles[k]);
+            return lowerTile(zmap, m_tiles[k], m_sweeps, orderOf(k), own, stop, marks);
         });
         // Of each motion in the order of its tiles, as where it is cut alone.
         for (std::size_t k = 0; k < m_order.size(); ++k)
@@ -184,10 +187,10 @@ bool byPortions(ZMap& zmap, std::span<const CutterMotion> motions, const std::st
 } // namespace
 
 std::optional<std::vector<CutRecord>> cut(ZMap& zmap, std::span<const CutterMotion> motions,
-                                          const std::stop_token& stop) {
+                                          const std::stop_token& stop, Provenance* provenance) {
     std::vector<CutRecord> records(motions.size());
     if (!byPortions(zmap, motions, stop,
-                    [&](Portion& portion) { return portion.lower(zmap, stop, records); }))
+                    [&](Portion& portion) { return portion.lower(zmap, stop, records, provenance); }))
         return std::nullopt;
     for (CutRecord& record : records)
         record.removedMm3 *= zmap.grid().hx * zmap.grid().hy;

@@ -11,6 +11,7 @@
 
 #include "core/base/index_rect.h"
 #include "core/cutter/cutter.h"
+#include "core/cutting/provenance.h"
 #include "core/nc/motion.h"
 #include "core/zmap/zmap.h"
 
@@ -49,12 +50,15 @@ struct CutRecord {
 struct CutterMotion {
     const Cutter* cutter = nullptr; ///< kept by the caller; none: the motion cuts nothing
     Motion motion;
+    std::uint32_t mark = 1; ///< what a Provenance names it by; not 0
 };
 /// cut() of each of these motions, one after the other, to the last bit of heights and records, but tile by
 /// tile: a tile stays near the processor while all that touches it is done, and many motions are worth
-/// threads where one is not. A record each. Nothing where it was stopped, and the map is what it was.
+/// threads where one is not. A record each. Nothing where it was stopped, and the map is what it was; not so
+/// the provenance, which is made up to date unless it is null.
 [[nodiscard]] std::optional<std::vector<CutRecord>> cut(ZMap& zmap, std::span<const CutterMotion> motions,
-                                                        const std::stop_token& stop);
+                                                        const std::stop_token& stop,
+                                                        Provenance* provenance = nullptr);
 
 /// The same heights, to the last bit, where nobody wants records: within a tile in whatever order takes
 /// least, which is several times as fast. False where it was stopped, and the map is what it was.

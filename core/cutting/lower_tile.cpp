@@ -85,15 +85,17 @@ std::optional<PointWeights> weightsOf(const Grid& grid, const IndexRect& rect) {
 /// The work on one tile, sweep by sweep.
 class TileWork {
 public:
-    TileWork(ZMap& zmap, std::size_t index, const std::stop_token& stop)
-        : m_zmap(zmap), m_index(index), m_stop(stop), m_grid(zmap.grid()), m_spacing(m_grid.hx, m_grid.hy),
-          m_rect(zmap.tileRect(index)), m_floor(zmap.floor()), m_weights(weightsOf(m_grid, m_rect)) {
+    TileWork(ZMap& zmap, std::size_t index, const std::stop_token& stop, Provenance::Marks* marks)
+        : m_zmap(zmap), m_index(index), m_stop(stop), m_marks(marks), m_grid(zmap.grid()),
+          m_spacing(m_grid.hx, m_grid.hy), m_rect(zmap.tileRect(index)), m_floor(zmap.floor()),
+          m_weights(weightsOf(m_grid, m_rect)) {
         m_envelope.fill(kInfinity);
     }
 
     /// Nothing more is lowered once it was stopped.
     CutRecord lower(const PreparedSweep& prepared) {
         m_sums = {};
+        m_mark = prepared.mark;
         if (!mayLower(prepared.sweep) || !goesOn())
             return {};
         if (prepared.passes.empty()) {
@@ -160,6 +162,8 @@ private:
         if (passes.empty() || (m_tile == nullptr && !proveout::mayLower(passes, tile(), m_floor)))
             return;
         acquire();
+        if (m_marks != nullptr)
+            m_work->mark(m_marks->data(), m_mark);
         const TileLoss loss = lowerByMotion(passes, *m_work, m_weights ? &*m_weights : nullptr);
         if (loss.points == 0)
             return;
@@ -211,6 +215,8 @@ private:
                  edge ? m_sums.edge : m_sums.inner);
         note(row, columns, edge);
         noteEngagement(sweep, row, columns);
+        if (m_marks != nullptr)
+            mark(row, columns);
     }
 
     /// Of the map: what is there weighs half.
@@ -259,6 +265,13 @@ private:
         }
     }
 
+    void mark(int row, const Columns& columns) {
+        for (int k = columns.begin; k < columns.end; ++k) {
+            if (m_removed[static_cast<std::size_t>(k)] > 0)
+                (*m_marks)[static_cast<std::size_t>(row * Tile::kSize + k)] = m_mark;
+        }
+    }
+
     void finishRows() {
         CutRecord& record = m_sums.record;
         for (const LaneSums* sums : {&m_sums.inner, &m_sums.edge}) {
@@ -280,6 +293,7 @@ private:
     ZMap& m_zmap;
     std::size_t m_index;
     const std::stop_token& m_stop;
+    Provenance::Marks* m_marks;
     const Grid& m_grid;
     TileSpacing m_spacing;
     IndexRect m_rect;
@@ -287,6 +301,7 @@ private:
     Tile* m_tile = nullptr;
     std::optional<TileUnderWork> m_work; ///< where the tile is ours
     std::vector<TilePass> m_passes;
+    std::uint32_t m_mark = 1; ///< of the sweep at work
     std::optional<PointWeights> m_weights;
     Row m_envelope; ///< +infinity between two rows
     Row m_removed;
@@ -305,8 +320,8 @@ private:
 
 TileCut lowerTile(ZMap& zmap, std::size_t index, std::span<const PreparedSweep> sweeps,
                   std::span<const std::uint32_t> order, std::span<CutRecord> records,
-                  const std::stop_token& stop) {
-    TileWork work(zmap, index, stop);
+                  const std::stop_token& stop, Provenance::Marks* marks) {
+    TileWork work(zmap, index, stop, marks);
     for (std::size_t k = 0; k < order.size(); ++k)
         records[k] = work.lower(sweeps[order[k]]);
     return work.result();
@@ -314,7 +329,7 @@ TileCut lowerTile(ZMap& zmap, std::size_t index, std::span<const PreparedSweep> 
 
 TileCut lowerTileByAll(ZMap& zmap, std::size_t index, std::span<const PreparedSweep> sweeps,
                        std::span<const std::uint32_t> order, PassTable& table, const std::stop_token& stop) {
-    TileWork work(zmap, index, stop);
+    TileWork work(zmap, index, stop, nullptr);
     work.lowerByAll(sweeps, order, table);
     return work.result();
 }

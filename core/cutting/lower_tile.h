@@ -18,7 +18,8 @@ namespace proveout {
 /// A sweep, and how inner loops see it over the grid of a map.
 struct PreparedSweep {
     Sweep sweep;
-    SweepPasses passes; ///< none: it is asked row by row
+    SweepPasses passes;     ///< none: it is asked row by row
+    std::uint32_t mark = 1; ///< as of its CutterMotion
 
     PreparedSweep(const Cutter& cutter, const Motion& motion, const ZMap& zmap)
         : sweep(cutter, motion, zmap.stock().topZ()), passes(sweep.passes(zmap.grid().hx, zmap.grid().hy)) {}
@@ -38,10 +39,10 @@ struct TileCut {
 /// `order` names, one after the other; a tile of which nothing changes is never copied. `records`, one for
 /// each of `order`, are what they did; `removedMm3` of them is the sum of heights, not yet times the cell's
 /// area. Different tiles may be lowered at once. Looks at `stop` at every row or block: what was lowered in
-/// place until then stays lowered.
+/// place until then stays lowered. `marks`, unless it is null: points that become lower get the sweep's mark.
 [[nodiscard]] TileCut lowerTile(ZMap& zmap, std::size_t index, std::span<const PreparedSweep> sweeps,
                                 std::span<const std::uint32_t> order, std::span<CutRecord> records,
-                                const std::stop_token& stop);
+                                const std::stop_token& stop, Provenance::Marks* marks = nullptr);
 
 /// The same heights, without records, in whatever order is fastest. `table` is room to work in.
 [[nodiscard]] TileCut lowerTileByAll(ZMap& zmap, std::size_t index, std::span<const PreparedSweep> sweeps,

@@ -167,9 +167,11 @@ struct NoLosses {
 /// foresee it, and works on several rows at once.
 class GroupLosses {
 public:
-    HWY_INLINE GroupLosses(Losses& losses, const TilePass& pass, std::size_t block, std::size_t group)
-        : m_losses(losses), m_pass(pass), m_column(columnOf(block)), m_row(rowOf(block) + group * kGroupRows),
-          m_from(all(kInfinity)), m_to(all(-kInfinity)) {
+    HWY_INLINE GroupLosses(Losses& losses, const TilePass& pass, const TileUnderWork& work, std::size_t block,
+                           std::size_t group)
+        : m_losses(losses), m_pass(pass), m_marks(work.marks()), m_mark(work.mark()),
+          m_column(columnOf(block)), m_row(rowOf(block) + group * kGroupRows), m_from(all(kInfinity)),
+          m_to(all(-kInfinity)) {
         for (V& deepest : m_deepest)
             deepest = hn::Zero(kFloats);
     }
@@ -183,6 +185,8 @@ public:
         m_bits[row] |= static_cast<std::uint64_t>(bitsOf(lower)) << (vector * kLanes);
         m_from = hn::Min(m_from, hn::IfThenElse(lower, beside, m_from));
         m_to = hn::Max(m_to, hn::IfThenElse(lower, beside, m_to));
+        if (m_marks != nullptr)
+            mark((m_row + row) * Tile::kSize + m_column + vector * kLanes, lower);
     }
     HWY_INLINE void endGroup() {
         V deepest = m_deepest[0];
@@ -194,8 +198,15 @@ public:
     }
 
 private:
+    HWY_INLINE void mark(std::size_t at, M lower) const {
+        const hn::RebindToUnsigned<Floats> ints;
+        hn::BlendedStore(hn::Set(ints, m_mark), hn::RebindMask(ints, lower), ints, m_marks + at);
+    }
+
     Losses& m_losses;
     const TilePass& m_pass;
+    std::uint32_t* m_marks; ///< of the tile, or none
+    std::uint32_t m_mark;
     std::size_t m_column;
     std::size_t m_row;
     V m_deepest[kVectors];
@@ -340,7 +351,7 @@ TileLoss lowerByPass(const TilePass& pass, TileUnderWork& work, const PointWeigh
             const std::uint32_t groups =
                 groupsAbove(planeOf(planes, block), work.columnMaxima(block, 0), work.floor());
             const auto taking = [&](std::size_t group)
-                                    HWY_ATTR { return GroupLosses(losses, pass, block, group); };
+                                    HWY_ATTR { return GroupLosses(losses, pass, work, block, group); };
             if (groups != 0)
                 lowerGroups(envelope, pass, work, block, groups, taking);
         }
@@ -374,7 +385,7 @@ struct BlockBefore {
         const BlockPlaces places(pass, block);
         for (std::size_t group = 0; group < kGroups; ++group) {
             const float* to = work.heights(block, group);
-            GroupLosses taker(losses, pass, block, group);
+            GroupLosses taker(losses, pass, work, block, group);
             for (std::size_t k = 0; k < kVectors; ++k) {
                 for (std::size_t r = 0; r < kGroupRows; ++r) {
                     const std::size_t row = group * kGroupRows + r;

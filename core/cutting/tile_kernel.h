@@ -30,6 +30,13 @@ public:
 
     [[nodiscard]] Tile& tile() const { return *m_tile; }
     [[nodiscard]] float floor() const { return m_floor; }
+    /// From now on what lowerByMotion() lowers gets this mark, point by point as the heights.
+    void mark(std::uint32_t* marks, std::uint32_t mark) {
+        m_marks = marks;
+        m_mark = mark;
+    }
+    [[nodiscard]] std::uint32_t* marks() const { return m_marks; }
+    [[nodiscard]] std::uint32_t mark() const { return m_mark; }
     /// Heights that others have lowered: what is known of them is forgotten.
     void forget() { m_known = 0; }
 
@@ -48,6 +55,8 @@ public:
 private:
     Tile* m_tile;
     float m_floor;
+    std::uint32_t* m_marks = nullptr;
+    std::uint32_t m_mark = 0;
     std::uint32_t m_known = 0; ///< a bit a block: whether its columns' maxima are
     alignas(64) std::array<float, kBlocks * kBlock * kGroups> m_columnMaxima;
 };

@@ -27,7 +27,8 @@ struct RandomSequence {
             cutters.push_back(randomCutter(random, shape));
         for (int k = 0; k < count; ++k) {
             Motion motion = k % 7 == 6
-                                ? randomArc(random, kStock, Plane::xy, ArcKind::level)
+                                ? randomArc(random, kStock, static_cast<Plane>(random() % 3),
+                                            static_cast<ArcKind>(random() % 4))
                                 : randomStraight(random, kStock, static_cast<StraightKind>(random() % 5));
             if (random() % 30 == 0)
                 motion.startKnown = 0;
@@ -45,6 +46,8 @@ void expectSame(const CutRecord& a, const CutRecord& b) {
     EXPECT_EQ(a.maxDepth, b.maxDepth);
     EXPECT_EQ(a.points, b.points);
     EXPECT_EQ(a.changed, b.changed);
+    EXPECT_EQ(a.engagedFrom, b.engagedFrom);
+    EXPECT_EQ(a.engagedTo, b.engagedTo);
 }
 
 TEST(CutSequence, IsTheMotionsOneByOne) {
@@ -74,6 +77,43 @@ TEST(CutSequence, IsTheMotionsOneByOne) {
             EXPECT_TRUE(cutHeights(anyOrder, sequence.motions, {}));
             EXPECT_TRUE(
                 anyOrder.snapshot().sameHeights(expected.snapshot(), {0, 0, zmap.grid().nx, zmap.grid().ny}));
+        }
+    }
+}
+
+TEST(CutSequence, KnowsWhichMotionLoweredEachPointLast) {
+    const std::uint32_t seed = randomSeed();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Random random(seed);
+    for (int round = 0; round < 8; ++round) {
+        RandomSequence sequence(random, 60);
+        const double spacing = round % 2 == 0 ? 0.15 : 0.7;
+        ZMap one = freshMap(spacing);
+        const IndexRect all{0, 0, one.grid().nx, one.grid().ny};
+        const auto points = static_cast<std::size_t>(all.width()) * static_cast<std::size_t>(all.height());
+        std::vector<float> before(points);
+        std::vector<float> now(points);
+        std::vector<std::uint32_t> last(points, Provenance::kUncut);
+        one.snapshot().read(all, before);
+        for (std::size_t k = 0; k < sequence.motions.size(); ++k) {
+            CutterMotion& motion = sequence.motions[k];
+            motion.mark = static_cast<std::uint32_t>(7 * k + 3);
+            if (motion.cutter != nullptr)
+                (void)cut(one, *motion.cutter, motion.motion);
+            one.snapshot().read(all, now);
+            for (std::size_t at = 0; at < points; ++at) {
+                if (now[at] < before[at])
+                    last[at] = motion.mark;
+            }
+            before.swap(now);
+        }
+        ZMap zmap = freshMap(spacing);
+        Provenance provenance(zmap);
+        ASSERT_TRUE(cut(zmap, sequence.motions, {}, &provenance));
+        for (int j = 0; j < all.j1; ++j) {
+            for (int i = 0; i < all.i1; ++i)
+                ASSERT_EQ(provenance.at(i, j), last[static_cast<std::size_t>(j * all.i1 + i)])
+                    << i << "," << j;
         }
     }
 }
