@@ -20,6 +20,7 @@
 #include "app/cli/zmap_file.h"
 #include "core/base/memory.h"
 #include "core/base/stop_watch.h"
+#include "core/simulation/block_provenance.h"
 #include "core/simulation/simulation.h"
 
 namespace proveout::cli {
@@ -31,6 +32,7 @@ struct SimulateOptions {
     ThreadLimit threads;
     std::string until;
     std::string zmap;
+    std::string provenance;
     MeshOutputs meshes;
     std::string mesh = "decimated";
     std::string records;
@@ -88,7 +90,7 @@ private:
         auto inputs = m_options.setup.inputs();
         inputs.push_back(m_job.program.string());
         std::vector<std::string> outputs = m_options.meshes.files();
-        outputs.insert(outputs.end(), {m_options.zmap, m_options.records});
+        outputs.insert(outputs.end(), {m_options.zmap, m_options.provenance, m_options.records});
         if (!fine(m_options.meshes.check()) || !fine(checkOutputs(inputs, outputs)))
             return false;
         if (m_options.meshes.wanted() && m_options.mesh == "decimated" &&
@@ -105,7 +107,8 @@ private:
         return {.schedule = followsSchedule(),
                 .whole = !full && (solid || m_options.json),
                 .solid = solid,
-                .fullMesh = full && solid};
+                .fullMesh = full && solid,
+                .again = !m_options.provenance.empty()};
     }
 
     bool interpretProgram() {
@@ -134,6 +137,8 @@ private:
             return fine(std::move(simulation));
         m_simulation = std::move(*simulation);
         m_simulation->setCheckpointBudget(0); // nobody goes back
+        if (!m_options.provenance.empty())
+            m_uncut = m_simulation->zmap();
         m_simulation->seek(blocksToRun(parseStopBlock(m_options.until), *m_program));
         m_frame = m_simulation->frame();
         Diagnostics findings = m_frame.findings;
@@ -163,6 +168,10 @@ private:
         const StopWatch watch;
         if (!m_options.zmap.empty())
             fine(writeZMap(m_options.zmap, m_frame.zmap));
+        if (!m_options.provenance.empty())
+            fine(writeProvenance(m_options.provenance, m_frame.zmap.grid(),
+                                 *blockProvenance(m_uncut, *m_program, m_job.setup, m_frame.block),
+                                 *m_program));
         if (!m_options.records.empty())
             fine(writeRecords(m_options.records, m_frame));
         if (m_options.meshes.wanted())
@@ -218,6 +227,7 @@ private:
     std::shared_ptr<const Program> m_program;
     std::unique_ptr<Simulation> m_simulation;
     Frame m_frame;
+    ZMapSnapshot m_uncut;                     ///< where the provenance is asked for
     std::optional<SurfaceSnapshot> m_surface; ///< where JSON or a mesh file asks for it
     MeasuredSurface m_measured;
     std::vector<MeshOutput> m_written;
@@ -240,6 +250,11 @@ void addSimulateCommand(CLI::App& app, ExitCode& exitCode) {
                                         : "\"" + text + "\" is neither a block N nor a line L<n>";
         });
     command->add_option("--zmap", options->zmap, "Write the z-map (NPY)")->type_name("F.npy");
+    command
+        ->add_option("--provenance", options->provenance,
+                     "Write the source line that cut each point last (NPY of uint32, 0: uncut); cuts once "
+                     "more, and takes 13 bytes a point")
+        ->type_name("F.npy");
     options->meshes.addTo(*command);
     command->add_option("--mesh", options->mesh, "The surface of the solid (decimated)")
         ->check(CLI::IsMember({"decimated", "full"}))

@@ -80,6 +80,16 @@ Result<void> writeZMap(const std::filesystem::path& file, const ZMapSnapshot& zm
     });
 }
 
+Result<void> writeProvenance(const std::filesystem::path& file, const Grid& grid,
+                             const Provenance& provenance, const Program& program) {
+    return writeNpy(file, grid.ny, grid.nx, [&](int j, std::span<std::uint32_t> row) {
+        for (int i = 0; i < grid.nx; ++i) {
+            const std::uint32_t mark = provenance.at(i, j);
+            row[static_cast<std::size_t>(i)] = mark == Provenance::kUncut ? 0 : program.blockLine(mark - 1);
+        }
+    });
+}
+
 Result<ZMapSnapshot> readZMap(const std::filesystem::path& file, double spacing, Vec2 origin,
                               std::optional<double> floor,
                               const std::function<Result<void>(const StockBox&, const Grid&)>& check) {

@@ -164,7 +164,8 @@ private:
         acquire();
         if (m_marks != nullptr)
             m_work->mark(m_marks->data(), m_mark);
-        const TileLoss loss = lowerByMotion(passes, *m_work, m_weights ? &*m_weights : nullptr);
+        const TileLoss loss = lowerByMotion(passes, *m_work, m_weights ? &*m_weights : nullptr, m_stop);
+        (void)goesOn();
         if (loss.points == 0)
             return;
         m_tile->takeMaximum();

@@ -35,11 +35,10 @@ public:
 
     /// Bytes for a grid.
     [[nodiscard]] static double bytes(const Grid& grid) {
-        constexpr double kPerPoint = sizeof(std::uint32_t);
-        const auto whole = [](int points) {
-            return static_cast<double>((points + Tile::kSize - 1) / Tile::kSize) * Tile::kSize;
+        const auto tiles = [](int points) {
+            return static_cast<std::size_t>((points + Tile::kSize - 1) / Tile::kSize);
         };
-        return kPerPoint * whole(grid.nx) * whole(grid.ny);
+        return static_cast<double>(tiles(grid.nx) * tiles(grid.ny)) * sizeof(Marks);
     }
 
 private:

@@ -400,7 +400,8 @@ struct BlockBefore {
     }
 };
 
-TileLoss lowerByPasses(std::span<const TilePass> passes, TileUnderWork& work, const PointWeights* weights) {
+TileLoss lowerByPasses(std::span<const TilePass> passes, TileUnderWork& work, const PointWeights* weights,
+                       const std::stop_token& stop) {
     std::vector<BlockPlanes> planes(passes.size());
     std::vector<std::uint32_t> blocks(passes.size());
     std::uint32_t anyOf = 0;
@@ -409,7 +410,7 @@ TileLoss lowerByPasses(std::span<const TilePass> passes, TileUnderWork& work, co
         anyOf |= blocks[k];
     }
     Losses losses(weights);
-    for (; anyOf != 0; anyOf &= anyOf - 1) {
+    for (; anyOf != 0 && !stop.stop_requested(); anyOf &= anyOf - 1) {
         const auto block = static_cast<std::size_t>(std::countr_zero(anyOf));
         if (!work.isKnown(block))
             learnMaxima(work, block);
@@ -424,9 +425,9 @@ TileLoss lowerByPasses(std::span<const TilePass> passes, TileUnderWork& work, co
 }
 
 TileLoss vectorLowerByMotion(std::span<const TilePass> passes, TileUnderWork& work,
-                             const PointWeights* weights) {
+                             const PointWeights* weights, const std::stop_token& stop) {
     return passes.size() == 1 ? lowerByPass(passes.front(), work, weights)
-                              : lowerByPasses(passes, work, weights);
+                              : lowerByPasses(passes, work, weights, stop);
 }
 
 bool vectorMayLower(std::span<const TilePass> passes, const Tile& tile, float floor) {
@@ -645,8 +646,9 @@ bool mayLower(std::span<const TilePass> passes, const Tile& tile, float floor) {
     return HWY_DYNAMIC_DISPATCH(vectorMayLower)(passes, tile, floor);
 }
 
-TileLoss lowerByMotion(std::span<const TilePass> passes, TileUnderWork& work, const PointWeights* weights) {
-    return HWY_DYNAMIC_DISPATCH(vectorLowerByMotion)(passes, work, weights);
+TileLoss lowerByMotion(std::span<const TilePass> passes, TileUnderWork& work, const PointWeights* weights,
+                       const std::stop_token& stop) {
+    return HWY_DYNAMIC_DISPATCH(vectorLowerByMotion)(passes, work, weights, stop);
 }
 
 bool lowerByAll(PassTable& table, TileUnderWork& work, const std::stop_token& stop) {

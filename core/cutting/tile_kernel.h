@@ -82,8 +82,9 @@ struct TileLoss {
 [[nodiscard]] bool mayLower(std::span<const TilePass> passes, const Tile& tile, float floor);
 
 /// Lowers the tile by one motion: the passes of all its profiles. `weights`: none, and all points weigh 1.
+/// Where it is stopped some blocks are left as they were.
 [[nodiscard]] TileLoss lowerByMotion(std::span<const TilePass> passes, TileUnderWork& work,
-                                     const PointWeights* weights);
+                                     const PointWeights* weights, const std::stop_token& stop);
 
 /// Planes below one pass over all blocks of a tile: over their middles, per column and row, and the planes'
 /// lowest places.

@@ -16,6 +16,7 @@ constexpr double kFullSurface = 25;
 constexpr double kLayer = 25;  ///< each time that regions are merged: what they were made of is kept
 constexpr double kListed = 30; ///< all triangles once more, to be measured or closed
 constexpr double kSolid = 60;
+constexpr double kAgain = 13; ///< two maps and 4 bytes a mark
 /// A region with its borders and its places in arrays, whatever the triangles; measured on planes.
 constexpr double kRegion = 500;
 
@@ -61,6 +62,8 @@ double meshBytesPerPoint(const DecimationParameters& parameters, const MapOutput
     }
     if (outputs.fullMesh || (outputs.solid && !decimates(parameters)))
         bytes += kFullSurface;
+    if (outputs.again)
+        bytes += kAgain;
     return bytes;
 }
 

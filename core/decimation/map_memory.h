@@ -16,6 +16,7 @@ struct MapOutputs {
     bool whole = false;    ///< all of it decimated in the end (decimatedWhole()), as one list of triangles
     bool solid = false;    ///< that list, or the full mesh, closed for export
     bool fullMesh = false; ///< of all points, whatever the method
+    bool again = false;    ///< the map is kept uncut, and cut once more with a mark a point
 };
 
 /// Bytes a point of the grid that the meshes take at most, also where no triangle goes.

@@ -118,11 +118,14 @@ Result<NpyArray> readNpy(const std::filesystem::path& file) {
     return array;
 }
 
-Result<void> writeNpy(const std::filesystem::path& file, int rows, int columns,
-                      const std::function<void(int, std::span<float>)>& fill) {
-    std::vector<float> row(static_cast<std::size_t>(columns));
-    const std::string header = npyHeader(rows, columns);
-    const std::size_t rowBytes = row.size() * sizeof(float);
+namespace {
+
+template<class Value>
+Result<void> writeRows(const std::filesystem::path& file, int rows, int columns, std::string_view type,
+                       const std::function<void(int, std::span<Value>)>& fill) {
+    std::vector<Value> row(static_cast<std::size_t>(columns));
+    const std::string header = npyHeader(rows, columns, type);
+    const std::size_t rowBytes = row.size() * sizeof(Value);
     AtomicFile out(file, header.size() + static_cast<std::uint64_t>(rows) * rowBytes);
     out.write(header);
     for (int j = 0; j < rows && !out.failed(); ++j) {
@@ -130,6 +133,18 @@ Result<void> writeNpy(const std::filesystem::path& file, int rows, int columns,
         out.write(row.data(), rowBytes);
     }
     return out.commit();
+}
+
+} // namespace
+
+Result<void> writeNpy(const std::filesystem::path& file, int rows, int columns,
+                      const std::function<void(int, std::span<float>)>& fill) {
+    return writeRows<float>(file, rows, columns, "<f4", fill);
+}
+
+Result<void> writeNpy(const std::filesystem::path& file, int rows, int columns,
+                      const std::function<void(int, std::span<std::uint32_t>)>& fill) {
+    return writeRows<std::uint32_t>(file, rows, columns, "<u4", fill);
 }
 
 Result<void> writeNpy(const std::filesystem::path& file, const NpyArray& array) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <span>
@@ -25,6 +26,10 @@ struct NpyArray {
 /// array need not be held.
 [[nodiscard]] Result<void> writeNpy(const std::filesystem::path& file, int rows, int columns,
                                     const std::function<void(int, std::span<float>)>& fill);
+
+/// The same of unsigned 32-bit integers.
+[[nodiscard]] Result<void> writeNpy(const std::filesystem::path& file, int rows, int columns,
+                                    const std::function<void(int, std::span<std::uint32_t>)>& fill);
 
 /// Writes float32, atomically. `values` must be rows × columns.
 [[nodiscard]] Result<void> writeNpy(const std::filesystem::path& file, const NpyArray& array);

@@ -170,9 +170,9 @@ Result<NpyHeader> readNpyHeader(std::string_view bytes) {
     return header;
 }
 
-std::string npyHeader(int rows, int columns) {
+std::string npyHeader(int rows, int columns, std::string_view type) {
     std::string text =
-        fmt::format("{{'descr': '<f4', 'fortran_order': False, 'shape': ({}, {}), }}", rows, columns);
+        fmt::format("{{'descr': '{}', 'fortran_order': False, 'shape': ({}, {}), }}", type, rows, columns);
     const std::size_t start = kVersionEnd + 2;
     while ((start + text.size() + 1) % kAlignment != 0)
         text.push_back(' ');

@@ -24,7 +24,7 @@ struct NpyHeader {
 /// is not NumPy's.
 [[nodiscard]] Result<NpyHeader> readNpyHeader(std::string_view bytes);
 
-/// A version 1 header for float32 in C order, padded so that the values start at a multiple of 64.
-[[nodiscard]] std::string npyHeader(int rows, int columns);
+/// A version 1 header for values of `type` in C order, padded so that they start at a multiple of 64.
+[[nodiscard]] std::string npyHeader(int rows, int columns, std::string_view type);
 
 } // namespace proveout

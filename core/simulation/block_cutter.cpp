@@ -126,8 +126,10 @@ std::optional<CutRecord> cutBlock(ZMap& zmap, const Program& program, std::size_
         const bool measured = findings != nullptr && cutter->head();
         if (stop.stop_possible() && !before && (measured || motions.last - motions.first > 1))
             before = zmap.snapshot();
-        const std::optional<CutRecord> record =
-            measured ? cutWithHead(zmap, *cutter, motion, overhang, stop) : cut(zmap, *cutter, motion, stop);
+        std::optional<CutRecord> record;
+        if (!stop.stop_requested()) // a motion that is little work does not look, but a cycle has thousands
+            record = measured ? cutWithHead(zmap, *cutter, motion, overhang, stop)
+                              : cut(zmap, *cutter, motion, stop);
         if (!record) {
             if (before)
                 zmap = ZMap(*before);
@@ -146,17 +148,23 @@ std::optional<CutRecord> cutBlock(ZMap& zmap, const Program& program, std::size_
     return sum;
 }
 
-bool cutBlocks(ZMap& zmap, const Program& program, std::size_t first, std::size_t last, const Setup& setup,
-               const ToolChoice& tools, const std::stop_token& stop) {
+std::vector<CutterMotion> cutterMotions(const Program& program, std::size_t first, std::size_t last,
+                                        const Setup& setup, const ToolChoice& tools) {
     std::vector<CutterMotion> motions;
     for (std::size_t block = first; block < last; ++block) {
         const auto range = program.blockMotions(block);
         for (std::size_t index = range.first; index < range.last; ++index) {
             const Motion motion = program.motion(index);
-            motions.push_back({cutterOf(motion, setup, tools), motion});
+            motions.push_back(
+                {cutterOf(motion, setup, tools), motion, static_cast<std::uint32_t>(block + 1)});
         }
     }
-    return cutHeights(zmap, motions, stop);
+    return motions;
+}
+
+bool cutBlocks(ZMap& zmap, const Program& program, std::size_t first, std::size_t last, const Setup& setup,
+               const ToolChoice& tools, const std::stop_token& stop) {
+    return cutHeights(zmap, cutterMotions(program, first, last, setup, tools), stop);
 }
 
 } // namespace proveout

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <optional>
 #include <stop_token>
+#include <vector>
 
 #include "core/cutting/cutting.h"
 #include "core/nc/program.h"
@@ -21,6 +22,12 @@ namespace proveout {
 [[nodiscard]] std::optional<CutRecord> cutBlock(ZMap& zmap, const Program& program, std::size_t block,
                                                 const Setup& setup, const ToolChoice& tools,
                                                 FindingLog* findings, const std::stop_token& stop);
+
+/// All motions of the blocks [first, last), each with its cutter, or none where it cuts nothing, and marked
+/// by 1 + its block. The cutters are those of `setup`.
+[[nodiscard]] std::vector<CutterMotion> cutterMotions(const Program& program, std::size_t first,
+                                                      std::size_t last, const Setup& setup,
+                                                      const ToolChoice& tools);
 
 /// The blocks [first, last) at once, where only heights are wanted: the same as of cutBlock(). False where it
 /// was stopped, and the map is what it was.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 #include <gmock/gmock.h>
 #include <map>
 #include <sstream>
@@ -45,6 +47,23 @@ TEST_F(CliSimulate, ALargeMapHasLargerRegionsUnlessTheirSizeIsGiven) {
                                 "stock": {"width": 220, "depth": 220, "height": 10},
                                 "decimation": {"region": 16}})");
     EXPECT_EQ(run("simulate --job named.proveout --grid 0.1 --json").json()["regions"], 138 * 138);
+}
+
+TEST_F(CliSimulate, WritesTheSourceLineThatCutEachPoint) {
+    const auto done = simulate("--provenance lines.npy --until 3");
+    ASSERT_EQ(done.exitCode, 0) << done.err;
+    const std::string bytes = read("lines.npy");
+    ASSERT_THAT(bytes, HasSubstr("'descr': '<u4', 'fortran_order': False, 'shape': (61, 81)"));
+    const auto lineAt = [&](int i, int j) {
+        std::uint32_t line = 0;
+        const std::size_t data = bytes.size() - std::size_t{61} * 81 * sizeof line;
+        std::memcpy(&line, bytes.data() + data + static_cast<std::size_t>(j * 81 + i) * sizeof line,
+                    sizeof line);
+        return line;
+    };
+    EXPECT_EQ(lineAt(10, 10), 4U) << "the plunge";
+    EXPECT_EQ(lineAt(40, 10), 5U) << "the groove";
+    EXPECT_EQ(lineAt(40, 30), 0U) << "uncut";
 }
 
 TEST_F(CliSimulate, JsonHasTheKeysOfTheContract) {

@@ -41,7 +41,7 @@ std::string randomProgram(std::uint_fast32_t seed, int blocks) {
 }
 
 std::shared_ptr<const Program> programOfOneLongBlock() {
-    return programOf("T1 M6\nG0 X50 Y250 Z5\nG1 Z-1 F100\nG2 X50 Y250 Z-20 I200 J0 P3\nG0 Z5\nM2\n");
+    return programOf("T1 M6\nG0 X250 Y250 Z5\nG1 Z1 F100\nG83 Z-50 R1 Q0.002\nG80\nG0 Z5\nM2\n");
 }
 
 std::shared_ptr<const Setup> wideSetup() {

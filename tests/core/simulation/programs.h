@@ -17,7 +17,8 @@ namespace proveout {
 /// retracts by G0, cutting down to -8 mm. Equal seeds give equal programs.
 [[nodiscard]] std::string randomProgram(std::uint_fast32_t seed, int blocks);
 
-/// Four blocks, the third of which is seconds of work on the stock of `wideSetup`: a helix of a wide cone.
+/// Four blocks, the third of which is seconds of work on the stock of `wideSetup`: a cone of 100 mm
+/// that pecks by two micrometres.
 [[nodiscard]] std::shared_ptr<const Program> programOfOneLongBlock();
 /// A 500 × 500 × 60 mm stock with its corner at the origin, and T1, a cone of 100 mm.
 [[nodiscard]] std::shared_ptr<const Setup> wideSetup();

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which block of a program made which point of the surface.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <stop_token>
+
+#include "core/base/work_context.h"
+#include "core/cutting/provenance.h"
+#include "core/nc/program.h"
+#include "core/simulation/setup.h"
+
+namespace proveout {
+
+/// Of all points of a map after the first `blocks` blocks: 1 + the block (0-based) that lowered the point
+/// last, or Provenance::kUncut. Cuts the program once more, from the map `uncut`, in its order; takes the
+/// memory of a map and as much again: ask provenanceBytes() first. Nothing where it was stopped. Any thread.
+[[nodiscard]] std::optional<Provenance> blockProvenance(const ZMapSnapshot& uncut, const Program& program,
+                                                        const Setup& setup, std::size_t blocks,
+                                                        const WorkContext& context = {});
+/// Of that, beside what the simulation holds.
+[[nodiscard]] double provenanceBytes(const Grid& grid);
+
+/// The one of the first `blocks` blocks that made the surface at a point of the grid, `place`, whose z is the
+/// map's height there: the first that reached it, to 2 µm. Nothing where none did, or it was stopped. Asks
+/// every motion near the place: some 10 ns a motion elsewhere. Any thread.
+[[nodiscard]] std::optional<std::size_t> blockThatMade(const Program& program, const Setup& setup,
+                                                       std::size_t blocks, const Vec3& place,
+                                                       const std::stop_token& stop = {});
+
+} // namespace proveout
