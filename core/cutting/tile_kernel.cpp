@@ -630,7 +630,7 @@ void PassTable::arrange() {
     m_padded = (m_straight + kWidest - 1) / kWidest * kWidest;
     m_fields.assign(kFields.size() * m_padded, -1.0F);
     for (std::size_t field = 0; field < kFields.size(); ++field) {
-        float* values = &m_fields[field * m_padded];
+        float* values = m_fields.data() + field * m_padded;
         for (std::size_t k = 0; k < m_straight; ++k)
             *values++ = m_passes[k].*kFields[field];
     }

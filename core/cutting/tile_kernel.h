@@ -120,7 +120,7 @@ public:
     [[nodiscard]] std::span<const TilePass> passes() const { return m_passes; }
     /// Values of one field of passes on straight paths; as many as fill whole vectors, those of no pass with
     /// a `reach2` below 0.
-    [[nodiscard]] const float* field(std::size_t index) const { return &m_fields[index * m_padded]; }
+    [[nodiscard]] const float* field(std::size_t index) const { return m_fields.data() + index * m_padded; }
 
     /// Planes below those passes that may lower a block, over its middle and per column and row, and the
     /// planes' lowest place in the block.
