@@ -4213,6 +4213,258 @@
         <source>Check by other means what is done there from here on.</source>
         <translation>Prüfen Sie auf andere Weise, was dort von hier an geschieht.</translation>
     </message>
+    <message>
+        <source>Proveout stock</source>
+        <translation>Proveout-Rohteil</translation>
+    </message>
+    <message>
+        <source>what a set-up has left of its stock</source>
+        <translation>was eine Aufspannung von ihrem Rohteil übrig lässt</translation>
+    </message>
+    <message>
+        <source>This line is no point: X, Y and perhaps the bulge of an arc.</source>
+        <translation>Diese Zeile ist kein Punkt: X, Y und vielleicht die Wölbung eines Bogens.</translation>
+    </message>
+    <message>
+        <source>The loop that ends here has only one point.</source>
+        <translation>Der Umriss, der hier endet, hat nur einen Punkt.</translation>
+    </message>
+    <message>
+        <source>The outline has no points.</source>
+        <translation>Der Umriss hat keine Punkte.</translation>
+    </message>
+    <message>
+        <source>“{}” is no key of this stock shape; there are {}.</source>
+        <translation>„{}“ ist kein Schlüssel dieser Rohteilform; es gibt {}.</translation>
+    </message>
+    <message>
+        <source>{}={} is no length above {} and at most {} mm.</source>
+        <translation>{}={} ist keine Länge über {} und höchstens {} mm.</translation>
+    </message>
+    <message>
+        <source>{}={} is not one of {}.</source>
+        <translation>{}={} ist keines von {}.</translation>
+    </message>
+    <message>
+        <source>The key {} must name a file.</source>
+        <translation>Der Schlüssel {} muss eine Datei nennen.</translation>
+    </message>
+    <message>
+        <source>A stock of the shape {} needs the key {}, as in {}.</source>
+        <translation>Ein Rohteil der Form {} braucht den Schlüssel {}, wie in {}.</translation>
+    </message>
+    <message>
+        <source>“{}” is no shape of stock; there are {}.</source>
+        <translation>„{}“ ist keine Rohteilform; es gibt {}.</translation>
+    </message>
+    <message>
+        <source>The saved stock is cut off or damaged: {} in it cannot be read whole.</source>
+        <translation>Das gespeicherte Rohteil ist abgeschnitten oder beschädigt: {} darin lässt sich nicht ganz lesen.</translation>
+    </message>
+    <message>
+        <source>This is not a stock that Proveout has saved.</source>
+        <translation>Das ist kein Rohteil, das Proveout gespeichert hat.</translation>
+    </message>
+    <message>
+        <source>The stock was saved by a newer Proveout (format {}); this one reads up to format {}.</source>
+        <translation>Das Rohteil stammt von einem neueren Proveout (Format {}); dieses liest bis Format {}.</translation>
+    </message>
+    <message>
+        <source>The saved stock tells of {} × {} points, but its size and spacing make {} × {}.</source>
+        <translation>Das gespeicherte Rohteil nennt {} × {} Punkte, doch Größe und Rasterweite ergeben {} × {}.</translation>
+    </message>
+    <message>
+        <source>The heights of the saved stock are not {} × {} numbers of float32.</source>
+        <translation>Die Höhen des gespeicherten Rohteils sind nicht {} × {} Zahlen in float32.</translation>
+    </message>
+    <message>
+        <source>Row {}, column {} of the saved stock is no height within it.</source>
+        <translation>Zeile {}, Spalte {} des gespeicherten Rohteils ist keine Höhe in ihm.</translation>
+    </message>
+    <message>
+        <source>Height Z</source>
+        <translation>Höhe Z</translation>
+    </message>
+    <message>
+        <source>Size of the stock along Z, from its top downwards.</source>
+        <translation>Größe des Rohteils längs Z, von der Oberseite nach unten.</translation>
+    </message>
+    <message>
+        <source>Width X</source>
+        <translation>Breite X</translation>
+    </message>
+    <message>
+        <source>Size of the stock along X.</source>
+        <translation>Größe des Rohteils längs X.</translation>
+    </message>
+    <message>
+        <source>Depth Y</source>
+        <translation>Tiefe Y</translation>
+    </message>
+    <message>
+        <source>Size of the stock along Y.</source>
+        <translation>Größe des Rohteils längs Y.</translation>
+    </message>
+    <message>
+        <source>Diameter of the upright cylinder.</source>
+        <translation>Durchmesser des aufrechten Zylinders.</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>Umriss</translation>
+    </message>
+    <message>
+        <source>A text with a point X Y a line, and a third number for an arc to the next point: the tangent of a quarter of its angle. An empty line begins another loop.</source>
+        <translation>Ein Text mit einem Punkt X Y je Zeile und einer dritten Zahl für einen Bogen zum nächsten Punkt: dem Tangens eines Viertels seines Winkels. Eine leere Zeile beginnt einen weiteren Umriss.</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>A closed mesh, in mm; the stock is what lies under its upper surface.</source>
+        <translation>Ein geschlossenes Netz, in mm; Rohteil ist, was unter seiner oberen Fläche liegt.</translation>
+    </message>
+    <message>
+        <source>Not turned</source>
+        <translation>Nicht gedreht</translation>
+    </message>
+    <message>
+        <source>90° to the left</source>
+        <translation>90° nach links</translation>
+    </message>
+    <message>
+        <source>180°</source>
+        <translation>180°</translation>
+    </message>
+    <message>
+        <source>90° to the right</source>
+        <translation>90° nach rechts</translation>
+    </message>
+    <message>
+        <source>Not flipped</source>
+        <translation>Nicht gewendet</translation>
+    </message>
+    <message>
+        <source>About X</source>
+        <translation>Um X</translation>
+    </message>
+    <message>
+        <source>About Y</source>
+        <translation>Um Y</translation>
+    </message>
+    <message>
+        <source>Saved stock</source>
+        <translation>Gespeichertes Rohteil</translation>
+    </message>
+    <message>
+        <source>What an earlier set-up has left, as saved by File, Save Stock.</source>
+        <translation>Was eine frühere Aufspannung übrig ließ, wie mit Datei, Rohteil speichern gesichert.</translation>
+    </message>
+    <message>
+        <source>Flipped</source>
+        <translation>Gewendet</translation>
+    </message>
+    <message>
+        <source>By half a turn, so that the underside is on top; before it is turned.</source>
+        <translation>Um eine halbe Drehung, sodass die Unterseite oben liegt; bevor es gedreht wird.</translation>
+    </message>
+    <message>
+        <source>Turned</source>
+        <translation>Gedreht</translation>
+    </message>
+    <message>
+        <source>About the upright axis, seen from above.</source>
+        <translation>Um die senkrechte Achse, von oben gesehen.</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>A block with its sides along the axes.</source>
+        <translation>Ein Block mit Seiten längs der Achsen.</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>Zylinder</translation>
+    </message>
+    <message>
+        <source>A round bar that stands upright.</source>
+        <translation>Ein Rundstab, der aufrecht steht.</translation>
+    </message>
+    <message>
+        <source>Extruded outline</source>
+        <translation>Umriss mit Höhe</translation>
+    </message>
+    <message>
+        <source>A plate within a closed outline of lines and arcs, with holes.</source>
+        <translation>Eine Platte in einem geschlossenen Umriss aus Linien und Bögen, mit Löchern.</translation>
+    </message>
+    <message>
+        <source>Mesh (STL)</source>
+        <translation>Netz (STL)</translation>
+    </message>
+    <message>
+        <source>A casting or a forging, as a closed mesh.</source>
+        <translation>Ein Guss- oder Schmiedeteil als geschlossenes Netz.</translation>
+    </message>
+    <message>
+        <source>What an earlier set-up has left, also flipped or turned.</source>
+        <translation>Was eine frühere Aufspannung übrig ließ, auch gewendet oder gedreht.</translation>
+    </message>
+    <message>
+        <source>This is no ZIP archive, or one that cannot be read.</source>
+        <translation>Das ist kein ZIP-Archiv oder eines, das sich nicht lesen lässt.</translation>
+    </message>
+    <message>
+        <source>The outline has a point beyond {} mm, or an arc that is nearly a full circle.</source>
+        <translation>Der Umriss hat einen Punkt jenseits von {} mm oder einen Bogen, der beinahe ein voller Kreis ist.</translation>
+    </message>
+    <message>
+        <source>The outline encloses no area.</source>
+        <translation>Der Umriss schließt keine Fläche ein.</translation>
+    </message>
+    <message>
+        <source>The mesh of the stock is not closed: over {} of {} grid points it is not known what is material.</source>
+        <translation>Das Netz des Rohteils ist nicht geschlossen: Über {} von {} Rasterpunkten ist nicht bekannt, was Material ist.</translation>
+    </message>
+    <message>
+        <source>Export the stock as a closed solid.</source>
+        <translation>Das Rohteil als geschlossenen Körper exportieren.</translation>
+    </message>
+    <message>
+        <source>The mesh of the stock reaches beyond {} mm.</source>
+        <translation>Das Netz des Rohteils reicht über {} mm hinaus.</translation>
+    </message>
+    <message>
+        <source>The mesh of the stock encloses no volume.</source>
+        <translation>Das Netz des Rohteils schließt kein Volumen ein.</translation>
+    </message>
+    <message>
+        <source>The saved stock has points {} × {} mm apart, and is taken over to {} × {} mm: at none of its points lower, between them up to one spacing wider.</source>
+        <translation>Das gespeicherte Rohteil hat Punkte im Abstand von {} × {} mm und wird auf {} × {} mm übernommen: an keinem seiner Punkte niedriger, dazwischen bis zu eine Rasterweite breiter.</translation>
+    </message>
+    <message>
+        <source>The spacing of the saved stock, or a whole part of it, changes nothing.</source>
+        <translation>Die Rasterweite des gespeicherten Rohteils oder ein ganzer Teil davon ändert nichts.</translation>
+    </message>
+    <message>
+        <source>Nothing of the saved stock is left.</source>
+        <translation>Vom gespeicherten Rohteil ist nichts übrig.</translation>
+    </message>
+    <message>
+        <source>Under the surface of the stock there are {} mm³ of air, which the z-map shows as material; the tallest gap, {} mm, begins at X{} Y{} Z{}.</source>
+        <translation>Unter der Fläche des Rohteils sind {} mm³ Luft, die die Z-Map als Material zeigt; die höchste Lücke, {} mm, beginnt bei X{} Y{} Z{}.</translation>
+    </message>
+    <message>
+        <source>Check by other means what the program does over such gaps.</source>
+        <translation>Prüfen Sie auf andere Weise, was das Programm über solchen Lücken tut.</translation>
+    </message>
+    <message>
+        <source>The stock needs more memory than there is.</source>
+        <translation>Das Rohteil braucht mehr Speicher, als da ist.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>
@@ -4393,6 +4645,10 @@
         <source>largest error %1 mm, certified within %2 mm everywhere</source>
         <translation>größter Fehler %1 mm, überall zertifiziert innerhalb %2 mm</translation>
     </message>
+    <message>
+        <source>Saved %1: the stock for the next set-up</source>
+        <translation>%1 gespeichert: das Rohteil für die nächste Aufspannung</translation>
+    </message>
 </context>
 <context>
     <name>FileChangedBar</name>
@@ -4466,6 +4722,14 @@
     <message>
         <source>Close Proveout</source>
         <translation>Proveout schließen</translation>
+    </message>
+    <message>
+        <source>Save S&amp;tock…</source>
+        <translation>&amp;Rohteil speichern …</translation>
+    </message>
+    <message>
+        <source>Save what is left of the stock, for the next set-up</source>
+        <translation>Speichern, was vom Rohteil übrig ist, für die nächste Aufspannung</translation>
     </message>
 </context>
 <context>
@@ -4557,6 +4821,14 @@
     <message>
         <source>&amp;Drop the Export</source>
         <translation>Export &amp;verwerfen</translation>
+    </message>
+    <message>
+        <source>Save Stock</source>
+        <translation>Rohteil speichern</translation>
+    </message>
+    <message>
+        <source>Proveout stock (*.pvstock)</source>
+        <translation>Proveout-Rohteil (*.pvstock)</translation>
     </message>
 </context>
 <context>
@@ -5117,6 +5389,10 @@
         <source>How compensation begins and ends at outside corners, as set on the control: SUP in parameter 5003 of Fanuc, setting 43 of Haas</source>
         <translation>Wie die Korrektur an Außenecken beginnt und endet, wie an der Steuerung eingestellt: SUP in Parameter 5003 von Fanuc, Einstellung 43 von Haas</translation>
     </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>%1 wird gelesen …</translation>
+    </message>
 </context>
 <context>
     <name>Severity</name>
@@ -5367,30 +5643,6 @@ Diese Datei ist nicht mehr da.</translation>
 <context>
     <name>StockForm</name>
     <message>
-        <source>Width X</source>
-        <translation>Breite X</translation>
-    </message>
-    <message>
-        <source>Size of the stock along X.</source>
-        <translation>Größe des Rohteils längs X.</translation>
-    </message>
-    <message>
-        <source>Depth Y</source>
-        <translation>Tiefe Y</translation>
-    </message>
-    <message>
-        <source>Size of the stock along Y.</source>
-        <translation>Größe des Rohteils längs Y.</translation>
-    </message>
-    <message>
-        <source>Height Z</source>
-        <translation>Höhe Z</translation>
-    </message>
-    <message>
-        <source>Size of the stock along Z, from its top downwards.</source>
-        <translation>Größe des Rohteils längs Z, von der Oberseite nach unten.</translation>
-    </message>
-    <message>
         <source>Left edge X</source>
         <translation>Linke Kante X</translation>
     </message>
@@ -5433,6 +5685,24 @@ Default: %4 mm</source>
         <translation>%1
 Bereich: %2 bis %3 mm
 Vorgabe: %4 mm</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>%1
+Range: %2 to %3 mm</source>
+        <translation>%1
+Bereich: %2 bis %3 mm</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>Datei wählen</translation>
     </message>
 </context>
 <context>

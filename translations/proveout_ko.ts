@@ -4213,6 +4213,258 @@
         <source>Check by other means what is done there from here on.</source>
         <translation>이후 그곳에서 이루어지는 가공은 다른 방법으로 확인하십시오.</translation>
     </message>
+    <message>
+        <source>Proveout stock</source>
+        <translation>Proveout 소재</translation>
+    </message>
+    <message>
+        <source>what a set-up has left of its stock</source>
+        <translation>한 셋업이 소재에서 남긴 것</translation>
+    </message>
+    <message>
+        <source>This line is no point: X, Y and perhaps the bulge of an arc.</source>
+        <translation>이 줄은 점이 아닙니다: X, Y, 그리고 필요하면 원호의 벌지.</translation>
+    </message>
+    <message>
+        <source>The loop that ends here has only one point.</source>
+        <translation>여기서 끝나는 윤곽에는 점이 하나뿐입니다.</translation>
+    </message>
+    <message>
+        <source>The outline has no points.</source>
+        <translation>윤곽에 점이 없습니다.</translation>
+    </message>
+    <message>
+        <source>“{}” is no key of this stock shape; there are {}.</source>
+        <translation>“{}”은(는) 이 소재 형상의 키가 아닙니다. 있는 키: {}.</translation>
+    </message>
+    <message>
+        <source>{}={} is no length above {} and at most {} mm.</source>
+        <translation>{}={}은(는) {} 초과 {} mm 이하의 길이가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>{}={} is not one of {}.</source>
+        <translation>{}={}은(는) {} 가운데 하나가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>The key {} must name a file.</source>
+        <translation>키 {}에는 파일 이름이 있어야 합니다.</translation>
+    </message>
+    <message>
+        <source>A stock of the shape {} needs the key {}, as in {}.</source>
+        <translation>형상이 {}인 소재에는 키 {}이(가) 필요합니다. 예: {}.</translation>
+    </message>
+    <message>
+        <source>“{}” is no shape of stock; there are {}.</source>
+        <translation>“{}”은(는) 소재 형상이 아닙니다. 있는 형상: {}.</translation>
+    </message>
+    <message>
+        <source>The saved stock is cut off or damaged: {} in it cannot be read whole.</source>
+        <translation>저장된 소재가 잘렸거나 손상되었습니다: 그 안의 {}을(를) 끝까지 읽을 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>This is not a stock that Proveout has saved.</source>
+        <translation>Proveout이 저장한 소재가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>The stock was saved by a newer Proveout (format {}); this one reads up to format {}.</source>
+        <translation>더 새로운 Proveout이 저장한 소재입니다(형식 {}). 이 버전은 형식 {}까지 읽습니다.</translation>
+    </message>
+    <message>
+        <source>The saved stock tells of {} × {} points, but its size and spacing make {} × {}.</source>
+        <translation>저장된 소재는 {} × {}개의 점을 말하지만, 크기와 간격으로는 {} × {}개가 됩니다.</translation>
+    </message>
+    <message>
+        <source>The heights of the saved stock are not {} × {} numbers of float32.</source>
+        <translation>저장된 소재의 높이가 float32 수 {} × {}개가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>Row {}, column {} of the saved stock is no height within it.</source>
+        <translation>저장된 소재의 {}행 {}열은 그 안의 높이가 아닙니다.</translation>
+    </message>
+    <message>
+        <source>Height Z</source>
+        <translation>높이 Z</translation>
+    </message>
+    <message>
+        <source>Size of the stock along Z, from its top downwards.</source>
+        <translation>윗면에서 아래로 잰 소재의 Z 방향 크기입니다.</translation>
+    </message>
+    <message>
+        <source>Width X</source>
+        <translation>폭 X</translation>
+    </message>
+    <message>
+        <source>Size of the stock along X.</source>
+        <translation>소재의 X 방향 크기입니다.</translation>
+    </message>
+    <message>
+        <source>Depth Y</source>
+        <translation>깊이 Y</translation>
+    </message>
+    <message>
+        <source>Size of the stock along Y.</source>
+        <translation>소재의 Y 방향 크기입니다.</translation>
+    </message>
+    <message>
+        <source>Diameter of the upright cylinder.</source>
+        <translation>세워진 원기둥의 지름입니다.</translation>
+    </message>
+    <message>
+        <source>Outline</source>
+        <translation>윤곽</translation>
+    </message>
+    <message>
+        <source>A text with a point X Y a line, and a third number for an arc to the next point: the tangent of a quarter of its angle. An empty line begins another loop.</source>
+        <translation>한 줄에 점 X Y가 하나씩 있는 텍스트입니다. 세 번째 수는 다음 점까지의 원호로, 그 각도의 4분의 1의 탄젠트입니다. 빈 줄은 다른 윤곽을 시작합니다.</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>메시</translation>
+    </message>
+    <message>
+        <source>A closed mesh, in mm; the stock is what lies under its upper surface.</source>
+        <translation>닫힌 메시(mm)입니다. 그 윗면 아래가 소재입니다.</translation>
+    </message>
+    <message>
+        <source>Not turned</source>
+        <translation>돌리지 않음</translation>
+    </message>
+    <message>
+        <source>90° to the left</source>
+        <translation>왼쪽으로 90°</translation>
+    </message>
+    <message>
+        <source>180°</source>
+        <translation>180°</translation>
+    </message>
+    <message>
+        <source>90° to the right</source>
+        <translation>오른쪽으로 90°</translation>
+    </message>
+    <message>
+        <source>Not flipped</source>
+        <translation>뒤집지 않음</translation>
+    </message>
+    <message>
+        <source>About X</source>
+        <translation>X축으로</translation>
+    </message>
+    <message>
+        <source>About Y</source>
+        <translation>Y축으로</translation>
+    </message>
+    <message>
+        <source>Saved stock</source>
+        <translation>저장된 소재</translation>
+    </message>
+    <message>
+        <source>What an earlier set-up has left, as saved by File, Save Stock.</source>
+        <translation>이전 셋업이 남긴 것으로, 파일 메뉴의 소재 저장으로 저장한 것입니다.</translation>
+    </message>
+    <message>
+        <source>Flipped</source>
+        <translation>뒤집기</translation>
+    </message>
+    <message>
+        <source>By half a turn, so that the underside is on top; before it is turned.</source>
+        <translation>반 바퀴 돌려 아랫면이 위로 오게 합니다. 돌리기 전에 합니다.</translation>
+    </message>
+    <message>
+        <source>Turned</source>
+        <translation>돌리기</translation>
+    </message>
+    <message>
+        <source>About the upright axis, seen from above.</source>
+        <translation>위에서 보아 수직축을 중심으로 돌립니다.</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>직육면체</translation>
+    </message>
+    <message>
+        <source>A block with its sides along the axes.</source>
+        <translation>변이 축과 나란한 블록입니다.</translation>
+    </message>
+    <message>
+        <source>Cylinder</source>
+        <translation>원기둥</translation>
+    </message>
+    <message>
+        <source>A round bar that stands upright.</source>
+        <translation>세워 놓은 둥근 봉입니다.</translation>
+    </message>
+    <message>
+        <source>Extruded outline</source>
+        <translation>돌출 윤곽</translation>
+    </message>
+    <message>
+        <source>A plate within a closed outline of lines and arcs, with holes.</source>
+        <translation>직선과 원호로 된 닫힌 윤곽 안의 판이며 구멍이 있을 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Mesh (STL)</source>
+        <translation>메시 (STL)</translation>
+    </message>
+    <message>
+        <source>A casting or a forging, as a closed mesh.</source>
+        <translation>닫힌 메시로 된 주조품이나 단조품입니다.</translation>
+    </message>
+    <message>
+        <source>What an earlier set-up has left, also flipped or turned.</source>
+        <translation>이전 셋업이 남긴 것으로, 뒤집거나 돌릴 수도 있습니다.</translation>
+    </message>
+    <message>
+        <source>This is no ZIP archive, or one that cannot be read.</source>
+        <translation>ZIP 보관 파일이 아니거나 읽을 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>The outline has a point beyond {} mm, or an arc that is nearly a full circle.</source>
+        <translation>윤곽에 {} mm를 넘는 점이나 거의 온전한 원인 원호가 있습니다.</translation>
+    </message>
+    <message>
+        <source>The outline encloses no area.</source>
+        <translation>윤곽이 둘러싼 면적이 없습니다.</translation>
+    </message>
+    <message>
+        <source>The mesh of the stock is not closed: over {} of {} grid points it is not known what is material.</source>
+        <translation>소재의 메시가 닫혀 있지 않습니다. 격자점 {1}개 (전체 {2}개) 위에서 무엇이 재료인지 알 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>Export the stock as a closed solid.</source>
+        <translation>소재를 닫힌 입체로 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>The mesh of the stock reaches beyond {} mm.</source>
+        <translation>소재의 메시가 {} mm를 넘어갑니다.</translation>
+    </message>
+    <message>
+        <source>The mesh of the stock encloses no volume.</source>
+        <translation>소재의 메시가 둘러싼 부피가 없습니다.</translation>
+    </message>
+    <message>
+        <source>The saved stock has points {} × {} mm apart, and is taken over to {} × {} mm: at none of its points lower, between them up to one spacing wider.</source>
+        <translation>저장된 소재의 점 간격은 {} × {} mm이고 {} × {} mm로 옮겨집니다. 어느 점에서도 더 낮아지지 않으며, 그 사이는 최대 한 간격만큼 넓어집니다.</translation>
+    </message>
+    <message>
+        <source>The spacing of the saved stock, or a whole part of it, changes nothing.</source>
+        <translation>저장된 소재의 간격이나 그 정수분의 1을 쓰면 아무것도 바뀌지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Nothing of the saved stock is left.</source>
+        <translation>저장된 소재에 남은 것이 없습니다.</translation>
+    </message>
+    <message>
+        <source>Under the surface of the stock there are {} mm³ of air, which the z-map shows as material; the tallest gap, {} mm, begins at X{} Y{} Z{}.</source>
+        <translation>소재의 표면 아래에 {} mm³의 빈 공간이 있으나 Z맵은 이를 재료로 보입니다. 가장 높은 틈({} mm)은 X{} Y{} Z{}에서 시작합니다.</translation>
+    </message>
+    <message>
+        <source>Check by other means what the program does over such gaps.</source>
+        <translation>이런 틈 위에서 프로그램이 하는 일은 다른 방법으로 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>The stock needs more memory than there is.</source>
+        <translation>소재에 필요한 메모리가 부족합니다.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>
@@ -4393,6 +4645,10 @@
         <source>largest error %1 mm, certified within %2 mm everywhere</source>
         <translation>최대 오차 %1 mm, 모든 곳에서 %2 mm 이내로 보증됨</translation>
     </message>
+    <message>
+        <source>Saved %1: the stock for the next set-up</source>
+        <translation>%1 저장됨: 다음 셋업의 소재</translation>
+    </message>
 </context>
 <context>
     <name>FileChangedBar</name>
@@ -4466,6 +4722,14 @@
     <message>
         <source>Close Proveout</source>
         <translation>Proveout을 닫습니다</translation>
+    </message>
+    <message>
+        <source>Save S&amp;tock…</source>
+        <translation>소재 저장(&amp;T)…</translation>
+    </message>
+    <message>
+        <source>Save what is left of the stock, for the next set-up</source>
+        <translation>다음 셋업을 위해 소재에서 남은 것을 저장</translation>
     </message>
 </context>
 <context>
@@ -4557,6 +4821,14 @@
     <message>
         <source>&amp;Drop the Export</source>
         <translation>내보내기 버리기(&amp;D)</translation>
+    </message>
+    <message>
+        <source>Save Stock</source>
+        <translation>소재 저장</translation>
+    </message>
+    <message>
+        <source>Proveout stock (*.pvstock)</source>
+        <translation>Proveout 소재 (*.pvstock)</translation>
     </message>
 </context>
 <context>
@@ -5116,6 +5388,10 @@
         <source>How compensation begins and ends at outside corners, as set on the control: SUP in parameter 5003 of Fanuc, setting 43 of Haas</source>
         <translation>바깥쪽 코너에서 보정을 시작하고 끝내는 방식으로, 제어기 설정과 같습니다. Fanuc은 파라미터 5003의 SUP, Haas는 설정 43입니다</translation>
     </message>
+    <message>
+        <source>Reading %1 …</source>
+        <translation>%1 읽는 중…</translation>
+    </message>
 </context>
 <context>
     <name>Severity</name>
@@ -5366,30 +5642,6 @@ This file is no longer there.</source>
 <context>
     <name>StockForm</name>
     <message>
-        <source>Width X</source>
-        <translation>폭 X</translation>
-    </message>
-    <message>
-        <source>Size of the stock along X.</source>
-        <translation>소재의 X 방향 크기입니다.</translation>
-    </message>
-    <message>
-        <source>Depth Y</source>
-        <translation>깊이 Y</translation>
-    </message>
-    <message>
-        <source>Size of the stock along Y.</source>
-        <translation>소재의 Y 방향 크기입니다.</translation>
-    </message>
-    <message>
-        <source>Height Z</source>
-        <translation>높이 Z</translation>
-    </message>
-    <message>
-        <source>Size of the stock along Z, from its top downwards.</source>
-        <translation>윗면에서 아래로 잰 소재의 Z 방향 크기입니다.</translation>
-    </message>
-    <message>
         <source>Left edge X</source>
         <translation>왼쪽 모서리 X</translation>
     </message>
@@ -5432,6 +5684,24 @@ Default: %4 mm</source>
         <translation>%1
 범위: %2~%3 mm
 기본값: %4 mm</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>모든 파일 (*)</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>형상</translation>
+    </message>
+    <message>
+        <source>%1
+Range: %2 to %3 mm</source>
+        <translation>%1
+범위: %2 ~ %3 mm</translation>
+    </message>
+    <message>
+        <source>Choose a file</source>
+        <translation>파일 선택</translation>
     </message>
 </context>
 <context>

@@ -2,7 +2,10 @@
 #include "ui/export_job.h"
 
 #include <exception>
+#include <filesystem>
+#include <system_error>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include <QMetaObject>
@@ -49,6 +52,15 @@ Result<void> checkMeshMemory(const Frame& frame, const ExportOptions& options, d
     return refused;
 }
 
+Result<ExportSummary> save(const StockFormat& format, const Frame& frame, const QString& file,
+                           const StockProvenance& provenance) {
+    if (auto written = format.write(toPath(file), frame.zmap, frame.setup->spacing, provenance); !written)
+        return tl::unexpected(std::move(written.error()));
+    std::error_code ignored;
+    const auto bytes = std::filesystem::file_size(toPath(file), ignored);
+    return ExportSummary{.file = file, .stock = true, .bytes = ignored ? 0 : bytes, .warnings = {}};
+}
+
 Result<ExportSummary> write(const Frame& frame, const QString& file, const ExportOptions& options,
                             const WorkContext& context) {
     const Result<const FileFormat*> format =
@@ -90,6 +102,12 @@ Diagnostics about(const QString& file, Diagnostics errors) {
 
 Result<ExportSummary> exportFrame(const Frame& frame, const QString& file, const ExportOptions& options,
                                   const WorkContext& context, double availableBytes) {
+    const StockFormat* stock =
+        options.format == nullptr ? nullptr : std::get_if<StockFormat>(&options.format->handlers);
+    if (stock != nullptr) {
+        auto saved = save(*stock, frame, file, options.provenance);
+        return saved ? saved : tl::unexpected(about(file, std::move(saved.error())));
+    }
     if (Result<void> fits = checkMeshMemory(frame, options, availableBytes); !fits)
         return tl::unexpected(about(file, std::move(fits.error())));
     Result<ExportSummary> written = write(frame, file, options, context);

@@ -19,11 +19,13 @@ namespace proveout {
 
 struct ExportOptions {
     bool decimated = true;              ///< every region decimated, whatever the period; false: the full mesh
-    const FileFormat* format = nullptr; ///< writes meshes; null: the one that the ending of the file names
+    const FileFormat* format = nullptr; ///< null: the one of meshes that the ending of the file names
+    StockProvenance provenance = {};    ///< of a saved stock
 };
 
 struct ExportSummary {
     QString file;
+    bool stock = false; ///< the z-map itself was saved; there is no mesh and no error
     std::uint64_t triangles = 0;
     std::uint64_t bytes = 0;
     double largestErrorMm = 0;             ///< of what the file holds, measured against the z-map
@@ -33,10 +35,10 @@ struct ExportSummary {
     Diagnostics warnings;                  ///< about the file
 };
 
-/// Writes the stock of a frame: the surface, closed by walls and a floor. Any thread. Borders between regions
-/// are always the shared ones, because the paper's own leave cracks. Errors, which name the file: an
-/// ending of no mesh format, meshes that need more than `availableBytes` of memory, nothing left of the
-/// stock, an unwritable file, cancelled.
+/// Writes the stock of a frame: the surface, closed by walls and a floor, or its z-map for the next set-up.
+/// Any thread. Borders between regions are always the shared ones, because the paper's own leave cracks.
+/// Errors, which name the file: an ending of no mesh format, meshes that need more than `availableBytes` of
+/// memory, nothing left of the stock, an unwritable file, cancelled.
 [[nodiscard]] Result<ExportSummary>
 exportFrame(const Frame& frame, const QString& file, const ExportOptions& options, const WorkContext& context,
             double availableBytes = static_cast<double>(availableMemoryBytes()));

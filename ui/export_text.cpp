@@ -49,15 +49,21 @@ QString errorText(const ExportSummary& summary, const QLocale& locale) {
 } // namespace
 
 QString exportText(const ExportSummary& summary, const QLocale& locale) {
+    if (summary.stock)
+        return translated(QT_TRANSLATE_NOOP("Export", "Saved %1: the stock for the next set-up"))
+            .arg(shortName(summary.file));
     return translated(QT_TRANSLATE_NOOP("Export", "Wrote %1: %2"))
         .arg(shortName(summary.file), errorText(summary, locale));
 }
 
 QString exportDetails(const ExportSummary& summary, const QLocale& locale) {
+    const QString size =
+        locale.formattedDataSize(static_cast<qint64>(summary.bytes), 1, QLocale::DataSizeSIFormat);
+    if (summary.stock)
+        return QStringLiteral("%1: %2").arg(QDir::toNativeSeparators(summary.file), size);
     return translated(QT_TRANSLATE_NOOP("Export", "%1: %2 triangles, %3"))
         .arg(QDir::toNativeSeparators(summary.file),
-             locale.toString(static_cast<qulonglong>(summary.triangles)),
-             locale.formattedDataSize(static_cast<qint64>(summary.bytes), 1, QLocale::DataSizeSIFormat));
+             locale.toString(static_cast<qulonglong>(summary.triangles)), size);
 }
 
 } // namespace proveout

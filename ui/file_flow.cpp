@@ -100,6 +100,16 @@ bool FileFlow::saveJobAs() {
     return true;
 }
 
+void FileFlow::saveStock() {
+    const QString program = QFileInfo(toQString(m_session.document().path)).completeBaseName();
+    const QString stem = program.isEmpty() ? QStringLiteral("part") : program;
+    const QString file = askWhereToSave(m_window, tr("Save Stock"),
+                                        QDir(startFolder()).filePath(stem + QStringLiteral(".pvstock")),
+                                        tr("Proveout stock (*.pvstock)"), QStringLiteral("pvstock"));
+    if (!file.isEmpty())
+        m_session.saveStock(file);
+}
+
 void FileFlow::exportByDialog(bool decimated) {
     const QString program = QFileInfo(toQString(m_session.document().path)).completeBaseName();
     const QString stem = program.isEmpty() ? QStringLiteral("part") : program;

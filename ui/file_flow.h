@@ -30,6 +30,8 @@ public:
     bool save();
     bool saveAs();
     bool saveJobAs();
+    /// Asks where, and saves what is left of the stock for the next set-up.
+    void saveStock();
     void exportByDialog(bool decimated);
     /// Names what is not on the disk and offers to save it. False: the user wants to go on with it.
     bool mayDiscard();

@@ -62,7 +62,7 @@ std::span<const char* const> MainWindow::toolBarIds() {
 }
 
 std::span<const Command<MainWindow>> MainWindow::fileCommands() {
-    static const std::array<Command<MainWindow>, 8> kCommands{{
+    static const std::array<Command<MainWindow>, 9> kCommands{{
         {"file-new", QT_TRANSLATE_NOOP("FileCommands", "&New"),
          QT_TRANSLATE_NOOP("FileCommands", "Begin an empty NC program"), "new", "Ctrl+N", Reach::window,
          [](MainWindow& window) { window.files().newFile(); }},
@@ -79,6 +79,9 @@ std::span<const Command<MainWindow>> MainWindow::fileCommands() {
         {"file-save-job-as", QT_TRANSLATE_NOOP("FileCommands", "Save &Job As…"),
          QT_TRANSLATE_NOOP("FileCommands", "Save stock, tools and parameters with the name of the program"),
          "", "", Reach::window, [](MainWindow& window) { window.files().saveJobAs(); }},
+        {"file-save-stock", QT_TRANSLATE_NOOP("FileCommands", "Save S&tock…"),
+         QT_TRANSLATE_NOOP("FileCommands", "Save what is left of the stock, for the next set-up"), "stock",
+         "", Reach::window, [](MainWindow& window) { window.files().saveStock(); }},
         separator<MainWindow>(),
         {"file-quit", QT_TRANSLATE_NOOP("FileCommands", "&Quit"),
          QT_TRANSLATE_NOOP("FileCommands", "Close Proveout"), "", "Ctrl+Q", Reach::window,

@@ -300,6 +300,18 @@ void Session::exportMesh(const QString& file, const ExportOptions& options) {
                    [this](const Result<ExportSummary>& result) { exportDone(result); });
 }
 
+void Session::saveStock(const QString& file) {
+    takeFrame();
+    ExportOptions options{.format = findFormat("stock")};
+    options.provenance.program = document().path.filename().string();
+    if (m_frame) {
+        options.provenance.blocks = m_frame->block;
+        options.provenance.line = m_frame->block > 0 ? m_frame->program->blockLine(m_frame->block - 1) : 0;
+        options.provenance.finished = m_frame->block == m_frame->program->blockCount() && !m_begun;
+    }
+    exportMesh(file, options);
+}
+
 void Session::exportDone(const Result<ExportSummary>& result) {
     m_exported.reset();
     showWork();

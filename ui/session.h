@@ -152,6 +152,8 @@ public:
 
     /// Writes the stock of the newest frame in the background; work() tells how far it is.
     void exportMesh(const QString& file, const ExportOptions& options);
+    /// Saves it for the next set-up, in the background too.
+    void saveStock(const QString& file);
     void cancelWork();
     /// Shows messages that are about no part of the program, e.g. a dropped file that cannot be used, in
     /// place of those before.

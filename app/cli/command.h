@@ -21,6 +21,7 @@ void addDecimateCommand(CLI::App& app, ExitCode& exitCode);
 void addToolsCommand(CLI::App& app, ExitCode& exitCode);
 void addHeadlessStudyCommand(CLI::App& app, ExitCode& exitCode);
 void addFormatsCommand(CLI::App& app, ExitCode& exitCode);
+void addStocksCommand(CLI::App& app, ExitCode& exitCode);
 void addNcListings(CLI::App& app, ExitCode& exitCode); ///< dialects, rules
 
 } // namespace proveout::cli

@@ -56,9 +56,9 @@ ExitCode run(const InterpretCommandOptions& options) {
         return fail(std::move(tools.error()));
     if (options.tools.given())
         interpreting.tools = toolOffsets(setup.tools);
-    if (auto stock = options.stock.apply(setup.stock); !stock)
+    if (auto stock = options.stock.apply(setup); !stock)
         return fail(std::move(stock.error()));
-    if (!options.stock.size.empty())
+    if (!options.stock.spec.empty())
         interpreting.part = partToProbe(setup);
     auto text = NcText::load(options.program);
     if (!text)

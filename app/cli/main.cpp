@@ -13,9 +13,9 @@ namespace {
 using namespace proveout::cli;
 
 /// One row a command, in the order of the help.
-constexpr std::array kCommands{
-    addInterpretCommand, addSimulateCommand, addDecimateCommand, addHeadlessStudyCommand,
-    addToolsCommand,     addFormatsCommand,  addNcListings};
+constexpr std::array kCommands{addInterpretCommand,     addSimulateCommand, addDecimateCommand,
+                               addHeadlessStudyCommand, addToolsCommand,    addStocksCommand,
+                               addFormatsCommand,       addNcListings};
 
 ExitCode run(int argc, char** argv) {
     CLI::App app("Proves out three-axis milling programs before they touch metal.", "proveout-cli");

@@ -8,6 +8,7 @@
 #include "app/cli/option_error.h"
 #include "core/base/memory.h"
 #include "core/cutter/tool_file.h"
+#include "core/formats/stock_shapes.h"
 
 namespace proveout::cli {
 
@@ -18,27 +19,43 @@ const std::string kGuessed = "auto";
 } // namespace
 
 void StockOptions::addTo(CLI::App& command) {
-    command.add_option("--stock", size, "Size of the stock, mm")->type_name("WxDxH");
+    command
+        .add_option("--stock", spec,
+                    "Stock: a box, or a shape, e.g. cylinder:d=50,h=20; shapes: proveout-cli stocks")
+        ->type_name("WxDxH|SHAPE:key=value,…");
     command.add_option("--stock-origin", origin, "Lower-left-top corner of the stock, mm (0,0,0)")
         ->type_name("X,Y,Z");
 }
 
-Result<void> StockOptions::apply(StockBox& stock) const {
-    if (!size.empty()) {
-        const auto sides = parseStockSize(size);
-        if (!sides)
-            return aboutOption("--stock", sides.error());
-        stock.width = sides->x;
-        stock.depth = sides->y;
-        stock.height = sides->z;
-    }
+Result<void> StockOptions::apply(Setup& setup) const {
+    std::optional<Vec3> corner;
     if (!origin.empty()) {
-        const auto corner = parsePoint(origin);
-        if (!corner)
-            return aboutOption("--stock-origin", corner.error());
-        stock.corner = *corner;
+        const auto point = parsePoint(origin);
+        if (!point)
+            return aboutOption("--stock-origin", point.error());
+        corner = *point;
+        setup.stock.corner = *point;
     }
+    if (spec.empty())
+        return {};
+    auto stock = parseStock(spec);
+    if (!stock)
+        return aboutOption("--stock", std::move(stock.error()));
+    // A box of another size stays where the job has it.
+    if (stock->shape.kind == StockKind::box)
+        corner = setup.stock.corner;
+    if (auto made = makeStock(*stock, corner); !made)
+        return tl::unexpected(std::move(made.error()));
+    setup.stock = stock->box;
+    setup.shape = std::move(stock->shape);
+    if (setup.shape.body)
+        setup.spacing = setup.shape.body->spacing().value_or(setup.spacing);
     return {};
+}
+
+std::string StockOptions::file() const {
+    const auto stock = parseStock(spec);
+    return stock ? stock->shape.file.string() : std::string();
 }
 
 void ToolOptions::addTo(CLI::App& command) {
@@ -125,9 +142,9 @@ Result<Job> SetupOptions::job() const {
         job.program = m_program;
     if (job.program.empty())
         return failure("no-program", "No program is given: name one, or a --job.", {}, "proveout-cli");
-    if (m_jobFile.empty() && m_stock.size.empty())
+    if (m_jobFile.empty() && m_stock.spec.empty())
         return failure("no-stock", "No stock is given: use --stock WxDxH, or a --job.", {}, "proveout-cli");
-    if (auto stock = m_stock.apply(job.setup.stock); !stock)
+    if (auto stock = m_stock.apply(job.setup); !stock)
         return tl::unexpected(std::move(stock.error()));
     if (m_grid)
         job.setup.spacing = *m_grid;
@@ -164,7 +181,7 @@ tl::unexpected<Diagnostics> SetupOptions::aboutGrid(Diagnostics diagnostics) con
     const std::string_view id = diagnostics.front().id;
     const bool origin = id.starts_with("stock-origin");
     const bool size = id.starts_with("stock-size");
-    const bool given = origin ? !m_stock.origin.empty() : size ? !m_stock.size.empty() : m_grid.has_value();
+    const bool given = origin ? !m_stock.origin.empty() : size ? !m_stock.spec.empty() : m_grid.has_value();
     if (given || m_jobFile.empty())
         return aboutOption(origin ? "--stock-origin" : size ? "--stock" : "--grid", std::move(diagnostics));
     for (Diagnostic& diagnostic : diagnostics)

@@ -18,12 +18,14 @@ namespace proveout::cli {
 
 /// `--stock` and `--stock-origin`.
 struct StockOptions {
-    std::string size;
+    std::string spec;
     std::string origin;
 
     void addTo(CLI::App& command);
-    /// Changes what is given.
-    [[nodiscard]] Result<void> apply(StockBox& stock) const;
+    /// Changes what is given; a saved stock brings the spacing of its grid with it.
+    [[nodiscard]] Result<void> apply(Setup& setup) const;
+    /// The file that the stock comes from, if it does.
+    [[nodiscard]] std::string file() const;
 };
 
 /// `--tools` and `--tool`; the latter outrank the file.
@@ -58,7 +60,9 @@ public:
     /// Refuses a stock and a grid that cannot be, or need more memory than may be taken.
     [[nodiscard]] Result<void> checkGrid(const Job& job, const MapOutputs& outputs) const;
     [[nodiscard]] const DecimationOptions& decimation() const { return m_decimation; }
-    [[nodiscard]] std::vector<std::string> inputs() const { return {m_program, m_jobFile, m_tools.file}; }
+    [[nodiscard]] std::vector<std::string> inputs() const {
+        return {m_program, m_jobFile, m_tools.file, m_stock.file()};
+    }
     /// What messages without a place of their own are about.
     [[nodiscard]] const std::string& subject() const { return m_program.empty() ? m_jobFile : m_program; }
 

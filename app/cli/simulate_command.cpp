@@ -20,6 +20,7 @@
 #include "app/cli/zmap_file.h"
 #include "core/base/memory.h"
 #include "core/base/stop_watch.h"
+#include "core/formats/stock_file.h"
 #include "core/simulation/block_provenance.h"
 #include "core/simulation/simulation.h"
 
@@ -36,6 +37,7 @@ struct SimulateOptions {
     MeshOutputs meshes;
     std::string mesh = "decimated";
     std::string records;
+    std::string stock;
     bool json = false;
 };
 
@@ -90,7 +92,8 @@ private:
         auto inputs = m_options.setup.inputs();
         inputs.push_back(m_job.program.string());
         std::vector<std::string> outputs = m_options.meshes.files();
-        outputs.insert(outputs.end(), {m_options.zmap, m_options.provenance, m_options.records});
+        outputs.insert(outputs.end(),
+                       {m_options.zmap, m_options.provenance, m_options.records, m_options.stock});
         if (!fine(m_options.meshes.check()) || !fine(checkOutputs(inputs, outputs)))
             return false;
         if (m_options.meshes.wanted() && m_options.mesh == "decimated" &&
@@ -143,7 +146,8 @@ private:
         m_frame = m_simulation->frame();
         Diagnostics findings = m_frame.findings;
         for (Diagnostic& finding : findings)
-            finding.file = m_job.program.string();
+            if (finding.file.empty()) // else it is about the file of the stock
+                finding.file = m_job.program.string();
         m_report.add(std::move(findings));
         return true;
     }
@@ -174,6 +178,8 @@ private:
                                  *m_program));
         if (!m_options.records.empty())
             fine(writeRecords(m_options.records, m_frame));
+        if (!m_options.stock.empty())
+            fine(writeStock(m_options.stock, m_frame.zmap, m_job.setup.spacing, provenance()));
         if (m_options.meshes.wanted())
             m_written = m_options.meshes.write(m_frame.zmap, *m_surface, m_job.parameters, m_report);
         m_seconds.write = watch.seconds();
@@ -208,6 +214,14 @@ private:
         out["findings"] = m_report.findings();
         out["unverified"] = m_report.unverified();
         return out;
+    }
+
+    [[nodiscard]] StockProvenance provenance() const {
+        const bool cut = m_frame.block > 0;
+        return {.program = m_job.program.filename().string(),
+                .blocks = m_frame.block,
+                .line = cut ? m_program->blockLine(m_frame.block - 1) : 0,
+                .finished = m_frame.block == m_program->blockCount()};
     }
 
     [[nodiscard]] std::size_t executedMotions() const {
@@ -261,6 +275,10 @@ void addSimulateCommand(CLI::App& app, ExitCode& exitCode) {
         ->type_name("M");
     command->add_option("--records", options->records, "Write one row a moving block (CSV)")
         ->type_name("F.csv");
+    command
+        ->add_option("--save-stock", options->stock,
+                     "Write what is left of the stock, for the next set-up (--stock file:file=…)")
+        ->type_name("F.pvstock");
     command->add_flag("--json", options->json, "Print one JSON object");
     command->callback([options, &exitCode] {
         options->threads.apply();

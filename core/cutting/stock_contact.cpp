@@ -29,7 +29,8 @@ constexpr auto kFiner = static_cast<double>(kParts);
 /// The stock within a box in plan, at any place.
 class ExactStock {
 public:
-    ExactStock(const StockBox& stock, const std::vector<PastCut>& cuts) : m_stock(stock) {
+    ExactStock(const StockBox& stock, const StockTop* uncut, const std::vector<PastCut>& cuts)
+        : m_stock(stock), m_uncut(uncut) {
         m_sweeps.reserve(cuts.size());
         for (const PastCut& cut : cuts)
             m_sweeps.emplace_back(*cut.cutter, cut.motion, stock.topZ());
@@ -37,7 +38,7 @@ public:
 
     /// kNothing where nothing is left.
     [[nodiscard]] double height(const Vec2& place) const {
-        double height = 0;
+        double height = m_uncut == nullptr ? 0 : m_uncut->height(place);
         for (const Sweep& sweep : m_sweeps)
             height = std::min(height, sweep.envelope(place.x, place.y));
         return absolute(height);
@@ -48,7 +49,7 @@ public:
     /// arc nearly so in a cell much smaller than the cutter.
     [[nodiscard]] std::array<double, kCells> highest(const Vec2& corner, double size, double enough) const {
         constexpr std::size_t kCorners = kParts + 1;
-        std::array<double, kCells> highest{};
+        std::array<double, kCells> highest = uncut(corner, size);
         std::array<double, kCorners * kCorners> at{};
         for (const Sweep& sweep : m_sweeps) {
             for (std::size_t k = 0; k < at.size(); ++k) {
@@ -71,12 +72,22 @@ public:
     }
 
 private:
+    [[nodiscard]] std::array<double, kCells> uncut(const Vec2& corner, double size) const {
+        std::array<double, kCells> highest{};
+        for (std::size_t cell = 0; m_uncut != nullptr && cell < kCells; ++cell) {
+            const Vec2 lo = corner + size * Vec2(cell % kParts, cell / kParts);
+            highest[cell] = m_uncut->highest(lo, lo + size);
+        }
+        return highest;
+    }
+
     [[nodiscard]] double absolute(double height) const {
         constexpr double kFloor = 1e-6;
         return height > kFloor - m_stock.height ? m_stock.topZ() + height : kNothing;
     }
 
     const StockBox& m_stock;
+    const StockTop* m_uncut;
     std::vector<Sweep> m_sweeps;
 };
 
@@ -84,10 +95,11 @@ private:
 /// as that may be before what is known; then the neighbourhood of the best place ever closer.
 class Search {
 public:
-    Search(const StockBox& box, const CutsWithin& cuts, const std::stop_token& stop, const Cutter& cutter,
-           const Vec3& start, const Vec3& end)
-        : m_box(box), m_near(box.corner), m_far(box.corner.x + box.width, box.corner.y + box.depth),
-          m_cuts(cuts), m_stop(stop), m_path(cutter, start, end), m_lowest(m_path.lowest()),
+    Search(const StockBox& box, const StockTop* uncut, const CutsWithin& cuts, const std::stop_token& stop,
+           const Cutter& cutter, const Vec3& start, const Vec3& end)
+        : m_box(box), m_uncut(uncut), m_near(box.corner),
+          m_far(box.corner.x + box.width, box.corner.y + box.depth), m_cuts(cuts), m_stop(stop),
+          m_path(cutter, start, end), m_lowest(m_path.lowest()),
           m_alike(m_path.length() > 0 ? kAlike / m_path.length() : 0) {
         for (double size = kWidestCell; m_levels.empty() || m_levels.back().size > kFineCell; size /= kFiner)
             m_levels.push_back({size, TouchPath(cutter, start, end, size * std::numbers::sqrt2 / 2)});
@@ -161,7 +173,7 @@ private:
         const std::size_t level = cell.level + 1;
         const double size = m_levels[level].size;
         const Vec2 corner = cell.middle - Vec2(size * kFiner / 2);
-        const ExactStock stock(m_box, m_cuts(corner, corner + Vec2(size * kFiner)));
+        const ExactStock stock(m_box, m_uncut, m_cuts(corner, corner + Vec2(size * kFiner)));
         const auto highest = stock.highest(corner, size, m_lowest);
         for (std::size_t k = 0; k < kCells; ++k) {
             const std::size_t row = k / kParts;
@@ -181,7 +193,7 @@ private:
     /// Looks at (2n + 1)² places about the best one.
     void lookAbout(double step, int n) {
         const Vec2 middle = m_place;
-        const ExactStock stock(m_box, m_cuts(middle - step * n, middle + step * n));
+        const ExactStock stock(m_box, m_uncut, m_cuts(middle - step * n, middle + step * n));
         for (int j = -n; j <= n; ++j)
             for (int i = -n; i <= n; ++i) {
                 const Vec2 there = glm::clamp(middle + step * Vec2(i, j), m_near, m_far);
@@ -206,6 +218,7 @@ private:
     }
 
     const StockBox& m_box;
+    const StockTop* m_uncut;
     const Vec2 m_near;
     const Vec2 m_far;
     const CutsWithin& m_cuts;
@@ -223,7 +236,7 @@ private:
 
 std::optional<double> StockContact::firstTouch(const Cutter& cutter, const Vec3& start,
                                                const Vec3& end) const {
-    const double time = Search(m_stock, m_cuts, m_stop, cutter, start, end).run();
+    const double time = Search(m_stock, m_uncut, m_cuts, m_stop, cutter, start, end).run();
     if (time == TouchPath::kNever || m_stop.stop_requested())
         return {};
     return time;

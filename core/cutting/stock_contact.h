@@ -10,7 +10,7 @@
 #include "core/base/geometry.h"
 #include "core/cutter/cutter.h"
 #include "core/nc/motion.h"
-#include "core/zmap/stock.h"
+#include "core/zmap/stock_shape.h"
 
 namespace proveout {
 
@@ -28,8 +28,10 @@ public:
     /// How exact both answers are along the way, in mm.
     static constexpr double kTolerance = 2e-3;
 
-    StockContact(const StockBox& stock, CutsWithin cuts, std::stop_token stop)
-        : m_stock(stock), m_cuts(std::move(cuts)), m_stop(std::move(stop)) {}
+    /// `uncut`: the top of what of the box is stock; null: all of it is.
+    StockContact(const StockBox& stock, CutsWithin cuts, std::stop_token stop,
+                 const StockTop* uncut = nullptr)
+        : m_stock(stock), m_cuts(std::move(cuts)), m_stop(std::move(stop)), m_uncut(uncut) {}
 
     /// The first time in [0, 1] on the straight way of a cutter's tip at which it touches the stock; nothing
     /// where it never does, or when stopped. Shank and holder are not looked at. As in a z-map material
@@ -45,6 +47,7 @@ private:
     const StockBox& m_stock;
     CutsWithin m_cuts;
     std::stop_token m_stop;
+    const StockTop* m_uncut;
 };
 
 } // namespace proveout

@@ -17,6 +17,7 @@ constexpr std::array kPlyExtensions{".ply"};
 constexpr std::array k3mfExtensions{".3mf"};
 constexpr std::array kNpyExtensions{".npy"};
 constexpr std::array kJobExtensions{".proveout"};
+constexpr std::array kStockExtensions{".pvstock"};
 
 template<StlEncoding encoding>
 Result<WrittenFile> writeStlAs(const std::filesystem::path& file, const TriangleMesh& mesh,
@@ -46,6 +47,9 @@ constexpr std::array kFormats{
     FileFormat{"job", PROVEOUT_TEXT("Core", "Proveout job"), kJobExtensions,
                PROVEOUT_TEXT("Core", "a program with its stock, tools and parameters"),
                JobFormat{readJob, writeJob}},
+    FileFormat{"stock", PROVEOUT_TEXT("Core", "Proveout stock"), kStockExtensions,
+               PROVEOUT_TEXT("Core", "what a set-up has left of its stock"),
+               StockFormat{readStock, writeStock}},
 };
 
 } // namespace

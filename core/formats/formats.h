@@ -16,6 +16,7 @@
 #include "core/formats/mesh_files.h"
 #include "core/formats/npy.h"
 #include "core/formats/stl.h"
+#include "core/formats/stock_file.h"
 
 namespace proveout {
 
@@ -35,12 +36,18 @@ struct JobFormat {
     Result<void> (*write)(const std::filesystem::path& file, const Job& job);
 };
 
+struct StockFormat {
+    Result<SavedStockFile> (*read)(const std::filesystem::path& file);
+    Result<void> (*write)(const std::filesystem::path& file, const ZMapSnapshot& zmap, double spacing,
+                          const StockProvenance& provenance);
+};
+
 struct FileFormat {
     const char* key;                         ///< on the command line, e.g. "stl"
     const char* label;                       ///< for people; marked with PROVEOUT_TEXT
     std::span<const char* const> extensions; ///< with the dot, lower case; the first is proposed
     const char* holds;                       ///< for people; marked with PROVEOUT_TEXT
-    std::variant<MeshFormat, HeightsFormat, JobFormat> handlers;
+    std::variant<MeshFormat, HeightsFormat, JobFormat, StockFormat> handlers;
 
     [[nodiscard]] bool reads() const;
     [[nodiscard]] bool writes() const;

@@ -8,12 +8,15 @@
 #include <system_error>
 #include <type_traits>
 #include <utility>
+#include <variant>
+#include <vector>
 
 #include "core/base/atomic_file.h"
 #include "core/base/text.h"
 #include "core/base/tool_number.h"
 #include "core/decimation/region_decimator.h"
 #include "core/formats/job_json.h"
+#include "core/formats/stock_shapes.h"
 
 namespace proveout {
 
@@ -29,17 +32,78 @@ constexpr int kDepthLimit = 32;
 constexpr JsonRange kSize{0, 1e6, true};  ///< mm, of a stock or a grid
 constexpr JsonRange kPosition{-1e7, 1e7}; ///< mm
 
-void readStock(JsonFields& job, StockBox& stock) {
+fs::path absolutePath(const fs::path& path) {
+    std::error_code error;
+    auto absolute = fs::weakly_canonical(fs::absolute(path, error), error);
+    return error ? path : absolute;
+}
+
+ordered_json toJson(const Vec3& point) {
+    return ordered_json::array({point.x, point.y, point.z});
+}
+
+void readStockField(JsonFields& fields, const StockField& field, const fs::path& folder, StockSpec& spec) {
+    if (const auto* length = std::get_if<StockLength>(&field.value)) {
+        fields.require({field.name});
+        double value = length->get(spec);
+        fields.read(field.name, value, kSize);
+        length->set(spec, value);
+    } else if (const auto* choice = std::get_if<StockChoice>(&field.value)) {
+        std::size_t index = choice->get(spec);
+        fields.read(field.name, index, choice->choices);
+        choice->set(spec, index);
+    } else {
+        fields.require({field.name});
+        std::string file;
+        fields.read(field.name, file);
+        spec.shape.file = absolutePath(folder / fs::path(file));
+    }
+}
+
+/// Where a job says nothing of the corner, that of a box lies at 0, and a body lies where it lies by itself.
+struct DescribedStock {
+    StockSpec spec;
+    std::optional<Vec3> corner;
+};
+
+DescribedStock readStock(JsonFields& job, const fs::path& folder) {
+    DescribedStock stock;
     job.require({"stock"});
     if (!job.has("stock"))
-        return;
+        return stock;
     JsonFields fields = job.object("stock");
-    fields.require({"width", "depth", "height"});
-    fields.read("corner", stock.corner, kPosition);
-    fields.read("width", stock.width, kSize);
-    fields.read("depth", stock.depth, kSize);
-    fields.read("height", stock.height, kSize);
+    std::vector<Choice> shapes;
+    for (const StockShapeRow& row : stockShapes())
+        shapes.push_back({row.key, row.label});
+    std::size_t shape = 0;
+    fields.read("shape", shape, shapes);
+    stock.spec.shape.kind = static_cast<StockKind>(shape);
+    for (const StockField& field : stockShapes()[shape].fields)
+        readStockField(fields, field, folder, stock.spec);
+    if (fields.has("corner")) {
+        stock.corner = Vec3(0);
+        fields.read("corner", *stock.corner, kPosition);
+    }
     fields.warnAboutUnknown();
+    return stock;
+}
+
+ordered_json writeStock(const Setup& setup, const fs::path& folder) {
+    const StockSpec spec{setup.stock, setup.shape};
+    const StockShapeRow& row = rowOf(spec.shape.kind);
+    ordered_json out = ordered_json::object();
+    if (row.kind != StockKind::box) // a box is what jobs knew before there were shapes
+        out["shape"] = row.key;
+    out["corner"] = toJson(spec.box.corner);
+    for (const StockField& field : row.fields) {
+        if (const auto* length = std::get_if<StockLength>(&field.value))
+            out[field.name] = length->get(spec);
+        else if (const auto* choice = std::get_if<StockChoice>(&field.value))
+            out[field.name] = choice->choices[choice->get(spec)].key;
+        else
+            out[field.name] = absolutePath(spec.shape.file).lexically_proximate(folder).string();
+    }
+    return out;
 }
 
 void readTools(JsonFields tools, ToolTable& table) {
@@ -134,12 +198,6 @@ Result<void> checkSchema(const nlohmann::json& json) {
     return {};
 }
 
-fs::path absolutePath(const fs::path& path) {
-    std::error_code error;
-    auto absolute = fs::weakly_canonical(fs::absolute(path, error), error);
-    return error ? path : absolute;
-}
-
 /// Warnings in the order of the text; where the job cannot be read they follow the errors, because a field
 /// that is missing may be one whose name is misspelt.
 Diagnostics told(JsonComplaints& complaints) {
@@ -162,7 +220,16 @@ Result<Job> parse(std::string_view text, const fs::path& file) {
     fields.read("program", program);
     if (fields.has("program") && program.empty() && complaints.errors.empty())
         fields.fail("program", PROVEOUT_TEXT("Core", "The field \"{}\" must name a file."), {});
-    readStock(fields, job.setup.stock);
+    DescribedStock stock = readStock(fields, absolutePath(file).parent_path());
+    // Its file is read where all that was said of it can be.
+    if (complaints.errors.empty()) {
+        if (auto made = makeStock(stock.spec, stock.corner); !made)
+            return tl::unexpected(std::move(made.error()));
+    }
+    job.setup.stock = stock.spec.box;
+    job.setup.shape = std::move(stock.spec.shape);
+    if (job.setup.shape.body)
+        job.setup.spacing = job.setup.shape.body->spacing().value_or(job.setup.spacing);
     fields.read("grid", job.setup.spacing, kSize);
     readTools(fields.object("tools"), job.setup.tools);
     if (fields.has("start")) {
@@ -184,19 +251,12 @@ Result<Job> parse(std::string_view text, const fs::path& file) {
     return job;
 }
 
-ordered_json toJson(const Vec3& point) {
-    return ordered_json::array({point.x, point.y, point.z});
-}
-
 ordered_json toJson(const Job& job, const fs::path& file) {
     const auto& setup = job.setup;
     ordered_json out;
     out["proveout"] = kSchema;
     out["program"] = absolutePath(job.program).lexically_proximate(absolutePath(file).parent_path()).string();
-    out["stock"] = {{"corner", toJson(setup.stock.corner)},
-                    {"width", setup.stock.width},
-                    {"depth", setup.stock.depth},
-                    {"height", setup.stock.height}};
+    out["stock"] = writeStock(setup, absolutePath(file).parent_path());
     out["grid"] = setup.spacing;
     out["tools"] = ordered_json::object();
     for (const auto& [number, cutter] : setup.tools.tools())
@@ -221,7 +281,8 @@ Result<Job> readJob(const fs::path& file) {
         return tl::unexpected(text.error());
     auto job = parse(*text, file);
     for (auto& diagnostic : job ? job->warnings : job.error())
-        diagnostic.file = file.string();
+        if (diagnostic.file.empty()) // else it is about a file that the job names
+            diagnostic.file = file.string();
     return job;
 }
 

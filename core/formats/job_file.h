@@ -23,7 +23,8 @@ struct Job {
 /// of the method, on a map of this stock and grid. Errors name the JSON path of the field (e.g.
 /// "stock.width") and what is allowed there, all of them at once, with line and column. A field that is not
 /// known is a warning of the job with its place and name; where the job is refused, the warnings follow the
-/// errors. A newer schema is refused, and so are files larger or nested deeper than any job.
+/// errors. A stock that comes from a file is read with the job, and what is wrong with that file is an error
+/// that names it. A newer schema is refused, and so are files larger or nested deeper than any job.
 [[nodiscard]] Result<Job> readJob(const std::filesystem::path& file);
 
 /// Writes a job atomically. Errors: the file cannot be written, or the program's name is not UTF-8.

@@ -5,13 +5,11 @@
 #include <vector>
 
 #include "core/cutting/overhang.h"
+#include "core/simulation/statistics.h"
 
 namespace proveout {
 
 namespace {
-
-/// A motion that ends where a cut ended may find points lower by what two exact cuts may differ: 1 µm each.
-constexpr double kNothingRemoved = 2e-3;
 
 void judge(const CutRecord& record, const Motion& motion, const Cutter& cutter, std::size_t block,
            FindingLog& findings) {

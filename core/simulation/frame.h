@@ -29,8 +29,8 @@ struct Frame {
     ErrorLevel level = ErrorLevel::sample; ///< where the errors of the surface were measured
     PersistentArray<BlockStatistics>
         statistics; ///< row k: block k+1; may reach beyond `block` after a seek back
-    /// Of the simulation: what is known of program and tools before any block, from block 0 on; then what the
-    /// blocks executed so far (beyond `block` after a seek back) have shown, in their order.
+    /// Of the simulation: what is known of stock, program and tools before any block, from block 0 on; then
+    /// what the blocks executed so far (beyond `block` after a seek back) have shown, in their order.
     Diagnostics findings;
     Vec3 cutterPosition{0};
     bool cutterKnown = false;

@@ -50,7 +50,8 @@ bool interpretedAlike(const Program& program, const Setup& one, const Setup& oth
     const auto sameTool = [](const auto& a, const auto& b) {
         return a.first == b.first && a.second.radius() == b.second.radius();
     };
-    if (program.asksForStock() && (one.stock != other.stock || one.tools != other.tools))
+    if (program.asksForStock() &&
+        (one.stock != other.stock || one.shape != other.shape || one.tools != other.tools))
         return false;
     return one.dialect == other.dialect && one.blockDelete == other.blockDelete && one.start == other.start &&
            (one.compensationTypeB == other.compensationTypeB || !dialect(program.dialect()).vectors.used) &&

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/base/memory.h"
 #include "core/simulation/tool_choice.h"
 
 namespace proveout {
@@ -38,7 +39,7 @@ public:
     [[nodiscard]] bool sameAs(const ProbedPart& other) const override {
         const auto* stock = dynamic_cast<const StockToProbe*>(&other);
         return stock != nullptr && stock->m_setup->stock == m_setup->stock &&
-               stock->m_setup->tools == m_setup->tools;
+               stock->m_setup->shape == m_setup->shape && stock->m_setup->tools == m_setup->tools;
     }
 
 private:
@@ -54,6 +55,12 @@ PartToProbe partToProbe(const Setup& setup) {
 ProbedStock::ProbedStock(std::shared_ptr<const Setup> setup)
     : m_setup(std::move(setup)), m_size(squareSize(m_setup->stock)),
       m_columns(squaresAlong(m_setup->stock.width, m_size)) {}
+
+const StockTop* ProbedStock::uncut(const Grid& grid) {
+    if (m_uncut == nullptr && m_setup->shape.body != nullptr)
+        m_uncut = topOf(m_setup->stock, m_setup->shape, grid);
+    return m_uncut.get();
+}
 
 const Cutter* ProbedStock::cutterOf(const Program& program, const Motion& motion) const {
     const int number = motion.tool == 0 ? assumedTool(program, m_setup->tools).value_or(0) : motion.tool;
@@ -118,12 +125,14 @@ std::vector<PastCut> ProbedStock::cutsWithin(const Program& program, const Vec2&
 ProbeTarget::Answer ProbedStock::probe(const Program& program, const Motion& motion, Seek seek,
                                        const WorkContext& context) {
     const Cutter* cutter = cutterOf(program, motion);
-    if (cutter == nullptr || !makeGrid(m_setup->stock, m_setup->spacing))
-        return {};
+    const Result<Grid> grid = makeGrid(m_setup->stock, m_setup->spacing);
+    const auto mayTake = static_cast<double>(memoryLimitBytes());
+    if (cutter == nullptr || !grid || !checkMemory(m_setup->stock, *grid, mayTake))
+        return {}; // the simulation tells why
     takeIn(program);
     const StockContact stock(
         m_setup->stock, [&](const Vec2& lo, const Vec2& hi) { return cutsWithin(program, lo, hi); },
-        context.stop);
+        context.stop, uncut(*grid));
     return seek == Seek::contact ? contact(stock, *cutter, motion) : release(stock, *cutter, motion);
 }
 

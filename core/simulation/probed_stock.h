@@ -38,8 +38,12 @@ private:
     [[nodiscard]] Answer contact(const StockContact& stock, const Cutter& cutter, const Motion& motion) const;
     [[nodiscard]] Answer release(const StockContact& stock, const Cutter& cutter, const Motion& motion) const;
 
+    /// Of a shape that is no box.
+    [[nodiscard]] const StockTop* uncut(const Grid& grid);
+
     std::shared_ptr<const Setup> m_setup;
-    double m_size; ///< of a square, mm
+    std::unique_ptr<StockTop> m_uncut; ///< from the first probing motion on
+    double m_size;                     ///< of a square, mm
     std::size_t m_columns;
     std::vector<Square> m_squares;
     std::size_t m_taken = 0; ///< motions

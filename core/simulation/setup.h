@@ -6,13 +6,14 @@
 #include "core/base/geometry.h"
 #include "core/cutter/tool_table.h"
 #include "core/nc/dialect.h"
-#include "core/zmap/stock.h"
+#include "core/zmap/stock_shape.h"
 
 namespace proveout {
 
 /// What stands on the machine before the program runs. Value type.
 struct Setup {
-    StockBox stock;
+    StockBox stock;     ///< the box round it
+    StockShape shape;   ///< what of that box there is
     double spacing = 1; ///< wanted grid spacing, mm
     ToolTable tools;
     std::optional<Vec3> start;        ///< position of the cutter before the first block, if it is known

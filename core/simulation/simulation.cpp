@@ -2,6 +2,7 @@
 #include "core/simulation/simulation.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "core/base/memory.h"
@@ -31,7 +32,11 @@ Result<std::unique_ptr<Simulation>> Simulation::create(std::shared_ptr<const Pro
     const StopWatch watch;
     auto state = std::make_unique<State>();
     state->tools = ToolChoice(*program, setup->tools);
-    state->stock.zmap = ZMap(setup->stock, *grid);
+    UncutStock uncut = uncutStock(setup->stock, setup->shape, *grid);
+    for (Diagnostic& finding : uncut.findings)
+        finding.file = setup->shape.file.string();
+    state->stock.zmap = std::move(uncut.zmap);
+    state->stockFindings = std::move(uncut.findings);
     state->program = std::move(program);
     state->setup = std::move(setup);
     state->useParameters(parameters);
@@ -142,7 +147,9 @@ Frame Simulation::frame() const {
     frame.surface = state.atRest.isShown() ? state.atRest.snapshot() : state.surface.snapshot();
     frame.level = state.atRest.isShown() ? state.parameters.level : ErrorLevel::sample;
     frame.statistics = state.rows;
-    frame.findings = state.findings.diagnostics(*state.program, state.tools);
+    frame.findings = state.stockFindings;
+    std::ranges::move(state.findings.diagnostics(*state.program, state.tools),
+                      std::back_inserter(frame.findings));
     frame.removedMm3 = state.stock.removedMm3;
     if (frame.block > 0) {
         const auto motions = state.program->blockMotions(frame.block - 1);

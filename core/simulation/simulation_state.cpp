@@ -93,6 +93,7 @@ void Simulation::State::step(const WorkContext& context) {
     row.cutSeconds = static_cast<float>(stock.cutSeconds - secondsBefore);
     row.removedMm3 = record->removedMm3;
     row.maxDepth = static_cast<float>(record->maxDepth);
+    row.radialEngagement = static_cast<float>(record->radialEngagement());
     const BlockStatistics old = first ? row : rows[block];
     if (schedule.isMoment(stock.block)) {
         base = stock.moment();

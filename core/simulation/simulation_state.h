@@ -40,6 +40,7 @@ struct Simulation::State {
     DecimationParameters parameters;
     Schedule schedule{parameters};
     ToolChoice tools;
+    Diagnostics stockFindings; ///< what the map cannot hold of the uncut stock
 
     StockRun stock;
     Surface surface;

@@ -5,7 +5,11 @@
 
 namespace proveout {
 
-/// What is known of one block that moves, after it was executed.
+/// Less than this, in mm, is not removed: a motion that ends where a cut ended may find points lower by what
+/// two exact cuts may differ, 1 µm each.
+inline constexpr double kNothingRemoved = 2e-3;
+
+/// What is known of one block that moves, after it was executed: 40 bytes.
 struct BlockStatistics {
     std::uint32_t facesShown = 0;       ///< triangles of the surface after the block
     std::uint32_t facesFull = 0;        ///< triangles without decimation
@@ -13,9 +17,14 @@ struct BlockStatistics {
     std::uint32_t regionsDecimated = 0; ///< regions decimated at the end of the block
     float cutSeconds = 0;
     float decimationSeconds = 0;
-    float maxDepth = 0;    ///< largest height removed at a point, mm
-    double removedMm3 = 0; ///< exactly what the z-map lost
+    float maxDepth = 0;         ///< largest height removed at a point, mm: the axial depth
+    float radialEngagement = 0; ///< the width that was cut across the path, mm, to one spacing of the grid
+    double removedMm3 = 0;      ///< exactly what the z-map lost
+
+    /// Else it went through air.
+    [[nodiscard]] bool cuts() const { return double{maxDepth} > kNothingRemoved; }
 };
+static_assert(sizeof(BlockStatistics) == 40);
 
 /// What is known of one frame that was drawn; it stands for the blocks (firstBlock, lastBlock].
 struct FrameStatistics {

@@ -221,7 +221,8 @@ Result<Rehearsal> rehearse(const StudyJob& job, const DecimationParameters& base
     const auto available = static_cast<double>(availableMemoryBytes());
     if (auto fits = checkMemory(job.setup->stock, *grid, available); !fits)
         return tl::unexpected(std::move(fits.error()));
-    return Rehearsing(job, base, options, drawing, ZMap(job.setup->stock, *grid)).go(context);
+    return Rehearsing(job, base, options, drawing, uncutStock(job.setup->stock, job.setup->shape, *grid).zmap)
+        .go(context);
 }
 
 } // namespace proveout

@@ -13,7 +13,7 @@ bool same(const BlockStatistics& a, const BlockStatistics& b) {
     return a.facesShown == b.facesShown && a.facesFull == b.facesFull && a.regionsDirty == b.regionsDirty &&
            a.regionsDecimated == b.regionsDecimated && a.cutSeconds == b.cutSeconds &&
            a.decimationSeconds == b.decimationSeconds && a.removedMm3 == b.removedMm3 &&
-           a.maxDepth == b.maxDepth;
+           a.maxDepth == b.maxDepth && a.radialEngagement == b.radialEngagement;
 }
 
 bool same(const FrameStatistics& a, const FrameStatistics& b) {

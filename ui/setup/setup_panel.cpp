@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/setup/setup_panel.h"
 
+#include <new>
+#include <utility>
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QEvent>
+#include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include "core/base/memory.h"
+#include "core/base/text.h"
 #include "ui/diagnostic_text.h"
+#include "ui/file_paths.h"
 #include "ui/panel_layout.h"
 #include "ui/setup/stock_form.h"
 #include "ui/setup/tool_table_editor.h"
@@ -87,6 +93,7 @@ void SetupPanel::build() {
 
 void SetupPanel::showSetup() {
     m_rest.stop();
+    m_making.cancel();
     m_stock->show(m_session.setup());
     m_tools->show(m_session.setup().tools);
     const QSignalBlocker quiet(m_blockDelete);
@@ -131,7 +138,8 @@ void SetupPanel::showMissingTools() {
         tr("Used by the program, but not in the table: %1").arg(names.join(QStringLiteral(", "))));
     m_missing->setVisible(!missing.empty());
     m_define->setVisible(!missing.empty());
-    m_fit->setEnabled(m_session.blockCount() > 0);
+    const bool box = m_session.setup().shape.kind == StockKind::box;
+    m_fit->setEnabled(m_session.blockCount() > 0 && box);
 }
 
 void SetupPanel::showMemory(const Setup& setup) {
@@ -148,23 +156,89 @@ void SetupPanel::showMemory(const Setup& setup) {
 
 void SetupPanel::apply() {
     Setup setup = m_session.setup();
-    m_stock->put(setup);
     setup.tools = m_tools->tools();
     setup.blockDelete = m_blockDelete->isChecked();
     setup.compensationTypeB = m_compensation->currentIndex() == 1;
     setup.dialect.reset();
     if (const int index = m_dialect->currentIndex(); index > 0)
         setup.dialect = static_cast<DialectId>(index - 1);
+    applyStock(std::move(setup));
+}
+
+/// A body is made anew where it is described otherwise: at once where no file is needed.
+void SetupPanel::applyStock(Setup setup) {
+    const StockSpec spec = m_stock->spec(setup);
+    const StockShape& before = setup.shape;
+    const bool box = spec.shape.kind == StockKind::box;
+    const bool another = spec.shape.kind != before.kind || spec.shape.file != before.file;
+    m_stock->put(setup);
+    if (box || spec.shape.body != nullptr) {
+        setup.stock.width = spec.box.width;
+        setup.stock.depth = spec.box.depth;
+        setup.stock.height = spec.box.height;
+        setup.shape = spec.shape;
+        use(setup);
+        return;
+    }
+    const bool fromFile = spec.shape.kind != StockKind::cylinder;
+    if (fromFile && spec.shape.file.empty()) {
+        use(setup); // until a file is chosen, the stock stays
+        return;
+    }
+    // Something from another file lies where it lies by itself.
+    makeStock(spec, another && fromFile ? std::nullopt : std::optional(setup.stock.corner), setup);
+}
+
+/// In the background; then `setup` is used with it, unless the session has another one by then.
+void SetupPanel::makeStock(const StockSpec& spec, const std::optional<Vec3>& corner, const Setup& setup) {
+    m_problem->hide();
+    if (!spec.shape.file.empty())
+        m_memory->setText(tr("Reading %1 …").arg(QFileInfo(toQString(spec.shape.file)).fileName()));
+    m_making.start([this, spec, corner, setup](const NewestTask::Reply& reply) {
+        StockSpec made = spec;
+        Result<void> done;
+        try {
+            done = proveout::makeStock(made, corner);
+        } catch (const std::bad_alloc&) {
+            done = failure("stock-out-of-memory",
+                           PROVEOUT_TEXT("Core", "The stock needs more memory than there is."));
+        }
+        reply.post([this, made, done, setup] {
+            if (done)
+                takeStock(made, setup);
+            else
+                showProblem(done.error());
+        });
+    });
+}
+
+void SetupPanel::takeStock(const StockSpec& spec, Setup setup) {
+    const bool sameFile = setup.shape.kind == spec.shape.kind && setup.shape.file == spec.shape.file;
+    setup.stock = spec.box;
+    setup.shape = spec.shape;
+    if (const auto spacing = spec.shape.body->spacing(); spacing && !sameFile)
+        setup.spacing = *spacing;
+    use(setup);
+}
+
+void SetupPanel::use(const Setup& setup) {
     showMemory(setup);
     const Result<void> done = m_session.setSetup(setup);
     m_problem->setVisible(!done);
     if (!done)
-        m_problem->setText(sentence(done.error().front()) + u' ' + hint(done.error().front()));
+        showProblem(done.error());
+}
+
+void SetupPanel::showProblem(const Diagnostics& errors) {
+    m_problem->setText(sentence(errors.front()) + u' ' + hint(errors.front()));
+    m_problem->show();
+    showMemory(m_session.setup());
 }
 
 void SetupPanel::fitToProgram() {
     Setup setup = m_session.setup();
     setup.stock = m_session.stockFittedToProgram();
+    setup.shape = {};
     m_stock->show(setup);
     apply();
 }

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include <QTimer>
 #include <QWidget>
 
+#include "core/formats/stock_shapes.h"
+#include "ui/newest_task.h"
 #include "ui/session.h"
 
 class QCheckBox;
@@ -35,6 +39,11 @@ private:
     void showMissingTools();
     void showMemory(const Setup& setup);
     void apply();
+    void applyStock(Setup setup);
+    void makeStock(const StockSpec& spec, const std::optional<Vec3>& corner, const Setup& setup);
+    void takeStock(const StockSpec& spec, Setup setup);
+    void use(const Setup& setup);
+    void showProblem(const Diagnostics& errors);
     void fitToProgram();
     void defineMissingTools();
 
@@ -55,6 +64,7 @@ private:
     QPushButton* m_define;
     QCheckBox* m_blockDelete;
     QTimer m_rest;
+    NewestTask m_making; ///< a stock from its file
 };
 
 } // namespace proveout

@@ -4,12 +4,21 @@
 #include <array>
 #include <cmath>
 
+#include <QComboBox>
 #include <QCoreApplication>
+#include <QDir>
 #include <QDoubleSpinBox>
 #include <QEvent>
+#include <QFileDialog>
 #include <QGridLayout>
+#include <QHBoxLayout>
 #include <QLabel>
+#include <QLineEdit>
 #include <QSignalBlocker>
+#include <QToolButton>
+
+#include "ui/diagnostic_text.h"
+#include "ui/file_paths.h"
 
 namespace proveout {
 
@@ -19,8 +28,10 @@ constexpr double kLargest = 100'000;
 constexpr double kSmallestSize = 0.01;
 constexpr double kFinestGrid = 0.001;
 constexpr int kBoxWidth = 110;
+/// What a box cannot show exactly (a stock of 12.7001 mm) stays as it is until it is edited.
+constexpr double kShown = 0.0005;
 
-struct StockField {
+struct PlaceField {
     const char* key;
     const char* label;
     const char* help;
@@ -28,16 +39,7 @@ struct StockField {
     double& (*place)(Setup&);
 };
 
-constexpr std::array<StockField, 7> kFields{{
-    {"stock-width", QT_TRANSLATE_NOOP("StockForm", "Width X"),
-     QT_TRANSLATE_NOOP("StockForm", "Size of the stock along X."), kSmallestSize,
-     [](Setup& setup) -> double& { return setup.stock.width; }},
-    {"stock-depth", QT_TRANSLATE_NOOP("StockForm", "Depth Y"),
-     QT_TRANSLATE_NOOP("StockForm", "Size of the stock along Y."), kSmallestSize,
-     [](Setup& setup) -> double& { return setup.stock.depth; }},
-    {"stock-height", QT_TRANSLATE_NOOP("StockForm", "Height Z"),
-     QT_TRANSLATE_NOOP("StockForm", "Size of the stock along Z, from its top downwards."), kSmallestSize,
-     [](Setup& setup) -> double& { return setup.stock.height; }},
+constexpr std::array<PlaceField, 4> kPlaceFields{{
     {"corner-x", QT_TRANSLATE_NOOP("StockForm", "Left edge X"),
      QT_TRANSLATE_NOOP("StockForm", "Program coordinate of the stock's least X."), -kLargest,
      [](Setup& setup) -> double& { return setup.stock.corner.x; }},
@@ -57,59 +59,216 @@ QString translated(const char* text) {
     return QCoreApplication::translate("StockForm", text);
 }
 
+void take(double& place, const QDoubleSpinBox& box) {
+    if (std::abs(place - box.value()) > kShown)
+        place = box.value();
+}
+
 } // namespace
 
-StockForm::StockForm(QWidget* parent) : QWidget(parent) {
+StockForm::StockForm(QWidget* parent)
+    : QWidget(parent), m_shapeLabel(new QLabel(this)), m_shape(new QComboBox(this)) {
     auto* layout = new QGridLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setColumnStretch(1, 1);
-    for (std::size_t i = 0; i < kFields.size(); ++i) {
-        auto* label = new QLabel(this);
-        auto* box = new QDoubleSpinBox(this);
-        box->setObjectName(QLatin1String(kFields[i].key));
-        box->setDecimals(3);
-        box->setRange(kFields[i].minimum, kLargest);
-        box->setKeyboardTracking(false);
-        box->setMinimumWidth(kBoxWidth); // its own wish is room for the largest number of the range
-        box->setStepType(kFields[i].minimum > 0 ? QAbstractSpinBox::AdaptiveDecimalStepType
-                                                : QAbstractSpinBox::DefaultStepType);
-        label->setBuddy(box);
-        layout->addWidget(label, static_cast<int>(i), 0);
-        layout->addWidget(box, static_cast<int>(i), 1);
-        connect(box, &QDoubleSpinBox::valueChanged, this, &StockForm::edited);
-        m_labels.push_back(label);
-        m_boxes.push_back(box);
+    addShapes(*layout);
+    for (const PlaceField& field : kPlaceFields) {
+        m_labels.push_back(new QLabel(this));
+        m_boxes.push_back(lengthBox(QLatin1String(field.key), field.minimum));
+        addRow(*layout, m_labels.back(), m_boxes.back());
     }
     retranslate();
+    showFieldsOfShape();
+}
+
+void StockForm::addRow(QGridLayout& layout, QLabel* label, QWidget* editor) {
+    const int row = layout.rowCount();
+    label->setBuddy(editor);
+    layout.addWidget(label, row, 0);
+    layout.addWidget(editor, row, 1);
+}
+
+void StockForm::addShapes(QGridLayout& layout) {
+    m_shape->setObjectName(QStringLiteral("stock-shape"));
+    addRow(layout, m_shapeLabel, m_shape);
+    for (const StockShapeRow& row : stockShapes()) {
+        m_shape->addItem(QString());
+        for (const StockField& field : row.fields)
+            addField(layout, row, field);
+    }
+    connect(m_shape, &QComboBox::currentIndexChanged, this, [this] {
+        showFieldsOfShape();
+        emit edited();
+    });
+}
+
+void StockForm::addField(QGridLayout& layout, const StockShapeRow& row, const StockField& field) {
+    // A box has the names that it had before there were shapes.
+    const QString prefix = row.kind == StockKind::box ? QStringLiteral("stock")
+                                                      : QStringLiteral("stock-") + QLatin1String(row.key);
+    const QString name = prefix + u'-' + QLatin1String(field.name);
+    ShapeField made{row.kind, &field, new QLabel(this), nullptr};
+    if (std::holds_alternative<StockLength>(field.value)) {
+        made.length = lengthBox(name, kSmallestSize);
+        made.editor = made.length;
+    } else if (const auto* choice = std::get_if<StockChoice>(&field.value)) {
+        made.choice = new QComboBox(this);
+        for (std::size_t k = 0; k < choice->choices.size(); ++k)
+            made.choice->addItem(QString());
+        connect(made.choice, &QComboBox::currentIndexChanged, this, &StockForm::edited);
+        made.editor = made.choice;
+    } else {
+        made.editor = fileEditor(made);
+    }
+    (made.file != nullptr ? made.file : made.editor)->setObjectName(name);
+    addRow(layout, made.label, made.editor);
+    m_fields.push_back(made);
+}
+
+QWidget* StockForm::fileEditor(ShapeField& row) {
+    auto* editor = new QWidget(this);
+    auto* layout = new QHBoxLayout(editor);
+    layout->setContentsMargins(0, 0, 0, 0);
+    row.file = new QLineEdit(editor);
+    row.browse = new QToolButton(editor);
+    layout->addWidget(row.file, 1);
+    layout->addWidget(row.browse);
+    editor->setFocusProxy(row.file);
+    connect(row.file, &QLineEdit::editingFinished, this, &StockForm::edited);
+    connect(row.browse, &QToolButton::clicked, this, [this, row] { chooseFile(row); });
+    return editor;
+}
+
+void StockForm::chooseFile(const ShapeField& row) {
+    const QString label = coreText(row.field->label);
+    const QString file = QFileDialog::getOpenFileName(
+        this, label, row.file->text(),
+        QStringLiteral("%1 (%2)").arg(label, QLatin1String(std::get<StockFile>(row.field->value).filter)) +
+            QStringLiteral(";;") + tr("All files (*)"));
+    if (file.isEmpty())
+        return;
+    row.file->setText(QDir::toNativeSeparators(file));
+    emit edited();
+}
+
+QDoubleSpinBox* StockForm::lengthBox(const QString& name, double minimum) {
+    auto* box = new QDoubleSpinBox(this);
+    box->setObjectName(name);
+    box->setDecimals(3);
+    box->setRange(minimum, kLargest);
+    box->setKeyboardTracking(false);
+    box->setMinimumWidth(kBoxWidth); // its own wish is room for the largest number of the range
+    box->setStepType(minimum > 0 ? QAbstractSpinBox::AdaptiveDecimalStepType
+                                 : QAbstractSpinBox::DefaultStepType);
+    connect(box, &QDoubleSpinBox::valueChanged, this, &StockForm::edited);
+    return box;
+}
+
+void StockForm::showFieldsOfShape() {
+    for (const ShapeField& row : m_fields) {
+        const bool shown = row.kind == static_cast<StockKind>(m_shape->currentIndex());
+        row.label->setVisible(shown);
+        row.editor->setVisible(shown);
+    }
 }
 
 void StockForm::show(const Setup& setup) {
     Setup copy = setup;
-    for (std::size_t i = 0; i < kFields.size(); ++i) {
+    for (std::size_t i = 0; i < kPlaceFields.size(); ++i) {
         const QSignalBlocker quiet(m_boxes[i]);
-        m_boxes[i]->setValue(kFields[i].place(copy));
+        m_boxes[i]->setValue(kPlaceFields[i].place(copy));
     }
+    const QSignalBlocker quiet(m_shape);
+    m_shape->setCurrentIndex(static_cast<int>(setup.shape.kind));
+    const StockSpec spec{setup.stock, setup.shape};
+    for (const ShapeField& row : m_fields) {
+        if (row.length != nullptr) {
+            const QSignalBlocker quietBox(row.length);
+            row.length->setValue(std::get<StockLength>(row.field->value).get(spec));
+        } else if (row.kind == setup.shape.kind && row.choice != nullptr) {
+            const QSignalBlocker quietBox(row.choice);
+            row.choice->setCurrentIndex(static_cast<int>(std::get<StockChoice>(row.field->value).get(spec)));
+        } else if (row.kind == setup.shape.kind) {
+            row.file->setText(QDir::toNativeSeparators(toQString(setup.shape.file)));
+        }
+    }
+    showFieldsOfShape();
 }
 
 void StockForm::put(Setup& setup) const {
-    for (std::size_t i = 0; i < kFields.size(); ++i) {
-        double& place = kFields[i].place(setup);
-        // What the box cannot show exactly (a stock of 12.7001 mm) stays as it is until it is edited.
-        if (std::abs(place - m_boxes[i]->value()) > 0.0005)
-            place = m_boxes[i]->value();
+    for (std::size_t i = 0; i < kPlaceFields.size(); ++i)
+        take(kPlaceFields[i].place(setup), *m_boxes[i]);
+}
+
+StockSpec StockForm::spec(const Setup& setup) const {
+    const StockSpec before{setup.stock, setup.shape};
+    StockSpec spec{setup.stock, {}};
+    spec.shape.kind = static_cast<StockKind>(m_shape->currentIndex());
+    for (const ShapeField& row : m_fields) {
+        if (row.kind != spec.shape.kind)
+            continue;
+        if (row.length != nullptr) {
+            const auto& length = std::get<StockLength>(row.field->value);
+            double value = length.get(before);
+            take(value, *row.length);
+            length.set(spec, value);
+        } else if (row.choice != nullptr) {
+            std::get<StockChoice>(row.field->value)
+                .set(spec, static_cast<std::size_t>(row.choice->currentIndex()));
+        } else {
+            spec.shape.file = toPath(QDir::fromNativeSeparators(row.file->text().trimmed()));
+        }
+    }
+    spec.shape.body = before.shape.body;
+    if (!(spec == before))
+        spec.shape.body.reset();
+    return spec;
+}
+
+void StockForm::retranslateShapes() {
+    m_shapeLabel->setText(tr("Shape"));
+    m_shape->setAccessibleName(tr("Shape"));
+    for (std::size_t k = 0; k < stockShapes().size(); ++k) {
+        m_shape->setItemText(static_cast<int>(k), coreText(stockShapes()[k].label));
+        m_shape->setItemData(static_cast<int>(k), coreText(stockShapes()[k].help), Qt::ToolTipRole);
+    }
+    for (const ShapeField& row : m_fields) {
+        const QString label = coreText(row.field->label);
+        row.label->setText(label);
+        if (row.length != nullptr) {
+            row.length->setSuffix(tr(" mm"));
+            row.length->setAccessibleName(label);
+            row.length->setToolTip(tr("%1\nRange: %2 to %3 mm")
+                                       .arg(coreText(row.field->help), locale().toString(kSmallestSize),
+                                            locale().toString(kLargest)));
+        } else if (row.choice != nullptr) {
+            row.choice->setAccessibleName(label);
+            row.choice->setToolTip(coreText(row.field->help));
+            const auto choices = std::get<StockChoice>(row.field->value).choices;
+            for (std::size_t k = 0; k < choices.size(); ++k)
+                row.choice->setItemText(static_cast<int>(k), coreText(choices[k].label));
+        } else {
+            row.file->setAccessibleName(label);
+            row.file->setPlaceholderText(tr("Choose a file"));
+            row.file->setToolTip(coreText(row.field->help));
+            row.browse->setText(QStringLiteral("…"));
+            row.browse->setToolTip(tr("Choose a file"));
+            row.browse->setAccessibleName(tr("Choose a file"));
+        }
     }
 }
 
 void StockForm::retranslate() {
+    retranslateShapes();
     Setup standard;
-    for (std::size_t i = 0; i < kFields.size(); ++i) {
-        m_labels[i]->setText(translated(kFields[i].label));
+    for (std::size_t i = 0; i < kPlaceFields.size(); ++i) {
+        m_labels[i]->setText(translated(kPlaceFields[i].label));
         m_boxes[i]->setSuffix(tr(" mm"));
-        m_boxes[i]->setAccessibleName(translated(kFields[i].label));
-        m_boxes[i]->setToolTip(tr("%1\nRange: %2 to %3 mm\nDefault: %4 mm")
-                                   .arg(translated(kFields[i].help), locale().toString(kFields[i].minimum),
-                                        locale().toString(kLargest),
-                                        locale().toString(kFields[i].place(standard))));
+        m_boxes[i]->setAccessibleName(translated(kPlaceFields[i].label));
+        m_boxes[i]->setToolTip(
+            tr("%1\nRange: %2 to %3 mm\nDefault: %4 mm")
+                .arg(translated(kPlaceFields[i].help), locale().toString(kPlaceFields[i].minimum),
+                     locale().toString(kLargest), locale().toString(kPlaceFields[i].place(standard))));
     }
 }
 

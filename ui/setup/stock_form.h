@@ -1,18 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <QWidget>
 
+#include "core/formats/stock_shapes.h"
 #include "core/simulation/setup.h"
 
+class QComboBox;
 class QDoubleSpinBox;
+class QGridLayout;
 class QLabel;
+class QLineEdit;
+class QToolButton;
 
 namespace proveout {
 
-/// Size and place of the stock, and the grid.
+/// Shape, size and place of the stock, and the grid. The fields of the shapes are read from their table.
 class StockForm final : public QWidget {
     Q_OBJECT
 
@@ -20,8 +26,11 @@ public:
     explicit StockForm(QWidget* parent = nullptr);
     /// Shows other values; emits nothing.
     void show(const Setup& setup);
-    /// Puts the values of the form into `setup`.
+    /// Puts corner and grid into `setup`.
     void put(Setup& setup) const;
+    /// What the form describes, on the ground of `setup`; it has no body where that of `setup` is of another
+    /// description.
+    [[nodiscard]] StockSpec spec(const Setup& setup) const;
 
 signals:
     void edited();
@@ -30,10 +39,33 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    void retranslate();
+    /// A field of one shape; one of the editors, by its value.
+    struct ShapeField {
+        StockKind kind;
+        const StockField* field;
+        QLabel* label;
+        QWidget* editor;
+        QDoubleSpinBox* length = nullptr;
+        QComboBox* choice = nullptr;
+        QLineEdit* file = nullptr;
+        QToolButton* browse = nullptr;
+    };
 
-    std::vector<QLabel*> m_labels;
-    std::vector<QDoubleSpinBox*> m_boxes; ///< in the order of the table of fields
+    void addShapes(QGridLayout& layout);
+    void addField(QGridLayout& layout, const StockShapeRow& row, const StockField& field);
+    QWidget* fileEditor(ShapeField& row);
+    void chooseFile(const ShapeField& row);
+    void addRow(QGridLayout& layout, QLabel* label, QWidget* editor);
+    QDoubleSpinBox* lengthBox(const QString& name, double minimum);
+    void showFieldsOfShape();
+    void retranslate();
+    void retranslateShapes();
+
+    QLabel* m_shapeLabel;
+    QComboBox* m_shape;
+    std::vector<ShapeField> m_fields;
+    std::vector<QLabel*> m_labels;        ///< of corner and grid
+    std::vector<QDoubleSpinBox*> m_boxes; ///< in the order of their table
 };
 
 } // namespace proveout

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/setup/setup_panel.h"
 
+#include <algorithm>
+
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -45,6 +51,58 @@ class SetupPanelTest : public QObject {
     Q_OBJECT
 
 private slots:
+    void theStockTakesItsShapeAndItsPlace() {
+        QTemporaryDir folder;
+        Session session;
+        SetupPanel panel(session);
+        QVERIFY(opened(session, write(folder, kCompensated)));
+        auto* shape = panel.findChild<QComboBox*>(QStringLiteral("stock-shape"));
+        auto* diameter = panel.findChild<QDoubleSpinBox*>(QStringLiteral("stock-cylinder-diameter"));
+        QVERIFY(diameter->isHidden());
+        const Vec3 corner = session.setup().stock.corner;
+        shape->setCurrentIndex(1);
+        QVERIFY(!diameter->isHidden());
+        diameter->setValue(42);
+        QTRY_COMPARE_WITH_TIMEOUT(session.setup().shape.kind, StockKind::cylinder, kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(session.setup().stock.depth, 42.0, kPatience);
+        QVERIFY(session.setup().shape.body != nullptr);
+        QVERIFY(session.setup().stock.corner == corner);
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame() && session.frame()->zmap.stock().width == 42 &&
+                                     session.frame()->zmap.height(0, 0) < 0,
+                                 kPatience);
+        const QString job = folder.filePath(QStringLiteral("p.proveout"));
+        QVERIFY(session.saveJobAs(job));
+
+        // What is left becomes the stock of the next set-up, where it lay and on its grid.
+        const QString stock = folder.filePath(QStringLiteral("a.pvstock"));
+        QSignalSpy saved(&session, &Session::exported);
+        session.saveStock(stock);
+        QTRY_COMPARE_WITH_TIMEOUT(saved.size(), 1, kPatience);
+        auto* file = panel.findChild<QLineEdit*>(QStringLiteral("stock-file-file"));
+        shape->setCurrentIndex(4);
+        file->setText(stock);
+        emit file->editingFinished();
+        QTRY_COMPARE_WITH_TIMEOUT(session.setup().shape.kind, StockKind::saved, kPatience);
+        QVERIFY(session.setup().stock.corner == corner);
+        QCOMPARE(session.setup().stock.width, 42.0);
+        // One that is not there is told and changes nothing.
+        file->setText(folder.filePath(QStringLiteral("none.pvstock")));
+        emit file->editingFinished();
+        const auto told = [&panel] {
+            const auto labels = panel.findChildren<QLabel*>();
+            return std::ranges::any_of(labels, [](const QLabel* label) {
+                return label->text().contains(QStringLiteral("cannot be read"));
+            });
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(told(), kPatience);
+        QCOMPARE(session.setup().stock.width, 42.0);
+
+        Session other;
+        QVERIFY(opened(other, job));
+        QCOMPARE(other.setup().shape.kind, StockKind::cylinder);
+        QCOMPARE(other.setup().stock.width, 42.0);
+    }
+
     void theStartOfCompensationIsChosenAndSavedWithTheJob() {
         QTemporaryDir folder;
         Session session;

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Reads and writes `SHAPE:key=value,…` by the rows of the table of stock shapes.
+#include <algorithm>
+#include <charconv>
+#include <fmt/format.h>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "core/base/text.h"
+#include "core/formats/stock_shapes.h"
+
+namespace proveout {
+
+namespace {
+
+struct Assignment {
+    const StockField* field;
+    std::string value;
+};
+
+template<class Rows>
+std::string listOf(const Rows& rows) {
+    std::string names;
+    for (const auto& row : rows)
+        names += (names.empty() ? "" : ", ") + std::string(row.key);
+    return names;
+}
+
+const StockField* fieldOf(const StockShapeRow& row, std::string_view key) {
+    const auto found =
+        std::ranges::find_if(row.fields, [&](const StockField& field) { return field.key == key; });
+    return found == row.fields.end() ? nullptr : &*found;
+}
+
+tl::unexpected<Diagnostics> unknownKey(const StockShapeRow& row, std::string_view part) {
+    return failure("stock-key-unknown",
+                   PROVEOUT_TEXT("Core", "“{}” is no key of this stock shape; there are {}."),
+                   {std::string(part.substr(0, part.find('='))), listOf(row.fields)});
+}
+
+/// A part that begins with no key belongs to the file name before it, which held a comma.
+Result<std::vector<Assignment>> split(const StockShapeRow& row, std::string_view text) {
+    std::vector<Assignment> out;
+    while (!text.empty()) {
+        const auto comma = text.find(',');
+        const std::string_view part = text.substr(0, comma);
+        text = comma == std::string_view::npos ? std::string_view() : text.substr(comma + 1);
+        const auto equals = part.find('=');
+        const StockField* field =
+            equals == std::string_view::npos ? nullptr : fieldOf(row, part.substr(0, equals));
+        const bool inFileName = !out.empty() && std::holds_alternative<StockFile>(out.back().field->value);
+        if (field != nullptr)
+            out.push_back({field, std::string(part.substr(equals + 1))});
+        else if (inFileName)
+            out.back().value.append(",").append(part);
+        else
+            return unknownKey(row, part);
+    }
+    return out;
+}
+
+Result<void> readLength(const StockField& field, const StockLength& length, std::string_view text,
+                        StockSpec& spec) {
+    double value = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+    if (error != std::errc{} || end != text.data() + text.size() ||
+        !(value > kLeastStockSide && value <= kLargestStockSide))
+        return failure("stock-value-bad",
+                       PROVEOUT_TEXT("Core", "{}={} is no length above {} and at most {} mm."),
+                       {field.key, std::string(text), fmt::format("{}", kLeastStockSide),
+                        fmt::format("{}", kLargestStockSide)});
+    length.set(spec, value);
+    return {};
+}
+
+Result<void> readChoice(const StockField& field, const StockChoice& choice, std::string_view text,
+                        StockSpec& spec) {
+    const auto found =
+        std::ranges::find_if(choice.choices, [&](const Choice& row) { return row.key == text; });
+    if (found == choice.choices.end())
+        return failure("stock-choice-unknown", PROVEOUT_TEXT("Core", "{}={} is not one of {}."),
+                       {field.key, std::string(text), listOf(choice.choices)});
+    choice.set(spec, static_cast<std::size_t>(found - choice.choices.begin()));
+    return {};
+}
+
+Result<void> read(const Assignment& assignment, StockSpec& spec) {
+    const StockField& field = *assignment.field;
+    if (const auto* length = std::get_if<StockLength>(&field.value))
+        return readLength(field, *length, assignment.value, spec);
+    if (const auto* choice = std::get_if<StockChoice>(&field.value))
+        return readChoice(field, *choice, assignment.value, spec);
+    if (assignment.value.empty())
+        return failure("stock-file-missing", PROVEOUT_TEXT("Core", "The key {} must name a file."),
+                       {field.key});
+    spec.shape.file = assignment.value;
+    return {};
+}
+
+Result<StockSpec> parseShape(const StockShapeRow& row, std::string_view text) {
+    StockSpec spec;
+    spec.shape.kind = row.kind;
+    const auto assignments = split(row, text);
+    if (!assignments)
+        return tl::unexpected(assignments.error());
+    std::set<const StockField*> given;
+    for (const Assignment& assignment : *assignments) {
+        if (!given.insert(assignment.field).second)
+            return failure("stock-key-twice", PROVEOUT_TEXT("Core", "The key {} is given twice."),
+                           {assignment.field->key});
+        if (auto fine = read(assignment, spec); !fine)
+            return tl::unexpected(std::move(fine.error()));
+    }
+    for (const StockField& field : row.fields)
+        if (!given.contains(&field) && !std::holds_alternative<StockChoice>(field.value))
+            return failure("stock-key-missing",
+                           PROVEOUT_TEXT("Core", "A stock of the shape {} needs the key {}, as in {}."),
+                           {row.key, field.key, row.example});
+    return spec;
+}
+
+} // namespace
+
+Result<StockSpec> parseStock(std::string_view text) {
+    const auto colon = text.find(':');
+    if (colon != std::string_view::npos) {
+        const std::string_view key = text.substr(0, colon);
+        for (const StockShapeRow& row : stockShapes())
+            if (row.key == key)
+                return parseShape(row, text.substr(colon + 1));
+        return failure("stock-shape-unknown",
+                       PROVEOUT_TEXT("Core", "“{}” is no shape of stock; there are {}."),
+                       {std::string(key), listOf(stockShapes())});
+    }
+    const auto sides = parseStockSize(text);
+    if (!sides)
+        return tl::unexpected(sides.error());
+    StockSpec spec;
+    spec.box.width = sides->x;
+    spec.box.depth = sides->y;
+    spec.box.height = sides->z;
+    return spec;
+}
+
+std::string stockText(const StockSpec& spec) {
+    if (spec.shape.kind == StockKind::box)
+        return fmt::format("{}x{}x{}", spec.box.width, spec.box.depth, spec.box.height);
+    const StockShapeRow& row = rowOf(spec.shape.kind);
+    std::string text = row.key;
+    char before = ':';
+    for (const StockField& field : row.fields) {
+        std::string value;
+        if (const auto* length = std::get_if<StockLength>(&field.value))
+            value = fmt::format("{}", length->get(spec));
+        else if (const auto* choice = std::get_if<StockChoice>(&field.value))
+            value = choice->choices[choice->get(spec)].key;
+        else
+            value = spec.shape.file.string();
+        text += fmt::format("{}{}={}", before, field.key, value);
+        before = ',';
+    }
+    return text;
+}
+
+} // namespace proveout

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/formats/stock_file.h"
+
+#include <algorithm>
+#include <bit>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "core/base/memory.h"
+#include "core/base/text.h"
+#include "core/formats/job_json.h"
+#include "core/formats/npy_header.h"
+#include "core/formats/zip_file.h"
+#include "core/formats/zip_reader.h"
+
+namespace proveout {
+
+namespace {
+
+static_assert(std::endian::native == std::endian::little, "heights are written as they lie in memory");
+
+constexpr int kSchema = 1;
+constexpr const char* kDescription = "stock.json";
+constexpr const char* kHeights = "heights.npy";
+constexpr std::string_view kHeightType = "<f4";
+constexpr std::size_t kDescriptionLimit = 65536; ///< bytes; a description has a few hundred
+constexpr int kDepthLimit = 8;
+constexpr double kZip64From = 4e9; ///< bytes of an entry
+
+constexpr JsonRange kSize{0, 1e7, true};    ///< mm
+constexpr JsonRange kPosition{-1e7, 1e7};   ///< mm
+constexpr JsonRange kPoints{2, 2147483647}; ///< along a side
+
+struct Description {
+    StockBox stock;
+    int nx = 0;
+    int ny = 0;
+    double spacing = 1;
+    StockProvenance provenance;
+};
+
+std::string textOf(const Description& d) {
+    nlohmann::ordered_json out;
+    out["proveoutStock"] = kSchema;
+    out["corner"] = {d.stock.corner.x, d.stock.corner.y, d.stock.corner.z};
+    out["width"] = d.stock.width;
+    out["depth"] = d.stock.depth;
+    out["height"] = d.stock.height;
+    out["spacing"] = d.spacing;
+    out["nx"] = d.nx;
+    out["ny"] = d.ny;
+    out["provenance"] = {{"program", d.provenance.program},
+                         {"blocks", d.provenance.blocks},
+                         {"line", d.provenance.line},
+                         {"finished", d.provenance.finished}};
+    return out.dump(2) + "\n";
+}
+
+tl::unexpected<Diagnostics> broken() {
+    return failure(
+        "stock-file-broken",
+        PROVEOUT_TEXT("Core", "The saved stock is cut off or damaged: {} in it cannot be read whole."),
+        {kHeights});
+}
+
+Result<std::string> readDescription(ZipReader& zip) {
+    if (zip.nextEntry() != kDescription)
+        return failure("not-a-stock", PROVEOUT_TEXT("Core", "This is not a stock that Proveout has saved."));
+    std::string text(kDescriptionLimit, '\0');
+    text.resize(zip.read(text.data(), text.size()));
+    if (!zip.intact())
+        return failure(
+            "stock-file-broken",
+            PROVEOUT_TEXT("Core", "The saved stock is cut off or damaged: {} in it cannot be read whole."),
+            {kDescription});
+    return text;
+}
+
+Result<Description> parse(std::string_view text) {
+    const auto document = parseJson(text, kDepthLimit);
+    if (!document)
+        return tl::unexpected(document.error());
+    JsonComplaints complaints;
+    JsonFields fields(*document, complaints);
+    Description d;
+    int schema = 0;
+    fields.require({"proveoutStock", "corner", "width", "depth", "height", "spacing", "nx", "ny"});
+    fields.read("proveoutStock", schema, {1, 1e9});
+    if (schema > kSchema)
+        return failure("stock-newer",
+                       PROVEOUT_TEXT("Core", "The stock was saved by a newer Proveout (format {}); this one "
+                                             "reads up to format {}."),
+                       {std::to_string(schema), std::to_string(kSchema)});
+    fields.read("corner", d.stock.corner, kPosition);
+    fields.read("width", d.stock.width, kSize);
+    fields.read("depth", d.stock.depth, kSize);
+    fields.read("height", d.stock.height, kSize);
+    fields.read("spacing", d.spacing, kSize);
+    fields.read("nx", d.nx, kPoints);
+    fields.read("ny", d.ny, kPoints);
+    JsonFields provenance = fields.object("provenance");
+    provenance.read("program", d.provenance.program);
+    double blocks = 0;
+    double line = 0;
+    provenance.read("blocks", blocks, {0, 1e15});
+    provenance.read("line", line, {0, 4e9});
+    provenance.read("finished", d.provenance.finished);
+    d.provenance.blocks = static_cast<std::uint64_t>(blocks);
+    d.provenance.line = static_cast<std::uint32_t>(line);
+    if (!complaints.errors.empty())
+        return tl::unexpected(complaints.errors.take());
+    return d;
+}
+
+/// The grid that the description makes must be the one that it tells.
+Result<Grid> gridOf(const Description& d) {
+    auto grid = makeGrid(d.stock, d.spacing);
+    if (!grid)
+        return grid;
+    if (grid->nx != d.nx || grid->ny != d.ny)
+        return failure(
+            "stock-grid-differs",
+            PROVEOUT_TEXT("Core", "The saved stock tells of {} × {} points, but its size and spacing "
+                                  "make {} × {}."),
+            {std::to_string(d.nx), std::to_string(d.ny), std::to_string(grid->nx), std::to_string(grid->ny)});
+    // The heights as they are read, beside the map that they become.
+    if (auto fits = checkMemory(d.stock, *grid, static_cast<double>(memoryLimitBytes())); !fits)
+        return tl::unexpected(std::move(fits.error()));
+    return grid;
+}
+
+Result<void> readHeader(ZipReader& zip, const Grid& grid) {
+    if (zip.nextEntry() != kHeights)
+        return broken();
+    const std::string expected = npyHeader(grid.ny, grid.nx, kHeightType);
+    std::string header(expected.size(), '\0');
+    if (zip.read(header.data(), header.size()) != header.size())
+        return broken();
+    if (header != expected)
+        return failure(
+            "stock-heights-form",
+            PROVEOUT_TEXT("Core", "The heights of the saved stock are not {} × {} numbers of float32."),
+            {std::to_string(grid.nx), std::to_string(grid.ny)});
+    return {};
+}
+
+Result<ZMapSnapshot> readHeights(ZipReader& zip, const StockBox& stock, const Grid& grid) {
+    if (auto header = readHeader(zip, grid); !header)
+        return tl::unexpected(std::move(header.error()));
+    ZMap zmap(stock, grid);
+    const auto columns = static_cast<std::size_t>(grid.nx);
+    std::vector<float> row(columns);
+    for (int j = 0; j < grid.ny; ++j) {
+        if (zip.read(row.data(), columns * sizeof(float)) != columns * sizeof(float))
+            return broken();
+        const auto bad =
+            std::ranges::find_if(row, [&](float height) { return !(height >= zmap.floor() && height <= 0); });
+        if (bad != row.end())
+            return failure(
+                "stock-height-bad",
+                PROVEOUT_TEXT("Core", "Row {}, column {} of the saved stock is no height within it."),
+                {std::to_string(j), std::to_string(bad - row.begin())});
+        for (int ti = 0; ti < zmap.tilesX(); ++ti) {
+            const int i0 = ti * Tile::kSize;
+            Tile& tile = zmap.tileForWriting(static_cast<std::size_t>(j / Tile::kSize * zmap.tilesX() + ti));
+            std::copy_n(row.data() + i0, std::min(Tile::kSize, grid.nx - i0), &tile.at(0, j % Tile::kSize));
+        }
+    }
+    if (!zip.intact())
+        return broken();
+    for (std::size_t index = 0; index < zmap.tileCount(); ++index)
+        zmap.tileForWriting(index).refreshMaximum();
+    return zmap.snapshot();
+}
+
+Result<SavedStockFile> readFrom(ZipReader& zip) {
+    const auto text = readDescription(zip);
+    if (!text)
+        return tl::unexpected(text.error());
+    const auto description = parse(*text);
+    if (!description)
+        return tl::unexpected(description.error());
+    const auto grid = gridOf(*description);
+    if (!grid)
+        return tl::unexpected(grid.error());
+    auto zmap = readHeights(zip, description->stock, *grid);
+    if (!zmap)
+        return tl::unexpected(std::move(zmap.error()));
+    return SavedStockFile{std::move(*zmap), description->spacing, description->provenance};
+}
+
+} // namespace
+
+Result<void> writeStock(const std::filesystem::path& file, const ZMapSnapshot& zmap, double spacing,
+                        const StockProvenance& provenance) {
+    const Grid& grid = zmap.grid();
+    std::string text;
+    try {
+        text = textOf({zmap.stock(), grid.nx, grid.ny, spacing, provenance});
+    } catch (
+        const nlohmann::json::type_error&) { // dump() knows no other way to refuse bytes that are no UTF-8
+        return failure(
+            "stock-not-utf8",
+            PROVEOUT_TEXT("Core", "The name of the program is not UTF-8, which JSON needs; rename it."), {},
+            file.string());
+    }
+    const double bytes = 4.0 * grid.nx * grid.ny;
+    ZipFile zip(file, bytes > kZip64From);
+    zip.beginEntry(kDescription);
+    zip.write(text);
+    zip.beginEntry(kHeights);
+    zip.write(npyHeader(grid.ny, grid.nx, kHeightType));
+    std::vector<float> row(static_cast<std::size_t>(grid.nx));
+    for (int j = 0; j < grid.ny && !zip.failed(); ++j) {
+        zmap.read({0, j, grid.nx, j + 1}, row);
+        zip.write({reinterpret_cast<const char*>(row.data()), row.size() * sizeof(float)});
+    }
+    return zip.commit();
+}
+
+Result<SavedStockFile> readStock(const std::filesystem::path& file) {
+    ZipReader zip;
+    if (auto opened = zip.open(file); !opened)
+        return tl::unexpected(std::move(opened.error()));
+    auto saved = readFrom(zip);
+    if (!saved) {
+        for (Diagnostic& error : saved.error()) {
+            error.file = file.string();
+            error.where = {}; // that of a text within the file
+        }
+    }
+    return saved;
+}
+
+} // namespace proveout

@@ -1,0 +1,339 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A mesh as stock, triangle by triangle over the rows of the grid, one row of tiles after the other. Two
+// answers per point: the upper surface with the rim included, for the map; and every crossing of the vertical
+// through the point, each edge belonging to one of its triangles alone, for what the map cannot hold.
+#include "core/zmap/mesh_stock.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <span>
+#include <utility>
+
+#include "core/base/text.h"
+#include "core/zmap/stock_findings.h"
+
+namespace proveout {
+
+namespace {
+
+/// So near to a triangle in plan, in mm, a point counts as on its rim: coordinates of a grid are rounded.
+constexpr double kOnRim = 1e-6;
+constexpr double kFarthest = 1e7;
+constexpr double kAbsent = -1e30;
+/// Crossings are looked for so little beside the point, in mm, that no edge through it can be in doubt.
+constexpr double kAsideX = 0.71e-7;
+constexpr double kAsideY = 1.13e-7;
+
+using Corners = std::array<Vec3, 3>;
+
+/// Twice the area in plan; above 0 where the triangle looks up.
+double areaInPlan(const Corners& c) {
+    return (c[1].x - c[0].x) * (c[2].y - c[0].y) - (c[1].y - c[0].y) * (c[2].x - c[0].x);
+}
+
+/// Where the edge is crossed by a level line: the same number whichever triangle asks.
+double crossing(const Vec3& a, const Vec3& b, double y) {
+    const bool ordered = a.y < b.y || (a.y == b.y && a.x < b.x);
+    const Vec3& low = ordered ? a : b;
+    const Vec3& high = ordered ? b : a;
+    return std::lerp(low.x, high.x, (y - low.y) / (high.y - low.y));
+}
+
+struct Range {
+    double from = std::numeric_limits<double>::infinity();
+    double to = -std::numeric_limits<double>::infinity();
+
+    void add(double x) {
+        from = std::min(from, x);
+        to = std::max(to, x);
+    }
+};
+
+/// One triangle over the rows of the grid.
+class Facet {
+public:
+    explicit Facet(const Corners& corners)
+        : m_corners(corners), m_area(areaInPlan(corners)),
+          m_lowest(std::min({corners[0].z, corners[1].z, corners[2].z})),
+          m_highest(std::max({corners[0].z, corners[1].z, corners[2].z})) {
+        if (m_area == 0)
+            return;
+        const Vec3 u = corners[1] - corners[0];
+        const Vec3 v = corners[2] - corners[0];
+        m_slope = {(u.z * v.y - v.z * u.y) / m_area, (v.z * u.x - u.z * v.x) / m_area};
+    }
+
+    /// It has no part in either surface: what bounds it does.
+    [[nodiscard]] bool isUpright() const { return m_area == 0; }
+    [[nodiscard]] bool looksUp() const { return m_area > 0; }
+    [[nodiscard]] double lowestY() const {
+        return std::min({m_corners[0].y, m_corners[1].y, m_corners[2].y});
+    }
+    [[nodiscard]] double highestY() const {
+        return std::max({m_corners[0].y, m_corners[1].y, m_corners[2].y});
+    }
+
+    [[nodiscard]] double heightAt(double x, double y) const {
+        const double z = m_corners[0].z + m_slope.x * (x - m_corners[0].x) + m_slope.y * (y - m_corners[0].y);
+        return std::clamp(z, m_lowest, m_highest);
+    }
+    /// What it covers of a level line, its rim included.
+    [[nodiscard]] Range covered(double y) const {
+        Range range;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3& a = m_corners[k];
+            const Vec3& b = m_corners[(k + 1) % 3];
+            if (std::abs(a.y - y) <= kOnRim)
+                range.add(a.x);
+            if (std::min(a.y, b.y) < y && y < std::max(a.y, b.y))
+                range.add(crossing(a, b, y));
+        }
+        return range;
+    }
+    /// The part of a level line that belongs to it alone: from the first place on, without the second.
+    [[nodiscard]] Range owned(double y) const {
+        Range range;
+        for (std::size_t k = 0; k < 3; ++k) {
+            const Vec3& a = m_corners[k];
+            const Vec3& b = m_corners[(k + 1) % 3];
+            if (std::min(a.y, b.y) <= y && y < std::max(a.y, b.y))
+                range.add(crossing(a, b, y));
+        }
+        return range;
+    }
+
+private:
+    Corners m_corners;
+    double m_area;
+    double m_lowest;
+    double m_highest;
+    Vec2 m_slope{0};
+};
+
+/// The surface is crossed by the vertical through a point.
+struct Crossing {
+    std::uint32_t point; ///< of the band
+    bool up;             ///< the outside lies above
+    double z;
+};
+
+/// What was found under the upper surface.
+struct Beneath {
+    Undercut undercut;
+    std::size_t covered = 0; ///< points with material
+    std::size_t open = 0;    ///< of these: the mesh does not close over them
+};
+
+/// The rows of one row of tiles.
+class Band {
+public:
+    Band(const Grid& grid, int firstRow)
+        : m_grid(grid), m_firstRow(firstRow), m_rows(std::min(Tile::kSize, grid.ny - firstRow)),
+          m_top(static_cast<std::size_t>(m_rows) * static_cast<std::size_t>(grid.nx), kAbsent) {}
+
+    void add(const Facet& facet) {
+        const auto row = [&](double y) { return (y - m_grid.y0) / m_grid.hy - m_firstRow; };
+        const double first = std::ceil(row(facet.lowestY() - kOnRim));
+        const double last = std::floor(row(facet.highestY() + kOnRim));
+        for (int j = static_cast<int>(std::max(first, 0.0)); j <= std::min(last, m_rows - 1.0); ++j)
+            addRow(facet, j);
+    }
+
+    [[nodiscard]] double top(int i, int j) const { return m_top[indexOf(i, j)]; }
+
+    /// `upIsOut`: the triangles are counter-clockwise seen from outside.
+    void lookBeneath(bool upIsOut, double floorZ, const Vec3& offset, Beneath& beneath) {
+        std::vector<std::uint32_t> ends(m_top.size() + 1, 0);
+        for (const Crossing& crossing : m_crossings)
+            ++ends[crossing.point + 1];
+        for (std::size_t k = 1; k < ends.size(); ++k)
+            ends[k] += ends[k - 1];
+        std::vector<Crossing> sorted(m_crossings.size());
+        std::vector<std::uint32_t> next(ends.begin(), ends.end() - 1);
+        for (const Crossing& crossing : m_crossings)
+            sorted[next[crossing.point]++] = crossing;
+        for (std::size_t point = 0; point + 1 < ends.size(); ++point)
+            lookDown(std::span(sorted).subspan(ends[point], ends[point + 1] - ends[point]), upIsOut, floorZ,
+                     offset, beneath);
+    }
+
+private:
+    [[nodiscard]] std::size_t indexOf(int i, int j) const {
+        return static_cast<std::size_t>(j) * static_cast<std::size_t>(m_grid.nx) +
+               static_cast<std::size_t>(i);
+    }
+
+    [[nodiscard]] int columnFrom(double x) const {
+        return static_cast<int>(std::clamp(std::ceil((x - m_grid.x0) / m_grid.hx), 0.0, double(m_grid.nx)));
+    }
+
+    void addRow(const Facet& facet, int j) {
+        const double y = m_grid.y(m_firstRow + j);
+        const Range covered = facet.covered(y);
+        for (int i = columnFrom(covered.from - kOnRim - m_grid.hx);
+             i < m_grid.nx && m_grid.x(i) <= covered.to + kOnRim; ++i) {
+            if (m_grid.x(i) < covered.from - kOnRim)
+                continue;
+            double& top = m_top[indexOf(i, j)];
+            top = std::max(top, facet.heightAt(m_grid.x(i), y));
+        }
+        const Range owned = facet.owned(y + kAsideY);
+        for (int i = columnFrom(owned.from - m_grid.hx); i < m_grid.nx && m_grid.x(i) + kAsideX < owned.to;
+             ++i)
+            if (m_grid.x(i) + kAsideX >= owned.from)
+                m_crossings.push_back({static_cast<std::uint32_t>(indexOf(i, j)), facet.looksUp(),
+                                       facet.heightAt(m_grid.x(i), y)});
+    }
+
+    /// From above down to the floor: where one is in as many shells as one has left, there is air.
+    void lookDown(std::span<Crossing> column, bool upIsOut, double floorZ, const Vec3& offset,
+                  Beneath& beneath) const {
+        if (column.empty())
+            return;
+        std::ranges::sort(column, [](const Crossing& a, const Crossing& b) { return a.z > b.z; });
+        const int i = static_cast<int>(column.front().point % static_cast<std::uint32_t>(m_grid.nx));
+        const int j =
+            m_firstRow + static_cast<int>(column.front().point / static_cast<std::uint32_t>(m_grid.nx));
+        const double weight =
+            (i == 0 || i == m_grid.nx - 1 ? 0.5 : 1.0) * (j == 0 || j == m_grid.ny - 1 ? 0.5 : 1.0);
+        const auto air = [&](double from, double to) {
+            if (from - to > Undercut::kLeast)
+                beneath.undercut.add((from - to) * weight * m_grid.hx * m_grid.hy, from - to,
+                                     Vec3(m_grid.x(i), m_grid.y(j), from) + offset);
+        };
+        int within = 0;
+        for (std::size_t k = 0; k < column.size(); ++k) {
+            within += column[k].up == upIsOut ? 1 : -1;
+            if (within <= 0)
+                air(column[k].z, k + 1 < column.size() ? column[k + 1].z : floorZ);
+        }
+        ++beneath.covered;
+        beneath.open += within == 0 ? 0 : 1;
+    }
+
+    const Grid& m_grid;
+    int m_firstRow;
+    int m_rows;
+    std::vector<double> m_top; ///< absolute
+    std::vector<Crossing> m_crossings;
+};
+
+class MeshStock final : public StockBody {
+public:
+    MeshStock(StockMesh mesh, const Box3& box, Diagnostics warnings)
+        : m_mesh(std::move(mesh)), m_box(box), m_warnings(std::move(warnings)) {
+        double volume = 0;
+        for (std::size_t k = 0; k < m_mesh.triangles.size(); ++k) {
+            const Corners c = corners(k);
+            volume += glm::dot(c[0] - box.lo, glm::cross(c[1] - box.lo, c[2] - box.lo));
+        }
+        m_upIsOut = volume >= 0;
+    }
+
+    [[nodiscard]] StockBox box() const override {
+        const Vec3 size = m_box.hi - m_box.lo;
+        return {{m_box.lo.x, m_box.lo.y, m_box.hi.z}, size.x, size.y, size.z};
+    }
+
+    [[nodiscard]] UncutStock uncut(const StockBox& stock, const Grid& grid) const override {
+        UncutStock uncut{ZMap(stock, grid), m_warnings};
+        const Vec3 offset = stock.corner - box().corner;
+        // The mesh stays where it is, and the grid goes there.
+        Grid there = grid;
+        there.x0 -= offset.x;
+        there.y0 -= offset.y;
+        Beneath beneath;
+        const auto bands = bandsOf(there);
+        for (int tileRow = 0; tileRow < uncut.zmap.tilesY(); ++tileRow) {
+            Band band(there, tileRow * Tile::kSize);
+            for (const std::uint32_t triangle : bands[static_cast<std::size_t>(tileRow)])
+                band.add(Facet(corners(triangle)));
+            put(band, tileRow, uncut.zmap);
+            band.lookBeneath(m_upIsOut, m_box.lo.z, offset, beneath);
+        }
+        tell(beneath, uncut.findings);
+        return uncut;
+    }
+
+private:
+    [[nodiscard]] Corners corners(std::size_t triangle) const {
+        const auto& t = m_mesh.triangles[triangle];
+        return {m_mesh.vertices[t[0]], m_mesh.vertices[t[1]], m_mesh.vertices[t[2]]};
+    }
+
+    /// The triangles over each row of tiles.
+    [[nodiscard]] std::vector<std::vector<std::uint32_t>> bandsOf(const Grid& grid) const {
+        const int count = (grid.ny + Tile::kSize - 1) / Tile::kSize;
+        std::vector<std::vector<std::uint32_t>> bands(static_cast<std::size_t>(count));
+        const auto band = [&](double y) {
+            const double row = std::floor((y - grid.y0) / grid.hy / Tile::kSize);
+            return static_cast<int>(std::clamp(row, 0.0, count - 1.0));
+        };
+        for (std::size_t k = 0; k < m_mesh.triangles.size(); ++k) {
+            const Facet facet(corners(k));
+            if (facet.isUpright())
+                continue;
+            for (int b = band(facet.lowestY() - kOnRim); b <= band(facet.highestY() + kOnRim); ++b)
+                bands[static_cast<std::size_t>(b)].push_back(static_cast<std::uint32_t>(k));
+        }
+        return bands;
+    }
+
+    void put(const Band& band, int tileRow, ZMap& zmap) const {
+        for (int ti = 0; ti < zmap.tilesX(); ++ti) {
+            const auto index = static_cast<std::size_t>(tileRow * zmap.tilesX() + ti);
+            const IndexRect rect = zmap.tileRect(index);
+            Tile& tile = zmap.tileForWriting(index);
+            for (int j = 0; j < rect.height(); ++j)
+                for (int i = 0; i < rect.width(); ++i) {
+                    const double top = band.top(rect.i0 + i, j) - m_box.hi.z;
+                    tile.at(i, j) = std::clamp(static_cast<float>(top), zmap.floor(), 0.0F);
+                }
+            tile.refreshMaximum();
+        }
+    }
+
+    static void tell(const Beneath& beneath, Diagnostics& findings) {
+        if (beneath.open > 0) {
+            Diagnostic open;
+            open.unverified = true;
+            open.id = "stock-mesh-open";
+            open.text =
+                PROVEOUT_TEXT("Core", "The mesh of the stock is not closed: over {} of {} grid points "
+                                      "it is not known what is material.");
+            open.arguments = {fmt::format("{}", beneath.open), fmt::format("{}", beneath.covered)};
+            open.hint = PROVEOUT_TEXT("Core", "Export the stock as a closed solid.");
+            findings.push_back(std::move(open));
+        }
+        for (Diagnostic& finding : beneath.undercut.told())
+            findings.push_back(std::move(finding));
+    }
+
+    StockMesh m_mesh;
+    Box3 m_box;
+    Diagnostics m_warnings;
+    bool m_upIsOut = true;
+};
+
+} // namespace
+
+Result<std::shared_ptr<const StockBody>> meshStock(StockMesh mesh, Diagnostics warnings) {
+    Box3 box;
+    for (const auto& triangle : mesh.triangles)
+        for (const std::uint32_t vertex : triangle) {
+            const Vec3& place = mesh.vertices[vertex];
+            for (int axis = 0; axis < 3; ++axis)
+                if (!(std::abs(place[axis]) <= kFarthest))
+                    return failure("stock-mesh-far",
+                                   PROVEOUT_TEXT("Core", "The mesh of the stock reaches beyond {} mm."),
+                                   {"10000000"});
+            box.add(place);
+        }
+    if (box.empty() || !glm::all(glm::lessThan(box.lo, box.hi)))
+        return failure("stock-mesh-flat", PROVEOUT_TEXT("Core", "The mesh of the stock encloses no volume."));
+    return std::make_shared<const MeshStock>(std::move(mesh), box, std::move(warnings));
+}
+
+} // namespace proveout

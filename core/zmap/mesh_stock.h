@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+#include "core/zmap/stock_shape.h"
+
+namespace proveout {
+
+/// Triangles counter-clockwise seen from outside, or all of them the other way; program coordinates, mm.
+struct StockMesh {
+    std::vector<Vec3> vertices;
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+};
+
+/// What lies within a closed mesh, as high as its upper surface at each point of the grid (a point on the rim
+/// included). What is measured over the points of the grid and told as findings: the air below that surface,
+/// and where the mesh is open. `warnings`, about the file, come first among them. Errors: a mesh without
+/// height or extent in plan, coordinates that are none or beyond 10 km.
+[[nodiscard]] Result<std::shared_ptr<const StockBody>> meshStock(StockMesh mesh, Diagnostics warnings = {});
+
+} // namespace proveout

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/zmap/saved_stock.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <utility>
+
+#include "core/base/text.h"
+#include "core/zmap/stock_findings.h"
+
+namespace proveout {
+
+namespace {
+
+struct Index {
+    int i, j;
+};
+
+/// A new map whose height at each point `heightAt(i, j)` gives.
+template<class HeightAt>
+ZMap mapOf(const StockBox& stock, const Grid& grid, HeightAt&& heightAt) {
+    ZMap zmap(stock, grid);
+    for (std::size_t index = 0; index < zmap.tileCount(); ++index) {
+        const IndexRect rect = zmap.tileRect(index);
+        Tile& tile = zmap.tileForWriting(index);
+        for (int j = rect.j0; j < rect.j1; ++j)
+            for (int i = rect.i0; i < rect.i1; ++i)
+                tile.at(i - rect.i0, j - rect.j0) = heightAt(i, j);
+        tile.refreshMaximum();
+    }
+    return zmap;
+}
+
+/// Another grid over the same tiles.
+ZMap sameTiles(const ZMapSnapshot& map, const StockBox& stock, const Grid& grid) {
+    PersistentArray<std::shared_ptr<const Tile>> tiles;
+    for (std::size_t index = 0; index < map.tileCount(); ++index)
+        tiles.push_back(map.tile(index));
+    return ZMap(ZMapSnapshot(stock, grid, std::move(tiles)));
+}
+
+ZMapSnapshot turned(const ZMapSnapshot& map, StockTurn turn) {
+    if (turn == StockTurn::none)
+        return map;
+    StockBox stock = map.stock();
+    Grid grid = map.grid();
+    if (turn != StockTurn::half) {
+        std::swap(stock.width, stock.depth);
+        std::swap(grid.nx, grid.ny);
+        std::swap(grid.hx, grid.hy);
+    }
+    const int lastI = grid.nx - 1;
+    const int lastJ = grid.ny - 1;
+    const auto before = [&](int i, int j) -> Index {
+        switch (turn) {
+        case StockTurn::quarter:
+            return {j, lastI - i};
+        case StockTurn::half:
+            return {lastI - i, lastJ - j};
+        default:
+            return {lastJ - j, i};
+        }
+    };
+    return mapOf(stock, grid,
+                 [&](int i, int j) {
+                     const Index from = before(i, j);
+                     return map.height(from.i, from.j);
+                 })
+        .snapshot();
+}
+
+float highestOf(const ZMapSnapshot& map) {
+    float highest = map.floor();
+    for (std::size_t index = 0; index < map.tileCount(); ++index) {
+        const IndexRect rect = map.tileRect(index);
+        for (int j = 0; j < rect.height(); ++j)
+            for (int i = 0; i < rect.width(); ++i)
+                highest = std::max(highest, map.tile(index)->at(i, j));
+    }
+    return highest;
+}
+
+/// The old floor is the new top, wherever something stands on it.
+ZMapSnapshot flipped(const ZMapSnapshot& map, StockFlip flip, Undercut& undercut) {
+    const float highest = highestOf(map);
+    StockBox stock = map.stock();
+    stock.height += double{highest};
+    const Grid& grid = map.grid();
+    const bool aboutX = flip == StockFlip::aboutX;
+    const auto newFloor = static_cast<float>(-stock.height);
+    return mapOf(stock, grid,
+                 [&](int i, int j) {
+                     const float before =
+                         map.height(aboutX ? i : grid.nx - 1 - i, aboutX ? grid.ny - 1 - j : j);
+                     if (before <= map.floor())
+                         return newFloor;
+                     const double gap = double{highest} - double{before};
+                     const double weight =
+                         (i == 0 || i == grid.nx - 1 ? 0.5 : 1.0) * (j == 0 || j == grid.ny - 1 ? 0.5 : 1.0);
+                     if (gap > Undercut::kLeast)
+                         undercut.add(gap * weight * grid.hx * grid.hy, gap,
+                                      {grid.x(i), grid.y(j), stock.floorZ() + gap});
+                     return 0.0F;
+                 })
+        .snapshot();
+}
+
+/// Saved points along one axis, seen from a grid whose points lie `at` so many saved steps on.
+struct Neighbours {
+    int below;     ///< the saved point at or before
+    double beyond; ///< how far behind it, in saved steps
+    int first;     ///< of those nearer than a spacing
+    int last;
+
+    Neighbours(double at, double reach, int count) {
+        constexpr double kRounding = 1e-6; // of a step: coordinates of both grids are rounded
+        if (const double nearest = std::round(at); std::abs(at - nearest) < kRounding)
+            at = nearest;
+        at = std::clamp(at, 0.0, count - 1.0);
+        below = std::min(static_cast<int>(at), count - 2);
+        beyond = at - below;
+        first = static_cast<int>(std::max(0.0, std::floor(at - reach + kRounding) + 1));
+        last = static_cast<int>(std::min(count - 1.0, std::ceil(at + reach - kRounding) - 1));
+    }
+};
+
+float resampled(const ZMapSnapshot& map, const Neighbours& x, const Neighbours& y) {
+    const auto at = [&](int di, int dj) {
+        const int i = std::min(x.below + di, map.grid().nx - 1);
+        const int j = std::min(y.below + dj, map.grid().ny - 1);
+        return double{map.height(i, j)};
+    };
+    const double between =
+        std::lerp(std::lerp(at(0, 0), at(1, 0), x.beyond), std::lerp(at(0, 1), at(1, 1), x.beyond), y.beyond);
+    auto highest = static_cast<float>(between);
+    for (int j = y.first; j <= y.last; ++j)
+        for (int i = x.first; i <= x.last; ++i)
+            highest = std::max(highest, map.height(i, j));
+    return highest;
+}
+
+class SavedStock final : public StockBody {
+public:
+    SavedStock(ZMapSnapshot map, double spacing, Undercut undercut)
+        : m_map(std::move(map)), m_spacing(spacing), m_undercut(undercut) {}
+
+    [[nodiscard]] StockBox box() const override { return m_map.stock(); }
+    [[nodiscard]] std::optional<double> spacing() const override { return m_spacing; }
+
+    [[nodiscard]] UncutStock uncut(const StockBox& stock, const Grid& grid) const override {
+        Undercut undercut = m_undercut;
+        undercut.place += stock.corner - box().corner;
+        const Grid& saved = m_map.grid();
+        const bool same = grid.nx == saved.nx && grid.ny == saved.ny && stock.height == box().height;
+        if (same)
+            return {sameTiles(m_map, stock, grid), undercut.told()};
+        Diagnostics findings = undercut.told();
+        const bool finer = isPartOf(saved.nx, grid.nx) && isPartOf(saved.ny, grid.ny);
+        if (!finer)
+            findings.push_back(resamplingNote(grid));
+        return {onOtherGrid(stock, grid), std::move(findings)};
+    }
+
+private:
+    static bool isPartOf(int savedPoints, int points) { return (points - 1) % (savedPoints - 1) == 0; }
+
+    [[nodiscard]] ZMap onOtherGrid(const StockBox& stock, const Grid& grid) const {
+        const Grid& saved = m_map.grid();
+        std::vector<Neighbours> columns;
+        std::vector<Neighbours> rows;
+        columns.reserve(static_cast<std::size_t>(grid.nx));
+        rows.reserve(static_cast<std::size_t>(grid.ny));
+        for (int i = 0; i < grid.nx; ++i)
+            columns.emplace_back(grid.hx * i / saved.hx, grid.hx / saved.hx, saved.nx);
+        for (int j = 0; j < grid.ny; ++j)
+            rows.emplace_back(grid.hy * j / saved.hy, grid.hy / saved.hy, saved.ny);
+        const auto floor = static_cast<float>(-stock.height);
+        return mapOf(stock, grid, [&](int i, int j) {
+            return std::max(floor, resampled(m_map, columns[static_cast<std::size_t>(i)],
+                                             rows[static_cast<std::size_t>(j)]));
+        });
+    }
+
+    [[nodiscard]] Diagnostic resamplingNote(const Grid& grid) const {
+        Diagnostic note;
+        note.severity = Severity::note;
+        note.id = "stock-resampled";
+        note.text =
+            PROVEOUT_TEXT("Core", "The saved stock has points {} × {} mm apart, and is taken over to {} × "
+                                  "{} mm: at none of its points lower, between them up to one spacing "
+                                  "wider.");
+        note.arguments = {fmt::format("{:.6g}", m_map.grid().hx), fmt::format("{:.6g}", m_map.grid().hy),
+                          fmt::format("{:.6g}", grid.hx), fmt::format("{:.6g}", grid.hy)};
+        note.hint =
+            PROVEOUT_TEXT("Core", "The spacing of the saved stock, or a whole part of it, changes nothing.");
+        return note;
+    }
+
+    ZMapSnapshot m_map;
+    double m_spacing;
+    Undercut m_undercut; ///< where the box lies by itself
+};
+
+} // namespace
+
+Result<std::shared_ptr<const StockBody>> savedStock(const ZMapSnapshot& saved, double spacing, StockTurn turn,
+                                                    StockFlip flip) {
+    Undercut undercut;
+    ZMapSnapshot map = saved;
+    if (flip != StockFlip::none) {
+        if (highestOf(map) <= map.floor())
+            return failure("stock-nothing-left",
+                           PROVEOUT_TEXT("Core", "Nothing of the saved stock is left."));
+        map = turned(flipped(map, flip, undercut), turn);
+        // The place of a gap turns with the stock.
+        if (turn != StockTurn::none && undercut.tallest > 0) {
+            const StockBox& box = map.stock();
+            const double x = undercut.place.x - box.corner.x;
+            const double y = undercut.place.y - box.corner.y;
+            const Vec2 place = turn == StockTurn::quarter ? Vec2(box.width - y, x)
+                               : turn == StockTurn::half  ? Vec2(box.width - x, box.depth - y)
+                                                          : Vec2(y, box.depth - x);
+            undercut.place.x = box.corner.x + place.x;
+            undercut.place.y = box.corner.y + place.y;
+        }
+    } else {
+        map = turned(map, turn);
+    }
+    return std::make_shared<const SavedStock>(std::move(map), spacing, undercut);
+}
+
+} // namespace proveout

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Stock of every shape, and from one set-up to the next.
+#include <cmath>
+#include <numbers>
+
+#include "core/formats/npy.h"
+#include "core/formats/stock_shapes.h"
+#include "tests/app/command_line.h"
+
+namespace proveout {
+namespace {
+
+const std::string kAbove = "G21 G90\nT1 M6\nG0 X5 Y5 Z5\nX30\nM30\n"; ///< cuts nothing
+
+class CliStock : public CommandLine {
+protected:
+    void SetUp() override {
+        write("above.nc", kAbove);
+        write("p.nc", kSound);
+        write("plate.csv", "0,0\n40,0\n40,30\n0,30\n");
+    }
+    Finished simulate(const std::string& stock, const std::string& more = {},
+                      const std::string& program = "p.nc") {
+        return run("simulate " + program + " --stock " + stock + kTool + " --json " + more);
+    }
+};
+
+TEST_F(CliStock, ShapesAreListedFromTheirTable) {
+    const auto listed = run("stocks --json").json()["stocks"];
+    ASSERT_EQ(listed.size(), stockShapes().size());
+    for (std::size_t k = 0; k < listed.size(); ++k)
+        EXPECT_EQ(listed[k]["key"], stockShapes()[k].key);
+    EXPECT_NE(run("stocks").out.find("cylinder:d=50,h=20"), std::string::npos);
+}
+
+TEST_F(CliStock, ACylinderIsCutAndExported) {
+    const auto done = simulate("cylinder:d=30,h=10", "--grid 0.1 --stl c.stl", "above.nc");
+    ASSERT_EQ(done.exitCode, 0) << done.err;
+    EXPECT_EQ(done.json()["grid"]["nx"], 301);
+    EXPECT_EQ(done.json()["removedMm3"], 0);
+    // The solid as stock: the same again, and nothing under it.
+    const auto again = simulate("stl:file=c.stl", "--grid 0.1 --zmap z.npy", "above.nc");
+    ASSERT_EQ(again.exitCode, 0) << again.err;
+    const auto map = readNpy(folder / "z.npy").value();
+    double volume = 0;
+    for (const double z : map.values)
+        volume += (z + 10) * 0.01;
+    EXPECT_NEAR(volume, std::numbers::pi * 225 * 10, 0.005 * std::numbers::pi * 225 * 10);
+}
+
+TEST_F(CliStock, AnOutlineOfABoxIsTheBox) {
+    const auto box = simulate("40x30x10", "--grid 0.5");
+    const auto outline = simulate("outline:file=plate.csv,h=10", "--grid 0.5");
+    ASSERT_EQ(outline.exitCode, 0) << outline.err;
+    EXPECT_EQ(outline.json()["removedMm3"], box.json()["removedMm3"]);
+    EXPECT_EQ(outline.json()["facesDecimated"], box.json()["facesDecimated"]);
+}
+
+TEST_F(CliStock, TheNextSetupGoesOnWhereThisOneEnds) {
+    const auto first = simulate("40x30x10", "--grid 0.5 --save-stock one.pvstock --zmap one.npy");
+    ASSERT_EQ(first.exitCode, 0) << first.err;
+    // The same program again finds nothing left, on the grid that the file tells.
+    const auto again = simulate("file:file=one.pvstock", "--zmap two.npy");
+    ASSERT_EQ(again.exitCode, 0) << again.err;
+    EXPECT_EQ(again.json()["removedMm3"], 0);
+    EXPECT_EQ(again.json()["grid"], first.json()["grid"]);
+    EXPECT_EQ(read("two.npy"), read("one.npy"));
+    // In a job, and by another name where it lies elsewhere.
+    write("j.proveout", R"({"proveout": 1, "program": "p.nc", "tools": {"1": "ball:d=4,l=20"},
+                            "stock": {"shape": "file", "file": "one.pvstock", "turn": "180"}})");
+    const auto turned = run("simulate --job j.proveout --json");
+    EXPECT_GT(turned.json()["removedMm3"].get<double>(), 0);
+    const auto flipped = simulate("file:file=one.pvstock,flip=x");
+    EXPECT_EQ(flipped.exitCode, 2);
+    ASSERT_EQ(flipped.json()["unverified"].size(), 1U);
+    EXPECT_EQ(flipped.json()["unverified"][0]["id"], "stock-undercut");
+    EXPECT_EQ(flipped.json()["unverified"][0]["file"], "one.pvstock");
+    const auto resampled = simulate("file:file=one.pvstock", "--grid 0.7");
+    EXPECT_EQ(resampled.json()["findings"][0]["id"], "stock-resampled");
+    EXPECT_EQ(resampled.exitCode, 0);
+}
+
+TEST_F(CliStock, WrongStockIsUnusable) {
+    EXPECT_EQ(simulate("cylinder:d=30").exitCode, 3);
+    EXPECT_EQ(simulate("stl:file=none.stl").exitCode, 3);
+    EXPECT_TRUE(simulate("file:file=p.nc").tells("p.nc:", "file-not-zip"));
+    EXPECT_TRUE(simulate("cylinder:r=30").tells("proveout-cli: error: --stock:", "stock-key-unknown"));
+    const auto same = simulate("outline:file=plate.csv,h=10", "--save-stock plate.csv");
+    EXPECT_EQ(same.exitCode, 3); // would overwrite an input
+    write("j.proveout", R"({"proveout": 1, "program": "p.nc", "tools": {"1": "ball:d=4,l=20"},
+                            "stock": {"shape": "stl", "file": "none.stl"}})");
+    const auto missing = run("simulate --job j.proveout");
+    EXPECT_EQ(missing.exitCode, 3);
+    EXPECT_NE(missing.err.find("none.stl"), std::string::npos);
+    write("k.proveout", R"({"proveout": 1, "program": "p.nc", "stock": {"shape": "cone", "turn": "45"}})");
+    const auto shape = run("simulate --job k.proveout");
+    EXPECT_NE(shape.err.find("stock.shape"), std::string::npos) << shape.err;
+}
+
+} // namespace
+} // namespace proveout

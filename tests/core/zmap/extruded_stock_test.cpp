@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Outlines against closed forms.
+#include "core/zmap/extruded_stock.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <random>
+
+namespace proveout {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+struct Made {
+    StockBox box;
+    UncutStock uncut;
+
+    [[nodiscard]] double volume() const { return uncut.zmap.snapshot().volume(); }
+};
+
+Made made(const std::vector<OutlineLoop>& loops, double height, double spacing) {
+    const auto body = extrudedStock(loops, height).value();
+    const StockBox box = body->box();
+    return {box, body->uncut(box, makeGrid(box, spacing).value())};
+}
+
+OutlineLoop loopOf(std::initializer_list<Vec2> points) {
+    OutlineLoop loop;
+    for (const Vec2& point : points)
+        loop.push_back({point});
+    return loop;
+}
+
+TEST(ExtrudedStock, CylinderHasItsVolume) {
+    for (const double diameter : {10.0, 33.3, 50.0}) {
+        const Made cylinder = made({circleOutline(diameter)}, 20, 0.1);
+        EXPECT_EQ(cylinder.box, (StockBox{{0, 0, 0}, diameter, diameter, 20}));
+        EXPECT_NEAR(cylinder.volume() / (kPi / 4 * diameter * diameter * 20), 1, 0.002) << diameter;
+        EXPECT_TRUE(cylinder.uncut.findings.empty());
+    }
+}
+
+TEST(ExtrudedStock, CylinderIsRoundAtEveryPoint) {
+    const Made cylinder = made({circleOutline(30)}, 5, 0.5);
+    const Grid& grid = cylinder.uncut.zmap.grid();
+    const ZMapSnapshot map = cylinder.uncut.zmap.snapshot();
+    for (int j = 0; j < grid.ny; ++j)
+        for (int i = 0; i < grid.nx; ++i) {
+            const double distance = std::hypot(grid.x(i) - 15, grid.y(j) - 15);
+            EXPECT_EQ(map.height(i, j), distance <= 15 + 1e-9 ? 0.0F : -5.0F) << i << ' ' << j;
+        }
+}
+
+TEST(ExtrudedStock, RectangleIsABox) {
+    const Made plate = made({loopOf({{3, 4}, {43, 4}, {43, 34}, {3, 34}})}, 10, 0.7);
+    EXPECT_EQ(plate.box, (StockBox{{3, 4, 0}, 40, 30, 10}));
+    EXPECT_DOUBLE_EQ(plate.volume(), 40 * 30 * 10);
+}
+
+TEST(ExtrudedStock, PolygonHasItsAreaAndHolesAreNoMaterial) {
+    const OutlineLoop triangle = loopOf({{0, 0}, {60, 10}, {20, 50}});
+    EXPECT_NEAR(made({triangle}, 1, 0.05).volume(), 1400, 1400 * 0.002);
+    const OutlineLoop hole = loopOf({{20, 15}, {30, 15}, {30, 25}, {20, 25}});
+    EXPECT_NEAR(made({triangle, hole}, 1, 0.05).volume(), 1300, 1300 * 0.003);
+    // Neither the order nor the sense of the loops matters.
+    const OutlineLoop back(hole.rbegin(), hole.rend());
+    EXPECT_EQ(made({back, triangle}, 1, 0.05).volume(), made({triangle, hole}, 1, 0.05).volume());
+}
+
+TEST(ExtrudedStock, ArcsOfEitherSenseHaveTheirArea) {
+    // A square with sides of 20, its upper side an arc that bulges outwards or inwards by half a circle.
+    for (const double bulge : {1.0, -1.0}) {
+        OutlineLoop loop = loopOf({{0, 0}, {20, 0}, {20, 20}, {0, 20}});
+        loop[2].bulge = bulge;
+        const double area = 400 + bulge * kPi * 100 / 2;
+        EXPECT_NEAR(made({loop}, 1, 0.05).volume(), area, area * 0.003) << bulge;
+    }
+    // A quarter of a circle in each corner: a rounded square.
+    const double quarter = std::tan(kPi / 8);
+    OutlineLoop rounded;
+    const Vec2 corners[] = {{5, 0}, {25, 0}, {30, 5}, {30, 25}, {25, 30}, {5, 30}, {0, 25}, {0, 5}};
+    for (std::size_t k = 0; k < 8; ++k)
+        rounded.push_back({corners[k], k % 2 == 1 ? quarter : 0});
+    const double area = 900 - (4 - kPi) * 25;
+    EXPECT_NEAR(made({rounded}, 1, 0.05).volume(), area, area * 0.002);
+    EXPECT_NEAR(made({rounded}, 1, 0.05).box.width, 30, 1e-9);
+}
+
+TEST(ExtrudedStock, RandomStarsHaveTheirAreaAndMoveWithTheirBox) {
+    for (std::uint_fast32_t seed = 1; seed <= 40; ++seed) {
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> radius(10, 40);
+        OutlineLoop star;
+        constexpr int kPoints = 11;
+        for (int k = 0; k < kPoints; ++k) {
+            const double angle = 2 * kPi * k / kPoints;
+            const double r = radius(random);
+            star.push_back({{r * std::cos(angle), r * std::sin(angle)}});
+        }
+        double area = 0;
+        for (std::size_t k = 0; k < star.size(); ++k) {
+            const Vec2 a = star[k].at;
+            const Vec2 b = star[(k + 1) % star.size()].at;
+            area += (a.x * b.y - a.y * b.x) / 2;
+        }
+        const auto body = extrudedStock({star}, 7).value();
+        StockBox box = body->box();
+        const double volume = body->uncut(box, makeGrid(box, 0.1).value()).zmap.snapshot().volume();
+        EXPECT_NEAR(volume, area * 7, area * 7 * 0.003) << "seed " << seed;
+        const ZMapSnapshot before = body->uncut(box, makeGrid(box, 1).value()).zmap.snapshot();
+        box.corner += Vec3(128, -64, 3);
+        const ZMapSnapshot moved = body->uncut(box, makeGrid(box, 1).value()).zmap.snapshot();
+        EXPECT_NEAR(moved.volume(), before.volume(), before.volume() * 0.01) << "seed " << seed;
+    }
+}
+
+TEST(ExtrudedStock, TopIsAsHighAsTheMapAndItsBoundHolds) {
+    OutlineLoop hole = circleOutline(12);
+    for (OutlinePoint& point : hole)
+        point.at += Vec2(14, 10);
+    const auto body = extrudedStock({loopOf({{0, 0}, {50, 5}, {40, 45}, {10, 30}}), hole}, 9).value();
+    const StockBox box = body->box();
+    const auto top = body->top(box);
+    const UncutStock uncut = body->uncut(box, makeGrid(box, 1).value());
+    const ZMapSnapshot map = uncut.zmap.snapshot();
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> side(0, 50);
+    std::uniform_real_distribution<double> size(0.01, 6);
+    int absent = 0;
+    for (int k = 0; k < 20'000; ++k) {
+        const Vec2 lo(side(random), side(random));
+        const Vec2 hi = lo + Vec2(size(random), size(random));
+        const double bound = top->highest(lo, hi);
+        absent += bound == StockTop::kAbsent ? 1 : 0;
+        for (const double u : {0.0, 0.5, 1.0})
+            for (const double v : {0.0, 0.5, 1.0})
+                EXPECT_LE(top->height(lo + (hi - lo) * Vec2(u, v)), bound);
+    }
+    EXPECT_GT(absent, 3000) << "the bound tells nothing";
+    for (int j = 0; j < map.grid().ny; ++j)
+        for (int i = 0; i < map.grid().nx; ++i)
+            EXPECT_EQ(map.height(i, j) == 0, top->height({map.grid().x(i), map.grid().y(j)}) == 0);
+}
+
+TEST(ExtrudedStock, RefusesWhatIsNoOutline) {
+    EXPECT_EQ(extrudedStock({}, 5).error().front().id, std::string("outline-without-area"));
+    EXPECT_FALSE(extrudedStock({loopOf({{0, 0}, {5, 0}})}, 5));
+    EXPECT_FALSE(extrudedStock({loopOf({{0, 0}, {5e9, 0}, {1, 1}})}, 5));
+    EXPECT_FALSE(extrudedStock({{{{0, 0}, 1e9}, {{5, 5}}}}, 5));
+    EXPECT_FALSE(extrudedStock({{{{0, std::nan("")}}, {{5, 5}}, {{6, 1}}}}, 5));
+}
+
+} // namespace
+} // namespace proveout

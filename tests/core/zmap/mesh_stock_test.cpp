@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Meshes against the slowest way: every vertical through every triangle.
+#include "core/zmap/mesh_stock.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <numbers>
+#include <random>
+
+namespace proveout {
+namespace {
+
+constexpr double kPi = std::numbers::pi;
+
+void addBox(StockMesh& mesh, const Vec3& lo, const Vec3& hi) {
+    const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
+    for (int k = 0; k < 8; ++k)
+        mesh.vertices.push_back({k & 1 ? hi.x : lo.x, k & 2 ? hi.y : lo.y, k & 4 ? hi.z : lo.z});
+    const std::array<std::array<std::uint32_t, 4>, 6> sides{
+        {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}}};
+    for (const auto& s : sides) {
+        mesh.triangles.push_back({first + s[0], first + s[1], first + s[2]});
+        mesh.triangles.push_back({first + s[0], first + s[2], first + s[3]});
+    }
+}
+
+/// A closed body round a centre; `radiusAt` is asked for each vertex.
+template<class RadiusAt>
+StockMesh starBody(const Vec3& centre, int rings, int slices, RadiusAt&& radiusAt) {
+    StockMesh mesh;
+    const auto add = [&](double theta, double phi) {
+        const Vec3 away(std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta));
+        mesh.vertices.push_back(centre + away * radiusAt());
+    };
+    add(0, 0);
+    for (int r = 1; r < rings; ++r)
+        for (int s = 0; s < slices; ++s)
+            add(kPi * r / rings, 2 * kPi * s / slices);
+    add(kPi, 0);
+    const auto at = [&](int r, int s) {
+        return r == 0       ? 0U
+               : r == rings ? static_cast<std::uint32_t>(mesh.vertices.size() - 1)
+                            : static_cast<std::uint32_t>(1 + (r - 1) * slices + s % slices);
+    };
+    for (int r = 0; r < rings; ++r)
+        for (int s = 0; s < slices; ++s) {
+            if (r > 0)
+                mesh.triangles.push_back({at(r, s), at(r + 1, s), at(r, s + 1)});
+            if (r + 1 < rings)
+                mesh.triangles.push_back({at(r, s + 1), at(r + 1, s), at(r + 1, s + 1)});
+        }
+    return mesh;
+}
+
+/// The z of the plane of a triangle over a place that it covers in plan.
+std::optional<double> hit(const StockMesh& mesh, const std::array<std::uint32_t, 3>& triangle, double x,
+                          double y) {
+    const Vec3 a = mesh.vertices[triangle[0]];
+    const Vec3 b = mesh.vertices[triangle[1]];
+    const Vec3 c = mesh.vertices[triangle[2]];
+    const auto cross = [](const Vec2& u, const Vec2& v) { return u.x * v.y - u.y * v.x; };
+    const Vec2 p(x, y);
+    const double area = cross(Vec2(b - a), Vec2(c - a));
+    if (area == 0)
+        return {};
+    const double u = cross(Vec2(b) - p, Vec2(c) - p) / area;
+    const double v = cross(Vec2(c) - p, Vec2(a) - p) / area;
+    const double w = cross(Vec2(a) - p, Vec2(b) - p) / area;
+    if (std::min({u, v, w}) < 0)
+        return {};
+    return u * a.z + v * b.z + w * c.z;
+}
+
+struct Cast {
+    double top = -1e30;
+    double air = 0; ///< under the top, down to the floor
+};
+
+Cast castRay(const StockMesh& mesh, double x, double y, double floorZ) {
+    std::vector<double> at;
+    for (const auto& triangle : mesh.triangles)
+        if (const auto z = hit(mesh, triangle, x, y))
+            at.push_back(*z);
+    std::ranges::sort(at, std::greater{});
+    Cast cast;
+    if (at.empty())
+        return cast;
+    cast.top = at.front();
+    for (std::size_t k = 1; k < at.size(); k += 2)
+        cast.air += at[k] - (k + 1 < at.size() ? at[k + 1] : floorZ);
+    return cast;
+}
+
+UncutStock uncutOf(const StockMesh& mesh, double spacing, std::optional<Vec3> corner = {}) {
+    const auto body = meshStock(mesh).value();
+    StockBox box = body->box();
+    if (corner)
+        box.corner = *corner;
+    return body->uncut(box, makeGrid(box, spacing).value());
+}
+
+std::string idsOf(const Diagnostics& findings) {
+    std::string ids;
+    for (const Diagnostic& finding : findings)
+        ids += std::string(finding.id) + ' ';
+    return ids;
+}
+
+TEST(MeshStock, BoxIsABoxWithItsRims) {
+    for (const double size : {10.0, 33.3, 0.1}) {
+        StockMesh mesh;
+        addBox(mesh, {1.1, -2.2, 3.3}, Vec3(1.1, -2.2, 3.3) + Vec3(size, 2 * size, size / 3));
+        const UncutStock uncut = uncutOf(mesh, size / 37);
+        EXPECT_NEAR(uncut.zmap.snapshot().volume(), size * 2 * size * size / 3, 1e-6 * size * size * size);
+        EXPECT_EQ(idsOf(uncut.findings), "") << size;
+    }
+}
+
+TEST(MeshStock, RandomBodiesAgreeWithRays) {
+    for (std::uint_fast32_t seed = 1; seed <= 60; ++seed) {
+        SCOPED_TRACE(fmt::format("seed {}", seed));
+        std::mt19937 random(seed);
+        std::uniform_real_distribution<double> radius(4, 10);
+        const StockMesh mesh = starBody({3, -7, 20}, 7, 9, [&] { return radius(random); });
+        const UncutStock uncut = uncutOf(mesh, 0.25);
+        const ZMapSnapshot map = uncut.zmap.snapshot();
+        const StockBox& stock = map.stock();
+        double air = 0;
+        for (int j = 0; j < map.grid().ny; ++j)
+            for (int i = 0; i < map.grid().nx; ++i) {
+                const Cast cast = castRay(mesh, map.grid().x(i), map.grid().y(j), stock.floorZ());
+                const double expected = std::max(cast.top, stock.floorZ()) - stock.topZ();
+                ASSERT_NEAR(map.height(i, j), expected, 1e-5) << i << ' ' << j;
+                air += cast.air * map.grid().hx * map.grid().hy;
+            }
+        ASSERT_EQ(idsOf(uncut.findings), "stock-undercut ");
+        EXPECT_NEAR(std::stod(uncut.findings.front().arguments[0]), air, air * 0.01);
+        EXPECT_TRUE(uncut.findings.front().unverified);
+    }
+}
+
+TEST(MeshStock, SphereHasItsVolumeAboveAndItsUndercutBelow) {
+    const double r = 10;
+    const StockMesh mesh = starBody({0, 0, 0}, 120, 240, [&] { return r; });
+    const UncutStock uncut = uncutOf(mesh, 0.1);
+    // Material of the map: the upper half and the cylinder down to the floor.
+    const double held = 2.0 / 3 * kPi * r * r * r + kPi * r * r * r;
+    EXPECT_NEAR(uncut.zmap.snapshot().volume() / held, 1, 0.003);
+    ASSERT_EQ(idsOf(uncut.findings), "stock-undercut ");
+    EXPECT_NEAR(std::stod(uncut.findings.front().arguments[0]) / (kPi / 3 * r * r * r), 1, 0.01);
+}
+
+TEST(MeshStock, CavityIsToldWithItsVolumeHeightAndPlace) {
+    StockMesh mesh;
+    addBox(mesh, {0, 0, 0}, {40, 30, 20});
+    StockMesh cavity;
+    addBox(cavity, {10, 10, 5}, {20, 15, 12});
+    const auto shift = static_cast<std::uint32_t>(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), cavity.vertices.begin(), cavity.vertices.end());
+    for (const auto& t : cavity.triangles) // turned inside out
+        mesh.triangles.push_back({t[0] + shift, t[2] + shift, t[1] + shift});
+    const UncutStock uncut = uncutOf(mesh, 0.1, Vec3(100, 200, 0));
+    ASSERT_EQ(idsOf(uncut.findings), "stock-undercut ");
+    const auto& told = uncut.findings.front().arguments;
+    EXPECT_NEAR(std::stod(told[0]), 10 * 5 * 7, 10);
+    EXPECT_NEAR(std::stod(told[1]), 7, 1e-9);
+    EXPECT_NEAR(std::stod(told[4]), 12 - 20, 1e-9);
+    EXPECT_GE(std::stod(told[2]), 110);
+    EXPECT_LE(std::stod(told[2]), 120);
+}
+
+TEST(MeshStock, ShellsThatOverlapAreOneBody) {
+    StockMesh mesh;
+    addBox(mesh, {0, 0, 0}, {40, 30, 12});
+    addBox(mesh, {10, 10, 0}, {30, 20, 20});
+    const UncutStock uncut = uncutOf(mesh, 0.5);
+    EXPECT_EQ(idsOf(uncut.findings), "");
+    EXPECT_EQ(uncut.zmap.snapshot().height(40, 30), 0.0F);
+    EXPECT_EQ(uncut.zmap.snapshot().height(2, 2), -8.0F);
+}
+
+TEST(MeshStock, InsideOutIsTheSame) {
+    StockMesh mesh = starBody({0, 0, 0}, 12, 16, [] { return 8.0; });
+    const UncutStock uncut = uncutOf(mesh, 0.3);
+    for (auto& t : mesh.triangles)
+        std::swap(t[1], t[2]);
+    const UncutStock turned = uncutOf(mesh, 0.3);
+    EXPECT_EQ(turned.zmap.snapshot().volume(), uncut.zmap.snapshot().volume());
+    EXPECT_EQ(turned.findings, uncut.findings);
+}
+
+TEST(MeshStock, OpenMeshIsToldAndUnverified) {
+    StockMesh mesh;
+    addBox(mesh, {0, 0, 0}, {40, 30, 20});
+    mesh.triangles.erase(mesh.triangles.begin()); // of the bottom
+    const UncutStock uncut = uncutOf(mesh, 0.5);
+    ASSERT_FALSE(uncut.findings.empty());
+    EXPECT_EQ(uncut.findings.front().id, std::string("stock-mesh-open"));
+    EXPECT_TRUE(uncut.findings.front().unverified);
+}
+
+TEST(MeshStock, WarningsOfTheFileStay) {
+    StockMesh mesh;
+    addBox(mesh, {0, 0, 0}, {4, 3, 2});
+    Diagnostic warning;
+    warning.id = "w";
+    const auto body = meshStock(mesh, {warning}).value();
+    const auto uncut = body->uncut(body->box(), makeGrid(body->box(), 0.5).value());
+    EXPECT_EQ(idsOf(uncut.findings), "w ");
+}
+
+TEST(MeshStock, RefusesWhatHasNoVolume) {
+    EXPECT_FALSE(meshStock({}));
+    EXPECT_EQ(meshStock({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}).error().front().id,
+              std::string("stock-mesh-flat"));
+    EXPECT_EQ(meshStock({{{0, 0, 0}, {1e9, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}).error().front().id,
+              std::string("stock-mesh-far"));
+}
+
+} // namespace
+} // namespace proveout
