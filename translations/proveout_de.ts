@@ -5157,6 +5157,30 @@
         <source>Time (ms)</source>
         <translation>Zeit (ms)</translation>
     </message>
+    <message>
+        <source>Axial depth</source>
+        <translation>Axiale Zustellung</translation>
+    </message>
+    <message>
+        <source>Radial engagement</source>
+        <translation>Radialer Eingriff</translation>
+    </message>
+    <message>
+        <source>Axial Depth</source>
+        <translation>Axiale Zustellung</translation>
+    </message>
+    <message>
+        <source>Depth (mm)</source>
+        <translation>Tiefe (mm)</translation>
+    </message>
+    <message>
+        <source>Radial Engagement</source>
+        <translation>Radialer Eingriff</translation>
+    </message>
+    <message>
+        <source>Width (mm)</source>
+        <translation>Breite (mm)</translation>
+    </message>
 </context>
 <context>
     <name>PlotsPanel</name>
@@ -5693,12 +5717,6 @@ Vorgabe: %4 mm</translation>
     <message>
         <source>Shape</source>
         <translation>Form</translation>
-    </message>
-    <message>
-        <source>%1
-Range: %2 to %3 mm</source>
-        <translation>%1
-Bereich: %2 bis %3 mm</translation>
     </message>
     <message>
         <source>Choose a file</source>

@@ -5156,6 +5156,30 @@
         <source>Time (ms)</source>
         <translation>시간(ms)</translation>
     </message>
+    <message>
+        <source>Axial depth</source>
+        <translation>축방향 깊이</translation>
+    </message>
+    <message>
+        <source>Radial engagement</source>
+        <translation>반경방향 물림</translation>
+    </message>
+    <message>
+        <source>Axial Depth</source>
+        <translation>축방향 깊이</translation>
+    </message>
+    <message>
+        <source>Depth (mm)</source>
+        <translation>깊이 (mm)</translation>
+    </message>
+    <message>
+        <source>Radial Engagement</source>
+        <translation>반경방향 물림</translation>
+    </message>
+    <message>
+        <source>Width (mm)</source>
+        <translation>폭 (mm)</translation>
+    </message>
 </context>
 <context>
     <name>PlotsPanel</name>
@@ -5692,12 +5716,6 @@ Default: %4 mm</source>
     <message>
         <source>Shape</source>
         <translation>형상</translation>
-    </message>
-    <message>
-        <source>%1
-Range: %2 to %3 mm</source>
-        <translation>%1
-범위: %2 ~ %3 mm</translation>
     </message>
     <message>
         <source>Choose a file</source>

@@ -9,7 +9,8 @@
 namespace proveout::cli {
 
 /// Writes one row per executed block that moves, atomically: block (1-based), source line and its statistics;
-/// mm, mm³ and seconds.
+/// mm, mm³ and seconds. `cuts` and `firstContact` are 0 or 1; `rateMm3PerMin` is empty where the feed of the
+/// block is not known.
 [[nodiscard]] Result<void> writeRecords(const std::filesystem::path& file, const Frame& frame);
 
 } // namespace proveout::cli

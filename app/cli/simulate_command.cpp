@@ -22,6 +22,7 @@
 #include "core/base/stop_watch.h"
 #include "core/formats/stock_file.h"
 #include "core/simulation/block_provenance.h"
+#include "core/simulation/block_records.h"
 #include "core/simulation/simulation.h"
 
 namespace proveout::cli {
@@ -210,9 +211,38 @@ private:
               {"write", m_seconds.write},
               {"total", m_seconds.total}}},
             {"peakBytes", peakMemoryBytes()}};
+        out["records"] = totals();
         m_options.meshes.addTo(out, m_written);
         out["findings"] = m_report.findings();
         out["unverified"] = m_report.unverified();
+        return out;
+    }
+
+    [[nodiscard]] nlohmann::ordered_json totals() const {
+        const RunTotals totals = totalsOf(*m_program, m_frame.statistics, m_frame.block);
+        const auto extreme = [&](const RunTotals::Extreme& of) -> nlohmann::ordered_json {
+            if (of.value <= 0)
+                return nullptr;
+            return {{"mm", of.value}, {"block", of.block + 1}, {"line", m_program->blockLine(of.block)}};
+        };
+        return {{"cuttingLengthMm", totals.cuttingLength},
+                {"airLengthMm", totals.airLength},
+                {"rapidLengthMm", totals.rapidLength},
+                {"cuttingBlocks", totals.cuttingBlocks},
+                {"airBlocksAtFeed", totals.airBlocks},
+                {"contacts", totals.contacts},
+                {"axialDepth", extreme(totals.axialDepth)},
+                {"radialEngagement", extreme(totals.radialEngagement)},
+                {"firstContact", firstContact(totals)}};
+    }
+
+    [[nodiscard]] nlohmann::ordered_json firstContact(const RunTotals& totals) const {
+        if (!totals.firstContact)
+            return nullptr;
+        const std::size_t block = *totals.firstContact;
+        nlohmann::ordered_json out{{"block", block + 1}, {"line", m_program->blockLine(block)}};
+        if (const auto place = contactPlace(m_frame.setup, *m_program, block))
+            out.update({{"x", place->x}, {"y", place->y}, {"z", place->z}});
         return out;
     }
 

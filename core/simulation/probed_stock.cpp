@@ -81,10 +81,10 @@ ProbedStock::Range ProbedStock::squaresUnder(const Vec2& lo, const Vec2& hi) con
             last(hi.y, stock.corner.y, rows)};
 }
 
-void ProbedStock::takeIn(const Program& program) {
+void ProbedStock::takeIn(const Program& program, std::size_t end) {
     if (m_squares.empty())
         m_squares.resize(m_columns * squaresAlong(m_setup->stock.depth, m_size));
-    for (; m_taken < program.motionCount(); ++m_taken) {
+    for (; m_taken < end; ++m_taken) {
         const Motion motion = program.motion(m_taken);
         const Cutter* cutter = cutterOf(program, motion);
         if (cutter == nullptr || motion.probing || !motion.known() || !withinLimits(motion))
@@ -122,18 +122,36 @@ std::vector<PastCut> ProbedStock::cutsWithin(const Program& program, const Vec2&
     return cuts;
 }
 
+std::optional<StockContact> ProbedStock::stockAfter(const Program& program, std::size_t end,
+                                                    const WorkContext& context) {
+    const Result<Grid> grid = makeGrid(m_setup->stock, m_setup->spacing);
+    const auto mayTake = static_cast<double>(memoryLimitBytes());
+    if (!grid || !checkMemory(m_setup->stock, *grid, mayTake))
+        return std::nullopt; // the simulation tells why
+    takeIn(program, end);
+    return std::optional<StockContact>(
+        std::in_place, m_setup->stock,
+        [&](const Vec2& lo, const Vec2& hi) { return cutsWithin(program, lo, hi); }, context.stop,
+        uncut(*grid));
+}
+
 ProbeTarget::Answer ProbedStock::probe(const Program& program, const Motion& motion, Seek seek,
                                        const WorkContext& context) {
     const Cutter* cutter = cutterOf(program, motion);
-    const Result<Grid> grid = makeGrid(m_setup->stock, m_setup->spacing);
-    const auto mayTake = static_cast<double>(memoryLimitBytes());
-    if (cutter == nullptr || !grid || !checkMemory(m_setup->stock, *grid, mayTake))
-        return {}; // the simulation tells why
-    takeIn(program);
-    const StockContact stock(
-        m_setup->stock, [&](const Vec2& lo, const Vec2& hi) { return cutsWithin(program, lo, hi); },
-        context.stop, uncut(*grid));
-    return seek == Seek::contact ? contact(stock, *cutter, motion) : release(stock, *cutter, motion);
+    if (cutter == nullptr)
+        return {};
+    const auto stock = stockAfter(program, program.motionCount(), context);
+    if (!stock)
+        return {};
+    return seek == Seek::contact ? contact(*stock, *cutter, motion) : release(*stock, *cutter, motion);
+}
+
+std::optional<Vec3> ProbedStock::firstTouch(const Program& program, std::size_t index, const Vec3& start,
+                                            const Vec3& end, const WorkContext& context) {
+    const Cutter* cutter = cutterOf(program, program.motion(index));
+    const auto stock = cutter == nullptr ? std::nullopt : stockAfter(program, index, context);
+    const auto time = stock ? stock->firstTouch(*cutter, start, end) : std::nullopt;
+    return time ? std::optional(start + (end - start) * *time) : std::nullopt;
 }
 
 ProbeTarget::Answer ProbedStock::contact(const StockContact& stock, const Cutter& cutter,

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/cutting/stock_contact.h"
@@ -23,11 +24,20 @@ public:
     [[nodiscard]] Answer probe(const Program& program, const Motion& motion, Seek seek,
                                const WorkContext& context) override;
 
+    /// Where on a straight way the tip of the cutter of motion `index` first touches what the motions before
+    /// that one have left; nothing where it does not, or when stopped. Indices come in ascending order.
+    [[nodiscard]] std::optional<Vec3> firstTouch(const Program& program, std::size_t index, const Vec3& start,
+                                                 const Vec3& end, const WorkContext& context);
+
 private:
     using Square = std::vector<std::uint32_t>; ///< the motions that reach it
 
     [[nodiscard]] const Cutter* cutterOf(const Program& program, const Motion& motion) const;
-    void takeIn(const Program& program);
+    /// The motions before the `end`-th.
+    void takeIn(const Program& program, std::size_t end);
+    /// The stock as it is known; nothing where there can be none.
+    [[nodiscard]] std::optional<StockContact> stockAfter(const Program& program, std::size_t end,
+                                                         const WorkContext& context);
     /// Indices of the squares under a range in plan, clipped to the stock.
     struct Range {
         std::size_t i0, j0, i1, j1; ///< half open

@@ -66,6 +66,42 @@ TEST_F(CliSimulate, WritesTheSourceLineThatCutEachPoint) {
     EXPECT_EQ(lineAt(40, 30), 0U) << "uncut";
 }
 
+TEST_F(CliSimulate, RecordsTellWhatEachBlockCutAndItsTotals) {
+    const auto done = simulate("--records r.csv --json");
+    ASSERT_EQ(done.exitCode, 0) << done.err;
+    const auto rows = records("r.csv");
+    ASSERT_EQ(rows.size(), 6U);
+    const auto column = [&rows](const std::string& name) {
+        return static_cast<std::size_t>(std::ranges::find(rows.front(), name) - rows.front().begin());
+    };
+    ASSERT_LT(column("rateMm3PerMin"), rows.front().size());
+    const auto value = [&](std::size_t row, const std::string& name) {
+        return std::stod(rows[row].at(column(name)));
+    };
+    // To X5 Y5 Z5, down to Z-2, along to X30, an arc, up.
+    EXPECT_EQ(value(1, "cuts"), 0);
+    EXPECT_EQ(value(2, "firstContact"), 1);
+    EXPECT_EQ(value(3, "firstContact"), 0);
+    EXPECT_EQ(value(3, "cuts"), 1);
+    EXPECT_EQ(value(3, "feedLengthMm"), 25);
+    EXPECT_NEAR(value(3, "radialEngagementMm"), 3,
+                0.01); // the rim of 4 mm, where nothing is removed, left out
+    EXPECT_NEAR(value(3, "rateMm3PerMin"), value(3, "removedMm3") / 25 * 100, 1e-6);
+    EXPECT_EQ(rows[5].at(column("rateMm3PerMin")), ""); // a rapid
+    double removed = 0;
+    for (std::size_t row = 1; row < rows.size(); ++row)
+        removed += value(row, "removedMm3");
+    const auto json = done.json();
+    EXPECT_NEAR(json["removedMm3"].get<double>(), removed, 1e-6);
+    const auto totals = json["records"];
+    EXPECT_EQ(totals["airLengthMm"], 0);
+    EXPECT_EQ(totals["contacts"], 1);
+    EXPECT_EQ(totals["axialDepth"]["mm"], 2);
+    EXPECT_EQ(totals["firstContact"]["line"], 4);
+    EXPECT_NEAR(totals["firstContact"]["z"].get<double>(), 0, 0.002);
+    EXPECT_TRUE(simulate("--json --until 1").json()["records"]["firstContact"].is_null());
+}
+
 TEST_F(CliSimulate, JsonHasTheKeysOfTheContract) {
     const auto done = simulate("--json");
     ASSERT_EQ(done.exitCode, 0) << done.err;

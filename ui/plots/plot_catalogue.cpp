@@ -60,7 +60,24 @@ double volume(const PlotInput& input, std::size_t row, std::size_t) {
     return double{input.blocks[row].removedMm3};
 }
 
-const std::array<PlotSpec, 3> kPlots{{
+constexpr std::array kDepth{
+    PlotSeries{"maxDepthMm", QT_TRANSLATE_NOOP("Plots", "Axial depth"), 0, Qt::SolidLine, Qt::SolidPattern},
+};
+
+double depth(const PlotInput& input, std::size_t row, std::size_t) {
+    return double{input.blocks[row].maxDepth};
+}
+
+constexpr std::array kEngagement{
+    PlotSeries{"radialEngagementMm", QT_TRANSLATE_NOOP("Plots", "Radial engagement"), 3, Qt::SolidLine,
+               Qt::SolidPattern},
+};
+
+double engagement(const PlotInput& input, std::size_t row, std::size_t) {
+    return double{input.blocks[row].radialEngagement};
+}
+
+const std::array<PlotSpec, 5> kPlots{{
     {"faces", QT_TRANSLATE_NOOP("Plots", "Faces"), QT_TRANSLATE_NOOP("Plots", "Block"),
      QT_TRANSLATE_NOOP("Plots", "Triangles"), PlotRows::blocks, false, kFaces, blockBefore, blockNumber,
      faces},
@@ -70,6 +87,12 @@ const std::array<PlotSpec, 3> kPlots{{
     {"removed-volume", QT_TRANSLATE_NOOP("Plots", "Removed Volume"), QT_TRANSLATE_NOOP("Plots", "Block"),
      QT_TRANSLATE_NOOP("Plots", "Volume (mm³)"), PlotRows::blocks, false, kVolume, blockBefore, blockNumber,
      volume},
+    {"axial-depth", QT_TRANSLATE_NOOP("Plots", "Axial Depth"), QT_TRANSLATE_NOOP("Plots", "Block"),
+     QT_TRANSLATE_NOOP("Plots", "Depth (mm)"), PlotRows::blocks, false, kDepth, blockBefore, blockNumber,
+     depth},
+    {"radial-engagement", QT_TRANSLATE_NOOP("Plots", "Radial Engagement"),
+     QT_TRANSLATE_NOOP("Plots", "Block"), QT_TRANSLATE_NOOP("Plots", "Width (mm)"), PlotRows::blocks, false,
+     kEngagement, blockBefore, blockNumber, engagement},
 }};
 
 } // namespace

@@ -225,6 +225,11 @@ StockSpec StockForm::spec(const Setup& setup) const {
     return spec;
 }
 
+QString StockForm::rangeTip(const QString& help, double minimum, double standard) const {
+    return tr("%1\nRange: %2 to %3 mm\nDefault: %4 mm")
+        .arg(help, locale().toString(minimum), locale().toString(kLargest), locale().toString(standard));
+}
+
 void StockForm::retranslateShapes() {
     m_shapeLabel->setText(tr("Shape"));
     m_shape->setAccessibleName(tr("Shape"));
@@ -238,9 +243,8 @@ void StockForm::retranslateShapes() {
         if (row.length != nullptr) {
             row.length->setSuffix(tr(" mm"));
             row.length->setAccessibleName(label);
-            row.length->setToolTip(tr("%1\nRange: %2 to %3 mm")
-                                       .arg(coreText(row.field->help), locale().toString(kSmallestSize),
-                                            locale().toString(kLargest)));
+            row.length->setToolTip(rangeTip(coreText(row.field->help), kSmallestSize,
+                                            std::get<StockLength>(row.field->value).get(StockSpec())));
         } else if (row.choice != nullptr) {
             row.choice->setAccessibleName(label);
             row.choice->setToolTip(coreText(row.field->help));
@@ -265,10 +269,8 @@ void StockForm::retranslate() {
         m_labels[i]->setText(translated(kPlaceFields[i].label));
         m_boxes[i]->setSuffix(tr(" mm"));
         m_boxes[i]->setAccessibleName(translated(kPlaceFields[i].label));
-        m_boxes[i]->setToolTip(
-            tr("%1\nRange: %2 to %3 mm\nDefault: %4 mm")
-                .arg(translated(kPlaceFields[i].help), locale().toString(kPlaceFields[i].minimum),
-                     locale().toString(kLargest), locale().toString(kPlaceFields[i].place(standard))));
+        m_boxes[i]->setToolTip(rangeTip(translated(kPlaceFields[i].help), kPlaceFields[i].minimum,
+                                        kPlaceFields[i].place(standard)));
     }
 }
 

@@ -60,6 +60,7 @@ private:
     void showFieldsOfShape();
     void retranslate();
     void retranslateShapes();
+    [[nodiscard]] QString rangeTip(const QString& help, double minimum, double standard) const;
 
     QLabel* m_shapeLabel;
     QComboBox* m_shape;

@@ -249,13 +249,16 @@ void PlotsTest::stackedCurvesStandOnEachOther() {
 
 void PlotsTest::csvHoldsEveryValue() {
     PersistentArray<BlockStatistics> blocks;
-    blocks.push_back({1200, 39200, 3, 1, 0.001f, 0, 1, 12.5});
-    blocks.push_back({980, 39200, 0, 4, 0.001f, 0, 1, 0});
+    blocks.push_back({1200, 39200, 3, 1, 0.001f, 0, 1, 4, 12.5});
+    blocks.push_back({980, 39200, 0, 4, 0.001f, 0, 0, 0, 0});
     const std::vector<FrameStatistics> frames{{0, 2, 0.0005f, 0.25f, 0, 0.0125f}};
     QCOMPARE(plotCsv(plot("faces"), {blocks, frames}),
              std::string("block,facesFull,facesShown\n1,39200,1200\n2,39200,980\n"));
     QCOMPARE(plotCsv(plot("removed-volume"), {blocks, frames}),
              std::string("block,removedMm3\n1,12.5\n2,0\n"));
+    QCOMPARE(plotCsv(plot("axial-depth"), {blocks, frames}), std::string("block,maxDepthMm\n1,1\n2,0\n"));
+    QCOMPARE(plotCsv(plot("radial-engagement"), {blocks, frames}),
+             std::string("block,radialEngagementMm\n1,4\n2,0\n"));
     QCOMPARE(plotCsv(plot("block-time"), {blocks, frames}),
              std::string("firstBlock,lastBlock,cutMs,decimationMs,uploadMs,drawMs\n"
                          "1,2,0.250000012,125,0,6.25000009\n")); // of a block, on average

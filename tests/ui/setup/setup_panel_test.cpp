@@ -56,6 +56,7 @@ private slots:
         Session session;
         SetupPanel panel(session);
         QVERIFY(opened(session, write(folder, kCompensated)));
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame(), kPatience); // the stock is fitted by then
         auto* shape = panel.findChild<QComboBox*>(QStringLiteral("stock-shape"));
         auto* diameter = panel.findChild<QDoubleSpinBox*>(QStringLiteral("stock-cylinder-diameter"));
         QVERIFY(diameter->isHidden());
