@@ -127,6 +127,11 @@ void SetupOptions::addTo(CLI::App& command) {
     command.add_flag("--block-delete", m_blockDelete, "Skip blocks that begin with /");
     m_compensationStart.addTo(command);
     addDialectOption(command, m_dialect);
+    command
+        .add_option("--machine", m_machine,
+                    "How fast the machine is, e.g. rapidXY=20000,largestFeed=10000,accelerationXY=2000; also "
+                    "rapidZ, accelerationZ, cornerDeviation, toolChange (mm, minutes; seconds)")
+        ->type_name("key=value,…");
     m_decimation.addTo(command);
 }
 
@@ -160,6 +165,12 @@ Result<Job> SetupOptions::job() const {
         job.setup.dialect = dialectOfOption(m_dialect);
     job.setup.blockDelete = job.setup.blockDelete || m_blockDelete;
     m_compensationStart.apply(job.setup.compensationTypeB);
+    if (!m_machine.empty()) {
+        auto machine = parseMachine(m_machine, job.machine.value_or(Machine()));
+        if (!machine)
+            return aboutOption("--machine", std::move(machine.error()));
+        job.machine = *machine;
+    }
     const bool fromFile = !m_jobFile.empty();
     m_decimation.apply(job.parameters, {.region = job.regionNamed, .period = fromFile},
                        gridPoints(job.setup.stock, job.setup.spacing));

@@ -78,6 +78,7 @@ private:
     bool m_blockDelete = false;
     CompensationStart m_compensationStart;
     std::string m_dialect;
+    std::string m_machine;
     DecimationOptions m_decimation;
 };
 

@@ -9,6 +9,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/load_program.h"
+#include "app/cli/machine_report.h"
 #include "app/cli/measured_surface.h"
 #include "app/cli/mesh_outputs.h"
 #include "app/cli/outputs.h"
@@ -150,6 +151,7 @@ private:
             if (finding.file.empty()) // else it is about the file of the stock
                 finding.file = m_job.program.string();
         m_report.add(std::move(findings));
+        m_times = machineTimes(m_program, m_job.machine.value_or(Machine()));
         return true;
     }
 
@@ -195,6 +197,7 @@ private:
             {"movingBlocks", m_frame.block},
             {"grid", {{"nx", grid.nx}, {"ny", grid.ny}, {"hx", grid.hx}, {"hy", grid.hy}}},
             {"removedMm3", m_frame.removedMm3},
+            {"machineSeconds", machineSeconds(*m_times, m_frame.block, !m_job.machine)},
             {"facesFull", m_surface->facesFull},
             {"facesDecimated", m_surface->faces},
             {"largestErrorMm",
@@ -259,8 +262,9 @@ private:
     }
 
     void printSummary() const {
-        fmt::print("{} of {} moving blocks, {:.1f} mm³ removed, {:.3f} s\n", m_frame.block,
-                   m_program->blockCount(), m_frame.removedMm3, m_seconds.total);
+        fmt::print("{} of {} moving blocks, {:.1f} mm³ removed, {:.3f} s; {} on {} machine\n", m_frame.block,
+                   m_program->blockCount(), m_frame.removedMm3, m_seconds.total,
+                   clockText(m_times->secondsAfter[m_frame.block]), m_job.machine ? "the" : "an assumed");
         printFiles(m_written);
     }
 
@@ -271,7 +275,8 @@ private:
     std::shared_ptr<const Program> m_program;
     std::unique_ptr<Simulation> m_simulation;
     Frame m_frame;
-    ZMapSnapshot m_uncut;                     ///< where the provenance is asked for
+    ZMapSnapshot m_uncut; ///< where the provenance is asked for
+    std::shared_ptr<const MachineTimes> m_times;
     std::optional<SurfaceSnapshot> m_surface; ///< where JSON or a mesh file asks for it
     MeasuredSurface m_measured;
     std::vector<MeshOutput> m_written;

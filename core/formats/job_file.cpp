@@ -135,6 +135,17 @@ void readCompensationStart(JsonFields& fields, bool& typeB) {
     typeB = index == 1;
 }
 
+void readMachine(JsonFields& job, std::optional<Machine>& machine) {
+    if (!job.has("machine"))
+        return;
+    machine.emplace();
+    JsonFields fields = job.object("machine");
+    describe(*machine, [&fields](double& value, const Field& field) {
+        fields.read(field.key, value, JsonRange{field.minimum, field.maximum});
+    });
+    fields.warnAboutUnknown();
+}
+
 constexpr const char* kGuessed = "auto"; ///< the dialect is that of the signs in the program
 
 void readDialect(JsonFields& fields, std::optional<DialectId>& dialect) {
@@ -240,6 +251,7 @@ Result<Job> parse(std::string_view text, const fs::path& file) {
     readDialect(fields, job.setup.dialect);
     fields.read("blockDelete", job.setup.blockDelete);
     readCompensationStart(fields, job.setup.compensationTypeB);
+    readMachine(fields, job.machine);
     readParameters(fields.object("decimation"), job);
     fields.warnAboutUnknown();
     const bool usable = complaints.errors.empty();
@@ -269,6 +281,9 @@ ordered_json toJson(const Job& job, const fs::path& file) {
     // Only where it is not the standard: the jobs of other controls have nothing to do with it.
     if (setup.compensationTypeB)
         out["compensationStart"] = kCompensationStarts[1].key;
+    if (job.machine)
+        describe(*job.machine,
+                 [&out](double value, const Field& field) { out["machine"][field.key] = value; });
     out["decimation"] = writeParameters(job.parameters);
     return out;
 }

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 
 #include "core/base/diagnostic.h"
 #include "core/decimation/parameters.h"
+#include "core/simulation/machine.h"
 #include "core/simulation/setup.h"
 
 namespace proveout {
@@ -14,6 +16,7 @@ struct Job {
     std::filesystem::path program; ///< absolute once loaded; stored relative to the job file where it can be
     Setup setup;
     DecimationParameters parameters;
+    std::optional<Machine> machine = {}; ///< nothing: the defaults are assumed
     Diagnostics warnings = {}; ///< about the file it was read from; never written
     bool regionNamed =
         false; ///< by that file; never written. Else the size is the standard of method and map

@@ -113,6 +113,11 @@ std::vector<std::string> FindingLog::argumentsOf(const Finding& finding) const {
     return arguments;
 }
 
+bool FindingLog::foundAt(std::size_t block) const {
+    const auto found = std::ranges::lower_bound(m_findings, block, {}, &Finding::block);
+    return found != m_findings.end() && found->block == block;
+}
+
 void FindingLog::truncate(std::size_t block) {
     m_places.erase(m_places.lower_bound(static_cast<std::uint32_t>(block)), m_places.end());
     const auto first = std::ranges::lower_bound(m_findings, block, {}, &Finding::block);

@@ -32,6 +32,8 @@ public:
     void add(std::size_t block, FindingKind kind, double value);
     /// The same of a kind that names a place; one kind does.
     void add(std::size_t block, FindingKind kind, double value, const Vec3& place);
+    /// Whether there is anything about block `block`.
+    [[nodiscard]] bool foundAt(std::size_t block) const;
     /// Forgets everything about blocks from `block` on.
     void truncate(std::size_t block);
     /// First what is known before any block, about the tools (each missing one once); then what was found, at

@@ -15,6 +15,8 @@
 
 namespace proveout {
 
+struct BreakpointHit;
+
 /// Everything a viewer shows of one moment of a simulation. Immutable, published as shared_ptr<const Frame>,
 /// any thread. Tiles, meshes and borders that did not change are the same pointers as in the frame before.
 struct Frame {
@@ -37,6 +39,10 @@ struct Frame {
     int tool = 0;
     double removedMm3 = 0; ///< since the uncut stock
     bool playing = false;
+    /// Which part of its speed playback keeps, in (0, 1]; below 1 the stock lags behind the clock.
+    double keptSpeed = 1;
+    /// What stopped the run here; null where nothing did, or the user has gone on since.
+    std::shared_ptr<const BreakpointHit> stoppedBy;
 };
 using FramePtr = std::shared_ptr<const Frame>;
 

@@ -3,42 +3,77 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace proveout {
 
 namespace {
 
-constexpr double kFarBlocks = 1e15;
 constexpr double kFarSeconds = 60;
+/// The slices in which playback works are shorter, so that it keeps its rate in the long run.
+constexpr double kOwedSeconds = 0.05;
+/// Time lost is told of windows of this length.
+constexpr double kWindowSeconds = 0.7;
+
+double secondsBetween(PlaybackClock::Time from, PlaybackClock::Time to) {
+    return std::chrono::duration<double>(to - from).count();
+}
 
 } // namespace
 
-void PlaybackClock::start(std::size_t block, double blocksPerSecond, Time now) {
-    m_start = now;
-    m_from = static_cast<double>(block);
-    m_rate = blocksPerSecond > 0 ? blocksPerSecond : 0; // not a number counts as standing still
+double PlaybackClock::at(std::size_t block) const {
+    const auto blocks = static_cast<double>(block);
+    if (!m_measure)
+        return blocks;
+    const std::size_t last = m_measure->size() - 1;
+    if (block <= last)
+        return (*m_measure)[block];
+    const double mean = last > 0 ? m_measure->back() / static_cast<double>(last) : 0;
+    return m_measure->back() + mean * (blocks - static_cast<double>(last));
 }
 
-std::size_t PlaybackClock::due(Time now) const {
-    if (std::isinf(m_rate))
-        return std::numeric_limits<std::size_t>::max();
-    const double seconds = std::chrono::duration<double>(now - m_start).count();
-    return static_cast<std::size_t>(std::min(m_from + std::max(seconds, 0.0) * m_rate, kFarBlocks));
+double PlaybackClock::dueAt(Time now) const {
+    return m_from + std::max(secondsBetween(m_start, now), 0.0) * m_rate;
+}
+
+void PlaybackClock::start(std::size_t block, double unitsPerSecond, Time now) {
+    m_rate = unitsPerSecond > 0 ? unitsPerSecond : 0; // not a number counts as standing still
+    m_windowStart = now;
+    m_lost = 0;
+    m_keptPart = 1;
+    goOn(block, now);
+}
+
+void PlaybackClock::goOn(std::size_t block, Time now) {
+    m_start = now;
+    m_from = at(block);
+}
+
+bool PlaybackClock::isDue(std::size_t block, Time now) const {
+    return std::isinf(m_rate) || (m_rate > 0 && at(block + 1) <= dueAt(now));
 }
 
 void PlaybackClock::reached(std::size_t block, Time now) {
-    // The slices in which playback works are shorter, so that it keeps its rate in the long run.
-    constexpr double kOwedSeconds = 0.05;
-    const double blocksLate = static_cast<double>(due(now)) - static_cast<double>(block);
-    if (blocksLate > 1 && blocksLate > kOwedSeconds * m_rate)
-        start(block, m_rate, now);
+    if (std::isinf(m_rate) || m_rate == 0)
+        return;
+    const double late = (dueAt(now) - at(block + 1)) / m_rate;
+    if (late > kOwedSeconds) {
+        m_lost += (dueAt(now) - at(block)) / m_rate;
+        goOn(block, now);
+    }
+    const double window = secondsBetween(m_windowStart, now);
+    if (window >= kWindowSeconds) {
+        m_keptPart = std::max(1 - m_lost / window, 0.001);
+        m_windowStart = now;
+        m_lost = 0;
+    }
 }
 
 PlaybackClock::Time PlaybackClock::next(std::size_t block, Time now) const {
-    const double blocks = static_cast<double>(block) + 1 - m_from;
-    const double sinceNow =
-        m_rate > 0 ? blocks / m_rate - std::chrono::duration<double>(now - m_start).count() : kFarSeconds;
+    double sinceNow = kFarSeconds;
+    if (std::isinf(m_rate))
+        sinceNow = 0;
+    else if (m_rate > 0)
+        sinceNow = (at(block + 1) - m_from) / m_rate - secondsBetween(m_start, now);
     return now + std::chrono::duration_cast<Time::duration>(
                      std::chrono::duration<double>(std::clamp(sinceNow, 0.0, kFarSeconds)));
 }

@@ -58,6 +58,10 @@ std::size_t Simulation::blockCount() const {
     return m_state->program->blockCount();
 }
 
+const Program& Simulation::program() const {
+    return *m_state->program;
+}
+
 bool Simulation::settled() const {
     return !m_state->behind;
 }
@@ -134,6 +138,14 @@ ZMapSnapshot Simulation::zmap() const {
 
 Simulation::Effort Simulation::effort() const {
     return m_state->effort;
+}
+
+const PersistentArray<BlockStatistics>& Simulation::rows() const {
+    return m_state->rows;
+}
+
+bool Simulation::foundAt(std::size_t block) const {
+    return m_state->findings.foundAt(block);
 }
 
 Frame Simulation::frame() const {

@@ -27,6 +27,7 @@ public:
 
     [[nodiscard]] std::size_t position() const; ///< blocks executed
     [[nodiscard]] std::size_t blockCount() const;
+    [[nodiscard]] const Program& program() const;
     [[nodiscard]] bool atEnd() const { return position() == blockCount(); }
 
     /// Whether the surface is where the schedule has it; false only after a stopped context.
@@ -68,8 +69,13 @@ public:
         double allocateSeconds = 0;
         double cutSeconds = 0;
         double decimationSeconds = 0;
+        std::size_t blocksCut = 0; ///< also those of replays
     };
     [[nodiscard]] Effort effort() const;
+    /// One row a block that was ever executed.
+    [[nodiscard]] const PersistentArray<BlockStatistics>& rows() const;
+    /// Whether anything was found at block `block` (0-based).
+    [[nodiscard]] bool foundAt(std::size_t block) const;
     /// A frame of this moment; generation and sequence are left 0.
     [[nodiscard]] Frame frame() const;
 

@@ -31,6 +31,7 @@ std::optional<CutRecord> Simulation::State::cutNext(StockRun& run, FindingLog* l
     if (!record)
         return std::nullopt;
     atRest.outdate();
+    ++effort.blocksCut;
     ++run.block;
     run.removedMm3 += record->removedMm3;
     run.cutSeconds += seconds;
@@ -47,6 +48,7 @@ bool Simulation::State::cutMany(StockRun& run, std::size_t count, const WorkCont
     if (!done)
         return false;
     atRest.outdate();
+    effort.blocksCut += count;
     for (const std::size_t end = run.block + count; run.block < end; ++run.block)
         run.removedMm3 += rows[run.block].removedMm3;
     run.cutSeconds += seconds;

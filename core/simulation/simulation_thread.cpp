@@ -12,7 +12,6 @@
 #include "core/base/text.h"
 #include "core/simulation/command_queue.h"
 #include "core/simulation/mailbox.h"
-#include "core/simulation/playback_clock.h"
 #include "core/simulation/progress_teller.h"
 #include "core/simulation/simulation.h"
 
@@ -60,6 +59,9 @@ struct SimulationThread::State {
     PlaybackClock clock;
     bool playing = false;
     bool everyBlock = false;
+    Breakpoints breakpoints;
+    std::optional<std::size_t> playedFrom; ///< nothing stops the run before this block: there it stood
+    std::shared_ptr<const BreakpointHit> stoppedBy;
     bool resting = false; ///< cancelled: nothing is taken up again before the next command
     Clock::time_point restsFrom;
     bool patient = false; ///< the work before was cut short
@@ -109,6 +111,8 @@ struct SimulationThread::State {
         frame->generation = generation;
         frame->sequence = ++sequence;
         frame->playing = playing;
+        frame->keptSpeed = playing && !everyBlock ? clock.keptPart() : 1;
+        frame->stoppedBy = stoppedBy;
         mailbox.put(std::move(frame));
         if (listener.frameReady)
             listener.frameReady();
@@ -132,6 +136,8 @@ struct SimulationThread::State {
         simulation.reset(); // its memory is needed for the next
         goal.reset();
         playing = false;
+        stoppedBy.reset();
+        breakpoints = {};
         generation = load.generation;
         auto created = Simulation::create(std::move(load.program), std::move(load.setup), load.parameters,
                                           {stopped(), {}});
@@ -145,6 +151,7 @@ struct SimulationThread::State {
 
     void take(EditCommand&& edit) {
         generation = edit.generation;
+        breakpoints.follow(*edit.program);
         // What has to be cut anew is work that can be stopped: here the stock only goes back.
         const std::size_t wanted = simulation->replaceProgram(std::move(edit.program), {stopped(), {}});
         if (simulation->position() == wanted)
@@ -161,10 +168,20 @@ struct SimulationThread::State {
     }
 
     void take(PlayCommand&& play) {
-        playing = true;
+        const std::size_t from = goal.value_or(simulation->position());
+        if (!std::exchange(playing, true))
+            playedFrom = from;
+        stoppedBy.reset();
         everyBlock = play.everyBlock;
-        clock.start(goal.value_or(simulation->position()), play.blocksPerSecond, Clock::now());
+        clock.setMeasure(std::move(play.measure));
+        clock.start(from, play.unitsPerSecond, Clock::now());
     }
+
+    void take(BreakpointsCommand&& command) {
+        breakpoints.set(command.breakpoints, simulation->program());
+    }
+
+    void take(BudgetCommand&& command) { simulation->setCheckpointBudget(command.bytes); }
 
     void take(PauseCommand&&) {
         playing = false;
@@ -172,9 +189,13 @@ struct SimulationThread::State {
         publish();
     }
 
-    void take(SeekCommand&& seek) { goal = std::min(seek.block, simulation->blockCount()); }
+    void take(SeekCommand&& seek) {
+        stoppedBy.reset();
+        goal = std::min(seek.block, simulation->blockCount());
+    }
 
     void take(StepCommand&& step) {
+        stoppedBy.reset();
         playing = false;
         const auto from = static_cast<std::ptrdiff_t>(goal.value_or(simulation->position()));
         const auto last = static_cast<std::ptrdiff_t>(simulation->blockCount());
@@ -200,7 +221,7 @@ struct SimulationThread::State {
         patient = cut;
         if (queue.endWork())
             giveUp();
-        clock.start(simulation->position(), clock.blocksPerSecond(), Clock::now());
+        clock.start(simulation->position(), clock.unitsPerSecond(), Clock::now());
         publish();
     }
 
@@ -223,13 +244,38 @@ struct SimulationThread::State {
         resting = true;
     }
 
+    /// The next block, unless a breakpoint stops the run before it or behind it.
+    void playBlock(const WorkContext& context) {
+        const std::size_t block = simulation->position();
+        if (playedFrom != block)
+            stopWhere(breakpoints.before(simulation->program(), block));
+        if (!playing)
+            return;
+        simulation->step(context);
+        if (simulation->position() == block)
+            return; // somebody stopped it
+        playedFrom.reset();
+        if (!breakpoints.empty())
+            stopWhere(breakpoints.after(simulation->program(), block,
+                                        {simulation->rows(), simulation->foundAt(block)}));
+    }
+
+    void stopWhere(const Breakpoint* breakpoint) {
+        if (breakpoint == nullptr)
+            return;
+        playing = false;
+        stoppedBy =
+            std::make_shared<const BreakpointHit>(BreakpointHit{*breakpoint, simulation->position()});
+    }
+
     void playSlice() {
         const auto begin = Clock::now();
-        const std::size_t due = everyBlock ? simulation->position() + 1 : clock.due(begin);
+        bool due = everyBlock || clock.isDue(simulation->position(), begin);
         const WorkContext context{queue.beginWork(false), {}};
-        while (simulation->position() < due && !simulation->atEnd() && !context.stopped() &&
-               Clock::now() - begin < kSlice)
-            simulation->step(context);
+        while (due && playing && !simulation->atEnd() && !context.stopped() && Clock::now() - begin < kSlice) {
+            playBlock(context);
+            due = !everyBlock && clock.isDue(simulation->position(), begin);
+        }
         if (queue.endWork())
             giveUp();
 

@@ -7,8 +7,11 @@
 #include <functional>
 #include <memory>
 #include <variant>
+#include <vector>
 
+#include "core/simulation/breakpoints.h"
 #include "core/simulation/frame.h"
+#include "core/simulation/playback_clock.h"
 
 namespace proveout {
 
@@ -28,8 +31,17 @@ struct ParametersCommand {
     DecimationParameters parameters;
 };
 struct PlayCommand {
-    double blocksPerSecond = 50; ///< infinity: as fast as possible
-    bool everyBlock = false;     ///< paper mode: one frame a block, the next block after frameShown()
+    double unitsPerSecond = 50; ///< infinity: as fast as possible
+    bool everyBlock = false;    ///< paper mode: one frame a block, the next block after frameShown()
+    std::shared_ptr<const PlaybackMeasure> measure = {}; ///< what the units are; null: blocks
+};
+/// From now on playback stops at these. A load forgets them.
+struct BreakpointsCommand {
+    std::vector<Breakpoint> breakpoints;
+};
+/// Simulation::setCheckpointBudget. A load forgets it.
+struct BudgetCommand {
+    std::size_t bytes = 0;
 };
 struct PauseCommand {};
 struct SeekCommand {
@@ -41,7 +53,7 @@ struct StepCommand {
     std::ptrdiff_t blocks = 1;
 };
 using SimulationCommand = std::variant<LoadCommand, EditCommand, ParametersCommand, PlayCommand, PauseCommand,
-                                       SeekCommand, StepCommand>;
+                                       SeekCommand, StepCommand, BreakpointsCommand, BudgetCommand>;
 
 /// What the thread tells; called on the simulation thread, must return at once (post to your own event loop).
 struct SimulationListener {

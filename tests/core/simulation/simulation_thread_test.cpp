@@ -181,6 +181,61 @@ TEST(SimulationThread, PlaysByTheWallClock) {
     EXPECT_GE(Clock::now() - start, 290ms);
 }
 
+TEST(SimulationThread, PlaysByAMeasure) {
+    const auto program = programOf(randomProgram(4, 40));
+    Listening listening;
+    listening.thread().post(LoadCommand{program, smallSetup(), bySchedule(), 1});
+    // The first ten blocks take no time, the eleventh an hour.
+    PlaybackMeasure measure(program->blockCount() + 1, 3600);
+    std::fill_n(measure.begin(), 11, 0);
+    const auto shared = std::make_shared<const PlaybackMeasure>(std::move(measure));
+    listening.thread().post(PlayCommand{1, false, shared});
+    ASSERT_NE(listening.waitForBlock(10), nullptr);
+    std::this_thread::sleep_for(100ms);
+    listening.thread().post(PauseCommand{});
+    const auto paused = listening.waitFor([](const Frame& frame) { return !frame.playing; });
+    ASSERT_NE(paused, nullptr);
+    EXPECT_EQ(paused->block, 10U);
+    listening.thread().post(PlayCommand{1e9, false, shared});
+    EXPECT_NE(listening.waitForBlock(program->blockCount()), nullptr);
+}
+
+TEST(SimulationThread, StopsAtBreakpointsAndGoesOnFromThem) {
+    const auto program = programOf("G0 X5 Y5 Z5\nG1 Z-1 F300\nG1 X20\nG1 Z-3\nG1 X30\nG1 Z-5\nG0 Z5\n");
+    Breakpoint below;
+    below.kind = BreakpointKind::condition;
+    below.condition = "Z < -2";
+    Breakpoint contact;
+    contact.kind = BreakpointKind::firstContact;
+    Breakpoint line;
+    line.line = 6;
+    for (const bool everyBlock : {false, true}) {
+        Listening listening;
+        listening.thread().post(LoadCommand{program, smallSetup(), bySchedule(), 1});
+        listening.thread().post(BreakpointsCommand{{below, contact, line}});
+        for (const auto& [block, kind] :
+             std::initializer_list<std::pair<std::size_t, BreakpointKind>>{
+                 {2, BreakpointKind::firstContact}, {3, BreakpointKind::condition}, {5, BreakpointKind::line}}) {
+            listening.thread().post(PlayCommand{kInfinity, everyBlock});
+            const auto stopped = listening.waitFor(
+                [block = block](const Frame& frame) { return frame.stoppedBy && frame.block == block; });
+            ASSERT_NE(stopped, nullptr) << block;
+            EXPECT_FALSE(stopped->playing);
+            EXPECT_EQ(stopped->stoppedBy->breakpoint.kind, kind);
+            EXPECT_EQ(stopped->stoppedBy->block, block);
+        }
+        listening.thread().post(PlayCommand{kInfinity, everyBlock});
+        const auto end = listening.waitForBlock(program->blockCount());
+        ASSERT_NE(end, nullptr);
+        EXPECT_EQ(end->stoppedBy, nullptr);
+        // Seeks pass them by.
+        listening.thread().post(SeekCommand{0});
+        ASSERT_NE(listening.waitForBlock(0), nullptr);
+        listening.thread().post(SeekCommand{7});
+        ASSERT_NE(listening.waitForBlock(7), nullptr);
+    }
+}
+
 TEST(SimulationThread, PaperModeShowsEveryBlock) {
     Listening listening;
     auto& thread = listening.thread();

@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/condition.h"
+
+#include <algorithm>
+#include <cassert>
+#include <charconv>
+#include <iterator>
+#include <string>
+#include <utility>
+
+#include "core/base/text.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr std::array<ConditionVariable, kConditionVariables> kVariables{{
+    {'X', PROVEOUT_TEXT("Core", "position X at the end of the motion, mm")},
+    {'Y', PROVEOUT_TEXT("Core", "position Y at the end of the motion, mm")},
+    {'Z', PROVEOUT_TEXT("Core", "position Z at the end of the motion, mm")},
+    {'F', PROVEOUT_TEXT("Core", "feed, mm/min; 0 at rapid")},
+    {'S', PROVEOUT_TEXT("Core", "spindle speed, 1/min")},
+    {'T', PROVEOUT_TEXT("Core", "tool in the spindle")},
+    {'N', PROVEOUT_TEXT("Core", "number of the block, as the timeline counts")},
+    {'L', PROVEOUT_TEXT("Core", "line of the program")},
+}};
+
+char upper(char c) {
+    return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
+}
+
+constexpr const char* kOperandWanted =
+    PROVEOUT_TEXT("Core", "Column {}: a number or one of the letters X Y Z F S T N L is expected here.");
+constexpr const char* kComparisonWanted =
+    PROVEOUT_TEXT("Core", "Column {}: one of < <= > >= == != is expected here.");
+constexpr const char* kJoinWanted = PROVEOUT_TEXT("Core", "Column {}: && or || is expected here.");
+constexpr const char* kParenthesisWanted =
+    PROVEOUT_TEXT("Core", "Column {}: a closing parenthesis is expected here.");
+constexpr const char* kTooDeep =
+    PROVEOUT_TEXT("Core", "Column {}: there are too many parentheses in each other.");
+
+} // namespace
+
+std::span<const ConditionVariable> conditionVariables() {
+    return kVariables;
+}
+
+/// Reads a text from left to right; the first error ends it.
+class ConditionParser {
+public:
+    explicit ConditionParser(std::string_view text) : m_text(text) {}
+
+    Result<Condition> parse() {
+        if (m_text.size() > Condition::kLongest)
+            return failure("condition-too-long",
+                           PROVEOUT_TEXT("Core", "A condition has {} characters at most."),
+                           {std::to_string(Condition::kLongest)});
+        readEither();
+        skipBlanks();
+        if (m_error == nullptr && m_at < m_text.size())
+            fail(kJoinWanted);
+        if (m_error != nullptr)
+            return failure("condition", m_error, {std::to_string(m_errorAt + 1)});
+        return std::move(m_condition);
+    }
+
+private:
+    using Action = Condition::Action;
+    using Comparison = Condition::Comparison;
+
+    void fail(const char* text) {
+        if (m_error == nullptr) {
+            m_error = text;
+            m_errorAt = m_at;
+        }
+    }
+
+    void skipBlanks() {
+        while (m_at < m_text.size() && (m_text[m_at] == ' ' || m_text[m_at] == '\t'))
+            ++m_at;
+    }
+
+    bool take(std::string_view token) {
+        skipBlanks();
+        if (!m_text.substr(m_at).starts_with(token))
+            return false;
+        m_at += token.size();
+        return true;
+    }
+
+    void readEither() {
+        readBoth();
+        while (m_error == nullptr && take("||")) {
+            readBoth();
+            m_condition.m_steps.push_back({Action::either, {}, {}, {}});
+        }
+    }
+
+    void readBoth() {
+        readOne();
+        while (m_error == nullptr && take("&&")) {
+            readOne();
+            m_condition.m_steps.push_back({Action::both, {}, {}, {}});
+        }
+    }
+
+    void readOne() {
+        // Each `!` negates what follows it; many are counted instead of going as deep.
+        bool negated = false;
+        for (skipBlanks(); m_text.substr(m_at).starts_with('!'); skipBlanks()) {
+            negated = !negated;
+            ++m_at;
+        }
+        if (take("("))
+            readGroup();
+        else
+            readComparison();
+        if (negated)
+            m_condition.m_steps.push_back({Action::negate, {}, {}, {}});
+    }
+
+    void readGroup() {
+        if (++m_depth > Condition::kDeepest)
+            return fail(kTooDeep);
+        readEither();
+        if (m_error == nullptr && !take(")"))
+            fail(kParenthesisWanted);
+        --m_depth;
+    }
+
+    void readComparison() {
+        Condition::Step step{Action::compare, {}, readOperand(), {}};
+        // The longer ones first.
+        constexpr std::array<std::pair<std::string_view, Comparison>, 6> kComparisons{{
+            {"<=", Comparison::lessOrEqual},
+            {">=", Comparison::greaterOrEqual},
+            {"==", Comparison::equal},
+            {"!=", Comparison::notEqual},
+            {"<", Comparison::less},
+            {">", Comparison::greater},
+        }};
+        const auto* const found =
+            std::ranges::find_if(kComparisons, [this](const auto& row) { return take(row.first); });
+        if (found == kComparisons.end())
+            return fail(kComparisonWanted);
+        step.comparison = found->second;
+        step.right = readOperand();
+        m_condition.m_steps.push_back(step);
+    }
+
+    Condition::Operand readOperand() {
+        skipBlanks();
+        const std::string_view rest = m_text.substr(m_at);
+        if (rest.empty()) {
+            fail(kOperandWanted);
+            return {};
+        }
+        const auto variable = std::ranges::find(kVariables, upper(rest.front()), &ConditionVariable::letter);
+        if (variable != kVariables.end()) {
+            ++m_at;
+            return {static_cast<int>(std::distance(kVariables.begin(), variable)), 0};
+        }
+        // No "inf" and no "nan": a number begins as one.
+        const std::size_t sign = rest.front() == '-' || rest.front() == '+' ? 1 : 0;
+        const char first = rest.size() > sign ? rest[sign] : ' ';
+        double number = 0;
+        const char* begin = rest.data() + (rest.front() == '+' ? 1 : 0);
+        const auto [end, error] = std::from_chars(begin, rest.data() + rest.size(), number);
+        if (error != std::errc() || !((first >= '0' && first <= '9') || first == '.')) {
+            fail(kOperandWanted);
+            return {};
+        }
+        m_at += static_cast<std::size_t>(end - rest.data());
+        return {-1, number};
+    }
+
+    std::string_view m_text;
+    std::size_t m_at = 0;
+    int m_depth = 0;
+    const char* m_error = nullptr;
+    std::size_t m_errorAt = 0;
+    Condition m_condition;
+};
+
+Result<Condition> Condition::parse(std::string_view text) {
+    return ConditionParser(text).parse();
+}
+
+bool Condition::compare(const Step& step, const ConditionValues& values) {
+    const auto value = [&](const Operand& operand) {
+        return operand.variable < 0 ? operand.number : values[static_cast<std::size_t>(operand.variable)];
+    };
+    const double left = value(step.left);
+    const double right = value(step.right);
+    switch (step.comparison) {
+    case Comparison::less:
+        return left < right;
+    case Comparison::lessOrEqual:
+        return left <= right;
+    case Comparison::greater:
+        return left > right;
+    case Comparison::greaterOrEqual:
+        return left >= right;
+    case Comparison::equal:
+        return left == right;
+    case Comparison::notEqual:
+        return left < right || left > right; // false where one is not known
+    }
+    return false;
+}
+
+bool Condition::holds(const ConditionValues& values) const {
+    // Each level of parentheses leaves at most two operands waiting.
+    std::array<bool, 3 * (kDeepest + 1)> stack{};
+    std::size_t top = 0;
+    for (const Step& step : m_steps) {
+        switch (step.action) {
+        case Action::compare:
+            assert(top < stack.size());
+            stack[top++] = compare(step, values);
+            break;
+        case Action::negate:
+            stack[top - 1] = !stack[top - 1];
+            break;
+        case Action::both:
+            --top;
+            stack[top - 1] = stack[top - 1] && stack[top];
+            break;
+        case Action::either:
+            --top;
+            stack[top - 1] = stack[top - 1] || stack[top];
+            break;
+        }
+    }
+    return top > 0 && stack[top - 1];
+}
+
+} // namespace proveout

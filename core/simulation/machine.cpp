@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/machine.h"
+
+#include <algorithm>
+#include <charconv>
+#include <fmt/format.h>
+#include <string>
+#include <utility>
+
+namespace proveout {
+
+namespace {
+
+Result<void> setField(Machine& machine, std::string_view key, std::string_view text) {
+    std::string keys;
+    Result<void> result;
+    bool known = false;
+    describe(machine, [&](double& value, const Field& field) {
+        keys += (keys.empty() ? "" : ", ") + std::string(field.key);
+        if (key != field.key)
+            return;
+        known = true;
+        double number = 0;
+        const char* end = text.data() + text.size();
+        const auto [read, error] = std::from_chars(text.data(), end, number);
+        // Written so that what is no number is out of range too.
+        if (error == std::errc() && read == end && number >= field.minimum && number <= field.maximum)
+            value = number;
+        else
+            result = failure("machine-value",
+                             PROVEOUT_TEXT("Core", "\"{}\" of the machine must be a number from {} to {}."),
+                             {std::string(key), fmt::format("{}", field.minimum),
+                              fmt::format("{}", field.maximum)});
+    });
+    if (!known)
+        return failure("machine-key", PROVEOUT_TEXT("Core", "A machine has no \"{}\"; it has {}."),
+                       {std::string(key), keys});
+    return result;
+}
+
+} // namespace
+
+Result<Machine> parseMachine(std::string_view text, Machine machine) {
+    while (!text.empty()) {
+        const std::string_view item = text.substr(0, text.find(','));
+        text.remove_prefix(std::min(text.size(), item.size() + 1));
+        const std::size_t sign = item.find('=');
+        const std::string_view value =
+            sign == std::string_view::npos ? std::string_view() : item.substr(sign + 1);
+        if (auto set = setField(machine, item.substr(0, sign), value); !set)
+            return tl::unexpected(std::move(set.error()));
+    }
+    return machine;
+}
+
+} // namespace proveout
