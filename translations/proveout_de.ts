@@ -61,6 +61,80 @@
     </message>
 </context>
 <context>
+    <name>BreakpointsPanel</name>
+    <message>
+        <source>Comparisons (&lt; &lt;= &gt; &gt;= == !=) joined by &amp;&amp; || ! and parentheses of:</source>
+        <translation>Vergleiche (&lt; &lt;= &gt; &gt;= == !=), verbunden durch &amp;&amp; || ! und Klammern, von:</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Bedingung</translation>
+    </message>
+    <message>
+        <source>Kind of breakpoint</source>
+        <translation>Art des Haltepunkts</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>The line to stop before
+Range: 1 to %1
+Default: 1</source>
+        <translation>Die Zeile, vor der gehalten wird
+Bereich: 1 bis %1
+Vorgabe: 1</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>Höhe</translation>
+    </message>
+    <message>
+        <source>The height to stop above
+Range: %1 to %2 mm
+Default: 0 mm</source>
+        <translation>Die Höhe, über der gehalten wird
+Bereich: %1 bis %2 mm
+Vorgabe: 0 mm</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add this breakpoint; a click beside a line of the program adds one there</source>
+        <translation>Diesen Haltepunkt hinzufügen; ein Klick neben eine Zeile des Programms setzt dort einen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Take the selected breakpoints away</source>
+        <translation>Die gewählten Haltepunkte entfernen</translation>
+    </message>
+    <message>
+        <source>Breakpoints</source>
+        <translation>Haltepunkte</translation>
+    </message>
+    <message>
+        <source>Stop at</source>
+        <translation>Halt bei</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+</context>
+<context>
+    <name>CheckpointMenu</name>
+    <message>
+        <source>%1 (default)</source>
+        <translation>%1 (Vorgabe)</translation>
+    </message>
+</context>
+<context>
     <name>ControlPanel</name>
     <message>
         <source>State of the control</source>
@@ -4465,6 +4539,225 @@
         <source>The stock needs more memory than there is.</source>
         <translation>Das Rohteil braucht mehr Speicher, als da ist.</translation>
     </message>
+    <message>
+        <source>Line</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Stop before a line of the program.</source>
+        <translation>Vor einer Zeile des Programms halten.</translation>
+    </message>
+    <message>
+        <source>Stopped before line {}.</source>
+        <translation>Vor Zeile {} angehalten.</translation>
+    </message>
+    <message>
+        <source>Tool change</source>
+        <translation>Werkzeugwechsel</translation>
+    </message>
+    <message>
+        <source>Stop at each tool change.</source>
+        <translation>Bei jedem Werkzeugwechsel halten.</translation>
+    </message>
+    <message>
+        <source>Stopped at a tool change.</source>
+        <translation>Bei einem Werkzeugwechsel angehalten.</translation>
+    </message>
+    <message>
+        <source>M0 or M1</source>
+        <translation>M0 oder M1</translation>
+    </message>
+    <message>
+        <source>Stop where the program does, with M0, M1 or M60.</source>
+        <translation>Halten, wo das Programm mit M0, M1 oder M60 hält.</translation>
+    </message>
+    <message>
+        <source>Stopped at a stop of the program.</source>
+        <translation>Bei einem Halt des Programms angehalten.</translation>
+    </message>
+    <message>
+        <source>Z below</source>
+        <translation>Z unter</translation>
+    </message>
+    <message>
+        <source>Stop before a block that goes below a height.</source>
+        <translation>Vor einem Satz halten, der unter eine Höhe fährt.</translation>
+    </message>
+    <message>
+        <source>Stopped before going below Z {}.</source>
+        <translation>Vor der Fahrt unter Z {} angehalten.</translation>
+    </message>
+    <message>
+        <source>First contact</source>
+        <translation>Erster Kontakt</translation>
+    </message>
+    <message>
+        <source>Stop after the first block of each tool that removes material.</source>
+        <translation>Nach dem ersten Satz jedes Werkzeugs halten, der Material abträgt.</translation>
+    </message>
+    <message>
+        <source>Stopped after the first contact of the tool.</source>
+        <translation>Nach dem ersten Kontakt des Werkzeugs angehalten.</translation>
+    </message>
+    <message>
+        <source>Any fault</source>
+        <translation>Jeder Fehler</translation>
+    </message>
+    <message>
+        <source>Stop after a block at which the simulation found something wrong.</source>
+        <translation>Nach einem Satz halten, bei dem die Simulation einen Fehler fand.</translation>
+    </message>
+    <message>
+        <source>Stopped after a block with a problem.</source>
+        <translation>Nach einem Satz mit einem Problem angehalten.</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>Bedingung</translation>
+    </message>
+    <message>
+        <source>Stop before a block at which a condition begins to hold.</source>
+        <translation>Vor einem Satz halten, bei dem eine Bedingung wahr wird.</translation>
+    </message>
+    <message>
+        <source>Stopped because {} holds next.</source>
+        <translation>Angehalten, weil als Nächstes {} gilt.</translation>
+    </message>
+    <message>
+        <source>position X at the end of the motion, mm</source>
+        <translation>Position X am Ende der Bewegung, mm</translation>
+    </message>
+    <message>
+        <source>position Y at the end of the motion, mm</source>
+        <translation>Position Y am Ende der Bewegung, mm</translation>
+    </message>
+    <message>
+        <source>position Z at the end of the motion, mm</source>
+        <translation>Position Z am Ende der Bewegung, mm</translation>
+    </message>
+    <message>
+        <source>feed, mm/min; 0 at rapid</source>
+        <translation>Vorschub, mm/min; 0 im Eilgang</translation>
+    </message>
+    <message>
+        <source>spindle speed, 1/min</source>
+        <translation>Spindeldrehzahl, 1/min</translation>
+    </message>
+    <message>
+        <source>tool in the spindle</source>
+        <translation>Werkzeug in der Spindel</translation>
+    </message>
+    <message>
+        <source>number of the block, as the timeline counts</source>
+        <translation>Nummer des Satzes, wie die Zeitleiste zählt</translation>
+    </message>
+    <message>
+        <source>line of the program</source>
+        <translation>Zeile des Programms</translation>
+    </message>
+    <message>
+        <source>Column {}: a number or one of the letters X Y Z F S T N L is expected here.</source>
+        <translation>Spalte {}: Hier wird eine Zahl oder einer der Buchstaben X Y Z F S T N L erwartet.</translation>
+    </message>
+    <message>
+        <source>Column {}: one of &lt; &lt;= &gt; &gt;= == != is expected here.</source>
+        <translation>Spalte {}: Hier wird eines von &lt; &lt;= &gt; &gt;= == != erwartet.</translation>
+    </message>
+    <message>
+        <source>Column {}: &amp;&amp; or || is expected here.</source>
+        <translation>Spalte {}: Hier wird &amp;&amp; oder || erwartet.</translation>
+    </message>
+    <message>
+        <source>Column {}: a closing parenthesis is expected here.</source>
+        <translation>Spalte {}: Hier wird eine schließende Klammer erwartet.</translation>
+    </message>
+    <message>
+        <source>Column {}: there are too many parentheses in each other.</source>
+        <translation>Spalte {}: Es sind zu viele Klammern ineinander.</translation>
+    </message>
+    <message>
+        <source>A condition has {} characters at most.</source>
+        <translation>Eine Bedingung hat höchstens {} Zeichen.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; of the machine must be a number from {} to {}.</source>
+        <translation>„{}“ der Maschine muss eine Zahl von {} bis {} sein.</translation>
+    </message>
+    <message>
+        <source>A machine has no &quot;{}&quot;; it has {}.</source>
+        <translation>Eine Maschine hat kein „{}“; sie hat {}.</translation>
+    </message>
+    <message>
+        <source>Rapid X, Y</source>
+        <translation>Eilgang X, Y</translation>
+    </message>
+    <message>
+        <source>How fast X and Y each move at rapid.</source>
+        <translation>Wie schnell X und Y jeweils im Eilgang fahren.</translation>
+    </message>
+    <message>
+        <source>Rapid Z</source>
+        <translation>Eilgang Z</translation>
+    </message>
+    <message>
+        <source>How fast Z moves at rapid.</source>
+        <translation>Wie schnell Z im Eilgang fährt.</translation>
+    </message>
+    <message>
+        <source>Largest feed</source>
+        <translation>Größter Vorschub</translation>
+    </message>
+    <message>
+        <source>The machine feeds no faster, whatever F says.</source>
+        <translation>Schneller fährt die Maschine nicht, was immer F sagt.</translation>
+    </message>
+    <message>
+        <source>Acceleration X, Y</source>
+        <translation>Beschleunigung X, Y</translation>
+    </message>
+    <message>
+        <source>How fast X and Y each gain and lose speed.</source>
+        <translation>Wie schnell X und Y jeweils beschleunigen und bremsen.</translation>
+    </message>
+    <message>
+        <source>Acceleration Z</source>
+        <translation>Beschleunigung Z</translation>
+    </message>
+    <message>
+        <source>How fast Z gains and loses speed.</source>
+        <translation>Wie schnell Z beschleunigt und bremst.</translation>
+    </message>
+    <message>
+        <source>Corner deviation</source>
+        <translation>Eckenabweichung</translation>
+    </message>
+    <message>
+        <source>How far the path may be rounded at a corner; 0: it stops at each.</source>
+        <translation>Wie weit die Bahn an einer Ecke gerundet werden darf; 0: an jeder wird gehalten.</translation>
+    </message>
+    <message>
+        <source>From chip to chip.</source>
+        <translation>Von Span zu Span.</translation>
+    </message>
+</context>
+<context>
+    <name>CycleTime</name>
+    <message>
+        <source>Cycle time up to this block / of the program</source>
+        <translation>Laufzeit bis zu diesem Satz / des Programms</translation>
+    </message>
+    <message>
+        <source>Feed %1, rapid %2, dwell %3, tool changes %4</source>
+        <translation>Vorschub %1, Eilgang %2, Verweilen %3, Werkzeugwechsel %4</translation>
+    </message>
+    <message>
+        <source>The machine is assumed; describe yours in the Setup panel.</source>
+        <translation>Die Maschine ist angenommen; beschreiben Sie Ihre unter „Aufspannung“.</translation>
+    </message>
+    <message>
+        <source>%1 motions have no feed; the largest is taken.</source>
+        <translation>%1 Bewegungen haben keinen Vorschub; angenommen ist der größte.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>
@@ -4499,6 +4792,10 @@
     <message>
         <source>Control</source>
         <translation>Steuerung</translation>
+    </message>
+    <message>
+        <source>Breakpoints</source>
+        <translation>Haltepunkte</translation>
     </message>
 </context>
 <context>
@@ -4598,6 +4895,14 @@
     <message>
         <source>Show the stock after the line that the caret is on</source>
         <translation>Das Rohteil nach der Zeile der Schreibmarke zeigen</translation>
+    </message>
+    <message>
+        <source>Toggle &amp;Breakpoint</source>
+        <translation>&amp;Haltepunkt umschalten</translation>
+    </message>
+    <message>
+        <source>Stop the run before the line that the caret is on, or no longer</source>
+        <translation>Den Lauf vor der Zeile der Schreibmarke anhalten, oder nicht mehr</translation>
     </message>
 </context>
 <context>
@@ -4948,6 +5253,25 @@
     </message>
 </context>
 <context>
+    <name>MachineForm</name>
+    <message>
+        <source>These values are assumed until you change one.</source>
+        <translation>Diese Werte sind angenommen, bis Sie einen ändern.</translation>
+    </message>
+    <message>
+        <source>Cycle time %1: feed %2, rapid %3, dwell %4, tool changes %5</source>
+        <translation>Laufzeit %1: Vorschub %2, Eilgang %3, Verweilen %4, Werkzeugwechsel %5</translation>
+    </message>
+    <message>
+        <source>%1
+Range: %2 to %3 %5
+Default: %4 %5</source>
+        <translation>%1
+Bereich: %2 bis %3 %5
+Vorgabe: %4 %5</translation>
+    </message>
+</context>
+<context>
     <name>MainWindow</name>
     <message>
         <source>As the &amp;System</source>
@@ -5019,6 +5343,10 @@
     <message>
         <source>Open Sa&amp;mple</source>
         <translation>&amp;Beispiel öffnen</translation>
+    </message>
+    <message>
+        <source>&amp;Memory to Go Back</source>
+        <translation>Speicher zum &amp;Zurückgehen</translation>
     </message>
 </context>
 <context>
@@ -5416,6 +5744,10 @@
     <message>
         <source>Reading %1 …</source>
         <translation>%1 wird gelesen …</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
     </message>
 </context>
 <context>
@@ -5855,6 +6187,50 @@ Vorgabe: %4 mm</translation>
     <message>
         <source>%1× (%2 blocks/s)</source>
         <translation>%1× (%2 Sätze/s)</translation>
+    </message>
+    <message>
+        <source>Play by</source>
+        <translation>Abspielen nach</translation>
+    </message>
+    <message>
+        <source>What is even: each block, each millimetre of the path, or the time of the machine</source>
+        <translation>Was gleichmäßig läuft: jeder Satz, jeder Millimeter der Bahn oder die Zeit der Maschine</translation>
+    </message>
+    <message>
+        <source>Cutting takes longer than the speed allows: the program is played more slowly, and the stock is right at every moment</source>
+        <translation>Das Abtragen dauert länger, als die Geschwindigkeit erlaubt: Das Programm läuft langsamer, und das Rohteil stimmt in jedem Augenblick</translation>
+    </message>
+    <message>
+        <source>Blocks</source>
+        <translation>Sätze</translation>
+    </message>
+    <message>
+        <source>Path length</source>
+        <translation>Bahnlänge</translation>
+    </message>
+    <message>
+        <source>Machine time</source>
+        <translation>Maschinenzeit</translation>
+    </message>
+    <message>
+        <source>%1× (%2 mm/s)</source>
+        <translation>%1× (%2 mm/s)</translation>
+    </message>
+    <message>
+        <source>%1× the machine</source>
+        <translation>%1× Maschine</translation>
+    </message>
+    <message>
+        <source>Playing speed; 1× is %1 mm of path a second</source>
+        <translation>Geschwindigkeit; 1× sind %1 mm Bahn in der Sekunde</translation>
+    </message>
+    <message>
+        <source>Playing speed; 1× is that of the machine</source>
+        <translation>Geschwindigkeit; 1× ist die der Maschine</translation>
+    </message>
+    <message>
+        <source>Lags: %1×</source>
+        <translation>Hinkt nach: %1×</translation>
     </message>
 </context>
 <context>

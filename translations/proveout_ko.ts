@@ -61,6 +61,80 @@
     </message>
 </context>
 <context>
+    <name>BreakpointsPanel</name>
+    <message>
+        <source>Comparisons (&lt; &lt;= &gt; &gt;= == !=) joined by &amp;&amp; || ! and parentheses of:</source>
+        <translation>비교(&lt; &lt;= &gt; &gt;= == !=)를 &amp;&amp; || ! 와 괄호로 잇습니다:</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>조건</translation>
+    </message>
+    <message>
+        <source>Kind of breakpoint</source>
+        <translation>중단점 종류</translation>
+    </message>
+    <message>
+        <source>Line</source>
+        <translation>줄</translation>
+    </message>
+    <message>
+        <source>The line to stop before
+Range: 1 to %1
+Default: 1</source>
+        <translation>그 앞에서 멈출 줄
+범위: 1 ~ %1
+기본값: 1</translation>
+    </message>
+    <message>
+        <source>Height</source>
+        <translation>높이</translation>
+    </message>
+    <message>
+        <source>The height to stop above
+Range: %1 to %2 mm
+Default: 0 mm</source>
+        <translation>그 위에서 멈출 높이
+범위: %1 ~ %2 mm
+기본값: 0 mm</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>추가</translation>
+    </message>
+    <message>
+        <source>Add this breakpoint; a click beside a line of the program adds one there</source>
+        <translation>이 중단점을 추가합니다. 프로그램 줄 옆을 클릭하면 그곳에 추가됩니다</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>제거</translation>
+    </message>
+    <message>
+        <source>Take the selected breakpoints away</source>
+        <translation>선택한 중단점을 제거합니다</translation>
+    </message>
+    <message>
+        <source>Breakpoints</source>
+        <translation>중단점</translation>
+    </message>
+    <message>
+        <source>Stop at</source>
+        <translation>멈출 곳</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>값</translation>
+    </message>
+</context>
+<context>
+    <name>CheckpointMenu</name>
+    <message>
+        <source>%1 (default)</source>
+        <translation>%1(기본값)</translation>
+    </message>
+</context>
+<context>
     <name>ControlPanel</name>
     <message>
         <source>State of the control</source>
@@ -4465,6 +4539,225 @@
         <source>The stock needs more memory than there is.</source>
         <translation>소재에 필요한 메모리가 부족합니다.</translation>
     </message>
+    <message>
+        <source>Line</source>
+        <translation>줄</translation>
+    </message>
+    <message>
+        <source>Stop before a line of the program.</source>
+        <translation>프로그램의 한 줄 앞에서 멈춥니다.</translation>
+    </message>
+    <message>
+        <source>Stopped before line {}.</source>
+        <translation>{}줄 앞에서 멈췄습니다.</translation>
+    </message>
+    <message>
+        <source>Tool change</source>
+        <translation>공구 교환</translation>
+    </message>
+    <message>
+        <source>Stop at each tool change.</source>
+        <translation>공구를 교환할 때마다 멈춥니다.</translation>
+    </message>
+    <message>
+        <source>Stopped at a tool change.</source>
+        <translation>공구 교환에서 멈췄습니다.</translation>
+    </message>
+    <message>
+        <source>M0 or M1</source>
+        <translation>M0 또는 M1</translation>
+    </message>
+    <message>
+        <source>Stop where the program does, with M0, M1 or M60.</source>
+        <translation>프로그램이 M0, M1, M60으로 멈추는 곳에서 멈춥니다.</translation>
+    </message>
+    <message>
+        <source>Stopped at a stop of the program.</source>
+        <translation>프로그램 정지에서 멈췄습니다.</translation>
+    </message>
+    <message>
+        <source>Z below</source>
+        <translation>Z 아래</translation>
+    </message>
+    <message>
+        <source>Stop before a block that goes below a height.</source>
+        <translation>어떤 높이 아래로 내려가는 블록 앞에서 멈춥니다.</translation>
+    </message>
+    <message>
+        <source>Stopped before going below Z {}.</source>
+        <translation>Z {} 아래로 내려가기 전에 멈췄습니다.</translation>
+    </message>
+    <message>
+        <source>First contact</source>
+        <translation>첫 접촉</translation>
+    </message>
+    <message>
+        <source>Stop after the first block of each tool that removes material.</source>
+        <translation>공구마다 소재를 처음 깎은 블록 뒤에서 멈춥니다.</translation>
+    </message>
+    <message>
+        <source>Stopped after the first contact of the tool.</source>
+        <translation>공구의 첫 접촉 뒤에 멈췄습니다.</translation>
+    </message>
+    <message>
+        <source>Any fault</source>
+        <translation>모든 결함</translation>
+    </message>
+    <message>
+        <source>Stop after a block at which the simulation found something wrong.</source>
+        <translation>시뮬레이션이 문제를 찾은 블록 뒤에서 멈춥니다.</translation>
+    </message>
+    <message>
+        <source>Stopped after a block with a problem.</source>
+        <translation>문제가 있는 블록 뒤에 멈췄습니다.</translation>
+    </message>
+    <message>
+        <source>Condition</source>
+        <translation>조건</translation>
+    </message>
+    <message>
+        <source>Stop before a block at which a condition begins to hold.</source>
+        <translation>조건이 성립하기 시작하는 블록 앞에서 멈춥니다.</translation>
+    </message>
+    <message>
+        <source>Stopped because {} holds next.</source>
+        <translation>다음에 {} 조건이 성립하므로 멈췄습니다.</translation>
+    </message>
+    <message>
+        <source>position X at the end of the motion, mm</source>
+        <translation>동작 끝의 X 위치, mm</translation>
+    </message>
+    <message>
+        <source>position Y at the end of the motion, mm</source>
+        <translation>동작 끝의 Y 위치, mm</translation>
+    </message>
+    <message>
+        <source>position Z at the end of the motion, mm</source>
+        <translation>동작 끝의 Z 위치, mm</translation>
+    </message>
+    <message>
+        <source>feed, mm/min; 0 at rapid</source>
+        <translation>이송, mm/min. 급속 이송은 0</translation>
+    </message>
+    <message>
+        <source>spindle speed, 1/min</source>
+        <translation>주축 회전수, 1/min</translation>
+    </message>
+    <message>
+        <source>tool in the spindle</source>
+        <translation>주축의 공구</translation>
+    </message>
+    <message>
+        <source>number of the block, as the timeline counts</source>
+        <translation>블록 번호(타임라인 기준)</translation>
+    </message>
+    <message>
+        <source>line of the program</source>
+        <translation>프로그램의 줄</translation>
+    </message>
+    <message>
+        <source>Column {}: a number or one of the letters X Y Z F S T N L is expected here.</source>
+        <translation>{}열: 여기에는 숫자나 X Y Z F S T N L 중 한 글자가 와야 합니다.</translation>
+    </message>
+    <message>
+        <source>Column {}: one of &lt; &lt;= &gt; &gt;= == != is expected here.</source>
+        <translation>{}열: 여기에는 &lt; &lt;= &gt; &gt;= == != 중 하나가 와야 합니다.</translation>
+    </message>
+    <message>
+        <source>Column {}: &amp;&amp; or || is expected here.</source>
+        <translation>{}열: 여기에는 &amp;&amp; 또는 || 가 와야 합니다.</translation>
+    </message>
+    <message>
+        <source>Column {}: a closing parenthesis is expected here.</source>
+        <translation>{}열: 여기에는 닫는 괄호가 와야 합니다.</translation>
+    </message>
+    <message>
+        <source>Column {}: there are too many parentheses in each other.</source>
+        <translation>{}열: 괄호가 너무 깊이 겹쳐 있습니다.</translation>
+    </message>
+    <message>
+        <source>A condition has {} characters at most.</source>
+        <translation>조건은 최대 {}자입니다.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; of the machine must be a number from {} to {}.</source>
+        <translation>기계의 &quot;{}&quot;은(는) {}에서 {} 사이의 숫자여야 합니다.</translation>
+    </message>
+    <message>
+        <source>A machine has no &quot;{}&quot;; it has {}.</source>
+        <translation>기계에는 &quot;{}&quot;이(가) 없습니다. {}이(가) 있습니다.</translation>
+    </message>
+    <message>
+        <source>Rapid X, Y</source>
+        <translation>급속 X, Y</translation>
+    </message>
+    <message>
+        <source>How fast X and Y each move at rapid.</source>
+        <translation>X와 Y 각 축의 급속 이송 속도입니다.</translation>
+    </message>
+    <message>
+        <source>Rapid Z</source>
+        <translation>급속 Z</translation>
+    </message>
+    <message>
+        <source>How fast Z moves at rapid.</source>
+        <translation>Z축의 급속 이송 속도입니다.</translation>
+    </message>
+    <message>
+        <source>Largest feed</source>
+        <translation>최대 이송</translation>
+    </message>
+    <message>
+        <source>The machine feeds no faster, whatever F says.</source>
+        <translation>F 값과 관계없이 기계는 이보다 빠르게 이송하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Acceleration X, Y</source>
+        <translation>가속도 X, Y</translation>
+    </message>
+    <message>
+        <source>How fast X and Y each gain and lose speed.</source>
+        <translation>X와 Y 각 축이 가속하고 감속하는 정도입니다.</translation>
+    </message>
+    <message>
+        <source>Acceleration Z</source>
+        <translation>가속도 Z</translation>
+    </message>
+    <message>
+        <source>How fast Z gains and loses speed.</source>
+        <translation>Z축이 가속하고 감속하는 정도입니다.</translation>
+    </message>
+    <message>
+        <source>Corner deviation</source>
+        <translation>모서리 편차</translation>
+    </message>
+    <message>
+        <source>How far the path may be rounded at a corner; 0: it stops at each.</source>
+        <translation>모서리에서 경로를 둥글게 해도 되는 거리. 0: 모서리마다 멈춥니다.</translation>
+    </message>
+    <message>
+        <source>From chip to chip.</source>
+        <translation>절삭에서 다음 절삭까지의 시간입니다.</translation>
+    </message>
+</context>
+<context>
+    <name>CycleTime</name>
+    <message>
+        <source>Cycle time up to this block / of the program</source>
+        <translation>이 블록까지의 가공 시간 / 전체 가공 시간</translation>
+    </message>
+    <message>
+        <source>Feed %1, rapid %2, dwell %3, tool changes %4</source>
+        <translation>절삭 %1, 급속 %2, 드웰 %3, 공구 교환 %4</translation>
+    </message>
+    <message>
+        <source>The machine is assumed; describe yours in the Setup panel.</source>
+        <translation>기계 값은 가정한 것입니다. 설정 패널에서 기계를 입력하세요.</translation>
+    </message>
+    <message>
+        <source>%1 motions have no feed; the largest is taken.</source>
+        <translation>동작 %1개에 이송이 없어 최대 이송을 썼습니다.</translation>
+    </message>
 </context>
 <context>
     <name>Docks</name>
@@ -4499,6 +4792,10 @@
     <message>
         <source>Control</source>
         <translation>제어기</translation>
+    </message>
+    <message>
+        <source>Breakpoints</source>
+        <translation>중단점</translation>
     </message>
 </context>
 <context>
@@ -4598,6 +4895,14 @@
     <message>
         <source>Show the stock after the line that the caret is on</source>
         <translation>커서가 있는 줄까지 가공한 소재를 표시합니다</translation>
+    </message>
+    <message>
+        <source>Toggle &amp;Breakpoint</source>
+        <translation>중단점 전환(&amp;B)</translation>
+    </message>
+    <message>
+        <source>Stop the run before the line that the caret is on, or no longer</source>
+        <translation>커서가 있는 줄 앞에서 실행을 멈추거나 해제합니다</translation>
     </message>
 </context>
 <context>
@@ -4947,6 +5252,25 @@
     </message>
 </context>
 <context>
+    <name>MachineForm</name>
+    <message>
+        <source>These values are assumed until you change one.</source>
+        <translation>값을 바꾸기 전까지는 가정한 값입니다.</translation>
+    </message>
+    <message>
+        <source>Cycle time %1: feed %2, rapid %3, dwell %4, tool changes %5</source>
+        <translation>가공 시간 %1: 절삭 %2, 급속 %3, 드웰 %4, 공구 교환 %5</translation>
+    </message>
+    <message>
+        <source>%1
+Range: %2 to %3 %5
+Default: %4 %5</source>
+        <translation>%1
+범위: %2 ~ %3 %5
+기본값: %4 %5</translation>
+    </message>
+</context>
+<context>
     <name>MainWindow</name>
     <message>
         <source>As the &amp;System</source>
@@ -5018,6 +5342,10 @@
     <message>
         <source>Open Sa&amp;mple</source>
         <translation>예제 열기(&amp;M)</translation>
+    </message>
+    <message>
+        <source>&amp;Memory to Go Back</source>
+        <translation>되돌아가기 메모리(&amp;M)</translation>
     </message>
 </context>
 <context>
@@ -5415,6 +5743,10 @@
     <message>
         <source>Reading %1 …</source>
         <translation>%1 읽는 중…</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>기계</translation>
     </message>
 </context>
 <context>
@@ -5854,6 +6186,50 @@ Default: %4 mm</source>
     <message>
         <source>%1× (%2 blocks/s)</source>
         <translation>%1× (%2블록/s)</translation>
+    </message>
+    <message>
+        <source>Play by</source>
+        <translation>재생 기준</translation>
+    </message>
+    <message>
+        <source>What is even: each block, each millimetre of the path, or the time of the machine</source>
+        <translation>고르게 재생할 기준: 블록, 경로 길이, 기계 시간</translation>
+    </message>
+    <message>
+        <source>Cutting takes longer than the speed allows: the program is played more slowly, and the stock is right at every moment</source>
+        <translation>절삭 계산이 재생 속도를 따라가지 못해 더 느리게 재생합니다. 소재는 언제나 정확합니다</translation>
+    </message>
+    <message>
+        <source>Blocks</source>
+        <translation>블록</translation>
+    </message>
+    <message>
+        <source>Path length</source>
+        <translation>경로 길이</translation>
+    </message>
+    <message>
+        <source>Machine time</source>
+        <translation>기계 시간</translation>
+    </message>
+    <message>
+        <source>%1× (%2 mm/s)</source>
+        <translation>%1×(%2 mm/s)</translation>
+    </message>
+    <message>
+        <source>%1× the machine</source>
+        <translation>기계의 %1×</translation>
+    </message>
+    <message>
+        <source>Playing speed; 1× is %1 mm of path a second</source>
+        <translation>재생 속도. 1×는 초당 경로 %1 mm입니다</translation>
+    </message>
+    <message>
+        <source>Playing speed; 1× is that of the machine</source>
+        <translation>재생 속도. 1×는 기계의 속도입니다</translation>
+    </message>
+    <message>
+        <source>Lags: %1×</source>
+        <translation>지연: %1×</translation>
     </message>
 </context>
 <context>

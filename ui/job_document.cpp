@@ -40,6 +40,7 @@ Result<JobDocument> JobDocument::open(const QString& file, const WorkContext& co
         document.m_wantsStock = false;
         document.m_setup = std::make_shared<const Setup>(std::move(job->setup));
         document.m_parameters = job->parameters;
+        document.m_machine = job->machine;
         document.m_regionNamed = job->regionNamed;
     }
     Result<Document> text = readText(program, context);
@@ -70,7 +71,7 @@ Result<void> JobDocument::saveTextAs(const QString& file) {
 }
 
 Result<void> JobDocument::saveJobAs(const QString& file) {
-    const Job job{std::filesystem::absolute(m_text.path), *m_setup, m_parameters};
+    const Job job{std::filesystem::absolute(m_text.path), *m_setup, m_parameters, m_machine};
     if (Result<void> written = writeJob(toPath(file), job); !written)
         return written;
     m_jobFile = file;
@@ -118,6 +119,11 @@ void JobDocument::setParameters(const DecimationParameters& parameters) {
         m_regionNamed = parameters.regionCells != standardRegionHere(parameters.method);
     m_parameters = parameters;
     m_jobModified = m_jobModified || !m_jobFile.isEmpty();
+}
+
+void JobDocument::setMachine(const Machine& machine) {
+    m_machine = machine;
+    m_jobModified = true;
 }
 
 } // namespace proveout

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -11,6 +12,7 @@
 #include "core/base/diagnostic.h"
 #include "core/base/work_context.h"
 #include "core/decimation/parameters.h"
+#include "core/simulation/machine.h"
 #include "core/simulation/setup.h"
 #include "ui/document.h"
 
@@ -36,6 +38,7 @@ public:
     [[nodiscard]] const QString& jobFile() const { return m_jobFile; } ///< empty where there is none
     [[nodiscard]] const std::shared_ptr<const Setup>& setup() const { return m_setup; } ///< never null
     [[nodiscard]] const DecimationParameters& parameters() const { return m_parameters; }
+    [[nodiscard]] const std::optional<Machine>& machine() const { return m_machine; }
     /// Whether the stock is still to be fitted to the program: no job and no user has given one.
     [[nodiscard]] bool wantsStock() const { return m_wantsStock; }
     /// Whether set-up or parameters hold changes that no job file has.
@@ -64,6 +67,7 @@ public:
     /// have to be fitted.
     void fitSetup(std::shared_ptr<const Setup> setup, bool forNow = false);
     void setParameters(const DecimationParameters& parameters);
+    void setMachine(const Machine& machine);
 
 private:
     [[nodiscard]] int standardRegionHere(DecimationMethod method) const;
@@ -76,6 +80,7 @@ private:
     bool m_wantsStock = true;
     std::shared_ptr<const Setup> m_setup = std::make_shared<const Setup>();
     DecimationParameters m_parameters;
+    std::optional<Machine> m_machine;
     bool m_regionNamed = false; ///< else its size is the standard, and follows the map
 };
 

@@ -6,7 +6,6 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemView>
-#include <QActionGroup>
 #include <QApplication>
 #include <QCloseEvent>
 #include <QComboBox>
@@ -26,11 +25,10 @@
 #include "ui/editor/editor_panel.h"
 #include "ui/file_paths.h"
 #include "ui/findings/problems_panel.h"
+#include "ui/kept_breakpoints.h"
 #include "ui/kept_switches.h"
 #include "ui/main_window_tables.h"
 #include "ui/plots/plots_panel.h"
-#include "ui/recent_menu.h"
-#include "ui/resource_paths.h"
 #include "ui/start_page.h"
 #include "ui/status_line.h"
 #include "ui/timeline/timeline_panel.h"
@@ -40,7 +38,7 @@ namespace proveout {
 
 namespace {
 
-constexpr int kLayoutVersion = 3; // raise it when docks change: older layouts are then left alone
+constexpr int kLayoutVersion = 4; // raise it when docks change: older layouts are then left alone
 const QString kGeometryKey = QStringLiteral("window/geometry");
 const QString kStateKey = QStringLiteral("window/state");
 const QString kViewGroup = QStringLiteral("view");
@@ -49,10 +47,6 @@ constexpr int kToolBarIcon = 20;
 constexpr int kTuningWidth = 310;
 constexpr int kMessageTime = 8000;       // ms
 constexpr std::size_t kProblemsDock = 4; // in the order of docks()
-
-QList<QAction*> listOf(const std::vector<QAction*>& actions) {
-    return {actions.begin(), actions.end()};
-}
 
 } // namespace
 
@@ -82,6 +76,7 @@ MainWindow::MainWindow(Session& session, Appearance& appearance)
     connect(m_startPage, &StartPage::backWanted, this, &MainWindow::showDocument);
     connect(m_files, &FileFlow::closeWanted, this, &QWidget::close);
     retranslate();
+    new KeptBreakpoints(session, this);
     m_viewOptions = new KeptSwitches(kViewGroup, m_viewport->actions() + m_plots->actions(), this);
     restore();
     showDocument();
@@ -119,8 +114,9 @@ void MainWindow::makeDocks() {
 }
 
 void MainWindow::arrangeDocks() {
-    const auto [program, setup, tuning, plots, problems, timeline, study, control] = std::tuple(
-        m_docks[0], m_docks[1], m_docks[2], m_docks[3], m_docks[4], m_docks[5], m_docks[6], m_docks[7]);
+    const auto [program, setup, tuning, plots, problems, timeline, study, control, breakpoints] =
+        std::tuple(m_docks[0], m_docks[1], m_docks[2], m_docks[3], m_docks[4], m_docks[5], m_docks[6],
+                   m_docks[7], m_docks[8]);
     setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
     setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
     addDockWidget(Qt::LeftDockWidgetArea, program);
@@ -130,7 +126,8 @@ void MainWindow::arrangeDocks() {
     addDockWidget(Qt::BottomDockWidgetArea, plots);
     splitDockWidget(plots, timeline, Qt::Vertical);
     tabifyDockWidget(plots, problems);
-    tabifyDockWidget(problems, study);
+    tabifyDockWidget(problems, breakpoints);
+    tabifyDockWidget(breakpoints, study);
     for (QDockWidget* dock : m_docks) {
         dock->setFloating(false);
         dock->show();
@@ -140,55 +137,6 @@ void MainWindow::arrangeDocks() {
     setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
     resizeDocks({program, tuning}, {width() * 22 / 100, kTuningWidth}, Qt::Horizontal);
     resizeDocks({plots, timeline}, {height() * 24 / 100, timeline->sizeHint().height()}, Qt::Vertical);
-}
-
-QMenu* MainWindow::addMenu(const char* title, const QList<QAction*>& actions) {
-    QMenu* menu = menuBar()->addMenu(QString());
-    menu->addActions(actions);
-    menu->setToolTipsVisible(true);
-    m_menus.emplace_back(menu, title);
-    return menu;
-}
-
-void MainWindow::makeMenus() {
-    QMenu* file = addMenu(QT_TRANSLATE_NOOP("Menus", "&File"), listOf(m_fileCommands.all()));
-    auto* recent = new RecentMenu(*m_files, this);
-    file->insertMenu(m_fileCommands.all()[2], recent);
-    m_menus.emplace_back(recent, QT_TRANSLATE_NOOP("Menus", "Open &Recent"));
-
-    QMenu* edit = addMenu(QT_TRANSLATE_NOOP("Menus", "&Edit"), m_editor->actions());
-    edit->addSeparator();
-    edit->addActions(m_problems->actions());
-
-    QList<QAction*> viewActions = m_viewport->actions();
-    for (QAction* action : m_playback->actions().all())
-        viewActions.removeAll(action);
-    QMenu* view = addMenu(QT_TRANSLATE_NOOP("Menus", "&View"), viewActions);
-    if (!m_plots->actions().isEmpty()) {
-        view->addSeparator();
-        QMenu* plots = view->addMenu(QString());
-        plots->addActions(m_plots->actions());
-        m_menus.emplace_back(plots, QT_TRANSLATE_NOOP("Menus", "P&lots"));
-    }
-    addMenu(QT_TRANSLATE_NOOP("Menus", "&Simulate"), listOf(m_playback->actions().all()));
-    addMenu(QT_TRANSLATE_NOOP("Menus", "&Mesh"), listOf(m_meshCommands.all()));
-
-    QMenu* window = addMenu(QT_TRANSLATE_NOOP("Menus", "&Window"), {});
-    for (QDockWidget* dock : m_docks)
-        window->addAction(dock->toggleViewAction());
-    window->addSeparator();
-    m_themeMenu = window->addMenu(icon(QStringLiteral("theme")), QString());
-    m_languageMenu = window->addMenu(icon(QStringLiteral("language")), QString());
-    m_menus.emplace_back(m_themeMenu, QT_TRANSLATE_NOOP("Menus", "&Theme"));
-    m_menus.emplace_back(m_languageMenu, QT_TRANSLATE_NOOP("Menus", "&Language"));
-    window->addSeparator();
-    window->addActions(listOf(m_windowCommands.all()));
-
-    QMenu* help = addMenu(QT_TRANSLATE_NOOP("Menus", "&Help"), listOf(m_helpCommands.all()));
-    m_samplesMenu = new QMenu(this);
-    help->insertMenu(m_helpCommands.find("help-about"), m_samplesMenu);
-    help->insertSeparator(m_helpCommands.find("help-about"));
-    m_menus.emplace_back(m_samplesMenu, QT_TRANSLATE_NOOP("Menus", "Open Sa&mple"));
 }
 
 void MainWindow::makeToolBar() {
@@ -204,42 +152,6 @@ void MainWindow::makeToolBar() {
     }
     for (QToolButton* button : m_toolBar->findChildren<QToolButton*>())
         button->setFocusPolicy(Qt::TabFocus);
-}
-
-void MainWindow::fillChoices() {
-    const auto fill = [this](QMenu* menu, const QList<QPair<QString, QString>>& choices,
-                             const QString& present, const std::function<void(const QString&)>& choose) {
-        menu->clear();
-        auto* group = new QActionGroup(menu);
-        for (const auto& [key, text] : choices) {
-            QAction* action = menu->addAction(text);
-            action->setCheckable(true);
-            action->setChecked(key == present);
-            group->addAction(action);
-            // Queued, because a change of language fills this menu again.
-            connect(
-                action, &QAction::triggered, this, [choose, key = key] { choose(key); },
-                Qt::QueuedConnection);
-        }
-    };
-    fill(m_themeMenu,
-         {{themeKey(Theme::system), tr("As the &System")},
-          {themeKey(Theme::light), tr("&Light")},
-          {themeKey(Theme::dark), tr("&Dark")}},
-         themeKey(m_appearance.theme()),
-         [this](const QString& key) { m_appearance.setTheme(themeFromKey(key)); });
-    QList<QPair<QString, QString>> all;
-    for (const Language& language : languages())
-        all.append({language.code, language.name});
-    fill(m_languageMenu, all, m_appearance.language(),
-         [this](const QString& code) { m_appearance.setLanguage(code); });
-}
-
-void MainWindow::fillSamples() {
-    m_samplesMenu->clear();
-    for (const SampleJob& sample : sampleJobs())
-        connect(m_samplesMenu->addAction(sample.name), &QAction::triggered, this,
-                [this, file = sample.file] { m_files->open(file); });
 }
 
 void MainWindow::retranslate() {

@@ -5,6 +5,7 @@
 
 #include <QApplication>
 
+#include "ui/breakpoints/breakpoints_panel.h"
 #include "ui/control/control_panel.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/findings/problems_panel.h"
@@ -48,6 +49,8 @@ const std::vector<MainWindow::Dock>& MainWindow::docks() {
          }},
         {"dock-control", QT_TRANSLATE_NOOP("Docks", "Control"), "settings", "Ctrl+8", true,
          [](MainWindow& window) -> QWidget* { return new ControlPanel(window.m_session, &window); }},
+        {"dock-breakpoints", QT_TRANSLATE_NOOP("Docks", "Breakpoints"), "breakpoint", "Ctrl+9", true,
+         [](MainWindow& window) -> QWidget* { return new BreakpointsPanel(window.m_session, &window); }},
     };
     return kDocks;
 }

@@ -13,7 +13,8 @@ constexpr const char* kContext = "SimulateCommands";
 constexpr std::ptrdiff_t kManyBlocks = 10;
 
 void changeSpeed(Session& session, int direction) {
-    session.setSpeed(neighbourSpeed(session.playback().blocksPerSecond, direction),
+    const double unit = unitSpeed(session.playback().by) / kUnitBlocksPerSecond;
+    session.setSpeed(unit * neighbourSpeed(session.playback().unitsPerSecond / unit, direction),
                      session.playback().everyBlock);
 }
 

@@ -101,6 +101,7 @@ void Session::adoptProgram(const std::shared_ptr<const Program>& program, const 
         if (whole && program->asksForStock())
             return interpret(); // now there is a stock to probe
     }
+    askForTimes();
     simulate(more);
     emit programChanged();
     refreshProblems();
@@ -130,7 +131,7 @@ void Session::continueWithEdit() {
 void Session::continueWithMore() {
     m_simulation->post(EditCommand{m_program, ++m_generation});
     if (m_playback.playing)
-        m_simulation->post(PlayCommand{m_playback.blocksPerSecond, m_playback.everyBlock});
+        postPlay();
 }
 
 void Session::load() {
@@ -142,10 +143,11 @@ void Session::load() {
     m_loadGeneration = ++m_generation;
     m_played.loaded(parameters());
     m_simulation->post(LoadCommand{m_program, m_job.setup(), parameters(), m_generation});
+    postStops();
     if (block() > 0)
         m_simulation->post(SeekCommand{std::min(block(), blockCount())});
     if (m_playback.playing)
-        m_simulation->post(PlayCommand{m_playback.blocksPerSecond, m_playback.everyBlock});
+        postPlay();
 }
 
 void Session::simulationProgressed(double done) {
@@ -172,6 +174,10 @@ void Session::takeFrame() {
         stopPlaying();
     if (!before || before->findings != m_frame->findings)
         refreshProblems();
+    if (m_frame->stoppedBy && (!before || before->stoppedBy != m_frame->stoppedBy)) {
+        stopPlaying();
+        emit stoppedAt(*m_frame->stoppedBy);
+    }
 }
 
 void Session::stopPlaying() {
@@ -210,69 +216,6 @@ void Session::reportDrawn(std::uint64_t sequence, double uploadSeconds, double d
         m_simulation->frameShown(sequence);
     if (!m_playback.playing)
         requestTick(); // no other frame comes to show the new row with
-}
-
-// Playback.
-
-void Session::play() {
-    if (!m_program || m_playback.playing)
-        return;
-    if (!m_loadedSetup)
-        load();  // it failed; where it does so again the reason is told again
-    takeFrame(); // an older frame must not look like the end of what starts now
-    if (block() == blockCount())
-        m_simulation->post(SeekCommand{0});
-    m_playback.playing = true;
-    if (!m_played.isWeighing())
-        restartHoldBack();
-    postParameters();
-    m_simulation->post(PlayCommand{m_playback.blocksPerSecond, m_playback.everyBlock});
-    emit playbackChanged();
-}
-
-void Session::pause() {
-    m_simulation->post(PauseCommand{});
-    stopPlaying();
-}
-
-void Session::togglePlay() {
-    if (m_playback.playing)
-        pause();
-    else
-        play();
-}
-
-void Session::step(std::ptrdiff_t blocks) {
-    // The command pauses by itself; a PauseCommand before it would drop the steps that are still under way.
-    m_simulation->post(StepCommand{blocks});
-    stopPlaying();
-}
-
-void Session::seek(std::size_t block) {
-    m_simulation->post(SeekCommand{std::min(block, blockCount())});
-    if (m_playback.playing)
-        m_simulation->post(PlayCommand{m_playback.blocksPerSecond, m_playback.everyBlock});
-}
-
-void Session::stepToToolChange(int direction) {
-    if (!m_program)
-        return;
-    pause();
-    if (const auto block = neighbouringToolChange(*m_program, this->block(), direction))
-        seek(*block);
-}
-
-void Session::seekToLine(std::uint32_t line) {
-    if (m_program)
-        seek(m_program->blocksAfterLine(line));
-}
-
-void Session::setSpeed(double blocksPerSecond, bool everyBlock) {
-    m_playback.blocksPerSecond = blocksPerSecond;
-    m_playback.everyBlock = everyBlock;
-    if (m_playback.playing)
-        m_simulation->post(PlayCommand{blocksPerSecond, everyBlock});
-    emit playbackChanged();
 }
 
 // Export, progress, problems.

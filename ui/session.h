@@ -18,7 +18,9 @@
 #include "core/base/diagnostic.h"
 #include "core/decimation/parameters.h"
 #include "core/nc/program.h"
+#include "core/simulation/breakpoints.h"
 #include "core/simulation/frame.h"
+#include "core/simulation/machine_time.h"
 #include "core/simulation/setup.h"
 #include "core/simulation/simulation_thread.h"
 #include "core/simulation/statistics.h"
@@ -27,6 +29,7 @@
 #include "ui/file_watch.h"
 #include "ui/frame_log.h"
 #include "ui/job_document.h"
+#include "ui/newest_task.h"
 #include "ui/played_parameters.h"
 #include "ui/program_index.h"
 #include "ui/program_source.h"
@@ -34,17 +37,26 @@
 
 namespace proveout {
 
-/// How the program is played. Value type.
-struct Playback {
-    bool playing = false;
-    double blocksPerSecond = 50; ///< infinity: as fast as possible
-    bool everyBlock = false;     ///< paper mode: every block is drawn before the next one is cut
-
-    friend bool operator==(const Playback&, const Playback&) = default;
-};
+/// What is even in playback: each block takes the same time, each millimetre of path, or what the machine
+/// takes.
+enum class PlayBy : std::uint8_t { blocks, length, time };
 
 /// Speeds are told to people as multiples of this many blocks a second.
 inline constexpr double kUnitBlocksPerSecond = 50;
+/// The same of each way to play: blocks, millimetres, seconds of the machine a second.
+[[nodiscard]] constexpr double unitSpeed(PlayBy by) {
+    return by == PlayBy::time ? 1 : kUnitBlocksPerSecond;
+}
+
+/// How the program is played. Value type.
+struct Playback {
+    bool playing = false;
+    PlayBy by = PlayBy::blocks;
+    double unitsPerSecond = kUnitBlocksPerSecond; ///< infinity: as fast as possible
+    bool everyBlock = false; ///< paper mode: every block is drawn before the next one is cut
+
+    friend bool operator==(const Playback&, const Playback&) = default;
+};
 
 /// Long work under way that can be cancelled. Value type.
 struct Work {
@@ -79,6 +91,11 @@ public:
     [[nodiscard]] const DecimationParameters& parameters() const { return m_job.parameters(); }
     /// The newest interpretation; null before the first one. May be ahead of frame()->program.
     [[nodiscard]] const std::shared_ptr<const Program>& program() const { return m_program; }
+    /// How long the machine takes for program(); null while that is not known yet.
+    [[nodiscard]] const std::shared_ptr<const MachineTimes>& times() const { return m_times; }
+    /// As described by the job or the user; nothing: the values of Machine() are assumed.
+    [[nodiscard]] const std::optional<Machine>& machine() const { return m_job.machine(); }
+    [[nodiscard]] const std::vector<Breakpoint>& breakpoints() const { return m_breakpoints; }
     /// What program() cuts.
     [[nodiscard]] const CuttingExtent& cutting() const { return m_cutting; }
     /// Whether program() is only the beginning of one whose rest is still being read.
@@ -141,7 +158,16 @@ public:
     void seek(std::size_t block);         ///< goes on playing where it played
     void stepToToolChange(int direction); ///< -1: the previous one, +1: the next one; pauses
     void seekToLine(std::uint32_t line);  ///< the state after source line `line`, 1-based
-    void setSpeed(double blocksPerSecond, bool everyBlock = false);
+    void setSpeed(double unitsPerSecond, bool everyBlock = false);
+    void setPlayBy(PlayBy by); ///< at the same multiple of its unit speed
+    void setMachine(const Machine& machine);
+    void setBreakpoints(std::vector<Breakpoint> breakpoints);
+    /// Sets one at a line, or takes it away.
+    void toggleBreakpoint(std::uint32_t line);
+    /// An edit has added (or taken away) lines behind a place in `line`: breakpoints behind it move along.
+    void moveBreakpoints(std::uint32_t line, bool fromItsStart, std::ptrdiff_t added);
+    /// Bytes that the simulation may keep to go back quickly.
+    void setCheckpointBudget(std::size_t bytes);
 
     void setParameters(const DecimationParameters& parameters);
     /// Errors (stock, grid, memory) are told by the result and change nothing.
@@ -170,6 +196,11 @@ signals:
     void setupChanged();
     void parametersChanged();
     void playbackChanged();
+    void machineChanged();
+    void timesChanged();
+    void breakpointsChanged();
+    /// A breakpoint has stopped the run.
+    void stoppedAt(const BreakpointHit& hit);
     void problemsChanged();
     /// What was asked for could not be done; why stands in problems().
     void troubled();
@@ -207,6 +238,9 @@ private:
     void onTick();
     void stopPlaying();
     void restartHoldBack();
+    void postPlay();
+    void postStops();
+    void askForTimes();
     void postParameters();
     void refreshProblems();
     void showWork();
@@ -218,7 +252,10 @@ private:
 
     std::shared_ptr<const Program> m_program;
     CuttingExtent m_cutting;
-    std::shared_ptr<const Setup> m_loadedSetup; ///< what the simulation runs on; null: nothing loaded
+    std::shared_ptr<const MachineTimes> m_times; ///< of m_program, or null
+    std::vector<Breakpoint> m_breakpoints;
+    std::optional<std::size_t> m_checkpointBudget; ///< nothing: the simulation's own
+    std::shared_ptr<const Setup> m_loadedSetup;    ///< what the simulation runs on; null: nothing loaded
     std::uint64_t m_generation = 0;
     std::uint64_t m_loadGeneration = 0; ///< of the newest load; failures of older ones are nobody's concern
     FramePtr m_frame;
@@ -244,6 +281,7 @@ private:
     DocumentReader m_reader;
     ExportJob m_export;
     ProgramSource m_source;
+    NewestTask m_timing;
     std::unique_ptr<SimulationThread> m_simulation; ///< last: its thread ends before what it posts to
 };
 

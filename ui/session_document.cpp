@@ -36,6 +36,8 @@ void Session::adopt(JobDocument job) {
     m_hasDocument = true;
     m_program.reset();
     m_cutting = {};
+    m_times.reset();
+    m_timing.cancel();
     m_begun = false;
     m_loadedSetup.reset();
     ++m_generation;
@@ -49,6 +51,8 @@ void Session::adopt(JobDocument job) {
     emit textReplaced();
     emit documentChanged();
     emit setupChanged();
+    emit machineChanged();
+    emit timesChanged();
     emit parametersChanged();
     emit playbackChanged();
     emit programChanged();

@@ -10,6 +10,7 @@
 #include <QStatusBar>
 #include <QToolButton>
 
+#include "ui/diagnostic_text.h"
 #include "ui/export_text.h"
 
 namespace proveout {
@@ -65,7 +66,16 @@ StatusLine::StatusLine(Session& session, QStatusBar& bar)
         // A narrow window cuts the message off.
         m_bar.setToolTip(text + QLatin1Char('\n') + exportDetails(summary, m_bar.locale()));
     });
+    connect(&session, &Session::stoppedAt, this, &StatusLine::tellStop);
     retranslate();
+}
+
+/// Why the run stopped, until it goes on or something else is told.
+void StatusLine::tellStop(const BreakpointHit& hit) {
+    Diagnostic reason;
+    reason.text = rowOf(hit.breakpoint.kind).reason;
+    reason.arguments = {valueText(hit.breakpoint)};
+    m_bar.showMessage(sentence(reason));
 }
 
 void StatusLine::retranslate() {

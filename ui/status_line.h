@@ -30,6 +30,7 @@ private:
     void onTick(const FramePtr& frame);
     void showFrame(const FramePtr& frame);
     void showWork();
+    void tellStop(const BreakpointHit& hit);
     /// Makes each field as wide as the widest text that it will show for this program and stock.
     void fitFields();
     void set(Field field, const QString& text);

@@ -25,6 +25,7 @@ struct MeaningColors {
     QColor word;       ///< G and M words
     QColor coordinate; ///< axis words
     QColor comment;
+    QColor breakpoint;
 };
 [[nodiscard]] MeaningColors meaningColors(const QPalette& palette);
 [[nodiscard]] QColor severityColor(const MeaningColors& colors, Severity severity);

@@ -17,7 +17,7 @@ struct Job {
     Setup setup;
     DecimationParameters parameters;
     std::optional<Machine> machine = {}; ///< nothing: the defaults are assumed
-    Diagnostics warnings = {}; ///< about the file it was read from; never written
+    Diagnostics warnings = {};           ///< about the file it was read from; never written
     bool regionNamed =
         false; ///< by that file; never written. Else the size is the standard of method and map
 };

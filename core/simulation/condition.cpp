@@ -211,7 +211,7 @@ bool Condition::compare(const Step& step, const ConditionValues& values) {
 
 bool Condition::holds(const ConditionValues& values) const {
     // Each level of parentheses leaves at most two operands waiting.
-    std::array<bool, 3 * (kDeepest + 1)> stack{};
+    std::array<bool, std::size_t{3} * (kDeepest + 1)> stack{};
     std::size_t top = 0;
     for (const Step& step : m_steps) {
         switch (step.action) {

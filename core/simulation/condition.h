@@ -27,8 +27,8 @@ using ConditionValues = std::array<double, kConditionVariables>;
 /// && || ! and parentheses; && binds closer than ||. Letters of either case. Value type.
 class Condition {
 public:
-    /// Errors: one that names the column (1-based, bytes) and what was expected there. Any bytes are safe: the
-    /// text may have kLongest of them, and kDeepest parentheses in each other.
+    /// Errors: one that names the column (1-based, bytes) and what was expected there. Any bytes are safe:
+    /// the text may have kLongest of them, and kDeepest parentheses in each other.
     [[nodiscard]] static Result<Condition> parse(std::string_view text);
     [[nodiscard]] bool holds(const ConditionValues& values) const;
 

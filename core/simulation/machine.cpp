@@ -27,10 +27,10 @@ Result<void> setField(Machine& machine, std::string_view key, std::string_view t
         if (error == std::errc() && read == end && number >= field.minimum && number <= field.maximum)
             value = number;
         else
-            result = failure("machine-value",
-                             PROVEOUT_TEXT("Core", "\"{}\" of the machine must be a number from {} to {}."),
-                             {std::string(key), fmt::format("{}", field.minimum),
-                              fmt::format("{}", field.maximum)});
+            result = failure(
+                "machine-value",
+                PROVEOUT_TEXT("Core", "\"{}\" of the machine must be a number from {} to {}."),
+                {std::string(key), fmt::format("{}", field.minimum), fmt::format("{}", field.maximum)});
     });
     if (!known)
         return failure("machine-key", PROVEOUT_TEXT("Core", "A machine has no \"{}\"; it has {}."),

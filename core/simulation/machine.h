@@ -25,8 +25,9 @@ struct Machine {
 
 /// Names every field once; see field.h.
 template<class Params, class Visitor>
-void describe(Params& machine, Visitor&& visit)
-    requires requires { machine.toolChangeSeconds; }
+void describe(Params& machine, Visitor&& visit) requires requires {
+    machine.toolChangeSeconds;
+}
 {
     visit(machine.rapidXY, Field{"rapidXY", PROVEOUT_TEXT("Core", "Rapid X, Y"), "mm/min",
                                  PROVEOUT_TEXT("Core", "How fast X and Y each move at rapid."), 1, 1e6, 500});
@@ -38,16 +39,15 @@ void describe(Params& machine, Visitor&& visit)
     visit(machine.accelerationXY,
           Field{"accelerationXY", PROVEOUT_TEXT("Core", "Acceleration X, Y"), "mm/s²",
                 PROVEOUT_TEXT("Core", "How fast X and Y each gain and lose speed."), 1, 1e6, 100});
-    visit(machine.accelerationZ, Field{"accelerationZ", PROVEOUT_TEXT("Core", "Acceleration Z"), "mm/s²",
-                                       PROVEOUT_TEXT("Core", "How fast Z gains and loses speed."), 1, 1e6,
-                                       100});
+    visit(machine.accelerationZ,
+          Field{"accelerationZ", PROVEOUT_TEXT("Core", "Acceleration Z"), "mm/s²",
+                PROVEOUT_TEXT("Core", "How fast Z gains and loses speed."), 1, 1e6, 100});
     visit(machine.cornerDeviation,
           Field{"cornerDeviation", PROVEOUT_TEXT("Core", "Corner deviation"), "mm",
                 PROVEOUT_TEXT("Core", "How far the path may be rounded at a corner; 0: it stops at each."), 0,
                 10, 0.01});
-    visit(machine.toolChangeSeconds,
-          Field{"toolChange", PROVEOUT_TEXT("Core", "Tool change"), "s",
-                PROVEOUT_TEXT("Core", "From chip to chip."), 0, 3600, 0.5});
+    visit(machine.toolChangeSeconds, Field{"toolChange", PROVEOUT_TEXT("Core", "Tool change"), "s",
+                                           PROVEOUT_TEXT("Core", "From chip to chip."), 0, 3600, 0.5});
 }
 
 /// The machine as `key=value,…` says, with the keys of describe(); what is not named stays. Errors: a key

@@ -59,11 +59,13 @@ Vec3 arcDirection(const Motion& motion, bool atEnd) {
 class TimeKeeping {
 public:
     TimeKeeping(std::shared_ptr<const Program> program, const Machine& machine)
-        : m_machine(machine),
-          m_limits{Vec3(machine.rapidXY, machine.rapidXY, machine.rapidZ) / kSecondsPerMinute,
-                   Vec3(machine.accelerationXY, machine.accelerationXY, machine.accelerationZ)},
+        : m_machine(machine), m_limits{Vec3(machine.rapidXY, machine.rapidXY, machine.rapidZ) /
+                                           kSecondsPerMinute,
+                                       Vec3(machine.accelerationXY, machine.accelerationXY,
+                                            machine.accelerationZ)},
           m_program(*program), m_times(std::make_shared<MachineTimes>()),
-          m_plan(machine.cornerDeviation, [this](std::uint32_t block, double seconds) { put(block, seconds); }) {
+          m_plan(machine.cornerDeviation,
+                 [this](std::uint32_t block, double seconds) { put(block, seconds); }) {
         m_times->secondsAfter.assign(program->blockCount() + 1, 0);
         m_times->lengthAfter.assign(program->blockCount() + 1, 0);
         m_times->program = std::move(program);
@@ -191,8 +193,7 @@ private:
         Vec3 most(0); // share of the length that an axis may have to move by somewhere on the arc
         most[plane.first] = most[plane.second] = 1;
         most[plane.normal] = std::abs(motion.end[plane.normal] - motion.start[plane.normal]) / length;
-        const double endRadius =
-            glm::length(inPlane(motion.end, plane) - inPlane(motion.centre, plane));
+        const double endRadius = glm::length(inPlane(motion.end, plane) - inPlane(motion.centre, plane));
         const double curvature =
             (arcRadius(motion) + endRadius) / 2 * (motion.sweep / length) * (motion.sweep / length);
         const double sideways =

@@ -35,7 +35,7 @@ struct MachineTimes {
         TimeParts parts;
         double feedLength = 0; ///< mm
     };
-    std::vector<OfTool> tools; ///< in the order of their first motion
+    std::vector<OfTool> tools;          ///< in the order of their first motion
     std::size_t motionsWithoutFeed = 0; ///< counted with the largest feed of the machine
     std::size_t motionsFromUnknown = 0; ///< counted along the axes that are known at both ends
 
@@ -47,8 +47,7 @@ struct MachineTimes {
 /// time, nor does a tool that is in the spindle already. Rapids go straight to their end. Arcs keep to the
 /// centripetal acceleration of their plane. The time that a spindle needs to gain its speed is not counted.
 /// Linear in the motions: 1 M of them take some tenths of a second. Null where the context was stopped.
-[[nodiscard]] std::shared_ptr<const MachineTimes> machineTimes(std::shared_ptr<const Program> program,
-                                                               const Machine& machine,
-                                                               const WorkContext& context = {});
+[[nodiscard]] std::shared_ptr<const MachineTimes>
+machineTimes(std::shared_ptr<const Program> program, const Machine& machine, const WorkContext& context = {});
 
 } // namespace proveout

@@ -177,9 +177,7 @@ struct SimulationThread::State {
         clock.start(from, play.unitsPerSecond, Clock::now());
     }
 
-    void take(BreakpointsCommand&& command) {
-        breakpoints.set(command.breakpoints, simulation->program());
-    }
+    void take(BreakpointsCommand&& command) { breakpoints.set(command.breakpoints, simulation->program()); }
 
     void take(BudgetCommand&& command) { simulation->setCheckpointBudget(command.bytes); }
 
@@ -264,15 +262,15 @@ struct SimulationThread::State {
         if (breakpoint == nullptr)
             return;
         playing = false;
-        stoppedBy =
-            std::make_shared<const BreakpointHit>(BreakpointHit{*breakpoint, simulation->position()});
+        stoppedBy = std::make_shared<const BreakpointHit>(BreakpointHit{*breakpoint, simulation->position()});
     }
 
     void playSlice() {
         const auto begin = Clock::now();
         bool due = everyBlock || clock.isDue(simulation->position(), begin);
         const WorkContext context{queue.beginWork(false), {}};
-        while (due && playing && !simulation->atEnd() && !context.stopped() && Clock::now() - begin < kSlice) {
+        while (due && playing && !simulation->atEnd() && !context.stopped() &&
+               Clock::now() - begin < kSlice) {
             playBlock(context);
             due = !everyBlock && clock.isDue(simulation->position(), begin);
         }

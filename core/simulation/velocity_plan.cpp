@@ -57,7 +57,8 @@ void VelocityPlan::add(const PathPiece& piece) {
             m_sideBefore = m_sideLength;
             m_sideLength = 0;
             m_side = m_pieces.size();
-            m_sideCorner = 1 - cosine < kStraight ? kInfinity : std::sqrt(std::max(0.0, 1 + cosine) / (1 - cosine));
+            m_sideCorner =
+                1 - cosine < kStraight ? kInfinity : std::sqrt(std::max(0.0, 1 + cosine) / (1 - cosine));
             m_sideAcceleration = std::min(m_last.acceleration, piece.acceleration);
         }
     }
@@ -73,8 +74,7 @@ void VelocityPlan::closeSide() {
     if (m_side == 0 || std::isinf(m_sideCorner))
         return;
     double& limit = m_pieces[m_side].entryLimit;
-    limit = std::min(limit,
-                     m_sideAcceleration * std::min(m_sideBefore, m_sideLength) / 2 * m_sideCorner);
+    limit = std::min(limit, m_sideAcceleration * std::min(m_sideBefore, m_sideLength) / 2 * m_sideCorner);
 }
 
 /// What may be entered so that all that follows can still be braked for.

@@ -22,8 +22,8 @@ struct PathPiece {
     std::uint32_t owner = 0; ///< handed back with the time
 };
 
-/// Plans the fastest speed that keeps to the top speeds, the accelerations and the limits of the corners, from
-/// standstill to standstill. A corner is passed as fast as an arc within `cornerDeviation` of it allows
+/// Plans the fastest speed that keeps to the top speeds, the accelerations and the limits of the corners,
+/// from standstill to standstill. A corner is passed as fast as an arc within `cornerDeviation` of it allows
 /// (junction deviation), and no faster than an arc through the middles of its straight sides (the limit of
 /// polylines that stand for curves). Straight pieces in one direction are one side, however many they are, so
 /// that cutting a piece in two changes no time. Takes O(1) a piece, and memory for as many as braking from
@@ -60,8 +60,8 @@ private:
     PathPiece m_last;
     std::size_t m_side = 0; ///< where the straight side begins that the last piece belongs to
     double m_sideLength = 0;
-    double m_sideBefore = 0;    ///< length of the one before
-    double m_sideCorner = 0;    ///< the tangent of half the angle between the two; infinite where straight on
+    double m_sideBefore = 0; ///< length of the one before
+    double m_sideCorner = 0; ///< the tangent of half the angle between the two; infinite where straight on
     double m_sideAcceleration = 0; ///< at that corner
     std::size_t m_watch = 0;       ///< pieces at which the next look for sure ones is worth it
 };

@@ -22,7 +22,7 @@ constexpr const char* kContext = "EditCommands";
 
 } // namespace
 
-const std::array<Command<EditorPanel>, 14> EditorPanel::kCommands{{
+const std::array<Command<EditorPanel>, 15> EditorPanel::kCommands{{
     {"edit-undo", QT_TRANSLATE_NOOP("EditCommands", "&Undo"),
      QT_TRANSLATE_NOOP("EditCommands", "Take back the last change of the text"), "undo", "Ctrl+Z",
      Reach::focus, [](EditorPanel& panel) { panel.m_editor->undo(); }},
@@ -58,6 +58,12 @@ const std::array<Command<EditorPanel>, 14> EditorPanel::kCommands{{
     {"edit-find-previous", QT_TRANSLATE_NOOP("EditCommands", "Find Pre&vious"),
      QT_TRANSLATE_NOOP("EditCommands", "Go to the previous match"), "", "Shift+F3", Reach::window,
      [](EditorPanel& panel) { panel.m_find->find(false); }},
+    {"toggle-breakpoint", QT_TRANSLATE_NOOP("EditCommands", "Toggle &Breakpoint"),
+     QT_TRANSLATE_NOOP("EditCommands", "Stop the run before the line that the caret is on, or no longer"), "",
+     "F9", Reach::window,
+     [](EditorPanel& panel) {
+         panel.m_session.toggleBreakpoint(static_cast<std::uint32_t>(panel.m_editor->caretLine()));
+     }},
     {"edit-run-to-caret", QT_TRANSLATE_NOOP("EditCommands", "Run to Caret &Line"),
      QT_TRANSLATE_NOOP("EditCommands", "Show the stock after the line that the caret is on"), "",
      "Ctrl+Return", Reach::focus,
@@ -87,6 +93,10 @@ EditorPanel::EditorPanel(Session& session, QWidget* parent)
     setFocusProxy(m_editor);
 
     connect(m_editor, &NcEditor::edited, &session, &Session::applyEdit);
+    connect(m_editor, &NcEditor::linesMoved, &session, &Session::moveBreakpoints);
+    connect(m_editor, &NcEditor::marginChosen, &session,
+            [&session](int line) { session.toggleBreakpoint(static_cast<std::uint32_t>(line)); });
+    connect(&session, &Session::breakpointsChanged, this, &EditorPanel::showBreakpoints);
     connect(m_editor, &NcEditor::savedStateChanged, &session, &Session::setTextModified);
     connect(m_editor, &NcEditor::lineChosen, &session,
             [&session](int line) { session.seekToLine(static_cast<std::uint32_t>(line)); });
@@ -100,6 +110,7 @@ EditorPanel::EditorPanel(Session& session, QWidget* parent)
     connect(m_editor, &NcEditor::loaded, this, [this] {
         updateActions();
         showProblems();
+        showBreakpoints();
         showFrame(m_session.frame());
     });
     connect(&session, &Session::textReplaced, this, &EditorPanel::loadText);
@@ -182,6 +193,16 @@ void EditorPanel::showProblems() {
     std::copy_if(m_session.problems().begin(), m_session.problems().end(), std::back_inserter(here),
                  &Session::isInText);
     m_editor->showProblems(here);
+}
+
+void EditorPanel::showBreakpoints() {
+    std::vector<int> on;
+    std::vector<int> off;
+    for (const Breakpoint& breakpoint : m_session.breakpoints()) {
+        if (breakpoint.kind == BreakpointKind::line)
+            (breakpoint.enabled ? on : off).push_back(static_cast<int>(breakpoint.line));
+    }
+    m_editor->showBreakpoints(on, off);
 }
 
 void EditorPanel::changeEvent(QEvent* event) {

@@ -30,12 +30,13 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    static const std::array<Command<EditorPanel>, 14> kCommands;
+    static const std::array<Command<EditorPanel>, 15> kCommands;
 
     void retranslate();
     void loadText();
     void showFrame(const FramePtr& frame);
     void showProblems();
+    void showBreakpoints();
     void updateActions();
     void askForValues(std::uint32_t line, bool toEnd);
     void showValues(const Program& program);

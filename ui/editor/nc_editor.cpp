@@ -21,8 +21,10 @@ constexpr int kProblemMargin = 1;
 constexpr int kArrowMargin = 2;
 constexpr int kArrowMarginWidth = 14;
 constexpr int kTabWidth = 4;
+constexpr int kBreakpoint = 0; // below the arrow
 constexpr int kCurrentArrow = 1;
 constexpr int kCurrentBackground = 2;
+constexpr int kBreakpointOff = 3;
 constexpr double kCurrentTint = 0.22;
 constexpr std::size_t kBytesAtOnce = 1'000'000; ///< a few milliseconds
 
@@ -61,8 +63,8 @@ NcEditor::NcEditor(QWidget* parent)
     SendScintilla(SCI_SETCARETLINEVISIBLEALWAYS, 1UL);
     SendScintilla(SCI_SETMODEVENTMASK, static_cast<unsigned long>(SC_MOD_INSERTTEXT | SC_MOD_DELETETEXT));
     connect(this, &QsciScintillaBase::SCN_MODIFIED, this,
-            [this](int position, int type, const char* text, int length) {
-                onModified(position, type, text, length);
+            [this](int position, int type, const char* text, int length, int linesAdded) {
+                onModified(position, type, text, length, linesAdded);
             });
     connect(this, &QsciScintilla::modificationChanged, this, [this](bool modified) {
         if (!m_loading)
@@ -76,7 +78,13 @@ void NcEditor::setUpMargins() {
     setMarginMarkerMask(kNumberMargin, 0); // a marker that a margin claims does not colour its line
     setMarginType(kArrowMargin, SymbolMargin);
     setMarginWidth(kArrowMargin, kArrowMarginWidth);
-    setMarginMarkerMask(kArrowMargin, 1 << kCurrentArrow);
+    setMarginMarkerMask(kArrowMargin, 1 << kCurrentArrow | 1 << kBreakpoint | 1 << kBreakpointOff);
+    markerDefine(Circle, kBreakpoint);
+    markerDefine(Circle, kBreakpointOff);
+    for (const int margin : {kNumberMargin, kArrowMargin})
+        setMarginSensitivity(margin, true);
+    connect(this, &QsciScintilla::marginClicked, this,
+            [this](int /*margin*/, int line) { emit marginChosen(line + 1); });
     markerDefine(RightTriangle, kCurrentArrow);
     markerDefine(Background, kCurrentBackground);
 }
@@ -106,7 +114,20 @@ void NcEditor::adoptPalette() {
                              kCurrentBackground);
     setMarkerBackgroundColor(meaning.accent, kCurrentArrow);
     setMarkerForegroundColor(meaning.accent, kCurrentArrow);
+    setMarkerBackgroundColor(meaning.breakpoint, kBreakpoint);
+    setMarkerForegroundColor(meaning.breakpoint, kBreakpoint);
+    setMarkerBackgroundColor(colors.color(QPalette::Window), kBreakpointOff);
+    setMarkerForegroundColor(meaning.breakpoint, kBreakpointOff);
     m_problems.adoptPalette();
+}
+
+void NcEditor::showBreakpoints(const std::vector<int>& on, const std::vector<int>& off) {
+    markerDeleteAll(kBreakpoint);
+    markerDeleteAll(kBreakpointOff);
+    for (const int line : on)
+        markerAdd(line - 1, kBreakpoint);
+    for (const int line : off)
+        markerAdd(line - 1, kBreakpointOff);
 }
 
 void NcEditor::load(const Document& document) {
@@ -163,7 +184,7 @@ void NcEditor::markSaved() {
     SendScintilla(SCI_SETSAVEPOINT);
 }
 
-void NcEditor::onModified(int position, int type, const char* text, int length) {
+void NcEditor::onModified(int position, int type, const char* text, int length, int linesAdded) {
     m_values.reset();
     leaveWord();
     if (m_loading)
@@ -171,6 +192,11 @@ void NcEditor::onModified(int position, int type, const char* text, int length) 
     m_edited = true;
     const auto offset = static_cast<std::size_t>(position);
     const auto size = static_cast<std::size_t>(length);
+    if (linesAdded != 0) {
+        const long line = SendScintilla(SCI_LINEFROMPOSITION, static_cast<unsigned long>(position));
+        const long start = SendScintilla(SCI_POSITIONFROMLINE, static_cast<unsigned long>(line));
+        emit linesMoved(static_cast<std::uint32_t>(line) + 1, start == position, linesAdded);
+    }
     if ((type & SC_MOD_INSERTTEXT) != 0)
         emit edited(offset, 0, std::string_view(text, size));
     else if ((type & SC_MOD_DELETETEXT) != 0)

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include <Qsci/qsciscintilla.h>
 
@@ -41,6 +42,8 @@ public:
     void showCurrentLine(int line, bool follow);
     /// Colours the codes of this dialect as known ones.
     void showDialect(DialectId dialect);
+    /// Lines (1-based) with breakpoints, those that are on and those that are off.
+    void showBreakpoints(const std::vector<int>& on, const std::vector<int>& off);
     void showProblems(const Diagnostics& problems) { m_problems.show(problems); }
     /// The values of a line, for the tooltip that shows one of its words, now or until the text changes.
     void showValues(std::shared_ptr<const LineValues> values);
@@ -59,6 +62,10 @@ public:
     void replaceBytes(std::size_t begin, std::size_t end, std::string_view text);
 
 signals:
+    /// The margin beside a line (1-based) was clicked.
+    void marginChosen(int line);
+    /// The user added (or took away) lines behind a place in `line` (1-based).
+    void linesMoved(std::uint32_t line, bool fromItsStart, std::ptrdiff_t added);
     /// Another text is there, also the empty one before a long one.
     void loaded();
     /// The user replaced `removed` bytes at `offset`.
@@ -85,7 +92,7 @@ private:
                       bool readOnly);
     void setUpMargins();
     void adoptPalette();
-    void onModified(int position, int type, const char* text, int length);
+    void onModified(int position, int type, const char* text, int length, int linesAdded);
     bool showTip(QPoint place, QPoint globalPlace);
     /// A word that is pointed at.
     struct PointedWord {

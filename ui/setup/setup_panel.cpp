@@ -18,6 +18,7 @@
 #include "ui/diagnostic_text.h"
 #include "ui/file_paths.h"
 #include "ui/panel_layout.h"
+#include "ui/setup/machine_form.h"
 #include "ui/setup/stock_form.h"
 #include "ui/setup/tool_table_editor.h"
 
@@ -44,7 +45,8 @@ SetupPanel::SetupPanel(Session& session, QWidget* parent)
       m_compensation(new QComboBox(this)), m_stockTitle(sectionLabel(this)), m_stock(new StockForm(this)),
       m_fit(new QPushButton(this)), m_memory(wrappedLabel(this)), m_problem(wrappedLabel(this)),
       m_toolsTitle(sectionLabel(this)), m_tools(new ToolTableEditor(this)), m_missing(wrappedLabel(this)),
-      m_define(new QPushButton(this)), m_blockDelete(new QCheckBox(this)) {
+      m_define(new QPushButton(this)), m_machineTitle(sectionLabel(this)),
+      m_machine(new MachineForm(session, this)), m_blockDelete(new QCheckBox(this)) {
     build();
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRestMs);
@@ -86,6 +88,9 @@ void SetupPanel::build() {
     for (QWidget* widget : {static_cast<QWidget*>(m_toolsTitle), static_cast<QWidget*>(m_missing),
                             static_cast<QWidget*>(m_define), static_cast<QWidget*>(m_tools)})
         layout->addWidget(widget);
+    layout->addSpacing(10);
+    layout->addWidget(m_machineTitle);
+    layout->addWidget(m_machine);
     layout->addStretch(1);
     fillScrolled(*this, content);
     m_problem->hide();
@@ -264,6 +269,7 @@ void SetupPanel::retranslate() {
     m_fit->setText(tr("Fit to program"));
     m_fit->setToolTip(tr("Make the stock just large enough for all cutting motions"));
     m_toolsTitle->setText(tr("Tools"));
+    m_machineTitle->setText(tr("Machine"));
     m_define->setText(tr("Add them with standard sizes"));
     m_define->setToolTip(tr("Add these tools; then give them the sizes of your cutters"));
     m_blockDelete->setText(tr("Skip blocks that begin with /"));

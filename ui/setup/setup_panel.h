@@ -17,6 +17,7 @@ class QPushButton;
 
 namespace proveout {
 
+class MachineForm;
 class StockForm;
 class ToolTableEditor;
 
@@ -62,6 +63,8 @@ private:
     ToolTableEditor* m_tools;
     QLabel* m_missing;
     QPushButton* m_define;
+    QLabel* m_machineTitle;
+    MachineForm* m_machine;
     QCheckBox* m_blockDelete;
     QTimer m_rest;
     NewestTask m_making; ///< a stock from its file

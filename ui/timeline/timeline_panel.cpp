@@ -12,7 +12,9 @@
 #include <QToolTip>
 
 #include "ui/choice_box.h"
+#include "ui/cycle_time_text.h"
 #include "ui/program_index.h"
+#include "ui/theme.h"
 #include "ui/timeline/timeline_scale.h"
 
 namespace proveout {
@@ -21,11 +23,19 @@ namespace {
 
 constexpr int kPaperMode = kSpeedCount; // the entry behind the speeds
 constexpr int kIconSize = 20;
+constexpr double kLags = 0.95; // of the speed that was asked for
+
+/// Blocks executed where a breakpoint at `line` stops first.
+std::size_t blockBefore(const Program& program, std::uint32_t line) {
+    const std::size_t after = program.blocksAfterLine(line);
+    return after > 0 && program.blockLine(after - 1) == line ? after - 1 : after;
+}
 
 } // namespace
 
 TimelinePanel::TimelinePanel(Session& session, const PlaybackCommands& commands, QWidget* parent)
     : QWidget(parent), m_session(session), m_scale(new TimelineScale(this)), m_position(new QLabel(this)),
+      m_time(new QLabel(this)), m_lag(new QLabel(this)), m_by(new ChoiceBox(this)),
       m_speedLabel(new QLabel(this)), m_speed(new ChoiceBox(this)) {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 4, 8, 4);
@@ -34,11 +44,21 @@ TimelinePanel::TimelinePanel(Session& session, const PlaybackCommands& commands,
     layout->addWidget(m_scale, 1);
     layout->addWidget(m_position);
     layout->addSpacing(8);
+    layout->addWidget(m_time);
+    layout->addSpacing(8);
+    layout->addWidget(m_lag);
+    layout->addWidget(m_by);
+    layout->addSpacing(4);
     layout->addWidget(m_speedLabel);
     layout->addSpacing(4);
     layout->addWidget(m_speed);
     m_position->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_time->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_speedLabel->setBuddy(m_speed);
+    m_by->setObjectName(QStringLiteral("play-by"));
+    m_speed->setObjectName(QStringLiteral("play-speed"));
+    m_lag->setObjectName(QStringLiteral("playback-lag"));
+    m_lag->hide();
     setFocusProxy(m_scale);
     for (QAction* action : commands.actions().all())
         addAction(action);
@@ -47,7 +67,11 @@ TimelinePanel::TimelinePanel(Session& session, const PlaybackCommands& commands,
     connect(m_scale, &TimelineScale::stepped, &session, &Session::step);
     connect(m_scale, &TimelineScale::tipWanted, this, &TimelinePanel::showTip);
     connect(m_speed, &QComboBox::activated, this, &TimelinePanel::chooseSpeed);
+    connect(m_by, &QComboBox::activated, this,
+            [&session](int index) { session.setPlayBy(static_cast<PlayBy>(index)); });
     connect(&session, &Session::playbackChanged, this, &TimelinePanel::showSpeed);
+    connect(&session, &Session::breakpointsChanged, this, &TimelinePanel::showProgram);
+    connect(&session, &Session::timesChanged, this, &TimelinePanel::showTimes);
     connect(&session, &Session::programChanged, this, &TimelinePanel::showProgram);
     connect(&session, &Session::problemsChanged, this, &TimelinePanel::showProgram);
     connect(&session, &Session::tick, this, &TimelinePanel::showFrame);
@@ -73,31 +97,61 @@ void TimelinePanel::retranslate() {
     m_scale->setStatusTip(
         tr("Drag to see the stock after any block; wheel or arrow keys: one block, with Shift: more"));
     m_speedLabel->setText(tr("Speed"));
-    m_speed->setToolTip(tr("Playing speed; 1× is %1 blocks a second").arg(kUnitBlocksPerSecond));
     m_speed->setAccessibleName(tr("Speed"));
+    m_by->setAccessibleName(tr("Play by"));
+    m_by->setToolTip(tr("What is even: each block, each millimetre of the path, or the time of the machine"));
     m_position->setToolTip(tr("Blocks executed / blocks that move"));
+    m_lag->setToolTip(tr("Cutting takes longer than the speed allows: the program is played more slowly, and "
+                         "the stock is right at every moment"));
+    fillPaces();
     fillSpeeds();
     showSpeed();
+    showTimes();
+}
+
+void TimelinePanel::fillPaces() {
+    const QSignalBlocker quiet(m_by);
+    m_by->clear();
+    m_by->addItems({tr("Blocks"), tr("Path length"), tr("Machine time")}); // in the order of PlayBy
+    m_by->setCurrentIndex(static_cast<int>(m_session.playback().by));
 }
 
 void TimelinePanel::fillSpeeds() {
     const QSignalBlocker quiet(m_speed);
+    const PlayBy by = m_session.playback().by;
     m_speed->clear();
     for (const double speed : speeds()) {
-        m_speed->addItem(std::isinf(speed) ? tr("As fast as possible")
-                                           : tr("%1× (%2 blocks/s)")
-                                                 .arg(locale().toString(speed / kUnitBlocksPerSecond),
-                                                      locale().toString(speed)));
+        const double factor = speed / kUnitBlocksPerSecond;
+        const QString times = locale().toString(factor);
+        const QString units = locale().toString(factor * unitSpeed(by));
+        if (std::isinf(speed))
+            m_speed->addItem(tr("As fast as possible"));
+        else if (by == PlayBy::blocks)
+            m_speed->addItem(tr("%1× (%2 blocks/s)").arg(times, units));
+        else if (by == PlayBy::length)
+            m_speed->addItem(tr("%1× (%2 mm/s)").arg(times, units));
+        else
+            m_speed->addItem(tr("%1× the machine").arg(times));
     }
     m_speed->addItem(tr("Every block (paper mode)"));
     m_speed->setItemData(kPaperMode, tr("Each block is drawn before the next one is cut"), Qt::ToolTipRole);
     m_speed->setMaxVisibleItems(m_speed->count());
+    m_speed->setToolTip(
+        by == PlayBy::blocks   ? tr("Playing speed; 1× is %1 blocks a second").arg(unitSpeed(by))
+        : by == PlayBy::length ? tr("Playing speed; 1× is %1 mm of path a second").arg(unitSpeed(by))
+                               : tr("Playing speed; 1× is that of the machine"));
+    m_filledFor = by;
 }
 
 void TimelinePanel::showSpeed() {
     const Playback& playback = m_session.playback();
+    if (playback.by != m_filledFor) {
+        fillSpeeds();
+        fillPaces();
+    }
     const auto& all = speeds();
-    const auto nearest = std::lower_bound(all.begin(), all.end(), playback.blocksPerSecond * (1 - 1e-9));
+    const double factor = playback.unitsPerSecond / unitSpeed(playback.by);
+    const auto nearest = std::lower_bound(all.begin(), all.end(), factor * kUnitBlocksPerSecond * (1 - 1e-9));
     const auto index = static_cast<int>(std::min<std::ptrdiff_t>(nearest - all.begin(), kSpeedCount - 1));
     const QSignalBlocker quiet(m_speed);
     m_speed->setCurrentIndex(playback.everyBlock ? kPaperMode : index);
@@ -105,7 +159,8 @@ void TimelinePanel::showSpeed() {
 
 void TimelinePanel::chooseSpeed(int index) {
     const auto speed = static_cast<std::size_t>(std::clamp(index, 0, kSpeedCount - 1));
-    m_session.setSpeed(speeds()[speed], index == kPaperMode);
+    const double factor = speeds()[speed] / kUnitBlocksPerSecond;
+    m_session.setSpeed(factor * unitSpeed(m_session.playback().by), index == kPaperMode);
 }
 
 void TimelinePanel::showProgram() {
@@ -113,11 +168,16 @@ void TimelinePanel::showProgram() {
     std::vector<TimelineMark> marks;
     if (const auto& program = m_session.program()) {
         for (const ToolChangeMark& change : toolChangeMarks(*program))
-            marks.push_back({change.block, true, Severity::note});
+            marks.push_back({change.block, TimelineMark::Kind::toolChange, Severity::note});
         for (const Diagnostic& problem : m_session.problems()) {
             if (Session::isInText(problem))
                 marks.push_back({program->blocksAfterLine(static_cast<std::uint32_t>(problem.where.line)),
-                                 false, problem.severity});
+                                 TimelineMark::Kind::problem, problem.severity});
+        }
+        for (const Breakpoint& breakpoint : m_session.breakpoints()) {
+            if (breakpoint.enabled && breakpoint.kind == BreakpointKind::line)
+                marks.push_back(
+                    {blockBefore(*program, breakpoint.line), TimelineMark::Kind::breakpoint, Severity::note});
         }
     }
     m_scale->setMarks(std::move(marks));
@@ -127,6 +187,8 @@ void TimelinePanel::showProgram() {
 void TimelinePanel::showFrame(const FramePtr& frame) {
     const std::size_t block = frame ? frame->block : 0;
     m_scale->setBlock(block);
+    showTime(block);
+    showLag(frame);
     const QString last = locale().toString(static_cast<qulonglong>(m_session.blockCount()));
     const QString text =
         QStringLiteral("%1 / %2").arg(locale().toString(static_cast<qulonglong>(block)), last);
@@ -135,6 +197,39 @@ void TimelinePanel::showFrame(const FramePtr& frame) {
     // Wide enough for the last block, so that nothing moves while the number grows.
     m_position->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("%1 / %1").arg(last)) + 8);
     m_position->setText(text);
+}
+
+/// Cycle time where the head stands, and of the whole program.
+void TimelinePanel::showTime(std::size_t block) {
+    const auto& times = m_session.times();
+    const bool known = times && block < times->secondsAfter.size();
+    const QString text = known ? QStringLiteral("%1 / %2").arg(clockText(times->secondsAfter[block]),
+                                                               clockText(times->parts.total()))
+                               : QString();
+    if (text != m_time->text())
+        m_time->setText(text);
+}
+
+void TimelinePanel::showTimes() {
+    const auto& times = m_session.times();
+    m_time->setVisible(times != nullptr && times->parts.total() > 0);
+    if (!times)
+        return;
+    const QString last = clockText(times->parts.total());
+    m_time->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("%1 / %1").arg(last)) + 8);
+    m_time->setToolTip(timeTip(*times, !m_session.machine()));
+    showTime(m_session.block());
+}
+
+void TimelinePanel::showLag(const FramePtr& frame) {
+    const bool lags = frame && frame->playing && frame->keptSpeed < kLags;
+    if (lags) {
+        const double speed =
+            frame->keptSpeed * m_session.playback().unitsPerSecond / unitSpeed(m_session.playback().by);
+        m_lag->setText(tr("Lags: %1×").arg(locale().toString(speed, 'g', 2)));
+        m_lag->setStyleSheet(QStringLiteral("color: %1").arg(meaningColors(palette()).warning.name()));
+    }
+    m_lag->setVisible(lags);
 }
 
 void TimelinePanel::showTip(std::size_t block, QPoint globalPlace) {

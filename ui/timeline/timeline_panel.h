@@ -14,7 +14,7 @@ namespace proveout {
 
 class TimelineScale;
 
-/// Transport buttons, the range of all blocks, and the speed.
+/// Transport buttons, the range of all blocks, the machine's time, and how fast the program is played.
 class TimelinePanel final : public QWidget {
     Q_OBJECT
 
@@ -29,7 +29,11 @@ protected:
 private:
     void addTransport(QHBoxLayout& layout, const PlaybackCommands& commands);
     void retranslate();
+    void fillPaces();
     void fillSpeeds();
+    void showLag(const FramePtr& frame);
+    void showTime(std::size_t block);
+    void showTimes();
     void showSpeed();
     void chooseSpeed(int index);
     void showProgram();
@@ -39,8 +43,12 @@ private:
     Session& m_session;
     TimelineScale* m_scale;
     QLabel* m_position;
+    QLabel* m_time;
+    QLabel* m_lag;
+    QComboBox* m_by;
     QLabel* m_speedLabel;
     QComboBox* m_speed;
+    PlayBy m_filledFor = PlayBy::blocks; ///< what the speeds are named for
 };
 
 } // namespace proveout

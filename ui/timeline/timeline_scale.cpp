@@ -2,6 +2,7 @@
 #include "ui/timeline/timeline_scale.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -128,22 +129,36 @@ void TimelineScale::paintRuler(QPainter& painter) const {
 void TimelineScale::paintMarks(QPainter& painter) const {
     const MeaningColors colors = meaningColors(palette());
     painter.setPen(Qt::NoPen);
-    double lastChange = -10;
-    double lastProblem = -10;
+    std::array<double, 3> last{-10, -10, -10}; // of each kind
     for (const TimelineMark& mark : m_marks) {
         const double x = positionOf(mark.block);
-        double& last = mark.toolChange ? lastChange : lastProblem;
-        if (x - last < 1)
+        double& before = last[static_cast<std::size_t>(mark.kind)];
+        if (x - before < 1)
             continue; // thousands on one pixel are drawn once
-        last = x;
-        painter.setBrush(mark.toolChange ? colors.toolChange : severityColor(colors, mark.severity));
-        QPolygonF shape; // a tool change is a triangle, a problem a diamond: shapes tell them apart too
-        if (mark.toolChange)
-            shape << QPointF(x - 4, 1) << QPointF(x + 4, 1) << QPointF(x, 8);
-        else
-            shape << QPointF(x, 0) << QPointF(x + 3.5, 4) << QPointF(x, 8) << QPointF(x - 3.5, 4);
-        painter.drawPolygon(shape);
+        before = x;
+        paintMark(painter, colors, mark, x);
     }
+}
+
+/// Shapes tell the kinds apart too: a triangle, a disc, a diamond.
+void TimelineScale::paintMark(QPainter& painter, const MeaningColors& colors, const TimelineMark& mark,
+                              double x) {
+    QPolygonF shape;
+    switch (mark.kind) {
+    case TimelineMark::Kind::toolChange:
+        painter.setBrush(colors.toolChange);
+        shape << QPointF(x - 4, 1) << QPointF(x + 4, 1) << QPointF(x, 8);
+        break;
+    case TimelineMark::Kind::breakpoint:
+        painter.setBrush(colors.breakpoint);
+        painter.drawEllipse(QPointF(x, 4.5), 3.5, 3.5);
+        return;
+    case TimelineMark::Kind::problem:
+        painter.setBrush(severityColor(colors, mark.severity));
+        shape << QPointF(x, 0) << QPointF(x + 3.5, 4) << QPointF(x, 8) << QPointF(x - 3.5, 4);
+        break;
+    }
+    painter.drawPolygon(shape);
 }
 
 void TimelineScale::paintHead(QPainter& painter) const {

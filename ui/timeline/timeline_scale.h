@@ -11,11 +11,14 @@
 
 namespace proveout {
 
+struct MeaningColors;
+
 /// A tick on the scale: something happened after `block` executed blocks.
 struct TimelineMark {
+    enum class Kind : std::uint8_t { toolChange, breakpoint, problem };
     std::size_t block = 0;
-    bool toolChange = false; ///< else a problem of `severity`
-    Severity severity = Severity::note;
+    Kind kind = Kind::problem;
+    Severity severity = Severity::note; ///< of a problem
 };
 
 /// The range of all blocks with the play head; scrubbing moves the head. Knows blocks only, no session.
@@ -54,6 +57,7 @@ protected:
 private:
     void paintRuler(QPainter& painter) const;
     void paintMarks(QPainter& painter) const;
+    static void paintMark(QPainter& painter, const MeaningColors& colors, const TimelineMark& mark, double x);
     void paintHead(QPainter& painter) const;
     void scrub(double x);
     void moveHead(std::size_t block);

@@ -53,22 +53,14 @@ TEST(Condition, NothingHoldsOfWhatIsNotKnown) {
 
 TEST(Condition, TellsWhereItCannotBeRead) {
     const std::pair<const char*, const char*> kCases[] = {
-        {"", "Column 1: a number"},
-        {"Z", "Column 2: one of <"},
-        {"Z <", "Column 4: a number"},
-        {"Z < -20 T == 3", "Column 9: && or ||"},
-        {"Z = 3", "Column 3: one of <"},
-        {"Z < -20 & T == 3", "Column 9: && or ||"},
-        {"(Z < 1", "Column 7: a closing"},
-        {"Q == 1", "Column 1: a number"},
-        {"Z < nan", "Column 6: && or ||"},
-        {"Z < inf", "Column 5: a number"},
-        {"Z < --1", "Column 5: a number"},
-        {"Z < 1e999", "Column 5: a number"},
-        {"1 < X < 2", "Column 7: && or ||"},
-        {"&& Z < 1", "Column 1: a number"},
-        {"Z < 1 &&", "Column 9: a number"},
-        {"Z < 1)", "Column 6: && or ||"},
+        {"", "Column 1: a number"},          {"Z", "Column 2: one of <"},
+        {"Z <", "Column 4: a number"},       {"Z < -20 T == 3", "Column 9: && or ||"},
+        {"Z = 3", "Column 3: one of <"},     {"Z < -20 & T == 3", "Column 9: && or ||"},
+        {"(Z < 1", "Column 7: a closing"},   {"Q == 1", "Column 1: a number"},
+        {"Z < nan", "Column 6: && or ||"},   {"Z < inf", "Column 5: a number"},
+        {"Z < --1", "Column 5: a number"},   {"Z < 1e999", "Column 5: a number"},
+        {"1 < X < 2", "Column 7: && or ||"}, {"&& Z < 1", "Column 1: a number"},
+        {"Z < 1 &&", "Column 9: a number"},  {"Z < 1)", "Column 6: && or ||"},
         {"Z < 1,5", "Column 6: && or ||"},
     };
     for (const auto& [text, begin] : kCases) {

@@ -22,7 +22,8 @@ Machine plainMachine() {
     return machine;
 }
 
-std::shared_ptr<const MachineTimes> timesOf(const std::string& text, const Machine& machine = plainMachine()) {
+std::shared_ptr<const MachineTimes> timesOf(const std::string& text,
+                                            const Machine& machine = plainMachine()) {
     InterpretOptions options;
     options.start = Vec3(0);
     return machineTimes(interpret(NcText(text), options), machine);

@@ -214,8 +214,9 @@ TEST(SimulationThread, StopsAtBreakpointsAndGoesOnFromThem) {
         listening.thread().post(LoadCommand{program, smallSetup(), bySchedule(), 1});
         listening.thread().post(BreakpointsCommand{{below, contact, line}});
         for (const auto& [block, kind] :
-             std::initializer_list<std::pair<std::size_t, BreakpointKind>>{
-                 {2, BreakpointKind::firstContact}, {3, BreakpointKind::condition}, {5, BreakpointKind::line}}) {
+             std::initializer_list<std::pair<std::size_t, BreakpointKind>>{{2, BreakpointKind::firstContact},
+                                                                           {3, BreakpointKind::condition},
+                                                                           {5, BreakpointKind::line}}) {
             listening.thread().post(PlayCommand{kInfinity, everyBlock});
             const auto stopped = listening.waitFor(
                 [block = block](const Frame& frame) { return frame.stoppedBy && frame.block == block; });

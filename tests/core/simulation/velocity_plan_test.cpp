@@ -87,9 +87,8 @@ TEST(VelocityPlan, APolylineOfACircleIsAsFastAsTheCircle) {
         std::vector<PathPiece> pieces;
         for (int i = 0; i < chords * 10; ++i) {
             const double angle = 2 * kPi * i / chords;
-            pieces.push_back(
-                straight({std::cos(angle), std::sin(angle), 0}, 2 * kRadius * std::sin(kPi / chords), 1000,
-                         kAcceleration));
+            pieces.push_back(straight({std::cos(angle), std::sin(angle), 0},
+                                      2 * kRadius * std::sin(kPi / chords), 1000, kAcceleration));
         }
         const double way = 10 * 2 * kPi * kRadius;
         // Up to the limit and down again, plus what the ramps lose.
@@ -113,9 +112,10 @@ double steppedTotal(const std::vector<PathPiece>& pieces, double deviation) {
                                            -1.0, 1.0));
             const double a = std::min(pieces[i - 1].acceleration, pieces[i].acceleration);
             const double s = std::sin(angle / 2);
-            corner = std::min({std::pow(std::min(pieces[i - 1].topSpeed, pieces[i].topSpeed), 2),
-                               a * deviation * s / (1 - s),
-                               a * std::min(pieces[i - 1].length, pieces[i].length) / 2 * std::tan(angle / 2)});
+            corner =
+                std::min({std::pow(std::min(pieces[i - 1].topSpeed, pieces[i].topSpeed), 2),
+                          a * deviation * s / (1 - s),
+                          a * std::min(pieces[i - 1].length, pieces[i].length) / 2 * std::tan(angle / 2)});
         }
         for (int step = 0; step < kSteps; ++step) {
             limit.push_back(step == 0 ? corner : pieces[i].topSpeed * pieces[i].topSpeed);
@@ -129,7 +129,8 @@ double steppedTotal(const std::vector<PathPiece>& pieces, double deviation) {
     double time = 0;
     double speed = 0;
     for (std::size_t i = 0; i < length.size(); ++i) {
-        const double next = std::sqrt(std::min(limit[i + 1], speed * speed + 2 * acceleration[i] * length[i]));
+        const double next =
+            std::sqrt(std::min(limit[i + 1], speed * speed + 2 * acceleration[i] * length[i]));
         // Within a step speed may rise and fall; there the mean of its ends is a little slow.
         time += length[i] / std::max((speed + next) / 2, 1e-12);
         speed = next;

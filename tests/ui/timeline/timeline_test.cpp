@@ -67,7 +67,7 @@ private slots:
         QTest::mouseClick(&scale, Qt::LeftButton, {}, QPoint(150, 12));
         QCOMPARE(scrubbed.count(), 0);
         const QImage without = scale.grab().toImage();
-        scale.setMarks({{0, true, Severity::note}});
+        scale.setMarks({{0, TimelineMark::Kind::toolChange, Severity::note}});
         QVERIFY(scale.grab().toImage() != without);
     }
 };

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/cycle_time_text.h"
+
+#include <cmath>
+
+#include <QCoreApplication>
+#include <QLocale>
+#include <QStringList>
+
+namespace proveout {
+
+namespace {
+
+constexpr std::size_t kMostTools = 12; // a tip is no table
+
+QString text(const char* source) {
+    return QCoreApplication::translate("CycleTime", source);
+}
+
+} // namespace
+
+QString clockText(double seconds) {
+    const auto whole = static_cast<qlonglong>(std::llround(seconds));
+    return QStringLiteral("%1:%2:%3")
+        .arg(whole / 3600)
+        .arg(whole / 60 % 60, 2, 10, QLatin1Char('0'))
+        .arg(whole % 60, 2, 10, QLatin1Char('0'));
+}
+
+QString timeTip(const MachineTimes& times, bool assumed) {
+    QStringList lines{text(QT_TRANSLATE_NOOP("CycleTime", "Cycle time up to this block / of the program")),
+                      text(QT_TRANSLATE_NOOP("CycleTime", "Feed %1, rapid %2, dwell %3, tool changes %4"))
+                          .arg(clockText(times.parts.feed), clockText(times.parts.rapid),
+                               clockText(times.parts.dwell), clockText(times.parts.toolChange))};
+    if (times.tools.size() > 1 && times.tools.size() <= kMostTools) {
+        for (const MachineTimes::OfTool& tool : times.tools)
+            lines << QStringLiteral("T%1: %2").arg(tool.tool).arg(clockText(tool.parts.total()));
+    }
+    if (assumed)
+        lines << text(
+            QT_TRANSLATE_NOOP("CycleTime", "The machine is assumed; describe yours in the Setup panel."));
+    if (times.motionsWithoutFeed > 0)
+        lines << text(QT_TRANSLATE_NOOP("CycleTime", "%1 motions have no feed; the largest is taken."))
+                     .arg(QLocale().toString(static_cast<qulonglong>(times.motionsWithoutFeed)));
+    return lines.join(QLatin1Char('\n'));
+}
+
+} // namespace proveout

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The machine's time in words.
+#pragma once
+
+#include <QString>
+
+#include "core/simulation/machine_time.h"
+
+namespace proveout {
+
+/// "1:02:03".
+[[nodiscard]] QString clockText(double seconds);
+/// Where the time goes, by parts and tools, and what was assumed for it. Several lines.
+[[nodiscard]] QString timeTip(const MachineTimes& times, bool assumed);
+
+} // namespace proveout

@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the session plays the program: speed, the machine's time, breakpoints.
+#include <algorithm>
+#include <cstddef>
+#include <new>
+#include <utility>
+
+#include "ui/program_index.h"
+#include "ui/session.h"
+
+namespace proveout {
+
+void Session::play() {
+    if (!m_program || m_playback.playing)
+        return;
+    if (!m_loadedSetup)
+        load();  // it failed; where it does so again the reason is told again
+    takeFrame(); // an older frame must not look like the end of what starts now
+    if (block() == blockCount())
+        m_simulation->post(SeekCommand{0});
+    m_playback.playing = true;
+    if (!m_played.isWeighing())
+        restartHoldBack();
+    postParameters();
+    postPlay();
+    emit playbackChanged();
+}
+
+void Session::pause() {
+    m_simulation->post(PauseCommand{});
+    stopPlaying();
+}
+
+void Session::togglePlay() {
+    if (m_playback.playing)
+        pause();
+    else
+        play();
+}
+
+void Session::step(std::ptrdiff_t blocks) {
+    // The command pauses by itself; a PauseCommand before it would drop the steps that are still under way.
+    m_simulation->post(StepCommand{blocks});
+    stopPlaying();
+}
+
+void Session::seek(std::size_t block) {
+    m_simulation->post(SeekCommand{std::min(block, blockCount())});
+    if (m_playback.playing)
+        postPlay();
+}
+
+void Session::stepToToolChange(int direction) {
+    if (!m_program)
+        return;
+    pause();
+    if (const auto block = neighbouringToolChange(*m_program, this->block(), direction))
+        seek(*block);
+}
+
+void Session::seekToLine(std::uint32_t line) {
+    if (m_program)
+        seek(m_program->blocksAfterLine(line));
+}
+
+void Session::setSpeed(double unitsPerSecond, bool everyBlock) {
+    m_playback.unitsPerSecond = unitsPerSecond;
+    m_playback.everyBlock = everyBlock;
+    if (m_playback.playing)
+        postPlay();
+    emit playbackChanged();
+}
+
+void Session::setPlayBy(PlayBy by) {
+    m_playback.unitsPerSecond *= unitSpeed(by) / unitSpeed(m_playback.by);
+    m_playback.by = by;
+    if (m_playback.playing)
+        postPlay();
+    emit playbackChanged();
+}
+
+/// Until the program is measured, playback goes by blocks.
+void Session::postPlay() {
+    PlayCommand command{m_playback.unitsPerSecond, m_playback.everyBlock, {}};
+    if (m_times && m_playback.by != PlayBy::blocks)
+        command.measure = {m_times,
+                           m_playback.by == PlayBy::time ? &m_times->secondsAfter : &m_times->lengthAfter};
+    else
+        command.unitsPerSecond *= kUnitBlocksPerSecond / unitSpeed(m_playback.by);
+    m_simulation->post(std::move(command));
+}
+
+// The machine's time.
+
+void Session::setMachine(const Machine& machine) {
+    if (m_job.machine() == machine)
+        return;
+    stopOpening();
+    m_job.setMachine(machine);
+    askForTimes();
+    emit machineChanged();
+    emit documentChanged();
+}
+
+/// A million blocks take some tenths of a second: not on this thread.
+void Session::askForTimes() {
+    if (!m_times || m_times->program != m_program)
+        m_times.reset();
+    if (!m_program)
+        return;
+    m_timing.start(
+        [this, program = m_program, machine = machine().value_or(Machine())](const NewestTask::Reply& reply) {
+            try {
+                auto times = machineTimes(program, machine, {reply.stop, {}});
+                reply.post([this, times = std::move(times)] {
+                    if (!times || times->program != m_program)
+                        return;
+                    m_times = times;
+                    if (m_playback.playing && m_playback.by != PlayBy::blocks)
+                        postPlay();
+                    emit timesChanged();
+                    requestTick();
+                });
+            } catch (const std::bad_alloc&) {
+                // Playback goes by blocks, and no time is shown: the program can still be looked at.
+            }
+        });
+}
+
+// Breakpoints and checkpoints.
+
+void Session::setBreakpoints(std::vector<Breakpoint> breakpoints) {
+    if (breakpoints == m_breakpoints)
+        return;
+    m_breakpoints = std::move(breakpoints);
+    m_simulation->post(BreakpointsCommand{m_breakpoints});
+    emit breakpointsChanged();
+}
+
+void Session::toggleBreakpoint(std::uint32_t line) {
+    std::vector<Breakpoint> changed = m_breakpoints;
+    const auto removed = std::erase_if(changed, [line](const Breakpoint& breakpoint) {
+        return breakpoint.kind == BreakpointKind::line && breakpoint.line == line;
+    });
+    if (removed == 0) {
+        Breakpoint added;
+        added.line = line;
+        changed.push_back(added);
+    }
+    setBreakpoints(std::move(changed));
+}
+
+void Session::moveBreakpoints(std::uint32_t line, bool fromItsStart, std::ptrdiff_t added) {
+    const std::ptrdiff_t from = static_cast<std::ptrdiff_t>(line) + (fromItsStart ? 0 : 1);
+    const std::ptrdiff_t goneBefore = added < 0 ? from - added : from;
+    std::vector<Breakpoint> moved;
+    for (Breakpoint breakpoint : m_breakpoints) {
+        const auto at = static_cast<std::ptrdiff_t>(breakpoint.line);
+        if (breakpoint.kind == BreakpointKind::line && at >= from) {
+            if (at < goneBefore)
+                continue; // its line is gone
+            breakpoint.line = static_cast<std::uint32_t>(at + added);
+        }
+        moved.push_back(std::move(breakpoint));
+    }
+    setBreakpoints(std::move(moved));
+}
+
+void Session::setCheckpointBudget(std::size_t bytes) {
+    m_checkpointBudget = bytes;
+    m_simulation->post(BudgetCommand{bytes});
+}
+
+/// What a load forgets.
+void Session::postStops() {
+    if (!m_breakpoints.empty())
+        m_simulation->post(BreakpointsCommand{m_breakpoints});
+    if (m_checkpointBudget)
+        m_simulation->post(BudgetCommand{*m_checkpointBudget});
+}
+
+} // namespace proveout

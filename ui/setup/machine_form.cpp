@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/setup/machine_form.h"
+
+#include <cmath>
+
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+
+#include "ui/cycle_time_text.h"
+#include "ui/diagnostic_text.h"
+#include "ui/panel_layout.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr int kRestMs = 250;
+constexpr double kCoarseStep = 1; // from here on nobody asks for fractions
+constexpr int kBoxWidth = 124;
+
+int decimalsOf(const Field& field) {
+    return field.step > kCoarseStep ? 0 : 3;
+}
+
+QString numberText(const QLocale& locale, double value) {
+    return locale.toString(value, 'g', 7);
+}
+
+} // namespace
+
+MachineForm::MachineForm(Session& session, QWidget* parent)
+    : QWidget(parent), m_session(session), m_times(wrappedLabel(this)) {
+    auto* layout = new QGridLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setColumnStretch(1, 1);
+    Machine fields;
+    describe(fields, [&](double&, const Field& field) {
+        auto* label = new QLabel(this);
+        auto* box = new QDoubleSpinBox(this);
+        box->setObjectName(QLatin1String(field.key));
+        box->setDecimals(decimalsOf(field));
+        box->setRange(field.minimum, field.maximum);
+        box->setSingleStep(field.step);
+        box->setSuffix(u' ' + QString::fromUtf8(field.unit));
+        box->setKeyboardTracking(false);
+        box->setMinimumWidth(kBoxWidth); // its own wish is room for the largest number of the range
+        label->setBuddy(box);
+        const auto row = static_cast<int>(m_boxes.size());
+        layout->addWidget(label, row, 0);
+        layout->addWidget(box, row, 1);
+        connect(box, &QDoubleSpinBox::valueChanged, &m_rest, qOverload<>(&QTimer::start));
+        m_labels.push_back(label);
+        m_boxes.push_back(box);
+    });
+    layout->addWidget(m_times, static_cast<int>(m_boxes.size()), 0, 1, 2);
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(kRestMs);
+    connect(&m_rest, &QTimer::timeout, this, &MachineForm::apply);
+    connect(&session, &Session::machineChanged, this, &MachineForm::showMachine);
+    connect(&session, &Session::timesChanged, this, &MachineForm::showTimes);
+    retranslate();
+    showMachine();
+}
+
+void MachineForm::showMachine() {
+    m_rest.stop();
+    Machine machine = m_session.machine().value_or(Machine());
+    std::size_t row = 0;
+    describe(machine, [&](double& value, const Field&) {
+        const QSignalBlocker quiet(m_boxes[row]);
+        m_boxes[row++]->setValue(value);
+    });
+    showTimes();
+}
+
+void MachineForm::showTimes() {
+    const auto& times = m_session.times();
+    QString text = m_session.machine() ? QString() : tr("These values are assumed until you change one.");
+    if (times && times->parts.total() > 0) {
+        text += (text.isEmpty() ? QString() : QStringLiteral("\n")) +
+                tr("Cycle time %1: feed %2, rapid %3, dwell %4, tool changes %5")
+                    .arg(clockText(times->parts.total()), clockText(times->parts.feed),
+                         clockText(times->parts.rapid), clockText(times->parts.dwell),
+                         clockText(times->parts.toolChange));
+    }
+    m_times->setText(text);
+    m_times->setVisible(!text.isEmpty());
+}
+
+void MachineForm::apply() {
+    Machine machine = m_session.machine().value_or(Machine());
+    std::size_t row = 0;
+    describe(machine, [&](double& value, const Field& field) {
+        // What the box cannot show exactly stays as it is until it is edited.
+        const double shown = m_boxes[row++]->value();
+        if (std::abs(value - shown) > 0.5 * std::pow(10.0, -decimalsOf(field)))
+            value = shown;
+    });
+    m_session.setMachine(machine);
+}
+
+void MachineForm::retranslate() {
+    Machine standard;
+    std::size_t row = 0;
+    describe(standard, [&](double& value, const Field& field) {
+        const QString unit = QString::fromUtf8(field.unit);
+        m_labels[row]->setText(coreText(field.label));
+        m_boxes[row]->setAccessibleName(coreText(field.label));
+        m_boxes[row]->setToolTip(tr("%1\nRange: %2 to %3 %5\nDefault: %4 %5")
+                                     .arg(coreText(field.help), numberText(locale(), field.minimum),
+                                          numberText(locale(), field.maximum), numberText(locale(), value),
+                                          unit));
+        ++row;
+    });
+    showTimes();
+}
+
+void MachineForm::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace proveout

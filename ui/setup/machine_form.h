@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <QTimer>
+#include <QWidget>
+
+#include "ui/session.h"
+
+class QDoubleSpinBox;
+class QLabel;
+
+namespace proveout {
+
+/// How fast the machine is, one row a field of describe(), and how long it takes for the program.
+class MachineForm final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit MachineForm(Session& session, QWidget* parent = nullptr);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void retranslate();
+    void showMachine();
+    void showTimes();
+    void apply();
+
+    Session& m_session;
+    std::vector<QLabel*> m_labels; ///< in the order of the fields
+    std::vector<QDoubleSpinBox*> m_boxes;
+    QLabel* m_times;
+    QTimer m_rest;
+};
+
+} // namespace proveout
