@@ -2,8 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <vector>
 
+#include "core/base/persistent_array.h"
+#include "core/simulation/kept_tile.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout {
@@ -14,38 +17,60 @@ struct Checkpoint {
     ZMapSnapshot zmap;
     double removedMm3 = 0; ///< since the uncut stock
     double cutSeconds = 0; ///< time spent cutting since the uncut stock
-    std::size_t bytes = 0; ///< of the tiles that the checkpoint before does not share
 };
 
 /// The checkpoints of one run, by block. Tiles shared by neighbours count once. Where they outgrow the budget
-/// the checkpoint goes whose neighbours are closest in cutting time, the older one first, so that replays
-/// stay as short as the memory allows. Owned by one thread.
+/// the oldest tiles are packed, as far as that takes little beside the cutting; where that is not enough, the
+/// checkpoint goes whose neighbours are closest in cutting time, the older one first, so that replays stay as
+/// short as the memory allows. Owned by one thread.
 class Checkpoints {
 public:
     /// Forgets all; `first` (block 0) is kept for ever.
-    void restart(Checkpoint first);
+    void restart(const Checkpoint& first);
     /// Takes a checkpoint, or leaves the one that exists for its block.
-    void add(Checkpoint checkpoint);
+    void add(const Checkpoint& checkpoint);
     /// Forgets checkpoints behind `block`.
     void truncate(std::size_t block);
     void setBudget(std::size_t bytes);
     /// False where the budget is 0: then a moment is not worth its snapshot, after which tiles are copied.
     [[nodiscard]] bool wanted() const { return m_budget > 0; }
 
-    /// The newest checkpoint at or before `block`. Valid until the next change.
-    [[nodiscard]] const Checkpoint& before(std::size_t block) const;
+    /// The newest checkpoint at or before `block`; packed tiles are unpacked for it.
+    [[nodiscard]] Checkpoint before(std::size_t block) const;
+    /// What before() has, without its z-map.
+    [[nodiscard]] std::size_t blockBefore(std::size_t block) const { return keptBefore(block).block; }
+    [[nodiscard]] double cutSecondsBefore(std::size_t block) const { return keptBefore(block).cutSeconds; }
     [[nodiscard]] std::size_t bytes() const { return m_bytes; }
-    [[nodiscard]] std::size_t size() const { return m_checkpoints.size(); }
+    [[nodiscard]] std::size_t size() const { return m_kept.size(); }
+    [[nodiscard]] std::size_t packedTiles() const { return m_packedTiles; } ///< so far
 
     static constexpr std::size_t kStandardBudget = 1'000'000'000;
 
 private:
+    using Tiles = PersistentArray<std::shared_ptr<KeptTile>>;
+    struct Kept {
+        std::size_t block = 0;
+        Tiles tiles;
+        double removedMm3 = 0;
+        double cutSeconds = 0;
+        std::size_t bytes = 0; ///< of the tiles that the checkpoint before does not share
+    };
+
+    [[nodiscard]] const Kept& keptBefore(std::size_t block) const;
+    [[nodiscard]] Tiles keep(const ZMapSnapshot& zmap, std::size_t index) const;
     void recount(std::size_t index);
+    void fit();
+    void pack();
+    [[nodiscard]] std::size_t packOldest(std::size_t index, std::size_t wanted);
     void thin();
 
-    std::vector<Checkpoint> m_checkpoints; ///< ascending blocks
+    StockBox m_stock;
+    Grid m_grid;
+    std::vector<Kept> m_kept; ///< ascending blocks
     std::size_t m_bytes = 0;
     std::size_t m_budget = kStandardBudget;
+    double m_packSeconds = 0;
+    std::size_t m_packedTiles = 0;
 };
 
 } // namespace proveout

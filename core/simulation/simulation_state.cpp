@@ -57,8 +57,7 @@ bool Simulation::State::cutMany(StockRun& run, std::size_t count, const WorkCont
 }
 
 void Simulation::State::rememberMoment(const StockRun& run) {
-    if (checkpoints.wanted() &&
-        run.cutSeconds - checkpoints.before(run.block).cutSeconds > kCheckpointSeconds)
+    if (checkpoints.wanted() && run.cutSeconds - checkpoints.cutSecondsBefore(run.block) > kCheckpointSeconds)
         checkpoints.add(run.moment());
 }
 
@@ -166,12 +165,12 @@ void Simulation::State::abandonUnfinished() {
 // --- any block
 
 Checkpoint Simulation::State::nearest(std::size_t block) const {
-    const Checkpoint& saved = checkpoints.before(block);
-    if (stock.block <= block && stock.block >= saved.block)
+    const std::size_t saved = checkpoints.blockBefore(block);
+    if (stock.block <= block && stock.block >= saved)
         return stock.moment();
-    if (base.block <= block && base.block >= saved.block)
+    if (base.block <= block && base.block >= saved)
         return base;
-    return saved;
+    return checkpoints.before(block);
 }
 
 bool Simulation::State::replay(StockRun& run, std::size_t block, const WorkContext& context) {

@@ -25,7 +25,7 @@ struct StockRun {
     double removedMm3 = 0;
     double cutSeconds = 0;
 
-    [[nodiscard]] Checkpoint moment() const { return {block, zmap.snapshot(), removedMm3, cutSeconds, 0}; }
+    [[nodiscard]] Checkpoint moment() const { return {block, zmap.snapshot(), removedMm3, cutSeconds}; }
     void goOnFrom(const Checkpoint& moment) {
         zmap = ZMap(moment.zmap);
         block = moment.block;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// seek_bench [SPACING [WORKLOAD [SEEKS]]]: what a user waits for on the timeline of a long program, cutting
-// alone: seeks to random blocks and steps back by one, after a whole run, within the standard budget of
-// checkpoints.
+// seek_bench [SPACING [WORKLOAD [SEEKS [MEGABYTES]]]]: what a user waits for on the timeline of a long
+// program, cutting alone: seeks to random blocks and steps back by one, after a whole run, within a budget of
+// checkpoints (the standard one); then what an edit in the last tenth costs, as a part of the first run.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
@@ -41,15 +41,43 @@ private:
     std::vector<double> m_seconds;
 };
 
-void measure(const Workload& workload, double spacing, int seeks) {
-    const NcText text(programOf(workload));
+/// A line in the middle of the last tenth of the blocks, doubled.
+std::shared_ptr<const Program> editedProgram(const std::string& text, const Program& program) {
+    std::size_t at = 0;
+    for (std::uint32_t line = program.blockLine(program.blockCount() * 95 / 100); line > 1; --line)
+        at = text.find('\n', at) + 1;
+    std::string edited = text;
+    edited.insert(at, "G91 G1 X0.01\nG90\n");
+    return interpret(NcText(edited));
+}
+
+void measureEdit(Simulation& simulation, const std::string& text, double cutSeconds) {
+    const auto edited = editedProgram(text, simulation.program());
+    const std::size_t before = simulation.effort().blocksCut;
+    const double secondsBefore = simulation.effort().cutSeconds;
+    simulation.seek(simulation.blockCount());
+    simulation.replaceProgram(edited);
+    simulation.seek(simulation.blockCount());
+    const auto cut = static_cast<double>(simulation.effort().blocksCut - before);
+    std::puts(
+        fmt::format("        an edit in the last tenth cuts {:.1f} % of the blocks, in {:.1f} % of the time",
+                    100 * cut / static_cast<double>(simulation.blockCount()),
+                    100 * (simulation.effort().cutSeconds - secondsBefore) / cutSeconds)
+            .c_str());
+}
+
+void measure(const Workload& workload, double spacing, int seeks, std::size_t budget) {
+    const std::string source = programOf(workload);
+    const NcText text(source);
     DecimationParameters parameters;
     parameters.period = 0;
     const StopWatch run;
     const auto simulation =
         std::move(Simulation::create(interpret(text), setupOf(workload, spacing), parameters).value());
+    simulation->setCheckpointBudget(budget);
     simulation->seek(simulation->blockCount());
     const double runSeconds = run.seconds();
+    const double cutSeconds = simulation->effort().cutSeconds;
     std::mt19937 random(1);
     Waits sought;
     Waits steppedBack;
@@ -65,6 +93,7 @@ void measure(const Workload& workload, double spacing, int seeks) {
                           workload.name, simulation->blockCount(), runSeconds, seeks, sought.at(0.5),
                           sought.at(0.99), sought.at(1), steppedBack.at(0.5), steppedBack.at(1))
                   .c_str());
+    measureEdit(*simulation, source, cutSeconds);
     std::fflush(stdout);
 }
 
@@ -76,13 +105,14 @@ int main(int argc, char** argv) {
     const double spacing = argc > 1 ? std::strtod(argv[1], nullptr) : 0.5;
     const std::string only = argc > 2 ? argv[2] : "";
     const int seeks = argc > 3 ? std::max(1, std::atoi(argv[3])) : 500;
+    const auto budget = static_cast<std::size_t>(1e6 * (argc > 4 ? std::strtod(argv[4], nullptr) : 1000));
     std::puts(fmt::format("at {} mm: seconds of the first run with its interpretation; then milliseconds of "
                           "seeks and of steps back\n{:<8}{:>9}{:>9}{:>8}{:>10}{:>10}{:>10}{:>10}{:>10}",
                           spacing, "", "blocks", "run", "seeks", "half", "99 %", "largest", "back", "largest")
                   .c_str());
     for (const Workload& workload : workloads()) {
         if (only.empty() || only == workload.name)
-            measure(workload, spacing, seeks);
+            measure(workload, spacing, seeks, budget);
     }
     return 0;
 }

@@ -2,7 +2,11 @@
 #include "core/simulation/checkpoints.h"
 
 #include <gtest/gtest.h>
-#include <set>
+#include <random>
+#include <vector>
+
+#include "tests/core/simulation/moments.h"
+#include "tests/random_seed.h"
 
 namespace proveout {
 namespace {
@@ -17,13 +21,13 @@ ZMap wideMap() {
 /// Changes one tile and takes the moment.
 Checkpoint next(ZMap& zmap, std::size_t block) {
     zmap.tileForWriting(block % kTiles).at(0, 0) = -static_cast<float>(block);
-    return {block, zmap.snapshot(), 0, static_cast<double>(block), 0};
+    return {block, zmap.snapshot(), 0, static_cast<double>(block)};
 }
 
 TEST(Checkpoints, CountEachTileOnce) {
     ZMap zmap = wideMap();
     Checkpoints checkpoints;
-    checkpoints.restart({0, zmap.snapshot(), 0, 0, 0});
+    checkpoints.restart({0, zmap.snapshot(), 0, 0});
     const std::size_t uncut = checkpoints.bytes();
     EXPECT_GE(uncut, kTiles * sizeof(Tile));
     for (std::size_t block = 1; block <= 10; ++block)
@@ -36,7 +40,7 @@ TEST(Checkpoints, StayWithinTheirBudgetAndFindTheNearest) {
     ZMap zmap = wideMap();
     Checkpoints checkpoints;
     checkpoints.setBudget(200 * sizeof(Tile));
-    checkpoints.restart({0, zmap.snapshot(), 0, 0, 0});
+    checkpoints.restart({0, zmap.snapshot(), 0, 0});
     for (std::size_t block = 1; block <= 500; ++block) {
         checkpoints.add(next(zmap, block));
         ASSERT_LE(checkpoints.bytes(), 200 * sizeof(Tile));
@@ -51,10 +55,39 @@ TEST(Checkpoints, StayWithinTheirBudgetAndFindTheNearest) {
     EXPECT_LT(widest, 3 * 500 / checkpoints.size()); // thinned evenly, not cut off at one end
 }
 
+TEST(Checkpoints, PackBeforeTheyAreThinned) {
+    const std::uint32_t seed = randomSeed();
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937 random(seed);
+    ZMap zmap = wideMap();
+    Checkpoints checkpoints;
+    checkpoints.setBudget(60 * sizeof(Tile));
+    checkpoints.restart({0, zmap.snapshot(), 0, 0});
+    std::vector<ZMapSnapshot> moments{zmap.snapshot()};
+    for (std::size_t block = 1; block <= 400; ++block) {
+        // One tile changes with each block.
+        const Checkpoint checkpoint = next(zmap, block);
+        moments.push_back(checkpoint.zmap);
+        checkpoints.add(checkpoint);
+        ASSERT_LE(checkpoints.bytes(), 60 * sizeof(Tile));
+        const std::size_t asked = random() % (block + 1);
+        const Checkpoint found = checkpoints.before(asked);
+        ASSERT_EQ(found.block, checkpoints.blockBefore(asked));
+        ASSERT_LE(found.block, asked);
+        ASSERT_TRUE(sameZMap(found.zmap, moments[found.block])) << "block " << found.block;
+        // As long as somebody holds a tile it is the same one, so that viewers upload nothing.
+        const Checkpoint again = checkpoints.before(asked);
+        for (std::size_t tile = 0; tile < found.zmap.tileCount(); ++tile)
+            ASSERT_EQ(found.zmap.tile(tile), again.zmap.tile(tile));
+    }
+    EXPECT_GT(checkpoints.packedTiles(), 0U);
+    EXPECT_GT(checkpoints.size(), 150U) << "plain tiles would leave room for 40 of them";
+}
+
 TEST(Checkpoints, AreForgottenBehindAnEdit) {
     ZMap zmap = wideMap();
     Checkpoints checkpoints;
-    checkpoints.restart({0, zmap.snapshot(), 0, 0, 0});
+    checkpoints.restart({0, zmap.snapshot(), 0, 0});
     const std::size_t uncut = checkpoints.bytes();
     for (std::size_t block = 10; block <= 50; block += 10)
         checkpoints.add(next(zmap, block));
