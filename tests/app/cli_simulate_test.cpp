@@ -49,6 +49,24 @@ TEST_F(CliSimulate, ALargeMapHasLargerRegionsUnlessTheirSizeIsGiven) {
     EXPECT_EQ(run("simulate --job named.proveout --grid 0.1 --json").json()["regions"], 138 * 138);
 }
 
+TEST_F(CliSimulate, TellsTheTimeOfTheMachine) {
+    write("p.nc", "T1 M6\nG0 X0 Y0 Z5\nG1 X600 F600\nG4 P2\nG0 X0\nM30\n");
+    const auto assumed = simulate("--start 0,0,5 --json").json()["machineSeconds"];
+    EXPECT_EQ(assumed["assumed"], true);
+    EXPECT_EQ(assumed["dwell"], 2.0);
+    EXPECT_NEAR(assumed["feed"], 60, 0.1);
+    const auto described = simulate("--start 0,0,5 --json --machine "
+                                    "rapidXY=6000,accelerationXY=500,toolChange=4")
+                               .json()["machineSeconds"];
+    EXPECT_EQ(described["assumed"], false);
+    EXPECT_EQ(described["toolChange"], 4.0);
+    EXPECT_NEAR(described["rapid"], 6 + 0.2, 1e-9);
+    EXPECT_NEAR(described["total"].get<double>(), described["executed"].get<double>(), 1e-9);
+    const auto wrong = simulate("--machine speed=3");
+    EXPECT_EQ(wrong.exitCode, 3);
+    EXPECT_THAT(wrong.err, HasSubstr("A machine has no \"speed\""));
+}
+
 TEST_F(CliSimulate, WritesTheSourceLineThatCutEachPoint) {
     const auto done = simulate("--provenance lines.npy --until 3");
     ASSERT_EQ(done.exitCode, 0) << done.err;

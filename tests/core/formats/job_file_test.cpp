@@ -106,6 +106,17 @@ TEST_F(JobFile, CompensationStartsByTypeAUnlessTheJobSaysB) {
                 HasSubstr("compensationStart"));
 }
 
+TEST_F(JobFile, TheMachineIsAssumedUnlessTheJobDescribesIt) {
+    EXPECT_FALSE(read(kWhole).value().machine);
+    const auto job = read(with("\"grid\"", R"("machine": {"rapidXY": 30000, "toolChange": 3.5}, "grid")"));
+    ASSERT_TRUE(job);
+    ASSERT_TRUE(job->machine);
+    EXPECT_EQ(job->machine->rapidXY, 30000);
+    EXPECT_EQ(job->machine->toolChangeSeconds, 3.5);
+    EXPECT_EQ(job->machine->rapidZ, Machine().rapidZ);
+    EXPECT_FALSE(read(with("\"grid\"", R"("machine": {"rapidXY": 0}, "grid")")));
+}
+
 TEST_F(JobFile, RegionAndPeriodAreTheStandardsOfTheMethodUnlessTheyAreGiven) {
     const auto parameters = [this](const std::string& decimation) {
         return read(R"({"proveout": 1, "program": "a.nc", "stock": {"width": 1, "depth": 2, "height": 3},
@@ -299,6 +310,12 @@ Job randomJob(std::mt19937& random, const fs::path& folder) {
     parameters.order = static_cast<RemovalOrder>(random() % kOrderChoices.size());
     parameters.seed = static_cast<int>(random() % 1000);
     parameters.level = static_cast<ErrorLevel>(random() % kLevelChoices.size());
+    if (random() % 2 == 0) {
+        job.machine.emplace();
+        describe(*job.machine, [&](double& value, const Field& field) {
+            value = std::uniform_real_distribution<double>(field.minimum, field.maximum)(random);
+        });
+    }
     return job;
 }
 
@@ -315,6 +332,7 @@ TEST_F(JobFile, ReadsWhatItWrites) {
         EXPECT_EQ(back->program, job.program);
         EXPECT_EQ(back->setup, job.setup) << "every double comes back bit for bit";
         EXPECT_EQ(back->parameters, job.parameters);
+        EXPECT_EQ(back->machine, job.machine);
     }
 }
 

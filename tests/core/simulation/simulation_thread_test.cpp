@@ -498,6 +498,43 @@ TEST(SimulationThread, SurvivesAStormOfCommands) {
     EXPECT_EQ(frame->parameters, parameters);
 }
 
+/// Half a thousand seeks in two seconds, as from a timeline that is dragged while the program plays.
+TEST(SimulationThread, AnswersAStormOfSeeks) {
+    const std::uint32_t seed = randomSeed();
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937 random(seed);
+    const auto program = programOf(randomProgram(random(), 400));
+    Listening listening;
+    auto& thread = listening.thread();
+    thread.post(LoadCommand{program, smallSetup(0.2), bySchedule(), 1});
+    thread.post(BudgetCommand{2'000'000}); // so small that tiles are packed
+    Breakpoint contact;
+    contact.kind = BreakpointKind::firstContact;
+    const auto measure =
+        std::make_shared<const PlaybackMeasure>(PlaybackMeasure(program->blockCount() + 1, 0.0));
+    for (int seek = 0; seek < 500; ++seek) {
+        thread.post(SeekCommand{random() % (program->blockCount() + 1)});
+        if (seek % 20 == 0)
+            thread.post(PlayCommand{random() % 2 == 0 ? kInfinity : 300.0, false,
+                                    random() % 2 == 0 ? measure : nullptr});
+        if (seek % 50 == 0)
+            thread.post(BreakpointsCommand{{contact}});
+        if (seek % 70 == 0)
+            thread.cancel();
+        if (const auto frame = thread.takeFrame()) {
+            ASSERT_LE(frame->block, program->blockCount());
+        }
+        std::this_thread::sleep_for(4ms);
+    }
+    thread.post(PauseCommand{});
+    thread.post(SeekCommand{321});
+    const auto straight = straightRun(program, smallSetup(0.2), bySchedule());
+    ASSERT_NE(listening.waitFor([&](const Frame& shown) {
+        return shown.block == 321 && difference(shown, straight[321]).empty();
+    }),
+              nullptr);
+}
+
 TEST(SimulationThread, EndsInTheMiddleOfWork) {
     for (int round = 0; round < 5; ++round) {
         Listening listening;
