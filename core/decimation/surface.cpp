@@ -110,7 +110,7 @@ std::size_t Surface::decimateRegions(std::span<const std::size_t> regions, const
         drawMissingBorders(regions, moment, {}, context);
 
     std::vector<std::size_t> batch(regions.begin(), regions.end());
-    std::vector<std::size_t> worked = batch;
+    std::set<std::size_t> worked(regions.begin(), regions.end());
     for (bool again = false; !batch.empty(); again = true) {
         std::vector<RegionMeshPtr> meshes = decimateBatch(batch, moment, again ? context.quiet() : context);
         ExtrasOfBorders wanted;
@@ -124,8 +124,8 @@ std::size_t Surface::decimateRegions(std::span<const std::size_t> regions, const
         }
         batch.clear();
         if (!wanted.empty() && !context.stopped())
-            batch = drawAnew(std::move(wanted), regions, moment, context);
-        worked.insert(worked.end(), batch.begin(), batch.end());
+            batch = drawAnew(std::move(wanted), worked, moment, context);
+        worked.insert(batch.begin(), batch.end());
     }
     const auto done = static_cast<std::size_t>(
         std::count_if(regions.begin(), regions.end(), [&](std::size_t region) { return !isDirty(region); }));
@@ -154,15 +154,14 @@ std::vector<RegionMeshPtr> Surface::decimateBatch(std::span<const std::size_t> r
 }
 
 /// Draws borders with more points than before, and returns the regions at them, dirty now, that are to be
-/// decimated with those: of the dirty ones only those `asked` for. Points only ever come: it ends, in
-/// practice after two or three rounds.
-std::vector<std::size_t> Surface::drawAnew(ExtrasOfBorders wanted, std::span<const std::size_t> asked,
+/// decimated with those: of the dirty ones only those `worked` on, as asked for or since their borders
+/// changed. Points only ever come: it ends, in practice after two or three rounds.
+std::vector<std::size_t> Surface::drawAnew(ExtrasOfBorders wanted, const std::set<std::size_t>& worked,
                                            const ZMapSnapshot& moment, const WorkContext& context) {
     std::vector<std::size_t> regions;
     for (const auto& [border, offsets] : wanted)
         for (const std::size_t region : grid().sharers(border))
-            if (region != RegionGrid::kNoRegion &&
-                (!isDirty(region) || std::binary_search(asked.begin(), asked.end(), region)))
+            if (region != RegionGrid::kNoRegion && (!isDirty(region) || worked.contains(region)))
                 regions.push_back(region);
     std::sort(regions.begin(), regions.end());
     regions.erase(std::unique(regions.begin(), regions.end()), regions.end());

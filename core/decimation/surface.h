@@ -6,6 +6,7 @@
 #include <cstddef>
 #include <map>
 #include <memory>
+#include <set>
 #include <vector>
 
 #include "core/base/persistent_array.h"
@@ -87,7 +88,7 @@ private:
                                                            const ZMapSnapshot& moment,
                                                            const WorkContext& context) const;
     [[nodiscard]] std::vector<std::size_t> drawAnew(ExtrasOfBorders wanted,
-                                                    std::span<const std::size_t> asked,
+                                                    const std::set<std::size_t>& worked,
                                                     const ZMapSnapshot& moment, const WorkContext& context);
     [[nodiscard]] RegionMeshPtr decimated(std::size_t region, const ZMapSnapshot& moment,
                                           const std::stop_token& stop) const;

@@ -114,6 +114,7 @@ TEST(MixedAllowances, HalfDirtySurfacesStayWholeAndKeepEachAllowance) {
             if (step % 5 != 4)
                 continue;
             surface.decimateDirty(zmap);
+            ASSERT_EQ(surface.snapshot().dirtyRegions, 0);
             for (std::size_t region = 0; region < wanted.size(); ++region) {
                 const auto own = surface.snapshot().triangles(region);
                 const double allowance = surface.allowance(region);
