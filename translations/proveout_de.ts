@@ -1760,6 +1760,18 @@ Vorgabe: 0 mm</translation>
         <translation>Der Ursprung des Rohteils besteht nicht aus drei Zahlen von -{} bis {} mm.</translation>
     </message>
     <message>
+        <source>The box {} has no area: each side must go from the smaller coordinate to the larger one.</source>
+        <translation>Der Ausschnitt {} hat keine Fläche: Jede Seite muss von der kleineren zur größeren Koordinate gehen.</translation>
+    </message>
+    <message>
+        <source>The box {} is not within the stock, {}.</source>
+        <translation>Der Ausschnitt {} liegt nicht innerhalb des Rohteils, {}.</translation>
+    </message>
+    <message>
+        <source>A box of {} × {} points needs {}; {} may be taken, which is enough for a spacing of {} mm.</source>
+        <translation>Ein Ausschnitt von {} × {} Punkten braucht {}; {} dürfen belegt werden, was für eine Rasterweite von {} mm reicht.</translation>
+    </message>
+    <message>
         <source>The grid spacing {} mm is too coarse for the stock {}; the coarsest possible is {} mm.</source>
         <translation>Die Rasterweite {} mm ist zu grob für das Rohteil {}; die gröbste mögliche ist {} mm.</translation>
     </message>

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "app/cli/box_output.h"
 #include "app/cli/command.h"
 #include "app/cli/load_program.h"
 #include "app/cli/machine_report.h"
@@ -37,6 +38,7 @@ struct SimulateOptions {
     std::string zmap;
     std::string provenance;
     MeshOutputs meshes;
+    BoxOutput box;
     std::string mesh = "decimated";
     std::string records;
     std::string stock;
@@ -55,14 +57,14 @@ struct Seconds {
 /// One run of the command; each part tells the report what went wrong.
 class SimulateRun {
 public:
-    explicit SimulateRun(const SimulateOptions& options)
-        : m_options(options), m_report(options.setup.subject()) {}
+    explicit SimulateRun(SimulateOptions& options) : m_options(options), m_report(options.setup.subject()) {}
 
     ExitCode run() {
         if (!prepare() || !simulate())
             return failed();
         decimate();
         write();
+        m_options.box.run(*m_program, m_job.setup, m_frame.block, m_report);
         m_seconds.total = m_watch.seconds();
         if (m_options.json)
             printJson(object());
@@ -96,12 +98,14 @@ private:
         std::vector<std::string> outputs = m_options.meshes.files();
         outputs.insert(outputs.end(),
                        {m_options.zmap, m_options.provenance, m_options.records, m_options.stock});
+        const std::vector<std::string> boxFiles = m_options.box.files();
+        outputs.insert(outputs.end(), boxFiles.begin(), boxFiles.end());
         if (!fine(m_options.meshes.check()) || !fine(checkOutputs(inputs, outputs)))
             return false;
         if (m_options.meshes.wanted() && m_options.mesh == "decimated" &&
             !fine(checkExportable(m_job.parameters)))
             return false;
-        if (!fine(m_options.setup.checkGrid(m_job, mapOutputs())))
+        if (!fine(m_options.setup.checkGrid(m_job, mapOutputs())) || !fine(m_options.box.check(m_job.setup)))
             return false;
         return interpretProgram();
     }
@@ -216,6 +220,8 @@ private:
             {"peakBytes", peakMemoryBytes()}};
         out["records"] = totals();
         m_options.meshes.addTo(out, m_written);
+        if (m_options.box.wanted())
+            out["box"] = m_options.box.object();
         out["findings"] = m_report.findings();
         out["unverified"] = m_report.unverified();
         return out;
@@ -266,9 +272,10 @@ private:
                    m_program->blockCount(), m_frame.removedMm3, m_seconds.total,
                    clockText(m_times->secondsAfter[m_frame.block]), m_job.machine ? "the" : "an assumed");
         printFiles(m_written);
+        m_options.box.print();
     }
 
-    const SimulateOptions& m_options;
+    SimulateOptions& m_options;
     const StopWatch m_watch;
     Report m_report;
     Job m_job;
@@ -308,6 +315,7 @@ void addSimulateCommand(CLI::App& app, ExitCode& exitCode) {
     command->add_option("--mesh", options->mesh, "The surface of the solid (decimated)")
         ->check(CLI::IsMember({"decimated", "full"}))
         ->type_name("M");
+    options->box.addTo(*command);
     command->add_option("--records", options->records, "Write one row a moving block (CSV)")
         ->type_name("F.csv");
     command

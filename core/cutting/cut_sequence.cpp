@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "core/cutting/cut_part.h"
 #include "core/cutting/cutting.h"
 #include "core/cutting/lower_tile.h"
 #include "core/cutting/tiles_under.h"
@@ -93,9 +94,9 @@ public:
     }
 
     /// The same without records.
-    bool lowerByAll(ZMap& zmap, const std::stop_token& stop) {
+    bool lowerByAll(ZMap& zmap, const GridPart& place, const std::stop_token& stop) {
         return lowerTiles(zmap, stop, [&](std::size_t k, PassTable& table) {
-            return lowerTileByAll(zmap, m_tiles[k], m_sweeps, orderOf(k), table, stop);
+            return lowerTileByAll(zmap, m_tiles[k], m_sweeps, orderOf(k), table, place, stop);
         });
     }
 
@@ -198,7 +199,13 @@ std::optional<std::vector<CutRecord>> cut(ZMap& zmap, std::span<const CutterMoti
 }
 
 bool cutHeights(ZMap& zmap, std::span<const CutterMotion> motions, const std::stop_token& stop) {
-    return byPortions(zmap, motions, stop, [&](Portion& portion) { return portion.lowerByAll(zmap, stop); });
+    return cutHeights(zmap, GridPart(zmap.grid()), motions, stop);
+}
+
+bool cutHeights(ZMap& zmap, const GridPart& place, std::span<const CutterMotion> motions,
+                const std::stop_token& stop) {
+    return byPortions(zmap, motions, stop,
+                      [&](Portion& portion) { return portion.lowerByAll(zmap, place, stop); });
 }
 
 } // namespace proveout

@@ -85,8 +85,9 @@ std::optional<PointWeights> weightsOf(const Grid& grid, const IndexRect& rect) {
 /// The work on one tile, sweep by sweep.
 class TileWork {
 public:
-    TileWork(ZMap& zmap, std::size_t index, const std::stop_token& stop, Provenance::Marks* marks)
-        : m_zmap(zmap), m_index(index), m_stop(stop), m_marks(marks), m_grid(zmap.grid()),
+    TileWork(ZMap& zmap, std::size_t index, const GridPart& place, const std::stop_token& stop,
+             Provenance::Marks* marks)
+        : m_zmap(zmap), m_index(index), m_stop(stop), m_marks(marks), m_grid(zmap.grid()), m_place(place),
           m_spacing(m_grid.hx, m_grid.hy), m_rect(zmap.tileRect(index)), m_floor(zmap.floor()),
           m_weights(weightsOf(m_grid, m_rect)) {
         m_envelope.fill(kInfinity);
@@ -150,7 +151,7 @@ private:
 
     /// The passes over this tile; until they are asked for again.
     [[nodiscard]] std::span<const TilePass> seen(const PreparedSweep& prepared) {
-        const Vec2 first(m_grid.x(m_rect.i0), m_grid.y(m_rect.j0));
+        const Vec2 first(m_place.x(m_rect.i0), m_place.y(m_rect.j0));
         const Vec2 middle = first + kMiddle * Vec2(m_grid.hx, m_grid.hy) - prepared.sweep.origin();
         m_passes.clear();
         prepared.passes.addOverTile(middle.x, middle.y, m_spacing, m_passes);
@@ -192,7 +193,7 @@ private:
     }
 
     void lower(const Sweep& sweep, int row) {
-        const RowPoints points{m_grid.x(m_rect.i0), m_grid.hx, m_grid.y(m_rect.j0 + row), m_rect.width()};
+        const RowPoints points{m_place.x(m_rect.i0), m_grid.hx, m_place.y(m_rect.j0 + row), m_rect.width()};
         const Columns columns = sweep.row(
             points, &tile().heights[static_cast<std::size_t>(row * Tile::kSize)], m_envelope.data());
         if (columns.empty())
@@ -296,6 +297,7 @@ private:
     const std::stop_token& m_stop;
     Provenance::Marks* m_marks;
     const Grid& m_grid;
+    const GridPart m_place;
     TileSpacing m_spacing;
     IndexRect m_rect;
     float m_floor;
@@ -322,15 +324,16 @@ private:
 TileCut lowerTile(ZMap& zmap, std::size_t index, std::span<const PreparedSweep> sweeps,
                   std::span<const std::uint32_t> order, std::span<CutRecord> records,
                   const std::stop_token& stop, Provenance::Marks* marks) {
-    TileWork work(zmap, index, stop, marks);
+    TileWork work(zmap, index, GridPart(zmap.grid()), stop, marks);
     for (std::size_t k = 0; k < order.size(); ++k)
         records[k] = work.lower(sweeps[order[k]]);
     return work.result();
 }
 
 TileCut lowerTileByAll(ZMap& zmap, std::size_t index, std::span<const PreparedSweep> sweeps,
-                       std::span<const std::uint32_t> order, PassTable& table, const std::stop_token& stop) {
-    TileWork work(zmap, index, stop, nullptr);
+                       std::span<const std::uint32_t> order, PassTable& table, const GridPart& place,
+                       const std::stop_token& stop) {
+    TileWork work(zmap, index, place, stop, nullptr);
     work.lowerByAll(sweeps, order, table);
     return work.result();
 }

@@ -11,6 +11,7 @@
 #include "core/cutting/cutting.h"
 #include "core/cutting/sweep.h"
 #include "core/cutting/tile_kernel.h"
+#include "core/zmap/grid_part.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout {
@@ -44,9 +45,10 @@ struct TileCut {
                                 std::span<const std::uint32_t> order, std::span<CutRecord> records,
                                 const std::stop_token& stop, Provenance::Marks* marks = nullptr);
 
-/// The same heights, without records, in whatever order is fastest. `table` is room to work in.
+/// The same heights, without records, in whatever order is fastest. `table` is room to work in; `place` is
+/// where the points of the map lie.
 [[nodiscard]] TileCut lowerTileByAll(ZMap& zmap, std::size_t index, std::span<const PreparedSweep> sweeps,
                                      std::span<const std::uint32_t> order, PassTable& table,
-                                     const std::stop_token& stop);
+                                     const GridPart& place, const std::stop_token& stop);
 
 } // namespace proveout

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "core/base/text.h"
+#include "core/zmap/grid_part.h"
 
 namespace proveout {
 
@@ -177,7 +178,7 @@ private:
     Vec2 m_offset;
 };
 
-class ExtrudedStock final : public StockBody {
+class ExtrudedStock final : public StockBody, public PartedStock {
 public:
     ExtrudedStock(Outline outline, double height, double topZ)
         : m_outline(std::move(outline)), m_height(height), m_topZ(topZ) {}
@@ -188,17 +189,13 @@ public:
     }
     [[nodiscard]] UncutStock uncut(const StockBox& stock, const Grid& grid) const override {
         UncutStock uncut{ZMap(stock, grid), {}};
-        const Vec2 offset = offsetTo(stock);
-        std::vector<bool> within(static_cast<std::size_t>(grid.nx));
-        for (int j = 0; j < grid.ny; ++j) {
-            markWithin(grid, j, offset, within);
-            for (int i = 0; i < grid.nx; ++i)
-                if (!within[static_cast<std::size_t>(i)])
-                    takeAway(uncut.zmap, i, j);
-        }
-        for (std::size_t index = 0; index < uncut.zmap.tileCount(); ++index)
-            uncut.zmap.tileForWriting(index).refreshMaximum();
+        takeAwayBesides(uncut.zmap, stock, GridPart(grid));
         return uncut;
+    }
+    [[nodiscard]] ZMap uncutPart(const StockBox& stock, const GridPart& part) const override {
+        ZMap zmap(part.stock(stock), part.grid());
+        takeAwayBesides(zmap, stock, part);
+        return zmap;
     }
     [[nodiscard]] std::unique_ptr<StockTop> top(const StockBox& stock) const override {
         return std::make_unique<ExtrudedTop>(m_outline, offsetTo(stock));
@@ -207,11 +204,24 @@ public:
 private:
     [[nodiscard]] Vec2 offsetTo(const StockBox& stock) const { return Vec2(stock.corner) - m_outline.lo(); }
 
-    void markWithin(const Grid& grid, int j, const Vec2& offset, std::vector<bool>& within) const {
+    void takeAwayBesides(ZMap& zmap, const StockBox& stock, const GridPart& grid) const {
+        const Vec2 offset = offsetTo(stock);
+        std::vector<bool> within(static_cast<std::size_t>(grid.nx));
+        for (int j = 0; j < grid.ny; ++j) {
+            markWithin(grid, j, offset, within);
+            for (int i = 0; i < grid.nx; ++i)
+                if (!within[static_cast<std::size_t>(i)])
+                    takeAway(zmap, i, j);
+        }
+        for (std::size_t index = 0; index < zmap.tileCount(); ++index)
+            zmap.tileForWriting(index).refreshMaximum();
+    }
+
+    void markWithin(const GridPart& grid, int j, const Vec2& offset, std::vector<bool>& within) const {
         within.assign(within.size(), false);
         for (const Span& span : m_outline.spansAt(grid.y(j) - offset.y)) {
-            const double first = std::ceil((span.from + offset.x - grid.x0) / grid.hx);
-            const double last = std::floor((span.to + offset.x - grid.x0) / grid.hx);
+            const double first = std::ceil((span.from + offset.x - grid.origin.x) / grid.hx) - grid.firstI;
+            const double last = std::floor((span.to + offset.x - grid.origin.x) / grid.hx) - grid.firstI;
             const auto from = static_cast<std::ptrdiff_t>(std::clamp(first, 0.0, double(grid.nx)));
             const auto to = static_cast<std::ptrdiff_t>(std::clamp(last + 1, double(from), double(grid.nx)));
             std::fill(within.begin() + from, within.begin() + to, true);

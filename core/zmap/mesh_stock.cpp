@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/base/text.h"
+#include "core/zmap/grid_part.h"
 #include "core/zmap/stock_findings.h"
 
 namespace proveout {
@@ -129,12 +130,14 @@ struct Beneath {
 /// The rows of one row of tiles.
 class Band {
 public:
-    Band(const Grid& grid, int firstRow)
+    Band(const GridPart& grid, int firstRow)
         : m_grid(grid), m_firstRow(firstRow), m_rows(std::min(Tile::kSize, grid.ny - firstRow)),
           m_top(static_cast<std::size_t>(m_rows) * static_cast<std::size_t>(grid.nx), kAbsent) {}
 
     void add(const Facet& facet) {
-        const auto row = [&](double y) { return (y - m_grid.y0) / m_grid.hy - m_firstRow; };
+        const auto row = [&](double y) {
+            return (y - m_grid.origin.y) / m_grid.hy - m_grid.firstJ - m_firstRow;
+        };
         const double first = std::ceil(row(facet.lowestY() - kOnRim));
         const double last = std::floor(row(facet.highestY() + kOnRim));
         for (int j = static_cast<int>(std::max(first, 0.0)); j <= std::min(last, m_rows - 1.0); ++j)
@@ -166,7 +169,8 @@ private:
     }
 
     [[nodiscard]] int columnFrom(double x) const {
-        return static_cast<int>(std::clamp(std::ceil((x - m_grid.x0) / m_grid.hx), 0.0, double(m_grid.nx)));
+        const double column = std::ceil((x - m_grid.origin.x) / m_grid.hx) - m_grid.firstI;
+        return static_cast<int>(std::clamp(column, 0.0, double(m_grid.nx)));
     }
 
     void addRow(const Facet& facet, int j) {
@@ -213,14 +217,14 @@ private:
         beneath.open += within == 0 ? 0 : 1;
     }
 
-    const Grid& m_grid;
+    const GridPart& m_grid;
     int m_firstRow;
     int m_rows;
     std::vector<double> m_top; ///< absolute
     std::vector<Crossing> m_crossings;
 };
 
-class MeshStock final : public StockBody {
+class MeshStock final : public StockBody, public PartedStock {
 public:
     MeshStock(StockMesh mesh, const Box3& box, Diagnostics warnings)
         : m_mesh(std::move(mesh)), m_box(box), m_warnings(std::move(warnings)) {
@@ -240,35 +244,45 @@ public:
     [[nodiscard]] UncutStock uncut(const StockBox& stock, const Grid& grid) const override {
         UncutStock uncut{ZMap(stock, grid), m_warnings};
         const Vec3 offset = stock.corner - box().corner;
-        // The mesh stays where it is, and the grid goes there.
-        Grid there = grid;
-        there.x0 -= offset.x;
-        there.y0 -= offset.y;
         Beneath beneath;
-        const auto bands = bandsOf(there);
-        for (int tileRow = 0; tileRow < uncut.zmap.tilesY(); ++tileRow) {
-            Band band(there, tileRow * Tile::kSize);
-            for (const std::uint32_t triangle : bands[static_cast<std::size_t>(tileRow)])
-                band.add(Facet(corners(triangle)));
-            put(band, tileRow, uncut.zmap);
-            band.lookBeneath(m_upIsOut, m_box.lo.z, offset, beneath);
-        }
+        fill(uncut.zmap, GridPart(grid), offset,
+             [&](Band& band) { band.lookBeneath(m_upIsOut, m_box.lo.z, offset, beneath); });
         tell(beneath, uncut.findings);
         return uncut;
     }
+    [[nodiscard]] ZMap uncutPart(const StockBox& stock, const GridPart& part) const override {
+        ZMap zmap(part.stock(stock), part.grid());
+        fill(zmap, part, stock.corner - box().corner, [](Band&) {});
+        return zmap;
+    }
 
 private:
+    /// `look` is shown each band once it is complete.
+    template<class Look>
+    void fill(ZMap& zmap, GridPart grid, const Vec3& offset, const Look& look) const {
+        // The mesh stays where it is, and the grid goes there.
+        grid.origin -= Vec2(offset);
+        const auto bands = bandsOf(grid);
+        for (int tileRow = 0; tileRow < zmap.tilesY(); ++tileRow) {
+            Band band(grid, tileRow * Tile::kSize);
+            for (const std::uint32_t triangle : bands[static_cast<std::size_t>(tileRow)])
+                band.add(Facet(corners(triangle)));
+            put(band, tileRow, zmap);
+            look(band);
+        }
+    }
+
     [[nodiscard]] Corners corners(std::size_t triangle) const {
         const auto& t = m_mesh.triangles[triangle];
         return {m_mesh.vertices[t[0]], m_mesh.vertices[t[1]], m_mesh.vertices[t[2]]};
     }
 
     /// The triangles over each row of tiles.
-    [[nodiscard]] std::vector<std::vector<std::uint32_t>> bandsOf(const Grid& grid) const {
+    [[nodiscard]] std::vector<std::vector<std::uint32_t>> bandsOf(const GridPart& grid) const {
         const int count = (grid.ny + Tile::kSize - 1) / Tile::kSize;
         std::vector<std::vector<std::uint32_t>> bands(static_cast<std::size_t>(count));
         const auto band = [&](double y) {
-            const double row = std::floor((y - grid.y0) / grid.hy / Tile::kSize);
+            const double row = std::floor(((y - grid.origin.y) / grid.hy - grid.firstJ) / Tile::kSize);
             return static_cast<int>(std::clamp(row, 0.0, count - 1.0));
         };
         for (std::size_t k = 0; k < m_mesh.triangles.size(); ++k) {

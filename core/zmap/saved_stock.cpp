@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/text.h"
+#include "core/zmap/grid_part.h"
 #include "core/zmap/stock_findings.h"
 
 namespace proveout {
@@ -140,7 +141,7 @@ float resampled(const ZMapSnapshot& map, const Neighbours& x, const Neighbours& 
     return highest;
 }
 
-class SavedStock final : public StockBody {
+class SavedStock final : public StockBody, public PartedStock {
 public:
     SavedStock(ZMapSnapshot map, double spacing, Undercut undercut)
         : m_map(std::move(map)), m_spacing(spacing), m_undercut(undercut) {}
@@ -159,22 +160,26 @@ public:
         const bool finer = isPartOf(saved.nx, grid.nx) && isPartOf(saved.ny, grid.ny);
         if (!finer)
             findings.push_back(resamplingNote(grid));
-        return {onOtherGrid(stock, grid), std::move(findings)};
+        return {onOtherGrid(stock, GridPart(grid), grid), std::move(findings)};
+    }
+    [[nodiscard]] ZMap uncutPart(const StockBox& stock, const GridPart& part) const override {
+        return onOtherGrid(part.stock(stock), part, part.grid());
     }
 
 private:
     static bool isPartOf(int savedPoints, int points) { return (points - 1) % (savedPoints - 1) == 0; }
 
-    [[nodiscard]] ZMap onOtherGrid(const StockBox& stock, const Grid& grid) const {
+    /// `part` is where the points lie in a grid over the whole stock.
+    [[nodiscard]] ZMap onOtherGrid(const StockBox& stock, const GridPart& part, const Grid& grid) const {
         const Grid& saved = m_map.grid();
         std::vector<Neighbours> columns;
         std::vector<Neighbours> rows;
         columns.reserve(static_cast<std::size_t>(grid.nx));
         rows.reserve(static_cast<std::size_t>(grid.ny));
         for (int i = 0; i < grid.nx; ++i)
-            columns.emplace_back(grid.hx * i / saved.hx, grid.hx / saved.hx, saved.nx);
+            columns.emplace_back(grid.hx * (part.firstI + i) / saved.hx, grid.hx / saved.hx, saved.nx);
         for (int j = 0; j < grid.ny; ++j)
-            rows.emplace_back(grid.hy * j / saved.hy, grid.hy / saved.hy, saved.ny);
+            rows.emplace_back(grid.hy * (part.firstJ + j) / saved.hy, grid.hy / saved.hy, saved.ny);
         const auto floor = static_cast<float>(-stock.height);
         return mapOf(stock, grid, [&](int i, int j) {
             return std::max(floor, resampled(m_map, columns[static_cast<std::size_t>(i)],

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/box_output.h"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+#include <fmt/format.h>
+#include <utility>
+
+#include "app/cli/option_error.h"
+#include "app/cli/zmap_file.h"
+#include "core/base/memory.h"
+#include "core/decimation/refined_surface.h"
+#include "core/decimation/solid.h"
+#include "core/formats/formats.h"
+
+namespace proveout::cli {
+
+namespace {
+
+Result<PlanBox> parseBox(const std::string& text) {
+    std::array<double, 4> values{};
+    const char* at = text.data();
+    const char* const end = at + text.size();
+    for (std::size_t k = 0; k < values.size(); ++k) {
+        if (k > 0 && (at == end || *at++ != ','))
+            return failure("box-form", "“{}” is not a box of the form X0,Y0,X1,Y1 in mm.", {text});
+        const auto [next, error] = std::from_chars(at, end, values[k]);
+        if (error != std::errc{} || !std::isfinite(values[k]))
+            return failure("box-form", "“{}” is not a box of the form X0,Y0,X1,Y1 in mm.", {text});
+        at = next;
+    }
+    if (at != end)
+        return failure("box-form", "“{}” is not a box of the form X0,Y0,X1,Y1 in mm.", {text});
+    return PlanBox{{values[0], values[1]}, {values[2], values[3]}};
+}
+
+} // namespace
+
+void BoxOutput::addTo(CLI::App& command) {
+    auto* box = command
+                    .add_option("--box", m_box,
+                                "Cut this box of the stock once more on a finer grid, whose heights are "
+                                "those of the whole stock on that grid")
+                    ->type_name("X0,Y0,X1,Y1");
+    command.add_option("--box-spacing", m_spacing, "Grid spacing in the box, mm (0.01)")
+        ->type_name("H")
+        ->needs(box);
+    command.add_option("--box-stl", m_stl, "Write the box as a closed solid, within half of its spacing")
+        ->type_name("F.stl")
+        ->needs(box);
+    command.add_option("--box-heights", m_heights, "Write the heights in the box (NPY)")
+        ->type_name("F.npy")
+        ->needs(box);
+}
+
+Result<void> BoxOutput::check(const Setup& setup) {
+    if (!wanted())
+        return {};
+    auto box = parseBox(m_box);
+    if (!box)
+        return aboutOption("--box", std::move(box.error()));
+    const bool solid = !m_stl.empty();
+    const MapOutputs outputs{.schedule = false, .whole = solid, .solid = solid};
+    auto part = fineGrid(setup, {*box, m_spacing}, fineParameters(m_spacing), outputs,
+                         static_cast<double>(memoryLimitBytes()));
+    if (!part) {
+        const std::string_view id = part.error().front().id;
+        return aboutOption(id.starts_with("box-outside") || id.starts_with("box-without") ? "--box"
+                                                                                          : "--box-spacing",
+                           std::move(part.error()));
+    }
+    m_part = *part;
+    return {};
+}
+
+void BoxOutput::run(const Program& program, const Setup& setup, std::size_t blocks, Report& report) {
+    if (!wanted())
+        return;
+    m_fine = *cutBox(program, setup, blocks, m_part); // what nobody stops is finished
+    if (!m_heights.empty())
+        if (auto written = writeZMap(m_heights, m_fine.zmap); !written)
+            report.addFatal(std::move(written.error()));
+    if (!m_stl.empty())
+        writeStl(report);
+}
+
+void BoxOutput::writeStl(Report& report) {
+    const DecimationParameters parameters = fineParameters(m_spacing);
+    const SurfaceSnapshot surface = decimatedWhole(m_fine.zmap, parameters);
+    const TriangleMesh solid = closeSolid(m_fine.zmap, surface.triangles());
+    auto exported = exportSolid(m_stl, *findFormat("stl")->meshWriter(), solid, m_fine.zmap,
+                                parameters.allowance, errorLevel(parameters));
+    if (!exported)
+        return report.addFatal(std::move(exported.error()));
+    report.add(exported->warnings);
+    m_exported = std::move(*exported);
+}
+
+nlohmann::ordered_json BoxOutput::object() const {
+    const Grid& grid = m_fine.zmap.grid();
+    nlohmann::ordered_json out{{"x", {grid.x(0), grid.x(grid.nx - 1)}},
+                               {"y", {grid.y(0), grid.y(grid.ny - 1)}},
+                               {"grid", {{"nx", grid.nx}, {"ny", grid.ny}, {"hx", grid.hx}, {"hy", grid.hy}}},
+                               {"points", static_cast<std::int64_t>(grid.nx) * grid.ny},
+                               {"block", m_fine.block},
+                               {"motions", m_fine.motions},
+                               {"seconds", m_fine.seconds}};
+    if (m_exported)
+        out["stl"] = {{"triangles", m_exported->file.triangles},
+                      {"bytes", m_exported->file.bytes},
+                      {"largestErrorMm", m_exported->largestErrorMm}};
+    return out;
+}
+
+void BoxOutput::print() const {
+    if (!wanted())
+        return;
+    const Grid& grid = m_fine.zmap.grid();
+    fmt::print("box: {} × {} points, {:.4g} mm apart, cut by {} motions in {:.3f} s\n", grid.nx, grid.ny,
+               grid.hx, m_fine.motions, m_fine.seconds);
+    if (m_exported)
+        fmt::print("{}: {} triangles, {}, largest vertical error {:.6f} mm\n", m_stl,
+                   m_exported->file.triangles, readableBytes(static_cast<double>(m_exported->file.bytes)),
+                   m_exported->largestErrorMm);
+}
+
+} // namespace proveout::cli

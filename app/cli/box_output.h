@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "app/cli/report.h"
+#include "core/formats/job_file.h"
+#include "core/formats/solid_export.h"
+#include "core/simulation/box_of_interest.h"
+
+namespace proveout::cli {
+
+/// The box of interest that `simulate` is asked for: `--box`, its spacing and its files.
+class BoxOutput {
+public:
+    /// This object must outlive the parsing.
+    void addTo(CLI::App& command);
+
+    [[nodiscard]] bool wanted() const { return !m_box.empty(); }
+    [[nodiscard]] std::vector<std::string> files() const { return {m_stl, m_heights}; }
+    /// Refuses a box that cannot be cut, before anything is.
+    [[nodiscard]] Result<void> check(const Setup& setup);
+
+    /// Cuts the box after the first `blocks` blocks, and writes its files; check() was asked. Warnings and
+    /// errors go to the report.
+    void run(const Program& program, const Setup& setup, std::size_t blocks, Report& report);
+
+    [[nodiscard]] nlohmann::ordered_json object() const;
+    void print() const;
+
+private:
+    void writeStl(Report& report);
+
+    std::string m_box;
+    std::string m_stl;
+    std::string m_heights;
+    double m_spacing = BoxOfInterest().spacing;
+
+    GridPart m_part;
+    FineMap m_fine;
+    std::optional<ExportedSolid> m_exported;
+};
+
+} // namespace proveout::cli

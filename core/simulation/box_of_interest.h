@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A small part of the stock, cut on a much finer grid.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "core/base/work_context.h"
+#include "core/decimation/map_memory.h"
+#include "core/nc/program.h"
+#include "core/simulation/setup.h"
+#include "core/zmap/grid_part.h"
+
+namespace proveout {
+
+/// What is to be looked at closer. Value type.
+struct BoxOfInterest {
+    PlanBox box;
+    double spacing = 0.01; ///< wanted grid spacing, mm
+
+    friend bool operator==(const BoxOfInterest&, const BoxOfInterest&) = default;
+};
+
+/// The stock within a box after the first `block` blocks.
+struct FineMap {
+    ZMapSnapshot zmap; ///< of the part alone: its stock is the box, from the top to the floor of the whole
+    std::size_t block = 0;
+    std::size_t motions = 0; ///< that come near the box, below the top of the stock
+    double seconds = 0;      ///< wall time
+};
+
+/// The grid over a box. Refuses a box or a spacing that cannot be (makeGridPart()), and one whose maps, and
+/// what will be made of them, need more than `limitBytes`, with a spacing that would do.
+[[nodiscard]] Result<GridPart> fineGrid(const Setup& setup, const BoxOfInterest& box,
+                                        const DecimationParameters& parameters, const MapOutputs& outputs,
+                                        double limitBytes);
+
+/// How a box is decimated for the screen and for files: within half of its spacing.
+[[nodiscard]] DecimationParameters fineParameters(double spacing);
+
+/// Cuts the first `blocks` blocks within the box; ask fineGrid() for `part` first. The heights are those that
+/// a simulation of the whole stock at this spacing has at the same points, to the last bit, on any number of
+/// threads. Looks at every motion (some 50 ns each), and cuts those near the box. Nothing where it was
+/// stopped. Any thread.
+[[nodiscard]] std::optional<FineMap> cutBox(const Program& program, const Setup& setup, std::size_t blocks,
+                                            const GridPart& part, const WorkContext& context = {});
+
+} // namespace proveout

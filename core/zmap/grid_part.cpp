@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/zmap/grid_part.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <utility>
+
+#include "core/base/text.h"
+
+namespace proveout {
+
+namespace {
+
+/// Places are typed, and computed, with roundings.
+constexpr double kBesides = 1e-6; // mm
+
+struct Points {
+    double first;
+    double last;
+};
+
+/// The nearest points along one side of the stock.
+Points pointsFrom(double lo, double hi, double spacing, double count) {
+    const double first = std::clamp(std::round(lo / spacing), 0.0, count - 2);
+    return {first, std::clamp(std::round(hi / spacing), first + 1, count - 1)};
+}
+
+std::string textOf(const PlanBox& box) {
+    return fmt::format("X{:g}…{:g} Y{:g}…{:g}", box.lo.x, box.hi.x, box.lo.y, box.hi.y);
+}
+
+Result<void> checkBox(const StockBox& stock, const PlanBox& box) {
+    if (!(box.lo.x < box.hi.x && box.lo.y < box.hi.y))
+        return failure("box-without-area",
+                       PROVEOUT_TEXT("Core", "The box {} has no area: each side must go from the smaller "
+                                             "coordinate to the larger one."),
+                       {textOf(box)});
+    const PlanBox whole{Vec2(stock.corner), Vec2(stock.corner) + Vec2(stock.width, stock.depth)};
+    if (!(glm::all(glm::greaterThanEqual(box.lo, whole.lo - kBesides)) &&
+          glm::all(glm::lessThanEqual(box.hi, whole.hi + kBesides))))
+        return failure("box-outside-stock", PROVEOUT_TEXT("Core", "The box {} is not within the stock, {}."),
+                       {textOf(box), textOf(whole)});
+    return {};
+}
+
+} // namespace
+
+GridPart GridPart::inWholeTiles() const {
+    const auto before = [](double first) { return static_cast<int>(std::fmod(first, Tile::kSize)); };
+    const auto wholeTiles = [](int points) { return (points + Tile::kSize - 1) / Tile::kSize * Tile::kSize; };
+    GridPart larger = *this;
+    larger.firstI -= before(firstI);
+    larger.firstJ -= before(firstJ);
+    larger.nx = wholeTiles(nx + before(firstI));
+    larger.ny = wholeTiles(ny + before(firstJ));
+    return larger;
+}
+
+Result<GridPart> makeGridPart(const StockBox& stock, double spacing, const PlanBox& box) {
+    if (auto fine = checkSpacing(spacing); !fine)
+        return tl::unexpected(std::move(fine.error()));
+    // What a grid asks of the stock itself, at a spacing that it can have.
+    if (auto whole = makeGrid(stock, std::min(stock.width, stock.depth)); !whole)
+        return tl::unexpected(std::move(whole.error()));
+    if (auto fine = checkBox(stock, box); !fine)
+        return tl::unexpected(std::move(fine.error()));
+    // The same checks of the part: too coarse, too fine, lost in rounding.
+    const StockBox around{{box.lo, stock.corner.z}, box.hi.x - box.lo.x, box.hi.y - box.lo.y, stock.height};
+    if (auto grid = makeGrid(around, spacing); !grid)
+        return tl::unexpected(std::move(grid.error()));
+    const double columns = std::round(stock.width / spacing) + 1;
+    const double rows = std::round(stock.depth / spacing) + 1;
+    GridPart part;
+    part.origin = Vec2(stock.corner);
+    part.hx = stock.width / (columns - 1);
+    part.hy = stock.depth / (rows - 1);
+    const Points x = pointsFrom(box.lo.x - stock.corner.x, box.hi.x - stock.corner.x, part.hx, columns);
+    const Points y = pointsFrom(box.lo.y - stock.corner.y, box.hi.y - stock.corner.y, part.hy, rows);
+    part.firstI = x.first;
+    part.firstJ = y.first;
+    part.nx = static_cast<int>(x.last - x.first) + 1;
+    part.ny = static_cast<int>(y.last - y.first) + 1;
+    return part;
+}
+
+ZMap uncutPart(const StockBox& stock, const StockShape& shape, const GridPart& part) {
+    const auto* parted = dynamic_cast<const PartedStock*>(shape.body.get());
+    return parted == nullptr ? ZMap(part.stock(stock), part.grid()) : parted->uncutPart(stock, part);
+}
+
+} // namespace proveout
