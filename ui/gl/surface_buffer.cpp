@@ -37,10 +37,10 @@ IndexRect inner(const IndexRect& points) {
     return {points.i0 + 1, points.j0 + 1, points.i1 - 1, points.j1 - 1};
 }
 
-/// 16 bits where they hold every point of a region, counted from its first one.
-IndexWidth widthFor(const RegionGrid& grid) {
-    const auto cells = static_cast<std::int64_t>(grid.cells());
-    const bool fits = cells * grid.nx() + cells <= std::numeric_limits<std::uint16_t>::max();
+/// 16 bits where they hold all of them. Not a matter of the region: a merged mesh reaches beyond its own.
+IndexWidth widthFor(const std::vector<std::uint32_t>& indices) {
+    const bool fits = std::ranges::all_of(
+        indices, [](std::uint32_t index) { return index <= std::numeric_limits<std::uint16_t>::max(); });
     return fits ? IndexWidth::bits16 : IndexWidth::bits32;
 }
 
@@ -92,19 +92,23 @@ void SurfaceBuffer::DrawList::add(std::uint32_t offset, std::uint32_t count, std
 }
 
 IndexBuffer::Slot SurfaceBuffer::write(Gl& gl, IndexBuffer::Slot slot,
-                                       const std::vector<std::uint32_t>& indices, Uploaded& uploaded) {
+                                       const std::vector<std::uint32_t>& indices, IndexWidth width,
+                                       Uploaded& uploaded) {
     ++uploaded.lists;
     uploaded.indices += indices.size();
-    uploaded.bytes += indices.size() * (m_width == IndexWidth::bits16 ? 1 : 2) * IndexBuffer::kHalf;
-    return m_indices.write(gl, slot, indices, m_width);
+    uploaded.bytes += indices.size() * (width == IndexWidth::bits16 ? 1 : 2) * IndexBuffer::kHalf;
+    return m_indices.write(gl, slot, indices, width);
 }
 
 void SurfaceBuffer::writeList(Gl& gl, std::size_t index, const std::vector<LatticeTriangle>& triangles,
                               Uploaded& uploaded) {
     Region& region = m_regions[index];
     region.count = static_cast<std::uint32_t>(triangles.size() * 3);
-    if (!triangles.empty())
-        region.slot = write(gl, region.slot, indicesFrom(firstPoint(index), triangles), uploaded);
+    if (triangles.empty())
+        return;
+    const std::vector<std::uint32_t> indices = indicesFrom(firstPoint(index), triangles);
+    region.width = widthFor(indices);
+    region.slot = write(gl, region.slot, indices, region.width, uploaded);
 }
 
 std::uint32_t SurfaceBuffer::firstPoint(std::size_t region) const {
@@ -117,7 +121,9 @@ const SurfaceBuffer::Pattern& SurfaceBuffer::pattern(Gl& gl, const IndexRect& po
     auto found = m_patterns.find(key);
     if (found == m_patterns.end()) {
         const std::vector<std::uint32_t> indices = patternIndices(m_grid.nx(), points);
-        const Pattern made{write(gl, {}, indices, uploaded), static_cast<std::uint32_t>(indices.size())};
+        const IndexWidth width = widthFor(indices);
+        const Pattern made{write(gl, {}, indices, width, uploaded), width,
+                           static_cast<std::uint32_t>(indices.size())};
         found = m_patterns.emplace(key, made).first;
     }
     return found->second;
@@ -131,7 +137,6 @@ SurfaceBuffer::Uploaded SurfaceBuffer::update(Gl& gl, const SurfaceSnapshot& sur
         m_regions.assign(surface.meshes.size(), {});
         m_patterns.clear();
         m_indices.clear();
-        m_width = widthFor(m_grid);
         changed = true;
     }
     for (std::size_t index = 0; index < m_regions.size(); ++index) {
@@ -164,14 +169,16 @@ SurfaceBuffer::Uploaded SurfaceBuffer::update(Gl& gl, const SurfaceSnapshot& sur
 
 void SurfaceBuffer::collect(Gl& gl, Uploaded& uploaded) {
     m_triangles = {};
-    for (DrawList& list : m_lists)
-        list.clear();
+    for (auto& ofPart : m_lists)
+        for (DrawList& list : ofPart)
+            list.clear();
     for (std::size_t index = 0; index < m_regions.size(); ++index) {
         const Region& region = m_regions[index];
-        const auto part = static_cast<std::size_t>(region.mesh ? Part::decimated : Part::fromZMap);
+        const Part part = region.mesh ? Part::decimated : Part::fromZMap;
+        std::size_t& triangles = m_triangles[static_cast<std::size_t>(part)];
         if (region.count > 0) {
-            m_lists[part].add(region.slot.offset, region.count, firstPoint(index));
-            m_triangles[part] += region.count / 3;
+            listOf(part, region.width).add(region.slot.offset, region.count, firstPoint(index));
+            triangles += region.count / 3;
         }
         if (region.mesh != nullptr)
             continue;
@@ -180,19 +187,22 @@ void SurfaceBuffer::collect(Gl& gl, Uploaded& uploaded) {
         if (!hasCells(points))
             continue;
         const Pattern& shared = pattern(gl, points, uploaded);
-        m_lists[part].add(shared.slot.offset, shared.count, m_grid.lattice(points.i0, points.j0));
-        m_triangles[part] += shared.count / 3;
+        listOf(part, shared.width)
+            .add(shared.slot.offset, shared.count, m_grid.lattice(points.i0, points.j0));
+        triangles += shared.count / 3;
     }
 }
 
 void SurfaceBuffer::draw(Gl& gl, Part part) {
-    const DrawList& list = m_lists[static_cast<std::size_t>(part)];
-    if (list.counts.empty())
-        return;
     gl.glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_indices.id());
-    gl.glMultiDrawElementsBaseVertex(
-        GL_TRIANGLES, list.counts.data(), m_width == IndexWidth::bits16 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT,
-        list.offsets.data(), static_cast<GLsizei>(list.counts.size()), list.baseVertices.data());
+    for (const IndexWidth width : {IndexWidth::bits16, IndexWidth::bits32}) {
+        const DrawList& list = listOf(part, width);
+        if (!list.counts.empty())
+            gl.glMultiDrawElementsBaseVertex(
+                GL_TRIANGLES, list.counts.data(),
+                width == IndexWidth::bits16 ? GL_UNSIGNED_SHORT : GL_UNSIGNED_INT, list.offsets.data(),
+                static_cast<GLsizei>(list.counts.size()), list.baseVertices.data());
+    }
 }
 
 void SurfaceBuffer::release(Gl& gl) {

@@ -39,11 +39,13 @@ private:
         RegionMeshPtr mesh;
         std::array<BorderLinePtr, 4> borders; ///< of a region drawn from the z-map only
         IndexBuffer::Slot slot;
+        IndexWidth width = IndexWidth::bits16;
         std::uint32_t count = 0; ///< indices in the slot; 0: drawn with a pattern alone, if at all
         bool known = false;
     };
     struct Pattern {
         IndexBuffer::Slot slot;
+        IndexWidth width = IndexWidth::bits16;
         std::uint32_t count = 0;
     };
     struct DrawList {
@@ -56,7 +58,11 @@ private:
     };
 
     [[nodiscard]] IndexBuffer::Slot write(Gl& gl, IndexBuffer::Slot slot,
-                                          const std::vector<std::uint32_t>& indices, Uploaded& uploaded);
+                                          const std::vector<std::uint32_t>& indices, IndexWidth width,
+                                          Uploaded& uploaded);
+    DrawList& listOf(Part part, IndexWidth width) {
+        return m_lists[static_cast<std::size_t>(part)][static_cast<std::size_t>(width)];
+    }
     void writeList(Gl& gl, std::size_t index, const std::vector<LatticeTriangle>& triangles,
                    Uploaded& uploaded);
     const Pattern& pattern(Gl& gl, const IndexRect& points, Uploaded& uploaded);
@@ -66,9 +72,8 @@ private:
     RegionGrid m_grid;
     std::vector<Region> m_regions;
     IndexBuffer m_indices;
-    IndexWidth m_width = IndexWidth::bits32; ///< of the indices, counted from the region's first point
     std::map<std::tuple<int, int, int>, Pattern> m_patterns; ///< by width, height, parity of the first point
-    std::array<DrawList, 2> m_lists;
+    std::array<std::array<DrawList, 2>, 2> m_lists;          ///< by part and width of the indices
     std::array<std::size_t, 2> m_triangles{};
 };
 

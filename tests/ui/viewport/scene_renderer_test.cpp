@@ -8,6 +8,7 @@
 
 #include <QTest>
 
+#include "core/decimation/refined_surface.h"
 #include "tests/ui/viewport/frame_builder.h"
 #include "tests/ui/viewport/offscreen_picture.h"
 #include "ui/viewport/camera.h"
@@ -116,6 +117,7 @@ private slots:
     void wireframeShowsRegionBorders();
     void decimationDoesNotShow();
     void indicesOfAnyWidthDrawTheSame();
+    void mergedRegionsAreDrawnWhole();
     void noCracksInHalfDirtyStates();
     void cracksWouldBeSeen();
     void uploadsOnlyWhatChanged();
@@ -335,6 +337,28 @@ void SceneRendererTest::indicesOfAnyWidthDrawTheSame() {
         QCOMPARE(cracks(draw(builder.frame(), camera, testOptions()), full), 0);
     }
     QCOMPARE(pictures[0], pictures[1]);
+}
+
+void SceneRendererTest::mergedRegionsAreDrawnWhole() {
+    // The points of a region are counted with 16 bits, those of all regions together are not.
+    // Wrong indices miss tens of thousands of pixels.
+    constexpr int kFew = 20;
+    DecimationParameters parameters;
+    FrameBuilder builder(kStock, 0.2, parameters);
+    builder.cutAll(hills);
+    const Camera camera = cameraAt(StandardView::iso, true);
+    const FramePtr full = builder.frame();
+    const QImage reference = draw(full, camera, testOptions());
+    Frame merged = *full;
+    RefinedSurface refined(builder.grid().nx, builder.grid().ny, parameters);
+    QVERIFY(refined.follow(full->zmap, {}));
+    merged.surface = refined.snapshot();
+    const FramePtr atRest = std::make_shared<const Frame>(merged);
+    QVERIFY(cracks(draw(atRest, camera, testOptions()), reference) < kFew);
+    // From one to the other and back, in the same buffer.
+    builder.decimate();
+    QCOMPARE(cracks(draw(builder.frame(), camera, testOptions()), reference), 0);
+    QVERIFY(cracks(draw(atRest, camera, testOptions()), reference) < kFew);
 }
 
 void SceneRendererTest::noCracksInHalfDirtyStates() {
