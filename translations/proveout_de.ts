@@ -135,6 +135,84 @@ Vorgabe: 0 mm</translation>
     </message>
 </context>
 <context>
+    <name>CloserLook</name>
+    <message>
+        <source>Drag a box on the stock, or click a place.</source>
+        <translation>Auf dem Rohteil einen Kasten aufziehen oder eine Stelle anklicken.</translation>
+    </message>
+    <message>
+        <source>At block %1: cutting…</source>
+        <translation>Bei Satz %1: wird gefräst …</translation>
+    </message>
+    <message>
+        <source>At block %1: cancelled. Another size or spacing starts again.</source>
+        <translation>Bei Satz %1: abgebrochen. Eine andere Größe oder Rasterweite beginnt von neuem.</translation>
+    </message>
+    <message>
+        <source>At block %1: %2 × %3 points, %4 mm apart; %5 triangles, %6 s</source>
+        <translation>Bei Satz %1: %2 × %3 Punkte im Abstand von %4 mm; %5 Dreiecke, %6 s</translation>
+    </message>
+</context>
+<context>
+    <name>CloserLookForm</name>
+    <message>
+        <source>Closer look</source>
+        <translation>Genauer Blick</translation>
+    </message>
+    <message>
+        <source>Box:</source>
+        <translation>Kasten:</translation>
+    </message>
+    <message>
+        <source>Grid spacing:</source>
+        <translation>Rasterweite:</translation>
+    </message>
+    <message>
+        <source>Size of the box along X</source>
+        <translation>Größe des Kastens entlang X</translation>
+    </message>
+    <message>
+        <source>Size of the box along Y</source>
+        <translation>Größe des Kastens entlang Y</translation>
+    </message>
+    <message>
+        <source>Grid spacing in the box</source>
+        <translation>Rasterweite im Kasten</translation>
+    </message>
+    <message>
+        <source>%1 From %2 to %3 mm. Default: %4 mm.</source>
+        <translation>%1 Von %2 bis %3 mm. Vorgabe: %4 mm.</translation>
+    </message>
+    <message>
+        <source>How far the box reaches along X; a click makes one of this size.</source>
+        <translation>Wie weit der Kasten entlang X reicht; ein Klick setzt einen dieser Größe.</translation>
+    </message>
+    <message>
+        <source>How far the box reaches along Y; a click makes one of this size.</source>
+        <translation>Wie weit der Kasten entlang Y reicht; ein Klick setzt einen dieser Größe.</translation>
+    </message>
+    <message>
+        <source>How far the points of the grid in the box lie apart.</source>
+        <translation>Wie weit die Punkte des Rasters im Kasten auseinanderliegen.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop this work</source>
+        <translation>Diese Arbeit abbrechen</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>Schließen (Esc)</translation>
+    </message>
+</context>
+<context>
     <name>ControlPanel</name>
     <message>
         <source>State of the control</source>
@@ -4751,6 +4829,14 @@ Vorgabe: 0 mm</translation>
         <source>From chip to chip.</source>
         <translation>Von Span zu Span.</translation>
     </message>
+    <message>
+        <source>The box needs more memory than there is.</source>
+        <translation>Der Kasten braucht mehr Speicher, als da ist.</translation>
+    </message>
+    <message>
+        <source>The box could not be cut: {}.</source>
+        <translation>Der Kasten ließ sich nicht fräsen: {}.</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -6435,6 +6521,10 @@ Vorgabe: %3 mm</translation>
         <source>The grid has more points along a side than the graphics driver can take; the stock is not drawn. A wider grid spacing brings it back.</source>
         <translation>Das Raster hat auf einer Seite mehr Punkte, als der Grafiktreiber fasst; das Rohteil wird nicht gezeichnet. Eine größere Rasterweite bringt es zurück.</translation>
     </message>
+    <message>
+        <source>The box has more points along a side than the graphics driver can take; it is not drawn. A wider spacing or a smaller box brings it back.</source>
+        <translation>Der Kasten hat auf einer Seite mehr Punkte, als der Grafiktreiber fasst; er wird nicht gezeichnet. Eine größere Rasterweite oder ein kleinerer Kasten bringt ihn zurück.</translation>
+    </message>
 </context>
 <context>
     <name>ViewportCommands</name>
@@ -6573,6 +6663,14 @@ Vorgabe: %3 mm</translation>
     <message>
         <source>Draw no cutter</source>
         <translation>Keinen Fräser zeichnen</translation>
+    </message>
+    <message>
+        <source>Look Clo&amp;ser</source>
+        <translation>Genauer hin&amp;sehen</translation>
+    </message>
+    <message>
+        <source>Cut a box of the stock on a much finer grid, and show it in place</source>
+        <translation>Einen Kasten des Rohteils auf einem viel feineren Raster fräsen und an Ort und Stelle zeigen</translation>
     </message>
 </context>
 <context>

@@ -135,6 +135,84 @@ Default: 0 mm</source>
     </message>
 </context>
 <context>
+    <name>CloserLook</name>
+    <message>
+        <source>Drag a box on the stock, or click a place.</source>
+        <translation>소재 위에서 상자를 끌어 그리거나 한 곳을 클릭하세요.</translation>
+    </message>
+    <message>
+        <source>At block %1: cutting…</source>
+        <translation>블록 %1: 절삭하는 중…</translation>
+    </message>
+    <message>
+        <source>At block %1: cancelled. Another size or spacing starts again.</source>
+        <translation>블록 %1: 취소했습니다. 크기나 간격을 바꾸면 다시 시작합니다.</translation>
+    </message>
+    <message>
+        <source>At block %1: %2 × %3 points, %4 mm apart; %5 triangles, %6 s</source>
+        <translation>블록 %1: %2 × %3개의 점, 간격 %4 mm, 삼각형 %5개, %6초</translation>
+    </message>
+</context>
+<context>
+    <name>CloserLookForm</name>
+    <message>
+        <source>Closer look</source>
+        <translation>자세히 보기</translation>
+    </message>
+    <message>
+        <source>Box:</source>
+        <translation>상자:</translation>
+    </message>
+    <message>
+        <source>Grid spacing:</source>
+        <translation>격자 간격:</translation>
+    </message>
+    <message>
+        <source>Size of the box along X</source>
+        <translation>X 방향 상자 크기</translation>
+    </message>
+    <message>
+        <source>Size of the box along Y</source>
+        <translation>Y 방향 상자 크기</translation>
+    </message>
+    <message>
+        <source>Grid spacing in the box</source>
+        <translation>상자 안의 격자 간격</translation>
+    </message>
+    <message>
+        <source>%1 From %2 to %3 mm. Default: %4 mm.</source>
+        <translation>%1 %2~%3 mm. 기본값: %4 mm.</translation>
+    </message>
+    <message>
+        <source>How far the box reaches along X; a click makes one of this size.</source>
+        <translation>상자가 X 방향으로 미치는 길이입니다. 클릭하면 이 크기의 상자가 생깁니다.</translation>
+    </message>
+    <message>
+        <source>How far the box reaches along Y; a click makes one of this size.</source>
+        <translation>상자가 Y 방향으로 미치는 길이입니다. 클릭하면 이 크기의 상자가 생깁니다.</translation>
+    </message>
+    <message>
+        <source>How far the points of the grid in the box lie apart.</source>
+        <translation>상자 안 격자점 사이의 거리입니다.</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>취소</translation>
+    </message>
+    <message>
+        <source>Stop this work</source>
+        <translation>이 작업을 중단합니다</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>닫기</translation>
+    </message>
+    <message>
+        <source>Close (Esc)</source>
+        <translation>닫기(Esc)</translation>
+    </message>
+</context>
+<context>
     <name>ControlPanel</name>
     <message>
         <source>State of the control</source>
@@ -4751,6 +4829,14 @@ Default: 0 mm</source>
         <source>From chip to chip.</source>
         <translation>절삭에서 다음 절삭까지의 시간입니다.</translation>
     </message>
+    <message>
+        <source>The box needs more memory than there is.</source>
+        <translation>상자에 필요한 메모리가 남은 메모리보다 큽니다.</translation>
+    </message>
+    <message>
+        <source>The box could not be cut: {}.</source>
+        <translation>상자를 절삭하지 못했습니다: {}.</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -6434,6 +6520,10 @@ Default: %3 mm</source>
         <source>The grid has more points along a side than the graphics driver can take; the stock is not drawn. A wider grid spacing brings it back.</source>
         <translation>격자 한 변의 점이 그래픽 드라이버의 한도를 넘어 소재를 그리지 않습니다. 격자 간격을 넓히면 다시 표시됩니다.</translation>
     </message>
+    <message>
+        <source>The box has more points along a side than the graphics driver can take; it is not drawn. A wider spacing or a smaller box brings it back.</source>
+        <translation>상자 한 변의 점이 그래픽 드라이버가 다룰 수 있는 수보다 많아 그리지 않습니다. 격자 간격을 넓히거나 상자를 줄이면 다시 나타납니다.</translation>
+    </message>
 </context>
 <context>
     <name>ViewportCommands</name>
@@ -6572,6 +6662,14 @@ Default: %3 mm</source>
     <message>
         <source>Draw no cutter</source>
         <translation>커터를 그리지 않습니다</translation>
+    </message>
+    <message>
+        <source>Look Clo&amp;ser</source>
+        <translation>자세히 보기(&amp;S)</translation>
+    </message>
+    <message>
+        <source>Cut a box of the stock on a much finer grid, and show it in place</source>
+        <translation>소재의 한 상자를 훨씬 촘촘한 격자로 절삭하여 제자리에 보여 줍니다</translation>
     </message>
 </context>
 <context>

@@ -23,6 +23,7 @@ struct SceneColours {
     /// Orange and blue of Okabe and Ito: told apart with every common colour blindness, and in grey.
     glm::vec3 dirty{1.0f, 0.62f, 0.05f};
     glm::vec3 decimated{0.0f, 0.45f, 0.80f};
+    glm::vec3 box{0.80f, 0.30f, 0.60f}; ///< the edge of a box of interest
     glm::vec3 rapid;
     glm::vec3 feed;
     glm::vec3 arc;

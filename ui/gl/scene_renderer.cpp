@@ -3,13 +3,27 @@
 
 namespace proveout {
 
+namespace {
+
+/// The place of a box in stock coordinates; empty where there is none.
+glm::vec4 cutOut(const FramePtr& box, const Vec3& origin) {
+    if (box == nullptr)
+        return {1, 1, -1, -1};
+    const Grid& grid = box->zmap.grid();
+    return {grid.x(0) - origin.x, grid.y(0) - origin.y, grid.x(grid.nx - 1) - origin.x,
+            grid.y(grid.ny - 1) - origin.y};
+}
+
+} // namespace
+
 std::unique_ptr<SceneRenderer> SceneRenderer::create() {
     Gl* gl = currentGl();
     if (gl == nullptr)
         return nullptr;
     std::unique_ptr<SceneRenderer> renderer(new SceneRenderer(*gl));
     const bool valid = renderer->m_backdrop.valid() && renderer->m_surface.valid() &&
-                       renderer->m_cutter.valid() && renderer->m_path.valid();
+                       renderer->m_cutter.valid() && renderer->m_path.valid() &&
+                       renderer->m_boxSurface.valid() && renderer->m_boxFrame.valid();
     return valid ? std::move(renderer) : nullptr;
 }
 
@@ -27,6 +41,32 @@ UploadCounts SceneRenderer::upload(const FramePtr& frame) {
                        frame->cutterKnown && frame->setup ? frame->setup->tools.find(frame->tool) : nullptr);
     m_gridFits = HeightTexture::fits(m_gl, frame->zmap.grid());
     return m_gridFits && frame->zmap.tileCount() > 0 ? m_surface.upload(m_gl, *frame) : UploadCounts{};
+}
+
+bool SceneRenderer::uploadBox(const FramePtr& box) {
+    const bool drawn = box != nullptr && m_frame != nullptr && HeightTexture::fits(m_gl, box->zmap.grid());
+    if (!drawn) {
+        m_box.reset();
+        m_boxIn.reset();
+        return box == nullptr;
+    }
+    if (box != m_box)
+        (void)m_boxSurface.upload(m_gl, *box);
+    if (box != m_box || m_frame != m_boxIn)
+        m_boxFrame.setEdge(m_gl, boxEdge(m_frame->zmap, box->zmap, m_frame->parameters.allowance));
+    m_box = box;
+    m_boxIn = m_frame;
+    return true;
+}
+
+void SceneRenderer::drawBox(const View& view, const SceneOptions& options, const StockView& stockView,
+                            const Vec3& origin) {
+    const Grid& grid = m_box->zmap.grid();
+    const StockBox& stock = m_box->zmap.stock();
+    m_gl.glBindVertexArray(m_emptyArray);
+    m_boxSurface.draw(m_gl, StockView(view, {grid.x0, grid.y0, stock.floorZ()}), options);
+    m_gl.glBindVertexArray(0);
+    m_boxFrame.draw(m_gl, stockView, options, glm::vec3(Vec3(grid.x0, grid.y0, stock.topZ()) - origin));
 }
 
 void SceneRenderer::drawBackdrop(const SceneOptions& options) {
@@ -54,8 +94,12 @@ void SceneRenderer::draw(const View& view, const SceneOptions& options) {
         const Grid& grid = m_frame->zmap.grid();
         const Vec3 origin(grid.x0, grid.y0, m_frame->zmap.stock().floorZ());
         const StockView stockView(view, origin);
-        if (m_gridFits && m_frame->zmap.tileCount() > 0)
+        if (m_gridFits && m_frame->zmap.tileCount() > 0) {
+            m_surface.setCutOut(cutOut(m_box, origin));
             m_surface.draw(m_gl, stockView, options);
+        }
+        if (m_box != nullptr)
+            drawBox(view, options, stockView, origin);
         m_gl.glBindVertexArray(0);
         m_path.draw(m_gl, stockView, options, origin);
         m_cutter.draw(m_gl, stockView, options, glm::vec3(m_frame->cutterPosition - origin));
@@ -81,6 +125,8 @@ void SceneRenderer::finish() {
 
 void SceneRenderer::release() {
     m_surface.release(m_gl);
+    m_boxSurface.release(m_gl);
+    m_boxFrame.release(m_gl);
     m_cutter.release(m_gl);
     m_path.release(m_gl);
     if (m_emptyArray != 0)

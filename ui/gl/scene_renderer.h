@@ -5,6 +5,7 @@
 
 #include <memory>
 
+#include "ui/gl/box_frame.h"
 #include "ui/gl/cutter_renderer.h"
 #include "ui/gl/path_renderer.h"
 #include "ui/gl/surface_renderer.h"
@@ -22,6 +23,9 @@ public:
     /// Brings what differs from the frame before to the graphics side. A grid beyond the driver's limit draws
     /// no stock: gridFits() tells.
     UploadCounts upload(const FramePtr& frame);
+    /// A box of interest, whose z-map and surface are drawn in the place of what the uploaded frame has
+    /// there; null: none. A box with more points along a side than the driver takes is not drawn: false.
+    bool uploadBox(const FramePtr& box);
     /// Draws the uploaded frame, or the backdrop alone. Sets viewport, depth and culling; leaves blending and
     /// depth test off and no program bound, as QPainter wants it.
     void draw(const View& view, const SceneOptions& options);
@@ -37,6 +41,8 @@ public:
 
 private:
     explicit SceneRenderer(Gl& gl);
+    void drawBox(const View& view, const SceneOptions& options, const StockView& stockView,
+                 const Vec3& origin);
     void drawBackdrop(const SceneOptions& options);
 
     Gl& m_gl;
@@ -46,6 +52,10 @@ private:
     PathRenderer m_path;
     GLuint m_emptyArray = 0; ///< vertices are made from their index alone
     FramePtr m_frame;
+    SurfaceRenderer m_boxSurface;
+    BoxFrame m_boxFrame;
+    FramePtr m_box;
+    FramePtr m_boxIn; ///< the frame that its edge was made for
     bool m_gridFits = true;
 };
 

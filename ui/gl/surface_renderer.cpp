@@ -45,12 +45,15 @@ void SurfaceRenderer::setStock(Gl& gl, ShaderProgram& program, const SceneOption
     program.set(gl, "gridSize", glm::vec2(m_grid.nx, m_grid.ny));
     program.set(gl, "floorHeight", m_floor);
     program.set(gl, "stockHeight", -m_floor);
+    program.set(gl, "cutOut", m_cutOut);
     program.set(gl, "rawAlbedo", options.colours.rawStock);
     program.set(gl, "cutAlbedo", options.colours.cutStock);
 }
 
 void SurfaceRenderer::drawTop(Gl& gl, const StockView& view, const SceneOptions& options) {
-    ShaderProgram& program = options.wireframe ? m_wire : m_heights.touchesFloor() ? m_holes : m_plain;
+    ShaderProgram& program = options.wireframe                                     ? m_wire
+                             : m_heights.touchesFloor() || m_cutOut.x < m_cutOut.z ? m_holes
+                                                                                   : m_plain;
     program.bind(gl);
     setView(gl, program, view);
     setStock(gl, program, options);

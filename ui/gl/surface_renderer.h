@@ -26,6 +26,9 @@ public:
     [[nodiscard]] bool valid() const;
     /// The grid must fit (HeightTexture::fits).
     [[nodiscard]] UploadCounts upload(Gl& gl, const Frame& frame);
+    /// A rectangle in plan, stock coordinates (x, y, x, y), that is left out of the picture; none where it is
+    /// empty.
+    void setCutOut(const glm::vec4& rectangle) { m_cutOut = rectangle; }
     void draw(Gl& gl, const StockView& view, const SceneOptions& options);
     void release(Gl& gl);
     [[nodiscard]] std::size_t triangles(SurfaceBuffer::Part part) const { return m_surface.triangles(part); }
@@ -46,6 +49,7 @@ private:
     Grid m_grid;
     float m_floor = -1;
     int m_regionCells = 1;
+    glm::vec4 m_cutOut{1, 1, -1, -1};
 };
 
 } // namespace proveout

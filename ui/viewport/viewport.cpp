@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include <QApplication>
 #include <QElapsedTimer>
 #include <QKeyEvent>
 #include <QMouseEvent>
@@ -14,6 +15,7 @@
 #include <QWheelEvent>
 
 #include "ui/theme.h"
+#include "ui/viewport/closer_look_form.h"
 #include "ui/viewport/hud.h"
 #include "ui/viewport/surface_pick.h"
 #include "ui/viewport/viewport_commands.h"
@@ -38,7 +40,8 @@ double seconds(const QElapsedTimer& timer) {
 } // namespace
 
 Viewport::Viewport(Session& session, const GlSupport& support, QWidget* parent)
-    : QOpenGLWidget(parent), m_session(session), m_support(support) {
+    : QOpenGLWidget(parent), m_session(session), m_support(support),
+      m_form(new CloserLookForm(m_look, this)) {
     QSurfaceFormat format;
     format.setVersion(3, 3);
     format.setProfile(QSurfaceFormat::CoreProfile);
@@ -65,6 +68,10 @@ Viewport::Viewport(Session& session, const GlSupport& support, QWidget* parent)
         m_smooth = true;
         update();
     });
+    m_form->hide();
+    connect(m_form, &CloserLookForm::closed, this, &Viewport::closeLook);
+    connect(m_form, &CloserLookForm::edited, this, &Viewport::followForm);
+    connect(&m_look, &CloserLook::changed, this, &Viewport::followLook);
     connect(&session, &Session::tick, this, &Viewport::setFrame);
     followPalette();
     followOptions();
@@ -84,6 +91,9 @@ void Viewport::setFrame(const FramePtr& frame) {
     if (frame == m_frame)
         return;
     m_frame = frame;
+    if (looksCloser() && (frame == nullptr || frame->zmap.stock() != m_fittedStock))
+        closeLook(); // a box of another stock says nothing
+    m_look.follow(frame);
     // Another stock comes into the picture as a whole; the same one cut further leaves the view alone.
     if (frame != nullptr && !(m_fitted && frame->zmap.stock() == m_fittedStock)) {
         m_fitted = true;
@@ -105,7 +115,8 @@ void Viewport::limitZoom() {
     const ZMapSnapshot& zmap = m_frame->zmap;
     const StockBox& stock = zmap.stock();
     const double radius = 0.5 * std::hypot(stock.width, stock.depth, stock.height);
-    const double cells = kFewestCellsShown * std::max(zmap.grid().hx, zmap.grid().hy);
+    const Grid& grid = m_look.picture() != nullptr ? m_look.picture()->zmap.grid() : zmap.grid();
+    const double cells = kFewestCellsShown * std::max(grid.hx, grid.hy);
     m_camera.limitZoom(0.5 * std::min(cells, radius), radius / kSmallestShareOfView);
 }
 
@@ -227,6 +238,7 @@ void Viewport::resizeGL(int, int) {
     if (m_fits)
         fit();
     m_smooth = false;
+    placeForm();
 }
 
 void Viewport::paintGL() {
@@ -238,6 +250,7 @@ void Viewport::paintGL() {
         QElapsedTimer timer;
         timer.start();
         m_uploaded = m_renderer->upload(m_frame);
+        m_boxFits = m_renderer->uploadBox(m_look.picture());
         // Waiting for the end costs nothing at 30 pictures a second and makes the figures honest.
         m_renderer->finish();
         uploadSeconds = seconds(timer);
@@ -298,11 +311,89 @@ void Viewport::paintOverlay(const View& view) {
             tr("The grid has more points along a side than the graphics driver can take; the stock is "
                "not drawn. A wider grid spacing brings it back."),
             palette());
+    if (!m_boxFits)
+        paintNotice(painter, rect(),
+                    tr("The box has more points along a side than the graphics driver can take; it is not "
+                       "drawn. A wider spacing or a smaller box brings it back."),
+                    palette());
     if (m_legend)
         paintLegend(painter, rect(), m_options,
                     {m_frame->surface.faces, m_frame->surface.facesFull, m_frame->surface.meshes.size(),
                      m_frame->surface.dirtyRegions},
                     palette());
+    if (m_choice)
+        paintChoice(painter);
+}
+
+void Viewport::paintChoice(QPainter& painter) const {
+    const PlanBox box = m_choice->box(m_frame->zmap.stock(), m_form->size());
+    QPolygonF outline;
+    for (const Vec2& corner : {box.lo, Vec2(box.hi.x, box.lo.y), box.hi, Vec2(box.lo.x, box.hi.y)}) {
+        const Vec2 pixel = m_camera.project({corner, m_choice->level()});
+        outline << QPointF(pixel.x, pixel.y) / devicePixelRatioF();
+    }
+    const glm::vec3 colour = m_options.colours.box;
+    painter.setPen(QPen(QColor::fromRgbF(colour.r, colour.g, colour.b), 2));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolygon(outline);
+}
+
+// --- the box of interest
+
+void Viewport::toggleCloserLook() {
+    if (looksCloser()) {
+        closeLook();
+        return;
+    }
+    if (m_frame == nullptr || m_frame->zmap.tileCount() == 0)
+        return followOptions();
+    m_choosing = true;
+    setCursor(Qt::CrossCursor);
+    m_form->show();
+    followLook();
+}
+
+bool Viewport::looksCloser() const {
+    return m_choosing || m_look.box().has_value();
+}
+
+void Viewport::closeLook() {
+    m_choosing = false;
+    m_choice.reset();
+    unsetCursor();
+    const QWidget* focus = QApplication::focusWidget();
+    if (focus != nullptr && m_form->isAncestorOf(focus))
+        setFocus();
+    m_form->hide();
+    m_look.close();
+}
+
+void Viewport::followForm() {
+    const auto& box = m_look.box();
+    if (!box || m_frame == nullptr)
+        return;
+    const Vec2 middle = (box->box.lo + box->box.hi) / 2.0;
+    m_look.look({boxAbout(middle, m_form->size(), m_frame->zmap.stock()), m_form->spacing()});
+}
+
+void Viewport::followLook() {
+    placeForm();
+    if (m_frame != nullptr && m_frame->zmap.tileCount() > 0)
+        limitZoom();
+    followOptions();
+}
+
+void Viewport::placeForm() {
+    constexpr int kMargin = 10;
+    m_form->move(width() - m_form->width() - kMargin, kMargin);
+}
+
+void Viewport::beginChoice(const QPointF& position) {
+    const QPointF pixel = position * devicePixelRatioF();
+    const auto hit = pickStock(m_frame->zmap, m_camera.ray(pixel.x(), pixel.y()));
+    if (hit)
+        m_choice.emplace(*hit, Vec2(pixel.x(), pixel.y()));
+    repaintSoon();
 }
 
 // --- the user's gestures
@@ -316,11 +407,22 @@ Vec3 Viewport::under(const QPointF& position) const {
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event) {
+    if (m_choosing && m_frame != nullptr && event->button() == Qt::LeftButton &&
+        event->modifiers() == Qt::NoModifier) {
+        beginChoice(event->position());
+        return;
+    }
     m_gesture = gestureFor(event->button(), event->modifiers());
     m_last = event->position();
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
+    if (m_choice) {
+        const QPointF pixel = event->position() * devicePixelRatioF();
+        m_choice->dragTo({pixel.x(), pixel.y()}, m_camera.ray(pixel.x(), pixel.y()));
+        repaintSoon();
+        return;
+    }
     if (m_gesture == Gesture::none)
         return;
     const QPointF drag = (event->position() - m_last) * devicePixelRatioF();
@@ -332,8 +434,15 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
     moved();
 }
 
-void Viewport::mouseReleaseEvent(QMouseEvent*) {
+void Viewport::mouseReleaseEvent(QMouseEvent* event) {
     m_gesture = Gesture::none;
+    if (!m_choice || event->button() != Qt::LeftButton)
+        return;
+    const BoxOfInterest box{m_choice->box(m_frame->zmap.stock(), m_form->size()), m_form->spacing()};
+    m_choice.reset();
+    m_choosing = false;
+    unsetCursor();
+    m_look.look(box);
 }
 
 void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -353,6 +462,10 @@ void Viewport::wheelEvent(QWheelEvent* event) {
 }
 
 void Viewport::keyPressEvent(QKeyEvent* event) {
+    if (event->key() == Qt::Key_Escape && looksCloser()) {
+        closeLook();
+        return;
+    }
     const bool turn = (event->modifiers() & Qt::AltModifier) != 0;
     const double dx = (event->key() == Qt::Key_Right) - (event->key() == Qt::Key_Left);
     const double dy = (event->key() == Qt::Key_Down) - (event->key() == Qt::Key_Up);

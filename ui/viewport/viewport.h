@@ -11,12 +11,16 @@
 #include "ui/gl/gl_functions.h"
 #include "ui/gl/scene_renderer.h"
 #include "ui/session.h"
+#include "ui/viewport/box_choice.h"
 #include "ui/viewport/camera.h"
+#include "ui/viewport/closer_look.h"
 #include "ui/viewport/navigation.h"
 
 class QOpenGLFramebufferObject;
 
 namespace proveout {
+
+class CloserLookForm;
 
 /// The 3D view of a session, with its commands as actions() of the widget; where OpenGL is not to be had, a
 /// plain message that stands for it: the rest of the window works on. Owned by `parent`. Thread: UI.
@@ -44,6 +48,11 @@ public:
     void setPerspective(bool perspective);
     /// The stock into the picture; the toolpath where there is no stock.
     void fit();
+    /// Lets the user choose a box of interest, or closes the one that there is.
+    void toggleCloserLook();
+    /// A choice is asked for, or a box is there.
+    [[nodiscard]] bool looksCloser() const;
+    [[nodiscard]] CloserLook& closerLook() { return m_look; }
     /// Uploads of the last picture.
     [[nodiscard]] const UploadCounts& uploaded() const { return m_uploaded; }
     /// No better picture of what is shown is due: it stays until something changes.
@@ -76,6 +85,12 @@ private:
     void drawScene(const View& view);
     void drawSmooth(const View& view);
     void paintOverlay(const View& view);
+    void paintChoice(QPainter& painter) const;
+    void closeLook();
+    void followForm();
+    void followLook();
+    void placeForm();
+    void beginChoice(const QPointF& position);
 
     Session& m_session;
     GlSupport m_support;
@@ -86,6 +101,12 @@ private:
     StockBox m_fittedStock;
     bool m_fitted = false; ///< m_fittedStock is the one that was fitted
     bool m_fits = false;   ///< the view is as fit() left it: another size of the widget fits again
+
+    CloserLook m_look;
+    CloserLookForm* m_form;
+    bool m_boxFits = true;
+    bool m_choosing = false;           ///< the next drag chooses a box
+    std::optional<BoxChoice> m_choice; ///< while it is drawn
 
     Gesture m_gesture = Gesture::none;
     QPointF m_last;

@@ -34,7 +34,7 @@ void choose(Viewport& viewport) {
 
 constexpr auto kFocus = Reach::focus;
 
-const std::array<Command<Viewport>, 20> kCommands{{
+const std::array<Command<Viewport>, 22> kCommands{{
     {"view-fit", QT_TRANSLATE_NOOP("ViewportCommands", "&Fit"),
      QT_TRANSLATE_NOOP("ViewportCommands", "Show the whole stock"), "fit", "F", kFocus,
      [](Viewport& viewport) { viewport.fit(); }},
@@ -68,6 +68,11 @@ const std::array<Command<Viewport>, 20> kCommands{{
      QT_TRANSLATE_NOOP("ViewportCommands", "Show what the colours and lines mean"), "legend", "L", kFocus,
      [](Viewport& viewport) { viewport.setLegendShown(!viewport.legendShown()); }},
     separator<Viewport>(),
+    {"look-closer", QT_TRANSLATE_NOOP("ViewportCommands", "Look Clo&ser"),
+     QT_TRANSLATE_NOOP("ViewportCommands",
+                       "Cut a box of the stock on a much finer grid, and show it in place"),
+     "", "B", kFocus, [](Viewport& viewport) { viewport.toggleCloserLook(); }},
+    separator<Viewport>(),
     {"path-none", QT_TRANSLATE_NOOP("ViewportCommands", "Hide Toolpat&h"),
      QT_TRANSLATE_NOOP("ViewportCommands", "Draw no toolpath"), "", "", kFocus,
      choose<&SceneOptions::path, PathShown::none>},
@@ -97,11 +102,12 @@ bool has(const Viewport& viewport) {
     return viewport.options().*Member == Value;
 }
 
-const std::array<Switch, 9> kSwitches{{
+const std::array<Switch, 10> kSwitches{{
     {"view-perspective", [](const Viewport& viewport) { return viewport.camera().perspective(); }},
     {"view-wireframe", has<&SceneOptions::wireframe, true>},
     {"view-tint", has<&SceneOptions::tint, true>},
     {"view-legend", [](const Viewport& viewport) { return viewport.legendShown(); }},
+    {"look-closer", [](const Viewport& viewport) { return viewport.looksCloser(); }},
     {"path-none", has<&SceneOptions::path, PathShown::none>},
     {"path-near", has<&SceneOptions::path, PathShown::nearCutter>},
     {"path-whole", has<&SceneOptions::path, PathShown::whole>},

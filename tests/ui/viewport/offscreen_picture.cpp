@@ -27,11 +27,14 @@ OffscreenPicture::~OffscreenPicture() {
     m_context.doneCurrent();
 }
 
-QImage OffscreenPicture::draw(const FramePtr& frame, const View& view, const SceneOptions& options) {
+QImage OffscreenPicture::draw(const FramePtr& frame, const View& view, const SceneOptions& options,
+                              const FramePtr& box) {
     m_context.makeCurrent(&m_surface); // A test may hold two of them.
     QOpenGLFramebufferObject target(view.pixels.x, view.pixels.y, QOpenGLFramebufferObject::Depth);
     target.bind();
     m_uploaded = m_renderer->upload(frame);
+    if (!m_renderer->uploadBox(box))
+        qWarning("the box was not taken");
     m_renderer->draw(view, options);
     return target.toImage().convertToFormat(QImage::Format_RGB32);
 }

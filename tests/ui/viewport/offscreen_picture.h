@@ -21,7 +21,8 @@ public:
     [[nodiscard]] bool usable() const { return m_renderer != nullptr; }
     [[nodiscard]] SceneRenderer& renderer() { return *m_renderer; }
     /// Uploads and draws.
-    [[nodiscard]] QImage draw(const FramePtr& frame, const View& view, const SceneOptions& options = {});
+    [[nodiscard]] QImage draw(const FramePtr& frame, const View& view, const SceneOptions& options = {},
+                              const FramePtr& box = nullptr);
     /// Of the last draw().
     [[nodiscard]] const UploadCounts& uploaded() const { return m_uploaded; }
 

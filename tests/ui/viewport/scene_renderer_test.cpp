@@ -18,6 +18,7 @@ using namespace proveout;
 namespace {
 
 const StockBox kStock{{0, 0, 0}, 100, 70, 20};
+const StockBox kBoxStock{{40, 20, 0}, 20, 20, 20}; // a box of interest in it
 
 Box3 stockBox() {
     Box3 box;
@@ -123,10 +124,14 @@ private slots:
     void uploadsOnlyWhatChanged();
     void anotherGridIsTakenAnew();
     void staysRightFarFromTheOrigin();
+    void boxStandsInThePlaceOfWhatIsThere();
+    void boxLeavesNoCracks();
+    void boxThatIsCutThroughIsAHole();
 
 private:
-    [[nodiscard]] QImage draw(const FramePtr& frame, const Camera& camera, const SceneOptions& options) {
-        return m_picture->draw(frame, camera.view(stockBox()), options);
+    [[nodiscard]] QImage draw(const FramePtr& frame, const Camera& camera, const SceneOptions& options,
+                              const FramePtr& box = nullptr) {
+        return m_picture->draw(frame, camera.view(stockBox()), options, box);
     }
     std::unique_ptr<OffscreenPicture> m_picture;
 };
@@ -463,6 +468,73 @@ void SceneRendererTest::staysRightFarFromTheOrigin() {
         for (int x = 0; x < first.width(); ++x)
             unlike += std::abs(qGreen(first.pixel(x, y)) - qGreen(second.pixel(x, y))) > 8 ? 1 : 0;
     QVERIFY2(unlike < 200, qPrintable(QString::number(unlike)));
+}
+
+void SceneRendererTest::boxStandsInThePlaceOfWhatIsThere() {
+    FrameBuilder around(kStock, 1);
+    around.decimate();
+    // A groove that no point of the grid around it meets, in one half of the box.
+    FrameBuilder box(kBoxStock, 0.1);
+    box.cutAll([](double x, double) { return std::abs(x - 44.5) < 0.45 ? -8.0 : 0.0; });
+    box.decimate();
+    const Camera camera = cameraAt(StandardView::top, false);
+    const QImage without = draw(around.frame(), camera, testOptions());
+    SceneOptions options = testOptions();
+    options.colours.box = {0, 1, 0};
+    const QImage with = draw(around.frame(), camera, options, box.frame());
+    const QRgb groove = pixelAt(with, camera, {44.5, 30, 0});
+    QVERIFY(groove != pixelAt(without, camera, {44.5, 30, 0}) && !isBackdrop(groove));
+    QVERIFY(pixelAt(with, camera, {52, 30, 0}) == pixelAt(without, camera, {52, 30, 0}));
+    const auto isGreen = [](QRgb pixel) { return qGreen(pixel) > 150 && qRed(pixel) < 100; };
+    int changedFarAway = 0;
+    int frame = 0;
+    for (int y = 0; y < with.height(); ++y)
+        for (int x = 0; x < with.width(); ++x) {
+            const Ray ray = camera.ray(x + 0.5, y + 0.5);
+            const bool far = std::abs(ray.origin.x - 50) > 11 || std::abs(ray.origin.y - 30) > 11;
+            changedFarAway += far && with.pixel(x, y) != without.pixel(x, y) ? 1 : 0;
+            frame += isGreen(with.pixel(x, y)) ? 1 : 0;
+        }
+    QCOMPARE(changedFarAway, 0);
+    const double side = 20 * camera.view(stockBox()).pixelsPerMm;
+    QVERIFY2(frame > 3 * side && frame < 20 * side, qPrintable(QString::number(frame)));
+    QCOMPARE(draw(around.frame(), camera, testOptions()), without);
+}
+
+void SceneRendererTest::boxLeavesNoCracks() {
+    // Fine ridges make steps of both signs against the surface around.
+    FrameBuilder around(kStock, 1);
+    around.cutAll(hills);
+    around.decimate();
+    FrameBuilder box(kBoxStock, 0.1);
+    box.cutAll([](double x, double y) { return hills(x, y) + 0.4 * std::sin(9 * x) * std::cos(7 * y); });
+    box.decimate();
+    for (const bool perspective : {false, true}) {
+        Camera camera = cameraAt(StandardView::iso, perspective);
+        for (int turn = 0; turn < 6; ++turn) {
+            camera.orbit(131, turn % 2 == 0 ? 35 : -45);
+            const QImage reference = draw(around.frame(), camera, testOptions());
+            QCOMPARE(cracks(draw(around.frame(), camera, testOptions(), box.frame()), reference), 0);
+        }
+    }
+}
+
+void SceneRendererTest::boxThatIsCutThroughIsAHole() {
+    FrameBuilder around(kStock, 1);
+    around.decimate();
+    FrameBuilder box(kBoxStock, 0.1);
+    box.cutAll([](double x, double y) { return std::hypot(x - 50, y - 30) < 5 ? -25.0 : 0.0; });
+    box.decimate();
+    for (const StandardView view : {StandardView::top, StandardView::bottom})
+        for (const bool wireframe : {false, true}) {
+            const Camera camera = cameraAt(view, false);
+            SceneOptions options = testOptions();
+            options.wireframe = wireframe;
+            const QImage picture = draw(around.frame(), camera, options, box.frame());
+            QVERIFY(isBackdrop(pixelAt(picture, camera, {51, 31, -10})));
+            QVERIFY(!isBackdrop(pixelAt(picture, camera, {57, 30, -10})));
+            QVERIFY(!isBackdrop(pixelAt(picture, camera, {70, 30, -10})));
+        }
 }
 
 QTEST_MAIN(SceneRendererTest)

@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include <QApplication>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QMainWindow>
 #include <QSignalSpy>
@@ -53,6 +54,7 @@ private slots:
     void grabsLookLikeTheScreen();
     void survivesAnotherWindow();
     void followsThePalette();
+    void aClickLooksCloser();
 
 private:
     GlSupport m_support;
@@ -242,6 +244,50 @@ void ViewportTest::followsThePalette() {
     m_view->setPalette(palette);
     const QRgb after = m_view->grabFramebuffer().pixel(2, 2);
     QCOMPARE(qGray(after) > qGray(before), wasDark);
+}
+
+void ViewportTest::aClickLooksCloser() {
+    const QPoint at(450, 330);
+    const double ratio = m_view->devicePixelRatioF();
+    const auto point =
+        pickStock(m_session->frame()->zmap, m_view->camera().ray(at.x() * ratio, at.y() * ratio));
+    QVERIFY(point.has_value());
+    m_view->setLegendShown(false);
+    const QImage before = m_view->grabFramebuffer();
+    const double azimuth = m_view->camera().azimuth();
+    QTest::keyClick(m_view, Qt::Key_B);
+    QVERIFY(command(*m_view, "look-closer")->isChecked() && m_view->looksCloser());
+    auto* spacing = m_view->findChild<QDoubleSpinBox*>(QStringLiteral("closerSpacing"));
+    QVERIFY(spacing != nullptr && spacing->isVisible());
+    QCOMPARE(spacing->value(), 0.01);
+    QTest::mousePress(m_view, Qt::LeftButton, {}, at);
+    QTest::mouseMove(m_view, at + QPoint(2, 1));
+    QTest::mouseRelease(m_view, Qt::LeftButton, {}, at + QPoint(2, 1));
+    QCOMPARE(m_view->camera().azimuth(), azimuth);
+    CloserLook& look = m_view->closerLook();
+    QTRY_VERIFY_WITH_TIMEOUT(look.picture() != nullptr, kPatience);
+    const PlanBox box = look.box()->box;
+    QVERIFY(box.lo.x < point->x && point->x < box.hi.x && box.lo.y < point->y && point->y < box.hi.y);
+    QVERIFY(std::abs(look.picture()->zmap.grid().hx - 0.01) < 1e-3);
+    QVERIFY(m_view->grabFramebuffer() != before);
+
+    // Other numbers: the same middle.
+    spacing->setValue(0.05);
+    QVERIFY(look.working() && look.picture() == nullptr);
+    QTRY_VERIFY_WITH_TIMEOUT(look.picture() != nullptr, kPatience);
+    QVERIFY(std::abs(look.picture()->zmap.grid().hx - 0.05) < 5e-3);
+    m_view->findChild<QDoubleSpinBox*>(QStringLiteral("closerWidth"))->setValue(6);
+    QVERIFY(std::abs(look.box()->box.hi.x - look.box()->box.lo.x - 6) < 1e-9);
+
+    // Another block: nothing old is there, and in the end the new one.
+    m_session->seek(60);
+    QTRY_VERIFY_WITH_TIMEOUT(look.picture() != nullptr && look.picture()->block == 60, kPatience);
+    QTest::keyClick(m_view, Qt::Key_Escape);
+    QVERIFY(!look.box() && !m_view->looksCloser() && !spacing->isVisible());
+    QVERIFY(!command(*m_view, "look-closer")->isChecked());
+    m_session->seek(100);
+    QTRY_VERIFY_WITH_TIMEOUT(m_session->frame()->block == 100 && m_view->grabFramebuffer() == before,
+                             kPatience);
 }
 
 QTEST_MAIN(ViewportTest)
