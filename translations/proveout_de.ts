@@ -138,7 +138,7 @@ Vorgabe: 0 mm</translation>
     <name>CloserLook</name>
     <message>
         <source>Drag a box on the stock, or click a place.</source>
-        <translation>Auf dem Rohteil einen Kasten aufziehen oder eine Stelle anklicken.</translation>
+        <translation>Auf dem Rohteil einen Ausschnitt aufziehen oder eine Stelle anklicken.</translation>
     </message>
     <message>
         <source>At block %1: cutting…</source>
@@ -161,7 +161,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Box:</source>
-        <translation>Kasten:</translation>
+        <translation>Ausschnitt:</translation>
     </message>
     <message>
         <source>Grid spacing:</source>
@@ -169,15 +169,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Size of the box along X</source>
-        <translation>Größe des Kastens entlang X</translation>
+        <translation>Größe des Ausschnitts entlang X</translation>
     </message>
     <message>
         <source>Size of the box along Y</source>
-        <translation>Größe des Kastens entlang Y</translation>
+        <translation>Größe des Ausschnitts entlang Y</translation>
     </message>
     <message>
         <source>Grid spacing in the box</source>
-        <translation>Rasterweite im Kasten</translation>
+        <translation>Rasterweite im Ausschnitt</translation>
     </message>
     <message>
         <source>%1 From %2 to %3 mm. Default: %4 mm.</source>
@@ -185,15 +185,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>How far the box reaches along X; a click makes one of this size.</source>
-        <translation>Wie weit der Kasten entlang X reicht; ein Klick setzt einen dieser Größe.</translation>
+        <translation>Wie weit der Ausschnitt entlang X reicht; ein Klick setzt einen dieser Größe.</translation>
     </message>
     <message>
         <source>How far the box reaches along Y; a click makes one of this size.</source>
-        <translation>Wie weit der Kasten entlang Y reicht; ein Klick setzt einen dieser Größe.</translation>
+        <translation>Wie weit der Ausschnitt entlang Y reicht; ein Klick setzt einen dieser Größe.</translation>
     </message>
     <message>
         <source>How far the points of the grid in the box lie apart.</source>
-        <translation>Wie weit die Punkte des Rasters im Kasten auseinanderliegen.</translation>
+        <translation>Wie weit die Punkte des Rasters im Ausschnitt auseinanderliegen.</translation>
     </message>
     <message>
         <source>Cancel</source>
@@ -4831,11 +4831,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The box needs more memory than there is.</source>
-        <translation>Der Kasten braucht mehr Speicher, als da ist.</translation>
+        <translation>Der Ausschnitt braucht mehr Speicher, als da ist.</translation>
     </message>
     <message>
         <source>The box could not be cut: {}.</source>
-        <translation>Der Kasten ließ sich nicht fräsen: {}.</translation>
+        <translation>Der Ausschnitt ließ sich nicht fräsen: {}.</translation>
     </message>
 </context>
 <context>
@@ -6523,7 +6523,7 @@ Vorgabe: %3 mm</translation>
     </message>
     <message>
         <source>The box has more points along a side than the graphics driver can take; it is not drawn. A wider spacing or a smaller box brings it back.</source>
-        <translation>Der Kasten hat auf einer Seite mehr Punkte, als der Grafiktreiber fasst; er wird nicht gezeichnet. Eine größere Rasterweite oder ein kleinerer Kasten bringt ihn zurück.</translation>
+        <translation>Der Ausschnitt hat auf einer Seite mehr Punkte, als der Grafiktreiber fasst; er wird nicht gezeichnet. Eine größere Rasterweite oder ein kleinerer Ausschnitt bringt ihn zurück.</translation>
     </message>
 </context>
 <context>
@@ -6670,7 +6670,7 @@ Vorgabe: %3 mm</translation>
     </message>
     <message>
         <source>Cut a box of the stock on a much finer grid, and show it in place</source>
-        <translation>Einen Kasten des Rohteils auf einem viel feineren Raster fräsen und an Ort und Stelle zeigen</translation>
+        <translation>Einen Ausschnitt des Rohteils auf einem viel feineren Raster fräsen und an Ort und Stelle zeigen</translation>
     </message>
 </context>
 <context>

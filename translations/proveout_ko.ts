@@ -1839,15 +1839,15 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The box {} has no area: each side must go from the smaller coordinate to the larger one.</source>
-        <translation>영역 {}의 넓이가 없습니다. 각 변은 작은 좌표에서 큰 좌표로 가야 합니다.</translation>
+        <translation>상자 {}의 넓이가 없습니다. 각 변은 작은 좌표에서 큰 좌표로 가야 합니다.</translation>
     </message>
     <message>
         <source>The box {} is not within the stock, {}.</source>
-        <translation>영역 {}이(가) 소재 {} 안에 있지 않습니다.</translation>
+        <translation>상자 {}이(가) 소재 {} 안에 있지 않습니다.</translation>
     </message>
     <message>
         <source>A box of {} × {} points needs {}; {} may be taken, which is enough for a spacing of {} mm.</source>
-        <translation>점 {} × {}개인 영역에는 {}이(가) 필요합니다. {}까지 쓸 수 있으며, 이는 간격 {} mm에 충분합니다.</translation>
+        <translation>점 {} × {}개인 상자에는 {}이(가) 필요합니다. {}까지 쓸 수 있으며, 이는 간격 {} mm에 충분합니다.</translation>
     </message>
     <message>
         <source>The grid spacing {} mm is too coarse for the stock {}; the coarsest possible is {} mm.</source>
