@@ -65,6 +65,15 @@ bool ArcPath::levelCircle() const {
     return normal == 2 && climb == 0 && widening == 0;
 }
 
+double ArcPath::distanceToCircle(const Vec2& point) const {
+    const Vec2 to = point - Vec2(centre);
+    const double turned = std::remainder(std::atan2(to.y, to.x) - angle - sweep * begin, kTurn) / sweep;
+    const double onwards = turned < 0 ? turned + kTurn / std::abs(sweep) : turned;
+    if (begin + onwards <= end)
+        return std::abs(std::hypot(to.x, to.y) - radius);
+    return std::min(glm::distance(point, Vec2(at(begin))), glm::distance(point, Vec2(at(end))));
+}
+
 double ArcPath::beside(const Vec2& point) const {
     if (normal != 2) {
         const Vec2 from(at(begin));

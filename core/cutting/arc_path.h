@@ -34,6 +34,8 @@ struct ArcPath {
     /// How far beside the path a point lies over ground, left of it positive; of a spiral, beside that turn
     /// which is nearest; where the plane of the arc is upright, beside its chord.
     [[nodiscard]] double beside(const Vec2& point) const;
+    /// Over ground, of a point from the path, which is a levelCircle().
+    [[nodiscard]] double distanceToCircle(const Vec2& point) const;
     /// Whether the tip goes round one circle at one height.
     [[nodiscard]] bool levelCircle() const;
 };

@@ -11,6 +11,7 @@
 #include <bit>
 
 #include "core/cutting/block_places-inl.h"
+#include "core/cutting/fitted_envelope-inl.h"
 #include "core/cutting/round_envelope-inl.h"
 #include "core/cutting/round_plane-inl.h"
 #include "core/cutting/supporting_plane-inl.h"
@@ -135,14 +136,28 @@ inline std::uint32_t blocksAbove(const TilePass& pass, const float* blockMaxima,
 
 /// Those groups of a block that `groups` has bits of. `taking`: makes a taker for a group.
 template<class Envelope, class Taking>
-HWY_INLINE void lowerGroups(const Envelope& envelope, const TilePass& pass, TileUnderWork& work,
-                            std::size_t block, std::uint32_t groups, const Taking& taking) {
-    const BlockPlaces places(pass, block);
+HWY_INLINE void lowerEach(const Envelope& envelope, const BlockPlaces& places, TileUnderWork& work,
+                          std::size_t block, std::uint32_t groups, const Taking& taking) {
     for (; groups != 0; groups &= groups - 1) {
         const auto group = static_cast<std::size_t>(std::countr_zero(groups));
         auto taker = taking(group);
         lowerGroup(envelope, places, group, work.heights(block, group), work.columnMaxima(block, group),
                    work.floor(), taker);
+    }
+}
+
+/// The same, by whatever the envelope is over that block.
+template<class Envelope, class Taking>
+HWY_INLINE void lowerGroups(const Envelope& envelope, const TilePass& pass, TileUnderWork& work,
+                            std::size_t block, std::uint32_t groups, const Taking& taking) {
+    const BlockPlaces places(pass, block);
+    if constexpr (kOfBlocks<Envelope>) {
+        withBlockEnvelope(envelope, pass, block, [&](const auto& overBlock) HWY_ATTR {
+            const auto own = overBlock; // nothing else can change it: it stays in registers
+            lowerEach(own, places, work, block, groups, taking);
+        });
+    } else {
+        lowerEach(envelope, places, work, block, groups, taking);
     }
     refreshBlockMaximum(work, block);
 }

@@ -39,6 +39,15 @@ constexpr std::size_t rowOf(std::size_t block) {
 }
 inline constexpr float kBlockMiddle = (TileUnderWork::kBlock - 1) / 2.0F;
 
+/// Of a block, from the tile's.
+struct BlockMiddle {
+    float column;
+    float row;
+    explicit BlockMiddle(std::size_t block)
+        : column(static_cast<float>(columnOf(block)) + kBlockMiddle - kTileMiddle),
+          row(static_cast<float>(rowOf(block)) + kBlockMiddle - kTileMiddle) {}
+};
+
 /// Where the points of a block lie on and beside a path.
 struct BlockPlaces {
     V alongColumns[kVectors];

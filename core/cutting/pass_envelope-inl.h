@@ -9,6 +9,7 @@
 
 #include <hwy/highway.h>
 
+#include "core/cutting/level_profile.h"
 #include "core/cutting/tile_kernel.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -90,6 +91,43 @@ struct CornerForm {
     }
 };
 
+/// Some neighbouring pieces of a whole profile; none beyond them is asked for.
+struct WholeForm {
+    const LevelProfile::Piece* first;
+    std::size_t count;
+    explicit WholeForm(const TilePass& pass)
+        : first(pass.whole->pieces.data()), count(pass.whole->pieces.size()) {}
+
+    HWY_INLINE V height(V distance2) const {
+        const V distance = hn::Sqrt(distance2);
+        V height = heightOf(first[count - 1], distance);
+        for (std::size_t k = count - 1; k-- > 0;)
+            height =
+                hn::IfThenElse(hn::Le(distance2, all(first[k].rim2)), heightOf(first[k], distance), height);
+        return height;
+    }
+
+    /// Those of distances from `least` to `most`.
+    void narrow(float least, float most) {
+        while (count > 1 && first->rim2 < least * least) {
+            ++first;
+            --count;
+        }
+        while (count > 1 && first[count - 2].rim2 >= most * most)
+            --count;
+    }
+
+private:
+    static HWY_INLINE V heightOf(const LevelProfile::Piece& piece, V distance) {
+        const V within = hn::Max(distance, all(piece.r0));
+        if (!piece.arc)
+            return productPlus(all(piece.rise), hn::Sub(within, all(piece.r0)), all(piece.z0));
+        const V out = hn::Sub(within, all(piece.centreR));
+        return productPlus(all(piece.side), rootOf(minusProduct(out, out, all(piece.radius2))),
+                           all(piece.centreZ));
+    }
+};
+
 // How far ahead of a point the cutter stands, on a slope, where it is lowest over it; by the distance across.
 
 struct RimLead {
@@ -130,15 +168,14 @@ struct CornerShape {
           rim2(all(pass.rim2)) {}
 };
 
-/// How far ahead the cutter stands when it touches with its corner: at the radius r of a profile of slope
-/// tan ψ where tan ψ · ahead / r is the fall. Sought by v, how far r lies beyond the ring and the distance
-/// across. By the logarithm of v / (most - v) that of the left side is nearly a line, steeper or flatter with
-/// the place, so that Newton's steps there, with the logarithm replaced by the first of its fractions, lead
-/// from anywhere to within 3e-6 mm of the lowest height in three: no lane waits for another. All powers of
-/// the fractions are multiplied out: one division a step, and no root.
-HWY_INLINE V cornerLead(const CornerShape& shape, V fall, V across2) {
+/// The square of how far ahead the cutter stands when it touches with its corner: at the radius r of a
+/// profile of slope tan ψ where tan ψ · ahead / r is the fall. Sought by v, how far r lies beyond the ring
+/// and the distance across. By the logarithm of v / (most - v) that of the left side is nearly a line,
+/// steeper or flatter with the place, so that Newton's steps there, with the logarithm replaced by the first
+/// of its fractions, lead from anywhere to within 3e-6 mm of the lowest height in three: no lane waits for
+/// another. All powers of the fractions are multiplied out: one division a step, and no root.
+HWY_INLINE V cornerAhead2(const CornerShape& shape, V fall, V within2) {
     const V one = all(1);
-    const V within2 = hn::Min(across2, shape.rim2);
     const V across = hn::Sqrt(within2);
     const V begin = hn::Max(across, shape.ring);
     const V beside = hn::Sub(begin, across);
@@ -166,9 +203,16 @@ HWY_INLINE V cornerLead(const CornerShape& shape, V fall, V across2) {
         const V down = hn::Mul(rest, hn::Max(hn::Sub(sum, difference), lowest));
         v = hn::Div(hn::Mul(most, up), hn::Add(up, down));
     }
-    const V ahead2 = hn::Mul(hn::Add(v, beside), productPlus(all(2), across, hn::Add(v, beside)));
+    return hn::Mul(hn::Add(v, beside), productPlus(all(2), across, hn::Add(v, beside)));
+}
+/// The distance itself, not on the flat and not beyond the rim.
+HWY_INLINE V cornerLeadOf(const CornerShape& shape, V ahead2, V within2) {
     const V lead2 = hn::Max(ahead2, hn::Sub(shape.flatTo2, within2));
     return rootOf(hn::Min(lead2, hn::Sub(shape.rim2, within2)));
+}
+HWY_INLINE V cornerLead(const CornerShape& shape, V fall, V across2) {
+    const V within2 = hn::Min(across2, shape.rim2);
+    return cornerLeadOf(shape, cornerAhead2(shape, fall, within2), within2);
 }
 
 struct CornerLead {
@@ -190,10 +234,13 @@ struct LevelEnvelope {
     V begin, end, z, rim2;
     explicit LevelEnvelope(const TilePass& pass)
         : form(pass), begin(all(pass.begin)), end(all(pass.end)), z(all(pass.z)), rim2(all(pass.rim2)) {}
-    HWY_INLINE Cut operator()(V along, V across) const {
+    HWY_INLINE V distance2(V along, V across) const {
         const V off = hn::Sub(along, hn::Min(hn::Max(along, begin), end));
-        const V distance2 = productPlus(off, off, square(across));
-        return {hn::Add(z, form.height(distance2)), hn::Le(distance2, rim2)};
+        return productPlus(off, off, square(across));
+    }
+    HWY_INLINE Cut operator()(V along, V across) const {
+        const V nearest2 = distance2(along, across);
+        return {hn::Add(z, form.height(nearest2)), hn::Le(nearest2, rim2)};
     }
 };
 
@@ -202,8 +249,9 @@ struct SlopedEnvelope {
     Form form;
     Lead lead;
     V begin, end, z, slope, ahead, rim2;
-    explicit SlopedEnvelope(const TilePass& pass)
-        : form(pass), lead(pass), begin(all(pass.begin)), end(all(pass.end)), z(all(pass.z)),
+    explicit SlopedEnvelope(const TilePass& pass) : SlopedEnvelope(pass, Lead(pass)) {}
+    SlopedEnvelope(const TilePass& pass, const Lead& leadOfPass)
+        : form(pass), lead(leadOfPass), begin(all(pass.begin)), end(all(pass.end)), z(all(pass.z)),
           slope(all(pass.slope)), ahead(all(pass.slope < 0 ? 1.0F : -1.0F)), rim2(all(pass.rim2)) {}
     HWY_INLINE Cut operator()(V along, V across) const {
         const V across2 = square(across);
@@ -240,6 +288,8 @@ HWY_INLINE void withEnvelope(const TilePass& pass, const Work& work) {
         if (pass.level)
             return work(LevelEnvelope<CornerForm>(pass));
         return work(SlopedEnvelope<CornerForm, CornerLead>(pass));
+    case TilePass::Form::whole:
+        return work(LevelEnvelope<WholeForm>(pass));
     }
 }
 

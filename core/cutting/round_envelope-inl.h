@@ -125,14 +125,17 @@ struct LevelRoundEnvelope {
         : form(pass), circle(pass.round), ends(pass.round), sector(pass.round), z(all(pass.z)),
           rim2(all(pass.rim2)), widening(all(pass.round.widening)), widens(pass.round.widening != 0) {}
 
-    HWY_INLINE Cut operator()(V along, V across) const {
+    HWY_INLINE V distance2(V along, V across) const {
         const RoundPlace place = circle(along, across);
         V outside = place.outside;
         if (widens)
             outside = minusProduct(widening, angleOf(place.along, place.across), outside);
         const V ofEnds = hn::Min(ends.fromBegin2(along, across), ends.fromEnd2(along, across));
-        const V distance2 = hn::IfThenElse(sector.holds(place), square(outside), ofEnds);
-        return {hn::Add(z, form.height(distance2)), hn::Le(distance2, rim2)};
+        return hn::IfThenElse(sector.holds(place), square(outside), ofEnds);
+    }
+    HWY_INLINE Cut operator()(V along, V across) const {
+        const V nearest2 = distance2(along, across);
+        return {hn::Add(z, form.height(nearest2)), hn::Le(nearest2, rim2)};
     }
 };
 
@@ -175,22 +178,42 @@ struct RoundCornerLead {
     HWY_INLINE V operator()(V across2, V fall) const { return cornerLead(shape, fall, across2); }
 };
 
-/// Rising or falling evenly. Seen from a point, the cutter on a circle is as if on a straight path that is
-/// the square root of the product of both radii long per radian, but that angles are longer than their
-/// chords: the straight solution, corrected some times by how much longer. Whatever place it finds is a place
-/// of the path, and the ends are looked at besides, so that nothing that is found is too low.
-template<class Form, class Lead>
-struct HelixEnvelope {
-    static constexpr int kCorrections = 2;
-
-    Form form;
+/// How far a point's own direction is from where the cutter is lowest over it, on a path that rises or falls
+/// evenly: the chord, on a circle of radius 1. Seen from a point, the cutter on a circle is as if on a
+/// straight path that is the square root of the product of both radii long per radian, but that angles are
+/// longer than their chords: the straight solution, corrected some times by how much longer.
+template<class Lead>
+struct SolvedChord {
     Lead lead;
+    V fall; ///< mm per radian
+    explicit SolvedChord(const TilePass& pass) : lead(pass), fall(hn::Abs(all(pass.round.climb))) {}
+    HWY_INLINE V operator()(V, V across2, V perRadian) const {
+        const V fallOfChord = hn::Div(fall, perRadian);
+        V chord = hn::Min(hn::Div(lead(across2, fallOfChord), perRadian), all(2));
+        for (int k = 0; k < kCorrections; ++k) {
+            const V cosine = hn::Sqrt(hn::Max(minusProduct(all(0.25F), square(chord), all(1)), all(1e-6F)));
+            chord = hn::Min(hn::Div(lead(across2, hn::Div(fallOfChord, cosine)), perRadian), all(2));
+        }
+        return chord;
+    }
+
+private:
+    static constexpr int kCorrections = 2;
+};
+
+/// Rising or falling evenly. Whatever place the chord leads to is a place of the path, and the ends are
+/// looked at besides, so that nothing that is found is too low.
+template<class Form, class Chord>
+struct HelixEnvelope {
+    Form form;
+    Chord chord;
     Circle circle;
     RoundEnds ends;
-    V z, climb, fall, ahead, half, rim2, widening;
-    explicit HelixEnvelope(const TilePass& pass)
-        : form(pass), lead(pass), circle(pass.round), ends(pass.round), z(all(pass.z)),
-          climb(all(pass.round.climb)), fall(hn::Abs(climb)), ahead(all(pass.round.climb < 0 ? 1.0F : -1.0F)),
+    V z, climb, ahead, half, rim2, widening;
+    explicit HelixEnvelope(const TilePass& pass) : HelixEnvelope(pass, Chord(pass)) {}
+    HelixEnvelope(const TilePass& pass, const Chord& chordOfPass)
+        : form(pass), chord(chordOfPass), circle(pass.round), ends(pass.round), z(all(pass.z)),
+          climb(all(pass.round.climb)), ahead(all(pass.round.climb < 0 ? 1.0F : -1.0F)),
           half(all(pass.round.half)), rim2(all(pass.rim2)), widening(all(pass.round.widening)) {}
 
     HWY_INLINE Cut operator()(V along, V across) const {
@@ -217,26 +240,16 @@ private:
         const V across2 = square(minusProduct(widening, angle, place.outside));
         const V product = hn::Mul(place.distance, productPlus(widening, angle, circle.radius));
         const V perRadian = rootOf(hn::Max(product, all(kTiny)));
-        const V chord = chordTo(across2, hn::Div(fall, perRadian), perRadian);
-        const V turn = hn::Mul(all(2), arcSineOf(hn::Mul(all(0.5F), chord)));
+        const V chordTo = chord(place.outside, across2, perRadian);
+        const V turn = hn::Mul(all(2), arcSineOf(hn::Mul(all(0.5F), chordTo)));
         V where = productPlus(ahead, turn, angle);
         where = hn::Sub(where, hn::IfThenElseZero(hn::Gt(where, all(kPi)), all(2 * kPi)));
         where = hn::Add(where, hn::IfThenElseZero(hn::Lt(where, all(-kPi)), all(2 * kPi)));
         const V outside = minusProduct(widening, where, place.outside);
         const V there = hn::Mul(place.distance, productPlus(widening, where, circle.radius));
-        const V distance2 = productPlus(outside, outside, hn::Mul(there, square(chord)));
+        const V distance2 = productPlus(outside, outside, hn::Mul(there, square(chordTo)));
         const M on = hn::And(hn::Le(hn::Abs(where), half), hn::Le(across2, rim2));
         return {hn::Add(productPlus(climb, where, z), form.height(distance2)), on};
-    }
-
-    /// The chord, on a circle of radius 1, from a point's own direction to where the cutter is lowest.
-    HWY_INLINE V chordTo(V across2, V fallOfChord, V perRadian) const {
-        V chord = hn::Min(hn::Div(lead(across2, fallOfChord), perRadian), all(2));
-        for (int k = 0; k < kCorrections; ++k) {
-            const V cosine = hn::Sqrt(hn::Max(minusProduct(all(0.25F), square(chord), all(1)), all(1e-6F)));
-            chord = hn::Min(hn::Div(lead(across2, hn::Div(fallOfChord, cosine)), perRadian), all(2));
-        }
-        return chord;
     }
 };
 
@@ -247,19 +260,21 @@ HWY_INLINE void withRoundEnvelope(const TilePass& pass, const Work& work) {
     case TilePass::Form::flat:
         if (pass.level)
             return work(LevelRoundEnvelope<FlatForm>(pass));
-        return work(HelixEnvelope<FlatForm, RoundRimLead>(pass));
+        return work(HelixEnvelope<FlatForm, SolvedChord<RoundRimLead>>(pass));
     case TilePass::Form::line:
         if (pass.level)
             return work(LevelRoundEnvelope<LineForm>(pass));
-        return work(HelixEnvelope<LineForm, RoundLineLead>(pass));
+        return work(HelixEnvelope<LineForm, SolvedChord<RoundLineLead>>(pass));
     case TilePass::Form::ball:
         if (pass.level)
             return work(LevelRoundEnvelope<BallForm>(pass));
-        return work(HelixEnvelope<BallForm, RoundBallLead>(pass));
+        return work(HelixEnvelope<BallForm, SolvedChord<RoundBallLead>>(pass));
     case TilePass::Form::corner:
         if (pass.level)
             return work(LevelRoundEnvelope<CornerForm>(pass));
-        return work(HelixEnvelope<CornerForm, RoundCornerLead>(pass));
+        return work(HelixEnvelope<CornerForm, SolvedChord<RoundCornerLead>>(pass));
+    case TilePass::Form::whole:
+        return work(LevelRoundEnvelope<WholeForm>(pass));
     }
 }
 

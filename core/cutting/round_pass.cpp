@@ -88,6 +88,27 @@ std::vector<RoundPass> RoundPass::allOf(const ConvexProfile& profile, const ArcP
     return passes;
 }
 
+std::vector<RoundPass> RoundPass::allOf(const std::shared_ptr<const LevelProfile>& whole,
+                                        const ArcPath& path) {
+    std::vector<RoundPass> passes = allOf(whole->below, path);
+    for (RoundPass& pass : passes) {
+        pass.m_form.form = TilePass::Form::whole;
+        pass.m_form.whole = whole.get();
+        pass.m_whole = whole;
+    }
+    return passes;
+}
+
+void RoundPass::fitLeads(std::span<RoundPass> parts) {
+    TilePass pass = parts.front().m_form;
+    pass.rim2 = toFloat(parts.front().m_rim * parts.front().m_rim);
+    const std::shared_ptr<const LeadBands> bands = leadBands(pass);
+    for (RoundPass& part : parts) {
+        part.m_bands = bands;
+        part.m_form.bands = bands.get();
+    }
+}
+
 TilePass RoundPass::overTile(double x, double y, const TileSpacing& spacing) const {
     const Vec2 from = Vec2(x, y) - m_centre;
     const double along = from.x * m_towards.x + from.y * m_towards.y;

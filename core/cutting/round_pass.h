@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
+#include <span>
 #include <vector>
 
 #include "core/cutting/arc_path.h"
 #include "core/cutting/convex_profile.h"
+#include "core/cutting/lead_bands.h"
+#include "core/cutting/level_profile.h"
 #include "core/cutting/straight_pass.h"
 #include "core/cutting/tile_pass.h"
 
@@ -23,8 +27,14 @@ public:
                                        const TileSpacing& spacing);
     /// Those that make up a path, the lowest first.
     [[nodiscard]] static std::vector<RoundPass> allOf(const ConvexProfile& profile, const ArcPath& path);
+    /// A whole profile on a level path.
+    [[nodiscard]] static std::vector<RoundPass> allOf(const std::shared_ptr<const LevelProfile>& whole,
+                                                      const ArcPath& path);
 
-    /// Seen from the tile whose middle lies at (x, y), in the path's coordinates.
+    /// As of straight passes, for all of the parts of one path.
+    static void fitLeads(std::span<RoundPass> parts);
+
+    /// Seen from the tile whose middle lies at (x, y), in the path's coordinates; not beyond this one's life.
     [[nodiscard]] TilePass overTile(double x, double y, const TileSpacing& spacing) const;
 
 private:
@@ -37,6 +47,8 @@ private:
     double m_z;     ///< of the profile's reference at the middle
     double m_slope; ///< of the path
     TilePass m_form;
+    std::shared_ptr<const LevelProfile> m_whole;
+    std::shared_ptr<const LeadBands> m_bands;
 };
 
 } // namespace proveout

@@ -87,6 +87,20 @@ bool StraightPass::suffices(const ConvexProfile& profile, const StraightPath& pa
 StraightPass::StraightPass(const ConvexProfile& profile, const StraightPath& path)
     : m_path(path), m_rim(profile.rim), m_reference(profile.reference()), m_form(formOf(profile, path)) {}
 
+StraightPass::StraightPass(std::shared_ptr<const LevelProfile> whole, const StraightPath& path)
+    : StraightPass(whole->below, path) {
+    m_form.form = TilePass::Form::whole;
+    m_form.whole = whole.get();
+    m_whole = std::move(whole);
+}
+
+void StraightPass::fitLeads() {
+    TilePass pass = m_form;
+    pass.rim2 = toFloat(m_rim * m_rim);
+    m_bands = leadBands(pass);
+    m_form.bands = m_bands.get();
+}
+
 TilePass StraightPass::overTile(double x, double y, const TileSpacing& spacing) const {
     const double dx = x - m_path.from.x;
     const double dy = y - m_path.from.y;

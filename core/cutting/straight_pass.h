@@ -2,7 +2,10 @@
 #pragma once
 
 #include <cmath>
+#include <memory>
 
+#include "core/cutting/lead_bands.h"
+#include "core/cutting/level_profile.h"
 #include "core/cutting/straight_sweep.h"
 #include "core/cutting/tile_pass.h"
 #include "core/zmap/zmap.h"
@@ -26,6 +29,9 @@ class StraightPass {
 public:
     StraightPass(const ConvexProfile& profile, const StraightPath& path);
 
+    /// A whole profile on a level path.
+    StraightPass(std::shared_ptr<const LevelProfile> whole, const StraightPath& path);
+
     /// Whether single precision tells the envelope over a grid to a ten thousandth of a millimetre. Very
     /// large cutters, wide grids and near plunges want more digits.
     [[nodiscard]] static bool suffices(const ConvexProfile& profile, const StraightPath& path,
@@ -34,7 +40,10 @@ public:
     /// What a pass of this slope is on any path and over any tile.
     [[nodiscard]] static TilePass formOf(const ConvexProfile& profile, const StraightPath& path);
 
-    /// Seen from the tile whose middle lies at (x, y), in the path's coordinates.
+    /// Finds leads once for all points, which is worth it for many. See LeadBands.
+    void fitLeads();
+
+    /// Seen from the tile whose middle lies at (x, y), in the path's coordinates; not beyond this one's life.
     [[nodiscard]] TilePass overTile(double x, double y, const TileSpacing& spacing) const;
 
 private:
@@ -42,6 +51,8 @@ private:
     double m_rim;
     double m_reference; ///< of the profile's heights
     TilePass m_form;    ///< what does not depend on the place
+    std::shared_ptr<const LevelProfile> m_whole;
+    std::shared_ptr<const LeadBands> m_bands;
 };
 
 } // namespace proveout

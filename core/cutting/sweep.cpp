@@ -46,6 +46,11 @@ Sweep::Sweep(const Cutter& cutter, const Motion& motion, double topZ)
     } else {
         m_straight = straightPath(motion.start - m_origin, motion.end - m_origin);
     }
+    // A few cost less one by one: most of them are bounded away. But arcs that became lines are exact here.
+    constexpr std::size_t kFew = 3;
+    const bool rough = cutter.solvablePieces().size() != cutter.pieces().size();
+    if ((rough || m_profiles.size() > kFew) && level())
+        m_whole = std::make_shared<LevelProfile>(cutter.pieces(), rimSlack(motion));
     double lowestOfProfile = kInfinity;
     for (const ConvexProfile& profile : m_profiles) {
         m_rim = std::max(m_rim, profile.rim);
@@ -66,7 +71,13 @@ Sweep::Sweep(const Cutter& cutter, const Motion& motion, double topZ)
     m_reach.hi = box.hi + base + Vec3(m_rim, m_rim, lowestOfProfile);
 }
 
+bool Sweep::level() const {
+    return m_arc ? m_path.levelCircle() : m_straight.slope == 0 || m_straight.length == 0;
+}
+
 SweepPasses Sweep::passes(double hx, double hy) const {
+    if (m_whole)
+        return m_arc ? SweepPasses(m_whole, m_path, {hx, hy}) : SweepPasses(m_whole, m_straight, {hx, hy});
     return m_arc ? SweepPasses(m_profiles, m_path, {hx, hy}) : SweepPasses(m_profiles, m_straight, {hx, hy});
 }
 
@@ -101,8 +112,19 @@ Span Sweep::bandSpan(double y0, double y1) const {
     return span;
 }
 
+/// At one height the cutter is lowest where it is nearest.
+double Sweep::levelEnvelope(const Vec2& point) const {
+    if (m_arc)
+        return m_path.centre.z + m_whole->height(m_path.distanceToCircle(point));
+    const Vec2 to = point - m_straight.from;
+    const double along = std::clamp(glm::dot(to, m_straight.along), 0.0, m_straight.length);
+    return m_straight.z + m_whole->height(glm::length(to - along * m_straight.along));
+}
+
 double Sweep::envelope(double x, double y) const {
     const Vec2 point = Vec2(x, y) - Vec2(m_origin);
+    if (m_whole)
+        return levelEnvelope(point);
     double lowest = kInfinity;
     for (const ConvexProfile& profile : m_profiles)
         lowest = std::min(lowest, m_arc ? arcEnvelope(profile, m_path, m_parts, point)

@@ -2,10 +2,12 @@
 // One motion of one cutter, made ready for being asked row by row.
 #pragma once
 
+#include <memory>
 #include <vector>
 
 #include "core/base/geometry.h"
 #include "core/cutting/arc_sweep.h"
+#include "core/cutting/level_profile.h"
 #include "core/cutting/row_points.h"
 #include "core/cutting/straight_sweep.h"
 #include "core/cutting/sweep_passes.h"
@@ -53,7 +55,11 @@ private:
     [[nodiscard]] Columns straightColumns(const RowPoints& row, float* out) const;
     [[nodiscard]] Columns arcColumns(const RowPoints& row, const float* heights, float* out) const;
 
+    [[nodiscard]] bool level() const;
+    [[nodiscard]] double levelEnvelope(const Vec2& point) const;
+
     std::vector<ConvexProfile> m_profiles;
+    std::shared_ptr<const LevelProfile> m_whole; ///< of lines and circles at one height
     Vec3 m_origin{0};
     bool m_arc = false;
     StraightPath m_straight;

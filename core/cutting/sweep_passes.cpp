@@ -2,8 +2,19 @@
 #include "core/cutting/sweep_passes.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace proveout {
+
+namespace {
+
+/// Fitting leads costs about as much as solving these for some thousand points.
+bool worthFitting(const ConvexProfile& profile, double length, const TileSpacing& spacing) {
+    constexpr double kPoints = 10'000;
+    return 2 * profile.rim * (length + profile.rim) >= kPoints * spacing.hx * spacing.hy;
+}
+
+} // namespace
 
 SweepPasses::SweepPasses(std::span<const ConvexProfile> profiles, const StraightPath& path,
                          const TileSpacing& spacing) {
@@ -12,8 +23,11 @@ SweepPasses::SweepPasses(std::span<const ConvexProfile> profiles, const Straight
     };
     if (!std::ranges::all_of(profiles, suffices))
         return;
-    for (const ConvexProfile& profile : profiles)
+    for (const ConvexProfile& profile : profiles) {
         m_straight.emplace_back(profile, path);
+        if (path.slope != 0 && worthFitting(profile, path.length, spacing))
+            m_straight.back().fitLeads();
+    }
 }
 
 SweepPasses::SweepPasses(std::span<const ConvexProfile> profiles, const ArcPath& path,
@@ -23,12 +37,29 @@ SweepPasses::SweepPasses(std::span<const ConvexProfile> profiles, const ArcPath&
             profiles, [&](const ConvexProfile& profile) { return suffices(profile, path, spacing); });
     };
     if (allSuffice(RoundPass::suffices)) {
-        for (const ConvexProfile& profile : profiles)
-            std::ranges::move(RoundPass::allOf(profile, path), std::back_inserter(m_round));
+        const double length = std::abs(path.sweep) * (path.end - path.begin) * path.radius;
+        for (const ConvexProfile& profile : profiles) {
+            std::vector<RoundPass> parts = RoundPass::allOf(profile, path);
+            if (path.climb != 0 && path.widening == 0 && worthFitting(profile, length, spacing))
+                RoundPass::fitLeads(parts);
+            std::ranges::move(parts, std::back_inserter(m_round));
+        }
     } else if (allSuffice(CurvePass::suffices)) {
         for (const ConvexProfile& profile : profiles)
             m_curves.emplace_back(profile, path);
     }
+}
+
+SweepPasses::SweepPasses(const std::shared_ptr<const LevelProfile>& whole, const StraightPath& path,
+                         const TileSpacing& spacing) {
+    if (StraightPass::suffices(whole->below, path, spacing))
+        m_straight.emplace_back(whole, path);
+}
+
+SweepPasses::SweepPasses(const std::shared_ptr<const LevelProfile>& whole, const ArcPath& path,
+                         const TileSpacing& spacing) {
+    if (RoundPass::suffices(whole->below, path, spacing))
+        m_round = RoundPass::allOf(whole, path);
 }
 
 double SweepPasses::costOfPoint() const {

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "core/cutting/curve_pass.h"
+#include "core/cutting/level_profile.h"
 #include "core/cutting/round_pass.h"
 #include "core/cutting/straight_pass.h"
 
@@ -16,6 +18,11 @@ class SweepPasses {
 public:
     /// None where single precision does not suffice.
     SweepPasses(std::span<const ConvexProfile> profiles, const StraightPath& path,
+                const TileSpacing& spacing);
+    /// A whole profile on a level path.
+    SweepPasses(const std::shared_ptr<const LevelProfile>& whole, const StraightPath& path,
+                const TileSpacing& spacing);
+    SweepPasses(const std::shared_ptr<const LevelProfile>& whole, const ArcPath& path,
                 const TileSpacing& spacing);
     SweepPasses(std::span<const ConvexProfile> profiles, const ArcPath& path, const TileSpacing& spacing);
 

@@ -4,6 +4,7 @@
 #include "core/cutting/tile_kernel.h"
 
 #include <bit>
+#include <memory>
 
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "core/cutting/tile_kernel.cpp"
@@ -134,6 +135,10 @@ void vectorLowerBlockByAll(PassTable& table, TileUnderWork& work, std::size_t bl
     BlockByAll(table, work, block).lower();
 }
 
+bool vectorFitBands(const TilePass& pass, LeadBands& bands) {
+    return fitPassBands(pass, bands);
+}
+
 } // namespace
 } // namespace HWY_NAMESPACE
 } // namespace proveout
@@ -146,6 +151,14 @@ HWY_EXPORT(vectorMayLower);
 HWY_EXPORT(vectorLowerByMotion);
 HWY_EXPORT(vectorLowerBlockByAll);
 HWY_EXPORT(vectorFindRound);
+HWY_EXPORT(vectorFitBands);
+
+std::shared_ptr<const LeadBands> leadBands(const TilePass& pass) {
+    auto bands = std::make_shared<LeadBands>();
+    if (!HWY_DYNAMIC_DISPATCH(vectorFitBands)(pass, *bands))
+        return nullptr;
+    return bands;
+}
 
 bool mayLower(std::span<const TilePass> passes, const Tile& tile, float floor) {
     return HWY_DYNAMIC_DISPATCH(vectorMayLower)(passes, tile, floor);

@@ -5,11 +5,14 @@
 
 namespace proveout {
 
+struct LeadBands;
+struct LevelProfile;
+
 /// One motion of one convex profile seen from a tile, in single precision, lengths in mm, heights from the
 /// top of the stock. Places on a straight path are counted from the one that is nearest to the tile's middle,
 /// so that every number is as small as the cutter and the tile, and digits do not depend on where they lie.
 struct TilePass {
-    enum class Form : std::uint8_t { flat, line, ball, corner };
+    enum class Form : std::uint8_t { flat, line, ball, corner, whole };
     enum class Path : std::uint8_t { straight, round };
 
     Form form = Form::flat;
@@ -71,6 +74,9 @@ struct TilePass {
         float left = 0;       ///< 1 where what is outside lies left of the path, else -1
     };
     Round round;
+
+    const LevelProfile* whole = nullptr; ///< of that form, kept with the motion; never sloped
+    const LeadBands* bands = nullptr;    ///< of leads, kept with the motion; none: each is solved
 };
 
 } // namespace proveout

@@ -83,6 +83,9 @@ PROVEOUT_CUT_BENCH(flat, "flat:d=10");
 PROVEOUT_CUT_BENCH(ball, "ball:d=10");
 PROVEOUT_CUT_BENCH(bull, "bull:d=10,r=2");
 PROVEOUT_CUT_BENCH(cone, "cone:d=10,angle=90");
+PROVEOUT_CUT_BENCH(taperball, "taperball:d=4,angle=3,h=20");
+PROVEOUT_CUT_BENCH(face, "face:d=50,angle=45,h=6,r=0.8");
+PROVEOUT_CUT_BENCH(form, "form:p=0/0:3/0:4/1@3/1:6/3@-2:6/8");
 
 } // namespace
 } // namespace proveout

@@ -20,6 +20,9 @@ const StockBox kStock{{-3, 5, 2}, 24, 18, 30};
 /// The promise.
 constexpr double kAllowed = 1e-3;
 constexpr int kPoints = 10;
+/// Points far apart are computed in double precision, points close together in single precision; where there
+/// are many, leads are fitted.
+constexpr std::array kSpacings = {1.5, 0.15, 0.05};
 
 template<StraightKind kind>
 Motion straight(Random& random) {
@@ -85,8 +88,7 @@ TEST_P(ShapeMotions, AgreeWithTheOracle) {
         Random random(seed);
         const Cutter cutter = randomCutter(random, shape);
         const Motion motion = row.make(random);
-        // Points far apart are computed in double precision, points close together in single precision.
-        const double spacing = motion.kind == MotionKind::arc || k % 2 == 0 ? 1.5 : 0.15;
+        const double spacing = kSpacings[static_cast<std::size_t>(k) % kSpacings.size()];
         const double error = largestErrorNear(random, cutter, motion, kStock, spacing, row.samples, kPoints);
         EXPECT_LE(error, kAllowed) << fmt::format("seed {} spacing {} {}", seed, spacing,
                                                   told(cutter, motion));

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Envelopes whose leads are told by bands. Compiled once an instruction set.
+#if defined(PROVEOUT_CUTTING_FITTED_ENVELOPE) == defined(HWY_TARGET_TOGGLE)
+#ifdef PROVEOUT_CUTTING_FITTED_ENVELOPE
+#undef PROVEOUT_CUTTING_FITTED_ENVELOPE
+#else
+#define PROVEOUT_CUTTING_FITTED_ENVELOPE
+#endif
+
+#include <algorithm>
+#include <cmath>
+
+#include "core/cutting/band_fit-inl.h"
+#include "core/cutting/round_envelope-inl.h"
+
+HWY_BEFORE_NAMESPACE();
+namespace proveout {
+namespace HWY_NAMESPACE {
+namespace {
+
+/// With more bands in a block it costs as much to solve it.
+inline constexpr std::size_t kMostBands = 7;
+/// Of a path's radius: nearer to its centre angles change too fast for bands.
+inline constexpr float kNearCentre = 0.9F;
+
+struct FittedCornerLead {
+    CornerShape shape;
+    BandFit ahead2;
+    HWY_INLINE V operator()(V across2) const {
+        const V within2 = hn::Min(across2, shape.rim2);
+        return cornerLeadOf(shape, ahead2(within2), within2);
+    }
+};
+
+struct FittedChord {
+    BandFit chord2;
+    HWY_INLINE V operator()(V outside, V, V) const { return rootOf(chord2(outside)); }
+};
+
+/// For fitBands(): what a straight path has in bands.
+struct SolvedCornerLead {
+    CornerForm form;
+    CornerLead lead;
+    explicit SolvedCornerLead(const TilePass& pass) : form(pass), lead(pass) {}
+    HWY_INLINE V value(V across2) const { return cornerAhead2(lead.shape, lead.fall, across2); }
+    HWY_INLINE V height(V across2, V ahead2) const {
+        const V ahead = cornerLeadOf(lead.shape, ahead2, across2);
+        return minusProduct(lead.fall, ahead, form.height(productPlus(ahead, ahead, across2)));
+    }
+};
+
+/// The same of a round one.
+template<class Form, class Lead>
+struct SolvedRoundLead {
+    Form form;
+    SolvedChord<Lead> chord;
+    V radius;
+    explicit SolvedRoundLead(const TilePass& pass)
+        : form(pass), chord(pass), radius(all(pass.round.radius)) {}
+    HWY_INLINE V value(V outside) const {
+        const V perRadian = rootOf(hn::Max(product(outside), all(kTiny)));
+        return square(chord(outside, square(outside), perRadian));
+    }
+    HWY_INLINE V height(V outside, V chord2) const {
+        const V turn = hn::Mul(all(2), arcSineOf(hn::Mul(all(0.5F), rootOf(chord2))));
+        const V distance2 =
+            productPlus(product(outside), hn::Max(chord2, hn::Zero(kFloats)), square(outside));
+        return minusProduct(chord.fall, turn, form.height(distance2));
+    }
+
+private:
+    [[nodiscard]] HWY_INLINE V product(V outside) const { return hn::Mul(hn::Add(radius, outside), radius); }
+};
+
+/// What the squares of the distances across go through in a block, as far as they are under the cutter.
+HWY_INLINE BandFit bandsAcross(const TilePass& pass, std::size_t block) {
+    const BlockMiddle at(block);
+    const float half = kBlockMiddle * (std::abs(pass.acrossX) + std::abs(pass.acrossY));
+    const float middle = std::abs(pass.across + at.column * pass.acrossX + at.row * pass.acrossY);
+    const float nearest = std::max(middle - half, 0.0F);
+    const float farthest = middle + half;
+    return bandsBetween(*pass.bands, nearest * nearest, farthest * farthest);
+}
+
+/// What the distances outside of a circle go through.
+HWY_INLINE BandFit bandsOutside(const TilePass& pass, std::size_t block) {
+    const BlockMiddle at(block);
+    const TilePass::Round& round = pass.round;
+    const float along = round.middleAlong + at.column * pass.alongX + at.row * pass.alongY;
+    const float across = round.middleAcross + at.column * pass.acrossX + at.row * pass.acrossY;
+    const float outside = std::sqrt(along * along + across * across) - round.radius;
+    const float least = outside - round.blockReach;
+    if (least < -kNearCentre * round.radius)
+        return {nullptr, kMostBands + 1};
+    return bandsBetween(*pass.bands, least, outside + round.blockReach);
+}
+
+/// Whether an envelope has another form over one block, that costs less.
+template<class Envelope>
+inline constexpr bool kOfBlocks = false;
+template<>
+inline constexpr bool kOfBlocks<SlopedEnvelope<CornerForm, CornerLead>> = true;
+template<class Form, class Lead>
+inline constexpr bool kOfBlocks<HelixEnvelope<Form, SolvedChord<Lead>>> = true;
+template<>
+inline constexpr bool kOfBlocks<LevelEnvelope<WholeForm>> = true;
+template<>
+inline constexpr bool kOfBlocks<LevelRoundEnvelope<WholeForm>> = true;
+
+// Each calls `work` with that form.
+
+template<class Work>
+HWY_INLINE void withBlockEnvelope(const SlopedEnvelope<CornerForm, CornerLead>& envelope,
+                                  const TilePass& pass, std::size_t block, const Work& work) {
+    if (pass.bands == nullptr)
+        return work(envelope);
+    const BandFit bands = bandsAcross(pass, block);
+    if (bands.count > kMostBands)
+        return work(envelope);
+    work(SlopedEnvelope<CornerForm, FittedCornerLead>(pass, {envelope.lead.shape, bands}));
+}
+
+template<class Form, class Lead, class Work>
+HWY_INLINE void withBlockEnvelope(const HelixEnvelope<Form, SolvedChord<Lead>>& envelope,
+                                  const TilePass& pass, std::size_t block, const Work& work) {
+    if (pass.bands == nullptr)
+        return work(envelope);
+    const BandFit bands = bandsOutside(pass, block);
+    if (bands.count > kMostBands)
+        return work(envelope);
+    work(HelixEnvelope<Form, FittedChord>(pass, {bands}));
+}
+
+/// The same envelope with those pieces of the profile alone that a block is as far from the path as.
+template<class Envelope>
+HWY_INLINE Envelope narrowed(const Envelope& envelope, const TilePass& pass, std::size_t block) {
+    constexpr float kSlack = 1e-3F; // mm: more than is lost by rounding
+    const BlockMiddle at(block);
+    const float along = pass.along + at.column * pass.alongX + at.row * pass.alongY;
+    const float across = pass.across + at.column * pass.acrossX + at.row * pass.acrossY;
+    const float distance = std::sqrt(hn::GetLane(envelope.distance2(all(along), all(across))));
+    const float perColumn = pass.alongX * pass.alongX + pass.acrossX * pass.acrossX;
+    const float perRow = pass.alongY * pass.alongY + pass.acrossY * pass.acrossY;
+    const float reach = kBlockMiddle * std::sqrt(perColumn + perRow) + kSlack;
+    Envelope narrow = envelope;
+    narrow.form.narrow(std::max(distance - reach, 0.0F), distance + reach);
+    return narrow;
+}
+
+template<class Work>
+HWY_INLINE void withBlockEnvelope(const LevelEnvelope<WholeForm>& envelope, const TilePass& pass,
+                                  std::size_t block, const Work& work) {
+    work(narrowed(envelope, pass, block));
+}
+
+template<class Work>
+HWY_INLINE void withBlockEnvelope(const LevelRoundEnvelope<WholeForm>& envelope, const TilePass& pass,
+                                  std::size_t block, const Work& work) {
+    work(narrowed(envelope, pass, block));
+}
+
+template<class Form, class Lead>
+bool fitRoundBands(const TilePass& pass, LeadBands& bands) {
+    const float rim = std::sqrt(pass.rim2);
+    return fitBands(SolvedRoundLead<Form, Lead>(pass), -std::min(rim, kNearCentre * pass.round.radius), rim,
+                    bands);
+}
+
+/// The bands of a pass; false where there are none.
+inline bool fitPassBands(const TilePass& pass, LeadBands& bands) {
+    if (pass.path == TilePass::Path::straight)
+        return pass.form == TilePass::Form::corner &&
+               fitBands(SolvedCornerLead(pass), 0.0F, pass.rim2, bands);
+    if (pass.round.widening != 0)
+        return false;
+    switch (pass.form) {
+    case TilePass::Form::flat:
+        return fitRoundBands<FlatForm, RoundRimLead>(pass, bands);
+    case TilePass::Form::line:
+        return fitRoundBands<LineForm, RoundLineLead>(pass, bands);
+    case TilePass::Form::ball:
+        return fitRoundBands<BallForm, RoundBallLead>(pass, bands);
+    case TilePass::Form::corner:
+        return fitRoundBands<CornerForm, RoundCornerLead>(pass, bands);
+    case TilePass::Form::whole:
+        break;
+    }
+    return false;
+}
+
+} // namespace
+} // namespace HWY_NAMESPACE
+} // namespace proveout
+HWY_AFTER_NAMESPACE();
+
+#endif
