@@ -17,6 +17,9 @@ namespace proveout {
 namespace HWY_NAMESPACE {
 namespace {
 
+/// Of heights that will do in general, mm.
+inline constexpr float kFitError = 3e-5F;
+
 /// Neighbouring bands of a variable, as far as a block needs them.
 struct BandFit {
     const LeadBands::Band* first;
@@ -82,33 +85,34 @@ inline LeadBands::Band bandOf(float begin, float end, const float* values) {
              sum(even, 1.6F, -2.58885438F, 0.988854382F), sum(odd, 1.6F, -3.2F, 3.2F)}};
 }
 
-/// The polynomial over [begin, end], and whether it is near enough. `solved`: what it stands for, value()
-/// of it and height() of a point, in mm, by variable and value.
+/// The polynomial over [begin, end], and whether it is near enough. `solved`: what it stands for, by the
+/// variable: value() of it, which tells where it counts, and by that height() of a point, in mm.
 template<class Solved>
-HWY_INLINE bool fitBand(const Solved& solved, float begin, float end, LeadBands::Band& band) {
-    constexpr float kError = 1e-5F; // mm
+HWY_INLINE bool fitBand(Solved& solved, float begin, float end, LeadBands::Band& band) {
     const V middle = all(0.5F * (begin + end));
     const V half = all(0.5F * (end - begin));
     alignas(64) float values[kNodes];
+    M counts[kVectors];
     const auto nodes = [&](std::size_t vector) HWY_ATTR {
         return productPlus(hn::LoadU(kFloats, kNodePlaces + vector * kLanes), half, middle);
     };
     for (std::size_t k = 0; k < kVectors; ++k)
-        hn::Store(solved.value(nodes(k)), kFloats, values + k * kLanes);
+        hn::Store(solved.value(nodes(k), counts[k]), kFloats, values + k * kLanes);
     band = bandOf(begin, end, values);
     const BandFit fit{&band, 1};
     V apart = hn::Zero(kFloats);
     for (std::size_t k = 0; k < kVectors; ++k) {
         const V place = nodes(k);
         const V height = solved.height(place, hn::Load(kFloats, values + k * kLanes));
-        apart = hn::Max(apart, hn::Abs(hn::Sub(solved.height(place, fit(place)), height)));
+        const V off = hn::Abs(hn::Sub(solved.height(place, fit(place)), height));
+        apart = hn::Max(apart, hn::IfThenElseZero(counts[k], off));
     }
-    return hn::AllTrue(kFloats, hn::Le(apart, all(kError)));
+    return hn::AllTrue(kFloats, hn::Le(apart, all(solved.error())));
 }
 
 /// Bands over [begin, end], halved until they are near enough.
 template<class Solved>
-bool fitBands(const Solved& solved, float begin, float end, LeadBands& bands) {
+bool fitBands(Solved& solved, float begin, float end, LeadBands& bands) {
     std::array<float, LeadBands::kMost> ends{};
     std::size_t waiting = 1;
     ends[0] = end;

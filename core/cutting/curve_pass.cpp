@@ -28,7 +28,11 @@ const Vec3& lower(const Vec3& a, const Vec3& b) {
 } // namespace
 
 bool CurvePass::suffices(const ConvexProfile& profile, const ArcPath& path, const TileSpacing& spacing) {
-    return piecesOf(path) <= kMostPieces && StraightPass::suffices(profile, StraightPath(), spacing);
+    // An upright arc is steep in few pieces, a helix in all of them.
+    StraightPath like;
+    if (path.normal == 2)
+        like.slope = path.climb / (path.sweep * std::min(path.radius, path.radius + path.widening));
+    return piecesOf(path) <= kMostPieces && StraightPass::suffices(profile, like, spacing);
 }
 
 CurvePass::CurvePass(const ConvexProfile& profile, const ArcPath& path)

@@ -12,6 +12,7 @@
 
 #include "core/cutting/band_fit-inl.h"
 #include "core/cutting/round_envelope-inl.h"
+#include "core/cutting/round_lead-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace proveout {
@@ -20,8 +21,6 @@ namespace {
 
 /// With more bands in a block it costs as much to solve it.
 inline constexpr std::size_t kMostBands = 7;
-/// Of a path's radius: nearer to its centre angles change too fast for bands.
-inline constexpr float kNearCentre = 0.9F;
 
 struct FittedCornerLead {
     CornerShape shape;
@@ -32,44 +31,20 @@ struct FittedCornerLead {
     }
 };
 
-struct FittedChord {
-    BandFit chord2;
-    HWY_INLINE V operator()(V outside, V, V) const { return rootOf(chord2(outside)); }
-};
-
 /// For fitBands(): what a straight path has in bands.
 struct SolvedCornerLead {
     CornerForm form;
     CornerLead lead;
     explicit SolvedCornerLead(const TilePass& pass) : form(pass), lead(pass) {}
-    HWY_INLINE V value(V across2) const { return cornerAhead2(lead.shape, lead.fall, across2); }
+    [[nodiscard]] static float error() { return kFitError; }
+    HWY_INLINE V value(V across2, M& counts) const {
+        counts = hn::Eq(across2, across2);
+        return cornerAhead2(lead.shape, lead.fall, across2);
+    }
     HWY_INLINE V height(V across2, V ahead2) const {
         const V ahead = cornerLeadOf(lead.shape, ahead2, across2);
         return minusProduct(lead.fall, ahead, form.height(productPlus(ahead, ahead, across2)));
     }
-};
-
-/// The same of a round one.
-template<class Form, class Lead>
-struct SolvedRoundLead {
-    Form form;
-    SolvedChord<Lead> chord;
-    V radius;
-    explicit SolvedRoundLead(const TilePass& pass)
-        : form(pass), chord(pass), radius(all(pass.round.radius)) {}
-    HWY_INLINE V value(V outside) const {
-        const V perRadian = rootOf(hn::Max(product(outside), all(kTiny)));
-        return square(chord(outside, square(outside), perRadian));
-    }
-    HWY_INLINE V height(V outside, V chord2) const {
-        const V turn = hn::Mul(all(2), arcSineOf(hn::Mul(all(0.5F), rootOf(chord2))));
-        const V distance2 =
-            productPlus(product(outside), hn::Max(chord2, hn::Zero(kFloats)), square(outside));
-        return minusProduct(chord.fall, turn, form.height(distance2));
-    }
-
-private:
-    [[nodiscard]] HWY_INLINE V product(V outside) const { return hn::Mul(hn::Add(radius, outside), radius); }
 };
 
 /// What the squares of the distances across go through in a block, as far as they are under the cutter.
@@ -89,10 +64,7 @@ HWY_INLINE BandFit bandsOutside(const TilePass& pass, std::size_t block) {
     const float along = round.middleAlong + at.column * pass.alongX + at.row * pass.alongY;
     const float across = round.middleAcross + at.column * pass.acrossX + at.row * pass.acrossY;
     const float outside = std::sqrt(along * along + across * across) - round.radius;
-    const float least = outside - round.blockReach;
-    if (least < -kNearCentre * round.radius)
-        return {nullptr, kMostBands + 1};
-    return bandsBetween(*pass.bands, least, outside + round.blockReach);
+    return bandsBetween(*pass.bands, outside - round.blockReach, outside + round.blockReach);
 }
 
 /// Whether an envelope has another form over one block, that costs less.
@@ -100,8 +72,8 @@ template<class Envelope>
 inline constexpr bool kOfBlocks = false;
 template<>
 inline constexpr bool kOfBlocks<SlopedEnvelope<CornerForm, CornerLead>> = true;
-template<class Form, class Lead>
-inline constexpr bool kOfBlocks<HelixEnvelope<Form, SolvedChord<Lead>>> = true;
+template<class Form>
+inline constexpr bool kOfBlocks<HelixEnvelope<Form>> = true;
 template<>
 inline constexpr bool kOfBlocks<LevelEnvelope<WholeForm>> = true;
 template<>
@@ -120,15 +92,12 @@ HWY_INLINE void withBlockEnvelope(const SlopedEnvelope<CornerForm, CornerLead>& 
     work(SlopedEnvelope<CornerForm, FittedCornerLead>(pass, {envelope.lead.shape, bands}));
 }
 
-template<class Form, class Lead, class Work>
-HWY_INLINE void withBlockEnvelope(const HelixEnvelope<Form, SolvedChord<Lead>>& envelope,
-                                  const TilePass& pass, std::size_t block, const Work& work) {
-    if (pass.bands == nullptr)
-        return work(envelope);
-    const BandFit bands = bandsOutside(pass, block);
-    if (bands.count > kMostBands)
-        return work(envelope);
-    work(HelixEnvelope<Form, FittedChord>(pass, {bands}));
+template<class Form, class Work>
+HWY_INLINE void withBlockEnvelope(const HelixEnvelope<Form>& envelope, const TilePass& pass,
+                                  std::size_t block, const Work& work) {
+    HelixEnvelope<Form> narrow = envelope;
+    narrow.chord2 = bandsOutside(pass, block);
+    work(narrow);
 }
 
 /// The same envelope with those pieces of the profile alone that a block is as far from the path as.
@@ -159,29 +128,30 @@ HWY_INLINE void withBlockEnvelope(const LevelRoundEnvelope<WholeForm>& envelope,
     work(narrowed(envelope, pass, block));
 }
 
-template<class Form, class Lead>
+template<class Form>
 bool fitRoundBands(const TilePass& pass, LeadBands& bands) {
     const float rim = std::sqrt(pass.rim2);
-    return fitBands(SolvedRoundLead<Form, Lead>(pass), -std::min(rim, kNearCentre * pass.round.radius), rim,
-                    bands);
+    RoundLead<Form> lead(pass);
+    const bool fitted = fitBands(lead, -std::min(rim, pass.round.radius), rim, bands);
+    bands.rim = lead.leaves();
+    return fitted && !lead.ambiguous();
 }
 
 /// The bands of a pass; false where there are none.
 inline bool fitPassBands(const TilePass& pass, LeadBands& bands) {
-    if (pass.path == TilePass::Path::straight)
-        return pass.form == TilePass::Form::corner &&
-               fitBands(SolvedCornerLead(pass), 0.0F, pass.rim2, bands);
-    if (pass.round.widening != 0)
-        return false;
+    if (pass.path == TilePass::Path::straight) {
+        SolvedCornerLead lead(pass);
+        return pass.form == TilePass::Form::corner && fitBands(lead, 0.0F, pass.rim2, bands);
+    }
     switch (pass.form) {
     case TilePass::Form::flat:
-        return fitRoundBands<FlatForm, RoundRimLead>(pass, bands);
+        return fitRoundBands<FlatForm>(pass, bands);
     case TilePass::Form::line:
-        return fitRoundBands<LineForm, RoundLineLead>(pass, bands);
+        return fitRoundBands<LineForm>(pass, bands);
     case TilePass::Form::ball:
-        return fitRoundBands<BallForm, RoundBallLead>(pass, bands);
+        return fitRoundBands<BallForm>(pass, bands);
     case TilePass::Form::corner:
-        return fitRoundBands<CornerForm, RoundCornerLead>(pass, bands);
+        return fitRoundBands<CornerForm>(pass, bands);
     case TilePass::Form::whole:
         break;
     }

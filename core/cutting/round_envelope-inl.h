@@ -9,7 +9,9 @@
 
 #include <array>
 #include <numbers>
+#include <type_traits>
 
+#include "core/cutting/band_fit-inl.h"
 #include "core/cutting/pass_envelope-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -139,117 +141,71 @@ struct LevelRoundEnvelope {
     }
 };
 
-// How far the cutter stands from a point, along a path of that fall, where it is lowest over it; by the
-// square of the distance across. As the leads of straight paths, but each lane has a fall of its own.
+/// Of the chord to where a cutter touches, by what bands tell. Below a cone it is as good as proportional to
+/// the distance from the circle, and as sharp where that is none: bands tell their ratio.
+template<class Form>
+HWY_INLINE V touchingChord2(V value, V outside2) {
+    return std::is_same_v<Form, LineForm> ? hn::Mul(value, outside2) : value;
+}
 
-struct RoundRimLead {
-    RimLead rim;
-    explicit RoundRimLead(const TilePass& pass) : rim(pass) {}
-    HWY_INLINE V operator()(V across2, V) const { return rim(across2); }
-};
-
-struct RoundLineLead {
-    V rise, flatTo2, rim2;
-    explicit RoundLineLead(const TilePass& pass)
-        : rise(all(pass.rise)), flatTo2(all(pass.flatTo * pass.flatTo)), rim2(all(pass.rim2)) {}
-    HWY_INLINE V operator()(V across2, V fall) const {
-        const V slower = hn::Mul(hn::Sub(rise, fall), hn::Add(rise, fall));
-        const V touching = hn::Div(hn::Mul(square(fall), across2), hn::Max(slower, all(kTiny)));
-        const V lead2 = hn::Max(touching, hn::Sub(flatTo2, across2));
-        const V most2 = hn::Sub(rim2, across2);
-        const M steeper = hn::Ge(fall, rise);
-        return rootOf(hn::IfThenElse(steeper, most2, hn::Min(lead2, most2)));
-    }
-};
-
-struct RoundBallLead {
-    V radius2;
-    RimLead rim;
-    explicit RoundBallLead(const TilePass& pass) : radius2(all(pass.radius * pass.radius)), rim(pass) {}
-    HWY_INLINE V operator()(V across2, V fall) const {
-        const V sine = hn::Div(fall, hn::Sqrt(hn::Add(square(fall), all(1))));
-        return hn::Min(hn::Mul(sine, rootOf(hn::Sub(radius2, across2))), rim(across2));
-    }
-};
-
-struct RoundCornerLead {
-    CornerShape shape;
-    explicit RoundCornerLead(const TilePass& pass) : shape(pass) {}
-    HWY_INLINE V operator()(V across2, V fall) const { return cornerLead(shape, fall, across2); }
-};
-
-/// How far a point's own direction is from where the cutter is lowest over it, on a path that rises or falls
-/// evenly: the chord, on a circle of radius 1. Seen from a point, the cutter on a circle is as if on a
-/// straight path that is the square root of the product of both radii long per radian, but that angles are
-/// longer than their chords: the straight solution, corrected some times by how much longer.
-template<class Lead>
-struct SolvedChord {
-    Lead lead;
-    V fall; ///< mm per radian
-    explicit SolvedChord(const TilePass& pass) : lead(pass), fall(hn::Abs(all(pass.round.climb))) {}
-    HWY_INLINE V operator()(V, V across2, V perRadian) const {
-        const V fallOfChord = hn::Div(fall, perRadian);
-        V chord = hn::Min(hn::Div(lead(across2, fallOfChord), perRadian), all(2));
-        for (int k = 0; k < kCorrections; ++k) {
-            const V cosine = hn::Sqrt(hn::Max(minusProduct(all(0.25F), square(chord), all(1)), all(1e-6F)));
-            chord = hn::Min(hn::Div(lead(across2, hn::Div(fallOfChord, cosine)), perRadian), all(2));
-        }
-        return chord;
-    }
-
-private:
-    static constexpr int kCorrections = 2;
-};
-
-/// Rising or falling evenly. Whatever place the chord leads to is a place of the path, and the ends are
-/// looked at besides, so that nothing that is found is too low.
-template<class Form, class Chord>
+/// Rising or falling evenly. Where the cutter stands when it is lowest over a point comes from bands, by the
+/// chord to it from the point's own direction. Whatever place they lead to is a place of the path, and the
+/// ends are looked at besides, so that nothing that is found is too low.
+template<class Form>
 struct HelixEnvelope {
     Form form;
-    Chord chord;
+    BandFit chord2;
+    bool rim; ///< whether it may be lowest where the point is on the rim
     Circle circle;
     RoundEnds ends;
-    V z, climb, ahead, half, rim2, widening;
-    explicit HelixEnvelope(const TilePass& pass) : HelixEnvelope(pass, Chord(pass)) {}
-    HelixEnvelope(const TilePass& pass, const Chord& chordOfPass)
-        : form(pass), chord(chordOfPass), circle(pass.round), ends(pass.round), z(all(pass.z)),
-          climb(all(pass.round.climb)), ahead(all(pass.round.climb < 0 ? 1.0F : -1.0F)),
-          half(all(pass.round.half)), rim2(all(pass.rim2)), widening(all(pass.round.widening)) {}
+    V z, climb, ahead, half, flat2, rim2, nearRim2;
+    explicit HelixEnvelope(const TilePass& pass)
+        : form(pass), chord2{pass.bands->bands.data(), pass.bands->count}, rim(pass.bands->rim),
+          circle(pass.round), ends(pass.round), z(all(pass.z)), climb(all(pass.round.climb)),
+          ahead(all(pass.round.climb < 0 ? 1.0F : -1.0F)), half(all(pass.round.half)),
+          flat2(all(pass.flatTo * pass.flatTo)), rim2(all(pass.rim2)), nearRim2(all(pass.rim2 * kRounded)) {}
 
     HWY_INLINE Cut operator()(V along, V across) const {
         const Cut begin = at(ends.fromBegin2(along, across), minusProduct(climb, half, z));
         const Cut end = at(ends.fromEnd2(along, across), productPlus(climb, half, z));
-        const Cut between = inside(circle(along, across));
-        const V infinite = all(kFar);
-        const V lowest = hn::Min(hn::IfThenElse(begin.under, begin.z, infinite),
-                                 hn::Min(hn::IfThenElse(end.under, end.z, infinite),
-                                         hn::IfThenElse(between.under, between.z, infinite)));
-        return {lowest, hn::Or(begin.under, hn::Or(end.under, between.under))};
+        return lower(lower(begin, end), inside(circle(along, across)));
     }
 
 private:
-    static constexpr float kFar = 1e30F;
+    static constexpr float kRounded = 1 + 4e-6F; ///< what rounds beyond the rim is still on it
+
+    static HWY_INLINE Cut lower(const Cut& a, const Cut& b) {
+        const V infinite = all(1e30F);
+        const V z = hn::Min(hn::IfThenElse(a.under, a.z, infinite), hn::IfThenElse(b.under, b.z, infinite));
+        return {z, hn::Or(a.under, b.under)};
+    }
 
     HWY_INLINE Cut at(V distance2, V height) const {
         return {hn::Add(height, form.height(distance2)), hn::Le(distance2, rim2)};
     }
 
-    /// At the place where it is lowest, if the path has it.
+    /// Where it touches, neither on its flat nor beyond its rim, and where the point leaves that.
     HWY_INLINE Cut inside(const RoundPlace& place) const {
         const V angle = angleOf(place.along, place.across);
-        const V across2 = square(minusProduct(widening, angle, place.outside));
-        const V product = hn::Mul(place.distance, productPlus(widening, angle, circle.radius));
-        const V perRadian = rootOf(hn::Max(product, all(kTiny)));
-        const V chordTo = chord(place.outside, across2, perRadian);
-        const V turn = hn::Mul(all(2), arcSineOf(hn::Mul(all(0.5F), chordTo)));
+        const V outside2 = square(place.outside);
+        const V product = hn::Mul(place.distance, circle.radius);
+        const V part = hn::Div(all(1), hn::Max(product, all(kTiny)));
+        const V most2 = hn::Min(hn::Mul(hn::Sub(rim2, outside2), part), all(4));
+        const V least2 = hn::Mul(hn::Sub(flat2, outside2), part);
+        const V touching2 = touchingChord2<Form>(chord2(place.outside), outside2);
+        const V within2 = hn::Min(hn::Max(touching2, least2), most2);
+        const Cut touching = atChord(rootOf(within2), angle, outside2, product);
+        return rim ? lower(touching, atChord(rootOf(most2), angle, outside2, product)) : touching;
+    }
+
+    HWY_INLINE Cut atChord(V chord, V angle, V outside2, V product) const {
+        const V turn = hn::Mul(all(2), arcSineOf(hn::Mul(all(0.5F), chord)));
         V where = productPlus(ahead, turn, angle);
         where = hn::Sub(where, hn::IfThenElseZero(hn::Gt(where, all(kPi)), all(2 * kPi)));
         where = hn::Add(where, hn::IfThenElseZero(hn::Lt(where, all(-kPi)), all(2 * kPi)));
-        const V outside = minusProduct(widening, where, place.outside);
-        const V there = hn::Mul(place.distance, productPlus(widening, where, circle.radius));
-        const V distance2 = productPlus(outside, outside, hn::Mul(there, square(chordTo)));
-        const M on = hn::And(hn::Le(hn::Abs(where), half), hn::Le(across2, rim2));
-        return {hn::Add(productPlus(climb, where, z), form.height(distance2)), on};
+        const V distance2 = productPlus(product, square(chord), outside2);
+        const M on = hn::And(hn::Le(hn::Abs(where), half), hn::Le(distance2, nearRim2));
+        return {hn::Add(productPlus(climb, where, z), form.height(hn::Min(distance2, rim2))), on};
     }
 };
 
@@ -260,19 +216,19 @@ HWY_INLINE void withRoundEnvelope(const TilePass& pass, const Work& work) {
     case TilePass::Form::flat:
         if (pass.level)
             return work(LevelRoundEnvelope<FlatForm>(pass));
-        return work(HelixEnvelope<FlatForm, SolvedChord<RoundRimLead>>(pass));
+        return work(HelixEnvelope<FlatForm>(pass));
     case TilePass::Form::line:
         if (pass.level)
             return work(LevelRoundEnvelope<LineForm>(pass));
-        return work(HelixEnvelope<LineForm, SolvedChord<RoundLineLead>>(pass));
+        return work(HelixEnvelope<LineForm>(pass));
     case TilePass::Form::ball:
         if (pass.level)
             return work(LevelRoundEnvelope<BallForm>(pass));
-        return work(HelixEnvelope<BallForm, SolvedChord<RoundBallLead>>(pass));
+        return work(HelixEnvelope<BallForm>(pass));
     case TilePass::Form::corner:
         if (pass.level)
             return work(LevelRoundEnvelope<CornerForm>(pass));
-        return work(HelixEnvelope<CornerForm, SolvedChord<RoundCornerLead>>(pass));
+        return work(HelixEnvelope<CornerForm>(pass));
     case TilePass::Form::whole:
         return work(LevelRoundEnvelope<WholeForm>(pass));
     }

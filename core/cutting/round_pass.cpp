@@ -17,7 +17,7 @@ constexpr double kBoundSlack = 4e-6;
 constexpr double kLargestRadius = 1e5; ///< mm, of a path
 constexpr double kSteepest = 4;        ///< mm per mm
 constexpr double kMostClimb = 20;      ///< mm per radian
-/// By how much a point may be nearer to a spiral than to the circle it is told from, mm.
+/// By how much a point may be nearer to a spiral than to the circles it is told from, mm.
 constexpr double kNearer = 1e-5;
 /// Helices fall apart into parts of that: bounds take the lowest height of a part for all of it.
 constexpr double kPartOfHelix = kTurn / 4;
@@ -28,6 +28,39 @@ float toFloat(double value) {
 
 double least(const ArcPath& path) {
     return std::min(std::abs(path.radius), std::abs(path.radius + path.widening));
+}
+
+/// How much of a helix, radians, is a part. One that widens by w a radian is cut into parts of circles: from
+/// a centre that lies w aside of its own these leave it by w · θ³ / 6, and run ahead of it by w / R · θ² / 2.
+double mostOfHelix(const ArcPath& path) {
+    const double perRadian = std::abs(path.widening / path.sweep);
+    if (perRadian == 0)
+        return kPartOfHelix;
+    const double ahead = perRadian / least(path) * std::abs(path.climb / path.sweep);
+    return std::min(
+        {kPartOfHelix, 2 * std::cbrt(6 * kNearer / perRadian), 2 * std::sqrt(2 * kNearer / ahead)});
+}
+
+ArcPath circleLike(const ArcPath& path, double begin, double end) {
+    const double middle = (begin + end) / 2;
+    const double angle = path.angle + path.sweep * middle;
+    const Vec3 from = path.at(begin);
+    const Vec3 to = path.at(end);
+    ArcPath circle = path;
+    circle.begin = 0;
+    circle.end = 1;
+    circle.widening = 0;
+    circle.centre += path.widening / path.sweep * Vec3(-std::sin(angle), std::cos(angle), 0);
+    circle.centre.z = from.z;
+    circle.climb = to.z - from.z;
+    const Vec3 off = path.at(middle) - circle.centre;
+    circle.radius = std::hypot(off.x, off.y);
+    const auto angleTo = [&](const Vec3& place) {
+        return std::atan2(place.y - circle.centre.y, place.x - circle.centre.x);
+    };
+    circle.angle = angleTo(from);
+    circle.sweep = std::remainder(angleTo(to) - circle.angle, kTurn);
+    return circle;
 }
 
 } // namespace
@@ -75,15 +108,19 @@ RoundPass::RoundPass(const ConvexProfile& profile, const ArcPath& path, double b
 
 std::vector<RoundPass> RoundPass::allOf(const ConvexProfile& profile, const ArcPath& path) {
     const double angle = std::abs(path.sweep) * (path.end - path.begin);
-    const double most = path.climb == 0 ? kTurn * (1 + 1e-12) : kPartOfHelix;
+    const double most = path.climb == 0 ? kTurn * (1 + 1e-12) : mostOfHelix(path);
     const int count = std::max(1, static_cast<int>(std::ceil(angle / most)));
+    const bool asCircles = path.climb != 0 && path.widening != 0;
     std::vector<RoundPass> passes;
     for (int k = 0; k < count; ++k) {
         const int part = path.climb < 0 ? count - 1 - k : k;
         const auto at = [&](int of) {
             return std::lerp(path.begin, path.end, of / static_cast<double>(count));
         };
-        passes.emplace_back(profile, path, at(part), at(part + 1));
+        if (asCircles)
+            passes.emplace_back(profile, circleLike(path, at(part), at(part + 1)), 0, 1);
+        else
+            passes.emplace_back(profile, path, at(part), at(part + 1));
     }
     return passes;
 }
@@ -99,14 +136,22 @@ std::vector<RoundPass> RoundPass::allOf(const std::shared_ptr<const LevelProfile
     return passes;
 }
 
-void RoundPass::fitLeads(std::span<RoundPass> parts) {
-    TilePass pass = parts.front().m_form;
-    pass.rim2 = toFloat(parts.front().m_rim * parts.front().m_rim);
-    const std::shared_ptr<const LeadBands> bands = leadBands(pass);
+bool RoundPass::fitLeads(std::span<RoundPass> parts) {
+    constexpr double kAlike = 5e-3; // of a radius: heights depend on the square of what leads are off
+    const RoundPass* last = nullptr;
     for (RoundPass& part : parts) {
-        part.m_bands = bands;
-        part.m_form.bands = bands.get();
+        if (last == nullptr || std::abs(part.m_radius - last->m_radius) > kAlike * last->m_radius) {
+            TilePass pass = part.m_form;
+            pass.rim2 = toFloat(part.m_rim * part.m_rim);
+            part.m_bands = leadBands(pass);
+            last = &part;
+        }
+        part.m_bands = last->m_bands;
+        part.m_form.bands = part.m_bands.get();
+        if (part.m_bands == nullptr)
+            return false;
     }
+    return true;
 }
 
 TilePass RoundPass::overTile(double x, double y, const TileSpacing& spacing) const {

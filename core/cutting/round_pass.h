@@ -31,8 +31,9 @@ public:
     [[nodiscard]] static std::vector<RoundPass> allOf(const std::shared_ptr<const LevelProfile>& whole,
                                                       const ArcPath& path);
 
-    /// As of straight passes, for all of the parts of one path.
-    static void fitLeads(std::span<RoundPass> parts);
+    /// To be called for all of the parts of a path that climbs. False where leads cannot be told by bands:
+    /// these passes are of no use then.
+    [[nodiscard]] static bool fitLeads(std::span<RoundPass> parts);
 
     /// Seen from the tile whose middle lies at (x, y), in the path's coordinates; not beyond this one's life.
     [[nodiscard]] TilePass overTile(double x, double y, const TileSpacing& spacing) const;

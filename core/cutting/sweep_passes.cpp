@@ -36,18 +36,23 @@ SweepPasses::SweepPasses(std::span<const ConvexProfile> profiles, const ArcPath&
         return std::ranges::all_of(
             profiles, [&](const ConvexProfile& profile) { return suffices(profile, path, spacing); });
     };
-    if (allSuffice(RoundPass::suffices)) {
-        const double length = std::abs(path.sweep) * (path.end - path.begin) * path.radius;
-        for (const ConvexProfile& profile : profiles) {
-            std::vector<RoundPass> parts = RoundPass::allOf(profile, path);
-            if (path.climb != 0 && path.widening == 0 && worthFitting(profile, length, spacing))
-                RoundPass::fitLeads(parts);
-            std::ranges::move(parts, std::back_inserter(m_round));
-        }
-    } else if (allSuffice(CurvePass::suffices)) {
+    if (allSuffice(RoundPass::suffices) && addRound(profiles, path))
+        return;
+    m_round.clear();
+    if (allSuffice(CurvePass::suffices)) {
         for (const ConvexProfile& profile : profiles)
             m_curves.emplace_back(profile, path);
     }
+}
+
+bool SweepPasses::addRound(std::span<const ConvexProfile> profiles, const ArcPath& path) {
+    for (const ConvexProfile& profile : profiles) {
+        std::vector<RoundPass> parts = RoundPass::allOf(profile, path);
+        if (path.climb != 0 && !RoundPass::fitLeads(parts))
+            return false;
+        std::ranges::move(parts, std::back_inserter(m_round));
+    }
+    return true;
 }
 
 SweepPasses::SweepPasses(const std::shared_ptr<const LevelProfile>& whole, const StraightPath& path,

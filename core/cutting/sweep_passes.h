@@ -33,6 +33,9 @@ public:
     void addOverTile(double x, double y, const TileSpacing& spacing, std::vector<TilePass>& passes) const;
 
 private:
+    /// False where one of them does not suffice after all.
+    [[nodiscard]] bool addRound(std::span<const ConvexProfile> profiles, const ArcPath& path);
+
     std::vector<StraightPass> m_straight;
     std::vector<RoundPass> m_round;
     std::vector<CurvePass> m_curves;

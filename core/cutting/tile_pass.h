@@ -51,15 +51,15 @@ struct TilePass {
     float reach2 = 0; ///< middles of blocks that are farther have no point under the cutter
     float slack = 0;  ///< what computing in single precision may add to a bound or take from a height
 
-    /// A round path about Z, at most one turn of it: an arc, a helix, or a spiral that is nearly an arc.
-    /// Places of the tile are counted from its middle, along and across the direction from the path's centre
-    /// to the path's own middle, where angles begin.
+    /// A round path about Z, at most one turn of it: an arc, a helix, or a level spiral that is nearly an
+    /// arc. Places of the tile are counted from its middle, along and across the direction from the path's
+    /// centre to the path's own middle, where angles begin.
     struct Round {
         float middleAlong = 0; ///< the tile's middle from the centre
         float middleAcross = 0;
         float excess = 0;   ///< the square of its distance from the centre, less that of the path's radius
         float radius = 0;   ///< of the path at its middle
-        float widening = 0; ///< of the radius, mm per radian
+        float widening = 0; ///< of the radius, mm per radian; of a level path alone
         float climb = 0;    ///< mm per radian
         float half = 0;     ///< the path goes from minus to plus that, radians
         float sine = 0;     ///< of `half`
