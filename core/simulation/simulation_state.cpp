@@ -15,6 +15,10 @@ namespace {
 /// Cutting time between two checkpoints. A step backward replays at most this much, and the decimation
 /// period.
 constexpr double kCheckpointSeconds = 0.01;
+/// Cheap blocks are not free for who waits for them all: checkpoints are at most such a part of the program
+/// apart, so that an edit cuts little more than what lies behind it.
+constexpr std::size_t kCheckpointsOfProgram = 64;
+constexpr std::size_t kFewestBlocksBetween = 16; ///< in a short program, which is cut at once anyway
 /// Blocks that are cut at once where nobody looks at them one by one.
 constexpr std::size_t kFirstPortion = 16;
 
@@ -57,7 +61,12 @@ bool Simulation::State::cutMany(StockRun& run, std::size_t count, const WorkCont
 }
 
 void Simulation::State::rememberMoment(const StockRun& run) {
-    if (checkpoints.wanted() && run.cutSeconds - checkpoints.cutSecondsBefore(run.block) > kCheckpointSeconds)
+    if (!checkpoints.wanted())
+        return;
+    const std::size_t farBlocks =
+        std::max(program->blockCount() / kCheckpointsOfProgram, kFewestBlocksBetween);
+    if (run.cutSeconds - checkpoints.cutSecondsBefore(run.block) > kCheckpointSeconds ||
+        run.block - checkpoints.blockBefore(run.block) >= farBlocks)
         checkpoints.add(run.moment());
 }
 

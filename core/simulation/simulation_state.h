@@ -68,7 +68,7 @@ struct Simulation::State {
     /// The next `count` blocks at once, which have been executed before, so that what they do is known but
     /// for the heights; false where it was stopped: none of them counts.
     bool cutMany(StockRun& run, std::size_t count, const WorkContext& context);
-    /// Takes a checkpoint where the last one is long ago.
+    /// Takes a checkpoint where the last one is long ago, in cutting time or in blocks.
     void rememberMoment(const StockRun& run);
     /// The box of a slanted motion holds regions that it never touched: only changed heights count.
     void touchChanged(const IndexRect& changed);

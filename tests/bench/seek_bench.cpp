@@ -56,9 +56,9 @@ std::shared_ptr<const Program> editedProgram(const std::string& text, const Prog
 
 void measureEdit(Simulation& simulation, const std::string& text, double cutSeconds) {
     const auto edited = editedProgram(text, simulation.program());
+    simulation.seek(simulation.blockCount()); // the way to the end is no part of the edit
     const std::size_t before = simulation.effort().blocksCut;
     const double secondsBefore = simulation.effort().cutSeconds;
-    simulation.seek(simulation.blockCount());
     simulation.replaceProgram(edited);
     simulation.seek(simulation.blockCount());
     const auto cut = static_cast<double>(simulation.effort().blocksCut - before);
