@@ -18,6 +18,7 @@ namespace {
 constexpr double kZoomPerStep = 0.8;
 constexpr double kNearPixels = 4;
 constexpr int kTicks = 5;
+constexpr int kTickDigits = 12; ///< more than any count has, so that none is written with an exponent
 constexpr std::size_t kMostSmoothRows = 20000;
 constexpr double kAheadOfBlock = 0.06; ///< of a followed span, free to the right of the current block
 
@@ -60,7 +61,7 @@ PlotView::PlotView(const PlotSpec& spec, QWidget* parent)
     setNotAntialiasedElements(QCP::aeFills);
     for (QCPAxis* axis : {xAxis, yAxis}) {
         axis->setNumberFormat(QStringLiteral("g"));
-        axis->setNumberPrecision(7);
+        axis->setNumberPrecision(kTickDigits);
         axis->ticker()->setTickCount(kTicks);
     }
     const auto whole = QSharedPointer<QCPAxisTickerFixed>::create(); // there is no half block
@@ -101,6 +102,7 @@ void PlotView::addCurves() {
 }
 
 void PlotView::setTexts() {
+    setLocale(QLocale()); // the axes group digits as the texts do
     xAxis->setLabel(translated(m_spec.xLabel));
     yAxis->setLabel(translated(m_spec.yLabel));
     for (std::size_t index = 0; index < m_spec.series.size(); ++index)

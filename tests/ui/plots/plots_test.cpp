@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <random>
 #include <set>
+#include <utility>
 
 #include <QApplication>
 #include <QPaintDevice>
@@ -111,6 +113,7 @@ private slots:
     void clickSeeksAndDragDoesNot();
     void followingKeepsTheBlockInSight();
     void hoverReadsTheNearestRow();
+    void axesWriteLargeCountsOut();
     void aJumpIsAStepOfItsMean();
     void restylesWithThePalette();
     void manyRowsCostLittle();
@@ -315,6 +318,29 @@ void PlotsTest::hoverReadsTheNearestRow() {
     view.replot();
     const QString text = view.valuesAt(view.xAxis->coordToPixel(42.3));
     QVERIFY2(text.contains(QStringLiteral("42")) && text.contains(QStringLiteral("200")), qPrintable(text));
+}
+
+void PlotsTest::axesWriteLargeCountsOut() {
+    PersistentArray<BlockStatistics> blocks;
+    for (std::uint32_t k = 1; k <= 10; ++k)
+        blocks.push_back({k * 3'000'000, 30'000'000, 0, 0, 0, 0, 0, 0});
+    const QLocale before;
+    const std::array<std::pair<QLocale, QString>, 2> ways{
+        {{QLocale(QLocale::German), QStringLiteral("10.000.000")},
+         {QLocale(QLocale::Korean), QStringLiteral("10,000,000")}}};
+    for (const auto& [locale, tenMillion] : ways) {
+        QLocale::setDefault(locale);
+        PlotView view(plot("faces"));
+        view.resize(600, 220);
+        view.setRows({blocks, {}}, 0);
+        view.setBlock(10, 10);
+        view.replot();
+        const QVector<QString> labels = view.yAxis->tickVectorLabels();
+        QVERIFY2(labels.contains(tenMillion), qPrintable(labels.toList().join(u' ')));
+        for (const QString& label : labels)
+            QVERIFY2(!label.contains(u'E', Qt::CaseInsensitive), qPrintable(label));
+    }
+    QLocale::setDefault(before);
 }
 
 void PlotsTest::aJumpIsAStepOfItsMean() {
