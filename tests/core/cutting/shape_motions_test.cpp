@@ -22,7 +22,7 @@ constexpr double kAllowed = 1e-3;
 constexpr int kPoints = 10;
 /// Points far apart are computed in double precision, points close together in single precision; where there
 /// are many, leads are fitted.
-constexpr std::array kSpacings = {1.5, 0.15, 0.05};
+constexpr std::array kSpacings = {1.5, 0.15, 0.05, 0.5};
 
 template<StraightKind kind>
 Motion straight(Random& random) {
