@@ -157,7 +157,8 @@ HWY_INLINE void lowerGroups(const Envelope& envelope, const TilePass& pass, Tile
             lowerEach(own, places, work, block, groups, taking);
         });
     } else {
-        lowerEach(envelope, places, work, block, groups, taking);
+        const auto own = envelope; // likewise
+        lowerEach(own, places, work, block, groups, taking);
     }
     refreshBlockMaximum(work, block);
 }
