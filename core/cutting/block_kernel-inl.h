@@ -157,8 +157,7 @@ HWY_INLINE void lowerGroups(const Envelope& envelope, const TilePass& pass, Tile
             lowerEach(own, places, work, block, groups, taking);
         });
     } else {
-        const auto own = envelope; // likewise
-        lowerEach(own, places, work, block, groups, taking);
+        lowerEach(envelope, places, work, block, groups, taking);
     }
     refreshBlockMaximum(work, block);
 }

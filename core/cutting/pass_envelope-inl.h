@@ -7,8 +7,6 @@
 #define PROVEOUT_CUTTING_PASS_ENVELOPE
 #endif
 
-#include <bit>
-#include <cstring>
 #include <hwy/highway.h>
 
 #include "core/cutting/level_profile.h"
@@ -57,14 +55,9 @@ HWY_INLINE V minusProduct(V a, V b, V c) {
 }
 
 HWY_INLINE std::uint32_t bitsOf(M mask) {
-    alignas(8) std::uint8_t bytes[8] = {}; // as many as are written at most
+    std::uint8_t bytes[8] = {}; // as many as are written at most
     hn::StoreMaskBits(kFloats, mask, bytes);
-    if constexpr (hn::MaxLanes(kFloats) <= 8)
-        return bytes[0];
-    std::uint16_t bits = 0; // read as it was written, so that it never leaves the registers
-    static_assert(std::endian::native == std::endian::little);
-    std::memcpy(&bits, bytes, sizeof bits);
-    return bits;
+    return bytes[0] | static_cast<std::uint32_t>(bytes[1]) << 8;
 }
 
 // The profile's height above its reference, by the squared distance from the axis.

@@ -2,10 +2,12 @@
 #include "core/simulation/block_provenance.h"
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 #include "core/simulation/block_cutter.h"
 #include "core/simulation/tool_choice.h"
+#include "core/zmap/grid_part.h"
 
 namespace proveout {
 
@@ -15,6 +17,8 @@ namespace {
 constexpr std::size_t kPortion = 65'536;
 /// What two exact cuts may differ by: 1 µm each.
 constexpr double kOnSurface = 2e-3;
+/// A point on the rim of a cutter is cut, and by rounding may lie beside it.
+constexpr double kBesideRim = 1e-3; // mm
 
 /// Whether a motion may reach a place over ground with a cutter of that radius.
 bool passesNear(const Motion& motion, double radius, const Vec2& place) {
@@ -32,6 +36,18 @@ bool passesNear(const Motion& motion, double radius, const Vec2& place) {
 bool reaches(const CutterMotion& one, const Vec3& place) {
     return one.cutter != nullptr && passesNear(one.motion, one.cutter->radius(), Vec2(place)) &&
            envelope(*one.cutter, one.motion, place.x, place.y) <= place.z + kOnSurface;
+}
+
+/// Whether a point is lower than before the first block.
+bool isCut(const Frame& moment, const MapPoint& point) {
+    GridPart cell(moment.zmap.grid());
+    const MapPoint corner{std::min(point.i, cell.nx - 2), std::min(point.j, cell.ny - 2)};
+    cell.firstI = corner.i;
+    cell.firstJ = corner.j;
+    cell.nx = cell.ny = 2;
+    const ZMap uncut = uncutPart(moment.setup->stock, moment.setup->shape, cell);
+    const double before = uncut.tile(0).at(point.i - corner.i, point.j - corner.j);
+    return double{moment.zmap.height(point.i, point.j)} < before - kOnSurface;
 }
 
 } // namespace
@@ -57,15 +73,34 @@ double provenanceBytes(const Grid& grid) {
 }
 
 std::optional<std::size_t> blockThatMade(const Program& program, const Setup& setup, std::size_t blocks,
-                                         const Vec3& place, const std::stop_token& stop) {
+                                         const Vec3& place, const WorkContext& context) {
     constexpr std::size_t kBetweenLooks = 1024;
     const ToolChoice tools(program, setup.tools);
-    for (std::size_t first = 0; first < blocks && !stop.stop_requested(); first += kBetweenLooks) {
+    for (std::size_t first = 0; first < blocks && !context.stopped(); first += kBetweenLooks) {
         const std::size_t last = std::min(first + kBetweenLooks, blocks);
         for (const CutterMotion& one : cutterMotions(program, first, last, setup, tools)) {
             if (reaches(one, place))
                 return one.mark - 1;
         }
+        context.tell(static_cast<double>(last) / static_cast<double>(blocks));
+    }
+    return std::nullopt;
+}
+
+std::optional<std::size_t> blockThatMade(const Frame& moment, const MapPoint& point,
+                                         const WorkContext& context) {
+    if (!isCut(moment, point))
+        return std::nullopt;
+    const Grid& grid = moment.zmap.grid();
+    const Vec3 place(grid.x(point.i), grid.y(point.j),
+                     moment.zmap.stock().topZ() + double{moment.zmap.height(point.i, point.j)});
+    const std::array asides{Vec2(0, 0), Vec2(kBesideRim, kBesideRim), Vec2(-kBesideRim, -kBesideRim),
+                            Vec2(kBesideRim, -kBesideRim), Vec2(-kBesideRim, kBesideRim)};
+    for (std::size_t k = 0; k < asides.size() && !context.stopped(); ++k) {
+        const auto block = blockThatMade(*moment.program, *moment.setup, moment.block,
+                                         place + Vec3(asides[k], 0), k == 0 ? context : context.quiet());
+        if (block)
+            return block;
     }
     return std::nullopt;
 }

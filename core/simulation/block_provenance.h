@@ -4,11 +4,11 @@
 
 #include <cstddef>
 #include <optional>
-#include <stop_token>
 
 #include "core/base/work_context.h"
 #include "core/cutting/provenance.h"
 #include "core/nc/program.h"
+#include "core/simulation/frame.h"
 #include "core/simulation/setup.h"
 
 namespace proveout {
@@ -27,6 +27,19 @@ namespace proveout {
 /// every motion near the place: some 10 ns a motion elsewhere. Any thread.
 [[nodiscard]] std::optional<std::size_t> blockThatMade(const Program& program, const Setup& setup,
                                                        std::size_t blocks, const Vec3& place,
-                                                       const std::stop_token& stop = {});
+                                                       const WorkContext& context = {});
+
+/// A point of the grid of a map.
+struct MapPoint {
+    int i = 0;
+    int j = 0;
+
+    friend bool operator==(const MapPoint&, const MapPoint&) = default;
+};
+
+/// The same of a point of the map of a moment, which may be a closer look at a part of the stock. Nothing
+/// also where the map is as high there as before the first block, whatever has passed along it.
+[[nodiscard]] std::optional<std::size_t> blockThatMade(const Frame& moment, const MapPoint& point,
+                                                       const WorkContext& context = {});
 
 } // namespace proveout

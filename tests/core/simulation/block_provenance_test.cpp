@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/block_provenance.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <stop_token>
 #include <vector>
@@ -80,13 +81,62 @@ TEST_F(BlockProvenance, NamesTheBlockThatMadeAPlace) {
     EXPECT_GT(asked, 20);
 }
 
+TEST_F(BlockProvenance, NamesTheBlockThatMadeAPointOfAMap) {
+    SCOPED_TRACE(m_seed);
+    const Frame moment = m_simulation->frame();
+    const Grid grid = moment.zmap.grid();
+    int cut = 0;
+    int uncut = 0;
+    for (int j = 0; j < grid.ny; j += 5) {
+        for (int i = 0; i < grid.nx; i += 5) {
+            const float height = moment.zmap.height(i, j);
+            const std::uint32_t mark = m_marks[static_cast<std::size_t>(j * grid.nx + i)];
+            const auto block = blockThatMade(moment, {i, j});
+            if (mark == Provenance::kUncut) {
+                EXPECT_FALSE(block) << i << "," << j;
+                ++uncut;
+            } else if (height < -0.01F) {
+                ASSERT_TRUE(block) << i << "," << j;
+                ++cut;
+                // That block leaves the height that there is, to what two exact cuts may differ by.
+                EXPECT_LE(*block, mark - 1);
+                m_simulation->seek(*block + 1);
+                EXPECT_LE(m_simulation->zmap().height(i, j), height + 0.003F) << i << "," << j;
+                m_simulation->seek(*block);
+                EXPECT_GT(m_simulation->zmap().height(i, j), height + 0.001F) << i << "," << j;
+            }
+        }
+    }
+    EXPECT_GT(cut, 50);
+    EXPECT_GT(uncut, 0);
+}
+
+TEST(BlockThatMade, NamesNoneOfThoseThatOnlyPassedAlongTheStock) {
+    const auto setup = setupWithTool(1, "flat:d=4,l=20");
+    // Along the top; then 2 mm deep with the rim on the points at Y13 and Y17.
+    const auto program =
+        programOf("G21 G90 T1 M6\nG0 X-5 Y5 Z5\nG1 Z0 F500\nX45\nG0 Z5\nX-5 Y15\nG1 Z-2\nX45\n");
+    const auto simulation = startedSimulation(program, setup, {});
+    simulation->seek(program->blockCount());
+    const Frame moment = simulation->frame();
+    const Grid& grid = moment.zmap.grid();
+    const auto madeAt = [&](double x, double y) {
+        return blockThatMade(moment, {static_cast<int>(std::lround((x - grid.x0) / grid.hx)),
+                                      static_cast<int>(std::lround((y - grid.y0) / grid.hy))});
+    };
+    EXPECT_FALSE(madeAt(20, 5));
+    EXPECT_FALSE(madeAt(20, 25));
+    for (const double y : {13., 15., 17.})
+        EXPECT_EQ(madeAt(20, y), program->blockCount() - 1) << y;
+}
+
 TEST_F(BlockProvenance, StopsWhereItIsTold) {
     std::stop_source source;
     source.request_stop();
     WorkContext context;
     context.stop = source.get_token();
     EXPECT_FALSE(blockProvenance(m_uncut, *m_program, *m_setup, m_program->blockCount(), context));
-    EXPECT_FALSE(blockThatMade(*m_program, *m_setup, m_program->blockCount(), {10, 10, -5}, context.stop));
+    EXPECT_FALSE(blockThatMade(*m_program, *m_setup, m_program->blockCount(), {10, 10, -5}, context));
 }
 
 } // namespace
