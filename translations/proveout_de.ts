@@ -59,6 +59,14 @@
         <source>Wheel</source>
         <translation>Rad</translation>
     </message>
+    <message>
+        <source>Go to the block that made this</source>
+        <translation>Zum Satz, der dies gefräst hat</translation>
+    </message>
+    <message>
+        <source>Ctrl and left button, or the menu of the right button</source>
+        <translation>Strg und linke Taste oder das Menü der rechten Taste</translation>
+    </message>
 </context>
 <context>
     <name>BreakpointsPanel</name>
@@ -4837,6 +4845,10 @@ Vorgabe: 0 mm</translation>
         <source>The box could not be cut: {}.</source>
         <translation>Der Ausschnitt ließ sich nicht fräsen: {}.</translation>
     </message>
+    <message>
+        <source>The block that made this place could not be found: {}.</source>
+        <translation>Der Satz, der diese Stelle gefräst hat, ließ sich nicht finden: {}.</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -5760,6 +5772,10 @@ Vorgabe: %4 %5</translation>
         <source>Opening the file</source>
         <translation>Datei wird geöffnet</translation>
     </message>
+    <message>
+        <source>Looking for the block</source>
+        <translation>Satz wird gesucht</translation>
+    </message>
 </context>
 <context>
     <name>SetupPanel</name>
@@ -5977,6 +5993,14 @@ Vorgabe: %4 %5</translation>
         <source>&amp;Pause</source>
         <translation>&amp;Pause</translation>
     </message>
+    <message>
+        <source>Ret&amp;urn from Jump</source>
+        <translation>Vom Sprung zu&amp;rückkehren</translation>
+    </message>
+    <message>
+        <source>Go back to where you were before you went to the block that made a place</source>
+        <translation>Dorthin zurückkehren, wo Sie vor dem Sprung zum Satz einer Stelle waren</translation>
+    </message>
 </context>
 <context>
     <name>StartPage</name>
@@ -6092,6 +6116,22 @@ Diese Datei ist nicht mehr da.</translation>
     <message>
         <source>F rapid</source>
         <translation>F Eilgang</translation>
+    </message>
+    <message>
+        <source>No stock at this place.</source>
+        <translation>An dieser Stelle ist kein Rohteil.</translation>
+    </message>
+    <message>
+        <source>Never cut: up to block %1 this is raw stock.</source>
+        <translation>Nie gefräst: bis Satz %1 ist dies unberührtes Rohteil.</translation>
+    </message>
+    <message>
+        <source>The program or its set-up has changed: ask again in a moment.</source>
+        <translation>Programm oder Einrichtung sind geändert: gleich noch einmal fragen.</translation>
+    </message>
+    <message>
+        <source>Cut by block %1: line %2, tool T%3.</source>
+        <translation>Gefräst von Satz %1: Zeile %2, Werkzeug T%3.</translation>
     </message>
 </context>
 <context>
@@ -6525,6 +6565,14 @@ Vorgabe: %3 mm</translation>
         <source>The box has more points along a side than the graphics driver can take; it is not drawn. A wider spacing or a smaller box brings it back.</source>
         <translation>Der Ausschnitt hat auf einer Seite mehr Punkte, als der Grafiktreiber fasst; er wird nicht gezeichnet. Eine größere Rasterweite oder ein kleinerer Ausschnitt bringt ihn zurück.</translation>
     </message>
+    <message>
+        <source>Click a place of the stock.</source>
+        <translation>Klicken Sie eine Stelle des Rohteils an.</translation>
+    </message>
+    <message>
+        <source>Ctrl+click</source>
+        <translation>Strg+Klick</translation>
+    </message>
 </context>
 <context>
     <name>ViewportCommands</name>
@@ -6671,6 +6719,14 @@ Vorgabe: %3 mm</translation>
     <message>
         <source>Cut a box of the stock on a much finer grid, and show it in place</source>
         <translation>Einen Ausschnitt des Rohteils auf einem viel feineren Raster fräsen und an Ort und Stelle zeigen</translation>
+    </message>
+    <message>
+        <source>Go to the Block That &amp;Made This</source>
+        <translation>Zu&amp;m Satz, der dies gefräst hat</translation>
+    </message>
+    <message>
+        <source>Click a place of the stock, and see the block that cut it</source>
+        <translation>Eine Stelle des Rohteils anklicken und den Satz sehen, der sie gefräst hat</translation>
     </message>
 </context>
 <context>

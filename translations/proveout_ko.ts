@@ -59,6 +59,14 @@
         <source>Wheel</source>
         <translation>휠</translation>
     </message>
+    <message>
+        <source>Go to the block that made this</source>
+        <translation>이곳을 가공한 블록으로 이동</translation>
+    </message>
+    <message>
+        <source>Ctrl and left button, or the menu of the right button</source>
+        <translation>Ctrl+왼쪽 버튼 또는 오른쪽 버튼 메뉴</translation>
+    </message>
 </context>
 <context>
     <name>BreakpointsPanel</name>
@@ -4837,6 +4845,10 @@ Default: 0 mm</source>
         <source>The box could not be cut: {}.</source>
         <translation>상자를 절삭하지 못했습니다: {}.</translation>
     </message>
+    <message>
+        <source>The block that made this place could not be found: {}.</source>
+        <translation>이곳을 가공한 블록을 찾지 못했습니다: {}.</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -5759,6 +5771,10 @@ Default: %4 %5</source>
         <source>Opening the file</source>
         <translation>파일 여는 중</translation>
     </message>
+    <message>
+        <source>Looking for the block</source>
+        <translation>블록을 찾는 중</translation>
+    </message>
 </context>
 <context>
     <name>SetupPanel</name>
@@ -5976,6 +5992,14 @@ Default: %4 %5</source>
         <source>&amp;Pause</source>
         <translation>일시 정지(&amp;P)</translation>
     </message>
+    <message>
+        <source>Ret&amp;urn from Jump</source>
+        <translation>이동 전으로 돌아가기(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Go back to where you were before you went to the block that made a place</source>
+        <translation>어떤 곳을 가공한 블록으로 이동하기 전의 위치로 돌아갑니다</translation>
+    </message>
 </context>
 <context>
     <name>StartPage</name>
@@ -6091,6 +6115,22 @@ This file is no longer there.</source>
     <message>
         <source>F rapid</source>
         <translation>F 급속</translation>
+    </message>
+    <message>
+        <source>No stock at this place.</source>
+        <translation>이 위치에는 소재가 없습니다.</translation>
+    </message>
+    <message>
+        <source>Never cut: up to block %1 this is raw stock.</source>
+        <translation>절삭된 적 없음: 블록 %1까지 원소재 그대로입니다.</translation>
+    </message>
+    <message>
+        <source>The program or its set-up has changed: ask again in a moment.</source>
+        <translation>프로그램이나 셋업이 바뀌었습니다. 잠시 후 다시 물어보세요.</translation>
+    </message>
+    <message>
+        <source>Cut by block %1: line %2, tool T%3.</source>
+        <translation>블록 %1에서 절삭: %2행, 공구 T%3.</translation>
     </message>
 </context>
 <context>
@@ -6524,6 +6564,14 @@ Default: %3 mm</source>
         <source>The box has more points along a side than the graphics driver can take; it is not drawn. A wider spacing or a smaller box brings it back.</source>
         <translation>상자 한 변의 점이 그래픽 드라이버가 다룰 수 있는 수보다 많아 그리지 않습니다. 격자 간격을 넓히거나 상자를 줄이면 다시 나타납니다.</translation>
     </message>
+    <message>
+        <source>Click a place of the stock.</source>
+        <translation>소재의 한 곳을 클릭하세요.</translation>
+    </message>
+    <message>
+        <source>Ctrl+click</source>
+        <translation>Ctrl+클릭</translation>
+    </message>
 </context>
 <context>
     <name>ViewportCommands</name>
@@ -6670,6 +6718,14 @@ Default: %3 mm</source>
     <message>
         <source>Cut a box of the stock on a much finer grid, and show it in place</source>
         <translation>소재의 한 상자를 훨씬 촘촘한 격자로 절삭하여 제자리에 보여 줍니다</translation>
+    </message>
+    <message>
+        <source>Go to the Block That &amp;Made This</source>
+        <translation>이곳을 가공한 블록으로 이동(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Click a place of the stock, and see the block that cut it</source>
+        <translation>소재의 한 곳을 클릭하면 그곳을 절삭한 블록을 봅니다</translation>
     </message>
 </context>
 <context>

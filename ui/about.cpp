@@ -76,6 +76,8 @@ void showShortcutList(QWidget& window, const QMenuBar& menus) {
     addMouse(translated(QT_TRANSLATE_NOOP("About", "Pan")),
              translated(QT_TRANSLATE_NOOP("About", "Middle button, or Shift and left button")));
     addMouse(translated(QT_TRANSLATE_NOOP("About", "Zoom")), translated(QT_TRANSLATE_NOOP("About", "Wheel")));
+    addMouse(translated(QT_TRANSLATE_NOOP("About", "Go to the block that made this")),
+             translated(QT_TRANSLATE_NOOP("About", "Ctrl and left button, or the menu of the right button")));
     mouse->setExpanded(true);
     list->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     auto* layout = new QVBoxLayout(dialog);

@@ -45,8 +45,16 @@ const QString kViewGroup = QStringLiteral("view");
 constexpr QSize kFirstSize{1280, 800};
 constexpr int kToolBarIcon = 20;
 constexpr int kTuningWidth = 310;
-constexpr int kMessageTime = 8000;       // ms
-constexpr std::size_t kProblemsDock = 4; // in the order of docks()
+constexpr int kMessageTime = 8000; // ms
+// In the order of docks().
+constexpr std::size_t kProgramDock = 0;
+constexpr std::size_t kTuningDock = 2;
+constexpr std::size_t kProblemsDock = 4;
+
+void bringForward(QDockWidget& dock) {
+    dock.show();
+    dock.raise();
+}
 
 } // namespace
 
@@ -70,6 +78,10 @@ MainWindow::MainWindow(Session& session, Appearance& appearance)
     connect(&session, &Session::textReplaced, this, &MainWindow::showDocument);
     connect(&session, &Session::problemsChanged, this, &MainWindow::titleDocks);
     connect(&session, &Session::troubled, this, &MainWindow::showProblems);
+    connect(&session, &Session::placeTold, this, [this](const PlaceAnswer& answer) {
+        if (answer.kind == PlaceAnswer::Kind::cut)
+            bringForward(*m_docks[kProgramDock]); // with the line of the block
+    });
     connect(m_startPage, &StartPage::openWanted, m_files, &FileFlow::openByDialog);
     connect(m_startPage, &StartPage::newWanted, m_files, &FileFlow::newFile);
     connect(m_startPage, &StartPage::fileWanted, m_files, &FileFlow::open);
@@ -180,9 +192,7 @@ void MainWindow::titleDocks() {
 }
 
 void MainWindow::showProblems() {
-    QDockWidget* dock = m_docks[kProblemsDock];
-    dock->show();
-    dock->raise();
+    bringForward(*m_docks[kProblemsDock]);
     if (!m_session.problems().empty())
         statusBar()->showMessage(sentence(m_session.problems().front()), kMessageTime);
 }
@@ -225,10 +235,8 @@ void MainWindow::showStartPage() {
 }
 
 void MainWindow::showTuning() {
-    QDockWidget* dock = m_docks[2];
-    dock->show();
-    dock->raise();
-    dock->widget()->setFocus();
+    bringForward(*m_docks[kTuningDock]);
+    m_docks[kTuningDock]->widget()->setFocus();
 }
 
 void MainWindow::showAbout() {

@@ -18,7 +18,7 @@ void changeSpeed(Session& session, int direction) {
                      session.playback().everyBlock);
 }
 
-const std::array<Command<Session>, 15> kCommands{{
+const std::array<Command<Session>, 16> kCommands{{
     {"play", QT_TRANSLATE_NOOP("SimulateCommands", "&Play"),
      QT_TRANSLATE_NOOP("SimulateCommands", "Play or pause the program"), "play", "Space", Reach::window,
      [](Session& session) { session.togglePlay(); }},
@@ -61,6 +61,10 @@ const std::array<Command<Session>, 15> kCommands{{
     {"next-tool-change", QT_TRANSLATE_NOOP("SimulateCommands", "Next T&ool Change"),
      QT_TRANSLATE_NOOP("SimulateCommands", "Go on to the next tool change"), "", "Ctrl+Right", Reach::focus,
      [](Session& session) { session.stepToToolChange(1); }},
+    {"jump-back", QT_TRANSLATE_NOOP("SimulateCommands", "Ret&urn from Jump"),
+     QT_TRANSLATE_NOOP("SimulateCommands",
+                       "Go back to where you were before you went to the block that made a place"),
+     "", "Backspace", Reach::focus, [](Session& session) { session.returnFromJump(); }},
     separator<Session>(),
     {"slower", QT_TRANSLATE_NOOP("SimulateCommands", "S&lower"),
      QT_TRANSLATE_NOOP("SimulateCommands", "Play slower"), "slower", "-", Reach::focus,
@@ -94,6 +98,7 @@ void PlaybackCommands::update() {
     const bool moves = m_session.blockCount() > 0;
     for (QAction* action : m_actions.all())
         action->setEnabled(moves);
+    m_actions.find("jump-back")->setEnabled(moves && m_session.canReturn());
 }
 
 const std::array<double, kSpeedCount>& speeds() {

@@ -49,6 +49,9 @@ Session::Session(QObject* parent) : QObject(parent) {
         m_begun = false; // no more comes
         tell(errors);
     });
+    connect(&m_search, &BlockSearch::progressed, this, &Session::showWork);
+    connect(&m_search, &BlockSearch::answered, this, &Session::goTo);
+    connect(&m_search, &BlockSearch::failed, this, &Session::tell);
     connect(&m_export, &ExportJob::progressed, this, [this](double done) {
         if (m_exported)
             m_exported = done;
@@ -81,6 +84,8 @@ bool Session::isInText(const Diagnostic& problem) {
 
 void Session::interpret() {
     m_editPause.stop();
+    m_search.cancel();
+    m_isRead = false;
     InterpretOptions options = interpretOptions(setup(), document().path);
     options.file.clear(); // messages without a file are about the text in the editor
     if (m_job.wantsStock())
@@ -94,6 +99,8 @@ void Session::interpret() {
 void Session::adoptProgram(const std::shared_ptr<const Program>& program, const CuttingExtent& cutting,
                            bool whole) {
     const bool more = std::exchange(m_begun, !whole);
+    m_search.cancel();
+    m_isRead = true;
     m_program = program;
     m_cutting = cutting;
     if (m_job.wantsStock()) {
@@ -101,6 +108,8 @@ void Session::adoptProgram(const std::shared_ptr<const Program>& program, const 
         if (whole && program->asksForStock())
             return interpret(); // now there is a stock to probe
     }
+    if (!more)
+        forgetJumps();
     askForTimes();
     simulate(more);
     emit programChanged();
@@ -137,6 +146,7 @@ void Session::continueWithMore() {
 void Session::load() {
     if (!m_program)
         return;
+    m_search.cancel();
     m_simulationErrors.clear();
     m_loadedSetup = m_job.setup();
     m_frameLog.clear();
@@ -278,6 +288,8 @@ void Session::cancelWork() {
         return m_reader.cancel();
     if (m_interpreted)
         return m_source.stop();
+    if (m_search.done())
+        return m_search.cancel();
     m_simulation->cancel();
     stopPlaying();
 }
@@ -290,6 +302,8 @@ void Session::showWork() {
         work = {tr("Opening the file"), *m_reader.progress()};
     else if (m_interpreted)
         work = {tr("Reading the program"), *m_interpreted};
+    else if (m_search.done())
+        work = {tr("Looking for the block"), *m_search.done()};
     else if (m_simulated)
         work = {tr("Simulating"), *m_simulated};
     if (work == m_work)

@@ -24,6 +24,7 @@
 #include "core/simulation/setup.h"
 #include "core/simulation/simulation_thread.h"
 #include "core/simulation/statistics.h"
+#include "ui/block_search.h"
 #include "ui/document_reader.h"
 #include "ui/export_job.h"
 #include "ui/file_watch.h"
@@ -158,6 +159,13 @@ public:
     void seek(std::size_t block);         ///< goes on playing where it played
     void stepToToolChange(int direction); ///< -1: the previous one, +1: the next one; pauses
     void seekToLine(std::uint32_t line);  ///< the state after source line `line`, 1-based
+    /// Looks in the background for the block that made a place, and goes there (placeTold()): its line is
+    /// asked to be seen, and it is the last block that is cut. Pauses. Whatever else moves the play head, or
+    /// changes the program or its set-up, makes the question void.
+    void goToBlockThatMade(const PickedPlace& place);
+    /// To where the play head was before it went there the last time.
+    void returnFromJump();
+    [[nodiscard]] bool canReturn() const { return !m_leftBlocks.empty(); }
     void setSpeed(double unitsPerSecond, bool everyBlock = false);
     void setPlayBy(PlayBy by); ///< at the same multiple of its unit speed
     void setMachine(const Machine& machine);
@@ -195,7 +203,7 @@ signals:
     void programChanged();
     void setupChanged();
     void parametersChanged();
-    void playbackChanged();
+    void playbackChanged(); ///< canReturn() too
     void machineChanged();
     void timesChanged();
     void breakpointsChanged();
@@ -212,6 +220,8 @@ signals:
     void fileWritten();
     /// Someone asks to see a source line (1-based): the editor goes there.
     void lineRequested(std::uint32_t line, int column);
+    /// The answer to goToBlockThatMade().
+    void placeTold(const PlaceAnswer& answer);
     /// The one coalesced repaint: the newest frame, null where there is none. At most 30 times a second, less
     /// often where painting takes long.
     void tick(const FramePtr& frame);
@@ -238,6 +248,9 @@ private:
     void onTick();
     void stopPlaying();
     void restartHoldBack();
+    void goTo(const PlaceAnswer& answer);
+    [[nodiscard]] bool isPresent(const Frame& moment) const;
+    void forgetJumps();
     void postPlay();
     void postStops();
     void askForTimes();
@@ -267,7 +280,8 @@ private:
     Diagnostics m_messages;         ///< about files and jobs
     Diagnostics m_simulationErrors; ///< of the last load
     Diagnostics m_problems;
-    bool m_begun = false; ///< the program is only its beginning
+    bool m_begun = false;  ///< the program is only its beginning
+    bool m_isRead = false; ///< m_program is that of the text and the set-up
     std::optional<Work> m_work;
     // How far what may be told by it is, in [0, 1]; empty where it is not under way.
     std::optional<double> m_exported;
@@ -282,6 +296,8 @@ private:
     ExportJob m_export;
     ProgramSource m_source;
     NewestTask m_timing;
+    BlockSearch m_search;
+    std::vector<std::size_t> m_leftBlocks;          ///< where goToBlockThatMade() has led away from
     std::unique_ptr<SimulationThread> m_simulation; ///< last: its thread ends before what it posts to
 };
 

@@ -39,6 +39,7 @@ void Session::adopt(JobDocument job) {
     m_times.reset();
     m_timing.cancel();
     m_begun = false;
+    forgetJumps();
     m_loadedSetup.reset();
     ++m_generation;
     m_frame.reset();
@@ -138,6 +139,8 @@ void Session::watchedFileChanged() {
 
 void Session::applyEdit(std::size_t offset, std::size_t removed, std::string_view inserted) {
     stopOpening();
+    m_search.cancel();
+    m_isRead = false;
     m_job.edit(offset, removed, inserted);
     m_editPause.start();
 }

@@ -14,7 +14,8 @@ void Session::play() {
     if (!m_program || m_playback.playing)
         return;
     if (!m_loadedSetup)
-        load();  // it failed; where it does so again the reason is told again
+        load(); // it failed; where it does so again the reason is told again
+    m_search.cancel();
     takeFrame(); // an older frame must not look like the end of what starts now
     if (block() == blockCount())
         m_simulation->post(SeekCommand{0});
@@ -39,12 +40,14 @@ void Session::togglePlay() {
 }
 
 void Session::step(std::ptrdiff_t blocks) {
+    m_search.cancel();
     // The command pauses by itself; a PauseCommand before it would drop the steps that are still under way.
     m_simulation->post(StepCommand{blocks});
     stopPlaying();
 }
 
 void Session::seek(std::size_t block) {
+    m_search.cancel();
     m_simulation->post(SeekCommand{std::min(block, blockCount())});
     if (m_playback.playing)
         postPlay();
@@ -125,6 +128,55 @@ void Session::askForTimes() {
                 // Playback goes by blocks, and no time is shown: the program can still be looked at.
             }
         });
+}
+
+// From a place of the stock to its block, and back.
+
+void Session::goToBlockThatMade(const PickedPlace& place) {
+    using Kind = PlaceAnswer::Kind;
+    m_search.cancel();
+    if (place.moment == nullptr)
+        emit placeTold({Kind::noStock, block()});
+    else if (!isPresent(*place.moment))
+        emit placeTold({Kind::outdated, block()});
+    else if (!place.point)
+        emit placeTold({Kind::neverCut, place.moment->block});
+    else {
+        pause();
+        m_search.ask(place.moment, *place.point);
+    }
+}
+
+/// A pending edit has moved the lines already.
+bool Session::isPresent(const Frame& moment) const {
+    return m_isRead && moment.program == m_program && moment.setup == m_loadedSetup;
+}
+
+void Session::goTo(const PlaceAnswer& answer) {
+    if (answer.kind == PlaceAnswer::Kind::cut) {
+        if (block() != answer.block) {
+            m_leftBlocks.push_back(block());
+            emit playbackChanged();
+        }
+        seek(answer.block);
+        emit lineRequested(answer.line, 1);
+    }
+    emit placeTold(answer);
+}
+
+void Session::returnFromJump() {
+    if (m_leftBlocks.empty())
+        return;
+    const std::size_t block = m_leftBlocks.back();
+    m_leftBlocks.pop_back();
+    pause();
+    seek(block);
+    emit playbackChanged();
+}
+
+void Session::forgetJumps() {
+    if (!std::exchange(m_leftBlocks, {}).empty())
+        emit playbackChanged();
 }
 
 // Breakpoints and checkpoints.

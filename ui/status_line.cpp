@@ -19,6 +19,7 @@ namespace {
 
 constexpr int kProgressWidth = 140;
 constexpr int kProgressSteps = 100;
+constexpr int kAnswerTime = 15'000;        // ms
 constexpr int kMargin = 6;                 // px
 constexpr double kFarPosition = -8888.888; // mm, as wide as any within it
 const QString kWideWord = QStringLiteral("88888");
@@ -67,6 +68,7 @@ StatusLine::StatusLine(Session& session, QStatusBar& bar)
         m_bar.setToolTip(text + QLatin1Char('\n') + exportDetails(summary, m_bar.locale()));
     });
     connect(&session, &Session::stoppedAt, this, &StatusLine::tellStop);
+    connect(&session, &Session::placeTold, this, &StatusLine::tellPlace);
     retranslate();
 }
 
@@ -76,6 +78,26 @@ void StatusLine::tellStop(const BreakpointHit& hit) {
     reason.text = rowOf(hit.breakpoint.kind).reason;
     reason.arguments = {valueText(hit.breakpoint)};
     m_bar.showMessage(sentence(reason));
+}
+
+void StatusLine::tellPlace(const PlaceAnswer& answer) {
+    const QString block = m_bar.locale().toString(static_cast<qulonglong>(answer.block));
+    const QString text = [&]() -> QString {
+        switch (answer.kind) {
+        case PlaceAnswer::Kind::noStock:
+            return tr("No stock at this place.");
+        case PlaceAnswer::Kind::neverCut:
+            return tr("Never cut: up to block %1 this is raw stock.").arg(block);
+        case PlaceAnswer::Kind::outdated:
+            return tr("The program or its set-up has changed: ask again in a moment.");
+        case PlaceAnswer::Kind::cut:
+            return tr("Cut by block %1: line %2, tool T%3.")
+                .arg(block, QString::number(answer.line), QString::number(answer.tool));
+        }
+        return {};
+    }();
+    m_bar.showMessage(text, kAnswerTime);
+    m_bar.setToolTip(text); // a narrow window cuts the message off
 }
 
 void StatusLine::retranslate() {

@@ -31,6 +31,7 @@ private:
     void showFrame(const FramePtr& frame);
     void showWork();
     void tellStop(const BreakpointHit& hit);
+    void tellPlace(const PlaceAnswer& answer);
     /// Makes each field as wide as the widest text that it will show for this program and stock.
     void fitFields();
     void set(Field field, const QString& text);

@@ -156,6 +156,49 @@ std::optional<Vec3> pickStock(const ZMapSnapshot& zmap, const Ray& ray) {
     return ray.origin + ray.direction * *t;
 }
 
+std::optional<MapPoint> mapPointAt(const ZMapSnapshot& zmap, const Vec3& place) {
+    constexpr double kLevel = 1e-6; // mm, of rounding
+    const Grid& grid = zmap.grid();
+    const int i0 = std::clamp(static_cast<int>(std::floor((place.x - grid.x0) / grid.hx)), 0, grid.nx - 2);
+    const int j0 = std::clamp(static_cast<int>(std::floor((place.y - grid.y0) / grid.hy)), 0, grid.ny - 2);
+    std::optional<MapPoint> nearest;
+    double least = std::numeric_limits<double>::infinity();
+    for (const MapPoint corner :
+         {MapPoint{i0, j0}, MapPoint{i0 + 1, j0}, MapPoint{i0, j0 + 1}, MapPoint{i0 + 1, j0 + 1}}) {
+        const double z = zmap.stock().topZ() + double{zmap.height(corner.i, corner.j)};
+        const double distance = std::hypot(grid.x(corner.i) - place.x, grid.y(corner.j) - place.y);
+        if (z <= place.z + kLevel && distance < least) {
+            nearest = corner;
+            least = distance;
+        }
+    }
+    return nearest;
+}
+
+namespace {
+
+bool isOver(const StockBox& box, const Vec3& place) {
+    return place.x >= box.corner.x && place.x <= box.corner.x + box.width && place.y >= box.corner.y &&
+           place.y <= box.corner.y + box.depth;
+}
+
+} // namespace
+
+PickedPlace pickPlace(const FramePtr& whole, const FramePtr& closer, const Ray& ray) {
+    if (whole == nullptr)
+        return {};
+    const auto hit = pickStock(whole->zmap, ray);
+    if (closer != nullptr) {
+        const auto fine = pickStock(closer->zmap, ray);
+        const auto point = fine ? mapPointAt(closer->zmap, *fine) : std::nullopt;
+        const bool hidden = hit && fine && !isOver(closer->zmap.stock(), *hit) &&
+                            glm::distance(ray.origin, *hit) < glm::distance(ray.origin, *fine);
+        if (point && !hidden)
+            return {closer, point};
+    }
+    return hit ? PickedPlace{whole, mapPointAt(whole->zmap, *hit)} : PickedPlace();
+}
+
 bool isInStock(const ZMapSnapshot& zmap, const Vec3& point) {
     if (zmap.tileCount() == 0)
         return false;

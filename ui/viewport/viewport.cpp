@@ -6,13 +6,10 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
-#include <QKeyEvent>
-#include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QOpenGLFramebufferObject>
 #include <QOpenGLPaintDevice>
 #include <QPainter>
-#include <QWheelEvent>
 
 #include "ui/theme.h"
 #include "ui/viewport/closer_look_form.h"
@@ -23,10 +20,8 @@
 namespace proveout {
 namespace {
 
-constexpr double kZoomPerStep = 0.85;         ///< of a wheel, 120 units of angle
 constexpr double kFewestCellsShown = 4;       ///< of the grid, across the picture's height
 constexpr double kSmallestShareOfView = 0.05; ///< of the stock in the picture's height
-constexpr double kKeyOrbitPixels = 40;
 constexpr int kRestMilliseconds = 250;
 /// A smoothed picture in software takes about this many times as long as a plain one …
 constexpr double kSmoothCost = 4;
@@ -347,20 +342,18 @@ void Viewport::toggleCloserLook() {
     }
     if (m_frame == nullptr || m_frame->zmap.tileCount() == 0)
         return followOptions();
-    m_choosing = true;
-    setCursor(Qt::CrossCursor);
+    choose(Choosing::box);
     m_form->show();
     followLook();
 }
 
 bool Viewport::looksCloser() const {
-    return m_choosing || m_look.box().has_value();
+    return m_choosing == Choosing::box || m_look.box().has_value();
 }
 
 void Viewport::closeLook() {
-    m_choosing = false;
+    choose(Choosing::nothing);
     m_choice.reset();
-    unsetCursor();
     const QWidget* focus = QApplication::focusWidget();
     if (focus != nullptr && m_form->isAncestorOf(focus))
         setFocus();
@@ -396,85 +389,12 @@ void Viewport::beginChoice(const QPointF& position) {
     repaintSoon();
 }
 
-// --- the user's gestures
-
-Vec3 Viewport::under(const QPointF& position) const {
-    const QPointF pixel = position * devicePixelRatioF();
-    if (m_frame != nullptr)
-        if (const auto hit = pickStock(m_frame->zmap, m_camera.ray(pixel.x(), pixel.y())))
-            return *hit;
-    return m_camera.atTargetDepth(pixel.x(), pixel.y());
-}
-
-void Viewport::mousePressEvent(QMouseEvent* event) {
-    if (m_choosing && m_frame != nullptr && event->button() == Qt::LeftButton &&
-        event->modifiers() == Qt::NoModifier) {
-        beginChoice(event->position());
-        return;
-    }
-    m_gesture = gestureFor(event->button(), event->modifiers());
-    m_last = event->position();
-}
-
-void Viewport::mouseMoveEvent(QMouseEvent* event) {
-    if (m_choice) {
-        const QPointF pixel = event->position() * devicePixelRatioF();
-        m_choice->dragTo({pixel.x(), pixel.y()}, m_camera.ray(pixel.x(), pixel.y()));
-        repaintSoon();
-        return;
-    }
-    if (m_gesture == Gesture::none)
-        return;
-    const QPointF drag = (event->position() - m_last) * devicePixelRatioF();
-    m_last = event->position();
-    if (m_gesture == Gesture::orbit)
-        m_camera.orbit(drag.x(), drag.y());
+void Viewport::choose(Choosing what) {
+    m_choosing = what;
+    if (what == Choosing::nothing)
+        unsetCursor();
     else
-        m_camera.pan(drag.x(), drag.y());
-    moved();
-}
-
-void Viewport::mouseReleaseEvent(QMouseEvent* event) {
-    m_gesture = Gesture::none;
-    if (!m_choice || event->button() != Qt::LeftButton)
-        return;
-    const BoxOfInterest box{m_choice->box(m_frame->zmap.stock(), m_form->size()), m_form->spacing()};
-    m_choice.reset();
-    m_choosing = false;
-    unsetCursor();
-    m_look.look(box);
-}
-
-void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (event->button() != Qt::MiddleButton)
-        return;
-    m_camera.setTarget(under(event->position()));
-    moved();
-}
-
-void Viewport::wheelEvent(QWheelEvent* event) {
-    const double steps = event->angleDelta().y() / double{QWheelEvent::DefaultDeltasPerStep};
-    if (steps != 0) {
-        m_camera.zoom(std::pow(kZoomPerStep, steps), under(event->position()));
-        moved();
-    }
-    event->accept();
-}
-
-void Viewport::keyPressEvent(QKeyEvent* event) {
-    if (event->key() == Qt::Key_Escape && looksCloser()) {
-        closeLook();
-        return;
-    }
-    const bool turn = (event->modifiers() & Qt::AltModifier) != 0;
-    const double dx = (event->key() == Qt::Key_Right) - (event->key() == Qt::Key_Left);
-    const double dy = (event->key() == Qt::Key_Down) - (event->key() == Qt::Key_Up);
-    if (!turn || (dx == 0 && dy == 0)) {
-        QOpenGLWidget::keyPressEvent(event);
-        return;
-    }
-    m_camera.orbit(dx * kKeyOrbitPixels, dy * kKeyOrbitPixels);
-    moved();
+        setCursor(Qt::CrossCursor);
 }
 
 void Viewport::changeEvent(QEvent* event) {

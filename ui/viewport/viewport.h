@@ -50,6 +50,8 @@ public:
     void fit();
     /// Lets the user choose a box of interest, or closes the one that there is.
     void toggleCloserLook();
+    /// Lets the user click a place of the stock to go to the block that made it, or no longer.
+    void toggleBlockSearch();
     /// A choice is asked for, or a box is there.
     [[nodiscard]] bool looksCloser() const;
     [[nodiscard]] CloserLook& closerLook() { return m_look; }
@@ -69,8 +71,12 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void changeEvent(QEvent* event) override;
+    void contextMenuEvent(QContextMenuEvent* event) override;
 
 private:
+    /// What the next click or drag chooses.
+    enum class Choosing : std::uint8_t { nothing, box, place };
+
     void setFrame(const FramePtr& frame);
     void releaseGl();
     void followPalette();
@@ -91,6 +97,11 @@ private:
     void followLook();
     void placeForm();
     void beginChoice(const QPointF& position);
+    void choose(Choosing what);
+    [[nodiscard]] bool isClick(const QMouseEvent& event) const;
+    void clicked(Qt::MouseButton button, const QPointF& position);
+    void askWhatMade(const QPointF& position);
+    void openMenu(const QPointF& position);
 
     Session& m_session;
     GlSupport m_support;
@@ -105,11 +116,12 @@ private:
     CloserLook m_look;
     CloserLookForm* m_form;
     bool m_boxFits = true;
-    bool m_choosing = false;           ///< the next drag chooses a box
+    Choosing m_choosing = Choosing::nothing;
     std::optional<BoxChoice> m_choice; ///< while it is drawn
 
     Gesture m_gesture = Gesture::none;
     QPointF m_last;
+    std::optional<QPointF> m_pressed; ///< where a click has begun that has not become a drag
 
     std::unique_ptr<SceneRenderer> m_renderer;
     std::unique_ptr<QOpenGLFramebufferObject> m_smoothTarget;

@@ -34,7 +34,7 @@ void choose(Viewport& viewport) {
 
 constexpr auto kFocus = Reach::focus;
 
-const std::array<Command<Viewport>, 22> kCommands{{
+const std::array<Command<Viewport>, 23> kCommands{{
     {"view-fit", QT_TRANSLATE_NOOP("ViewportCommands", "&Fit"),
      QT_TRANSLATE_NOOP("ViewportCommands", "Show the whole stock"), "fit", "F", kFocus,
      [](Viewport& viewport) { viewport.fit(); }},
@@ -72,6 +72,9 @@ const std::array<Command<Viewport>, 22> kCommands{{
      QT_TRANSLATE_NOOP("ViewportCommands",
                        "Cut a box of the stock on a much finer grid, and show it in place"),
      "", "B", kFocus, [](Viewport& viewport) { viewport.toggleCloserLook(); }},
+    {"go-to-block", QT_TRANSLATE_NOOP("ViewportCommands", "Go to the Block That &Made This"),
+     QT_TRANSLATE_NOOP("ViewportCommands", "Click a place of the stock, and see the block that cut it"), "",
+     "G", kFocus, [](Viewport& viewport) { viewport.toggleBlockSearch(); }},
     separator<Viewport>(),
     {"path-none", QT_TRANSLATE_NOOP("ViewportCommands", "Hide Toolpat&h"),
      QT_TRANSLATE_NOOP("ViewportCommands", "Draw no toolpath"), "", "", kFocus,

@@ -60,6 +60,9 @@ private slots:
     void hitsWhatAMarchOfSmallStepsHits();
     void missesBesideTheStock();
     void seesThroughHoles();
+    void aPlaceStandsForTheFootOfItsWall();
+    void theOutsideOfTheStockIsNoPointOfTheMap();
+    void aCloserLookIsMetInThePlaceOfTheStock();
 };
 
 void SurfacePickTest::hitsWhatAMarchOfSmallStepsHits() {
@@ -109,6 +112,55 @@ void SurfacePickTest::seesThroughHoles() {
     QVERIFY(!pickStock(frame->zmap, {{10, 10, 50}, {0, 0, -1}}));
     QVERIFY(!pickStock(frame->zmap, {{10, 10, -50}, {0, 0, 1}}));
     QVERIFY(pickStock(frame->zmap, {{3, 3, -50}, {0, 0, 1}}));
+}
+
+void SurfacePickTest::aPlaceStandsForTheFootOfItsWall() {
+    FrameBuilder builder({{0, 0, 0}, 20, 20, 10}, 1);
+    builder.cutAll([](double x, double) { return x < 9.5 ? 0.0 : -6.0; });
+    const ZMapSnapshot zmap = builder.frame()->zmap;
+    for (const double height : {-0.01, -1., -3., -5.99}) {
+        const auto wall = pickStock(zmap, {{30, 7.2, height}, {-1, 0, 0}});
+        QVERIFY(wall && wall->x > 9 && wall->x < 10);
+        QCOMPARE(mapPointAt(zmap, *wall), (std::optional<MapPoint>({10, 7})));
+    }
+    // On the level, the nearest.
+    QCOMPARE(mapPointAt(zmap, {14.6, 3.4, -6}), (std::optional<MapPoint>({15, 3})));
+    QCOMPARE(mapPointAt(zmap, {20, 20, -6}), (std::optional<MapPoint>({20, 20})));
+}
+
+void SurfacePickTest::theOutsideOfTheStockIsNoPointOfTheMap() {
+    const FramePtr frame = FrameBuilder({{0, 0, 0}, 20, 20, 10}, 1).frame();
+    for (const Ray& ray : {Ray{{10, -5, -4}, {0, 1, 0}}, Ray{{10, 10, -50}, {0, 0, 1}}}) {
+        const PickedPlace place = pickPlace(frame, nullptr, ray);
+        QVERIFY(place.moment == frame && !place.point);
+    }
+    QVERIFY(pickPlace(frame, nullptr, {{30, 10, 50}, {0, 0, -1}}).moment == nullptr);
+    QVERIFY(pickPlace(nullptr, nullptr, {{10, 10, 50}, {0, 0, -1}}).moment == nullptr);
+}
+
+void SurfacePickTest::aCloserLookIsMetInThePlaceOfTheStock() {
+    // A ridge beside the box; in the box the fine map lies a little higher or lower.
+    const auto height = [](double x, double) { return x < 8 ? 0.0 : -6.0; };
+    FrameBuilder builder({{0, 0, 0}, 20, 20, 10}, 1);
+    builder.cutAll(height);
+    const FramePtr whole = builder.frame();
+    for (const double off : {-0.05, 0.05}) {
+        FrameBuilder part({{10, 5, 0}, 5, 5, 10}, 0.1);
+        part.cutAll([&](double x, double y) { return height(x, y) + off; });
+        const FramePtr closer = part.frame();
+        const auto at = [&](const Vec3& eye, const Vec3& target) {
+            return pickPlace(whole, closer, {eye, glm::normalize(target - eye)});
+        };
+        const PickedPlace inside = at({12.04, 7.31, 40}, {12.04, 7.31, 0});
+        QVERIFY(inside.moment == closer);
+        QCOMPARE(inside.point, (std::optional<MapPoint>({20, 23})));
+        const PickedPlace beside = at({17.2, 7.3, 40}, {17.2, 7.3, 0});
+        QVERIFY(beside.moment == whole);
+        QCOMPARE(beside.point, (std::optional<MapPoint>({17, 7})));
+        // The ridge stands before the box.
+        QVERIFY(at({-20, 7.3, 0}, {12, 7.3, -6}).moment == whole);
+        QVERIFY(at({40, 7.3, 10}, {12, 7.3, -6}).moment == closer);
+    }
 }
 
 QTEST_APPLESS_MAIN(SurfacePickTest)

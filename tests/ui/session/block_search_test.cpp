@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From a place of the stock to its block: the newest question, of the present moment, and the way back.
+#include <atomic>
+#include <chrono>
+#include <memory>
+#include <stdexcept>
+#include <thread>
+#include <vector>
+
+#include <QTest>
+
+#include "core/simulation/simulation.h"
+#include "tests/ui/opened.h"
+#include "ui/block_search.h"
+#include "ui/session.h"
+
+namespace proveout {
+namespace {
+
+constexpr int kPatience = 30'000; // ms
+const QString kSample = QStringLiteral(PROVEOUT_SOURCE_DIR "/resources/samples/core-insert.proveout");
+
+/// Lets what is under way come to an end that the event loop has not heard of yet.
+void letItFinishUnheard() {
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+}
+
+/// The block, from 1, that lowered each of the points last, and noticeably, of all that are executed; 0 where
+/// none did. By looking at the map after each block.
+std::vector<std::size_t> lastCuts(const Frame& moment, const std::vector<MapPoint>& points) {
+    DecimationParameters undecimated;
+    undecimated.method = DecimationMethod::none;
+    const auto simulation = std::move(Simulation::create(moment.program, moment.setup, undecimated).value());
+    std::vector<std::size_t> blocks(points.size(), 0);
+    std::vector<float> heights(points.size(), 0);
+    while (simulation->position() < moment.block) {
+        simulation->step();
+        const ZMapSnapshot zmap = simulation->zmap();
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            const float height = zmap.height(points[k].i, points[k].j);
+            if (height < heights[k] - 0.002F)
+                blocks[k] = simulation->position();
+            heights[k] = height;
+        }
+    }
+    return blocks;
+}
+
+/// The answers of a session, and the lines that it asked to be seen.
+struct Told {
+    explicit Told(Session& session) {
+        QObject::connect(&session, &Session::placeTold, &session,
+                         [this](const PlaceAnswer& answer) { answers.push_back(answer); });
+        QObject::connect(&session, &Session::lineRequested, &session,
+                         [this](std::uint32_t line, int) { lines.push_back(line); });
+    }
+    std::vector<PlaceAnswer> answers;
+    std::vector<std::uint32_t> lines;
+};
+
+} // namespace
+
+class BlockSearchTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theNewestQuestionCounts() {
+        const FramePtr moment = openedAt(100)->frame();
+        std::atomic<int> stopped = 0;
+        BlockSearch search(nullptr, [&](const Frame&, const MapPoint& point, const WorkContext& context) {
+            while (point.i == 0 && !context.stopped())
+                std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            stopped += context.stopped() ? 1 : 0;
+            return std::optional(static_cast<std::size_t>(point.i));
+        });
+        std::vector<std::size_t> blocks;
+        connect(&search, &BlockSearch::answered, this,
+                [&](const PlaceAnswer& answer) { blocks.push_back(answer.block); });
+        search.ask(moment, {7, 0});
+        letItFinishUnheard();
+        search.ask(moment, {0, 0});
+        QTest::qWait(50);
+        search.ask(moment, {3, 0});
+        QTRY_VERIFY_WITH_TIMEOUT(!blocks.empty(), kPatience);
+        QTest::qWait(50);
+        QCOMPARE(blocks, std::vector<std::size_t>{4});
+        QCOMPARE(stopped.load(), 1);
+    }
+
+    void tellsOfProgressOnceItTakesLong() {
+        const FramePtr moment = openedAt(100)->frame();
+        std::atomic<bool> goOn = false;
+        BlockSearch search(nullptr, [&](const Frame&, const MapPoint&, const WorkContext& context) {
+            for (int percent = 0; !goOn && !context.stopped(); percent = std::min(percent + 1, 90)) {
+                context.tell(percent / 100.0);
+                std::this_thread::sleep_for(std::chrono::milliseconds(10));
+            }
+            return std::optional<std::size_t>();
+        });
+        std::vector<PlaceAnswer> answers;
+        connect(&search, &BlockSearch::answered, this,
+                [&](const PlaceAnswer& answer) { answers.push_back(answer); });
+        search.ask(moment, {1, 1});
+        QVERIFY(!search.done());
+        QTRY_VERIFY_WITH_TIMEOUT(search.done().value_or(0) > 0.3, kPatience);
+        goOn = true;
+        QTRY_COMPARE_WITH_TIMEOUT(answers.size(), std::size_t{1}, kPatience);
+        QVERIFY(!search.done());
+        QCOMPARE(answers.front(), (PlaceAnswer{PlaceAnswer::Kind::neverCut, 100, 0, 0}));
+        goOn = false;
+        search.ask(moment, {1, 1});
+        QTRY_VERIFY_WITH_TIMEOUT(search.done().has_value(), kPatience);
+        search.cancel();
+        QVERIFY(!search.done());
+        QTest::qWait(300);
+        QVERIFY(!search.done());
+        QCOMPARE(answers.size(), std::size_t{1});
+    }
+
+    void whatIsThrownIsTold() {
+        const FramePtr moment = openedAt(10)->frame();
+        BlockSearch search(
+            nullptr, [](const Frame&, const MapPoint&, const WorkContext&) -> std::optional<std::size_t> {
+                throw std::runtime_error("reason");
+            });
+        Diagnostics told;
+        connect(&search, &BlockSearch::failed, this, [&](const Diagnostics& errors) { told = errors; });
+        search.ask(moment, {1, 1});
+        QTRY_COMPARE_WITH_TIMEOUT(told.size(), std::size_t{1}, kPatience);
+        QCOMPARE(told.front().arguments.front(), std::string("reason"));
+    }
+
+    void goesToTheBlockThatCutThePlaceLast_data() {
+        QTest::addColumn<int>("block");
+        QTest::newRow("while it is faced") << 15;
+        QTest::newRow("in the pocket") << 200;
+    }
+
+    void goesToTheBlockThatCutThePlaceLast() {
+        QFETCH(int, block);
+        const auto session = openedAt(static_cast<std::size_t>(block));
+        const FramePtr moment = session->frame();
+        std::vector<MapPoint> points;
+        for (int j = 3; j < moment->zmap.grid().ny; j += 23)
+            for (int i = 5; i < moment->zmap.grid().nx; i += 23)
+                points.push_back({i, j});
+        const std::vector<std::size_t> expected = lastCuts(*moment, points);
+        Told told(*session);
+        std::size_t cut = 0;
+        for (std::size_t k = 0; k < points.size(); ++k) {
+            session->goToBlockThatMade({moment, points[k]});
+            QTRY_COMPARE_WITH_TIMEOUT(told.answers.size(), k + 1, kPatience);
+            const PlaceAnswer& answer = told.answers.back();
+            QCOMPARE(answer.kind == PlaceAnswer::Kind::cut, expected[k] != 0);
+            QCOMPARE(answer.block, expected[k] == 0 ? moment->block : expected[k]);
+            if (expected[k] == 0)
+                continue;
+            ++cut;
+            QCOMPARE(answer.line, moment->program->blockLine(expected[k] - 1));
+            QCOMPARE(answer.tool, 1);
+            QCOMPARE(told.lines.size(), cut);
+            QCOMPARE(told.lines.back(), answer.line);
+            QTRY_COMPARE_WITH_TIMEOUT(session->block(), expected[k], kPatience);
+        }
+        QVERIFY(cut > 5);
+        QCOMPARE(cut < points.size(), block == 15); // later, all of the top is faced
+    }
+
+    void leadsBackAsOftenAsAway() {
+        const auto session = openedAt(200);
+        const FramePtr moment = session->frame();
+        Told told(*session);
+        QVERIFY(!session->canReturn());
+        const std::size_t first = jump(*session, told, moment, cutPlace(*moment, 0));
+        const std::size_t second = jump(*session, told, moment, cutPlace(*moment, first));
+        QVERIFY(first != second && first < 200);
+        session->returnFromJump();
+        QTRY_COMPARE_WITH_TIMEOUT(session->block(), first, kPatience);
+        session->returnFromJump();
+        QTRY_COMPARE_WITH_TIMEOUT(session->block(), std::size_t{200}, kPatience);
+        QVERIFY(!session->canReturn());
+        jump(*session, told, moment, cutPlace(*moment, 0));
+        QVERIFY(session->canReturn());
+        session->applyEdit(0, 0, "\n"); // its blocks are others
+        QTRY_VERIFY_WITH_TIMEOUT(!session->canReturn(), kPatience);
+    }
+
+    void dropsWhatWasAskedOfAnotherMoment() {
+        const auto session = openedAt(200);
+        const FramePtr moment = session->frame();
+        const MapPoint point = cutPlace(*moment, 0);
+        Told told(*session);
+        const auto asked = [&] {
+            session->goToBlockThatMade({moment, point});
+            letItFinishUnheard();
+        };
+        asked();
+        session->seek(150);
+        QTRY_COMPARE_WITH_TIMEOUT(session->block(), std::size_t{150}, kPatience);
+        asked();
+        session->step(1);
+        QTRY_COMPARE_WITH_TIMEOUT(session->block(), std::size_t{151}, kPatience);
+        asked();
+        Setup setup = session->setup();
+        setup.stock.height += 1;
+        QVERIFY(session->setSetup(setup));
+        QTRY_VERIFY_WITH_TIMEOUT(session->frame()->setup != moment->setup, kPatience);
+        QVERIFY(told.answers.empty() && told.lines.empty());
+        // Of a moment that is gone it is told so, and the new one can be asked.
+        session->goToBlockThatMade({moment, point});
+        QCOMPARE(told.answers.size(), std::size_t{1});
+        QCOMPARE(told.answers.back().kind, PlaceAnswer::Kind::outdated);
+        session->seek(200);
+        QTRY_COMPARE_WITH_TIMEOUT(session->block(), std::size_t{200}, kPatience);
+        session->goToBlockThatMade({session->frame(), point});
+        QTRY_COMPARE_WITH_TIMEOUT(told.answers.size(), std::size_t{2}, kPatience);
+        QCOMPARE(told.answers.back().kind, PlaceAnswer::Kind::cut);
+    }
+
+    void anEditMakesItVoidBeforeItIsRead() {
+        const auto session = openedAt(200);
+        const FramePtr moment = session->frame();
+        const MapPoint point = cutPlace(*moment, 0);
+        Told told(*session);
+        session->goToBlockThatMade({moment, point});
+        letItFinishUnheard();
+        session->applyEdit(0, 0, "\n");
+        // Its lines are no longer those of the text.
+        session->goToBlockThatMade({moment, point});
+        QCOMPARE(told.answers.size(), std::size_t{1});
+        QCOMPARE(told.answers.back().kind, PlaceAnswer::Kind::outdated);
+        QTRY_VERIFY_WITH_TIMEOUT(session->frame()->program != moment->program &&
+                                     session->frame()->program == session->program(),
+                                 kPatience);
+        QCOMPARE(told.answers.size(), std::size_t{1});
+        QVERIFY(told.lines.empty());
+    }
+
+    void saysWhereNothingWasCutOrNothingIs() {
+        const auto session = openedAt(200);
+        Told told(*session);
+        session->goToBlockThatMade({});
+        session->goToBlockThatMade({session->frame(), std::nullopt});
+        QCOMPARE(told.answers, (std::vector<PlaceAnswer>{{PlaceAnswer::Kind::noStock, 200, 0, 0},
+                                                         {PlaceAnswer::Kind::neverCut, 200, 0, 0}}));
+        QVERIFY(told.lines.empty());
+    }
+
+    void aRunIsPaused() {
+        const auto session = openedAt(50);
+        Told told(*session);
+        session->setSpeed(20);
+        session->play();
+        QTRY_VERIFY_WITH_TIMEOUT(session->block() > 60, kPatience);
+        const FramePtr moment = session->frame();
+        session->goToBlockThatMade({moment, cutPlace(*moment, 0)});
+        QVERIFY(!session->playback().playing);
+        QTRY_COMPARE_WITH_TIMEOUT(told.answers.size(), std::size_t{1}, kPatience);
+        QCOMPARE(told.answers.back().kind, PlaceAnswer::Kind::cut);
+        QTRY_COMPARE_WITH_TIMEOUT(session->block(), told.answers.back().block, kPatience);
+    }
+
+private:
+    static std::unique_ptr<Session> openedAt(std::size_t block) {
+        auto session = std::make_unique<Session>();
+        if (!opened(*session, kSample) ||
+            !QTest::qWaitFor([&] { return session->frame() != nullptr; }, kPatience))
+            qFatal("no frame of the sample");
+        session->seek(block);
+        if (!QTest::qWaitFor([&] { return session->block() == block; }, kPatience))
+            qFatal("the block is not reached");
+        return session;
+    }
+
+    /// A place that was cut, by another block than `but`.
+    static MapPoint cutPlace(const Frame& moment, std::size_t but) {
+        const Grid& grid = moment.zmap.grid();
+        for (int j = 0; j < grid.ny; j += 11)
+            for (int i = 0; i < grid.nx; i += 11)
+                if (const auto block = blockThatMade(moment, {i, j}); block && *block + 1 != but)
+                    return {i, j};
+        qFatal("nothing is cut");
+        return {};
+    }
+
+    static std::size_t jump(Session& session, const Told& told, const FramePtr& moment,
+                            const MapPoint& point) {
+        const std::size_t before = told.answers.size();
+        session.goToBlockThatMade({moment, point});
+        const auto there = [&] {
+            return told.answers.size() > before && session.block() == told.answers.back().block;
+        };
+        if (!QTest::qWaitFor(there, kPatience))
+            qFatal("the block is not reached");
+        return session.block();
+    }
+};
+
+} // namespace proveout
+
+QTEST_MAIN(proveout::BlockSearchTest)
+#include "block_search_test.moc"

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// From the stock in the 3D view to the line of the program that cut it, with the mouse.
+#include <algorithm>
+#include <memory>
+
+#include <QApplication>
+#include <QContextMenuEvent>
+#include <QDockWidget>
+#include <QMenu>
+#include <QStatusBar>
+#include <QTest>
+
+#include "core/simulation/simulation.h"
+#include "tests/ui/window/workstation.h"
+#include "ui/editor/editor_panel.h"
+#include "ui/editor/nc_editor.h"
+#include "ui/gl/gl_functions.h"
+#include "ui/viewport/surface_pick.h"
+#include "ui/viewport/viewport.h"
+
+namespace proveout {
+namespace {
+
+constexpr std::size_t kStart = 200;
+constexpr std::size_t kFacing = 15; ///< a part of the top is still raw
+
+/// The block, from 1, that lowered a point last; by looking at it after each block.
+std::size_t lastCut(const Frame& moment, const MapPoint& point) {
+    DecimationParameters undecimated;
+    undecimated.method = DecimationMethod::none;
+    const auto simulation = std::move(Simulation::create(moment.program, moment.setup, undecimated).value());
+    std::size_t last = 0;
+    float before = 0;
+    while (simulation->position() < moment.block) {
+        simulation->step();
+        const float height = simulation->zmap().height(point.i, point.j);
+        if (height < before - 0.002F)
+            last = simulation->position();
+        before = height;
+    }
+    return last;
+}
+
+} // namespace
+
+class JumpTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase() {
+        if (!probeGl().usable)
+            QSKIP("no OpenGL 3.3 here");
+    }
+
+    void init() {
+        m_settings = std::make_unique<OwnSettings>();
+        m_station = std::make_unique<Workstation>(true);
+        goTo(kStart);
+    }
+
+    void cleanup() {
+        m_station.reset();
+        m_settings.reset();
+    }
+
+    void ctrlClickShowsTheBlockAndBackspaceReturns() {
+        const QPoint at = placeOf(true);
+        const std::size_t expected = expectedAt(at);
+        const double azimuth = view().camera().azimuth();
+        m_station->window.findChild<QDockWidget*>(QStringLiteral("dock-setup"))->raise();
+        QTest::mouseClick(&view(), Qt::LeftButton, Qt::ControlModifier, at);
+        wentTo(expected);
+        QCOMPARE(view().camera().azimuth(), azimuth);
+        QTRY_VERIFY(m_station->window.editor().isVisible());
+        QAction* back = m_station->window.action(QStringLiteral("jump-back"));
+        QVERIFY(back->isEnabled());
+        view().setFocus();
+        QTest::keyClick(&view(), Qt::Key_Backspace);
+        QTRY_COMPARE_WITH_TIMEOUT(session().block(), kStart, kPatience);
+        QVERIFY(!back->isEnabled());
+    }
+
+    void theMenuOfTheRightButtonAsksAboutItsPlace() {
+        const QPoint at = placeOf(true);
+        const std::size_t expected = expectedAt(at);
+        QTest::mouseClick(&view(), Qt::RightButton, {}, at);
+        QMenu* menu = shownMenu();
+        QVERIFY(menu != nullptr);
+        QVERIFY(menu->actions().front()->text().startsWith(
+            m_station->window.action(QStringLiteral("go-to-block"))->text()));
+        QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(menu->actions().front()).center());
+        wentTo(expected);
+    }
+
+    void aDragWithTheRightButtonOpensNoMenu() {
+        const QPoint at = placeOf(true);
+        QTest::mousePress(&view(), Qt::RightButton, {}, at);
+        QContextMenuEvent pressed(QContextMenuEvent::Mouse, at, view().mapToGlobal(at)); // as X11 sends it
+        QApplication::sendEvent(&view(), &pressed);
+        QVERIFY(shownMenu() == nullptr);
+        QTest::mouseMove(&view(), at + QPoint(40, 10));
+        QTest::mouseMove(&view(), at);
+        QTest::mouseRelease(&view(), Qt::RightButton, {}, at);
+        QVERIFY(shownMenu() == nullptr);
+        // The key of the keyboard does.
+        QContextMenuEvent key(QContextMenuEvent::Keyboard, at, view().mapToGlobal(at));
+        QApplication::sendEvent(&view(), &key);
+        QVERIFY(shownMenu() != nullptr);
+        shownMenu()->close();
+    }
+
+    void theCommandWaitsForAClick() {
+        const QPoint at = placeOf(true);
+        const std::size_t expected = expectedAt(at);
+        view().setFocus();
+        QTest::keyClick(&view(), Qt::Key_G);
+        QCOMPARE(view().cursor().shape(), Qt::CrossCursor);
+        QTest::keyClick(&view(), Qt::Key_Escape);
+        QCOMPARE(view().cursor().shape(), Qt::ArrowCursor);
+        QTest::mouseClick(&view(), Qt::LeftButton, {}, at);
+        m_station->window.action(QStringLiteral("go-to-block"))->trigger();
+        QVERIFY(!m_station->window.statusBar()->currentMessage().isEmpty());
+        // The view can be turned meanwhile.
+        QTest::mousePress(&view(), Qt::LeftButton, {}, {60, 60});
+        QTest::mouseMove(&view(), {90, 60});
+        QTest::mouseMove(&view(), {60, 60});
+        QTest::mouseRelease(&view(), Qt::LeftButton, {}, {60, 60});
+        QCOMPARE(view().cursor().shape(), Qt::CrossCursor);
+        QTest::mouseClick(&view(), Qt::LeftButton, {}, at);
+        QCOMPARE(view().cursor().shape(), Qt::ArrowCursor);
+        wentTo(expected);
+    }
+
+    void rawStockAndNoStockAreTold() {
+        goTo(kFacing);
+        const QPoint at = placeOf(false);
+        QTest::mouseClick(&view(), Qt::LeftButton, Qt::ControlModifier, at);
+        QTRY_VERIFY2_WITH_TIMEOUT(message().startsWith(QLatin1String("Never cut")), qPrintable(message()),
+                                  kPatience);
+        QTest::mouseClick(&view(), Qt::LeftButton, Qt::ControlModifier, QPoint(view().width() - 4, 4));
+        QTRY_VERIFY2_WITH_TIMEOUT(message().startsWith(QLatin1String("No stock")), qPrintable(message()),
+                                  kPatience);
+        QCOMPARE(session().block(), kFacing);
+    }
+
+    void aCloserLookCanBeAsked() {
+        const QPoint at = placeOf(true);
+        const std::size_t expected = expectedAt(at);
+        const PickedPlace coarse = pick(at);
+        const Grid& grid = coarse.moment->zmap.grid();
+        const Vec2 middle(grid.x(coarse.point->i), grid.y(coarse.point->j));
+        view().closerLook().look({{middle - 3.0, middle + 3.0}, 0.05});
+        QTRY_VERIFY_WITH_TIMEOUT(view().closerLook().picture() != nullptr, kPatience);
+        const PickedPlace fine = pick(at);
+        QCOMPARE(fine.moment, view().closerLook().picture());
+        QTest::mouseClick(&view(), Qt::LeftButton, Qt::ControlModifier, at);
+        wentTo(expected);
+    }
+
+private:
+    Session& session() { return m_station->session; }
+    Viewport& view() { return dynamic_cast<Viewport&>(m_station->window.viewport()); }
+    QString message() { return m_station->window.statusBar()->currentMessage(); }
+    QMenu* shownMenu() {
+        const auto menus = view().findChildren<QMenu*>();
+        const auto shown =
+            std::find_if(menus.begin(), menus.end(), [](QMenu* menu) { return menu->isVisible(); });
+        return shown == menus.end() ? nullptr : *shown;
+    }
+
+    void goTo(std::size_t block) {
+        session().seek(block);
+        QTRY_COMPARE_WITH_TIMEOUT(session().block(), block, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(view().atRest(), kPatience);
+    }
+
+    PickedPlace pick(const QPoint& at) {
+        const double ratio = view().devicePixelRatioF();
+        return pickPlace(session().frame(), view().closerLook().picture(),
+                         view().camera().ray(at.x() * ratio, at.y() * ratio));
+    }
+
+    /// A place in the view where the stock was cut, a while ago; or where it was not.
+    QPoint placeOf(bool cut) {
+        for (int y = view().height() / 3; y < view().height(); y += 7) {
+            for (int x = view().width() / 4; x < view().width(); x += 13) {
+                const PickedPlace place = pick({x, y});
+                if (!place.point)
+                    continue;
+                const auto block = blockThatMade(*place.moment, *place.point);
+                if (cut ? block && *block + 20 < kStart : !block)
+                    return {x, y};
+            }
+        }
+        qFatal("there is no such place");
+        return {};
+    }
+
+    std::size_t expectedAt(const QPoint& at) {
+        const PickedPlace place = pick(at);
+        const std::size_t last = lastCut(*place.moment, *place.point);
+        if (last == 0)
+            qFatal("nothing has cut there");
+        return last;
+    }
+
+    void wentTo(std::size_t block) {
+        QTRY_COMPARE_WITH_TIMEOUT(session().block(), block, kPatience);
+        const auto line = static_cast<int>(session().program()->blockLine(block - 1));
+        NcEditor& editor = m_station->window.editor().editor();
+        QCOMPARE(editor.caretLine(), line);
+        QTRY_COMPARE_WITH_TIMEOUT(editor.markerFindNext(0, 1 << 1), line - 1, kPatience);
+        QVERIFY2(message().contains(QString::number(block)) && message().contains(QString::number(line)) &&
+                     message().contains(QLatin1String("T1")),
+                 qPrintable(message()));
+    }
+
+    std::unique_ptr<OwnSettings> m_settings;
+    std::unique_ptr<Workstation> m_station;
+};
+
+} // namespace proveout
+
+int main(int argc, char** argv) {
+    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    QApplication application(argc, argv);
+    proveout::JumpTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "jump_test.moc"
