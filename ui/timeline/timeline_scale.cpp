@@ -2,8 +2,8 @@
 #include "ui/timeline/timeline_scale.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include <QHelpEvent>
@@ -76,6 +76,10 @@ void TimelineScale::moveHead(std::size_t block) {
 
 void TimelineScale::setMarks(std::vector<TimelineMark> marks) {
     m_marks = std::move(marks);
+    // The worse is painted later, over the others.
+    std::ranges::sort(m_marks, {}, [](const TimelineMark& mark) {
+        return std::tuple(mark.kind, mark.severity, mark.block);
+    });
     update();
 }
 
@@ -129,13 +133,13 @@ void TimelineScale::paintRuler(QPainter& painter) const {
 void TimelineScale::paintMarks(QPainter& painter) const {
     const MeaningColors colors = meaningColors(palette());
     painter.setPen(Qt::NoPen);
-    std::array<double, 3> last{-10, -10, -10}; // of each kind
+    const TimelineMark* last = nullptr;
     for (const TimelineMark& mark : m_marks) {
         const double x = positionOf(mark.block);
-        double& before = last[static_cast<std::size_t>(mark.kind)];
-        if (x - before < 1)
+        const bool alike = last != nullptr && last->kind == mark.kind && last->severity == mark.severity;
+        if (alike && x - positionOf(last->block) < 1)
             continue; // thousands on one pixel are drawn once
-        before = x;
+        last = &mark;
         paintMark(painter, colors, mark, x);
     }
 }

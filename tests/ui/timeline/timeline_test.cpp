@@ -6,6 +6,7 @@
 #include <QTest>
 #include <QWheelEvent>
 
+#include "ui/theme.h"
 #include "ui/timeline/timeline_scale.h"
 
 namespace proveout {
@@ -58,6 +59,23 @@ private slots:
         }
         QCOMPARE(stepped.count(), 2);
         QCOMPARE(stepped.front().front().value<std::ptrdiff_t>(), std::ptrdiff_t{1});
+    }
+
+    /// Behind a mark farther right, and among others on its pixel.
+    void theWorstOfAPixelIsSeen() {
+        TimelineScale scale;
+        scale.resize(800, scale.sizeHint().height());
+        scale.setBlockCount(100'000);
+        constexpr auto kProblem = TimelineMark::Kind::problem;
+        scale.setMarks({{100, kProblem, Severity::fault},
+                        {90'000, kProblem, Severity::warning},
+                        {50'000, kProblem, Severity::fault},
+                        {50'010, kProblem, Severity::note},
+                        {99, kProblem, Severity::note}});
+        const QImage image = scale.grab().toImage();
+        const QColor fault = severityColor(meaningColors(scale.palette()), Severity::fault);
+        for (const std::size_t block : {100U, 50'000U})
+            QCOMPARE(image.pixelColor(static_cast<int>(scale.positionOf(block)), 4), fault);
     }
 
     void anEmptyRangeDoesNothing() {
