@@ -51,6 +51,16 @@ std::optional<double> removalRate(const Program& program, std::size_t block, con
     return row.removedMm3 / way.feedSeconds * kSecondsPerMinute;
 }
 
+double machineRemovalRate(const MachineTimes& times, std::size_t block, const BlockStatistics& row) {
+    const double seconds = times.movingSeconds(block);
+    return seconds > 0 ? row.removedMm3 / seconds * kSecondsPerMinute : 0;
+}
+
+double removalPerLength(const MachineTimes& times, std::size_t block, const BlockStatistics& row) {
+    const double length = times.length(block);
+    return length > 0 ? row.removedMm3 / length : 0;
+}
+
 bool isFirstContact(const PersistentArray<BlockStatistics>& rows, std::size_t block) {
     return rows[block].cuts() && (block == 0 || !rows[block - 1].cuts());
 }

@@ -10,6 +10,7 @@
 #include "core/base/persistent_array.h"
 #include "core/base/work_context.h"
 #include "core/nc/program.h"
+#include "core/simulation/machine_time.h"
 #include "core/simulation/setup.h"
 #include "core/simulation/statistics.h"
 
@@ -27,6 +28,16 @@ struct BlockWay {
 /// The volume that the block removes in a minute, mm³; nothing where its feed is not known or it is a rapid.
 [[nodiscard]] std::optional<double> removalRate(const Program& program, std::size_t block,
                                                 const BlockStatistics& row);
+
+/// The same in the time that the machine takes for the motions of the block, so with its accelerations, and
+/// of rapids too. 0 where it removes nothing or takes no time.
+[[nodiscard]] double machineRemovalRate(const MachineTimes& times, std::size_t block,
+                                        const BlockStatistics& row);
+
+/// The volume that the block removes on a millimetre of its path, mm³: the cross-section of what is cut. 0
+/// where it removes nothing or has no length.
+[[nodiscard]] double removalPerLength(const MachineTimes& times, std::size_t block,
+                                      const BlockStatistics& row);
 
 /// Whether the cutter comes into material from air in this block: it cuts, and the one before did not.
 [[nodiscard]] bool isFirstContact(const PersistentArray<BlockStatistics>& rows, std::size_t block);

@@ -119,8 +119,11 @@ private:
         m_times->parts.*part += seconds;
         if (!m_times->tools.empty())
             m_times->tools[m_tool].parts.*part += seconds;
-        if (m_block + 1 < m_times->secondsAfter.size())
-            m_times->secondsAfter[m_block + 1] += seconds;
+        if (m_block + 1 >= m_times->secondsAfter.size())
+            return;
+        m_times->secondsAfter[m_block + 1] += seconds;
+        if (seconds > 0)
+            m_times->stands.push_back({m_block, seconds});
     }
 
     /// Of the motions that are planned together all are rapids or none, and of one tool.
@@ -224,6 +227,14 @@ private:
 };
 
 } // namespace
+
+double MachineTimes::movingSeconds(std::size_t block) const {
+    double seconds = secondsAfter[block + 1] - secondsAfter[block];
+    for (auto stand = std::ranges::lower_bound(stands, block, {}, &Stand::block);
+         stand != stands.end() && stand->block == block; ++stand)
+        seconds -= stand->seconds;
+    return std::max(0.0, seconds); // differences of sums are not exact
+}
 
 std::shared_ptr<const MachineTimes> machineTimes(std::shared_ptr<const Program> program,
                                                  const Machine& machine, const WorkContext& context) {

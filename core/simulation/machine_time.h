@@ -38,8 +38,21 @@ struct MachineTimes {
     std::vector<OfTool> tools;          ///< in the order of their first motion
     std::size_t motionsWithoutFeed = 0; ///< counted with the largest feed of the machine
     std::size_t motionsFromUnknown = 0; ///< counted along the axes that are known at both ends
+    /// The machine stands still before a motion of a block.
+    struct Stand {
+        std::size_t block = 0;
+        double seconds = 0;
+    };
+    std::vector<Stand> stands; ///< dwells and tool changes, by block
 
     static constexpr double kBytesPerBlock = 2 * sizeof(double);
+
+    /// What the motions of a block take, 0-based, without dwells and tool changes.
+    [[nodiscard]] double movingSeconds(std::size_t block) const;
+    /// Of its path, mm.
+    [[nodiscard]] double length(std::size_t block) const {
+        return lengthAfter[block + 1] - lengthAfter[block];
+    }
 };
 
 /// Plans the speed along all motions (VelocityPlan). The machine stands still between rapids and feeds (the

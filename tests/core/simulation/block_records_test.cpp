@@ -76,6 +76,42 @@ TEST(BlockRecords, OfASlotAndAStepAreTheirDepthAndWidth) {
     EXPECT_FALSE(removalRate(*within.program, 0, within.row(0))); // a rapid
 }
 
+/// A slot of 8 × 3 mm at 600 mm/min, then a strip of 2.5 × 3 mm beside it; each in three blocks, of which the
+/// one in the middle is at feed all the way. Last a rapid, a way through air, and a block that goes nowhere.
+std::string slotAndStrip(const std::string& beforeSlot = "") {
+    return "G21 G90\nT1 M6\nG0 X5 Y12 Z5\nG1 Z-3 F200\nX10 F600\n" + beforeSlot +
+           "X30\nX35\nY14.5\nX30\nX10\nX5\nG0 Z5\nG1 X30\nX30\n";
+}
+
+TEST(BlockRecords, RatesOfASlotAndAStripAreTheirCrossSections) {
+    constexpr double kSpacing = 0.1;
+    const Executed run = runOf(slotAndStrip(), millSetup(kSpacing));
+    const auto times = machineTimes(run.program, {});
+    const auto expectSection = [&](std::size_t block, double width) {
+        const double perLength = removalPerLength(*times, block, run.row(block));
+        EXPECT_NEAR(perLength, width * 3, 1.01 * kSpacing * 3) << block; // the width is that of whole cells
+        EXPECT_NEAR(machineRemovalRate(*times, block, run.row(block)), perLength * 600, 1e-6) << block;
+    };
+    expectSection(3, 8);
+    expectSection(7, 2.5);
+    ASSERT_EQ(run.program->blockCount(), 12U);
+    for (const std::size_t block : {0U, 9U, 10U, 11U}) {
+        EXPECT_EQ(removalPerLength(*times, block, run.row(block)), 0) << block;
+        EXPECT_EQ(machineRemovalRate(*times, block, run.row(block)), 0) << block;
+    }
+}
+
+TEST(BlockRecords, DwellsAndToolChangesTakeNothingFromTheRate) {
+    const Executed plain = runOf(slotAndStrip());
+    const double rate = machineRemovalRate(*machineTimes(plain.program, {}), 3, plain.row(3));
+    for (const char* pause : {"G4 P30\n", "T2 M6\nT1 M6\n"}) {
+        const Executed run = runOf(slotAndStrip(pause));
+        // Only starting and stopping is slower.
+        EXPECT_NEAR(machineRemovalRate(*machineTimes(run.program, {}), 3, run.row(3)), rate, rate * 0.02)
+            << pause;
+    }
+}
+
 TEST(BlockRecords, CuttingAirAndContacts) {
     const Executed run = runOf(kSteps);
     const bool cuts[] = {false, false, true, false, false, true, false};
