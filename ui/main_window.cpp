@@ -98,12 +98,15 @@ MainWindow::MainWindow(Session& session, Appearance& appearance)
 void MainWindow::makePanels() {
     m_viewport = createViewport(m_session, this);
     m_editor = new EditorPanel(m_session, this);
-    m_plots = new PlotsPanel(m_session, this);
+    auto* plots = new PlotsPanel(m_session, this);
+    m_plots = plots;
     m_problems = new ProblemsPanel(m_session, this);
     m_timeline = new TimelinePanel(m_session, *m_playback, this);
     for (QAction* action : m_playback->actions().all()) {
-        if (!action->isSeparator())
-            m_viewport->addAction(action); // the same keys act in both
+        if (action->isSeparator())
+            continue;
+        m_viewport->addAction(action); // the same keys act in all three
+        plots->addKeys(action);
     }
     m_centre->addWidget(m_startPage);
     m_centre->addWidget(m_viewport);

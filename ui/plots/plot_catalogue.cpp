@@ -2,8 +2,11 @@
 #include "ui/plots/plot_catalogue.h"
 
 #include <array>
+#include <limits>
 
 #include <QtGlobal>
+
+#include "core/simulation/block_records.h"
 
 namespace proveout {
 namespace {
@@ -77,22 +80,48 @@ double engagement(const PlotInput& input, std::size_t row, std::size_t) {
     return double{input.blocks[row].radialEngagement};
 }
 
-const std::array<PlotSpec, 5> kPlots{{
+constexpr std::array kRate{
+    PlotSeries{"machineRateMm3PerMin", QT_TRANSLATE_NOOP("Plots", "Removal rate"), 2, Qt::SolidLine,
+               Qt::SolidPattern},
+};
+
+constexpr std::array kPerLength{
+    PlotSeries{"removedMm3PerMm", QT_TRANSLATE_NOOP("Plots", "Volume per length"), 1, Qt::SolidLine,
+               Qt::SolidPattern},
+};
+
+using ByTimes = double (*)(const MachineTimes&, std::size_t block, const BlockStatistics&);
+
+/// Where the times of the block are not known yet, there is a gap: 0 would say that it goes through air.
+template<ByTimes value>
+double timed(const PlotInput& input, std::size_t row, std::size_t) {
+    if (input.times == nullptr || row + 1 >= input.times->secondsAfter.size())
+        return std::numeric_limits<double>::quiet_NaN();
+    return value(*input.times, row, input.blocks[row]);
+}
+
+const std::array<PlotSpec, 7> kPlots{{
     {"faces", QT_TRANSLATE_NOOP("Plots", "Faces"), QT_TRANSLATE_NOOP("Plots", "Block"),
-     QT_TRANSLATE_NOOP("Plots", "Triangles"), PlotRows::blocks, false, kFaces, blockBefore, blockNumber,
-     faces},
+     QT_TRANSLATE_NOOP("Plots", "Triangles"), PlotRows::blocks, false, false, kFaces, blockBefore,
+     blockNumber, faces},
     {"block-time", QT_TRANSLATE_NOOP("Plots", "Time per Block"), QT_TRANSLATE_NOOP("Plots", "Block"),
-     QT_TRANSLATE_NOOP("Plots", "Time (ms)"), PlotRows::frames, true, kTimes, firstBlock, lastBlock,
+     QT_TRANSLATE_NOOP("Plots", "Time (ms)"), PlotRows::frames, true, false, kTimes, firstBlock, lastBlock,
      milliseconds},
     {"removed-volume", QT_TRANSLATE_NOOP("Plots", "Removed Volume"), QT_TRANSLATE_NOOP("Plots", "Block"),
-     QT_TRANSLATE_NOOP("Plots", "Volume (mm³)"), PlotRows::blocks, false, kVolume, blockBefore, blockNumber,
-     volume},
+     QT_TRANSLATE_NOOP("Plots", "Volume (mm³)"), PlotRows::blocks, false, false, kVolume, blockBefore,
+     blockNumber, volume},
     {"axial-depth", QT_TRANSLATE_NOOP("Plots", "Axial Depth"), QT_TRANSLATE_NOOP("Plots", "Block"),
-     QT_TRANSLATE_NOOP("Plots", "Depth (mm)"), PlotRows::blocks, false, kDepth, blockBefore, blockNumber,
-     depth},
+     QT_TRANSLATE_NOOP("Plots", "Depth (mm)"), PlotRows::blocks, false, false, kDepth, blockBefore,
+     blockNumber, depth},
     {"radial-engagement", QT_TRANSLATE_NOOP("Plots", "Radial Engagement"),
      QT_TRANSLATE_NOOP("Plots", "Block"), QT_TRANSLATE_NOOP("Plots", "Width (mm)"), PlotRows::blocks, false,
-     kEngagement, blockBefore, blockNumber, engagement},
+     false, kEngagement, blockBefore, blockNumber, engagement},
+    {"removal-rate", QT_TRANSLATE_NOOP("Plots", "Removal Rate"), QT_TRANSLATE_NOOP("Plots", "Block"),
+     QT_TRANSLATE_NOOP("Plots", "Rate (mm³/min)"), PlotRows::blocks, false, true, kRate, blockBefore,
+     blockNumber, timed<machineRemovalRate>},
+    {"volume-per-length", QT_TRANSLATE_NOOP("Plots", "Volume per Length"),
+     QT_TRANSLATE_NOOP("Plots", "Block"), QT_TRANSLATE_NOOP("Plots", "Section (mm³/mm)"), PlotRows::blocks,
+     false, true, kPerLength, blockBefore, blockNumber, timed<removalPerLength>},
 }};
 
 } // namespace

@@ -9,6 +9,7 @@
 #include <Qt>
 
 #include "core/base/persistent_array.h"
+#include "core/simulation/machine_time.h"
 #include "core/simulation/statistics.h"
 
 namespace proveout {
@@ -17,6 +18,7 @@ namespace proveout {
 struct PlotInput {
     const PersistentArray<BlockStatistics>& blocks; ///< row k: block k + 1
     const std::vector<FrameStatistics>& frames;
+    const MachineTimes* times = nullptr; ///< of the blocks' program; null: not known yet
 };
 
 /// One curve. Curves differ by dash or filling too, never by colour alone.
@@ -40,11 +42,12 @@ struct PlotSpec {
     const char* yLabel; ///< with the unit
     PlotRows rows;
     bool stacked; ///< curves stand on each other, in the order of `series`
+    bool timed;   ///< values change with PlotInput::times
     std::span<const PlotSeries> series;
     double (*begin)(const PlotInput&, std::size_t row); ///< a row stands for the blocks (begin, x]
     double (*x)(const PlotInput&, std::size_t row);
     double (*y)(const PlotInput&, std::size_t row,
-                std::size_t series); ///< of the curve itself, not of the stack
+                std::size_t series); ///< of the curve itself, not of the stack; NaN: not known
 };
 
 [[nodiscard]] std::span<const PlotSpec> plotCatalogue();

@@ -3,11 +3,15 @@
 
 #include <array>
 #include <charconv>
+#include <cmath>
 
 namespace proveout {
 namespace {
 
+/// Nothing where the value is not known.
 void append(std::string& text, double value) {
+    if (std::isnan(value))
+        return;
     std::array<char, 32> digits{};
     // Most values come from floats and counts, which nine digits give back.
     const auto end =

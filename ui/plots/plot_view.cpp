@@ -40,6 +40,8 @@ QColor seriesColour(int index, bool dark) {
 
 /// One string for a number of any size, in the user's way of writing.
 QString number(double value) {
+    if (std::isnan(value))
+        return QStringLiteral("–");
     const QLocale locale;
     if (value == std::floor(value) && std::abs(value) < 1e15)
         return locale.toString(static_cast<qlonglong>(value));
@@ -55,6 +57,7 @@ PlotView::PlotView(const PlotSpec& spec, QWidget* parent)
       m_hint(new QCPItemText(this)) {
     setObjectName(QLatin1String(spec.id));
     setMouseTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(220, 110);
     setNoAntialiasingOnDrag(true);
     setPlottingHint(QCP::phFastPolylines, true);
@@ -141,7 +144,7 @@ void PlotView::style() {
     styleChanges();
     m_hint->setColor(axisColour);
     m_hint->setFont(font());
-    m_mark->setPen(QPen(meaningColors(palette()).accent, 1.5));
+    styleMark();
     for (std::size_t index = 0; index < m_spec.series.size(); ++index) {
         const PlotSeries& series = m_spec.series[index];
         const QColor colour = seriesColour(series.colour, dark);
@@ -152,6 +155,11 @@ void PlotView::style() {
         fill.setAlphaF(series.fill == Qt::SolidPattern ? 0.22f : 0.75f);
         curve->setBrush(series.fill == Qt::NoBrush ? QBrush(Qt::NoBrush) : QBrush(fill, series.fill));
     }
+}
+
+/// Wider with the focus, as on the timeline: the keys move it then.
+void PlotView::styleMark() {
+    m_mark->setPen(QPen(meaningColors(palette()).accent, hasFocus() ? 3 : 1.5));
 }
 
 void PlotView::setRows(const PlotInput& input, std::size_t first) {
@@ -360,6 +368,18 @@ void PlotView::wheelEvent(QWheelEvent* event) {
         setBlock(m_block, m_blockCount);
     }
     event->accept();
+}
+
+void PlotView::focusInEvent(QFocusEvent* event) {
+    QCustomPlot::focusInEvent(event);
+    styleMark();
+    replot(rpQueuedRefresh);
+}
+
+void PlotView::focusOutEvent(QFocusEvent* event) {
+    QCustomPlot::focusOutEvent(event);
+    styleMark();
+    replot(rpQueuedRefresh);
 }
 
 void PlotView::changeEvent(QEvent* event) {

@@ -49,11 +49,14 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    void focusInEvent(QFocusEvent* event) override;
+    void focusOutEvent(QFocusEvent* event) override;
     void changeEvent(QEvent* event) override;
 
 private:
     void addCurves();
     void style();
+    void styleMark();
     void setTexts();
     void fitAxes();
     [[nodiscard]] std::size_t rows(std::size_t series) const;

@@ -2,6 +2,7 @@
 #include "ui/plots/plots_panel.h"
 
 #include <array>
+#include <utility>
 
 #include <QClipboard>
 #include <QFile>
@@ -101,6 +102,19 @@ void PlotsPanel::setTexts() {
     m_follow->setToolTip(tr("Keep the current block in the picture; dragging a plot stops it"));
 }
 
+void PlotsPanel::addKeys(QAction* action) {
+    for (PlotView* view : m_views)
+        view->addAction(action);
+}
+
+/// Whether they are other times than before.
+bool PlotsPanel::takeTimes(const Frame* frame) {
+    const auto& known = m_session.times();
+    const bool fits = known && frame != nullptr && known->program == frame->program;
+    const auto times = fits ? known : nullptr;
+    return std::exchange(m_times, times) != times;
+}
+
 void PlotsPanel::refresh() {
     if (!isVisible())
         return; // Caught up with when it is shown.
@@ -112,25 +126,29 @@ void PlotsPanel::refresh() {
     }
     const PlotHistory::Changes changes = m_history.update(
         frame ? frame->statistics : kNone, m_session.frameStatistics(), m_session.playback().playing);
+    const bool retimed = takeTimes(frame.get());
     const bool moved = m_block != m_session.block() || m_blockCount != m_session.blockCount();
-    if (!changes.any && !moved)
+    if (!changes.any && !moved && !retimed)
         return;
     m_block = m_session.block();
     m_blockCount = m_session.blockCount();
-    const PlotInput input{m_history.blocks(), m_history.frames()};
+    const PlotInput input{m_history.blocks(), m_history.frames(), m_times.get()};
     m_trace.update(frame ? frame->parameters : m_session.parameters(), changes.firstBlock, m_block,
                    m_history.blocks().size());
     const std::vector<std::size_t> parameterChanges = m_trace.changes();
     for (PlotView* view : m_views) {
         view->setParameterChanges(parameterChanges);
-        view->setRows(input, view->spec().rows == PlotRows::blocks ? changes.firstBlock : changes.firstFrame);
+        const std::size_t changed =
+            view->spec().rows == PlotRows::blocks ? changes.firstBlock : changes.firstFrame;
+        view->setRows(input, retimed && view->spec().timed ? 0 : changed);
         if (view->isVisible())
             view->setBlock(m_block, m_blockCount);
     }
 }
 
 QString PlotsPanel::csv(const PlotView& view) const {
-    return QString::fromStdString(plotCsv(view.spec(), {m_history.blocks(), m_history.frames()}));
+    return QString::fromStdString(
+        plotCsv(view.spec(), {m_history.blocks(), m_history.frames(), m_times.get()}));
 }
 
 bool PlotsPanel::exportTo(PlotView& view, const QString& file, PlotFormat format) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include <QAction>
@@ -30,6 +31,8 @@ public:
 
     /// In the order of plotCatalogue().
     [[nodiscard]] const std::vector<PlotView*>& views() const { return m_views; }
+    /// Its keys act with the focus in a plot.
+    void addKeys(QAction* action);
     [[nodiscard]] QString csv(const PlotView& view) const;
     /// Whatever the name's ending. What went wrong is told to the session.
     bool exportTo(PlotView& view, const QString& file, PlotFormat format);
@@ -42,6 +45,7 @@ protected:
 
 private:
     void refresh();
+    [[nodiscard]] bool takeTimes(const Frame* frame);
     void addView(const PlotSpec& spec, bool shown);
     void setTexts();
     void openMenu(PlotView& view, const QPoint& position);
@@ -49,7 +53,8 @@ private:
     Session& m_session;
     PlotHistory m_history;
     ParameterTrace m_trace;
-    std::uint64_t m_generation = 0; ///< of the frame that m_history was updated with
+    std::shared_ptr<const MachineTimes> m_times; ///< of the program of m_history; null: not known yet
+    std::uint64_t m_generation = 0;              ///< of the frame that m_history was updated with
     QToolBar* m_bar;
     QSplitter* m_splitter;
     QAction* m_follow;

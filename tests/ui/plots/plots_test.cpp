@@ -14,6 +14,8 @@
 #include <QTest>
 #include <QWheelEvent>
 
+#include "core/nc/interpreter.h"
+#include "core/simulation/block_records.h"
 #include "tests/ui/opened.h"
 #include "tests/ui/save_dialog_user.h"
 #include "ui/plots/parameter_trace.h"
@@ -110,6 +112,7 @@ private slots:
     void viewsHoldWhatTheStatisticsSay();
     void stackedCurvesStandOnEachOther();
     void csvHoldsEveryValue();
+    void ratesAreThoseOfTheMachinesTime();
     void clickSeeksAndDragDoesNot();
     void followingKeepsTheBlockInSight();
     void hoverReadsTheNearestRow();
@@ -265,6 +268,44 @@ void PlotsTest::csvHoldsEveryValue() {
     QCOMPARE(plotCsv(plot("block-time"), {blocks, frames}),
              std::string("firstBlock,lastBlock,cutMs,decimationMs,uploadMs,drawMs\n"
                          "1,2,0.250000012,125,0,6.25000009\n")); // of a block, on average
+}
+
+void PlotsTest::ratesAreThoseOfTheMachinesTime() {
+    // Blocks: a rapid, a slot of 8 × 3 mm at 600 mm/min in three, air, and one that goes nowhere.
+    InterpretOptions options;
+    options.start = Vec3(0);
+    const auto program =
+        interpret(NcText("G21 G90\nG0 Z-3\nG1 X10 F600\nX30\nX40\nX60\nX60\nM30\n"), options);
+    const auto times = machineTimes(program, {});
+    PersistentArray<BlockStatistics> blocks(program->blockCount());
+    QCOMPARE(blocks.size(), std::size_t{6});
+    constexpr double kSection = 8 * 3;
+    for (const auto& [block, length] : {std::pair{1, 10.0}, {2, 20.0}, {3, 10.0}})
+        blocks.edit(static_cast<std::size_t>(block)).removedMm3 = kSection * length;
+    const std::vector<FrameStatistics> frames;
+    PlotView rate(plot("removal-rate"));
+    PlotView perLength(plot("volume-per-length"));
+    for (PlotView* view : {&rate, &perLength}) {
+        view->resize(600, 220);
+        view->setRows({blocks, frames}, 0);
+        view->setBlock(6, 6);
+        view->replot();
+        QVERIFY(std::isnan(view->value(0, 2))); // no times yet
+        QVERIFY(view->valuesAt(view->xAxis->coordToPixel(3)).contains(u'–'));
+        view->setRows({blocks, frames, times.get()}, 0);
+        view->setBlock(6, 6);
+        view->replot();
+        QCOMPARE(view->value(0, 0), 0.0);
+        QCOMPARE(view->value(0, 4), 0.0);
+        QCOMPARE(view->value(0, 5), 0.0); // nothing in no time
+    }
+    QVERIFY(std::abs(rate.value(0, 2) - kSection * 600) < 1e-6);
+    QVERIFY(rate.value(0, 1) < kSection * 600 && rate.value(0, 1) > kSection * 580); // it speeds up
+    for (const std::size_t row : {1U, 2U, 3U})
+        QVERIFY(std::abs(perLength.value(0, row) - kSection) < 1e-9);
+    QCOMPARE(plotCsv(perLength.spec(), {blocks, frames, times.get()}),
+             std::string("block,removedMm3PerMm\n1,0\n2,24\n3,24\n4,24\n5,0\n6,0\n"));
+    QVERIFY(plotCsv(perLength.spec(), {blocks, frames}).starts_with("block,removedMm3PerMm\n1,\n2,\n"));
 }
 
 void PlotsTest::clickSeeksAndDragDoesNot() {
@@ -452,6 +493,20 @@ void PlotsTest::panelShowsARunAndExportsIt() {
         QCOMPARE(faces.value(0, row), static_cast<double>(frame->statistics[row].facesFull));
         QCOMPARE(faces.value(1, row), static_cast<double>(frame->statistics[row].facesShown));
     }
+    PlotView& rate = *panel.views()[5];
+    QTRY_VERIFY_WITH_TIMEOUT(rate.rows() >= 120 && !std::isnan(rate.value(0, 119)), 30'000);
+    const auto times = session.times(); // which came before or behind the rows
+    QVERIFY(times != nullptr);
+    for (std::size_t row = 0; row < 120; ++row)
+        QCOMPARE(rate.value(0, row), machineRemovalRate(*times, row, frame->statistics[row]));
+    Machine slow;
+    slow.largestFeed = 100;
+    session.setMachine(slow);
+    QTRY_VERIFY_WITH_TIMEOUT(session.times() != nullptr && session.times() != times, 10'000);
+    const auto slowTimes = session.times();
+    QTRY_COMPARE_WITH_TIMEOUT(rate.value(0, 119), machineRemovalRate(*slowTimes, 119, frame->statistics[119]),
+                              10'000);
+    QVERIFY(slowTimes->parts.feed > times->parts.feed);
     QTemporaryDir folder;
     QVERIFY(panel.exportTo(faces, folder.filePath(QStringLiteral("faces.csv")), PlotFormat::csv));
     QFile csv(folder.filePath(QStringLiteral("faces.csv")));
@@ -469,8 +524,11 @@ void PlotsTest::panelShowsARunAndExportsIt() {
     // A folder that is not there is told, not shown in a dialog.
     QVERIFY(!panel.exportTo(faces, folder.filePath(QStringLiteral("missing/faces.csv")), PlotFormat::csv));
     QVERIFY(!session.problems().empty());
-    emit faces.blockClicked(60);
-    QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{60}, 10000);
+    const QPoint at(static_cast<int>(std::lround(faces.xAxis->coordToPixel(60))),
+                    faces.axisRect()->center().y());
+    const double block = std::round(faces.xAxis->pixelToCoord(at.x()));
+    QTest::mouseClick(&faces, Qt::LeftButton, {}, at);
+    QTRY_COMPARE_WITH_TIMEOUT(session.block(), static_cast<std::size_t>(block), 10000);
 }
 
 void PlotsTest::exportAsksBeforeItOverwrites() {

@@ -152,6 +152,12 @@ private slots:
         const std::size_t before = session.block();
         QTest::keyClick(&station.scale(), Qt::Key_Left);
         QTRY_COMPARE_WITH_TIMEOUT(session.block(), before - 1, kPatience);
+        // So does a plot that has the focus.
+        auto* plot = station.window.findChild<QWidget*>(QStringLiteral("faces"));
+        plot->setFocus();
+        QTest::keyClick(plot, Qt::Key_Right);
+        QTRY_COMPARE_WITH_TIMEOUT(session.block(), before, kPatience);
+        station.scale().setFocus();
         QTest::keyClick(&station.scale(), Qt::Key_End);
         QTRY_COMPARE_WITH_TIMEOUT(session.block(), session.blockCount(), kPatience);
         NcEditor& editor = station.window.editor().editor();
