@@ -69,6 +69,45 @@
     </message>
 </context>
 <context>
+    <name>Activity</name>
+    <message>
+        <source>Cutting</source>
+        <translation>Fräsen</translation>
+    </message>
+    <message>
+        <source>Feed through air</source>
+        <translation>Vorschub durch Luft</translation>
+    </message>
+    <message>
+        <source>Rapid</source>
+        <translation>Eilgang</translation>
+    </message>
+    <message>
+        <source>Rapid through stock</source>
+        <translation>Eilgang durch das Rohteil</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Not simulated yet</source>
+        <translation>Noch nicht simuliert</translation>
+    </message>
+    <message>
+        <source>Blocks %1 to %2, shares of the machine&apos;s time:</source>
+        <translation>Sätze %1 bis %2, Anteile an der Maschinenzeit:</translation>
+    </message>
+    <message>
+        <source>Block %1: %2</source>
+        <translation>Satz %1: %2</translation>
+    </message>
+    <message>
+        <source>Simulated so far: cutting %1, air %2, rapids %3 of the time</source>
+        <translation>Bisher simuliert: Fräsen %1, Luft %2, Eilgang %3 der Zeit</translation>
+    </message>
+</context>
+<context>
     <name>BreakpointsPanel</name>
     <message>
         <source>Comparisons (&lt; &lt;= &gt; &gt;= == !=) joined by &amp;&amp; || ! and parentheses of:</source>
@@ -5618,6 +5657,30 @@ Vorgabe: %4 %5</translation>
     <message>
         <source>Width (mm)</source>
         <translation>Breite (mm)</translation>
+    </message>
+    <message>
+        <source>Removal rate</source>
+        <translation>Zeitspanvolumen</translation>
+    </message>
+    <message>
+        <source>Volume per length</source>
+        <translation>Volumen je Länge</translation>
+    </message>
+    <message>
+        <source>Removal Rate</source>
+        <translation>Zeitspanvolumen</translation>
+    </message>
+    <message>
+        <source>Rate (mm³/min)</source>
+        <translation>Rate (mm³/min)</translation>
+    </message>
+    <message>
+        <source>Volume per Length</source>
+        <translation>Volumen je Länge</translation>
+    </message>
+    <message>
+        <source>Volume (mm³/mm)</source>
+        <translation>Abtrag (mm³/mm)</translation>
     </message>
 </context>
 <context>

@@ -69,6 +69,45 @@
     </message>
 </context>
 <context>
+    <name>Activity</name>
+    <message>
+        <source>Cutting</source>
+        <translation>절삭</translation>
+    </message>
+    <message>
+        <source>Feed through air</source>
+        <translation>공중 이송</translation>
+    </message>
+    <message>
+        <source>Rapid</source>
+        <translation>급속 이송</translation>
+    </message>
+    <message>
+        <source>Rapid through stock</source>
+        <translation>소재를 지나는 급속 이송</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1%</translation>
+    </message>
+    <message>
+        <source>Not simulated yet</source>
+        <translation>아직 시뮬레이션하지 않음</translation>
+    </message>
+    <message>
+        <source>Blocks %1 to %2, shares of the machine&apos;s time:</source>
+        <translation>블록 %1~%2, 기계 시간 비율:</translation>
+    </message>
+    <message>
+        <source>Block %1: %2</source>
+        <translation>블록 %1: %2</translation>
+    </message>
+    <message>
+        <source>Simulated so far: cutting %1, air %2, rapids %3 of the time</source>
+        <translation>지금까지 시뮬레이션: 절삭 %1, 공중 이송 %2, 급속 이송 %3(시간 기준)</translation>
+    </message>
+</context>
+<context>
     <name>BreakpointsPanel</name>
     <message>
         <source>Comparisons (&lt; &lt;= &gt; &gt;= == !=) joined by &amp;&amp; || ! and parentheses of:</source>
@@ -5617,6 +5656,30 @@ Default: %4 %5</source>
     <message>
         <source>Width (mm)</source>
         <translation>폭 (mm)</translation>
+    </message>
+    <message>
+        <source>Removal rate</source>
+        <translation>절삭률</translation>
+    </message>
+    <message>
+        <source>Volume per length</source>
+        <translation>길이당 체적</translation>
+    </message>
+    <message>
+        <source>Removal Rate</source>
+        <translation>절삭률</translation>
+    </message>
+    <message>
+        <source>Rate (mm³/min)</source>
+        <translation>절삭률 (mm³/min)</translation>
+    </message>
+    <message>
+        <source>Volume per Length</source>
+        <translation>길이당 체적</translation>
+    </message>
+    <message>
+        <source>Volume (mm³/mm)</source>
+        <translation>체적 (mm³/mm)</translation>
     </message>
 </context>
 <context>

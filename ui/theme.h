@@ -26,6 +26,8 @@ struct MeaningColors {
     QColor coordinate; ///< axis words
     QColor comment;
     QColor breakpoint;
+    QColor cutting; ///< stretches of the program that cut; air and rapids are lighter, or darker on dark
+    QColor air;     ///< that go through air at feed
 };
 [[nodiscard]] MeaningColors meaningColors(const QPalette& palette);
 [[nodiscard]] QColor severityColor(const MeaningColors& colors, Severity severity);

@@ -120,7 +120,7 @@ const std::array<PlotSpec, 7> kPlots{{
      QT_TRANSLATE_NOOP("Plots", "Rate (mm³/min)"), PlotRows::blocks, false, true, kRate, blockBefore,
      blockNumber, timed<machineRemovalRate>},
     {"volume-per-length", QT_TRANSLATE_NOOP("Plots", "Volume per Length"),
-     QT_TRANSLATE_NOOP("Plots", "Block"), QT_TRANSLATE_NOOP("Plots", "Section (mm³/mm)"), PlotRows::blocks,
+     QT_TRANSLATE_NOOP("Plots", "Block"), QT_TRANSLATE_NOOP("Plots", "Volume (mm³/mm)"), PlotRows::blocks,
      false, true, kPerLength, blockBefore, blockNumber, timed<removalPerLength>},
 }};
 

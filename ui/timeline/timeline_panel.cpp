@@ -15,6 +15,7 @@
 #include "ui/cycle_time_text.h"
 #include "ui/program_index.h"
 #include "ui/theme.h"
+#include "ui/timeline/activity_text.h"
 #include "ui/timeline/timeline_scale.h"
 
 namespace proveout {
@@ -34,9 +35,9 @@ std::size_t blockBefore(const Program& program, std::uint32_t line) {
 } // namespace
 
 TimelinePanel::TimelinePanel(Session& session, const PlaybackCommands& commands, QWidget* parent)
-    : QWidget(parent), m_session(session), m_scale(new TimelineScale(this)), m_position(new QLabel(this)),
-      m_time(new QLabel(this)), m_lag(new QLabel(this)), m_by(new ChoiceBox(this)),
-      m_speedLabel(new QLabel(this)), m_speed(new ChoiceBox(this)) {
+    : QWidget(parent), m_session(session), m_activity(session), m_scale(new TimelineScale(this)),
+      m_position(new QLabel(this)), m_time(new QLabel(this)), m_lag(new QLabel(this)),
+      m_by(new ChoiceBox(this)), m_speedLabel(new QLabel(this)), m_speed(new ChoiceBox(this)) {
     auto* layout = new QHBoxLayout(this);
     layout->setContentsMargins(8, 4, 8, 4);
     layout->setSpacing(2);
@@ -60,6 +61,7 @@ TimelinePanel::TimelinePanel(Session& session, const PlaybackCommands& commands,
     m_lag->setObjectName(QStringLiteral("playback-lag"));
     m_lag->hide();
     setFocusProxy(m_scale);
+    m_scale->setActivity(m_activity.log());
     for (QAction* action : commands.actions().all())
         addAction(action);
 
@@ -189,6 +191,7 @@ void TimelinePanel::showFrame(const FramePtr& frame) {
     m_scale->setBlock(block);
     showTime(block);
     showLag(frame);
+    showActivity(frame);
     const QString last = locale().toString(static_cast<qulonglong>(m_session.blockCount()));
     const QString text =
         QStringLiteral("%1 / %2").arg(locale().toString(static_cast<qulonglong>(block)), last);
@@ -217,8 +220,22 @@ void TimelinePanel::showTimes() {
         return;
     const QString last = clockText(times->parts.total());
     m_time->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("%1 / %1").arg(last)) + 8);
-    m_time->setToolTip(timeTip(*times, !m_session.machine()));
+    m_timeTip = timeTip(*times, !m_session.machine());
+    tellShares();
     showTime(m_session.block());
+}
+
+void TimelinePanel::showActivity(const FramePtr& frame) {
+    if (!m_activity.follow(frame.get()))
+        return;
+    m_scale->update();
+    tellShares();
+}
+
+/// Where the time goes by the program, and by what was cut so far.
+void TimelinePanel::tellShares() {
+    const QString shares = activitySummary(m_activity.log());
+    m_time->setToolTip(shares.isEmpty() ? m_timeTip : m_timeTip + u'\n' + shares);
 }
 
 void TimelinePanel::showLag(const FramePtr& frame) {
@@ -238,16 +255,21 @@ void TimelinePanel::showTip(std::size_t block, QPoint globalPlace) {
         return;
     const std::size_t executed = std::max<std::size_t>(block, 1) - 1;
     const Motion motion = program->motion(program->blockMotions(executed).first);
-    QString tip = tr("Block %1 · line %2 · tool T%3")
-                      .arg(locale().toString(static_cast<qulonglong>(block)))
-                      .arg(program->blockLine(executed))
-                      .arg(motion.tool);
-    for (const Diagnostic& problem : m_session.problems()) {
-        if (Session::isInText(problem) &&
-            problem.where.line == static_cast<int>(program->blockLine(executed)))
-            tip += u'\n' + tr("There is a problem on this line.");
-    }
-    QToolTip::showText(globalPlace, tip, m_scale);
+    QStringList tip{tr("Block %1 · line %2 · tool T%3")
+                        .arg(locale().toString(static_cast<qulonglong>(block)))
+                        .arg(program->blockLine(executed))
+                        .arg(motion.tool)
+                        .toHtmlEscaped()};
+    const auto line = static_cast<int>(program->blockLine(executed));
+    if (std::ranges::any_of(m_session.problems(), [line](const Diagnostic& problem) {
+            return Session::isInText(problem) && problem.where.line == line;
+        }))
+        tip << tr("There is a problem on this line.").toHtmlEscaped();
+    const auto stretch = m_scale->stretchAt(m_scale->mapFromGlobal(globalPlace).x());
+    tip << activityLegend(m_activity.log(), stretch, ActivityStrip::colors(palette()));
+    QToolTip::showText(
+        globalPlace,
+        QStringLiteral("<p style=\"white-space:pre\">%1</p>").arg(tip.join(QStringLiteral("<br>"))), m_scale);
 }
 
 void TimelinePanel::changeEvent(QEvent* event) {

@@ -5,6 +5,7 @@
 
 #include "ui/playback_commands.h"
 #include "ui/session.h"
+#include "ui/timeline/activity_follower.h"
 
 class QComboBox;
 class QHBoxLayout;
@@ -38,9 +39,12 @@ private:
     void chooseSpeed(int index);
     void showProgram();
     void showFrame(const FramePtr& frame);
+    void showActivity(const FramePtr& frame);
+    void tellShares();
     void showTip(std::size_t block, QPoint globalPlace);
 
     Session& m_session;
+    ActivityFollower m_activity;
     TimelineScale* m_scale;
     QLabel* m_position;
     QLabel* m_time;
@@ -48,6 +52,7 @@ private:
     QComboBox* m_by;
     QLabel* m_speedLabel;
     QComboBox* m_speed;
+    QString m_timeTip;                   ///< of the machine, without what was simulated
     PlayBy m_filledFor = PlayBy::blocks; ///< what the speeds are named for
 };
 

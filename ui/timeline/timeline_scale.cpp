@@ -19,11 +19,14 @@ namespace proveout {
 
 namespace {
 
-constexpr double kMargin = 10;      // room for half of the head
-constexpr double kTrackTop = 9;     // the marks stand above
-constexpr double kTrackHeight = 10; // the numbers stand below
+constexpr double kMargin = 10;  // room for half of the head
+constexpr double kTrackTop = 9; // the marks stand above
+constexpr double kTrackHeight = 10;
+constexpr double kStripTop = 24; // clear of the head
+constexpr double kStripHeight = 8;
+constexpr double kStripBottom = kStripTop + kStripHeight; // the numbers stand below
 constexpr double kHeadWidth = 11;
-constexpr int kHeight = 42;
+constexpr int kHeight = 54;
 constexpr int kLabelEveryPixels = 90;
 constexpr std::ptrdiff_t kFastFactor = 5;
 
@@ -98,12 +101,24 @@ std::size_t TimelineScale::blockAt(double x) const {
 void TimelineScale::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
-    paintRuler(painter);
+    paintTrack(painter);
+    paintStrip(painter);
+    paintNumbers(painter);
     paintMarks(painter);
     paintHead(painter);
 }
 
-void TimelineScale::paintRuler(QPainter& painter) const {
+int TimelineScale::stripColumns() const {
+    return std::max(1, static_cast<int>(std::lround((width() - 2 * kMargin) * devicePixelRatioF())));
+}
+
+ActivityStrip::Stretch TimelineScale::stretchAt(double x) const {
+    const int columns = stripColumns();
+    const auto column = static_cast<int>(std::floor((x - kMargin) * devicePixelRatioF()));
+    return ActivityStrip::blocksOf(std::clamp(column, 0, columns - 1), columns, m_blocks);
+}
+
+void TimelineScale::paintTrack(QPainter& painter) const {
     const QRectF track(kMargin, kTrackTop, width() - 2 * kMargin, kTrackHeight);
     QRectF done = track;
     done.setRight(positionOf(m_block));
@@ -112,21 +127,37 @@ void TimelineScale::paintRuler(QPainter& painter) const {
     painter.drawRoundedRect(track, 3, 3);
     painter.setBrush(meaningColors(palette()).accent);
     painter.drawRoundedRect(done, 3, 3);
+}
+
+void TimelineScale::paintStrip(QPainter& painter) {
+    if (m_blocks == 0 || m_activity == nullptr)
+        return;
+    const QRectF place(kMargin, kStripTop, width() - 2 * kMargin, kStripHeight);
+    painter.setPen(QPen(palette().color(QPalette::Mid), 1));
+    painter.setBrush(palette().color(QPalette::Base));
+    painter.drawRect(place.adjusted(-0.5, -0.5, 0.5, 0.5));
+    const auto rows = static_cast<int>(std::lround(kStripHeight * devicePixelRatioF()));
+    m_strip.fit({stripColumns(), rows}, m_blocks, ActivityStrip::colors(palette()));
+    m_strip.update(*m_activity);
+    painter.drawImage(place, m_strip.image());
+}
+
+void TimelineScale::paintNumbers(QPainter& painter) const {
     if (m_blocks == 0)
         return;
     QFont small = font();
     small.setPointSizeF(small.pointSizeF() * 0.85);
     painter.setFont(small);
     painter.setPen(palette().color(QPalette::PlaceholderText));
-    const double labels = std::max(1.0, track.width() / kLabelEveryPixels);
+    const double labels = std::max(1.0, (width() - 2 * kMargin) / kLabelEveryPixels);
     const std::size_t step = roundStep(static_cast<double>(m_blocks) / labels);
     for (std::size_t block = 0; block <= m_blocks; block += step) {
         const double x = positionOf(block);
-        painter.drawLine(QPointF(x, track.bottom() + 1), QPointF(x, track.bottom() + 4));
+        painter.drawLine(QPointF(x, kStripBottom + 1), QPointF(x, kStripBottom + 4));
         const QString text = locale().toString(static_cast<qulonglong>(block));
         const double textWidth = painter.fontMetrics().horizontalAdvance(text);
         const double left = std::clamp(x - textWidth / 2, 0.0, std::max(0.0, width() - textWidth));
-        painter.drawText(QPointF(left, track.bottom() + 5 + painter.fontMetrics().ascent()), text);
+        painter.drawText(QPointF(left, kStripBottom + 5 + painter.fontMetrics().ascent()), text);
     }
 }
 
@@ -170,6 +201,7 @@ void TimelineScale::paintHead(QPainter& painter) const {
     const QRectF head(x - kHeadWidth / 2, kTrackTop - 3, kHeadWidth, kTrackHeight + 6);
     const bool focused = hasFocus();
     painter.setPen(QPen(meaningColors(palette()).accent, focused ? 2.5 : 1.5));
+    painter.drawLine(QPointF(x, head.bottom()), QPointF(x, kStripBottom + 1));
     painter.setBrush(palette().color(QPalette::Base));
     painter.drawRoundedRect(head, 3, 3);
 }

@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include "core/base/diagnostic.h"
+#include "ui/timeline/activity_strip.h"
 
 namespace proveout {
 
@@ -32,6 +33,10 @@ public:
     /// Moves the head; while the user drags it, it stays under the mouse.
     void setBlock(std::size_t block);
     void setMarks(std::vector<TimelineMark> marks);
+    /// What the strip under the track shows; it outlives the scale, and who changes it calls update().
+    void setActivity(const ActivityLog& log) { m_activity = &log; }
+    /// The blocks that stand at one pixel of the strip. There are some.
+    [[nodiscard]] ActivityStrip::Stretch stretchAt(double x) const;
 
     [[nodiscard]] std::size_t blockAt(double x) const;
     [[nodiscard]] double positionOf(std::size_t block) const;
@@ -55,7 +60,10 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
 
 private:
-    void paintRuler(QPainter& painter) const;
+    void paintTrack(QPainter& painter) const;
+    void paintStrip(QPainter& painter);
+    void paintNumbers(QPainter& painter) const;
+    [[nodiscard]] int stripColumns() const;
     void paintMarks(QPainter& painter) const;
     static void paintMark(QPainter& painter, const MeaningColors& colors, const TimelineMark& mark, double x);
     void paintHead(QPainter& painter) const;
@@ -65,8 +73,10 @@ private:
     std::size_t m_blocks = 0;
     std::size_t m_block = 0;
     bool m_dragging = false;
-    int m_wheel = 0; ///< turned, not yet stepped, in eighths of a degree
-    std::vector<TimelineMark> m_marks;
+    int m_wheel = 0;                   ///< turned, not yet stepped, in eighths of a degree
+    std::vector<TimelineMark> m_marks; ///< by kind, then severity, then block
+    const ActivityLog* m_activity = nullptr;
+    ActivityStrip m_strip;
 };
 
 } // namespace proveout

@@ -2,11 +2,15 @@
 #include <cmath>
 
 #include <QApplication>
+#include <QHelpEvent>
 #include <QSignalSpy>
 #include <QTest>
+#include <QToolTip>
 #include <QWheelEvent>
 
+#include "tests/ui/opened.h"
 #include "ui/theme.h"
+#include "ui/timeline/timeline_panel.h"
 #include "ui/timeline/timeline_scale.h"
 
 namespace proveout {
@@ -76,6 +80,40 @@ private slots:
         const QColor fault = severityColor(meaningColors(scale.palette()), Severity::fault);
         for (const std::size_t block : {100U, 50'000U})
             QCOMPARE(image.pixelColor(static_cast<int>(scale.positionOf(block)), 4), fault);
+    }
+
+    void theStripShowsARunAndSeeks() {
+        Session session;
+        const PlaybackCommands commands(session);
+        TimelinePanel panel(session, commands);
+        panel.resize(1400, panel.sizeHint().height());
+        panel.show();
+        QVERIFY(
+            opened(session, QStringLiteral(PROVEOUT_SOURCE_DIR "/resources/samples/core-insert.proveout")));
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kOpeningPatience);
+        session.seek(120);
+        QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{120}, kOpeningPatience);
+        TimelineScale& scale = panel.scale();
+        constexpr int kInStrip = 28;
+        const QColor ground = scale.palette().color(QPalette::Base);
+        const auto middleOf = [&](std::size_t block) {
+            return QPoint(static_cast<int>((scale.positionOf(block - 1) + scale.positionOf(block)) / 2),
+                          kInStrip);
+        };
+        const auto ink = [&](std::size_t block) {
+            return scale.grab().toImage().pixelColor(middleOf(block));
+        };
+        const auto cutting = meaningColors(scale.palette()).cutting;
+        QTRY_COMPARE_WITH_TIMEOUT(ink(60), cutting, kOpeningPatience);
+        QCOMPARE(ink(200), ground); // not simulated yet
+        QTest::mouseClick(&scale, Qt::LeftButton, {},
+                          QPoint(static_cast<int>(std::lround(scale.positionOf(200))), kInStrip));
+        QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{200}, kOpeningPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(ink(190) != ground, kOpeningPatience);
+        QHelpEvent help(QEvent::ToolTip, middleOf(60), scale.mapToGlobal(middleOf(60)));
+        QApplication::sendEvent(&scale, &help);
+        QVERIFY2(QToolTip::text().contains(QStringLiteral("Block 60: Cutting")),
+                 qPrintable(QToolTip::text()));
     }
 
     void anEmptyRangeDoesNothing() {
