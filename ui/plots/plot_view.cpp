@@ -10,6 +10,7 @@
 #include <QSvgGenerator>
 #include <QToolTip>
 
+#include "ui/plots/filled_curve.h"
 #include "ui/theme.h"
 
 namespace proveout {
@@ -95,7 +96,7 @@ PlotView::PlotView(const PlotSpec& spec, QWidget* parent)
 
 void PlotView::addCurves() {
     for (std::size_t index = 0; index < m_spec.series.size(); ++index) {
-        QCPGraph* curve = addGraph();
+        auto* curve = new FilledCurve(xAxis, yAxis); // the plot takes it over
         curve->setAdaptiveSampling(true);
         if (m_spec.rows == PlotRows::frames)
             curve->setLineStyle(QCPGraph::lsStepRight);
@@ -413,6 +414,7 @@ QByteArray PlotView::svg() {
     generator.setTitle(translated(m_spec.title));
     QCPPainter painter;
     painter.begin(&generator);
+    painter.setMode(QCPPainter::pmVectorized);
     toPainter(&painter, width(), height());
     painter.end();
     return bytes;

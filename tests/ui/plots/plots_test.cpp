@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <ctime>
 #include <random>
 #include <set>
 #include <utility>
@@ -120,6 +121,8 @@ private slots:
     void aJumpIsAStepOfItsMean();
     void restylesWithThePalette();
     void manyRowsCostLittle();
+    void fillingsStandUnderTheirCurves();
+    void jaggedFillingsCostLittle();
     void panelShowsARunAndExportsIt();
     void exportAsksBeforeItOverwrites();
 };
@@ -469,6 +472,75 @@ void PlotsTest::manyRowsCostLittle() {
     QVERIFY(device.points() > view.width()); // else nothing was counted
     QVERIFY2(device.points() < 4 * view.width() * view.graphCount(),
              qPrintable(QString::number(device.points())));
+}
+
+/// Against Qt's polygons, where these have a simple shape.
+void PlotsTest::fillingsStandUnderTheirCurves() {
+    const auto picture = [](const char* id, bool columns) {
+        PersistentArray<BlockStatistics> blocks;
+        for (int k = 0; k < 40; ++k) {
+            BlockStatistics row;
+            row.removedMm3 = k % 7 * 3 + k % 3;
+            blocks.push_back(row);
+        }
+        std::vector<FrameStatistics> frames;
+        for (std::uint32_t k = 0; k < 40; ++k)
+            frames.push_back({k, k + 1, static_cast<float>(k % 5), 1, static_cast<float>(k % 3), 2});
+        PlotView view(plot(id));
+        view.resize(700, 300);
+        view.setRows({blocks, frames}, 0);
+        view.setBlock(30, 50);
+        // Nothing but fillings: lines are smoothed otherwise.
+        for (int index = 0; index < view.graphCount(); ++index)
+            view.graph(index)->setPen(Qt::NoPen);
+        for (int index = 0; index < view.itemCount(); ++index)
+            view.item(index)->setVisible(false);
+        for (QCPAxis* axis : {view.xAxis, view.yAxis})
+            axis->grid()->setVisible(false);
+        QImage image(view.size(), QImage::Format_RGB32);
+        image.fill(Qt::white);
+        QCPPainter painter(&image);
+        if (!columns)
+            painter.setMode(QCPPainter::pmVectorized);
+        view.toPainter(&painter, view.width(), view.height());
+        painter.end();
+        return image.copy(view.axisRect()->rect().adjusted(10, 10, -10, -10)); // without ticks
+    };
+    for (const char* id : {"removed-volume", "block-time"}) {
+        const QImage columns = picture(id, true);
+        const QImage polygons = picture(id, false);
+        QCOMPARE(columns.size(), polygons.size());
+        int different = 0;
+        for (int y = 0; y < columns.height(); ++y)
+            for (int x = 0; x < columns.width(); ++x)
+                different += std::abs(qGray(columns.pixel(x, y)) - qGray(polygons.pixel(x, y))) > 20 ? 1 : 0;
+        // At the edges, of which each column has as many as curves.
+        const int edges = columns.width() * static_cast<int>(plot(id).series.size());
+        QVERIFY2(different < 2 * edges, qPrintable(QString::number(different)));
+    }
+}
+
+void PlotsTest::jaggedFillingsCostLittle() {
+    std::mt19937 random(3);
+    PersistentArray<BlockStatistics> blocks;
+    for (int k = 0; k < 20'000; ++k)
+        blocks.push_back(randomBlock(random));
+    const auto seconds = [&](bool filled) {
+        PlotView view(plot("removed-volume"));
+        view.resize(700, 300);
+        view.setRows({blocks, {}}, 0);
+        if (!filled)
+            view.graph(0)->setBrush(Qt::NoBrush);
+        view.setBlock(blocks.size(), blocks.size());
+        view.replot(); // lays it out
+        const std::clock_t begin = std::clock();
+        for (int k = 0; k < 5; ++k)
+            view.replot();
+        return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
+    };
+    const double line = seconds(false);
+    const double filled = seconds(true);
+    QVERIFY2(filled < 8 * line, qPrintable(QStringLiteral("%1 %2").arg(filled).arg(line)));
 }
 
 void PlotsTest::panelShowsARunAndExportsIt() {
