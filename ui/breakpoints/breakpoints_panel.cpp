@@ -20,6 +20,7 @@
 #include "ui/choice_box.h"
 #include "ui/diagnostic_text.h"
 #include "ui/panel_layout.h"
+#include "ui/theme.h"
 
 namespace proveout {
 
@@ -90,6 +91,7 @@ void BreakpointsPanel::build() {
     m_problem->setContentsMargins(kMargin, 0, kMargin, 0);
     m_problem->setTextFormat(Qt::PlainText);
     m_problem->hide();
+    colourProblem();
     m_remove->setEnabled(false);
     m_kind->setObjectName(QStringLiteral("breakpoint-kind"));
     m_condition->setObjectName(QStringLiteral("breakpoint-condition"));
@@ -109,6 +111,12 @@ void BreakpointsPanel::build() {
     layout->addLayout(row);
     layout->addWidget(m_problem);
     layout->addWidget(m_list, 1);
+}
+
+void BreakpointsPanel::colourProblem() {
+    QPalette colours = palette();
+    colours.setColor(QPalette::WindowText, meaningColors(colours).error);
+    m_problem->setPalette(colours);
 }
 
 void BreakpointsPanel::showKind() {
@@ -224,6 +232,8 @@ void BreakpointsPanel::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange)
         retranslate();
+    else if (event->type() == QEvent::PaletteChange)
+        colourProblem();
 }
 
 } // namespace proveout

@@ -32,6 +32,7 @@ protected:
 private:
     void build();
     void retranslate();
+    void colourProblem();
     void showKind();
     void showBreakpoints();
     void showHit(const BreakpointHit& hit);
