@@ -11,7 +11,8 @@ namespace proveout {
 
 namespace {
 
-constexpr std::size_t kMostTools = 12; // a tip is no table
+constexpr std::size_t kMostTools = 12;  // a tip is no table
+constexpr double kLongest = 3600 * 1e6; // s; a century is told as such, whatever a dwell asks for
 
 QString text(const char* source) {
     return QCoreApplication::translate("CycleTime", source);
@@ -20,6 +21,8 @@ QString text(const char* source) {
 } // namespace
 
 QString clockText(double seconds) {
+    if (!(seconds < kLongest))
+        return QStringLiteral("> ") + clockText(kLongest - 1);
     const auto whole = static_cast<qlonglong>(std::llround(seconds));
     return QStringLiteral("%1:%2:%3")
         .arg(whole / 3600)

@@ -8,7 +8,7 @@
 
 namespace proveout {
 
-/// "1:02:03".
+/// "1:02:03"; "> 999999:59:59" beyond a million hours.
 [[nodiscard]] QString clockText(double seconds);
 /// Where the time goes, by parts and tools, and what was assumed for it. Several lines.
 [[nodiscard]] QString timeTip(const MachineTimes& times, bool assumed);
