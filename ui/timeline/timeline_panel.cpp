@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include <QEvent>
+#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -25,11 +26,22 @@ namespace {
 constexpr int kPaperMode = kSpeedCount; // the entry behind the speeds
 constexpr int kIconSize = 20;
 constexpr double kLags = 0.95; // of the speed that was asked for
+constexpr int kMostDecimals = 3;
+constexpr double kWidestLag = 1000; // times the unit speed
 
 /// Blocks executed where a breakpoint at `line` stops first.
 std::size_t blockBefore(const Program& program, std::uint32_t line) {
     const std::size_t after = program.blocksAfterLine(line);
     return after > 0 && program.blockLine(after - 1) == line ? after - 1 : after;
+}
+
+/// To two digits, and no exponent: a speed is read at a glance.
+QString roundedText(const QLocale& locale, double value) {
+    if (!(value > 0) || !std::isfinite(value))
+        return locale.toString(value);
+    const int exponent = static_cast<int>(std::floor(std::log10(value)));
+    const double step = std::pow(10.0, exponent - 1);
+    return locale.toString(std::round(value / step) * step, 'f', std::clamp(1 - exponent, 0, kMostDecimals));
 }
 
 } // namespace
@@ -43,11 +55,8 @@ TimelinePanel::TimelinePanel(Session& session, const PlaybackCommands& commands,
     layout->setSpacing(2);
     addTransport(*layout, commands);
     layout->addWidget(m_scale, 1);
-    layout->addWidget(m_position);
+    addReadings(*layout);
     layout->addSpacing(8);
-    layout->addWidget(m_time);
-    layout->addSpacing(8);
-    layout->addWidget(m_lag);
     layout->addWidget(m_by);
     layout->addSpacing(4);
     layout->addWidget(m_speedLabel);
@@ -94,6 +103,20 @@ void TimelinePanel::addTransport(QHBoxLayout& layout, const PlaybackCommands& co
     layout.addSpacing(6);
 }
 
+/// The lag comes and goes: below, where its place is free always, it moves nothing.
+void TimelinePanel::addReadings(QHBoxLayout& layout) {
+    auto* readings = new QGridLayout;
+    readings->setHorizontalSpacing(8);
+    readings->setVerticalSpacing(0);
+    readings->addWidget(m_position, 0, 0);
+    readings->addWidget(m_time, 0, 1);
+    readings->addWidget(m_lag, 1, 0, 1, 2, Qt::AlignRight);
+    QSizePolicy policy = m_lag->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    m_lag->setSizePolicy(policy);
+    layout.addLayout(readings);
+}
+
 void TimelinePanel::retranslate() {
     m_scale->setAccessibleName(tr("Timeline"));
     m_scale->setStatusTip(
@@ -105,6 +128,7 @@ void TimelinePanel::retranslate() {
     m_position->setToolTip(tr("Blocks executed / blocks that move"));
     m_lag->setToolTip(tr("Cutting takes longer than the speed allows: the program is played more slowly, and "
                          "the stock is right at every moment"));
+    m_lag->setMinimumWidth(fontMetrics().horizontalAdvance(lagText(kWidestLag)) + 8);
     fillPaces();
     fillSpeeds();
     showSpeed();
@@ -238,12 +262,16 @@ void TimelinePanel::tellShares() {
     m_time->setToolTip(shares.isEmpty() ? m_timeTip : m_timeTip + u'\n' + shares);
 }
 
+QString TimelinePanel::lagText(double speed) const {
+    return tr("Lags: %1×").arg(roundedText(locale(), speed));
+}
+
 void TimelinePanel::showLag(const FramePtr& frame) {
     const bool lags = frame && frame->playing && frame->keptSpeed < kLags;
     if (lags) {
         const double speed =
             frame->keptSpeed * m_session.playback().unitsPerSecond / unitSpeed(m_session.playback().by);
-        m_lag->setText(tr("Lags: %1×").arg(locale().toString(speed, 'g', 2)));
+        m_lag->setText(lagText(speed));
         m_lag->setStyleSheet(QStringLiteral("color: %1").arg(meaningColors(palette()).warning.name()));
     }
     m_lag->setVisible(lags);

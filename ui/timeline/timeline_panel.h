@@ -29,9 +29,11 @@ protected:
 
 private:
     void addTransport(QHBoxLayout& layout, const PlaybackCommands& commands);
+    void addReadings(QHBoxLayout& layout);
     void retranslate();
     void fillPaces();
     void fillSpeeds();
+    [[nodiscard]] QString lagText(double speed) const;
     void showLag(const FramePtr& frame);
     void showTime(std::size_t block);
     void showTimes();

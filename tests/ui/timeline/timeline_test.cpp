@@ -1,14 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include <QApplication>
 #include <QHelpEvent>
+#include <QLabel>
 #include <QSignalSpy>
 #include <QTest>
 #include <QToolTip>
 #include <QWheelEvent>
 
 #include "tests/ui/opened.h"
+#include "ui/cycle_time_text.h"
 #include "ui/theme.h"
 #include "ui/timeline/timeline_panel.h"
 #include "ui/timeline/timeline_scale.h"
@@ -114,6 +118,40 @@ private slots:
         QApplication::sendEvent(&scale, &help);
         QVERIFY2(QToolTip::text().contains(QStringLiteral("Block 60: Cutting")),
                  qPrintable(QToolTip::text()));
+    }
+
+    void aLagIsToldInPlainNumbersAndMovesNothing() {
+        Session session;
+        const PlaybackCommands commands(session);
+        TimelinePanel panel(session, commands);
+        panel.resize(1280, panel.sizeHint().height());
+        panel.show();
+        auto frame = std::make_shared<Frame>();
+        frame->program = std::make_shared<const Program>();
+        frame->playing = true;
+        auto& lag = *panel.findChild<QLabel*>(QStringLiteral("playback-lag"));
+        emit session.tick(frame); // keeps its speed
+        QVERIFY(!lag.isVisible());
+        const QRect before = panel.scale().geometry();
+        session.setSpeed(1000 * kUnitBlocksPerSecond);
+        for (const auto& [kept, told] : {std::pair{0.5, "500×"},
+                                         {0.1234, "120×"},
+                                         {0.0012, "1.2×"},
+                                         {0.00004, "0.040×"},
+                                         {0.94, "940×"}}) {
+            frame->keptSpeed = kept;
+            emit session.tick(frame);
+            QVERIFY(lag.isVisible());
+            QVERIFY2(lag.text().endsWith(u' ' + QString::fromUtf8(told)), qPrintable(lag.text()));
+            QCoreApplication::processEvents();
+            QCOMPARE(panel.scale().geometry(), before);
+        }
+    }
+
+    void clocksShowAnyTime() {
+        QCOMPARE(clockText(3723.4), QStringLiteral("1:02:03"));
+        for (const double seconds : {1e10, 1e300, std::numeric_limits<double>::infinity()})
+            QCOMPARE(clockText(seconds), QStringLiteral("> 999999:59:59"));
     }
 
     void anEmptyRangeDoesNothing() {
