@@ -15,6 +15,7 @@
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
 #include "ui/gl/gl_functions.h"
+#include "ui/viewport/box_choice.h"
 #include "ui/viewport/surface_pick.h"
 #include "ui/viewport/viewport.h"
 
@@ -149,7 +150,7 @@ private slots:
         const PickedPlace coarse = pick(at);
         const Grid& grid = coarse.moment->zmap.grid();
         const Vec2 middle(grid.x(coarse.point->i), grid.y(coarse.point->j));
-        view().closerLook().look({{middle - 3.0, middle + 3.0}, 0.05});
+        view().closerLook().look({boxAbout(middle, {6, 6}, coarse.moment->zmap.stock()), 0.05});
         QTRY_VERIFY_WITH_TIMEOUT(view().closerLook().picture() != nullptr, kPatience);
         const PickedPlace fine = pick(at);
         QCOMPARE(fine.moment, view().closerLook().picture());
