@@ -11,17 +11,23 @@ bool HeightTexture::fits(Gl& gl, const Grid& grid) {
     return grid.nx <= limit && grid.ny <= limit;
 }
 
-void HeightTexture::allocate(Gl& gl, const Grid& grid) {
+void HeightTexture::restart(Gl& gl, const ZMapSnapshot& moment) {
+    m_grid = moment.grid();
+    m_floor = moment.floor();
+    m_tiles.assign(moment.tileCount(), nullptr);
+    m_onFloor.assign(moment.tileCount(), false);
+    m_tilesOnFloor = 0;
     if (m_texture == 0)
         gl.glGenTextures(1, &m_texture);
     gl.glBindTexture(GL_TEXTURE_2D, m_texture);
-    gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, grid.nx, grid.ny, 0, GL_RED, GL_FLOAT, nullptr);
     // Vertices fetch points; shading reads between them.
     gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
     gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     gl.glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAX_LEVEL, 0);
+    // Behind its parameters: a driver makes room for the levels that these ask for.
+    gl.glTexImage2D(GL_TEXTURE_2D, 0, GL_R32F, m_grid.nx, m_grid.ny, 0, GL_RED, GL_FLOAT, nullptr);
 }
 
 std::size_t HeightTexture::upload(Gl& gl, const ZMapSnapshot& moment, std::size_t index) {
@@ -41,26 +47,23 @@ std::size_t HeightTexture::upload(Gl& gl, const ZMapSnapshot& moment, std::size_
     return sizeof(float) * static_cast<std::size_t>(rect.width()) * static_cast<std::size_t>(rect.height());
 }
 
-HeightTexture::Uploaded HeightTexture::update(Gl& gl, const ZMapSnapshot& moment) {
-    const bool anew = m_texture == 0 || m_moment.tileCount() == 0 || !(moment.grid() == m_moment.grid()) ||
-                      moment.floor() != m_moment.floor();
-    if (anew) {
-        allocate(gl, moment.grid());
-        m_onFloor.assign(moment.tileCount(), false);
-        m_tilesOnFloor = 0;
-    } else {
+HeightTexture::Uploaded HeightTexture::update(Gl& gl, const ZMapSnapshot& moment,
+                                              const UploadBudget& budget) {
+    if (m_texture == 0 || !(moment.grid() == m_grid) || moment.floor() != m_floor)
+        restart(gl, moment);
+    else
         gl.glBindTexture(GL_TEXTURE_2D, m_texture);
-    }
     Uploaded uploaded;
     gl.glPixelStorei(GL_UNPACK_ROW_LENGTH, Tile::kSize);
-    for (std::size_t index = 0; index < moment.tileCount(); ++index) {
-        if (!anew && moment.tile(index) == m_moment.tile(index))
+    for (std::size_t index = 0; index < moment.tileCount() && uploaded.whole; ++index) {
+        if (moment.tile(index) == m_tiles[index])
             continue;
         uploaded.bytes += upload(gl, moment, index);
         ++uploaded.tiles;
+        m_tiles[index] = moment.tile(index);
+        uploaded.whole = !budget.spent();
     }
     gl.glPixelStorei(GL_UNPACK_ROW_LENGTH, 0);
-    m_moment = moment;
     return uploaded;
 }
 
@@ -68,7 +71,7 @@ void HeightTexture::release(Gl& gl) {
     if (m_texture != 0)
         gl.glDeleteTextures(1, &m_texture);
     m_texture = 0;
-    m_moment = {};
+    m_tiles.clear();
 }
 
 } // namespace proveout

@@ -43,15 +43,20 @@ UploadCounts SceneRenderer::upload(const FramePtr& frame) {
     return m_gridFits && frame->zmap.tileCount() > 0 ? m_surface.upload(m_gl, *frame) : UploadCounts{};
 }
 
-bool SceneRenderer::uploadBox(const FramePtr& box) {
+bool SceneRenderer::uploadBox(const FramePtr& box, const UploadBudget& budget) {
+    m_boxPending = false;
     const bool drawn = box != nullptr && m_frame != nullptr && HeightTexture::fits(m_gl, box->zmap.grid());
     if (!drawn) {
         m_box.reset();
         m_boxIn.reset();
         return box == nullptr;
     }
-    if (box != m_box)
-        (void)m_boxSurface.upload(m_gl, *box);
+    if (box != m_box) {
+        m_box.reset(); // what is there no longer is that one
+        m_boxPending = !m_boxSurface.upload(m_gl, *box, budget).whole;
+        if (m_boxPending)
+            return true;
+    }
     if (box != m_box || m_frame != m_boxIn)
         m_boxFrame.setEdge(m_gl, boxEdge(m_frame->zmap, box->zmap, m_frame->parameters.allowance));
     m_box = box;
@@ -123,10 +128,17 @@ void SceneRenderer::finish() {
     m_gl.glFinish();
 }
 
-void SceneRenderer::release() {
-    m_surface.release(m_gl);
+void SceneRenderer::releaseBox() {
+    m_box.reset();
+    m_boxIn.reset();
+    m_boxPending = false;
     m_boxSurface.release(m_gl);
     m_boxFrame.release(m_gl);
+}
+
+void SceneRenderer::release() {
+    m_surface.release(m_gl);
+    releaseBox();
     m_cutter.release(m_gl);
     m_path.release(m_gl);
     if (m_emptyArray != 0)

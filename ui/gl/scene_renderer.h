@@ -24,8 +24,13 @@ public:
     /// no stock: gridFits() tells.
     UploadCounts upload(const FramePtr& frame);
     /// A box of interest, whose z-map and surface are drawn in the place of what the uploaded frame has
-    /// there; null: none. A box with more points along a side than the driver takes is not drawn: false.
-    bool uploadBox(const FramePtr& box);
+    /// there; null: none. It is drawn once it is whole: a large one may take several calls. A box with more
+    /// points along a side than the driver takes is not drawn: false.
+    bool uploadBox(const FramePtr& box, const UploadBudget& budget = {});
+    /// Whether the box needs another call.
+    [[nodiscard]] bool boxPending() const { return m_boxPending; }
+    /// Frees what lies on the graphics side of a box that is not coming back.
+    void releaseBox();
     /// Draws the uploaded frame, or the backdrop alone. Sets viewport, depth and culling; leaves blending and
     /// depth test off and no program bound, as QPainter wants it.
     void draw(const View& view, const SceneOptions& options);
@@ -56,6 +61,7 @@ private:
     BoxFrame m_boxFrame;
     FramePtr m_box;
     FramePtr m_boxIn; ///< the frame that its edge was made for
+    bool m_boxPending = false;
     bool m_gridFits = true;
 };
 

@@ -129,41 +129,51 @@ const SurfaceBuffer::Pattern& SurfaceBuffer::pattern(Gl& gl, const IndexRect& po
     return found->second;
 }
 
-SurfaceBuffer::Uploaded SurfaceBuffer::update(Gl& gl, const SurfaceSnapshot& surface) {
+bool SurfaceBuffer::updateRegion(Gl& gl, const SurfaceSnapshot& surface, std::size_t index,
+                                 Uploaded& uploaded) {
+    Region& region = m_regions[index];
+    const RegionMeshPtr& mesh = surface.meshes[index];
+    if (mesh != nullptr) {
+        if (region.mesh == mesh)
+            return false;
+        region.mesh = mesh;
+        region.borders = {};
+        writeList(gl, index, mesh->triangles, uploaded);
+    } else {
+        const std::array<BorderLinePtr, 4> borders = surface.regionBorders(index);
+        if (region.known && region.mesh == nullptr && region.borders == borders)
+            return false;
+        region.mesh = nullptr;
+        region.borders = borders;
+        if (meetsPolyline(borders))
+            writeList(gl, index, transitionStrip(m_grid, index, borders), uploaded);
+        else
+            region.count = 0;
+    }
+    region.known = true;
+    return true;
+}
+
+SurfaceBuffer::Uploaded SurfaceBuffer::update(Gl& gl, const SurfaceSnapshot& surface,
+                                              const UploadBudget& budget) {
     Uploaded uploaded;
-    bool changed = m_regions.empty();
     if (!(surface.grid == m_grid) || m_regions.size() != surface.meshes.size()) {
         m_grid = surface.grid;
         m_regions.assign(surface.meshes.size(), {});
         m_patterns.clear();
         m_indices.clear();
-        changed = true;
+        m_collected = false;
     }
-    for (std::size_t index = 0; index < m_regions.size(); ++index) {
-        Region& region = m_regions[index];
-        const RegionMeshPtr& mesh = surface.meshes[index];
-        if (mesh != nullptr) {
-            if (region.mesh == mesh)
-                continue;
-            region.mesh = mesh;
-            region.borders = {};
-            writeList(gl, index, mesh->triangles, uploaded);
-        } else {
-            const std::array<BorderLinePtr, 4> borders = surface.regionBorders(index);
-            if (region.known && region.mesh == nullptr && region.borders == borders)
-                continue;
-            region.mesh = nullptr;
-            region.borders = borders;
-            if (meetsPolyline(borders))
-                writeList(gl, index, transitionStrip(m_grid, index, borders), uploaded);
-            else
-                region.count = 0;
-        }
-        region.known = true;
-        changed = true;
+    for (std::size_t index = 0; index < m_regions.size() && uploaded.whole; ++index) {
+        if (!updateRegion(gl, surface, index, uploaded))
+            continue;
+        m_collected = false;
+        uploaded.whole = !budget.spent();
     }
-    if (changed)
+    if (uploaded.whole && !m_collected) {
         collect(gl, uploaded);
+        m_collected = true;
+    }
     return uploaded;
 }
 
@@ -209,6 +219,7 @@ void SurfaceBuffer::release(Gl& gl) {
     m_indices.release(gl);
     m_regions.clear();
     m_patterns.clear();
+    m_collected = false;
 }
 
 } // namespace proveout

@@ -9,6 +9,7 @@
 
 #include "core/decimation/surface.h"
 #include "ui/gl/index_buffer.h"
+#include "ui/gl/upload_budget.h"
 
 namespace proveout {
 
@@ -23,10 +24,13 @@ public:
         std::size_t lists = 0;
         std::size_t indices = 0;
         std::size_t bytes = 0;
+        bool whole = true; ///< all of the surface is there
     };
     enum class Part : std::uint8_t { fromZMap, decimated };
 
-    [[nodiscard]] Uploaded update(Gl& gl, const SurfaceSnapshot& surface);
+    /// Brings the surface to the graphics side, or a part of what is not there yet: the next call goes on.
+    /// Nothing may be drawn before it is whole.
+    [[nodiscard]] Uploaded update(Gl& gl, const SurfaceSnapshot& surface, const UploadBudget& budget = {});
     /// Draws the triangles of one part with the bound program; a vertex array must be bound.
     void draw(Gl& gl, Part part);
     [[nodiscard]] std::size_t triangles(Part part) const {
@@ -65,12 +69,15 @@ private:
     }
     void writeList(Gl& gl, std::size_t index, const std::vector<LatticeTriangle>& triangles,
                    Uploaded& uploaded);
+    /// Whether there was something to do.
+    bool updateRegion(Gl& gl, const SurfaceSnapshot& surface, std::size_t index, Uploaded& uploaded);
     const Pattern& pattern(Gl& gl, const IndexRect& points, Uploaded& uploaded);
     [[nodiscard]] std::uint32_t firstPoint(std::size_t region) const;
     void collect(Gl& gl, Uploaded& uploaded);
 
     RegionGrid m_grid;
     std::vector<Region> m_regions;
+    bool m_collected = false; ///< the lists to draw are those of the regions
     IndexBuffer m_indices;
     std::map<std::tuple<int, int, int>, Pattern> m_patterns; ///< by width, height, parity of the first point
     std::array<std::array<DrawList, 2>, 2> m_lists;          ///< by part and width of the indices

@@ -22,18 +22,23 @@ bool SurfaceRenderer::valid() const {
     return m_plain.valid() && m_holes.valid() && m_wire.valid() && m_walls.valid();
 }
 
-UploadCounts SurfaceRenderer::upload(Gl& gl, const Frame& frame) {
+UploadCounts SurfaceRenderer::upload(Gl& gl, const Frame& frame, const UploadBudget& budget) {
     m_grid = frame.zmap.grid();
     m_floor = frame.zmap.floor();
     m_regionCells = frame.surface.grid.cells();
     UploadCounts counts;
-    const HeightTexture::Uploaded heights = m_heights.update(gl, frame.zmap);
+    const HeightTexture::Uploaded heights = m_heights.update(gl, frame.zmap, budget);
     counts.tiles = heights.tiles;
-    const SurfaceBuffer::Uploaded uploaded = m_surface.update(gl, frame.surface);
+    counts.bytes = heights.bytes;
+    counts.whole = heights.whole;
+    if (!counts.whole)
+        return counts;
+    const SurfaceBuffer::Uploaded uploaded = m_surface.update(gl, frame.surface, budget);
     counts.lists = uploaded.lists;
-    const std::size_t ofWalls = m_wallBuffer.update(gl, frame.surface);
+    counts.whole = uploaded.whole;
+    const std::size_t ofWalls = counts.whole ? m_wallBuffer.update(gl, frame.surface) : 0;
     counts.indices = uploaded.indices + ofWalls;
-    counts.bytes = heights.bytes + uploaded.bytes + ofWalls * sizeof(std::uint32_t);
+    counts.bytes += uploaded.bytes + ofWalls * sizeof(std::uint32_t);
     return counts;
 }
 

@@ -16,6 +16,7 @@ struct UploadCounts {
     std::size_t lists = 0;   ///< lists of triangles of regions, shared patterns included
     std::size_t indices = 0; ///< of those lists and of the walls
     std::size_t bytes = 0;   ///< heights and indices
+    bool whole = true;       ///< all of the frame is there
 };
 
 /// Draws the stock: top surface, walls, underside. All methods need the same context to be current.
@@ -24,8 +25,9 @@ public:
     SurfaceRenderer();
 
     [[nodiscard]] bool valid() const;
-    /// The grid must fit (HeightTexture::fits).
-    [[nodiscard]] UploadCounts upload(Gl& gl, const Frame& frame);
+    /// The grid must fit (HeightTexture::fits). Where the budget does not do, the next call goes on, and
+    /// nothing may be drawn before the frame is whole.
+    [[nodiscard]] UploadCounts upload(Gl& gl, const Frame& frame, const UploadBudget& budget = {});
     /// A rectangle in plan, stock coordinates (x, y, x, y), that is left out of the picture; none where it is
     /// empty.
     void setCutOut(const glm::vec4& rectangle) { m_cutOut = rectangle; }

@@ -2,6 +2,7 @@
 #include "ui/viewport/viewport.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
 #include <QApplication>
@@ -23,6 +24,8 @@ namespace {
 constexpr double kFewestCellsShown = 4;       ///< of the grid, across the picture's height
 constexpr double kSmallestShareOfView = 0.05; ///< of the stock in the picture's height
 constexpr int kRestMilliseconds = 250;
+/// What a box of interest may take of the UI thread at once to go to the graphics side.
+constexpr std::chrono::milliseconds kUploadAtOnce{25};
 /// A smoothed picture in software takes about this many times as long as a plain one …
 constexpr double kSmoothCost = 4;
 /// … and must not hold up the window longer than this.
@@ -63,6 +66,8 @@ Viewport::Viewport(Session& session, const GlSupport& support, QWidget* parent)
         m_smooth = true;
         update();
     });
+    m_uploading.setSingleShot(true);
+    connect(&m_uploading, &QTimer::timeout, this, &Viewport::goOnUploading);
     m_form->hide();
     connect(m_form, &CloserLookForm::closed, this, &Viewport::closeLook);
     connect(m_form, &CloserLookForm::edited, this, &Viewport::followForm);
@@ -245,7 +250,9 @@ void Viewport::paintGL() {
         QElapsedTimer timer;
         timer.start();
         m_uploaded = m_renderer->upload(m_frame);
-        m_boxFits = m_renderer->uploadBox(m_look.picture());
+        m_boxFits = m_renderer->uploadBox(m_look.picture(), UploadBudget(kUploadAtOnce));
+        if (!m_look.box())
+            m_renderer->releaseBox();
         // Waiting for the end costs nothing at 30 pictures a second and makes the figures honest.
         m_renderer->finish();
         uploadSeconds = seconds(timer);
@@ -259,9 +266,25 @@ void Viewport::paintGL() {
     if (m_frame != nullptr)
         m_session.reportDrawn(m_frame->sequence, uploadSeconds, drawSeconds);
     paintOverlay(view);
+    if (m_renderer != nullptr && m_renderer->boxPending())
+        m_uploading.start(0);
     const bool worthIt = m_support.software && kSmoothCost * m_plainSeconds < kLongestSmoothSeconds;
     if (worthIt && !m_smooth && m_frame != nullptr && !m_frame->playing)
         m_rest.start();
+}
+
+/// Between the events of the window, and without a picture that shows nothing new.
+void Viewport::goOnUploading() {
+    if (m_renderer == nullptr)
+        return;
+    makeCurrent();
+    m_boxFits = m_renderer->uploadBox(m_look.picture(), UploadBudget(kUploadAtOnce));
+    m_renderer->finish();
+    doneCurrent();
+    if (m_renderer->boxPending())
+        m_uploading.start(0);
+    else
+        repaintSoon();
 }
 
 void Viewport::drawScene(const View& view) {

@@ -88,6 +88,7 @@ private:
     void repaintSoon();
     [[nodiscard]] Vec3 under(const QPointF& position) const;
     [[nodiscard]] Box3 sceneBox() const;
+    void goOnUploading();
     void drawScene(const View& view);
     void drawSmooth(const View& view);
     void paintOverlay(const View& view);
@@ -126,6 +127,7 @@ private:
     std::unique_ptr<SceneRenderer> m_renderer;
     std::unique_ptr<QOpenGLFramebufferObject> m_smoothTarget;
     UploadCounts m_uploaded;
+    QTimer m_uploading;    ///< runs while a box of interest goes to the graphics side
     QTimer m_rest;         ///< the picture has not changed for a moment
     bool m_smooth = false; ///< draw with smoothed edges, although software takes long for it
     double m_plainSeconds = 0;

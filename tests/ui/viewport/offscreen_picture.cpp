@@ -28,12 +28,12 @@ OffscreenPicture::~OffscreenPicture() {
 }
 
 QImage OffscreenPicture::draw(const FramePtr& frame, const View& view, const SceneOptions& options,
-                              const FramePtr& box) {
+                              const FramePtr& box, const UploadBudget& ofBox) {
     m_context.makeCurrent(&m_surface); // A test may hold two of them.
     QOpenGLFramebufferObject target(view.pixels.x, view.pixels.y, QOpenGLFramebufferObject::Depth);
     target.bind();
     m_uploaded = m_renderer->upload(frame);
-    if (!m_renderer->uploadBox(box))
+    if (!m_renderer->uploadBox(box, ofBox))
         qWarning("the box was not taken");
     m_renderer->draw(view, options);
     return target.toImage().convertToFormat(QImage::Format_RGB32);

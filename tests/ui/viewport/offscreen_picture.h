@@ -22,7 +22,7 @@ public:
     [[nodiscard]] SceneRenderer& renderer() { return *m_renderer; }
     /// Uploads and draws.
     [[nodiscard]] QImage draw(const FramePtr& frame, const View& view, const SceneOptions& options = {},
-                              const FramePtr& box = nullptr);
+                              const FramePtr& box = nullptr, const UploadBudget& ofBox = {});
     /// Of the last draw().
     [[nodiscard]] const UploadCounts& uploaded() const { return m_uploaded; }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The renderer's pictures, looked at pixel by pixel. The backdrop is magenta, which nothing else is.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <memory>
 #include <random>
@@ -125,6 +126,7 @@ private slots:
     void anotherGridIsTakenAnew();
     void staysRightFarFromTheOrigin();
     void boxStandsInThePlaceOfWhatIsThere();
+    void boxComesInPartsAndIsShownWhole();
     void boxLeavesNoCracks();
     void boxThatIsCutThroughIsAHole();
 
@@ -499,6 +501,54 @@ void SceneRendererTest::boxStandsInThePlaceOfWhatIsThere() {
     const double side = 20 * camera.view(stockBox()).pixelsPerMm;
     QVERIFY2(frame > 3 * side && frame < 20 * side, qPrintable(QString::number(frame)));
     QCOMPARE(draw(around.frame(), camera, testOptions()), without);
+}
+
+void SceneRendererTest::boxComesInPartsAndIsShownWhole() {
+    FrameBuilder around(kStock, 1);
+    around.cutAll(hills);
+    around.decimate();
+    const FramePtr frame = around.frame();
+    const auto boxOf = [](double off) {
+        FrameBuilder box(kBoxStock, 0.05);
+        box.cutAll([&](double x, double y) { return hills(x, y) + off * std::sin(9 * x); });
+        box.decimate();
+        return box.frame();
+    };
+    const FramePtr box = boxOf(0.4);
+    const FramePtr other = boxOf(-0.3);
+    const View view = cameraAt(StandardView::iso, true).view(stockBox());
+    const auto drawn = [&](const FramePtr& shown, const UploadBudget& budget) {
+        return m_picture->draw(frame, view, testOptions(), shown, budget);
+    };
+    const QImage without = drawn(nullptr, {});
+    const QImage with = drawn(box, {});
+    const QImage withOther = drawn(other, {});
+    QVERIFY(with != without && withOther != with && withOther != without);
+    // One step a picture; while the first is on its way the other one takes its place.
+    const UploadBudget none(std::chrono::seconds(0));
+    const auto bring = [&](const FramePtr& wanted, int most) {
+        int steps = 0;
+        for (; steps < most; ++steps) {
+            const QImage picture = drawn(wanted, none);
+            if (!m_picture->renderer().boxPending())
+                return std::pair(steps, picture);
+            if (picture != without)
+                return std::pair(-1, picture); // a part of it is shown
+        }
+        return std::pair(steps, QImage());
+    };
+    QCOMPARE(bring(box, 5).first, 5);
+    const auto [back, picture] = bring(other, 1000);
+    QCOMPARE(back, 5); // the rest of it was still there
+    QCOMPARE(picture, withOther);
+    QCOMPARE(drawn(nullptr, {}), without);
+    const auto [steps, anew] = bring(box, 1000);
+    QVERIFY2(steps > 20, qPrintable(QString::number(steps)));
+    QCOMPARE(anew, with);
+    // Given back, it comes anew.
+    m_picture->renderer().releaseBox();
+    QCOMPARE(drawn(nullptr, {}), without);
+    QCOMPARE(drawn(box, {}), with);
 }
 
 void SceneRendererTest::boxLeavesNoCracks() {

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+#include <optional>
+
+namespace proveout {
+
+/// How long one picture may spend on bringing something to the graphics side; the default one has no end.
+/// Value type.
+class UploadBudget {
+public:
+    UploadBudget() = default;
+    /// From now on.
+    explicit UploadBudget(std::chrono::steady_clock::duration length)
+        : m_end(std::chrono::steady_clock::now() + length) {}
+
+    [[nodiscard]] bool spent() const { return m_end && std::chrono::steady_clock::now() >= *m_end; }
+
+private:
+    std::optional<std::chrono::steady_clock::time_point> m_end;
+};
+
+} // namespace proveout
