@@ -192,12 +192,12 @@ Vorgabe: 0 mm</translation>
         <translation>Bei Satz %1: wird gefräst …</translation>
     </message>
     <message>
-        <source>At block %1: cancelled. Another size or spacing starts again.</source>
-        <translation>Bei Satz %1: abgebrochen. Eine andere Größe oder Rasterweite beginnt von neuem.</translation>
-    </message>
-    <message>
         <source>At block %1: %2 × %3 points, %4 mm apart; %5 triangles, %6 s</source>
         <translation>Bei Satz %1: %2 × %3 Punkte im Abstand von %4 mm; %5 Dreiecke, %6 s</translation>
+    </message>
+    <message>
+        <source>At block %1: cancelled.</source>
+        <translation>Bei Satz %1: abgebrochen.</translation>
     </message>
 </context>
 <context>
@@ -257,6 +257,14 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>Close (Esc)</source>
         <translation>Schließen (Esc)</translation>
+    </message>
+    <message>
+        <source>Cut Again</source>
+        <translation>Noch einmal fräsen</translation>
+    </message>
+    <message>
+        <source>Cut the box that was cancelled</source>
+        <translation>Den abgebrochenen Ausschnitt fräsen</translation>
     </message>
 </context>
 <context>

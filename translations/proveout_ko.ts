@@ -192,12 +192,12 @@ Default: 0 mm</source>
         <translation>블록 %1: 절삭하는 중…</translation>
     </message>
     <message>
-        <source>At block %1: cancelled. Another size or spacing starts again.</source>
-        <translation>블록 %1: 취소했습니다. 크기나 간격을 바꾸면 다시 시작합니다.</translation>
-    </message>
-    <message>
         <source>At block %1: %2 × %3 points, %4 mm apart; %5 triangles, %6 s</source>
         <translation>블록 %1: %2 × %3개의 점, 간격 %4 mm, 삼각형 %5개, %6초</translation>
+    </message>
+    <message>
+        <source>At block %1: cancelled.</source>
+        <translation>블록 %1: 취소했습니다.</translation>
     </message>
 </context>
 <context>
@@ -257,6 +257,14 @@ Default: 0 mm</source>
     <message>
         <source>Close (Esc)</source>
         <translation>닫기(Esc)</translation>
+    </message>
+    <message>
+        <source>Cut Again</source>
+        <translation>다시 절삭</translation>
+    </message>
+    <message>
+        <source>Cut the box that was cancelled</source>
+        <translation>취소한 상자를 절삭합니다</translation>
     </message>
 </context>
 <context>

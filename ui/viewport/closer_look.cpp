@@ -93,6 +93,11 @@ void CloserLook::cancel() {
     emit changed();
 }
 
+void CloserLook::again() {
+    if (isLeft())
+        cutSoon(kAtOnce);
+}
+
 void CloserLook::follow(const FramePtr& frame) {
     const bool other = m_frame == nullptr || frame == nullptr || !sameMoment(*m_frame, *frame);
     m_frame = frame;
@@ -152,7 +157,7 @@ QString CloserLook::status() const {
     if (m_working)
         return tr("At block %1: cutting…").arg(block);
     if (!isCurrent())
-        return tr("At block %1: cancelled. Another size or spacing starts again.").arg(block);
+        return tr("At block %1: cancelled.").arg(block);
     const Grid& grid = m_fine->zmap.grid();
     return tr("At block %1: %2 × %3 points, %4 mm apart; %5 triangles, %6 s")
         .arg(block, locale.toString(grid.nx), locale.toString(grid.ny), locale.toString(grid.hx, 'g', 4),

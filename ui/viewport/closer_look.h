@@ -35,8 +35,13 @@ public:
     /// What the view shows now; null: nothing. A box of another block is not shown, and cut anew once the
     /// frame stays for a moment.
     void follow(const FramePtr& frame);
-    /// Leaves what is under way; the box is not shown until something changes.
+    /// Leaves what is under way; the box is not shown until something changes, or again().
     void cancel();
+    /// Cuts a box that was left.
+    void again();
+    [[nodiscard]] bool isLeft() const {
+        return m_box && m_frame && !m_working && m_refused.empty() && !isCurrent();
+    }
 
     [[nodiscard]] const std::optional<BoxOfInterest>& box() const { return m_box; }
     /// Of the frame that is followed; null while there is none.

@@ -50,10 +50,11 @@ CloserLookForm::CloserLookForm(CloserLook& look, QWidget* parent)
       m_width(lengthBox(this, kLeastBoxSide, kMostSize, kSizeDecimals, 1)),
       m_depth(lengthBox(this, kLeastBoxSide, kMostSize, kSizeDecimals, 1)), m_spacingLabel(new QLabel(this)),
       m_spacing(lengthBox(this, kLeastSpacing, kMostSpacing, kSpacingDecimals, 0.005)),
-      m_progress(new QProgressBar(this)), m_cancel(new QToolButton(this)), m_close(new QToolButton(this)),
-      m_status(new QLabel(this)) {
+      m_progress(new QProgressBar(this)), m_cancel(new QToolButton(this)), m_again(new QToolButton(this)),
+      m_close(new QToolButton(this)), m_status(new QLabel(this)) {
     setFrameShape(QFrame::StyledPanel);
     setAutoFillBackground(true);
+    m_again->setObjectName(QStringLiteral("closerAgain"));
     m_width->setObjectName(QStringLiteral("closerWidth"));
     m_depth->setObjectName(QStringLiteral("closerDepth"));
     m_spacing->setObjectName(QStringLiteral("closerSpacing"));
@@ -75,10 +76,12 @@ CloserLookForm::CloserLookForm(CloserLook& look, QWidget* parent)
     layout->addWidget(m_close, 1, 2, Qt::AlignRight);
     layout->addWidget(m_progress, 2, 0, 1, 2);
     layout->addWidget(m_cancel, 2, 2, Qt::AlignRight);
+    layout->addWidget(m_again, 2, 2, Qt::AlignRight); // one of the two is shown
     layout->addWidget(m_status, 3, 0, 1, 3);
     for (QDoubleSpinBox* box : {m_width, m_depth, m_spacing})
         connect(box, &QDoubleSpinBox::valueChanged, this, &CloserLookForm::edited);
     connect(m_cancel, &QToolButton::clicked, &look, &CloserLook::cancel);
+    connect(m_again, &QToolButton::clicked, &look, &CloserLook::again);
     connect(m_close, &QToolButton::clicked, this, &CloserLookForm::closed);
     connect(&look, &CloserLook::changed, this, &CloserLookForm::showState);
     retranslate();
@@ -111,6 +114,8 @@ void CloserLookForm::retranslate() {
     tip(*m_spacing, tr("How far the points of the grid in the box lie apart."), BoxOfInterest().spacing);
     m_cancel->setText(tr("Cancel"));
     m_cancel->setToolTip(tr("Stop this work"));
+    m_again->setText(tr("Cut Again"));
+    m_again->setToolTip(tr("Cut the box that was cancelled"));
     m_close->setText(tr("Close"));
     m_close->setToolTip(tr("Close (Esc)"));
 }
@@ -124,6 +129,7 @@ void CloserLookForm::showState() {
     m_progress->setVisible(m_look.working());
     m_progress->setValue(static_cast<int>(std::lround(m_look.done() * kProgressSteps)));
     m_cancel->setVisible(m_look.working());
+    m_again->setVisible(m_look.isLeft());
     m_status->setText(m_look.status());
     // Of the layout of now, not of the next turn of the event loop: the view places the form by its size.
     layout()->activate();

@@ -45,6 +45,7 @@ private:
     QDoubleSpinBox* m_spacing;
     QProgressBar* m_progress;
     QToolButton* m_cancel;
+    QToolButton* m_again;
     QToolButton* m_close;
     QLabel* m_status;
 };

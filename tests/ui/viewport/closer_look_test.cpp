@@ -190,6 +190,18 @@ void CloserLookTest::cancelLeavesNothing() {
     QVERIFY(look.picture() == nullptr);
     QVERIFY(look.box().has_value());
     QVERIFY(look.status().contains(QStringLiteral("cancelled")));
+    QVERIFY(look.isLeft());
+    look.again();
+    QVERIFY(look.working() && !look.isLeft());
+    QTRY_VERIFY_WITH_TIMEOUT(look.picture() != nullptr, kPatience);
+    QCOMPARE(look.picture()->block, m_last->block);
+    const FramePtr picture = look.picture();
+    look.again(); // nothing is left to do
+    QVERIFY(!look.working() && look.picture() == picture);
+    look.follow(m_first);
+    look.cancel();
+    look.follow(m_last); // the way back, before anything else was cut
+    QVERIFY(look.picture() == picture && !look.isLeft());
     look.follow(m_first);
     QTRY_VERIFY_WITH_TIMEOUT(look.picture() != nullptr, kPatience);
 }
