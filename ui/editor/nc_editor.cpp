@@ -25,6 +25,7 @@ constexpr int kBreakpoint = 0; // below the arrow
 constexpr int kCurrentArrow = 1;
 constexpr int kCurrentBackground = 2;
 constexpr int kBreakpointOff = 3;
+constexpr int kCaretLineVeil = 12; ///< of 255
 constexpr double kCurrentTint = 0.22;
 constexpr std::size_t kBytesAtOnce = 1'000'000; ///< a few milliseconds
 
@@ -104,7 +105,10 @@ void NcEditor::adoptPalette() {
     setLexer(&m_highlighter); // copies the colours into Scintilla's styles
     setPaper(colors.color(QPalette::Base));
     setCaretForegroundColor(colors.color(QPalette::Text));
-    setCaretLineBackgroundColor(colors.color(QPalette::AlternateBase));
+    // A veil, so that the line of the current block keeps its colour where the caret is on it.
+    QColor veil = colors.color(QPalette::Text);
+    veil.setAlpha(kCaretLineVeil);
+    setCaretLineBackgroundColor(veil);
     setCaretLineVisible(true);
     setSelectionBackgroundColor(colors.color(QPalette::Highlight));
     setSelectionForegroundColor(colors.color(QPalette::HighlightedText));
