@@ -298,6 +298,21 @@ std::size_t PlotView::rowAt(double block) const {
     return static_cast<std::size_t>(found - begin);
 }
 
+std::optional<std::size_t> PlotView::peakAt(double pixelX) const {
+    const auto points = graph(graphCount() - 1)->data();
+    const double left = std::floor(pixelX);
+    const auto first = points->findBegin(xAxis->pixelToCoord(left), false);
+    const auto last = points->findEnd(xAxis->pixelToCoord(left + 1), false);
+    if (m_spec.rows == PlotRows::frames || last - first < 2)
+        return std::nullopt;
+    auto peak = first;
+    for (auto point = first; point != last; ++point) {
+        if (point->value > peak->value || std::isnan(peak->value))
+            peak = point;
+    }
+    return static_cast<std::size_t>(peak - points->constBegin());
+}
+
 QString PlotView::rangeText(std::size_t row) const {
     const auto point = pointOf(0, row);
     const double first = m_spec.rows == PlotRows::frames ? (point - 1)->key + 1 : point->key;
@@ -309,7 +324,7 @@ QString PlotView::rangeText(std::size_t row) const {
 QString PlotView::valuesAt(double pixelX) const {
     if (rows() == 0)
         return {};
-    const std::size_t row = rowAt(xAxis->pixelToCoord(pixelX));
+    const std::size_t row = peakAt(pixelX).value_or(rowAt(xAxis->pixelToCoord(pixelX)));
     QString text = rangeText(row) + u'\n' + translated(m_spec.yLabel);
     for (std::size_t index = 0; index < m_spec.series.size(); ++index)
         text +=
@@ -347,7 +362,9 @@ void PlotView::mouseMoveEvent(QMouseEvent* event) {
 void PlotView::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() != Qt::LeftButton || m_dragged || !axisRect()->rect().contains(event->pos()))
         return;
-    const double block = std::round(xAxis->pixelToCoord(event->position().x()));
+    const double x = event->position().x();
+    const auto peak = peakAt(x);
+    const double block = peak ? pointOf(0, *peak)->key : std::round(xAxis->pixelToCoord(x));
     emit blockClicked(static_cast<std::size_t>(std::clamp(block, 0.0, static_cast<double>(m_blockCount))));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include <qcustomplot.h>
@@ -64,6 +65,8 @@ private:
     [[nodiscard]] double highestInSight() const;
     [[nodiscard]] QString rangeText(std::size_t row) const;
     [[nodiscard]] std::size_t rowAt(double block) const;
+    /// Where several rows of blocks stand on one pixel: the highest of them, which is the one that is seen.
+    [[nodiscard]] std::optional<std::size_t> peakAt(double pixelX) const;
     /// Points of a curve before the one of row 0: where a curve of steps begins.
     [[nodiscard]] int pointsBefore() const { return m_spec.rows == PlotRows::frames ? 1 : 0; }
     void styleChanges();

@@ -115,6 +115,7 @@ private slots:
     void csvHoldsEveryValue();
     void ratesAreThoseOfTheMachinesTime();
     void clickSeeksAndDragDoesNot();
+    void amongManyRowsTheOneThatIsSeenIsMeant();
     void followingKeepsTheBlockInSight();
     void hoverReadsTheNearestRow();
     void axesWriteLargeCountsOut();
@@ -330,6 +331,28 @@ void PlotsTest::clickSeeksAndDragDoesNot() {
     QTest::mouseDClick(&view, Qt::LeftButton, {}, at);
     QVERIFY(view.following());
     QCOMPARE(view.xAxis->range().lower, 0.0);
+}
+
+void PlotsTest::amongManyRowsTheOneThatIsSeenIsMeant() {
+    constexpr std::size_t kPeak = 43'210;
+    PersistentArray<BlockStatistics> blocks(100'000);
+    blocks.edit(kPeak).removedMm3 = 77.5;
+    PlotView view(plot("removed-volume"));
+    view.resize(600, 220);
+    view.setRows({blocks, {}}, 0);
+    view.setBlock(0, 200'000); // half of them are still to come
+    view.replot();
+    QSignalSpy clicked(&view, &PlotView::blockClicked);
+    const auto at = [&](double block) {
+        return QPoint(static_cast<int>(std::floor(view.xAxis->coordToPixel(block))), 100);
+    };
+    QTest::mouseClick(&view, Qt::LeftButton, {}, at(kPeak + 1));
+    QCOMPARE(clicked[0][0].value<std::size_t>(), kPeak + 1);
+    const QString text = view.valuesAt(at(kPeak + 1).x());
+    QVERIFY2(text.contains(QLocale().toString(kPeak + 1)) && text.contains(QLocale().toString(77.5)),
+             qPrintable(text));
+    QTest::mouseClick(&view, Qt::LeftButton, {}, at(150'000)); // nothing is known there
+    QVERIFY(std::abs(static_cast<double>(clicked[1][0].value<std::size_t>()) - 150'000) < 500);
 }
 
 void PlotsTest::followingKeepsTheBlockInSight() {
