@@ -55,7 +55,7 @@ TEST(CutSequence, IsTheMotionsOneByOne) {
     const std::uint32_t seed = randomSeed();
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
-    for (int round = 0; round < 12; ++round) {
+    for (int round = 0; round < roundsOf(12); ++round) {
         const RandomSequence sequence(random, 60);
         const double spacing = round % 2 == 0 ? 0.15 : 0.7;
         ZMap expected = freshMap(spacing);
@@ -86,7 +86,7 @@ TEST(CutSequence, KnowsWhichMotionLoweredEachPointLast) {
     const std::uint32_t seed = randomSeed();
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
-    for (int round = 0; round < 8; ++round) {
+    for (int round = 0; round < roundsOf(8); ++round) {
         RandomSequence sequence(random, 60);
         const double spacing = round % 2 == 0 ? 0.15 : 0.7;
         ZMap one = freshMap(spacing);
@@ -144,13 +144,13 @@ TEST(CutSequence, LeavesTheMapAsItWasWhereItIsStopped) {
     const std::uint32_t seed = randomSeed();
     SCOPED_TRACE("seed " + std::to_string(seed));
     Random random(seed);
-    const RandomSequence sequence(random, 400);
+    const RandomSequence sequence(random, roundsOf(400));
     ZMap zmap = freshMap(0.1);
     const ZMapSnapshot before = zmap.snapshot();
     const IndexRect all{0, 0, zmap.grid().nx, zmap.grid().ny};
     ZMap whole = freshMap(0.1);
     (void)cut(whole, sequence.motions, {});
-    for (int round = 0; round < 20; ++round) {
+    for (int round = 0; round < roundsOf(20); ++round) {
         std::stop_source source;
         std::jthread stopper([&source, delay = std::chrono::microseconds(random() % 20000)] {
             std::this_thread::sleep_for(delay);

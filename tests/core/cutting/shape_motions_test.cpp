@@ -20,9 +20,9 @@ const StockBox kStock{{-3, 5, 2}, 24, 18, 30};
 /// The promise.
 constexpr double kAllowed = 1e-3;
 constexpr int kPoints = 10;
-/// Points far apart are computed in double precision, points close together in single precision; where there
-/// are many, leads are fitted.
-constexpr std::array kSpacings = {1.5, 0.15, 0.05, 0.5};
+/// Points close together are computed in single precision, and where there are many, leads are fitted; points
+/// far apart in double precision.
+constexpr std::array kSpacings = {0.15, 1.5, 0.05, 0.5};
 
 template<StraightKind kind>
 Motion straight(Random& random) {
@@ -64,7 +64,7 @@ constexpr std::array kMotions = {
 
 int motionCount() {
     const char* chosen = std::getenv("PROVEOUT_MOTIONS");
-    return chosen == nullptr ? 4 : std::stoi(chosen);
+    return chosen == nullptr ? roundsOf(4) : std::stoi(chosen);
 }
 
 std::vector<std::string> shapeKeys() {

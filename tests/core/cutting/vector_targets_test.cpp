@@ -15,7 +15,6 @@ namespace proveout {
 namespace {
 
 const StockBox kStock{{-3, 5, 2}, 40, 36, 12};
-constexpr int kMotions = 200;
 
 Motion randomMotion(Random& random, int k) {
     if (k % 2 == 0)
@@ -32,8 +31,9 @@ std::vector<float> heightsWith(std::int64_t target, std::uint32_t seed, bool atO
     ZMap zmap(kStock, grid);
     const char* shapes[] = {"flat", "ball", "bull", "cone", "taperball", "centre", "form"};
     std::vector<Cutter> cutters;
-    std::vector<CutterMotion> motions(kMotions);
-    for (int k = 0; k < kMotions; ++k) {
+    std::vector<CutterMotion> motions(static_cast<std::size_t>(roundsOf(200)));
+    cutters.reserve(motions.size());
+    for (int k = 0; cutters.size() < motions.size(); ++k) {
         cutters.push_back(randomCutter(random, shapes[k % 7]));
         motions[static_cast<std::size_t>(k)].motion = randomMotion(random, k);
     }

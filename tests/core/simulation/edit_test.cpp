@@ -104,7 +104,7 @@ TEST(Edit, InTheLastTenthCutsAtMostFifteenPercentOfTheBlocks) {
     const auto setup = smallSetup(0.03);
     DecimationParameters parameters;
     parameters.period = 0;
-    auto lines = linesOf(randomProgram(seed, 3000));
+    auto lines = linesOf(randomProgram(seed, roundsOf(3000)));
     const auto simulation = startedSimulation(programOf(joined(lines)), setup, parameters);
     simulation->seek(simulation->blockCount());
     for (const std::size_t percent : {98, 95, 91}) {

@@ -44,7 +44,7 @@ class RandomPath : public testing::TestWithParam<PathCase> {};
 
 /// Each kind of step in the proportion in which a user takes them; 1 000 in all.
 TEST_P(RandomPath, EndsAsAFreshRunDoes) {
-    constexpr int kSteps = 1000;
+    const int steps = roundsOf(1000);
     const std::uint32_t seed = randomSeed();
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937 random(seed);
@@ -57,7 +57,7 @@ TEST_P(RandomPath, EndsAsAFreshRunDoes) {
     auto straight = straightRun(program, setup, parameters);
     const auto simulation = startedSimulation(program, setup, parameters);
     simulation->setCheckpointBudget(GetParam().budget);
-    for (int step = 0; step < kSteps; ++step) {
+    for (int step = 0; step < steps; ++step) {
         const auto kind = random() % 100;
         if (kind < 50) {
             simulation->seek(random() % (program->blockCount() + 1));
@@ -90,8 +90,8 @@ INSTANTIATE_TEST_SUITE_P(Budgets, RandomPath,
 TEST(EditCost, IsWhatLiesBehindTheEdit) {
     const std::uint32_t seed = randomSeed();
     SCOPED_TRACE(testing::Message() << "seed " << seed);
-    constexpr int kBlocks = 10'000;
-    const std::string text = randomProgram(seed, kBlocks);
+    const int blocks = roundsOf(10'000);
+    const std::string text = randomProgram(seed, blocks);
     const auto setup = std::make_shared<proveout::Setup>(*smallSetup(0.01));
     setup->tools.set(1, parseCutter("ball:d=20,l=30").value());
     DecimationParameters parameters;
@@ -104,7 +104,8 @@ TEST(EditCost, IsWhatLiesBehindTheEdit) {
     for (int edit = 0; edit < 3; ++edit) {
         // A line of the last tenth; the head of the text has three lines that move nothing.
         std::size_t at = 0;
-        for (std::size_t line = 3 + kBlocks * 9 / 10 + random() % (kBlocks / 10 - 5); line > 0; --line)
+        const auto tenth = static_cast<std::size_t>(blocks / 10);
+        for (std::size_t line = 3 + 9 * tenth + random() % (tenth - 5); line > 0; --line)
             at = text.find('\n', at) + 1;
         std::string edited = text;
         edited.insert(at, "G1 X20 Y15 Z-6 F500\n");

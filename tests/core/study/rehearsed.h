@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What tests of forecasts rehearse: random programs under a method.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "core/decimation/parameters.h"
+#include "tests/random_seed.h"
+
+namespace proveout {
+
+struct Rehearsed {
+    DecimationMethod method;
+    std::uint_fast32_t seed;
+};
+
+/// `all` programs from the seed `first`, or the share of them that the build tries.
+inline std::vector<Rehearsed> rehearsed(DecimationMethod method, std::uint_fast32_t first, int all) {
+    std::vector<Rehearsed> some;
+    for (int k = 0; k < roundsOf(all); ++k)
+        some.push_back({method, first + static_cast<std::uint_fast32_t>(k)});
+    return some;
+}
+
+} // namespace proveout
