@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The 3D view on a session that runs a sample: gestures, keys, and what it tells the session.
 #include <cmath>
+#include <utility>
 
 #include <QApplication>
 #include <QDoubleSpinBox>
@@ -20,6 +21,7 @@ using namespace proveout;
 namespace {
 
 constexpr int kPatience = 30'000; // ms
+constexpr int kQuiet = 150;       // ms; what is to be painted is painted sooner
 const QString kSample = QStringLiteral(PROVEOUT_SOURCE_DIR "/resources/samples/core-insert.proveout");
 
 void wheel(QWidget& widget, const QPointF& at, int angle) {
@@ -191,14 +193,18 @@ void ViewportTest::keysChooseViewsAndSwitches() {
 
 void ViewportTest::repaintsOnNewFramesOnly() {
     QTRY_VERIFY_WITH_TIMEOUT(m_view->atRest(), kPatience);
-    QTest::qWait(0); // the smoothed picture that was asked for at that moment
     int painted = 0;
     connect(m_view, &QOpenGLWidget::aboutToCompose, this, [&] { ++painted; });
+    // What is asked for is painted some milliseconds later: here the smoothed picture, asked for at that
+    // moment.
+    for (int before = -1; std::exchange(before, painted) != painted;)
+        QTest::qWait(kQuiet);
+    painted = 0;
     QSignalSpy ticks(m_session.get(), &Session::tick);
     for (int k = 1; k <= 3; ++k) {
         m_session->requestTick();
         QTRY_COMPARE_WITH_TIMEOUT(ticks.count(), k, kPatience);
-        QTest::qWait(0); // paints what the tick has asked for
+        QTest::qWait(kQuiet); // paints what the tick has asked for
     }
     QCOMPARE(painted, 0);
     m_session->step(1);
