@@ -32,4 +32,4 @@ display=()
 if [ -z "${DISPLAY:-}" ]; then
     display=(xvfb-run --auto-servernum --server-args "-screen 0 1600x1000x24")
 fi
-"${display[@]}" ctest --test-dir build/release --output-on-failure "$@"
+"${display[@]}" ctest --test-dir build/release --parallel "$jobs" --output-on-failure "$@"
