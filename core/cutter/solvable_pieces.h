@@ -9,7 +9,7 @@ namespace proveout {
 
 /// How far in height, mm, lines may lie from the arc that they stand for. The rest of a micrometre is left to
 /// the rounding of cutting.
-inline constexpr double kProfileError = 7e-4;
+inline constexpr double kProfileError = 5e-4;
 /// Where such an arc stands upright, this much of its radii, mm, counts as its wall.
 inline constexpr double kUprightPart = 1e-5;
 

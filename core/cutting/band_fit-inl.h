@@ -110,12 +110,14 @@ HWY_INLINE bool fitBand(Solved& solved, float begin, float end, LeadBands::Band&
     return hn::AllTrue(kFloats, hn::Le(apart, all(solved.error())));
 }
 
-/// Bands over [begin, end], halved until they are near enough.
+/// Adds bands over [begin, end], halved until they are near enough; false where that takes too many.
 template<class Solved>
 bool fitBands(Solved& solved, float begin, float end, LeadBands& bands) {
     std::array<float, LeadBands::kMost> ends{};
     std::size_t waiting = 1;
     ends[0] = end;
+    if (bands.count == LeadBands::kMost)
+        return false;
     while (waiting > 0) {
         if (fitBand(solved, begin, ends[waiting - 1], bands.bands[bands.count])) {
             ++bands.count;

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/cutting/hollow_profile.h"
+
 namespace proveout {
 
 double ConvexProfile::height(double r) const {
@@ -50,21 +52,56 @@ ConvexProfile filledInside(const ProfilePiece& piece, double rimSlack) {
     return profile;
 }
 
-/// Whether the filled inside of `next` is all that `piece` is.
+/// Whether the filled inside of `next` is all that `piece` is. A hollow leaves the edge of its own to the
+/// piece before.
 bool coveredBy(const ProfilePiece& piece, const ProfilePiece& next) {
-    return piece.kind == PieceKind::line && piece.z0 == piece.z1 && piece.z1 == next.z0;
+    return piece.kind == PieceKind::line && next.kind != PieceKind::upperArc && piece.z0 == piece.z1 &&
+           piece.z1 == next.z0;
+}
+
+/// Whether `piece` is a wall on the rim of `before`.
+bool standsOn(const ProfilePiece& before, const ProfilePiece& piece) {
+    return piece.r0 == piece.r1 && before.r1 == piece.r0 && before.z1 <= piece.z0;
+}
+
+/// Calls `work` with those pieces that the others do not cover.
+template<class Work>
+void forEachNeeded(const std::vector<ProfilePiece>& pieces, const Work& work) {
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const bool wall = i > 0 && standsOn(pieces[i - 1], pieces[i]);
+        if (!wall && (i + 1 == pieces.size() || !coveredBy(pieces[i], pieces[i + 1])))
+            work(pieces[i]);
+    }
+}
+
+HollowProfile hollow(const ProfilePiece& piece, double rimSlack) {
+    ProfilePiece chord = piece;
+    chord.kind = PieceKind::line;
+    return {filledInside(chord, rimSlack), piece.centreR, piece.centreZ, piece.radius};
 }
 
 } // namespace
 
 std::vector<ConvexProfile> convexProfiles(const Cutter& cutter, double rimSlack) {
-    const auto& pieces = cutter.solvablePieces();
     std::vector<ConvexProfile> profiles;
-    profiles.reserve(pieces.size());
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
-        if (i + 1 == pieces.size() || !coveredBy(pieces[i], pieces[i + 1]))
-            profiles.push_back(filledInside(pieces[i], rimSlack));
-    }
+    profiles.reserve(cutter.solvablePieces().size());
+    forEachNeeded(cutter.solvablePieces(),
+                  [&](const ProfilePiece& piece) { profiles.push_back(filledInside(piece, rimSlack)); });
+    return profiles;
+}
+
+std::optional<HollowedProfiles> hollowedProfiles(const Cutter& cutter, double rimSlack) {
+    HollowedProfiles profiles;
+    bool all = true;
+    forEachNeeded(cutter.pieces(), [&](const ProfilePiece& piece) {
+        if (piece.kind == PieceKind::upperArc)
+            profiles.hollow.push_back(hollow(piece, rimSlack));
+        else
+            profiles.convex.push_back(filledInside(piece, rimSlack));
+        all = all && (piece.kind != PieceKind::arc || piece.centreR >= 0);
+    });
+    if (!all || profiles.hollow.empty())
+        return std::nullopt;
     return profiles;
 }
 

@@ -11,8 +11,8 @@
 #include <cmath>
 
 #include "core/cutting/band_fit-inl.h"
+#include "core/cutting/lead_search-inl.h"
 #include "core/cutting/round_envelope-inl.h"
-#include "core/cutting/round_lead-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace proveout {
@@ -72,6 +72,8 @@ template<class Envelope>
 inline constexpr bool kOfBlocks = false;
 template<>
 inline constexpr bool kOfBlocks<SlopedEnvelope<CornerForm, CornerLead>> = true;
+template<>
+inline constexpr bool kOfBlocks<HollowEnvelope> = true;
 template<class Form>
 inline constexpr bool kOfBlocks<HelixEnvelope<Form>> = true;
 template<>
@@ -90,6 +92,14 @@ HWY_INLINE void withBlockEnvelope(const SlopedEnvelope<CornerForm, CornerLead>& 
     if (bands.count > kMostBands)
         return work(envelope);
     work(SlopedEnvelope<CornerForm, FittedCornerLead>(pass, {envelope.lead.shape, bands}));
+}
+
+template<class Work>
+HWY_INLINE void withBlockEnvelope(const HollowEnvelope& envelope, const TilePass& pass, std::size_t block,
+                                  const Work& work) {
+    HollowEnvelope narrow = envelope;
+    narrow.ahead2 = bandsAcross(pass, block);
+    work(narrow);
 }
 
 template<class Form, class Work>
@@ -128,30 +138,58 @@ HWY_INLINE void withBlockEnvelope(const LevelRoundEnvelope<WholeForm>& envelope,
     work(narrowed(envelope, pass, block));
 }
 
-template<class Form>
-bool fitRoundBands(const TilePass& pass, LeadBands& bands) {
-    const float rim = std::sqrt(pass.rim2);
-    RoundLead<Form> lead(pass);
-    const bool fitted = fitBands(lead, -std::min(rim, pass.round.radius), rim, bands);
-    bands.rim = lead.leaves();
-    return fitted && !lead.ambiguous();
+template<class Form, class Way>
+bool fitAll(LeadSearch<Form, Way>& search, const TilePass& pass, LeadBands& bands) {
+    return fitBands(search, Way::least(pass), Way::most(pass), bands);
+}
+
+/// Beside the edge of its flat a hollow may touch over a narrow strip, which bands must not miss.
+template<class Way>
+bool fitAll(LeadSearch<HollowForm, Way>& search, const TilePass& pass, LeadBands& bands) {
+    constexpr int kParts = 4;
+    float from = Way::least(pass);
+    for (const float to : {Way::innerEdge(pass), Way::outerEdge(pass), Way::most(pass)}) {
+        const float part = (to - from) / kParts;
+        for (int k = 0; k < kParts && part > 0; ++k) {
+            const float begin = from + static_cast<float>(k) * part;
+            if (!fitBands(search, begin, k + 1 < kParts ? begin + part : to, bands))
+                return false;
+        }
+        from = std::max(from, to);
+    }
+    return true;
+}
+
+template<class Form, class Way>
+bool fitSearched(const TilePass& pass, LeadBands& bands) {
+    LeadSearch<Form, Way> search(pass);
+    const bool fitted = fitAll(search, pass, bands);
+    bands.rim = search.leaves();
+    return fitted && !search.ambiguous();
+}
+
+inline bool fitStraightBands(const TilePass& pass, LeadBands& bands) {
+    if (pass.form == TilePass::Form::hollow)
+        return fitSearched<HollowForm, StraightWay>(pass, bands);
+    SolvedCornerLead lead(pass);
+    return pass.form == TilePass::Form::corner && fitBands(lead, 0.0F, pass.rim2, bands);
 }
 
 /// The bands of a pass; false where there are none.
 inline bool fitPassBands(const TilePass& pass, LeadBands& bands) {
-    if (pass.path == TilePass::Path::straight) {
-        SolvedCornerLead lead(pass);
-        return pass.form == TilePass::Form::corner && fitBands(lead, 0.0F, pass.rim2, bands);
-    }
+    if (pass.path == TilePass::Path::straight)
+        return fitStraightBands(pass, bands);
     switch (pass.form) {
     case TilePass::Form::flat:
-        return fitRoundBands<FlatForm>(pass, bands);
+        return fitSearched<FlatForm, RoundWay>(pass, bands);
     case TilePass::Form::line:
-        return fitRoundBands<LineForm>(pass, bands);
+        return fitSearched<LineForm, RoundWay>(pass, bands);
     case TilePass::Form::ball:
-        return fitRoundBands<BallForm>(pass, bands);
+        return fitSearched<BallForm, RoundWay>(pass, bands);
     case TilePass::Form::corner:
-        return fitRoundBands<CornerForm>(pass, bands);
+        return fitSearched<CornerForm, RoundWay>(pass, bands);
+    case TilePass::Form::hollow:
+        return fitSearched<HollowForm, RoundWay>(pass, bands);
     case TilePass::Form::whole:
         break;
     }

@@ -91,6 +91,17 @@ struct CornerForm {
     }
 };
 
+struct HollowForm {
+    V flatTo, ring, centre, radius2;
+    explicit HollowForm(const TilePass& pass)
+        : flatTo(all(pass.flatTo)), ring(all(pass.hollowRing)), centre(all(pass.hollowCentre)),
+          radius2(all(pass.hollowRadius2)) {}
+    HWY_INLINE V height(V distance2) const {
+        const V in = hn::Sub(ring, hn::Max(hn::Sqrt(distance2), flatTo));
+        return hn::Add(centre, rootOf(minusProduct(in, in, radius2)));
+    }
+};
+
 /// Some neighbouring pieces of a whole profile; none beyond them is asked for.
 struct WholeForm {
     const LevelProfile::Piece* first;
@@ -288,6 +299,8 @@ HWY_INLINE void withEnvelope(const TilePass& pass, const Work& work) {
         if (pass.level)
             return work(LevelEnvelope<CornerForm>(pass));
         return work(SlopedEnvelope<CornerForm, CornerLead>(pass));
+    case TilePass::Form::hollow:
+        return; // see HollowEnvelope
     case TilePass::Form::whole:
         return work(LevelEnvelope<WholeForm>(pass));
     }

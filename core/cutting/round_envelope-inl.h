@@ -12,6 +12,7 @@
 #include <type_traits>
 
 #include "core/cutting/band_fit-inl.h"
+#include "core/cutting/hollow_envelope-inl.h"
 #include "core/cutting/pass_envelope-inl.h"
 
 HWY_BEFORE_NAMESPACE();
@@ -229,6 +230,8 @@ HWY_INLINE void withRoundEnvelope(const TilePass& pass, const Work& work) {
         if (pass.level)
             return work(LevelRoundEnvelope<CornerForm>(pass));
         return work(HelixEnvelope<CornerForm>(pass));
+    case TilePass::Form::hollow:
+        return work(HelixEnvelope<HollowForm>(pass)); // level ones are cut whole
     case TilePass::Form::whole:
         return work(LevelRoundEnvelope<WholeForm>(pass));
     }
@@ -239,6 +242,8 @@ template<class Work>
 HWY_INLINE void withAnyEnvelope(const TilePass& pass, const Work& work) {
     if (pass.path == TilePass::Path::round)
         withRoundEnvelope(pass, work);
+    else if (pass.form == TilePass::Form::hollow)
+        work(HollowEnvelope(pass));
     else
         withEnvelope(pass, work);
 }

@@ -136,6 +136,13 @@ std::vector<RoundPass> RoundPass::allOf(const std::shared_ptr<const LevelProfile
     return passes;
 }
 
+std::vector<RoundPass> RoundPass::allOf(const HollowProfile& hollow, const ArcPath& path) {
+    std::vector<RoundPass> passes = allOf(hollow.below, path);
+    for (RoundPass& pass : passes)
+        setHollow(pass.m_form, hollow);
+    return passes;
+}
+
 bool RoundPass::fitLeads(std::span<RoundPass> parts) {
     constexpr double kAlike = 5e-3; // of a radius: heights depend on the square of what leads are off
     const RoundPass* last = nullptr;

@@ -31,6 +31,9 @@ public:
     [[nodiscard]] static std::vector<RoundPass> allOf(const std::shared_ptr<const LevelProfile>& whole,
                                                       const ArcPath& path);
 
+    /// A hollow on a path that climbs; of no use without its leads.
+    [[nodiscard]] static std::vector<RoundPass> allOf(const HollowProfile& hollow, const ArcPath& path);
+
     /// To be called for all of the parts of a path that climbs. False where leads cannot be told by bands:
     /// these passes are of no use then.
     [[nodiscard]] static bool fitLeads(std::span<RoundPass> parts);

@@ -48,6 +48,13 @@ void setAhead(TilePass& form, const ConvexProfile& profile, double fall) {
 
 } // namespace
 
+void setHollow(TilePass& form, const HollowProfile& hollow) {
+    form.form = TilePass::Form::hollow;
+    form.hollowRing = toFloat(hollow.centreR);
+    form.hollowCentre = toFloat(hollow.centreZ - hollow.below.reference());
+    form.hollowRadius2 = toFloat(hollow.radius * hollow.radius);
+}
+
 TilePass StraightPass::formOf(const ConvexProfile& profile, const StraightPath& path) {
     const double fall = std::abs(path.slope);
     TilePass form;
@@ -94,11 +101,17 @@ StraightPass::StraightPass(std::shared_ptr<const LevelProfile> whole, const Stra
     m_whole = std::move(whole);
 }
 
-void StraightPass::fitLeads() {
+StraightPass::StraightPass(const HollowProfile& hollow, const StraightPath& path)
+    : StraightPass(hollow.below, path) {
+    setHollow(m_form, hollow);
+}
+
+bool StraightPass::fitLeads() {
     TilePass pass = m_form;
     pass.rim2 = toFloat(m_rim * m_rim);
     m_bands = leadBands(pass);
     m_form.bands = m_bands.get();
+    return m_bands != nullptr;
 }
 
 TilePass StraightPass::overTile(double x, double y, const TileSpacing& spacing) const {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 
+#include "core/cutting/hollow_profile.h"
 #include "core/cutting/lead_bands.h"
 #include "core/cutting/level_profile.h"
 #include "core/cutting/straight_sweep.h"
@@ -24,13 +25,19 @@ struct TileSpacing {
           blockReach(std::hypot(x, y) * (Tile::kBlockSize - 1) / 2) {}
 };
 
-/// One convex profile on one straight path, ready to be seen from any tile of a grid. Immutable; any thread.
+/// Makes a pass of the line below a hollow one of the hollow.
+void setHollow(TilePass& form, const HollowProfile& hollow);
+
+/// One profile on one straight path, ready to be seen from any tile of a grid. Immutable; any thread.
 class StraightPass {
 public:
     StraightPass(const ConvexProfile& profile, const StraightPath& path);
 
     /// A whole profile on a level path.
     StraightPass(std::shared_ptr<const LevelProfile> whole, const StraightPath& path);
+
+    /// A hollow on a path that is not level; of no use without its leads.
+    StraightPass(const HollowProfile& hollow, const StraightPath& path);
 
     /// Whether single precision tells the envelope over a grid to a ten thousandth of a millimetre. Very
     /// large cutters, wide grids and near plunges want more digits.
@@ -40,8 +47,9 @@ public:
     /// What a pass of this slope is on any path and over any tile.
     [[nodiscard]] static TilePass formOf(const ConvexProfile& profile, const StraightPath& path);
 
-    /// Finds leads once for all points, which is worth it for many. See LeadBands.
-    void fitLeads();
+    /// Finds leads once for all points, which is worth it for many; false where they cannot be told so. See
+    /// LeadBands.
+    bool fitLeads();
 
     /// Seen from the tile whose middle lies at (x, y), in the path's coordinates; not beyond this one's life.
     [[nodiscard]] TilePass overTile(double x, double y, const TileSpacing& spacing) const;

@@ -51,6 +51,8 @@ Sweep::Sweep(const Cutter& cutter, const Motion& motion, double topZ)
     const bool rough = cutter.solvablePieces().size() != cutter.pieces().size();
     if ((rough || m_profiles.size() > kFew) && level())
         m_whole = std::make_shared<LevelProfile>(cutter.pieces(), rimSlack(motion));
+    if (rough && !level())
+        m_hollowed = hollowedProfiles(cutter, rimSlack(motion));
     double lowestOfProfile = kInfinity;
     for (const ConvexProfile& profile : m_profiles) {
         m_rim = std::max(m_rim, profile.rim);
@@ -78,6 +80,12 @@ bool Sweep::level() const {
 SweepPasses Sweep::passes(double hx, double hy) const {
     if (m_whole)
         return m_arc ? SweepPasses(m_whole, m_path, {hx, hy}) : SweepPasses(m_whole, m_straight, {hx, hy});
+    if (m_hollowed) {
+        SweepPasses passes = m_arc ? SweepPasses(*m_hollowed, m_path, {hx, hy})
+                                   : SweepPasses(*m_hollowed, m_straight, {hx, hy});
+        if (!passes.empty())
+            return passes;
+    }
     return m_arc ? SweepPasses(m_profiles, m_path, {hx, hy}) : SweepPasses(m_profiles, m_straight, {hx, hy});
 }
 

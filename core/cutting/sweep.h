@@ -3,10 +3,12 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "core/base/geometry.h"
 #include "core/cutting/arc_sweep.h"
+#include "core/cutting/hollow_profile.h"
 #include "core/cutting/level_profile.h"
 #include "core/cutting/row_points.h"
 #include "core/cutting/straight_sweep.h"
@@ -60,6 +62,7 @@ private:
 
     std::vector<ConvexProfile> m_profiles;
     std::shared_ptr<const LevelProfile> m_whole; ///< of lines and circles at one height
+    std::optional<HollowedProfiles> m_hollowed;  ///< of others; `m_profiles` has lines for their hollows
     Vec3 m_origin{0};
     bool m_arc = false;
     StraightPath m_straight;

@@ -8,10 +8,23 @@ namespace proveout {
 
 namespace {
 
+bool reachesOver(double points, double rim, double length, const TileSpacing& spacing) {
+    return 2 * rim * (length + rim) >= points * spacing.hx * spacing.hy;
+}
+
 /// Fitting leads costs about as much as solving these for some thousand points.
 bool worthFitting(const ConvexProfile& profile, double length, const TileSpacing& spacing) {
     constexpr double kPoints = 10'000;
-    return 2 * profile.rim * (length + profile.rim) >= kPoints * spacing.hx * spacing.hy;
+    return reachesOver(kPoints, profile.rim, length, spacing);
+}
+
+/// As many lines as a hollow is cut as otherwise cost more.
+bool worthFitting(const HollowedProfiles& profiles, double length, const TileSpacing& spacing) {
+    constexpr double kPoints = 2'000;
+    const auto worth = [&](const HollowProfile& hollow) {
+        return reachesOver(kPoints, hollow.below.rim, length, spacing);
+    };
+    return std::ranges::all_of(profiles.hollow, worth);
 }
 
 } // namespace
@@ -36,7 +49,7 @@ SweepPasses::SweepPasses(std::span<const ConvexProfile> profiles, const ArcPath&
         return std::ranges::all_of(
             profiles, [&](const ConvexProfile& profile) { return suffices(profile, path, spacing); });
     };
-    if (allSuffice(RoundPass::suffices) && addRound(profiles, path))
+    if (allSuffice(RoundPass::suffices) && addRound<ConvexProfile>(profiles, path))
         return;
     m_round.clear();
     if (allSuffice(CurvePass::suffices)) {
@@ -45,14 +58,48 @@ SweepPasses::SweepPasses(std::span<const ConvexProfile> profiles, const ArcPath&
     }
 }
 
-bool SweepPasses::addRound(std::span<const ConvexProfile> profiles, const ArcPath& path) {
-    for (const ConvexProfile& profile : profiles) {
+template<class Profile>
+bool SweepPasses::addRound(std::span<const Profile> profiles, const ArcPath& path) {
+    for (const Profile& profile : profiles) {
         std::vector<RoundPass> parts = RoundPass::allOf(profile, path);
         if (path.climb != 0 && !RoundPass::fitLeads(parts))
             return false;
         std::ranges::move(parts, std::back_inserter(m_round));
     }
     return true;
+}
+
+bool SweepPasses::addStraight(std::span<const HollowProfile> profiles, const StraightPath& path) {
+    return std::ranges::all_of(profiles, [&](const HollowProfile& hollow) {
+        m_straight.emplace_back(hollow, path);
+        return m_straight.back().fitLeads();
+    });
+}
+
+SweepPasses::SweepPasses(const HollowedProfiles& profiles, const StraightPath& path,
+                         const TileSpacing& spacing) {
+    if (path.slope == 0 || path.length == 0 || !worthFitting(profiles, path.length, spacing))
+        return;
+    const auto suffices = [&](const HollowProfile& hollow) {
+        return StraightPass::suffices(hollow.below, path, spacing);
+    };
+    if (!std::ranges::all_of(profiles.hollow, suffices))
+        return;
+    *this = SweepPasses(profiles.convex, path, spacing);
+    if (!addStraight(profiles.hollow, path))
+        *this = SweepPasses();
+}
+
+SweepPasses::SweepPasses(const HollowedProfiles& profiles, const ArcPath& path, const TileSpacing& spacing) {
+    const auto suffices = [&](const ConvexProfile& profile) {
+        return RoundPass::suffices(profile, path, spacing);
+    };
+    const auto hollowSuffices = [&](const HollowProfile& hollow) { return suffices(hollow.below); };
+    if (path.climb == 0 || !std::ranges::all_of(profiles.convex, suffices) ||
+        !std::ranges::all_of(profiles.hollow, hollowSuffices))
+        return;
+    if (!addRound<ConvexProfile>(profiles.convex, path) || !addRound<HollowProfile>(profiles.hollow, path))
+        m_round.clear();
 }
 
 SweepPasses::SweepPasses(const std::shared_ptr<const LevelProfile>& whole, const StraightPath& path,

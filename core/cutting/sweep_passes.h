@@ -16,6 +16,7 @@ namespace proveout {
 /// Immutable; any thread.
 class SweepPasses {
 public:
+    SweepPasses() = default; ///< none
     /// None where single precision does not suffice.
     SweepPasses(std::span<const ConvexProfile> profiles, const StraightPath& path,
                 const TileSpacing& spacing);
@@ -25,6 +26,9 @@ public:
     SweepPasses(const std::shared_ptr<const LevelProfile>& whole, const ArcPath& path,
                 const TileSpacing& spacing);
     SweepPasses(std::span<const ConvexProfile> profiles, const ArcPath& path, const TileSpacing& spacing);
+    /// None as well where it costs less to cut hollows as lines.
+    SweepPasses(const HollowedProfiles& profiles, const StraightPath& path, const TileSpacing& spacing);
+    SweepPasses(const HollowedProfiles& profiles, const ArcPath& path, const TileSpacing& spacing);
 
     [[nodiscard]] bool empty() const { return m_straight.empty() && m_round.empty() && m_curves.empty(); }
     /// The work on one point at most, as a multiple of that on a point of a straight motion.
@@ -34,7 +38,9 @@ public:
 
 private:
     /// False where one of them does not suffice after all.
-    [[nodiscard]] bool addRound(std::span<const ConvexProfile> profiles, const ArcPath& path);
+    template<class Profile>
+    [[nodiscard]] bool addRound(std::span<const Profile> profiles, const ArcPath& path);
+    [[nodiscard]] bool addStraight(std::span<const HollowProfile> profiles, const StraightPath& path);
 
     std::vector<StraightPass> m_straight;
     std::vector<RoundPass> m_round;

@@ -12,7 +12,7 @@ struct LevelProfile;
 /// top of the stock. Places on a straight path are counted from the one that is nearest to the tile's middle,
 /// so that every number is as small as the cutter and the tile, and digits do not depend on where they lie.
 struct TilePass {
-    enum class Form : std::uint8_t { flat, line, ball, corner, whole };
+    enum class Form : std::uint8_t { flat, line, ball, corner, hollow, whole };
     enum class Path : std::uint8_t { straight, round };
 
     Form form = Form::flat;
@@ -36,12 +36,17 @@ struct TilePass {
 
     // The profile.
     float rim2 = 0;   ///< points no farther are under the cutter; squares of lengths
-    float flatTo = 0; ///< line and corner: the radius at which the flat ends
+    float flatTo = 0; ///< line, corner and hollow: the radius at which the flat ends
     float rise = 0;   ///< line: mm per mm
     float ring = 0;   ///< corner: the radius of its arc's centre
     float radius = 0; ///< ball and corner: of the arc
     float lead = 0; ///< ball: how far ahead it stands, by the height of its surface; line: the square of the
                     ///< same by the distance across; negative: it stands at the rim
+
+    // The arc of a hollow; its chord is the line that bounds it.
+    float hollowRing = 0;    ///< the radius of its centre
+    float hollowCentre = 0;  ///< the height of that above the reference
+    float hollowRadius2 = 0; ///< of the arc, squared
 
     // What bounds it from below over a block; see supporting_plane-inl.h.
     float aheadRate = 0; ///< about how far ahead it stands: that times √(aheadRadius2 - across²)
@@ -76,7 +81,8 @@ struct TilePass {
     Round round;
 
     const LevelProfile* whole = nullptr; ///< of that form, kept with the motion; never sloped
-    const LeadBands* bands = nullptr;    ///< of leads, kept with the motion; none: each is solved
+    const LeadBands* bands =
+        nullptr; ///< of leads, kept with the motion; none: each is solved, but of hollows
 };
 
 } // namespace proveout

@@ -188,11 +188,11 @@ bool uprightAt(const ProfilePiece& arc, double r) {
 }
 
 TEST(Cutter, LinesThatStandForAnArcAreNearItAndFew) {
-    for (const auto& [spec, most] : {std::pair{"form:p=0/0:1/0:6/5@-5", 60},
-                                     {"form:p=0/0:1/0:2/1@-1", 30},
+    for (const auto& [spec, most] : {std::pair{"form:p=0/0:1/0:6/5@-5", 70},
+                                     {"form:p=0/0:1/0:2/1@-1", 35},
                                      {"form:p=0/0:3/4@20", 40},
-                                     {"form:p=0/0:1/0:101/100@-100", 260},
-                                     {"form:p=0/0:5/0:8/20@-100", 60},
+                                     {"form:p=0/0:1/0:101/100@-100", 310},
+                                     {"form:p=0/0:5/0:8/20@-100", 70},
                                      {"form:p=0/0:5/0:8/20@85", 200}}) {
         SCOPED_TRACE(spec);
         const Cutter cutter = parseCutter(spec).value();
