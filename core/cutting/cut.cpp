@@ -106,7 +106,8 @@ std::optional<CutRecord> cut(ZMap& zmap, const Cutter& cutter, const Motion& mot
     const Sweep& sweep = prepared.sweep;
     if (sweep.empty() || zmap.tileCount() == 0)
         return CutRecord();
-    const std::vector<std::size_t> tiles = tilesToLower(zmap, sweep);
+    std::vector<std::size_t> tiles;
+    tilesToLower(zmap, sweep, tiles);
     const double points = pointsUnder(sweep, zmap.grid(), tiles.size());
     std::optional<CutRecord> record =
         stop.stop_possible() && points * prepared.costOfPoint() > kPointsWorthStopping

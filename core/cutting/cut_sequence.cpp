@@ -7,6 +7,7 @@
 #include <oneapi/tbb/parallel_for.h>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "core/cutting/cut_part.h"
@@ -23,73 +24,46 @@ namespace {
 constexpr std::size_t kTilesOfPortion = 500'000;
 constexpr std::size_t kMotionsOfPortion = 32'768;
 /// Prepared at once, by several threads.
-constexpr std::size_t kMotionsOfBatch = 128;
+constexpr std::size_t kMotionsOfBatch = 1024;
 
-/// A motion, and the tiles that it may lower; neither where it cuts nothing.
-struct PlacedSweep {
-    std::optional<PreparedSweep> prepared;
-    std::vector<std::size_t> tiles;
-};
-
-PlacedSweep place(const ZMap& zmap, const CutterMotion& one) {
-    PlacedSweep placed;
-    if (one.cutter == nullptr)
-        return placed;
-    placed.prepared.emplace(*one.cutter, one.motion, zmap);
-    placed.prepared->mark = one.mark;
-    if (!placed.prepared->sweep.empty())
-        placed.tiles = tilesToLower(zmap, placed.prepared->sweep);
-    return placed;
-}
-
-std::vector<PlacedSweep> placeAll(const ZMap& zmap, std::span<const CutterMotion> motions) {
-    constexpr std::size_t kWorthATask = 16;
-    std::vector<PlacedSweep> placed(motions.size());
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, motions.size(), kWorthATask),
-                      [&](const auto& range) {
-                          for (std::size_t k = range.begin(); k != range.end(); ++k)
-                              placed[k] = place(zmap, motions[k]);
-                      });
-    return placed;
-}
-
-/// Some motions of a sequence, and the tiles that they may lower.
+/// Some motions of a sequence, and the tiles that they may lower. One is filled again and again, in place and
+/// by several threads: where each had its own, a tenth of the time on two threads went into memory that one
+/// of them took and gave back while the other waited.
 class Portion {
 public:
-    /// From motion `first` on.
-    Portion(const ZMap& zmap, std::span<const CutterMotion> motions, std::size_t first) : m_end(first) {
-        std::vector<std::uint32_t> counts(zmap.tileCount());
-        std::vector<Pair> pairs;
-        const auto full = [&] {
-            return m_end == motions.size() || pairs.size() >= kTilesOfPortion ||
-                   m_sweeps.size() >= kMotionsOfPortion;
-        };
-        while (!full()) {
-            const std::size_t count = std::min(kMotionsOfBatch, motions.size() - m_end);
-            for (PlacedSweep& placed : placeAll(zmap, motions.subspan(m_end, count))) {
-                if (full())
-                    break;
-                add(std::move(placed), counts, pairs);
-                ++m_end;
-            }
+    Portion(const ZMap& zmap, std::size_t motions)
+        : m_sweeps(std::min(motions, kMotionsOfPortion)), m_tilesOf(m_sweeps.size()),
+          m_next(zmap.tileCount()) {}
+
+    /// With motions from `first` on.
+    void fill(const ZMap& zmap, std::span<const CutterMotion> motions, std::size_t first) {
+        m_first = first;
+        m_count = 0;
+        std::size_t pairs = 0;
+        const std::size_t most = std::min(m_sweeps.size(), motions.size() - first);
+        while (m_count < most && pairs < kTilesOfPortion) {
+            const std::size_t batch = std::min(kMotionsOfBatch, most - m_count);
+            placeAll(zmap, motions.subspan(first + m_count, batch));
+            for (const std::size_t end = m_count + batch; m_count < end && pairs < kTilesOfPortion; ++m_count)
+                pairs += m_tilesOf[m_count].size();
         }
-        bin(counts, pairs);
+        bin(pairs);
     }
 
-    [[nodiscard]] std::size_t end() const { return m_end; } ///< the first motion that is not among them
+    [[nodiscard]] std::size_t end() const { return m_first + m_count; } ///< the first motion not among them
 
     /// False where it was stopped: some tiles were lowered then.
     bool lower(ZMap& zmap, const std::stop_token& stop, std::vector<CutRecord>& records,
                Provenance* provenance) {
-        std::vector<CutRecord> parts(m_order.size());
+        m_parts.resize(std::max(m_parts.size(), m_order.size()));
         const bool complete = lowerTiles(zmap, stop, [&](std::size_t k, PassTable&) {
-            const std::span own(parts.begin() + m_begins[k], orderOf(k).size());
+            const std::span own(m_parts.begin() + m_begins[k], orderOf(k).size());
             Provenance::Marks* marks = provenance == nullptr ? nullptr : &provenance->tile(m_tiles[k]);
             return lowerTile(zmap, m_tiles[k], m_sweeps, orderOf(k), own, stop, marks);
         });
         // Of each motion in the order of its tiles, as where it is cut alone.
-        for (std::size_t k = 0; k < m_order.size(); ++k)
-            records[m_motions[m_order[k]]].add(parts[k]);
+        for (std::size_t k = 0; complete && k < m_order.size(); ++k)
+            records[m_first + m_order[k]].add(m_parts[k]);
         return complete;
     }
 
@@ -101,11 +75,6 @@ public:
     }
 
 private:
-    struct Pair {
-        std::uint32_t tile;
-        std::uint32_t sweep;
-    };
-
     /// The sweeps over a tile.
     [[nodiscard]] std::span<const std::uint32_t> orderOf(std::size_t k) const {
         return {m_order.begin() + m_begins[k], m_order.begin() + m_begins[k + 1]};
@@ -130,40 +99,62 @@ private:
         return complete;
     }
 
-    void add(PlacedSweep placed, std::vector<std::uint32_t>& counts, std::vector<Pair>& pairs) {
-        if (placed.tiles.empty())
-            return;
-        for (const std::size_t tile : placed.tiles) {
-            pairs.push_back({static_cast<std::uint32_t>(tile), static_cast<std::uint32_t>(m_sweeps.size())});
-            ++counts[tile];
-        }
-        m_sweeps.push_back(std::move(*placed.prepared));
-        m_motions.push_back(m_end);
+    /// Motions to follow those that are placed.
+    void placeAll(const ZMap& zmap, std::span<const CutterMotion> motions) {
+        constexpr std::size_t kWorthATask = 16;
+        tbb::parallel_for(tbb::blocked_range<std::size_t>(0, motions.size(), kWorthATask),
+                          [&](const auto& range) {
+                              for (std::size_t k = range.begin(); k != range.end(); ++k)
+                                  place(zmap, motions[k], m_count + k);
+                          });
     }
 
-    void bin(const std::vector<std::uint32_t>& counts, const std::vector<Pair>& pairs) {
-        std::vector<std::uint32_t> next(counts.size());
+    /// One that cuts nothing has no tiles.
+    void place(const ZMap& zmap, const CutterMotion& one, std::size_t at) {
+        m_tilesOf[at].clear();
+        if (one.cutter == nullptr)
+            return;
+        m_sweeps[at] = PreparedSweep(*one.cutter, one.motion, zmap);
+        m_sweeps[at].mark = one.mark;
+        if (!m_sweeps[at].sweep.empty())
+            tilesToLower(zmap, m_sweeps[at].sweep, m_tilesOf[at]);
+    }
+
+    void bin(std::size_t pairs) {
+        std::ranges::fill(m_next, 0U);
+        for (std::size_t sweep = 0; sweep < m_count; ++sweep) {
+            for (const std::size_t tile : m_tilesOf[sweep])
+                ++m_next[tile];
+        }
+        m_tiles.clear();
+        m_begins.clear();
         std::uint32_t begin = 0;
-        for (std::size_t tile = 0; tile < counts.size(); ++tile) {
-            next[tile] = begin;
-            if (counts[tile] == 0)
+        for (std::size_t tile = 0; tile < m_next.size(); ++tile) {
+            const std::uint32_t count = std::exchange(m_next[tile], begin);
+            if (count == 0)
                 continue;
             m_tiles.push_back(tile);
             m_begins.push_back(begin);
-            begin += counts[tile];
+            begin += count;
         }
         m_begins.push_back(begin);
-        m_order.resize(pairs.size());
-        for (const Pair& pair : pairs)
-            m_order[next[pair.tile]++] = pair.sweep;
+        m_order.resize(pairs);
+        for (std::size_t sweep = 0; sweep < m_count; ++sweep) {
+            for (const std::size_t tile : m_tilesOf[sweep])
+                m_order[m_next[tile]++] = static_cast<std::uint32_t>(sweep);
+        }
     }
 
-    std::size_t m_end;
+    std::size_t m_first = 0;
+    std::size_t m_count = 0;
     std::vector<PreparedSweep> m_sweeps;
-    std::vector<std::size_t> m_motions;  ///< by sweep: which of the sequence it is
-    std::vector<std::size_t> m_tiles;    ///< ascending
-    std::vector<std::uint32_t> m_begins; ///< by tile: its first in m_order; and the end of the last
-    std::vector<std::uint32_t> m_order;  ///< sweeps, ascending within a tile
+    std::vector<std::vector<std::size_t>> m_tilesOf; ///< by sweep, ascending
+    std::vector<std::uint32_t> m_next;               ///< by tile of the map: where bin() goes on
+    std::vector<std::size_t> m_tiles;                ///< ascending
+    std::vector<std::uint32_t>
+        m_begins;                       ///< by tile of m_tiles: its first in m_order; and the end of the last
+    std::vector<std::uint32_t> m_order; ///< sweeps, ascending within a tile
+    std::vector<CutRecord> m_parts;     ///< of each of m_order
 };
 
 /// Calls `lower` with one portion after the other. Where it says that it was stopped, the map becomes what it
@@ -174,13 +165,13 @@ bool byPortions(ZMap& zmap, std::span<const CutterMotion> motions, const std::st
     std::optional<ZMapSnapshot> before;
     if (stop.stop_possible())
         before = zmap.snapshot();
-    for (std::size_t next = 0; next < motions.size();) {
-        Portion portion(zmap, motions, next);
+    Portion portion(zmap, motions.size());
+    for (std::size_t next = 0; next < motions.size(); next = portion.end()) {
+        portion.fill(zmap, motions, next);
         if (!lower(portion)) {
             zmap = ZMap(*before);
             return false;
         }
-        next = portion.end();
     }
     return true;
 }

@@ -22,6 +22,7 @@ struct PreparedSweep {
     SweepPasses passes;     ///< none: it is asked row by row
     std::uint32_t mark = 1; ///< as of its CutterMotion
 
+    PreparedSweep() = default; ///< cuts nothing
     PreparedSweep(const Cutter& cutter, const Motion& motion, const ZMap& zmap)
         : sweep(cutter, motion, zmap.stock().topZ()), passes(sweep.passes(zmap.grid().hx, zmap.grid().hy)) {}
 

@@ -22,6 +22,7 @@ namespace proveout {
 /// thread.
 class Sweep {
 public:
+    Sweep() = default; ///< nothing
     /// Nothing where the path is not known, not finite, or the cutter has no profile. `topZ` becomes height
     /// 0.
     Sweep(const Cutter& cutter, const Motion& motion, double topZ);

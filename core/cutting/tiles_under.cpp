@@ -26,9 +26,8 @@ TileRange tilesUnder(double lo, double hi, double origin, double spacing, int po
 
 } // namespace
 
-std::vector<std::size_t> tilesToLower(const ZMap& zmap, const Sweep& sweep) {
+void tilesToLower(const ZMap& zmap, const Sweep& sweep, std::vector<std::size_t>& tiles) {
     const Grid& grid = zmap.grid();
-    std::vector<std::size_t> tiles;
     const Box3& reach = sweep.reach();
     const TileRange rows = tilesUnder(reach.lo.y, reach.hi.y, grid.y0, grid.hy, grid.ny);
     for (int tj = rows.first; tj <= rows.last; ++tj) {
@@ -44,7 +43,6 @@ std::vector<std::size_t> tilesToLower(const ZMap& zmap, const Sweep& sweep) {
                 tiles.push_back(index);
         }
     }
-    return tiles;
 }
 
 } // namespace proveout
