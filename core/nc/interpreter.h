@@ -46,7 +46,8 @@ struct InterpretOptions {
     PartToProbe part;
     std::uint64_t maxSteps = 100'000'000; ///< lines run through, those of loops and subprograms each time
     std::vector<std::filesystem::path> subprogramFolders; ///< of O-word subprograms in files of their own
-    std::size_t maxDiagnostics = 100; ///< at least 5; further ones are counted in one last message
+    std::size_t maxDiagnostics =
+        100; ///< errors, and others: at least 5; further ones are counted in one last message
 
     bool operator==(const InterpretOptions&) const = default;
 };

@@ -220,7 +220,7 @@ inline constexpr Message kLastWordCounts{
     PROVEOUT_TEXT("Core", "The block has two {} words; the last one counts."),
     PROVEOUT_TEXT("Core", "Some controls give an alarm instead; keep one of them.")};
 inline constexpr Message kWordIgnored{
-    Severity::warning, false, "word-ignored",
+    Severity::warning, true, "word-ignored",
     PROVEOUT_TEXT("Core", "No code of this block uses the word {}; it is ignored."),
     PROVEOUT_TEXT("Core", "Remove it, or add the code that it belongs to.")};
 inline constexpr Message kRapidAfterG80{

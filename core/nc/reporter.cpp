@@ -16,12 +16,13 @@ std::string writtenAs(char letter) {
 
 void Reporter::tell(const Message& message, int column, int length, std::vector<std::string> arguments) {
     m_memory.unverified = m_memory.unverified || message.unverified;
-    if (m_memory.told == m_limit) {
+    std::size_t& told = message.severity == Severity::error ? m_memory.errorsTold : m_memory.told;
+    if (told == m_limit) {
         ++m_memory.suppressed;
         m_memory.suppressedUnverified = m_memory.suppressedUnverified || message.unverified;
         return;
     }
-    ++m_memory.told;
+    ++told;
     append(message, message.unverified, {m_line, column, length}, std::move(arguments));
 }
 

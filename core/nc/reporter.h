@@ -17,7 +17,8 @@ namespace proveout {
 /// A letter of words as the text has it.
 [[nodiscard]] std::string writtenAs(char letter);
 
-/// Hands messages to the program that is being built: the first `limit` of them, then a count. Keeps a
+/// Hands messages to the program that is being built: the first `limit` errors and as many others, so that
+/// those never hide an error, then a count. Keeps a
 /// reference to the program. Knows whether anything was told that leaves the rest unverified.
 class Reporter {
 public:
@@ -43,7 +44,8 @@ public:
 
     /// What it remembers of the messages so far. A value.
     struct Memory {
-        std::size_t told = 0;
+        std::size_t told = 0; ///< but for errors
+        std::size_t errorsTold = 0;
         std::size_t suppressed = 0;
         bool unverified = false;
         bool suppressedUnverified = false;
@@ -52,7 +54,9 @@ public:
     void restore(const Memory& memory) { m_memory = memory; }
 
     /// All messages, shown or not.
-    [[nodiscard]] std::size_t count() const { return m_memory.told + m_memory.suppressed; }
+    [[nodiscard]] std::size_t count() const {
+        return m_memory.told + m_memory.errorsTold + m_memory.suppressed;
+    }
     [[nodiscard]] bool unverified() const { return m_memory.unverified; }
 
 private:

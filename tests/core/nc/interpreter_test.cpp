@@ -136,14 +136,35 @@ TEST(Interpreter, CountsTheMessagesBeyondTheLimit) {
 
     options.maxDiagnostics = 5;
     const auto hidden = interpret(NcText("G0 X1\n%\nG0 X2\n" + repeated("Q1\n", 9)), options);
-    EXPECT_LE(hidden->diagnostics().size(), 6U);
+    EXPECT_LE(hidden->diagnostics().size(), 7U);
     EXPECT_TRUE(has(*hidden, "no-program-end"));
 
     options.assumeStartAtZero = false;
     const auto many = interpret(NcText("G0 X1 Y1\nG41.1 D1\nG0 X9\n" + repeated("Q1\n", 9)), options);
     EXPECT_TRUE(has(*many, "compensation-at-end") && has(*many, "no-program-end") &&
                 has(*many, "position-never-known"));
-    EXPECT_LE(many->diagnostics().size(), 6U) << "messages about the program as a whole count too";
+    EXPECT_LE(many->diagnostics().size(), 7U) << "messages about the program as a whole count too";
+}
+
+TEST(Interpreter, ShowsAnErrorBehindAnyNumberOfWarnings) {
+    InterpretOptions options;
+    options.dialect = DialectId::fanuc;
+    const auto program =
+        interpret(NcText("G0 X1.\n" + repeated("G1 X1. P5 F100.\n", 250) + "G1 X2. R\nM30\n"), options);
+    const auto severe = [](const Diagnostic& told) { return told.severity == Severity::error; };
+    ASSERT_EQ(std::ranges::count_if(program->diagnostics(), severe), 1);
+    EXPECT_EQ(std::ranges::find_if(program->diagnostics(), severe)->where.line, 252);
+    EXPECT_STREQ(program->diagnostics().back().id, "too-many-messages");
+}
+
+TEST(Interpreter, AWordThatNothingUsesIsNeverGreen) {
+    InterpretOptions options;
+    options.assumeStartAtZero = true;
+    for (const DialectId dialect : {DialectId::fanuc, DialectId::haas}) {
+        options.dialect = dialect;
+        EXPECT_TRUE(interpret(NcText("G0 X1.\nG1 X2. E5. F100.\nM30\n"), options)->unverified());
+        EXPECT_FALSE(interpret(NcText("G0 X1.\nG1 X2. F100.\nM30\n"), options)->unverified());
+    }
 }
 
 TEST(Interpreter, StopsAtTheLimitOfMotions) {

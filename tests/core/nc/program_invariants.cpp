@@ -19,7 +19,8 @@ bool isLine(const NcText& text, std::uint32_t line) {
 }
 
 std::string brokenByDiagnostics(const NcText& text, const InterpretOptions& options, const Program& program) {
-    if (program.diagnostics().size() > options.maxDiagnostics + 1)
+    // As many errors as others; but the places for the program as a whole are there once.
+    if (program.diagnostics().size() > 2 * options.maxDiagnostics - 3)
         return "more messages than asked for";
     bool unverified = false;
     for (std::size_t i = 0; i < program.diagnostics().size(); ++i) {
