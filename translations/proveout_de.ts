@@ -4641,6 +4641,10 @@ Vorgabe: 0 mm</translation>
         <translation>Der Umriss hat einen Punkt jenseits von {} mm oder einen Bogen, der beinahe ein voller Kreis ist.</translation>
     </message>
     <message>
+        <source>The outline crosses itself near X{} Y{}.</source>
+        <translation>Der Umriss überkreuzt sich selbst bei X{} Y{}.</translation>
+    </message>
+    <message>
         <source>The outline encloses no area.</source>
         <translation>Der Umriss schließt keine Fläche ein.</translation>
     </message>

@@ -4641,6 +4641,10 @@ Default: 0 mm</source>
         <translation>윤곽에 {} mm를 넘는 점이나 거의 온전한 원인 원호가 있습니다.</translation>
     </message>
     <message>
+        <source>The outline crosses itself near X{} Y{}.</source>
+        <translation>윤곽이 X{} Y{} 근처에서 스스로 교차합니다.</translation>
+    </message>
+    <message>
         <source>The outline encloses no area.</source>
         <translation>윤곽이 둘러싼 면적이 없습니다.</translation>
     </message>

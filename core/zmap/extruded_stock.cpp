@@ -4,10 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <numbers>
 
 #include "core/base/text.h"
 #include "core/zmap/grid_part.h"
+#include "core/zmap/outline_crossing.h"
 
 namespace proveout {
 
@@ -18,33 +20,6 @@ constexpr double kOnOutline = 1e-6;
 constexpr double kFarthest = 1e7;
 /// An arc that is flatter is a line: its centre would be lost in rounding.
 constexpr double kFlat = 1e-7;
-
-/// A part of the outline that rises or falls all the way: a line, or the left or right side of an arc.
-struct Piece {
-    Vec2 low{0};
-    Vec2 high{0};
-    Vec2 centre{0};
-    double radius = 0; ///< 0: a line
-    double side = 0;   ///< of an arc: -1 left of its centre, +1 right of it
-
-    /// A level line at an end belongs to the piece above: so each loop is crossed an even number of times.
-    [[nodiscard]] bool crosses(double y) const { return y >= low.y && y < high.y; }
-    [[nodiscard]] double crossing(double y) const {
-        if (radius > 0)
-            return centre.x +
-                   side * std::sqrt(std::max(0.0, radius * radius - (y - centre.y) * (y - centre.y)));
-        return std::lerp(low.x, high.x, (y - low.y) / (high.y - low.y));
-    }
-    /// Not more than how far a place is from it.
-    [[nodiscard]] double distance(const Vec2& place) const {
-        if (radius > 0)
-            return std::abs(glm::distance(place, centre) - radius);
-        const Vec2 along = high - low;
-        const double square = glm::dot(along, along);
-        const double t = square > 0 ? std::clamp(glm::dot(place - low, along) / square, 0.0, 1.0) : 0;
-        return glm::distance(place, low + along * t);
-    }
-};
 
 struct Span {
     double from, to;
@@ -65,6 +40,7 @@ public:
 
     [[nodiscard]] const Vec2& lo() const { return m_lo; }
     [[nodiscard]] const Vec2& hi() const { return m_hi; }
+    [[nodiscard]] const std::vector<OutlinePiece>& pieces() const { return m_pieces; }
     [[nodiscard]] bool hasArea() const { return m_lo.x < m_hi.x && m_lo.y < m_hi.y; }
 
     /// The parts of a level line that lie within, the outline itself included; ascending.
@@ -92,7 +68,7 @@ public:
 
     [[nodiscard]] double distance(const Vec2& place) const {
         double least = kFarthest;
-        for (const Piece& piece : m_pieces)
+        for (const OutlinePiece& piece : m_pieces)
             least = std::min(least, piece.distance(place));
         return least;
     }
@@ -103,7 +79,7 @@ private:
         m_hi = glm::max(m_hi, place);
     }
 
-    void addPiece(Piece piece) {
+    void addPiece(OutlinePiece piece) {
         take(piece.low);
         take(piece.high);
         if (piece.low.y > piece.high.y)
@@ -144,7 +120,7 @@ private:
 
     [[nodiscard]] std::vector<Span> crossed(double y) const {
         std::vector<double> at;
-        for (const Piece& piece : m_pieces)
+        for (const OutlinePiece& piece : m_pieces)
             if (piece.crosses(y))
                 at.push_back(piece.crossing(y));
         std::ranges::sort(at);
@@ -154,7 +130,7 @@ private:
         return spans;
     }
 
-    std::vector<Piece> m_pieces;
+    std::vector<OutlinePiece> m_pieces;
     Vec2 m_lo{kFarthest};
     Vec2 m_hi{-kFarthest};
 };
@@ -259,6 +235,10 @@ Result<std::shared_ptr<const StockBody>> extrudedStock(const std::vector<Outline
     }
     if (!outline.hasArea())
         return failure("outline-without-area", PROVEOUT_TEXT("Core", "The outline encloses no area."));
+    if (const auto place = crossingOf(outline.pieces()))
+        return failure("outline-crosses-itself",
+                       PROVEOUT_TEXT("Core", "The outline crosses itself near X{} Y{}."),
+                       {fmt::format("{:.3f}", place->x), fmt::format("{:.3f}", place->y)});
     return std::make_shared<const ExtrudedStock>(std::move(outline), height, topZ);
 }
 

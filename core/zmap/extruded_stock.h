@@ -18,7 +18,8 @@ struct OutlinePoint {
 using OutlineLoop = std::vector<OutlinePoint>;
 
 /// The area within loops, a loop in another being a hole, extruded from `topZ` down by `height`; the outline
-/// itself belongs to it. Errors: no loop with an area, or numbers that are none or beyond 10 km.
+/// itself belongs to it. Errors: no loop with an area, an outline that crosses itself, or numbers that are
+/// none or beyond 10 km.
 [[nodiscard]] Result<std::shared_ptr<const StockBody>> extrudedStock(const std::vector<OutlineLoop>& loops,
                                                                      double height, double topZ = 0);
 

@@ -6,6 +6,9 @@
 #include <gtest/gtest.h>
 #include <numbers>
 #include <random>
+#include <string>
+
+#include "tests/random_seed.h"
 
 namespace proveout {
 namespace {
@@ -149,6 +152,76 @@ TEST(ExtrudedStock, RefusesWhatIsNoOutline) {
     EXPECT_FALSE(extrudedStock({loopOf({{0, 0}, {5e9, 0}, {1, 1}})}, 5));
     EXPECT_FALSE(extrudedStock({{{{0, 0}, 1e9}, {{5, 5}}}}, 5));
     EXPECT_FALSE(extrudedStock({{{{0, std::nan("")}}, {{5, 5}}, {{6, 1}}}}, 5));
+}
+
+bool crosses(const std::vector<OutlineLoop>& loops) {
+    const auto body = extrudedStock(loops, 5);
+    if (!body) {
+        EXPECT_STREQ(body.error().front().id, "outline-crosses-itself");
+    }
+    return !body;
+}
+
+TEST(ExtrudedStock, OutlinesThatCrossThemselvesAreRefusedWithThePlace) {
+    const auto bow = extrudedStock({loopOf({{0, 0}, {10, 10}, {10, 0}, {0, 10}})}, 5);
+    ASSERT_FALSE(bow.has_value());
+    EXPECT_EQ(bow.error().front().arguments, (std::vector<std::string>{"5.000", "5.000"}));
+    EXPECT_TRUE(crosses({loopOf({{0, 0}, {10, 0}, {10, 8}, {4, 8}, {4, -3}, {0, -3}})}))
+        << "through a level side";
+    EXPECT_TRUE(crosses({loopOf({{0, 0}, {20, 0}, {20, 10}, {0, 10}}), loopOf({{15, 3}, {25, 5}, {15, 7}})}));
+    EXPECT_TRUE(crosses({circleOutline(20), {{{9, 10}, 1}, {{29, 10}, 1}}}));
+    // What only touches is as good as before.
+    EXPECT_FALSE(
+        crosses({loopOf({{0, 0}, {20, 0}, {20, 10}, {0, 10}}), loopOf({{15, 3}, {20, 5}, {15, 7}})}));
+    EXPECT_FALSE(crosses({circleOutline(20), {{{5, 10}, 1}, {{20, 10}, 1}}}));
+    EXPECT_FALSE(crosses({loopOf({{0, 0}, {10, 0}, {10, 0}, {10, 5}, {20, 5}, {10, 5}, {10, 10}, {0, 10}})}));
+}
+
+/// Against every side with every other one.
+bool crossesByBruteForce(const OutlineLoop& loop) {
+    const auto turn = [](const Vec2& a, const Vec2& b, const Vec2& c) {
+        return (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x);
+    };
+    const std::size_t count = loop.size();
+    for (std::size_t i = 0; i < count; ++i)
+        for (std::size_t j = i + 2; j < count; ++j) {
+            const Vec2 a = loop[i].at;
+            const Vec2 b = loop[i + 1].at;
+            const Vec2 c = loop[j].at;
+            const Vec2 d = loop[(j + 1) % count].at;
+            if (turn(a, b, c) * turn(a, b, d) < 0 && turn(c, d, a) * turn(c, d, b) < 0)
+                return true;
+        }
+    return false;
+}
+
+TEST(ExtrudedStock, CrossingsAreFoundAsByBruteForce) {
+    const std::uint32_t seed = randomSeed();
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937 random(seed);
+    int crossing = 0;
+    for (int round = 0; round < roundsOf(3000); ++round) {
+        // Round the middle, so that many cross themselves and many do not; on whole places, so that sides are
+        // level, upright and touch.
+        OutlineLoop loop;
+        const std::size_t count = 4 + random() % 9;
+        for (std::size_t k = 0; k < count; ++k) {
+            const double angle = 2 * kPi *
+                                 (static_cast<double>(k) + 3 * static_cast<double>(random() % 100) / 100) /
+                                 static_cast<double>(count);
+            const double radius = 20 + static_cast<double>(random() % 60);
+            loop.push_back({{std::round(radius * std::cos(angle)), std::round(radius * std::sin(angle))}});
+        }
+        const bool expected = crossesByBruteForce(loop);
+        const auto body = extrudedStock({loop}, 5);
+        const bool found = !body && std::string(body.error().front().id) == "outline-crosses-itself";
+        crossing += expected ? 1 : 0;
+        std::string told;
+        for (const OutlinePoint& point : loop)
+            told += std::to_string(point.at.x) + "," + std::to_string(point.at.y) + " ";
+        ASSERT_EQ(found, expected) << told;
+    }
+    EXPECT_GT(crossing, roundsOf(3000) / 10);
 }
 
 } // namespace
