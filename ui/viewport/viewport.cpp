@@ -341,19 +341,52 @@ void Viewport::paintOverlay(const View& view) {
                     palette());
     if (m_choice)
         paintChoice(painter);
+    paintBoxUnderWay(painter);
+}
+
+QPolygonF Viewport::outlineOf(const PlanBox& box, double level) const {
+    QPolygonF outline;
+    for (const Vec2& corner : {box.lo, Vec2(box.hi.x, box.lo.y), box.hi, Vec2(box.lo.x, box.hi.y)}) {
+        const Vec2 pixel = m_camera.project({corner, level});
+        outline << QPointF(pixel.x, pixel.y) / devicePixelRatioF();
+    }
+    return outline;
+}
+
+QPen Viewport::boxPen(Qt::PenStyle style) const {
+    const glm::vec3 colour = m_options.colours.box;
+    return {QColor::fromRgbF(colour.r, colour.g, colour.b), 2, style};
 }
 
 void Viewport::paintChoice(QPainter& painter) const {
     const PlanBox box = m_choice->box(m_frame->zmap.stock(), m_form->size());
-    QPolygonF outline;
-    for (const Vec2& corner : {box.lo, Vec2(box.hi.x, box.lo.y), box.hi, Vec2(box.lo.x, box.hi.y)}) {
-        const Vec2 pixel = m_camera.project({corner, m_choice->level()});
-        outline << QPointF(pixel.x, pixel.y) / devicePixelRatioF();
-    }
-    const glm::vec3 colour = m_options.colours.box;
-    painter.setPen(QPen(QColor::fromRgbF(colour.r, colour.g, colour.b), 2));
+    painter.setPen(boxPen(Qt::SolidLine));
     painter.setBrush(Qt::NoBrush);
-    painter.drawPolygon(outline);
+    painter.drawPolygon(outlineOf(box, m_choice->level()));
+}
+
+/// Until it is cut and shown, where it will be: dashed, from the top of the stock to its floor.
+void Viewport::paintBoxUnderWay(QPainter& painter) const {
+    const bool shown = m_look.picture() != nullptr && !m_renderer->boxPending();
+    if (!m_look.box() || !m_look.working() || shown)
+        return;
+    const PlanBox& box = m_look.box()->box;
+    const StockBox& stock = m_frame->zmap.stock();
+    const Vec3 eye = m_camera.eye();
+    const Vec3 forward = m_camera.target() - eye;
+    for (const double x : {box.lo.x, box.hi.x})
+        for (const double y : {box.lo.y, box.hi.y})
+            for (const double z : {stock.floorZ(), stock.topZ()})
+                if (glm::dot(Vec3(x, y, z) - eye, forward) <= 0)
+                    return; // the eye is inside, or has it behind
+    const QPolygonF top = outlineOf(box, stock.topZ());
+    const QPolygonF floor = outlineOf(box, stock.floorZ());
+    painter.setPen(boxPen(Qt::DashLine));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolygon(top);
+    painter.drawPolygon(floor);
+    for (int k = 0; k < top.size(); ++k)
+        painter.drawLine(top[k], floor[k]);
 }
 
 // --- the box of interest

@@ -5,6 +5,8 @@
 #include <memory>
 
 #include <QOpenGLWidget>
+#include <QPen>
+#include <QPolygonF>
 #include <QTimer>
 
 #include "ui/command_table.h"
@@ -93,6 +95,9 @@ private:
     void drawSmooth(const View& view);
     void paintOverlay(const View& view);
     void paintChoice(QPainter& painter) const;
+    void paintBoxUnderWay(QPainter& painter) const;
+    [[nodiscard]] QPolygonF outlineOf(const PlanBox& box, double level) const;
+    [[nodiscard]] QPen boxPen(Qt::PenStyle style) const;
     void closeLook();
     void followForm();
     void followLook();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The 3D view on a session that runs a sample: gestures, keys, and what it tells the session.
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -35,6 +36,20 @@ QAction* command(const QWidget& widget, const char* id) {
         if (action->objectName() == QLatin1String(id))
             return action;
     return nullptr;
+}
+
+/// Of the colour of the edge of a box of interest.
+std::size_t boxPixels(const QImage& image) {
+    constexpr int kNear = 8;
+    const glm::vec3 colour = 255.0F * SceneColours().box;
+    std::size_t count = 0;
+    for (int y = 0; y < image.height(); ++y)
+        for (int x = 0; x < image.width(); ++x) {
+            const QColor pixel = image.pixelColor(x, y);
+            const glm::vec3 off = glm::abs(glm::vec3(pixel.red(), pixel.green(), pixel.blue()) - colour);
+            count += std::max({off.r, off.g, off.b}) < kNear ? 1 : 0;
+        }
+    return count;
 }
 
 } // namespace
@@ -280,6 +295,9 @@ void ViewportTest::aClickLooksCloser() {
     // Other numbers: the same middle.
     spacing->setValue(0.05);
     QVERIFY(look.working() && look.picture() == nullptr);
+    // The outline of what is being cut.
+    QCOMPARE(boxPixels(before), std::size_t{0});
+    QVERIFY(boxPixels(m_view->grabFramebuffer()) > 50);
     QTRY_VERIFY_WITH_TIMEOUT(look.picture() != nullptr, kPatience);
     QVERIFY(std::abs(look.picture()->zmap.grid().hx - 0.05) < 5e-3);
     m_view->findChild<QDoubleSpinBox*>(QStringLiteral("closerWidth"))->setValue(6);
