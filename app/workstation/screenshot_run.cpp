@@ -2,6 +2,7 @@
 #include "app/workstation/screenshot_run.h"
 
 #include <algorithm>
+#include <cstdio>
 
 #include <QCoreApplication>
 #include <QPixmap>
@@ -20,7 +21,10 @@ ScreenshotRun::ScreenshotRun(MainWindow& window, const QString& picture, std::op
     m_settle.setInterval(kSettleMs);
     m_limit.setSingleShot(true);
     connect(&m_settle, &QTimer::timeout, this, &ScreenshotRun::take);
-    connect(&m_limit, &QTimer::timeout, this, [] { QCoreApplication::exit(kFailed); });
+    connect(&m_limit, &QTimer::timeout, this, [this] {
+        giveUp(m_sought ? "the wanted block is not reached in 180 s"
+                        : "the program is still being read after 180 s");
+    });
     connect(&window.session(), &Session::tick, this, &ScreenshotRun::look);
     m_limit.start(kLimitMs);
     if (!window.session().hasDocument())
@@ -41,7 +45,15 @@ void ScreenshotRun::look(const FramePtr& frame) {
 }
 
 void ScreenshotRun::take() {
-    QCoreApplication::exit(m_window.grab().save(m_picture) ? 0 : kFailed);
+    if (m_window.grab().save(m_picture))
+        QCoreApplication::exit(0);
+    else
+        giveUp("the file cannot be written");
+}
+
+void ScreenshotRun::giveUp(const char* reason) {
+    std::fprintf(stderr, "proveout: no picture: %s\n", reason);
+    QCoreApplication::exit(kFailed);
 }
 
 } // namespace proveout

@@ -13,7 +13,7 @@
 namespace proveout {
 
 /// Takes a picture of the window as soon as the wanted block is drawn, then ends the application: exit code
-/// 0, or 3 where that did not happen in time.
+/// 0, or 3 and the reason on standard error where that did not happen in time.
 class ScreenshotRun final : public QObject {
     Q_OBJECT
 
@@ -24,6 +24,7 @@ public:
 private:
     void look(const FramePtr& frame);
     void take();
+    void giveUp(const char* reason);
 
     MainWindow& m_window;
     QString m_picture;
