@@ -9,6 +9,7 @@
 #include "core/base/memory.h"
 #include "core/base/stop_watch.h"
 #include "core/base/text.h"
+#include "core/decimation/map_memory.h"
 #include "core/decimation/region_decimator.h"
 #include "core/simulation/block_cutter.h"
 #include "core/simulation/tool_choice.h"
@@ -219,7 +220,7 @@ Result<Rehearsal> rehearse(const StudyJob& job, const DecimationParameters& base
     if (!grid)
         return tl::unexpected(grid.error());
     const auto available = static_cast<double>(availableMemoryBytes());
-    if (auto fits = checkMemory(job.setup->stock, *grid, available); !fits)
+    if (auto fits = checkMapMemory(job.setup->stock, *grid, base, {}, available); !fits)
         return tl::unexpected(std::move(fits.error()));
     return Rehearsing(job, base, options, drawing, uncutStock(job.setup->stock, job.setup->shape, *grid).zmap)
         .go(context);
