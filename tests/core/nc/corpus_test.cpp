@@ -187,7 +187,7 @@ TEST(Corpus, EveryFileIsInterpretedInTime) {
         const double allowed = 0.1 + 2e-6 * static_cast<double>(entry.file_size()) +
                                (endless ? 1e-6 * static_cast<double>(kSteps) : 0.0);
         EXPECT_LT(seconds, allowed * kSlowness) << name;
-        EXPECT_LE(program->diagnostics().size(), 101U) << name;
+        EXPECT_LE(program->diagnostics().size(), 2 * InterpretOptions().maxDiagnostics - 3) << name;
         for (std::size_t i = 0; i < program->motionCount(); ++i) {
             const Motion motion = program->motion(i);
             ASSERT_TRUE(std::isfinite(glm::dot(motion.end, motion.end)) && std::isfinite(motion.sweep) &&
