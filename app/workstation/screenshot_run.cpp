@@ -23,7 +23,7 @@ ScreenshotRun::ScreenshotRun(MainWindow& window, const QString& picture, std::op
     connect(&m_settle, &QTimer::timeout, this, &ScreenshotRun::take);
     connect(&m_limit, &QTimer::timeout, this, [this] {
         giveUp(m_sought ? "the wanted block is not reached in 180 s"
-                        : "the program is still being read after 180 s");
+                        : "there is no stock to show after 180 s");
     });
     connect(&window.session(), &Session::tick, this, &ScreenshotRun::look);
     m_limit.start(kLimitMs);
