@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/main_window.h"
 
-#include <tuple>
+#include <algorithm>
+#include <cstdlib>
 #include <utility>
 
 #include <QAbstractButton>
@@ -22,11 +23,13 @@
 
 #include "ui/about.h"
 #include "ui/diagnostic_text.h"
+#include "ui/dock_titles.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/file_paths.h"
 #include "ui/findings/problems_panel.h"
 #include "ui/kept_breakpoints.h"
 #include "ui/kept_switches.h"
+#include "ui/layout_menu.h"
 #include "ui/main_window_tables.h"
 #include "ui/plots/plots_panel.h"
 #include "ui/start_page.h"
@@ -38,13 +41,15 @@ namespace proveout {
 
 namespace {
 
-constexpr int kLayoutVersion = 4; // raise it when docks change: older layouts are then left alone
+constexpr int kLayoutVersion = 5; // raise it when docks change: older layouts are then left alone
 const QString kGeometryKey = QStringLiteral("window/geometry");
 const QString kStateKey = QStringLiteral("window/state");
+const QString kPlayByKey = QStringLiteral("playback/by");
+const QString kSpeedKey = QStringLiteral("playback/speed");
 const QString kViewGroup = QStringLiteral("view");
 constexpr QSize kFirstSize{1280, 800};
 constexpr int kToolBarIcon = 20;
-constexpr int kTuningWidth = 310;
+constexpr int kSameWidth = 3;      // px; splitters round
 constexpr int kMessageTime = 8000; // ms
 // In the order of docks().
 constexpr std::size_t kProgramDock = 0;
@@ -76,6 +81,8 @@ MainWindow::MainWindow(Session& session, Appearance& appearance)
     makeToolBar();
     connect(&session, &Session::documentChanged, this, &MainWindow::titleWindow);
     connect(&session, &Session::textReplaced, this, &MainWindow::showDocument);
+    connect(&session, &Session::textReplaced, this, &MainWindow::fitEditor);
+    connect(m_layoutMenu, &LayoutMenu::chosen, this, &MainWindow::arrange);
     connect(&session, &Session::problemsChanged, this, &MainWindow::titleDocks);
     connect(&session, &Session::troubled, this, &MainWindow::showProblems);
     connect(&session, &Session::placeTold, this, [this](const PlaceAnswer& answer) {
@@ -126,32 +133,29 @@ void MainWindow::makeDocks() {
         toggle->setShortcut(QKeySequence(QLatin1String(row.keys)));
         m_docks.push_back(dock);
     }
+    std::vector<QDockWidget*> titled;
+    for (std::size_t i = 0; i < m_docks.size(); ++i) {
+        if (docks()[i].titleBar)
+            titled.push_back(m_docks[i]);
+    }
+    new DockTitles(*this, std::move(titled));
 }
 
-void MainWindow::arrangeDocks() {
-    const auto [program, setup, tuning, plots, problems, timeline, study, control, breakpoints] =
-        std::tuple(m_docks[0], m_docks[1], m_docks[2], m_docks[3], m_docks[4], m_docks[5], m_docks[6],
-                   m_docks[7], m_docks[8]);
-    setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
-    setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
-    addDockWidget(Qt::LeftDockWidgetArea, program);
-    tabifyDockWidget(program, setup);
-    tabifyDockWidget(setup, control);
-    addDockWidget(Qt::RightDockWidgetArea, tuning);
-    addDockWidget(Qt::BottomDockWidgetArea, plots);
-    splitDockWidget(plots, timeline, Qt::Vertical);
-    tabifyDockWidget(plots, problems);
-    tabifyDockWidget(problems, breakpoints);
-    tabifyDockWidget(breakpoints, study);
-    for (QDockWidget* dock : m_docks) {
-        dock->setFloating(false);
-        dock->show();
-    }
-    program->raise();
-    plots->raise();
-    setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);
-    resizeDocks({program, tuning}, {width() * 22 / 100, kTuningWidth}, Qt::Horizontal);
-    resizeDocks({plots, timeline}, {height() * 24 / 100, timeline->sizeHint().height()}, Qt::Vertical);
+void MainWindow::arrange() {
+    const DockLayout& layout = m_layoutMenu->present();
+    arrangeDocks(*this, layout);
+    m_fittedWidth = m_docks[kProgramDock]->width();
+    m_session.setPlayBy(layout.playBy);
+    m_session.setSpeed(layout.speed * unitSpeed(layout.playBy));
+}
+
+/// The editor is as wide as the lines of its text where there is room; a width that the user gave it stays.
+void MainWindow::fitEditor() {
+    QDockWidget* dock = m_docks[kProgramDock];
+    if (dock->isFloating() || std::abs(dock->width() - m_fittedWidth) > kSameWidth)
+        return;
+    m_fittedWidth = leftDockWidth(width(), dock->widget()->sizeHint().width());
+    resizeDocks({dock}, {m_fittedWidth}, Qt::Horizontal);
 }
 
 void MainWindow::makeToolBar() {
@@ -178,6 +182,7 @@ void MainWindow::retranslate() {
         commands->retranslate();
     m_playback->retranslate();
     m_status->retranslate();
+    m_layoutMenu->retranslate();
     m_toolBar->setWindowTitle(tr("Tool bar"));
     m_toolBar->toggleViewAction()->setVisible(false); // it stays
     fillChoices();
@@ -204,15 +209,28 @@ void MainWindow::restore() {
     const QSettings settings;
     if (!restoreGeometry(settings.value(kGeometryKey).toByteArray()))
         resize(kFirstSize);
-    arrangeDocks();
+    arrange();
     m_layoutKept = restoreState(settings.value(kStateKey).toByteArray(), kLayoutVersion);
+    if (m_layoutKept)
+        restorePlayback();
+}
+
+void MainWindow::restorePlayback() {
+    const QSettings settings;
+    const auto by = static_cast<PlayBy>(
+        std::clamp(settings.value(kPlayByKey, static_cast<int>(m_session.playback().by)).toInt(), 0,
+                   static_cast<int>(PlayBy::time)));
+    const double speed = settings.value(kSpeedKey, m_session.playback().unitsPerSecond).toDouble();
+    m_session.setPlayBy(by);
+    if (speed > 0)
+        m_session.setSpeed(speed);
 }
 
 void MainWindow::showEvent(QShowEvent* event) {
     QMainWindow::showEvent(event);
     // Docks take their sizes only once the window has its own.
     if (!std::exchange(m_layoutKept, true))
-        arrangeDocks();
+        arrange();
     // Window managers put the window that came last in front of those that came with it.
     QMetaObject::invokeMethod(this, &MainWindow::raiseFloatingDocks, Qt::QueuedConnection);
 }
@@ -225,7 +243,7 @@ void MainWindow::raiseFloatingDocks() {
 }
 
 void MainWindow::resetLayout() {
-    arrangeDocks();
+    arrange();
     m_viewOptions->reset();
 }
 
@@ -280,6 +298,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     QSettings settings;
     settings.setValue(kGeometryKey, saveGeometry());
     settings.setValue(kStateKey, saveState(kLayoutVersion));
+    settings.setValue(kPlayByKey, static_cast<int>(m_session.playback().by));
+    settings.setValue(kSpeedKey, m_session.playback().unitsPerSecond);
     event->accept();
 }
 

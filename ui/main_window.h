@@ -17,6 +17,7 @@ namespace proveout {
 
 class EditorPanel;
 class KeptSwitches;
+class LayoutMenu;
 class ProblemsPanel;
 class StartPage;
 class StatusLine;
@@ -65,7 +66,9 @@ private:
 
     void makePanels();
     void makeDocks();
-    void arrangeDocks();
+    void arrange();
+    void fitEditor();
+    void restorePlayback();
     void raiseFloatingDocks();
     void makeMenus();
     void makeToolBar();
@@ -95,11 +98,13 @@ private:
     std::vector<QDockWidget*> m_docks;                   ///< in the order of docks()
     std::vector<std::pair<QMenu*, const char*>> m_menus; ///< with their untranslated titles
     QMenu* m_samplesMenu = nullptr;
+    LayoutMenu* m_layoutMenu = nullptr;
     QMenu* m_themeMenu = nullptr;
     QMenu* m_languageMenu = nullptr;
     QToolBar* m_toolBar = nullptr;
     KeptSwitches* m_viewOptions = nullptr;
-    bool m_layoutKept = false; ///< the docks stand where the settings say
+    bool m_layoutKept = false; ///< the docks are where the settings have them
+    int m_fittedWidth = 0;     ///< of the editor's dock, as long as the user leaves it
 
     CommandActions<MainWindow> m_fileCommands;
     CommandActions<MainWindow> m_meshCommands;

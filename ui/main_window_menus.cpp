@@ -10,6 +10,7 @@
 #include "ui/checkpoint_menu.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/findings/problems_panel.h"
+#include "ui/layout_menu.h"
 #include "ui/main_window.h"
 #include "ui/main_window_tables.h"
 #include "ui/plots/plots_panel.h"
@@ -65,6 +66,9 @@ void MainWindow::makeMenus() {
     for (QDockWidget* dock : m_docks)
         window->addAction(dock->toggleViewAction());
     window->addSeparator();
+    m_layoutMenu = new LayoutMenu(this);
+    window->addMenu(m_layoutMenu);
+    m_menus.emplace_back(m_layoutMenu, QT_TRANSLATE_NOOP("Menus", "L&ayout"));
     m_themeMenu = window->addMenu(icon(QStringLiteral("theme")), QString());
     m_languageMenu = window->addMenu(icon(QStringLiteral("language")), QString());
     m_menus.emplace_back(m_themeMenu, QT_TRANSLATE_NOOP("Menus", "&Theme"));

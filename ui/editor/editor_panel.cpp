@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <vector>
 
 #include <QEvent>
 #include <QLabel>
@@ -19,6 +20,9 @@ namespace proveout {
 namespace {
 
 constexpr const char* kContext = "EditCommands";
+// For the width of the panel.
+constexpr std::size_t kMeasuredLines = 2000;
+constexpr double kUsualLines = 0.95; ///< the share of them that fits
 
 } // namespace
 
@@ -134,6 +138,18 @@ EditorPanel::EditorPanel(Session& session, QWidget* parent)
     connect(m_changed, &FileChangedBar::keepWanted, &session, &Session::keepMine);
     retranslate();
     loadText();
+}
+
+/// From the document and not from the editor, which has a long text only later.
+QSize EditorPanel::sizeHint() const {
+    const NcText& text = m_session.document().text;
+    std::vector<std::size_t> lengths(std::min(text.lineCount(), kMeasuredLines));
+    for (std::size_t i = 0; i < lengths.size(); ++i)
+        lengths[i] = text.line(i).size();
+    const auto usual =
+        lengths.begin() + static_cast<std::ptrdiff_t>(static_cast<double>(lengths.size() - 1) * kUsualLines);
+    std::nth_element(lengths.begin(), usual, lengths.end());
+    return {m_editor->widthOf(*usual), QWidget::sizeHint().height()};
 }
 
 void EditorPanel::retranslate() {

@@ -25,6 +25,8 @@ class EditorPanel final : public QWidget {
 public:
     explicit EditorPanel(Session& session, QWidget* parent = nullptr);
     [[nodiscard]] NcEditor& editor() { return *m_editor; }
+    /// As wide as the lines of the program, but for a few long ones.
+    [[nodiscard]] QSize sizeHint() const override;
 
 protected:
     void changeEvent(QEvent* event) override;

@@ -9,6 +9,7 @@
 #include <QHelpEvent>
 #include <QMenu>
 #include <QMimeData>
+#include <QScrollBar>
 
 #include "ui/theme.h"
 
@@ -27,6 +28,8 @@ constexpr int kCurrentBackground = 2;
 constexpr int kBreakpointOff = 3;
 constexpr int kCaretLineVeil = 12; ///< of 255
 constexpr double kCurrentTint = 0.22;
+constexpr std::size_t kMostColumns = 200;       ///< that a panel may want to show
+constexpr int kBesideText = 12;                 ///< px
 constexpr std::size_t kBytesAtOnce = 1'000'000; ///< a few milliseconds
 
 /// `share` of `b` in `a`; opaque, because a translucent marker is not drawn behind styled text.
@@ -88,6 +91,15 @@ void NcEditor::setUpMargins() {
             [this](int /*margin*/, int line) { emit marginChosen(line + 1); });
     markerDefine(RightTriangle, kCurrentArrow);
     markerDefine(Background, kCurrentBackground);
+}
+
+int NcEditor::widthOf(std::size_t columns) const {
+    const std::string text(std::min(columns, kMostColumns), '8');
+    int margins = 0;
+    for (const int margin : {kNumberMargin, kProblemMargin, kArrowMargin})
+        margins += marginWidth(margin);
+    return static_cast<int>(SendScintilla(SCI_TEXTWIDTH, STYLE_DEFAULT, text.c_str())) + margins +
+           verticalScrollBar()->sizeHint().width() + kBesideText;
 }
 
 void NcEditor::showDialect(DialectId dialect) {

@@ -50,6 +50,8 @@ public:
     /// Puts the caret on a place (1-based) and shows it, once the text is there.
     void goTo(int line, int column);
     [[nodiscard]] int caretLine() const; ///< 1-based
+    /// Pixels that show `columns` characters of a line, with margins and scroll bar.
+    [[nodiscard]] int widthOf(std::size_t columns) const;
     /// The text, until the next change of it.
     [[nodiscard]] std::string_view textBytes() const;
     /// A text of the user in the encoding of the document.

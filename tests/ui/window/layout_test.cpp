@@ -3,15 +3,40 @@
 #include <memory>
 
 #include <QApplication>
+#include <QDir>
 #include <QDockWidget>
+#include <QLabel>
 #include <QMenuBar>
+#include <QTemporaryFile>
 #include <QTest>
+#include <QToolButton>
 
 #include "tests/ui/window/workstation.h"
+#include "ui/dock_layouts.h"
+#include "ui/languages.h"
 #include "ui/theme.h"
 
 namespace proveout {
 namespace {
+
+constexpr QSize kSmallScreen{1280, 800};
+
+/// What each dock needs, for who reads of a failure.
+QString leastSizes(const QMainWindow& window) {
+    QString text;
+    for (const QDockWidget* dock : window.findChildren<QDockWidget*>()) {
+        const QSize least = dock->minimumSizeHint();
+        text += QStringLiteral("%1 %2 × %3\n").arg(dock->objectName()).arg(least.width()).arg(least.height());
+    }
+    return text;
+}
+
+/// Whether a text that can be seen is wider than its place.
+bool isClipped(const QLabel& label) {
+    return label.isVisible() && !label.visibleRegion().isEmpty() && !label.wordWrap() &&
+           label.textFormat() != Qt::RichText && label.pixmap().isNull() &&
+           label.sizeHint().width() > label.width();
+}
 
 QDockWidget* dockOf(const Workstation& station, const char* id) {
     return station.window.findChild<QDockWidget*>(QLatin1String(id));
@@ -50,6 +75,108 @@ private slots:
             QVERIFY(!dockOf(station, "dock-tuning")->isHidden());
             station.appearance.setTheme(Theme::light);
         }
+    }
+
+    void everyLayoutFitsASmallScreenInEveryLanguage() {
+        Workstation station(true);
+        station.session.seek(station.session.blockCount());
+        QTRY_COMPARE_WITH_TIMEOUT(station.session.block(), station.session.blockCount(), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(station.session.times() != nullptr, kPatience);
+        for (const DockLayout& layout : dockLayouts()) {
+            station.window.action(QStringLiteral("layout-") + layout.id)->trigger();
+            for (const Language& language : languages()) {
+                station.appearance.setLanguage(language.code);
+                QTest::qWait(100);
+                station.window.resize(kSmallScreen);
+                QTest::qWait(100);
+                QVERIFY2(station.window.size() == kSmallScreen,
+                         qPrintable(QStringLiteral("%1 in %2: %3 × %4\n%5")
+                                        .arg(layout.id, language.code)
+                                        .arg(station.window.width())
+                                        .arg(station.window.height())
+                                        .arg(leastSizes(station.window))));
+            }
+        }
+    }
+
+    void noTextIsClippedInAnyLanguage() {
+        Workstation station(true);
+        station.session.seek(station.session.blockCount());
+        for (const Language& language : languages()) {
+            station.appearance.setLanguage(language.code);
+            for (QDockWidget* dock : station.window.findChildren<QDockWidget*>()) {
+                dock->raise();
+                QTest::qWait(50);
+                for (const QLabel* label : station.window.findChildren<QLabel*>())
+                    QVERIFY2(!isClipped(*label), qPrintable(language.code + u' ' + dock->objectName() +
+                                                            QStringLiteral(": ") + label->text()));
+            }
+        }
+    }
+
+    void firstScreenIsAMachinists() {
+        const Workstation station(true);
+        for (const char* id : {"dock-program", "dock-setup", "dock-problems", "dock-timeline"})
+            QVERIFY2(!dockOf(station, id)->visibleRegion().isEmpty(), id);
+        QVERIFY(dockOf(station, "dock-tuning")->visibleRegion().isEmpty());
+        QVERIFY(station.session.playback().by == PlayBy::time);
+        station.window.action(QStringLiteral("layout-research"))->trigger();
+        QTRY_VERIFY(!dockOf(station, "dock-tuning")->visibleRegion().isEmpty());
+        QTRY_VERIFY(!dockOf(station, "dock-plots")->visibleRegion().isEmpty());
+        QVERIFY(station.session.playback().by == PlayBy::blocks);
+    }
+
+    void chosenLayoutComesBack() {
+        {
+            const Workstation station(false);
+            station.window.action(QStringLiteral("layout-research"))->trigger();
+        } // killed, so to speak: the layout of the window itself was not kept
+        const Workstation station(false);
+        QTRY_VERIFY(!dockOf(station, "dock-plots")->visibleRegion().isEmpty());
+        QVERIFY(station.window.action(QStringLiteral("layout-research"))->isChecked());
+    }
+
+    void editorIsAsWideAsItsLines() {
+        Workstation station(false);
+        station.window.resize(1600, 900);
+        const auto widthWith = [&](const QByteArray& line) {
+            QTemporaryFile program(QDir::tempPath() + QStringLiteral("/XXXXXX.nc"));
+            if (!program.open())
+                return 0;
+            program.write((line + '\n').repeated(100));
+            program.close();
+            station.open(program.fileName());
+            QTest::qWait(100);
+            return dockOf(station, "dock-program")->width();
+        };
+        const int narrow = widthWith("G1 X1 F100");
+        const int wide = widthWith("G1 X100.1234 Y200.1234 Z-30.1234 F1000 (finishing)");
+        QVERIFY2(wide > narrow, qPrintable(QStringLiteral("%1 %2").arg(wide).arg(narrow)));
+        QVERIFY(wide <= station.window.width() * 0.35);
+        // A width that the user has chosen stays.
+        station.window.resizeDocks({dockOf(station, "dock-program")}, {wide - 60}, Qt::Horizontal);
+        QTest::qWait(100);
+        const int chosen = dockOf(station, "dock-program")->width();
+        QCOMPARE(widthWith("G1 X1 F100"), chosen);
+    }
+
+    void dockHasOneTitle() {
+        const Workstation station(false);
+        QDockWidget* plots = dockOf(station, "dock-plots");
+        QTRY_VERIFY(plots->titleBarWidget() != nullptr); // its tab has the title
+        QVERIFY(dockOf(station, "dock-program")->titleBarWidget() == nullptr);
+        plots->setFloating(true);
+        QTRY_VERIFY(plots->titleBarWidget() == nullptr);
+        plots->setFloating(false);
+        QTRY_VERIFY(plots->titleBarWidget() != nullptr);
+        auto* close = plots->titleBarWidget()->findChild<QToolButton*>(QStringLiteral("close-dock"));
+        plots->raise();
+        QTest::mouseClick(close, Qt::LeftButton);
+        QVERIFY(plots->isHidden());
+        // The last one that is left of its tabs has its title bar again.
+        for (const char* id : {"dock-breakpoints", "dock-study"})
+            dockOf(station, id)->close();
+        QTRY_VERIFY(dockOf(station, "dock-problems")->titleBarWidget() == nullptr);
     }
 
     void floatingDocksComeBackInFront() {
