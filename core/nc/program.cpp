@@ -20,14 +20,15 @@ constexpr std::uint8_t kProbingFlag = 16;
 } // namespace
 
 Program::Extent Program::extent() const {
-    return {m_motions.size(), m_arcs.size(),          m_states.size(), m_blocks.size(),
-            m_jumps.size(),   m_compensations.size(), m_events.size(), m_diagnostics.size(),
-            m_bounds,         m_pendingLine,          m_blockPending,  m_linesRise};
+    return {m_motions.size(),       m_arcs.size(),   m_states.size(),      m_blocks.size(), m_jumps.size(),
+            m_compensations.size(), m_events.size(), m_diagnostics.size(), m_bounds,        m_cuttingBounds,
+            m_pendingLine,          m_blockPending,  m_linesRise};
 }
 
 Program::Program(const Program& other, const Extent& extent)
-    : m_settled(extent.motions), m_bounds(extent.bounds), m_pendingLine(extent.pendingLine),
-      m_blockPending(extent.blockPending), m_linesRise(extent.linesRise), m_dialect(other.m_dialect) {
+    : m_settled(extent.motions), m_bounds(extent.bounds), m_cuttingBounds(extent.cuttingBounds),
+      m_pendingLine(extent.pendingLine), m_blockPending(extent.blockPending), m_linesRise(extent.linesRise),
+      m_dialect(other.m_dialect) {
     // Room for about as much again as the other has behind it.
     m_motions.reserve(other.m_motions.size());
     m_blocks.reserve(other.m_blocks.size());
@@ -182,8 +183,7 @@ void Program::beginBlock(std::uint32_t line) {
 void Program::append(const Motion& motion) {
     settle();
     store(motion);
-    if (motion.known())
-        m_bounds.add(proveout::bounds(motion));
+    addToBounds(motion);
     m_settled = m_motions.size();
 }
 
@@ -209,11 +209,17 @@ void Program::moveEnds(std::size_t first, Plane plane, const Vec2& end, double s
 }
 
 void Program::settle() {
-    for (; m_settled < m_motions.size(); ++m_settled) {
-        const Motion settled = motion(m_settled);
-        if (settled.known())
-            m_bounds.add(proveout::bounds(settled));
-    }
+    for (; m_settled < m_motions.size(); ++m_settled)
+        addToBounds(motion(m_settled));
+}
+
+void Program::addToBounds(const Motion& motion) {
+    if (!motion.known())
+        return;
+    const Box3 box = proveout::bounds(motion);
+    m_bounds.add(box);
+    if (motion.kind != MotionKind::rapid && !motion.probing)
+        m_cuttingBounds.add(box);
 }
 
 void Program::store(const Motion& motion) {

@@ -118,6 +118,8 @@ public:
     /// In which it was read.
     [[nodiscard]] DialectId dialect() const { return m_dialect; }
     [[nodiscard]] const Box3& bounds() const { return m_bounds; } ///< of all known motions
+    /// Of the known motions at feed that do not probe: where the program means to cut.
+    [[nodiscard]] const Box3& cuttingBounds() const { return m_cuttingBounds; }
 
     /// Index of the first block that moves otherwise (path, tool, or a different number of motions);
     /// the smaller block count where one program is the beginning of the other.
@@ -134,6 +136,7 @@ public:
         std::size_t events = 0;
         std::size_t diagnostics = 0;
         Box3 bounds;
+        Box3 cuttingBounds;
         std::uint32_t pendingLine = 0;
         bool blockPending = false;
         bool linesRise = true;
@@ -212,6 +215,7 @@ private:
     };
 
     void store(const Motion& motion);
+    void addToBounds(const Motion& motion);
     [[nodiscard]] Vec3 startOf(std::size_t index) const;
     [[nodiscard]] bool sameBlock(std::size_t index, const Program& other) const;
     [[nodiscard]] bool samePath(std::size_t index, const Program& other, std::size_t otherIndex) const;
@@ -228,6 +232,7 @@ private:
     std::size_t m_sourceBlocks = 0;
     std::size_t m_settled = 0; ///< motions before it are final and within m_bounds
     Box3 m_bounds;
+    Box3 m_cuttingBounds;
     std::uint32_t m_pendingLine = 0;
     bool m_blockPending = false;
     bool m_linesRise = true; ///< no line was executed after a later one
