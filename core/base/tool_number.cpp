@@ -10,7 +10,7 @@ std::optional<int> parseToolNumber(std::string_view text) {
     int number = 0;
     const char* const end = text.data() + text.size();
     const auto [read, error] = std::from_chars(text.data(), end, number);
-    if (error != std::errc() || read != end || number < 1 || number > kLargestTool)
+    if (error != std::errc() || read != end || number < kLeastTool || number > kLargestTool)
         return std::nullopt;
     return number;
 }

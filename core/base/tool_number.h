@@ -7,10 +7,12 @@
 
 namespace proveout {
 
-/// Tools are numbered from 1 on; 0 in a program empties the spindle.
+/// Tools are numbered from 0 on. In a program 0 empties the spindle, unless the tool table has a cutter for
+/// it.
+inline constexpr int kLeastTool = 0;
 inline constexpr int kLargestTool = 99'999'999;
 
-/// The number that `text` is as a whole; nothing where it is none from 1 to kLargestTool.
+/// The number that `text` is as a whole; nothing where it is none from kLeastTool to kLargestTool.
 [[nodiscard]] std::optional<int> parseToolNumber(std::string_view text);
 
 } // namespace proveout

@@ -178,8 +178,9 @@ Result<std::pair<int, Cutter>> parseToolOption(std::string_view option) {
     if (!tool)
         return failure(
             "tool-number",
-            PROVEOUT_TEXT("Core", "“{}” does not begin with a tool number from 1 to {}, as in {}."),
-            {std::string(option), std::to_string(kLargestTool), "1=ball:d=11,l=50"});
+            PROVEOUT_TEXT("Core", "“{}” does not begin with a tool number from {} to {}, as in {}."),
+            {std::string(option), std::to_string(kLeastTool), std::to_string(kLargestTool),
+             "1=ball:d=11,l=50"});
     auto cutter = parseCutter(spec);
     if (!cutter)
         return tl::unexpected(std::move(cutter.error()));

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstdint>
 #include <fmt/format.h>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -62,23 +63,23 @@ private:
         }
         refuseUnknown(*row, kRowKeys, PROVEOUT_TEXT("Core", "“{}” is no key of a tool; there are {}."),
                       PROVEOUT_TEXT("Core", "“{}” is no key of a tool; perhaps “{}” is meant."));
-        if (const int number = readNumber(*row); number > 0)
-            readCutter(*row, number);
+        if (const auto number = readNumber(*row))
+            readCutter(*row, *number);
     }
 
-    /// 0 where the row has no usable number.
-    int readNumber(const toml::table& row) {
+    /// Nothing where the row has no usable number.
+    std::optional<int> readNumber(const toml::table& row) {
         const auto number = row["number"].value_exact<std::int64_t>();
-        if (!number || *number < 1 || *number > kLargestTool) {
+        if (!number || *number < kLeastTool || *number > kLargestTool) {
             fail(placeOf(row, "number"), "tool-number",
-                 PROVEOUT_TEXT("Core", "A tool needs a number, a whole one from 1 to {}."),
-                 {std::to_string(kLargestTool)});
-            return 0;
+                 PROVEOUT_TEXT("Core", "A tool needs a number, a whole one from {} to {}."),
+                 {std::to_string(kLeastTool), std::to_string(kLargestTool)});
+            return {};
         }
         if (!m_numbers.insert(*number).second) {
             fail(placeOf(row, "number"), "tool-twice",
                  PROVEOUT_TEXT("Core", "Tool {} stands in the table twice."), {std::to_string(*number)});
-            return 0;
+            return {};
         }
         return static_cast<int>(*number);
     }

@@ -141,7 +141,9 @@ void selectTool(Execution& execution, const Word& word) {
     const auto number = toolNumber(execution, word);
     if (!number)
         return;
-    if (!execution.dialect.changesTools && *number != execution.state.selectedTool)
+    const MachineState& state = execution.state;
+    const int present = state.selectedTool < 0 ? state.tool : state.selectedTool;
+    if (!execution.dialect.changesTools && *number != 0 && *number != present) // T0 names none
         execution.reporter.tell(nc_message::kToolNotChanged, word, {std::to_string(*number)});
     execution.state.selectedTool = *number;
 }

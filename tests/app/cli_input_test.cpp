@@ -123,7 +123,7 @@ TEST_F(CliInput, BrokenToolTablesNameTheirPlace) {
     };
     tell("[[tool]]\nnumber = 1\ncutter = \"ball:d=4\n", "t.toml:3:", "tool-file-syntax");
     tell("x = 1\n", "t.toml: error", "tool-file-empty");
-    tell("\n[[tool]]\nnumber = 0\ncutter = \"ball:d=4\"\n", "t.toml:3:10: error", "tool-number");
+    tell("\n[[tool]]\nnumber = -1\ncutter = \"ball:d=4\"\n", "t.toml:3:10: error", "tool-number");
     tell("[[tool]]\nnumber = 1\n", "t.toml:1:", "tool-cutter");
     tell("[[tool]]\nnumber = 1\ncutter = \"star:d=4\"\n", "t.toml:3:10: error", "cutter-shape-unknown");
     const std::string row = "[[tool]]\nnumber = 1\ncutter = \"ball:d=4\"\n";

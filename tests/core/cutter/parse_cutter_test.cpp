@@ -208,7 +208,7 @@ TEST(ParseToolOption, TakesANumberWithOrWithoutT) {
 }
 
 TEST(ParseToolOption, RefusesWhatHasNoNumberOrNoCutter) {
-    for (const char* option : {"", "flat:d=6", "T=flat:d=6", "0=flat:d=6", "-1=flat:d=6", "1.5=flat:d=6",
+    for (const char* option : {"", "flat:d=6", "T=flat:d=6", "-1=flat:d=6", "1.5=flat:d=6",
                                "99999999999=flat:d=6", "1=", "1=flat"})
         EXPECT_FALSE(parseToolOption(option).has_value()) << option;
 }

@@ -61,7 +61,7 @@ TEST_F(ToolFile, HoldsCuttersOfEveryShape) {
 TEST_F(ToolFile, TellsAHundredErrorsAndHowManyMoreThereAre) {
     std::string text;
     for (int row = 0; row < 20'000; ++row)
-        text += "[[tool]]\nnumber = 0\n";
+        text += "[[tool]]\nnumber = -1\n";
     const auto tools = read(text);
     ASSERT_FALSE(tools);
     ASSERT_EQ(tools.error().size(), 101U);
@@ -98,17 +98,17 @@ TEST_F(ToolFile, KeysOfACutterThatAreNotKnownAreErrorsAtTheCutter) {
 }
 
 TEST_F(ToolFile, AllErrorsAreToldAtOnceInTheOrderOfTheText) {
-    EXPECT_EQ(told("[[tool]]\nnumber = 0\ncutter = \"ball:d=4\"\n"
+    EXPECT_EQ(told("[[tool]]\nnumber = -1\ncutter = \"ball:d=4\"\n"
                    "[[tool]]\nnumber = 3\n"
                    "[[tool]]\nnumber = \"4\"\ncolour = 1\n"
                    "[[tool]]\nnumber = 3\ncutter = \"ball:d=4\"\n"
                    "[[tool]]\ncutter = \"ball:d=4\"\n"),
-              "2:10 A tool needs a number, a whole one from 1 to 99999999. [tool-number]\n"
+              "2:10 A tool needs a number, a whole one from 0 to 99999999. [tool-number]\n"
               "4:1 Tool 3 needs a cutter, e.g. cutter = \"ball:d=11,l=50\". [tool-cutter]\n"
-              "7:10 A tool needs a number, a whole one from 1 to 99999999. [tool-number]\n"
+              "7:10 A tool needs a number, a whole one from 0 to 99999999. [tool-number]\n"
               "8:1 “colour” is no key of a tool; there are number, cutter. [tool-key-unknown]\n"
               "10:10 Tool 3 stands in the table twice. [tool-twice]\n"
-              "12:1 A tool needs a number, a whole one from 1 to 99999999. [tool-number]\n");
+              "12:1 A tool needs a number, a whole one from 0 to 99999999. [tool-number]\n");
 }
 
 TEST_F(ToolFile, OtherFilesAreRefused) {
