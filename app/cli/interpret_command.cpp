@@ -25,7 +25,7 @@ struct InterpretCommandOptions {
     std::string program;
     ToolOptions tools;
     StockOptions stock;
-    std::string start;
+    StartOptions start;
     std::string dialect;
     std::vector<std::string> compared; ///< two dialects, or none
     bool blockDelete = false;
@@ -44,14 +44,12 @@ ExitCode run(const InterpretCommandOptions& options) {
     interpreting.blockDelete = options.blockDelete;
     options.compensationStart.apply(interpreting.compensationTypeB);
     interpreting.subprogramFolders = {std::filesystem::path(options.program).parent_path()};
-    interpreting.assumeStartAtZero = options.start.empty();
-    if (!options.start.empty()) {
-        auto start = parsePoint(options.start);
-        if (!start)
-            return fail(aboutOption("--start", std::move(start.error())).value());
-        interpreting.start = *start;
-    }
     Setup setup;
+    if (auto start = options.start.apply(setup); !start)
+        return fail(std::move(start.error()));
+    interpreting.start = setup.start;
+    interpreting.startTool = setup.startTool.value_or(0);
+    interpreting.assumeStartAtZero = !setup.start;
     if (auto tools = options.tools.apply(setup.tools); !tools)
         return fail(std::move(tools.error()));
     if (options.tools.given())
@@ -80,7 +78,7 @@ ExitCode run(const InterpretCommandOptions& options) {
     report.add(program->diagnostics());
     report.add(unusedCompensationStart(interpreting.compensationTypeB, *program));
     if (options.tools.given())
-        report.add(FindingLog().diagnostics(*program, ToolChoice(*program, setup.tools)));
+        report.add(FindingLog().diagnostics(*program, ToolChoice(*program, setup)));
     if (program->unverified() || program->motionCount() == 0)
         report.markUnverified();
     return report.exitCode();
@@ -102,8 +100,7 @@ void addInterpretCommand(CLI::App& app, ExitCode& exitCode) {
         ->type_name("D,D");
     options->tools.addTo(*command);
     options->stock.addTo(*command);
-    command->add_option("--start", options->start, "Position before the first block, mm (0,0,0, assumed)")
-        ->type_name("X,Y,Z");
+    options->start.addTo(*command, "0,0,0, assumed");
     command->add_flag("--block-delete", options->blockDelete, "Skip blocks that begin with /");
     options->compensationStart.addTo(*command);
     command->callback([options, &exitCode] { exitCode = run(*options); });

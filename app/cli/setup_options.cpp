@@ -1,20 +1,40 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/setup_options.h"
 
+#include <charconv>
+#include <fmt/format.h>
 #include <set>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "app/cli/option_error.h"
 #include "core/base/memory.h"
 #include "core/cutter/tool_file.h"
+#include "core/decimation/region_decimator.h"
 #include "core/formats/stock_shapes.h"
+#include "core/simulation/automatic_grid.h"
+#include "core/simulation/setup_fields.h"
 
 namespace proveout::cli {
 
 namespace {
 
 const std::string kGuessed = "auto";
+const std::string kAutomatic = "auto"; ///< of the grid
+
+std::optional<double> numberOf(const std::string& text) {
+    double number = 0;
+    const char* const end = text.data() + text.size();
+    const auto [read, error] = std::from_chars(text.data(), end, number);
+    return error == std::errc{} && read == end ? std::optional(number) : std::nullopt;
+}
+
+std::string checkSpacingText(const std::string& text) {
+    if (text == kAutomatic || numberOf(text))
+        return {};
+    return fmt::format("{} is neither a number of mm nor \"{}\"", text, kAutomatic);
+}
 
 } // namespace
 
@@ -23,8 +43,10 @@ void StockOptions::addTo(CLI::App& command) {
         .add_option("--stock", spec,
                     "Stock: a box, or a shape, e.g. cylinder:d=50,h=20; shapes: proveout-cli stocks")
         ->type_name("WxDxH|SHAPE:key=value,…");
-    command.add_option("--stock-origin", origin, "Lower-left-top corner of the stock, mm (0,0,0)")
-        ->type_name("X,Y,Z");
+    command
+        .add_option("--stock-origin", origin,
+                    "Least X, least Y and top Z of the stock, mm (0,0,0: its top is at Z0)")
+        ->type_name("MINX,MINY,TOPZ");
 }
 
 Result<void> StockOptions::apply(Setup& setup) const {
@@ -89,6 +111,37 @@ Result<void> ToolOptions::apply(ToolTable& table) const {
     return {};
 }
 
+void StartOptions::addTo(CLI::App& command, const std::string& withoutPosition) {
+    const Field& start = setup_field::kStartTool;
+    command.add_option("--start", position, "Position before the first block, mm (" + withoutPosition + ")")
+        ->type_name("X,Y,Z");
+    command.add_option("--start-tool", tool, std::string(start.help) + " (not known)")
+        ->check(CLI::Range(static_cast<int>(start.minimum), static_cast<int>(start.maximum)))
+        ->type_name("N");
+}
+
+Result<void> StartOptions::apply(Setup& setup) const {
+    if (tool)
+        setup.startTool = tool;
+    if (position.empty())
+        return {};
+    auto start = parsePoint(position);
+    if (!start)
+        return aboutOption("--start", std::move(start.error()));
+    const Field& field = setup_field::kStart;
+    for (int axis = 0; axis < 3; ++axis) {
+        if ((*start)[axis] < field.minimum || (*start)[axis] > field.maximum)
+            return aboutOption(
+                "--start",
+                failure("start-out-of-range", "{}{} is out of range: positions are from {} to {} mm.",
+                        {std::string(1, "XYZ"[axis]), fmt::format("{:g}", (*start)[axis]),
+                         fmt::format("{:g}", field.minimum), fmt::format("{:g}", field.maximum)})
+                    .value());
+    }
+    setup.start = *start;
+    return {};
+}
+
 void CompensationStart::addTo(CLI::App& command) {
     command
         .add_option("--compensation-start", type,
@@ -120,10 +173,14 @@ void SetupOptions::addTo(CLI::App& command) {
     command.add_option("--job", m_jobFile, "Job file with program, stock, grid, tools and decimation")
         ->type_name("FILE");
     m_stock.addTo(command);
-    command.add_option("--grid", m_grid, "Grid spacing, mm (1)")->type_name("H");
+    command
+        .add_option(
+            "--grid", m_grid,
+            "Grid spacing, mm (auto: a tenth of the smallest cutter's diameter, 1 to 4 million points)")
+        ->check(checkSpacingText)
+        ->type_name("H|auto");
     m_tools.addTo(command);
-    command.add_option("--start", m_start, "Position before the first block, mm (not known)")
-        ->type_name("X,Y,Z");
+    m_start.addTo(command, "not known");
     command.add_flag("--block-delete", m_blockDelete, "Skip blocks that begin with /");
     m_compensationStart.addTo(command);
     addDialectOption(command, m_dialect);
@@ -151,16 +208,16 @@ Result<Job> SetupOptions::job() const {
         return failure("no-stock", "No stock is given: use --stock WxDxH, or a --job.", {}, "proveout-cli");
     if (auto stock = m_stock.apply(job.setup); !stock)
         return tl::unexpected(std::move(stock.error()));
-    if (m_grid)
-        job.setup.spacing = *m_grid;
+    if (m_jobFile.empty() || m_grid == kAutomatic)
+        job.setup.automaticGrid = true;
+    if (const auto spacing = numberOf(m_grid)) {
+        job.setup.automaticGrid = false;
+        job.setup.spacing = *spacing;
+    }
     if (auto tools = m_tools.apply(job.setup.tools); !tools)
         return tl::unexpected(std::move(tools.error()));
-    if (!m_start.empty()) {
-        auto start = parsePoint(m_start);
-        if (!start)
-            return aboutOption("--start", std::move(start.error()));
-        job.setup.start = *start;
-    }
+    if (auto start = m_start.apply(job.setup); !start)
+        return tl::unexpected(std::move(start.error()));
     if (!m_dialect.empty())
         job.setup.dialect = dialectOfOption(m_dialect);
     job.setup.blockDelete = job.setup.blockDelete || m_blockDelete;
@@ -172,12 +229,25 @@ Result<Job> SetupOptions::job() const {
         job.machine = *machine;
     }
     const bool fromFile = !m_jobFile.empty();
+    const DecimationMethod before = job.parameters.method;
     m_decimation.apply(job.parameters, {.region = job.regionNamed, .period = fromFile},
                        gridPoints(job.setup.stock, job.setup.spacing));
+    job.regionNamed = m_decimation.given("region") || (job.regionNamed && job.parameters.method == before);
     return job;
 }
 
+void SetupOptions::settleGrid(Job& job, const Program& program, const MapOutputs& outputs) {
+    if (!job.setup.automaticGrid)
+        return;
+    job.setup.spacing = gridSpacing(job.setup, program, gridLimits(job.parameters, outputs));
+    if (!job.regionNamed)
+        job.parameters.regionCells =
+            standardRegion(job.parameters.method, gridPoints(job.setup.stock, job.setup.spacing));
+}
+
 Result<void> SetupOptions::checkGrid(const Job& job, const MapOutputs& outputs) const {
+    if (auto whole = checkShape(job.setup.shape); !whole)
+        return whole;
     const auto grid = makeGrid(job.setup.stock, job.setup.spacing);
     if (!grid)
         return aboutGrid(grid.error());
@@ -192,7 +262,7 @@ tl::unexpected<Diagnostics> SetupOptions::aboutGrid(Diagnostics diagnostics) con
     const std::string_view id = diagnostics.front().id;
     const bool origin = id.starts_with("stock-origin");
     const bool size = id.starts_with("stock-size");
-    const bool given = origin ? !m_stock.origin.empty() : size ? !m_stock.spec.empty() : m_grid.has_value();
+    const bool given = origin ? !m_stock.origin.empty() : size ? !m_stock.spec.empty() : !m_grid.empty();
     if (given || m_jobFile.empty())
         return aboutOption(origin ? "--stock-origin" : size ? "--stock" : "--grid", std::move(diagnostics));
     for (Diagnostic& diagnostic : diagnostics)

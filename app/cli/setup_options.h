@@ -38,6 +38,16 @@ struct ToolOptions {
     [[nodiscard]] Result<void> apply(ToolTable& table) const;
 };
 
+/// `--start` and `--start-tool`: how the machine is before the first block.
+struct StartOptions {
+    std::string position;
+    std::optional<int> tool;
+
+    void addTo(CLI::App& command, const std::string& withoutPosition);
+    /// Changes what is given.
+    [[nodiscard]] Result<void> apply(Setup& setup) const;
+};
+
 /// `--compensation-start`, a setting of the controls whose dialect compensates by vectors.
 struct CompensationStart {
     std::string type; ///< "a", "b", or empty
@@ -57,6 +67,8 @@ public:
     void addTo(CLI::App& command);
 
     [[nodiscard]] Result<Job> job() const;
+    /// Finds the spacing of an automatic grid, and the region size where nobody named one.
+    static void settleGrid(Job& job, const Program& program, const MapOutputs& outputs);
     /// Refuses a stock and a grid that cannot be, or need more memory than may be taken.
     [[nodiscard]] Result<void> checkGrid(const Job& job, const MapOutputs& outputs) const;
     [[nodiscard]] const DecimationOptions& decimation() const { return m_decimation; }
@@ -72,9 +84,9 @@ private:
     std::string m_program;
     std::string m_jobFile;
     StockOptions m_stock;
-    std::optional<double> m_grid;
+    std::string m_grid; ///< empty: that of the job; "auto"; a number
     ToolOptions m_tools;
-    std::string m_start;
+    StartOptions m_start;
     bool m_blockDelete = false;
     CompensationStart m_compensationStart;
     std::string m_dialect;

@@ -26,6 +26,7 @@
 #include "core/simulation/block_provenance.h"
 #include "core/simulation/block_records.h"
 #include "core/simulation/simulation.h"
+#include "core/simulation/tool_choice.h"
 
 namespace proveout::cli {
 
@@ -105,9 +106,16 @@ private:
         if (m_options.meshes.wanted() && m_options.mesh == "decimated" &&
             !fine(checkExportable(m_job.parameters)))
             return false;
-        if (!fine(m_options.setup.checkGrid(m_job, mapOutputs())) || !fine(m_options.box.check(m_job.setup)))
+        // A grid that is given is refused before a long program is read.
+        const bool automatic = m_job.setup.automaticGrid;
+        if ((!automatic && !checkGrid()) || !interpretProgram())
             return false;
-        return interpretProgram();
+        SetupOptions::settleGrid(m_job, *m_program, mapOutputs());
+        return !automatic || checkGrid();
+    }
+
+    bool checkGrid() {
+        return fine(m_options.setup.checkGrid(m_job, mapOutputs())) && fine(m_options.box.check(m_job.setup));
     }
 
     [[nodiscard]] MapOutputs mapOutputs() const {
@@ -199,7 +207,14 @@ private:
             {"blocks", m_program->sourceBlockCount()},
             {"motions", executedMotions()},
             {"movingBlocks", m_frame.block},
-            {"grid", {{"nx", grid.nx}, {"ny", grid.ny}, {"hx", grid.hx}, {"hy", grid.hy}}},
+            {"grid",
+             {{"nx", grid.nx},
+              {"ny", grid.ny},
+              {"hx", grid.hx},
+              {"hy", grid.hy},
+              {"spacing", m_job.setup.spacing},
+              {"automatic", m_job.setup.automaticGrid}}},
+            {"startTool", startTool()},
             {"removedMm3", m_frame.removedMm3},
             {"machineSeconds", machineSeconds(*m_times, m_frame.block, !m_job.machine)},
             {"facesFull", m_surface->facesFull},
@@ -225,6 +240,13 @@ private:
         out["findings"] = m_report.findings();
         out["unverified"] = m_report.unverified();
         return out;
+    }
+
+    [[nodiscard]] nlohmann::ordered_json startTool() const {
+        const std::optional<int> assumed = assumedTool(*m_program, m_job.setup);
+        if (!assumed && !m_job.setup.startTool)
+            return nullptr;
+        return {{"number", assumed ? *assumed : *m_job.setup.startTool}, {"assumed", assumed.has_value()}};
     }
 
     [[nodiscard]] nlohmann::ordered_json totals() const {
@@ -271,6 +293,9 @@ private:
         fmt::print("{} of {} moving blocks, {:.1f} mm³ removed, {:.3f} s; {} on {} machine\n", m_frame.block,
                    m_program->blockCount(), m_frame.removedMm3, m_seconds.total,
                    clockText(m_times->secondsAfter[m_frame.block]), m_job.machine ? "the" : "an assumed");
+        const Grid& grid = m_frame.zmap.grid();
+        if (m_job.setup.automaticGrid)
+            fmt::print("grid: {:g} mm (automatic), {} × {} points\n", m_job.setup.spacing, grid.nx, grid.ny);
         printFiles(m_written);
         m_options.box.print();
     }

@@ -109,13 +109,17 @@ private:
         if (!job)
             return tl::unexpected(std::move(job.error()));
         m_report.add(job->warnings);
-        if (auto fits = m_options.setup.checkGrid(*job, {}); !fits)
+        const bool given = !job->setup.automaticGrid;
+        if (auto fits = given ? m_options.setup.checkGrid(*job, {}) : Result<void>(); !fits)
             return fits;
         auto program = loadProgram(*job, m_report);
         if (!program)
             return tl::unexpected(std::move(program.error()));
+        SetupOptions::settleGrid(*job, **program, {});
+        if (auto fits = given ? Result<void>() : m_options.setup.checkGrid(*job, {}); !fits)
+            return fits;
         // What no tool cuts is not cut, and the curves would be those of another program.
-        m_report.add(FindingLog().diagnostics(**program, ToolChoice(**program, job->setup.tools)));
+        m_report.add(FindingLog().diagnostics(**program, ToolChoice(**program, job->setup)));
         m_base = job->parameters;
         m_job = {std::move(*program), std::make_shared<const Setup>(job->setup)};
         return makeDrawing();

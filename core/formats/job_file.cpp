@@ -2,6 +2,7 @@
 #include "core/formats/job_file.h"
 
 #include <algorithm>
+#include <array>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -17,6 +18,7 @@
 #include "core/decimation/region_decimator.h"
 #include "core/formats/job_json.h"
 #include "core/formats/stock_shapes.h"
+#include "core/simulation/setup_fields.h"
 
 namespace proveout {
 
@@ -25,12 +27,13 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::ordered_json;
 
-constexpr int kSchema = 1;
+/// 2: the position of the stock has fields of its own names, and a job without a grid has an automatic one.
+constexpr int kSchema = 2;
 constexpr std::uint64_t kSizeLimit = 16'000'000; ///< bytes; a job has a few hundred
 constexpr int kDepthLimit = 32;
 
-constexpr JsonRange kSize{0, 1e6, true};  ///< mm, of a stock or a grid
-constexpr JsonRange kPosition{-1e7, 1e7}; ///< mm
+constexpr JsonRange kSize{0, 1e6, true};                                        ///< mm, of a stock or a grid
+constexpr JsonRange kPosition{-setup_field::kFarthest, setup_field::kFarthest}; ///< mm
 
 fs::path absolutePath(const fs::path& path) {
     std::error_code error;
@@ -56,15 +59,42 @@ void readStockField(JsonFields& fields, const StockField& field, const fs::path&
         fields.require({field.name});
         std::string file;
         fields.read(field.name, file);
-        spec.shape.file = absolutePath(folder / fs::path(file));
+        if (!file.empty()) // one that was saved before its file was chosen
+            spec.shape.file = absolutePath(folder / fs::path(file));
     }
 }
 
-/// Where a job says nothing of the corner, that of a box lies at 0, and a body lies where it lies by itself.
+/// Where a job says nothing of the position, a box is at 0 with its top, and a body is where it lies by
+/// itself.
 struct DescribedStock {
     StockSpec spec;
     std::optional<Vec3> corner;
 };
+
+/// Jobs of format 1 have it as one point, "corner", whose Z is the top too.
+std::optional<Vec3> readPosition(JsonFields& fields) {
+    constexpr std::array kNames{&setup_field::kMinX, &setup_field::kMinY, &setup_field::kTopZ};
+    const bool named =
+        std::ranges::any_of(kNames, [&](const Field* field) { return fields.has(field->key); });
+    Vec3 corner(0);
+    if (fields.has("corner")) {
+        if (named)
+            fields.fail("corner",
+                        PROVEOUT_TEXT("Core", "The field \"{}\" and the fields minX, minY, topZ exclude each "
+                                              "other; they are the same position."),
+                        {});
+        fields.read("corner", corner, kPosition);
+        return corner;
+    }
+    if (!named)
+        return {};
+    for (int axis = 0; axis < 3; ++axis) {
+        const char* key = kNames[static_cast<std::size_t>(axis)]->key;
+        fields.require({key});
+        fields.read(key, corner[axis], kPosition);
+    }
+    return corner;
+}
 
 DescribedStock readStock(JsonFields& job, const fs::path& folder) {
     DescribedStock stock;
@@ -80,10 +110,7 @@ DescribedStock readStock(JsonFields& job, const fs::path& folder) {
     stock.spec.shape.kind = static_cast<StockKind>(shape);
     for (const StockField& field : stockShapes()[shape].fields)
         readStockField(fields, field, folder, stock.spec);
-    if (fields.has("corner")) {
-        stock.corner = Vec3(0);
-        fields.read("corner", *stock.corner, kPosition);
-    }
+    stock.corner = readPosition(fields);
     fields.warnAboutUnknown();
     return stock;
 }
@@ -94,14 +121,18 @@ ordered_json writeStock(const Setup& setup, const fs::path& folder) {
     ordered_json out = ordered_json::object();
     if (row.kind != StockKind::box) // a box is what jobs knew before there were shapes
         out["shape"] = row.key;
-    out["corner"] = toJson(spec.box.corner);
+    out[setup_field::kMinX.key] = spec.box.corner.x;
+    out[setup_field::kMinY.key] = spec.box.corner.y;
+    out[setup_field::kTopZ.key] = spec.box.topZ();
     for (const StockField& field : row.fields) {
         if (const auto* length = std::get_if<StockLength>(&field.value))
             out[field.name] = length->get(spec);
         else if (const auto* choice = std::get_if<StockChoice>(&field.value))
             out[field.name] = choice->choices[choice->get(spec)].key;
         else
-            out[field.name] = absolutePath(spec.shape.file).lexically_proximate(folder).string();
+            out[field.name] = spec.shape.file.empty()
+                                  ? std::string()
+                                  : absolutePath(spec.shape.file).lexically_proximate(folder).string();
     }
     return out;
 }
@@ -112,8 +143,9 @@ void readTools(JsonFields tools, ToolTable& table) {
         const auto number = parseToolNumber(key);
         if (!number) {
             tools.fail(
-                key, PROVEOUT_TEXT("Core", "\"{}\" is no tool number; they are whole numbers from 1 to {}."),
-                {std::to_string(kLargestTool)});
+                key,
+                PROVEOUT_TEXT("Core", "\"{}\" is not a tool number; these are whole numbers from {} to {}."),
+                {std::to_string(kLeastTool), std::to_string(kLargestTool)});
             return;
         }
         if (!numbers.insert(*number).second)
@@ -133,6 +165,18 @@ void readCompensationStart(JsonFields& fields, bool& typeB) {
     std::size_t index = typeB ? 1 : 0;
     fields.read("compensationStart", index, kCompensationStarts);
     typeB = index == 1;
+}
+
+void readStart(JsonFields& fields, Setup& setup) {
+    if (fields.has(setup_field::kStart.key)) {
+        setup.start.emplace(0);
+        fields.read(setup_field::kStart.key, *setup.start, kPosition);
+    }
+    if (fields.has(setup_field::kStartTool.key)) {
+        setup.startTool = 0;
+        fields.read(setup_field::kStartTool.key, *setup.startTool,
+                    JsonRange{setup_field::kStartTool.minimum, setup_field::kStartTool.maximum});
+    }
 }
 
 void readMachine(JsonFields& job, std::optional<Machine>& machine) {
@@ -233,7 +277,9 @@ Result<Job> parse(std::string_view text, const fs::path& file) {
         fields.fail("program", PROVEOUT_TEXT("Core", "The field \"{}\" must name a file."), {});
     DescribedStock stock = readStock(fields, absolutePath(file).parent_path());
     // Its file is read where all that was said of it can be.
-    if (complaints.errors.empty()) {
+    const bool needsFile =
+        stock.spec.shape.kind != StockKind::box && stock.spec.shape.kind != StockKind::cylinder;
+    if (complaints.errors.empty() && !(needsFile && stock.spec.shape.file.empty())) {
         if (auto made = makeStock(stock.spec, stock.corner); !made)
             return tl::unexpected(std::move(made.error()));
     }
@@ -241,13 +287,10 @@ Result<Job> parse(std::string_view text, const fs::path& file) {
     job.setup.shape = std::move(stock.spec.shape);
     if (job.setup.shape.body)
         job.setup.spacing = job.setup.shape.body->spacing().value_or(job.setup.spacing);
-    fields.read("grid", job.setup.spacing, kSize);
+    job.setup.automaticGrid = !fields.has(setup_field::kGrid.key);
+    fields.read(setup_field::kGrid.key, job.setup.spacing, kSize);
     readTools(fields.object("tools"), job.setup.tools);
-    if (fields.has("start")) {
-        Vec3 start(0);
-        fields.read("start", start, kPosition);
-        job.setup.start = start;
-    }
+    readStart(fields, job.setup);
     readDialect(fields, job.setup.dialect);
     fields.read("blockDelete", job.setup.blockDelete);
     readCompensationStart(fields, job.setup.compensationTypeB);
@@ -269,12 +312,15 @@ ordered_json toJson(const Job& job, const fs::path& file) {
     out["proveout"] = kSchema;
     out["program"] = absolutePath(job.program).lexically_proximate(absolutePath(file).parent_path()).string();
     out["stock"] = writeStock(setup, absolutePath(file).parent_path());
-    out["grid"] = setup.spacing;
+    if (!setup.automaticGrid)
+        out[setup_field::kGrid.key] = setup.spacing;
     out["tools"] = ordered_json::object();
     for (const auto& [number, cutter] : setup.tools.tools())
         out["tools"][std::to_string(number)] = cutter.spec();
     if (setup.start)
-        out["start"] = toJson(*setup.start);
+        out[setup_field::kStart.key] = toJson(*setup.start);
+    if (setup.startTool)
+        out[setup_field::kStartTool.key] = *setup.startTool;
     if (setup.dialect)
         out["dialect"] = dialect(*setup.dialect).key;
     out["blockDelete"] = setup.blockDelete;

@@ -18,8 +18,8 @@ struct Job {
     DecimationParameters parameters;
     std::optional<Machine> machine = {}; ///< nothing: the defaults are assumed
     Diagnostics warnings = {};           ///< about the file it was read from; never written
-    bool regionNamed =
-        false; ///< by that file; never written. Else the size is the standard of method and map
+    bool regionNamed = false; ///< by that file, or by whoever changed the job since; never written. Else the
+                              ///< size is the standard of method and map
 };
 
 /// Reads a job; the program itself is not opened. Region size and period that are not given are the standards
@@ -27,7 +27,9 @@ struct Job {
 /// "stock.width") and what is allowed there, all of them at once, with line and column. A field that is not
 /// known is a warning of the job with its place and name; where the job is refused, the warnings follow the
 /// errors. A stock that comes from a file is read with the job, and what is wrong with that file is an error
-/// that names it. A newer schema is refused, and so are files larger or nested deeper than any job.
+/// that names it; one that names no file yet has no body. A job without a grid has an automatic one, whose
+/// spacing is found once the program is known. A newer schema is refused, and so are files larger or nested
+/// deeper than any job.
 [[nodiscard]] Result<Job> readJob(const std::filesystem::path& file);
 
 /// Writes a job atomically. Errors: the file cannot be written, or the program's name is not UTF-8.

@@ -37,6 +37,7 @@ Interpretation::Interpretation(const NcText& text, const InterpretOptions& optio
         m_state.position = options.start.value_or(Vec3(0));
         m_state.known = kAllAxes;
     }
+    m_state.tool = options.startTool;
     m_state.machineZeroKnown = options.assumeStartAtZero;
     m_state.retractToR = m_dialect.retractsToR;
     if (m_dialect.beginsInRapid)

@@ -30,6 +30,7 @@ struct InterpretOptions {
     /// and of Haas' setting 43.
     bool compensationTypeB = false;
     std::optional<Vec3> start; ///< mm, before the first block; without it no axis is known
+    int startTool = 0;         ///< in the spindle before the first block; 0: none, or T0
     /// `interpret`: start at 0,0,0, which is the machine's zero too; every motion counts as known.
     bool assumeStartAtZero = false;
     /// Of motions, and of events: the block with one more is the last one.

@@ -55,7 +55,7 @@ bool isCut(const Frame& moment, const MapPoint& point) {
 std::optional<Provenance> blockProvenance(const ZMapSnapshot& uncut, const Program& program,
                                           const Setup& setup, std::size_t blocks,
                                           const WorkContext& context) {
-    const ToolChoice tools(program, setup.tools);
+    const ToolChoice tools(program, setup);
     ZMap zmap(uncut);
     Provenance provenance(zmap);
     for (std::size_t first = 0; first < blocks; first += kPortion) {
@@ -75,7 +75,7 @@ double provenanceBytes(const Grid& grid) {
 std::optional<std::size_t> blockThatMade(const Program& program, const Setup& setup, std::size_t blocks,
                                          const Vec3& place, const WorkContext& context) {
     constexpr std::size_t kBetweenLooks = 1024;
-    const ToolChoice tools(program, setup.tools);
+    const ToolChoice tools(program, setup);
     for (std::size_t first = 0; first < blocks && !context.stopped(); first += kBetweenLooks) {
         const std::size_t last = std::min(first + kBetweenLooks, blocks);
         for (const CutterMotion& one : cutterMotions(program, first, last, setup, tools)) {

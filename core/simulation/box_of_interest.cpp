@@ -66,7 +66,7 @@ ZMapSnapshot cropped(const ZMapSnapshot& map, int i0, int j0, const StockBox& st
 std::optional<std::size_t> cutNear(ZMap& zmap, const GridPart& place, const Neighbourhood& near,
                                    const Program& program, const Setup& setup, std::size_t blocks,
                                    const WorkContext& context) {
-    const ToolChoice tools(program, setup.tools);
+    const ToolChoice tools(program, setup);
     std::vector<CutterMotion> motions;
     std::size_t count = 0;
     for (std::size_t first = 0; first < blocks; first += kBlocksOfLook) {

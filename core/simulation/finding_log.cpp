@@ -54,15 +54,27 @@ constexpr std::array kRows{
 
 // About the tools.
 constexpr FindingRow kToolAssumed{
-    Severity::note, false, "tool-assumed",
-    PROVEOUT_TEXT("Core", "The program never selects a tool; tool T{} is used."), ""};
+    Severity::warning, true, "tool-assumed",
+    PROVEOUT_TEXT("Core", "The program cuts before it calls a tool; T{} is assumed to be in the spindle."),
+    PROVEOUT_TEXT("Core", "Set the tool at start in the setup if this is the right one.")};
 constexpr FindingRow kToolUndefined{
     Severity::error, true, "tool-undefined",
     PROVEOUT_TEXT("Core", "No cutter is defined for tool T{}; its motions cut nothing."),
     PROVEOUT_TEXT("Core", "Add the tool to the tool table.")};
-constexpr FindingRow kNoTool{Severity::error, true, "no-tool",
-                             PROVEOUT_TEXT("Core", "The program cuts with no tool in the spindle."),
-                             PROVEOUT_TEXT("Core", "Select a tool with T and M6 before the first cut.")};
+constexpr FindingRow kNoTool{
+    Severity::error, true, "no-tool",
+    PROVEOUT_TEXT("Core", "The program cuts before it calls a tool; moves are not simulated until it does."),
+    PROVEOUT_TEXT("Core", "Set the tool at start in the setup, or program T and M6 before the first cut.")};
+constexpr FindingRow kSpindleEmpty{
+    Severity::error, true, "no-tool",
+    PROVEOUT_TEXT("Core", "T{} leaves the spindle empty; its moves are not simulated."),
+    PROVEOUT_TEXT("Core", "Define T0 in the tool table if it is a cutter.")};
+
+const FindingRow& rowOf(const MissingTool& missing) {
+    if (missing.number != 0)
+        return kToolUndefined;
+    return missing.called ? kSpindleEmpty : kNoTool;
+}
 
 void tell(BoundedDiagnostics& out, const FindingRow& row, std::vector<std::string> values,
           std::uint32_t line) {
@@ -80,8 +92,7 @@ void tellAboutTools(const Program& program, const ToolChoice& tools, BoundedDiag
     if (tools.assumed() && program.blockCount() > 0)
         tell(out, kToolAssumed, {std::to_string(*tools.assumed())}, program.blockLine(0));
     for (const MissingTool& missing : tools.missing())
-        tell(out, missing.number == 0 ? kNoTool : kToolUndefined, {std::to_string(missing.number)},
-             missing.line);
+        tell(out, rowOf(missing), {std::to_string(missing.number)}, missing.line);
 }
 
 } // namespace

@@ -37,7 +37,8 @@ struct Frame {
     Vec3 cutterPosition{0};
     bool cutterKnown = false;
     int tool = 0;
-    double removedMm3 = 0; ///< since the uncut stock
+    bool toolAssumed = false; ///< no block called it: ToolChoice assumes that it is in the spindle
+    double removedMm3 = 0;    ///< since the uncut stock
     bool playing = false;
     /// Which part of its speed playback keeps, in (0, 1]; below 1 the stock lags behind the clock.
     double keptSpeed = 1;

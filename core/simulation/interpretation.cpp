@@ -38,9 +38,11 @@ InterpretOptions interpretOptions(const Setup& setup, const std::filesystem::pat
     options.blockDelete = setup.blockDelete;
     options.compensationTypeB = setup.compensationTypeB;
     options.start = setup.start;
+    options.startTool = setup.startTool.value_or(0);
     options.tools = toolOffsets(setup.tools);
     options.maxMotions = motionsThatFit(options.maxMotions);
-    options.part = partToProbe(setup);
+    if (checkShape(setup.shape))
+        options.part = partToProbe(setup);
     if (!file.empty())
         options.subprogramFolders = {file.parent_path()};
     return options;
@@ -54,6 +56,7 @@ bool interpretedAlike(const Program& program, const Setup& one, const Setup& oth
         (one.stock != other.stock || one.shape != other.shape || one.tools != other.tools))
         return false;
     return one.dialect == other.dialect && one.blockDelete == other.blockDelete && one.start == other.start &&
+           one.startTool == other.startTool &&
            (one.compensationTypeB == other.compensationTypeB || !dialect(program.dialect()).vectors.used) &&
            (!program.asksForTools() || std::ranges::equal(one.tools.tools(), other.tools.tools(), sameTool));
 }

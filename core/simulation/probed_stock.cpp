@@ -39,7 +39,8 @@ public:
     [[nodiscard]] bool sameAs(const ProbedPart& other) const override {
         const auto* stock = dynamic_cast<const StockToProbe*>(&other);
         return stock != nullptr && stock->m_setup->stock == m_setup->stock &&
-               stock->m_setup->shape == m_setup->shape && stock->m_setup->tools == m_setup->tools;
+               stock->m_setup->shape == m_setup->shape && stock->m_setup->tools == m_setup->tools &&
+               stock->m_setup->startTool == m_setup->startTool;
     }
 
 private:
@@ -63,7 +64,7 @@ const StockTop* ProbedStock::uncut(const Grid& grid) {
 }
 
 const Cutter* ProbedStock::cutterOf(const Program& program, const Motion& motion) const {
-    const int number = motion.tool == 0 ? assumedTool(program, m_setup->tools).value_or(0) : motion.tool;
+    const int number = motion.tool == 0 ? assumedTool(program, *m_setup).value_or(0) : motion.tool;
     return m_setup->tools.find(number);
 }
 

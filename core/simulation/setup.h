@@ -14,9 +14,12 @@ namespace proveout {
 struct Setup {
     StockBox stock;     ///< the box round it
     StockShape shape;   ///< what of that box there is
-    double spacing = 1; ///< wanted grid spacing, mm
+    double spacing = 1; ///< wanted grid spacing, mm; of an automatic grid: the one that was found last
+    bool automaticGrid = false; ///< the spacing follows stock and cutters (automatic_grid.h)
     ToolTable tools;
-    std::optional<Vec3> start;        ///< position of the cutter before the first block, if it is known
+    std::optional<Vec3> start; ///< position of the cutter before the first block, if it is known
+    /// The tool in the spindle before the first block, if it is known. 0: none, or T0 of the table.
+    std::optional<int> startTool;
     std::optional<DialectId> dialect; ///< of the program; nothing: by the signs in its text
     bool blockDelete = false;         ///< skip blocks that begin with "/"
     bool compensationTypeB = false;   ///< InterpretOptions

@@ -10,6 +10,7 @@
 #include "core/decimation/map_memory.h"
 #include "core/simulation/parameter_check.h"
 #include "core/simulation/simulation_state.h"
+#include "core/simulation/stock_position.h"
 
 namespace proveout {
 
@@ -22,6 +23,8 @@ Result<std::unique_ptr<Simulation>> Simulation::create(std::shared_ptr<const Pro
                                                        const WorkContext& context) {
     if (auto fine = checkRanges(parameters); !fine)
         return tl::unexpected(std::move(fine.error()));
+    if (auto whole = checkShape(setup->shape); !whole)
+        return tl::unexpected(std::move(whole.error()));
     const auto grid = makeGrid(setup->stock, setup->spacing);
     if (!grid)
         return tl::unexpected(grid.error());
@@ -31,14 +34,13 @@ Result<std::unique_ptr<Simulation>> Simulation::create(std::shared_ptr<const Pro
 
     const StopWatch watch;
     auto state = std::make_unique<State>();
-    state->tools = ToolChoice(*program, setup->tools);
     UncutStock uncut = uncutStock(setup->stock, setup->shape, *grid);
     for (Diagnostic& finding : uncut.findings)
         finding.file = setup->shape.file.string();
     state->stock.zmap = std::move(uncut.zmap);
     state->stockFindings = std::move(uncut.findings);
-    state->program = std::move(program);
     state->setup = std::move(setup);
+    state->useProgram(std::move(program));
     state->useParameters(parameters);
     state->base = state->stock.moment();
     state->checkpoints.restart(state->base);
@@ -90,15 +92,14 @@ void Simulation::setParameters(const DecimationParameters& parameters, const Wor
 
 std::size_t Simulation::replaceProgram(std::shared_ptr<const Program> program, const WorkContext& context) {
     State& state = *m_state;
-    const ToolChoice tools(*program, state.setup->tools);
+    const ToolChoice tools(*program, *state.setup);
     // Another tool at work changes every block, though no block reads differently.
     const std::size_t kept =
         tools.assumed() == state.tools.assumed() ? state.program->firstDifference(*program) : 0;
     state.rows.truncate(kept);
     state.findings.truncate(kept);
     state.checkpoints.truncate(kept);
-    state.program = std::move(program);
-    state.tools = tools;
+    state.useProgram(std::move(program));
     const std::size_t wanted = std::min(position(), kept);
     if (position() > kept) {
         state.jump(kept, context);
@@ -160,8 +161,12 @@ Frame Simulation::frame() const {
     frame.level = state.atRest.isShown() ? state.parameters.level : ErrorLevel::sample;
     frame.statistics = state.rows;
     frame.findings = state.stockFindings;
+    frame.findings.insert(frame.findings.end(), state.setupFindings.begin(), state.setupFindings.end());
     std::ranges::move(state.findings.diagnostics(*state.program, state.tools),
                       std::back_inserter(frame.findings));
+    if (atEnd() && state.stock.removedMm3 <= 0)
+        std::ranges::move(untouchedStock(*state.program, *state.setup, state.tools),
+                          std::back_inserter(frame.findings));
     frame.removedMm3 = state.stock.removedMm3;
     if (frame.block > 0) {
         const auto motions = state.program->blockMotions(frame.block - 1);
@@ -169,10 +174,12 @@ Frame Simulation::frame() const {
         frame.cutterPosition = last.end;
         frame.cutterKnown = last.endKnown == kAllAxes;
         frame.tool = state.tools.tool(last.tool);
+        frame.toolAssumed = state.tools.isAssumed(last.tool);
     } else {
         frame.cutterPosition = state.setup->start.value_or(Vec3(0));
         frame.cutterKnown = state.setup->start.has_value();
-        frame.tool = state.tools.tool(0);
+        frame.tool = state.setup->startTool.value_or(state.tools.tool(0));
+        frame.toolAssumed = state.tools.assumed().has_value();
     }
     return frame;
 }

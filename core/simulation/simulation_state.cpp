@@ -2,11 +2,14 @@
 #include "core/simulation/simulation_state.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 #include "core/base/stop_watch.h"
+#include "core/simulation/automatic_grid.h"
 #include "core/simulation/block_cutter.h"
 #include "core/simulation/changed_regions.h"
+#include "core/simulation/stock_position.h"
 
 namespace proveout {
 
@@ -23,6 +26,14 @@ constexpr std::size_t kFewestBlocksBetween = 16; ///< in a short program, which 
 constexpr std::size_t kFirstPortion = 16;
 
 } // namespace
+
+void Simulation::State::useProgram(std::shared_ptr<const Program> wanted) {
+    program = std::move(wanted);
+    tools = ToolChoice(*program, *setup);
+    setupFindings = misplacedStock(*program, *setup, tools);
+    std::ranges::move(coarseGrid(stock.zmap.grid(), smallestCutter(*program, *setup, tools)),
+                      std::back_inserter(setupFindings));
+}
 
 // --- one block
 

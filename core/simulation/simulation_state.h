@@ -41,6 +41,7 @@ struct Simulation::State {
     Schedule schedule{parameters};
     ToolChoice tools;
     Diagnostics stockFindings; ///< what the map cannot hold of the uncut stock
+    Diagnostics setupFindings; ///< what of the setup does not fit the program
 
     StockRun stock;
     Surface surface;
@@ -60,6 +61,9 @@ struct Simulation::State {
     PersistentArray<BlockStatistics> rows;
     FindingLog findings;
     Effort effort;
+
+    /// With the tools of that program, and what is to be said about the setup beside it.
+    void useProgram(std::shared_ptr<const Program> wanted);
 
     // --- one block
 

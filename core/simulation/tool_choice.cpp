@@ -8,35 +8,54 @@ namespace proveout {
 
 namespace {
 
+bool isToolChange(const Event& event) {
+    return std::holds_alternative<ToolChange>(event.data);
+}
+
+bool cutsBefore(const Program& program, std::size_t end) {
+    for (std::size_t index = 0; index < end; ++index) {
+        if (program.motion(index).kind != MotionKind::rapid)
+            return true;
+    }
+    return false;
+}
+
 /// The first motion of the run that misses a cutter; none where all its motions do without.
-std::optional<std::uint32_t> firstMiss(const Program& program, const Program::ToolRun& run) {
+std::optional<std::size_t> firstMiss(const Program& program, const Program::ToolRun& run) {
     for (std::size_t index = run.first; index < run.last; ++index) {
-        const Motion motion = program.motion(index);
-        if (run.tool != 0 || motion.kind != MotionKind::rapid)
-            return motion.line;
+        if (run.tool != 0 || program.motion(index).kind != MotionKind::rapid)
+            return index;
     }
     return {};
 }
 
 } // namespace
 
-std::optional<int> assumedTool(const Program& program, const ToolTable& tools) {
-    const bool changesTools = std::ranges::any_of(
-        program.events(), [](const Event& event) { return std::holds_alternative<ToolChange>(event.data); });
-    if (changesTools || tools.tools().size() != 1)
-        return {};
-    return tools.tools().begin()->first;
+std::size_t firstMotionWithCalledTool(const Program& program) {
+    const auto change = std::ranges::find_if(program.events(), isToolChange);
+    return change == program.events().end() ? program.motionCount() : change->beforeMotion;
 }
 
-ToolChoice::ToolChoice(const Program& program, const ToolTable& tools)
-    : m_assumed(assumedTool(program, tools)) {
+std::optional<int> assumedTool(const Program& program, const Setup& setup) {
+    const auto& tools = setup.tools.tools();
+    if (setup.startTool)
+        return {};
+    if (tools.size() == 1 && std::ranges::none_of(program.events(), isToolChange))
+        return tools.begin()->first;
+    if (tools.contains(0) && cutsBefore(program, firstMotionWithCalledTool(program)))
+        return 0;
+    return {};
+}
+
+ToolChoice::ToolChoice(const Program& program, const Setup& setup) : m_assumed(assumedTool(program, setup)) {
+    const std::size_t firstCalled = firstMotionWithCalledTool(program);
     std::set<int> told;
     for (const Program::ToolRun& run : program.toolRuns()) {
         const int number = tool(run.tool);
-        if (tools.find(number) != nullptr || told.contains(number))
+        if (setup.tools.find(number) != nullptr || told.contains(number))
             continue;
-        if (const auto line = firstMiss(program, run)) {
-            m_missing.push_back({number, *line});
+        if (const auto index = firstMiss(program, run)) {
+            m_missing.push_back({number, program.motion(*index).line, *index >= firstCalled});
             told.insert(number);
         }
     }

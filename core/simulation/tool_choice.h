@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <vector>
 
-#include "core/cutter/tool_table.h"
 #include "core/nc/program.h"
+#include "core/simulation/setup.h"
 
 namespace proveout {
 
@@ -14,23 +15,29 @@ namespace proveout {
 struct MissingTool {
     int number = 0;         ///< 0: none in the spindle
     std::uint32_t line = 0; ///< source line of the first motion that misses it
+    bool called = true;     ///< by the program; else the spindle is as it was at the start
 };
 
-/// The tool that a program without tool changes, as far as it is, is taken to run with: the only one in the
-/// table.
-[[nodiscard]] std::optional<int> assumedTool(const Program& program, const ToolTable& tools);
+/// The index of the first motion after the first tool change; motionCount() where no tool is changed.
+[[nodiscard]] std::size_t firstMotionWithCalledTool(const Program& program);
 
-/// Which cutter a motion has, and which tools have none: a pure function of program and tool table, known
-/// before anything is cut. A program that never changes tools, with exactly one cutter in the table, is taken
-/// to run with that one. Value type.
+/// The tool that is taken to be in the spindle at the start of a program that cuts before it calls one,
+/// where the setup does not say: the only one of the table if the program never changes tools, else T0 if
+/// the table has it, for that is the number a control has before any tool is called.
+[[nodiscard]] std::optional<int> assumedTool(const Program& program, const Setup& setup);
+
+/// Which cutter a motion has, and which tools have none: a pure function of program and setup, known before
+/// anything is cut. Value type.
 class ToolChoice {
 public:
     ToolChoice() = default;
-    ToolChoice(const Program& program, const ToolTable& tools);
+    ToolChoice(const Program& program, const Setup& setup);
 
-    /// The number of the tool assumed to be in the spindle, if one is.
+    /// The number of the tool assumed to be in the spindle, if one is: nobody has said so.
     [[nodiscard]] std::optional<int> assumed() const { return m_assumed; }
-    /// The tool of a motion that names tool `number` (0: none).
+    /// Whether a motion that names tool `number` is taken to be cut with the assumed one.
+    [[nodiscard]] bool isAssumed(int number) const { return number == 0 && m_assumed.has_value(); }
+    /// The tool of a motion that names tool `number` (0: none, or T0 where the table has it).
     [[nodiscard]] int tool(int number) const { return number == 0 ? m_assumed.value_or(0) : number; }
     /// Each once, in the order in which the program misses them. A rapid misses its tool too, for it may cut;
     /// but with no tool in the spindle it is only on its way to one.

@@ -31,7 +31,7 @@ public:
     Rehearsing(const StudyJob& job, const DecimationParameters& base, const RehearsalOptions& options,
                DrawCost& drawing, ZMap zmap)
         : m_job(job), m_base(base), m_options(options), m_drawing(drawing), m_zmap(std::move(zmap)),
-          m_tools(*job.program, job.setup->tools) {}
+          m_tools(*job.program, *job.setup) {}
 
     Result<Rehearsal> go(const WorkContext& context) {
         const StopWatch watch;

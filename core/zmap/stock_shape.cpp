@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "core/base/text.h"
+
 namespace proveout {
 
 namespace {
@@ -46,6 +48,18 @@ private:
 };
 
 } // namespace
+
+Result<void> checkShape(const StockShape& shape) {
+    if (shape.kind == StockKind::box || shape.body != nullptr)
+        return {};
+    auto refused = failure(
+        "stock-incomplete",
+        shape.file.empty() ? PROVEOUT_TEXT("Core", "The stock has no file yet; nothing is simulated.")
+                           : PROVEOUT_TEXT("Core", "The stock cannot be made from {}; nothing is simulated."),
+        {shape.file.filename().string()});
+    refused.value().front().hint = PROVEOUT_TEXT("Core", "Choose the file of the stock, or another shape.");
+    return refused;
+}
 
 UncutStock uncutStock(const StockBox& stock, const StockShape& shape, const Grid& grid) {
     if (shape.body == nullptr)

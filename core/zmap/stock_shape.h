@@ -75,6 +75,9 @@ struct StockShape {
     friend bool operator==(const StockShape&, const StockShape&) = default;
 };
 
+/// Refuses a shape whose body is missing, e.g. because its file has not been chosen yet.
+[[nodiscard]] Result<void> checkShape(const StockShape& shape);
+
 /// Memory is taken here; ask checkMemory() first.
 [[nodiscard]] UncutStock uncutStock(const StockBox& stock, const StockShape& shape, const Grid& grid);
 

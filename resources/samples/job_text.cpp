@@ -7,9 +7,9 @@ namespace proveout::samples {
 
 std::string jobText(std::string_view program, int width, int depth, int height) {
     return fmt::format(R"({{
-  "proveout": 1,
+  "proveout": 2,
   "program": "{}",
-  "stock": {{"corner": [0, 0, 0], "width": {}, "depth": {}, "height": {}}},
+  "stock": {{"minX": 0, "minY": 0, "topZ": 0, "width": {}, "depth": {}, "height": {}}},
   "grid": 1.0,
   "tools": {{"1": "ball:d=11,l=50"}},
   "decimation": {{

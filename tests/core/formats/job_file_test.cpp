@@ -82,11 +82,57 @@ TEST_F(JobFile, OptionalFieldsHaveTheirDefaults) {
     ASSERT_TRUE(job) << oneLine(job.error().front());
     EXPECT_TRUE(job->warnings.empty());
     EXPECT_EQ(job->setup.stock, (StockBox{{0, 0, 0}, 1, 2, 3}));
-    EXPECT_EQ(job->setup.spacing, 1);
+    EXPECT_TRUE(job->setup.automaticGrid);
+    EXPECT_FALSE(job->setup.startTool);
     EXPECT_TRUE(job->setup.tools.tools().empty());
     EXPECT_FALSE(job->setup.start);
     EXPECT_FALSE(job->setup.blockDelete);
     EXPECT_EQ(job->parameters, DecimationParameters());
+}
+
+TEST_F(JobFile, ThePositionOfTheStockHasFieldsOfItsOwnNames) {
+    const auto positioned = [this](const std::string& fields) {
+        return told(R"({"proveout": 2, "program": "a.nc", "stock": {)" + fields +
+                    R"("width": 1, "depth": 2, "height": 3}})");
+    };
+    EXPECT_EQ(positioned(R"("minX": -70, "minY": 4.5, "topZ": 2, )"), "");
+    EXPECT_EQ(readJob(m_folder / "a.proveout")->setup.stock, (StockBox{{-70, 4.5, 2}, 1, 2, 3}));
+    EXPECT_EQ(positioned(R"("corner": [-70, 4.5, 2], )"), "") << "as jobs of format 1 have it";
+    EXPECT_EQ(readJob(m_folder / "a.proveout")->setup.stock, (StockBox{{-70, 4.5, 2}, 1, 2, 3}));
+    EXPECT_THAT(positioned(R"("minX": -70, "topZ": 2, )"), HasSubstr("\"stock.minY\" is missing."));
+    EXPECT_THAT(positioned(R"("topZ": 0, "corner": [0, 0, 0], )"), HasSubstr("exclude each other"));
+    EXPECT_THAT(positioned(R"("minX": 0, "minY": 0, "topZ": 1e8, )"),
+                HasSubstr("\"stock.topZ\" must be a number from -10000000 to 10000000."));
+    EXPECT_THAT(positioned(R"("minX": 0, "minY": 0, "bottomZ": 1, )"), HasSubstr("bottomZ"));
+}
+
+TEST_F(JobFile, TheStartHasAPositionAndATool) {
+    EXPECT_EQ(read(with("\"grid\"", "\"startTool\": 12, \"grid\"")).value().setup.startTool, 12);
+    EXPECT_EQ(read(with("\"grid\"", "\"startTool\": 0, \"grid\"")).value().setup.startTool, 0);
+    for (const char* wrong : {"-1", "100000000", "1.5", "\"T1\"", "null"})
+        EXPECT_THAT(told(with("\"grid\"", std::string("\"startTool\": ") + wrong + ", \"grid\"")),
+                    HasSubstr("\"startTool\" must be a"))
+            << wrong;
+}
+
+TEST_F(JobFile, AGridThatIsNotNamedIsAutomaticAndStaysSo) {
+    EXPECT_FALSE(read(kWhole)->setup.automaticGrid);
+    Job job = read(kWhole).value();
+    job.setup.automaticGrid = true;
+    job.setup.spacing = 0.3; // as it was found last
+    ASSERT_TRUE(writeJob(m_folder / "b.proveout", job));
+    EXPECT_THAT(readFile(m_folder / "b.proveout").value(), testing::Not(HasSubstr("grid")));
+    EXPECT_TRUE(readJob(m_folder / "b.proveout")->setup.automaticGrid);
+}
+
+TEST_F(JobFile, AShapeWhoseFileIsNotChosenYetComesBackSo) {
+    Job job = read(kWhole).value();
+    job.setup.shape.kind = StockKind::mesh;
+    ASSERT_TRUE(writeJob(m_folder / "b.proveout", job));
+    const auto back = readJob(m_folder / "b.proveout");
+    ASSERT_TRUE(back) << oneLine(back.error().front());
+    EXPECT_EQ(back->setup.shape, job.setup.shape);
+    EXPECT_STREQ(checkShape(back->setup.shape).error().front().id, "stock-incomplete");
 }
 
 TEST_F(JobFile, CompensationStartsByTypeAUnlessTheJobSaysB) {
@@ -162,13 +208,12 @@ TEST_F(JobFile, ErrorsNameTheFieldAndWhatIsAllowed) {
     EXPECT_THAT(told(with("\"global\"", "3")), HasSubstr("\"decimation.method\" must be one of"));
     EXPECT_THAT(told(with("false", "0")), HasSubstr("\"decimation.certify\" must be true or false."));
     EXPECT_THAT(told(with("flat:d=6", "flat:d=-6")), HasSubstr("\"tools.12\" is no cutter: "));
-    EXPECT_THAT(told(with("\"12\"", "\"T12\"")), HasSubstr("\"tools.T12\" is no tool number"));
-    EXPECT_THAT(told(with("\"12\"", "\"-1\"")), HasSubstr("\"tools.-1\" is no tool number"));
-    EXPECT_THAT(told(with("\"12\"", "\"0\"")), HasSubstr("\"tools.0\" is no tool number"))
-        << "0 means that there is none";
-    EXPECT_THAT(told(with("\"12\"", "\"100000000\"")), HasSubstr("from 1 to 99999999."));
+    EXPECT_THAT(told(with("\"12\"", "\"T12\"")), HasSubstr("\"tools.T12\" is not a tool number"));
+    EXPECT_THAT(told(with("\"12\"", "\"-1\"")), HasSubstr("\"tools.-1\" is not a tool number"));
+    EXPECT_EQ(told(with("\"12\"", "\"0\"")), "") << "T0 is a cutter where the table says so";
+    EXPECT_THAT(told(with("\"12\"", "\"100000000\"")), HasSubstr("from 0 to 99999999."));
     EXPECT_THAT(told(with("\"12\"", "\"01\"")), HasSubstr("\"tools.1\" is a tool that the table has"));
-    EXPECT_THAT(told(with("\"12\"", "\"99999999999\"")), HasSubstr("is no tool number"));
+    EXPECT_THAT(told(with("\"12\"", "\"99999999999\"")), HasSubstr("is not a tool number"));
     EXPECT_THAT(told(with("\"flat:d=6\"", "6")), HasSubstr("\"tools.12\" must be a text."));
     EXPECT_THAT(told(with("core-insert.nc", "")), HasSubstr("\"program\" must name a file."));
     EXPECT_THAT(told(with("core-insert.nc", "a\\u0000b")), HasSubstr("\"program\" must be a text."));
@@ -294,6 +339,8 @@ Job randomJob(std::mt19937& random, const fs::path& folder) {
     job.setup.stock = {
         {real(random) - 2500, -real(random), real(random)}, real(random), real(random), real(random)};
     job.setup.spacing = real(random);
+    if (random() % 2 == 0)
+        job.setup.startTool = static_cast<int>(random() % 100);
     job.setup.tools.set(static_cast<int>(1 + random() % 1000), parseCutter("ball:d=11,l=50").value());
     job.setup.tools.set(kLargestTool, parseCutter("flat:d=6.35").value());
     if (random() % 2 == 0)
@@ -358,12 +405,13 @@ TEST_F(JobFile, HasTheLayoutThatOthersWrite) {
     ASSERT_TRUE(writeJob(m_folder / "b.proveout", job));
     std::string text = readFile(m_folder / "b.proveout").value();
     std::erase_if(text, [](char c) { return c == ' ' || c == '\n'; });
-    EXPECT_EQ(text,
-              R"({"proveout":1,"program":"core-insert.nc","stock":{"corner":[-70.0,-50.5,2.0],"width":140.0,)"
-              R"("depth":101.0,"height":50.0},"grid":0.5,"tools":{"1":"ball:d=11,l=50","12":"flat:d=6"},)"
-              R"("start":[0.0,0.0,50.0],"blockDelete":true,"decimation":{"method":"global","region":16,)"
-              R"("period":-1,"allowance":0.02,"certify":false,"borders":"paper","order":"sequential",)"
-              R"("seed":7,"level":"surface"}})");
+    EXPECT_EQ(
+        text,
+        R"({"proveout":2,"program":"core-insert.nc","stock":{"minX":-70.0,"minY":-50.5,"topZ":2.0,)"
+        R"("width":140.0,"depth":101.0,"height":50.0},"grid":0.5,"tools":{"1":"ball:d=11,l=50","12":"flat:d=6"},)"
+        R"("start":[0.0,0.0,50.0],"blockDelete":true,"decimation":{"method":"global","region":16,)"
+        R"("period":-1,"allowance":0.02,"certify":false,"borders":"paper","order":"sequential",)"
+        R"("seed":7,"level":"surface"}})");
 }
 
 TEST_F(JobFile, AProgramNameThatIsNotUtf8IsTold) {

@@ -119,16 +119,17 @@ TEST(Findings, CuttingWithoutAToolIsUnverified) {
     EXPECT_EQ(findings[0].where.line, 2);
 }
 
-TEST(Findings, TheOnlyToolIsAssumedWithANote) {
+TEST(Findings, TheOnlyToolIsAssumedAndNothingIsVerified) {
     const auto simulation = startedSimulation(programOf("G0 X5 Y5 Z5\nG1 Z-2 F100\nX30\n"), smallSetup(), {});
     simulation->seek(3);
     const Frame frame = simulation->frame();
     EXPECT_GT(frame.removedMm3, 0);
     EXPECT_EQ(frame.tool, 1);
+    EXPECT_TRUE(frame.toolAssumed);
     ASSERT_EQ(frame.findings.size(), 1U);
     EXPECT_STREQ(frame.findings[0].id, "tool-assumed");
-    EXPECT_EQ(frame.findings[0].severity, Severity::note);
-    EXPECT_FALSE(frame.findings[0].unverified);
+    EXPECT_EQ(frame.findings[0].severity, Severity::warning);
+    EXPECT_TRUE(frame.findings[0].unverified);
 }
 
 TEST(Findings, DepthBeyondTheFlutesIsAFault) {
@@ -214,7 +215,7 @@ TEST(Findings, AreBoundedAndTheLastTellsTheRest) {
 
 TEST(Findings, TakeNoLongerWhereThereAreMany) {
     const auto program = programOf(manyRapids(400));
-    const ToolChoice tools(*program, smallSetup()->tools);
+    const ToolChoice tools(*program, *smallSetup());
     const auto millisecondsOfAFrame = [&](int count) {
         FindingLog log;
         for (int block = 0; block < count; ++block)

@@ -23,7 +23,7 @@ Rehearsed rehearsed(DecimationMethod method, int cells, std::uint_fast32_t seed)
     const auto program = programOf(randomProgram(seed, kBlocks));
     const auto setup = smallSetup();
     ZMap zmap(setup->stock, *makeGrid(setup->stock, setup->spacing));
-    const ToolChoice tools(*program, setup->tools);
+    const ToolChoice tools(*program, *setup);
     ZMapSnapshot moment = zmap.snapshot();
     DecimationParameters parameters;
     parameters.method = method;

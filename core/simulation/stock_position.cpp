@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/simulation/stock_position.h"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+#include <string>
+
+#include "core/base/text.h"
+
+namespace proveout {
+
+namespace {
+
+Box3 boxOf(const StockBox& stock) {
+    Box3 box;
+    box.add(Vec3(stock.corner.x, stock.corner.y, stock.floorZ()));
+    box.add(Vec3(stock.corner.x + stock.width, stock.corner.y + stock.depth, stock.topZ()));
+    return box;
+}
+
+/// Of the cutters that the program uses; 0 where it has none.
+double largestRadius(const Program& program, const Setup& setup, const ToolChoice& tools) {
+    double radius = 0;
+    for (const Program::ToolRun& run : program.toolRuns()) {
+        if (const Cutter* cutter = setup.tools.find(tools.tool(run.tool)))
+            radius = std::max(radius, cutter->radius());
+    }
+    return radius;
+}
+
+/// "X0 to 40, Y0 to 30, Z-2 to 5"
+std::string rangesOf(const Box3& box) {
+    std::string text;
+    for (int axis = 0; axis < 3; ++axis)
+        text +=
+            fmt::format("{}{}{:.6g}…{:.6g}", axis == 0 ? "" : " ", "XYZ"[axis], box.lo[axis], box.hi[axis]);
+    return text;
+}
+
+Diagnostic warningAboutPosition() {
+    Diagnostic warning;
+    warning.severity = Severity::warning;
+    warning.hint = PROVEOUT_TEXT("Core", "Check size and position of the stock, and the work offset: the "
+                                         "position of the stock names its top, not its bottom.");
+    return warning;
+}
+
+Diagnostic neverCuts(const Program& program, const StockBox& stock) {
+    Diagnostic warning = warningAboutPosition();
+    warning.id = "never-cuts";
+    warning.text = PROVEOUT_TEXT("Core", "The program never cuts the stock: its moves at feed are within {}, "
+                                         "the stock within {}.");
+    warning.arguments = {rangesOf(program.cuttingBounds()), rangesOf(boxOf(stock))};
+    return warning;
+}
+
+bool reaches(const Box3& path, const Box3& stock, double radius) {
+    return path.lo.z < stock.hi.z && path.lo.x - radius < stock.hi.x && path.hi.x + radius > stock.lo.x &&
+           path.lo.y - radius < stock.hi.y && path.hi.y + radius > stock.lo.y;
+}
+
+struct Overshoot {
+    const char* side;
+    double beyond; ///< mm
+    double size;   ///< of the stock in that direction, mm
+};
+
+/// A path that ends above the stock is on its way, so its upper side does not count.
+std::array<Overshoot, 5> overshoots(const Box3& path, const Box3& stock) {
+    const Vec3 size = stock.hi - stock.lo;
+    return {{{"X-", stock.lo.x - path.lo.x, size.x},
+             {"X+", path.hi.x - stock.hi.x, size.x},
+             {"Y-", stock.lo.y - path.lo.y, size.y},
+             {"Y+", path.hi.y - stock.hi.y, size.y},
+             {"Z-", stock.lo.z - path.lo.z, size.z}}};
+}
+
+} // namespace
+
+Diagnostics misplacedStock(const Program& program, const Setup& setup, const ToolChoice& tools) {
+    constexpr double kSlack = 1e-6;
+    const double radius = largestRadius(program, setup, tools);
+    const Box3& path = program.cuttingBounds();
+    if (!tools.missing().empty() || path.empty() || radius <= 0)
+        return {};
+    const Box3 stock = boxOf(setup.stock);
+    if (!reaches(path, stock, radius))
+        return {neverCuts(program, setup.stock)};
+    Diagnostics warnings;
+    for (const Overshoot& side : overshoots(path, stock)) {
+        if (side.beyond < std::max(side.size, 2 * radius) - kSlack)
+            continue;
+        Diagnostic warning = warningAboutPosition();
+        warning.id = "stock-missed";
+        warning.text = PROVEOUT_TEXT("Core", "Moves at feed go {} mm beyond the stock in {}, where it "
+                                             "measures {} mm.");
+        warning.arguments = {fmt::format("{:.6g}", side.beyond), side.side, fmt::format("{:.6g}", side.size)};
+        warnings.push_back(std::move(warning));
+    }
+    return warnings;
+}
+
+Diagnostics untouchedStock(const Program& program, const Setup& setup, const ToolChoice& tools) {
+    const Box3& path = program.cuttingBounds();
+    const double radius = largestRadius(program, setup, tools);
+    if (!tools.missing().empty() || path.empty() || radius <= 0 || !reaches(path, boxOf(setup.stock), radius))
+        return {}; // another message says so
+    return {neverCuts(program, setup.stock)};
+}
+
+} // namespace proveout

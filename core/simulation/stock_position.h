@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Whether the stock lies where the program cuts: a stock in the wrong place must not pass without a word.
+#pragma once
+
+#include "core/base/diagnostic.h"
+#include "core/nc/program.h"
+#include "core/simulation/setup.h"
+#include "core/simulation/tool_choice.h"
+
+namespace proveout {
+
+/// Known before anything is cut, by the box of the motions at feed: a warning where they never reach the
+/// stock, or go beyond it by at least its size, and by more than their largest cutter is wide. Nothing while
+/// tools are missing.
+[[nodiscard]] Diagnostics misplacedStock(const Program& program, const Setup& setup, const ToolChoice& tools);
+
+/// The same message about a program that was run to its end and has removed nothing, although its box reaches
+/// the stock.
+[[nodiscard]] Diagnostics untouchedStock(const Program& program, const Setup& setup, const ToolChoice& tools);
+
+} // namespace proveout

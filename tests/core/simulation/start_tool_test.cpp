@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tool in the spindle before the program calls one, and T0.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "core/simulation/interpretation.h"
+#include "core/simulation/tool_choice.h"
+#include "tests/core/simulation/moments.h"
+#include "tests/core/simulation/programs.h"
+
+namespace proveout {
+namespace {
+
+using testing::ElementsAre;
+using testing::IsEmpty;
+
+const std::string kCut = "G0 X5 Y5 Z5\nG1 Z-2 F100\nX30\n";
+
+struct Outcome {
+    Frame frame;
+    std::vector<std::string> ids;
+};
+
+std::shared_ptr<Setup> setupOf(std::vector<int> tools, std::optional<int> start,
+                               std::optional<DialectId> dialect = DialectId::linuxcnc) {
+    auto setup = std::make_shared<Setup>(*smallSetup());
+    setup->tools = {};
+    for (const int number : tools)
+        setup->tools.set(number, parseCutter("flat:d=4,l=20").value());
+    setup->startTool = start;
+    setup->dialect = dialect;
+    return setup;
+}
+
+/// Interpreted as the setup says, and run to the end.
+Outcome run(const std::string& text, const std::shared_ptr<const Setup>& setup) {
+    const auto program = interpret(NcText(text), interpretOptions(*setup, {}));
+    const auto simulation = startedSimulation(program, setup, {});
+    simulation->seek(simulation->blockCount());
+    Outcome done{simulation->frame(), {}};
+    for (const Diagnostic& finding : done.frame.findings)
+        done.ids.emplace_back(finding.id);
+    return done;
+}
+
+TEST(StartTool, OneThatIsSetCutsWhatComesBeforeTheFirstChange) {
+    const Outcome set = run(kCut, setupOf({1, 2}, 2));
+    EXPECT_GT(set.frame.removedMm3, 0);
+    EXPECT_EQ(set.frame.tool, 2);
+    EXPECT_FALSE(set.frame.toolAssumed);
+    EXPECT_THAT(set.ids, IsEmpty());
+    const Outcome changed = run(kCut + "G0 Z5\nT1 M6\nG0 X5 Y20\nG1 Z-1\n", setupOf({1, 2}, 2));
+    EXPECT_EQ(changed.frame.tool, 1);
+    EXPECT_THAT(changed.ids, IsEmpty());
+}
+
+TEST(StartTool, OneThatIsNotInTheTableIsMissed) {
+    EXPECT_THAT(run(kCut, setupOf({1, 2}, 7)).ids, ElementsAre("tool-undefined"));
+    EXPECT_THAT(run(kCut, setupOf({1, 2}, 0)).ids, ElementsAre("no-tool")) << "an empty spindle";
+}
+
+TEST(StartTool, TheOnlyToolOfTheTableIsAssumedUntilItIsSet) {
+    const Outcome assumed = run(kCut, setupOf({5}, {}));
+    EXPECT_GT(assumed.frame.removedMm3, 0);
+    EXPECT_TRUE(assumed.frame.toolAssumed);
+    EXPECT_THAT(assumed.ids, ElementsAre("tool-assumed"));
+    EXPECT_TRUE(assumed.frame.findings.front().unverified) << "nothing found on an assumption is safe";
+    EXPECT_THAT(run(kCut, setupOf({5}, 5)).ids, IsEmpty());
+    EXPECT_THAT(run(kCut, setupOf({5}, 0)).ids, ElementsAre("no-tool")) << "said to be empty";
+    EXPECT_THAT(run(kCut, setupOf({5, 6}, {})).ids, ElementsAre("no-tool"));
+    EXPECT_THAT(run(kCut + "T5 M6\nG1 X5\n", setupOf({5}, {})).ids, ElementsAre("no-tool"))
+        << "what it calls later need not be what was in it before";
+}
+
+TEST(StartTool, IsShownBeforeTheFirstBlock) {
+    const auto program = programOf(kCut);
+    EXPECT_EQ(startedSimulation(program, setupOf({1, 2}, 2), {})->frame().tool, 2);
+    const Frame assumed = startedSimulation(program, setupOf({5}, {}), {})->frame();
+    EXPECT_EQ(assumed.tool, 5);
+    EXPECT_TRUE(assumed.toolAssumed);
+}
+
+/// The control knows it too: G43 without H takes the length of the tool in the spindle, G41 without D its
+/// diameter.
+TEST(StartTool, IsThatOfCutterCompensation) {
+    const std::string text = "G0 X0 Y-20 Z5\nG41 G1 X0 Y0 F100\nY20\nY40\nG40\nM2\n";
+    const auto end = [&](std::optional<int> start) {
+        const auto setup = setupOf({1, 2}, start);
+        return interpret(NcText(text), interpretOptions(*setup, {}))->motion(2).end.x;
+    };
+    EXPECT_NEAR(end(2), -2, 1e-9);
+    EXPECT_NEAR(end({}), 0, 1e-9);
+    const auto program = programOf(text);
+    EXPECT_FALSE(interpretedAlike(*program, *setupOf({1, 2}, 2), *setupOf({1, 2}, {})));
+}
+
+/// "T0 M6" returns the tool to the magazine: on LinuxCNC (its manual, "tool table": T0 is no tool, unless the
+/// tool changer is random, where it is a tool like any other), on Fanuc, Haas and Mach. So T0 is what the
+/// tool table says: a cutter, or else an empty spindle.
+TEST(ToolZero, IsACutterWhereTheTableHasItAndElseAnEmptySpindle) {
+    for (const DialectId dialect :
+         {DialectId::linuxcnc, DialectId::fanuc, DialectId::haas, DialectId::mach}) {
+        const std::string text = "G21 G90\nT0 M6\nG0 X5. Y5. Z5.\nG1 Z-2. F100.\nX30.\n";
+        const Outcome cutter = run(text, setupOf({0, 1}, {}, dialect));
+        EXPECT_GT(cutter.frame.removedMm3, 0);
+        EXPECT_THAT(cutter.ids, IsEmpty());
+        const Outcome empty = run(text, setupOf({1}, {}, dialect));
+        EXPECT_EQ(empty.frame.removedMm3, 0);
+        EXPECT_THAT(empty.ids, ElementsAre("no-tool"));
+        EXPECT_THAT(message(empty.frame.findings.front()), testing::HasSubstr("T0"));
+        // Emptied at the end, on the way home: nothing to miss.
+        EXPECT_THAT(run("G21 G90\nT1 M6\nG0 X5. Y5. Z5.\nG1 Z-2. F100.\nG0 Z5.\nT0 M6\nG0 X0. Y0.\n",
+                        setupOf({1}, {}, dialect))
+                        .ids,
+                    IsEmpty());
+    }
+}
+
+/// grbl has no tool change: T says nothing about the spindle, so T0 is no sign of a missing tool.
+TEST(ToolZero, SaysNothingOnGrbl) {
+    const std::string text = "G21 G90\nT0\nG0 X5 Y5 Z5\nG1 Z-2 F100\nX30\n";
+    const auto setup = setupOf({1}, 1, DialectId::grbl);
+    const auto program = interpret(NcText(text), interpretOptions(*setup, {}));
+    EXPECT_FALSE(program->unverified());
+    EXPECT_THAT(run(text, setup).ids, IsEmpty());
+}
+
+/// A post that writes "T0 : 3.175" and never calls a tool: the control's number before any call is 0.
+TEST(ToolZero, OfTheTableIsAssumedWhereNoToolIsCalledBeforeTheFirstCut) {
+    const Outcome assumed = run(kCut, setupOf({0, 1}, {}));
+    EXPECT_GT(assumed.frame.removedMm3, 0);
+    EXPECT_TRUE(assumed.frame.toolAssumed);
+    EXPECT_THAT(assumed.ids, ElementsAre("tool-assumed"));
+    EXPECT_THAT(run("G0 Z5\nT1 M6\nG0 X5 Y5\nG1 Z-2 F100\n", setupOf({0, 1}, {})).ids, IsEmpty())
+        << "rapids on the way to the first tool assume nothing";
+    EXPECT_THAT(run(kCut, setupOf({0, 1}, 0)).ids, IsEmpty()) << "T0 was set";
+}
+
+} // namespace
+} // namespace proveout
