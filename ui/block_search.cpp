@@ -18,7 +18,7 @@ PlaceAnswer answerOf(const Frame& moment, const std::optional<std::size_t>& bloc
     const Program& program = *moment.program;
     const int number = program.motion(program.blockMotions(*block).first).tool;
     return {PlaceAnswer::Kind::cut, *block + 1, program.blockLine(*block),
-            ToolChoice(program, moment.setup->tools).tool(number)};
+            ToolChoice(program, *moment.setup).tool(number)};
 }
 
 } // namespace

@@ -98,6 +98,13 @@ bool JobDocument::setTextModified(bool modified) {
     return before != m_text.modified;
 }
 
+/// What nobody has set up yet has an automatic grid.
+std::shared_ptr<const Setup> JobDocument::newSetup() {
+    Setup setup;
+    setup.automaticGrid = true;
+    return std::make_shared<const Setup>(std::move(setup));
+}
+
 int JobDocument::standardRegionHere(DecimationMethod method) const {
     return standardRegion(method, gridPoints(m_setup->stock, m_setup->spacing));
 }

@@ -70,6 +70,7 @@ public:
     void setMachine(const Machine& machine);
 
 private:
+    [[nodiscard]] static std::shared_ptr<const Setup> newSetup();
     [[nodiscard]] int standardRegionHere(DecimationMethod method) const;
 
     Document m_text;
@@ -78,7 +79,7 @@ private:
     Diagnostics m_warnings;
     bool m_jobModified = false;
     bool m_wantsStock = true;
-    std::shared_ptr<const Setup> m_setup = std::make_shared<const Setup>();
+    std::shared_ptr<const Setup> m_setup = newSetup();
     DecimationParameters m_parameters;
     std::optional<Machine> m_machine;
     bool m_regionNamed = false; ///< else its size is the standard, and follows the map

@@ -7,6 +7,8 @@
 #include <utility>
 #include <variant>
 
+#include "core/simulation/tool_choice.h"
+
 namespace proveout {
 
 namespace {
@@ -14,8 +16,6 @@ namespace {
 constexpr double kFloorBelowCut = 5;
 constexpr double kSideWithoutTool = 5; ///< margin while no cutter is known
 constexpr double kSmallestSide = 5;
-constexpr double kFinestSpacing = 0.01;
-constexpr double kPointsAlongSide = 400;
 
 double largestRadius(const std::vector<int>& numbers, const ToolTable& tools) {
     double radius = 0;
@@ -64,12 +64,14 @@ std::optional<std::size_t> neighbouringToolChange(const Program& program, std::s
 CuttingExtent cuttingExtent(const Program& program) {
     std::set<int> tools;
     Box3 box;
-    int newest = 0; // a tool cuts many motions in a row
+    int newest = -1; // a tool cuts many motions in a row
+    const std::size_t firstCalled = firstMotionWithCalledTool(program);
     for (std::size_t i = 0; i < program.motionCount(); ++i) {
         const Motion motion = program.motion(i);
         if (motion.kind == MotionKind::rapid)
             continue;
-        if (motion.tool > 0 && std::exchange(newest, motion.tool) != motion.tool)
+        const bool called = motion.tool > 0 || i >= firstCalled;
+        if (called && std::exchange(newest, motion.tool) != motion.tool)
             tools.insert(motion.tool);
         if (motion.known() && !motion.probing)
             box.add(bounds(motion));
@@ -90,16 +92,6 @@ StockBox fittedStock(const CuttingExtent& cutting, const Setup& present) {
     stock.depth = std::max(kSmallestSide, std::ceil(box.hi.y + margin) - stock.corner.y);
     stock.height = std::max(1.0, std::ceil(top - box.lo.z + kFloorBelowCut));
     return stock;
-}
-
-double fittedSpacing(const StockBox& stock) {
-    const double wanted = std::max(stock.width, stock.depth) / kPointsAlongSide;
-    const double decade = std::pow(10.0, std::floor(std::log10(wanted)));
-    for (const double step : {1.0, 2.0, 5.0}) {
-        if (step * decade >= wanted)
-            return std::max(step * decade, kFinestSpacing);
-    }
-    return 10 * decade;
 }
 
 } // namespace proveout

@@ -30,8 +30,9 @@ struct ToolChangeMark {
 
 /// What all motions that cut by intention (feeds and arcs, no rapids) reach together. Value type.
 struct CuttingExtent {
-    std::vector<int> tools; ///< their numbers, ascending, each once
-    Box3 box;               ///< of the motions that are wholly known; mm
+    /// Their numbers, ascending, each once; 0 where the program calls T0 and cuts with it.
+    std::vector<int> tools;
+    Box3 box; ///< of the motions that are wholly known; mm
 };
 
 /// Goes through all motions: not for the UI thread.
@@ -41,8 +42,5 @@ struct CuttingExtent {
 /// deeper than the deepest of them, its top at Z0 where something is cut below it, else at the highest of
 /// them. Rounded outwards to whole mm. `present` where nothing is cut.
 [[nodiscard]] StockBox fittedStock(const CuttingExtent& cutting, const Setup& present);
-
-/// A spacing of the series 1, 2, 5 that gives the longer side of a stock a few hundred grid points.
-[[nodiscard]] double fittedSpacing(const StockBox& stock);
 
 } // namespace proveout

@@ -108,6 +108,7 @@ void Session::adoptProgram(const std::shared_ptr<const Program>& program, const 
         if (whole && program->asksForStock())
             return interpret(); // now there is a stock to probe
     }
+    fitGrid();
     if (!more)
         forgetJumps();
     askForTimes();
@@ -146,6 +147,8 @@ void Session::continueWithMore() {
 void Session::load() {
     if (!m_program)
         return;
+    if (const Result<void> whole = checkShape(setup().shape); !whole)
+        return refuseStock(whole.error());
     m_search.cancel();
     m_simulationErrors.clear();
     m_loadedSetup = m_job.setup();
@@ -158,6 +161,16 @@ void Session::load() {
         m_simulation->post(SeekCommand{std::min(block(), blockCount())});
     if (m_playback.playing)
         postPlay();
+}
+
+/// The stock is not what it is called: nothing is shown in its place.
+void Session::refuseStock(const Diagnostics& errors) {
+    m_simulation->post(PauseCommand{});
+    m_loadGeneration = ++m_generation; // frames under way are of another stock
+    m_frame.reset();
+    m_frameLog.clear();
+    simulationFailed(errors, m_generation);
+    requestTick();
 }
 
 void Session::simulationProgressed(double done) {

@@ -159,7 +159,8 @@ public:
 
     void setParameters(const DecimationParameters& parameters);
     /// Errors (stock, grid, memory) are told by the result and change nothing.
-    Result<void> setSetup(const Setup& setup);
+    /// The spacing of an automatic grid is found here, whatever `wanted` has.
+    Result<void> setSetup(const Setup& wanted);
     /// The stock that holds the program's motions, its top at their highest cut; the present one where there
     /// is no motion.
     [[nodiscard]] StockBox stockFittedToProgram() const;
@@ -218,6 +219,8 @@ private:
                       bool whole);
     void simulate(bool more);
     void fitStock(bool forNow);
+    void fitGrid();
+    void refuseStock(const Diagnostics& errors);
     void continueWithEdit();
     void continueWithMore();
     void load();

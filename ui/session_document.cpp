@@ -8,6 +8,7 @@
 #include "core/base/memory.h"
 #include "core/base/text.h"
 #include "core/decimation/map_memory.h"
+#include "core/simulation/automatic_grid.h"
 #include "core/simulation/interpretation.h"
 #include "ui/file_paths.h"
 #include "ui/program_index.h"
@@ -161,8 +162,11 @@ void Session::setParameters(const DecimationParameters& parameters) {
     emit documentChanged();
 }
 
-Result<void> Session::setSetup(const Setup& setup) {
+Result<void> Session::setSetup(const Setup& wanted) {
     const Setup& before = *m_job.setup();
+    Setup setup = wanted;
+    if (m_program)
+        setup.spacing = gridSpacing(setup, *m_program, gridLimits(m_job.parameters()));
     if (setup == before)
         return {};
     const Result<Grid> grid = makeGrid(setup.stock, setup.spacing);
@@ -199,11 +203,22 @@ StockBox Session::stockFittedToProgram() const {
 void Session::fitStock(bool forNow) {
     Setup fitted = setup();
     fitted.stock = fittedStock(m_cutting, fitted);
-    fitted.spacing = fittedSpacing(fitted.stock);
+    fitted.spacing = gridSpacing(fitted, *m_program, gridLimits(parameters()));
     const DecimationParameters before = parameters();
     // The same again is no reason to simulate anew.
     m_job.fitSetup(fitted == setup() ? m_job.setup() : std::make_shared<const Setup>(std::move(fitted)),
                    forNow);
+    tellSetup(before);
+}
+
+/// The program may use other cutters than before.
+void Session::fitGrid() {
+    Setup fitted = setup();
+    fitted.spacing = gridSpacing(fitted, *m_program, gridLimits(parameters()));
+    if (fitted == setup())
+        return;
+    const DecimationParameters before = parameters();
+    m_job.fitSetup(std::make_shared<const Setup>(std::move(fitted)), true);
     tellSetup(before);
 }
 

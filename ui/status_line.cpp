@@ -132,7 +132,8 @@ void StatusLine::fitFields() {
     fit(kZ, {QStringLiteral("Z ") + far});
     fit(kFeed, {QStringLiteral("F ") + kWideWord, tr("F rapid")});
     fit(kSpindle, {QStringLiteral("S ") + kWideWord});
-    fit(kTool, {QStringLiteral("T ") + kWideTool});
+    const QString tool = QStringLiteral("T ") + kWideTool;
+    fit(kTool, {m_toolAssumed ? assumed(tool) : tool});
     const QString last = locale.toString(static_cast<qulonglong>(m_session.blockCount()));
     fit(kBlock, {tr("Block %1 / %2").arg(last, last)});
     fit(kFaces, {tr("Faces %1").arg(locale.toString(static_cast<qulonglong>(m_facesFull)))});
@@ -140,7 +141,10 @@ void StatusLine::fitFields() {
 
 void StatusLine::onTick(const FramePtr& frame) {
     showWork();
-    if (frame && std::exchange(m_facesFull, frame->surface.facesFull) != frame->surface.facesFull)
+    const bool otherFaces =
+        frame && std::exchange(m_facesFull, frame->surface.facesFull) != frame->surface.facesFull;
+    const bool toolAssumed = frame && frame->toolAssumed;
+    if (std::exchange(m_toolAssumed, toolAssumed) != toolAssumed || otherFaces)
         fitFields();
     // At every tick, like all other panels: two counts of one moment must be the same.
     showFrame(frame);
@@ -170,9 +174,19 @@ void StatusLine::showFrame(const FramePtr& frame) {
                    ? tr("F rapid")
                    : QStringLiteral("F ") + (executed ? wordValue(locale, motion.feedMmPerMin) : none));
     set(kSpindle, QStringLiteral("S ") + (executed ? wordValue(locale, motion.spindleRpm) : none));
-    set(kTool, QStringLiteral("T ") + (frame && frame->tool != 0 ? QString::number(frame->tool) : none));
+    set(kTool, frame ? toolText(*frame) : QStringLiteral("T ") + none);
     set(kBlock, tr("Block %1 / %2").arg(number(frame ? frame->block : 0), number(m_session.blockCount())));
     set(kFaces, tr("Faces %1").arg(frame ? number(frame->surface.faces) : QStringLiteral("–")));
+}
+
+QString StatusLine::toolText(const Frame& frame) const {
+    const bool present = frame.tool != 0 || frame.setup->tools.find(0) != nullptr;
+    const QString text = QStringLiteral("T ") + (present ? QString::number(frame.tool) : QStringLiteral("–"));
+    return frame.toolAssumed ? assumed(text) : text;
+}
+
+QString StatusLine::assumed(const QString& tool) {
+    return tr("%1 (assumed)", "a tool").arg(tool);
 }
 
 void StatusLine::showWork() {

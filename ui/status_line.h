@@ -29,6 +29,8 @@ private:
 
     void onTick(const FramePtr& frame);
     void showFrame(const FramePtr& frame);
+    [[nodiscard]] static QString assumed(const QString& tool);
+    [[nodiscard]] QString toolText(const Frame& frame) const;
     void showWork();
     void tellStop(const BreakpointHit& hit);
     void tellPlace(const PlaceAnswer& answer);
@@ -43,6 +45,7 @@ private:
     QProgressBar* m_progress;
     QToolButton* m_cancel;
     std::size_t m_facesFull = 0; ///< of the newest frame
+    bool m_toolAssumed = false;  ///< the same
 };
 
 } // namespace proveout

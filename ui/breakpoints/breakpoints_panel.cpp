@@ -19,6 +19,7 @@
 
 #include "ui/choice_box.h"
 #include "ui/diagnostic_text.h"
+#include "ui/number_box.h"
 #include "ui/panel_layout.h"
 #include "ui/theme.h"
 
@@ -51,7 +52,7 @@ QString shownValue(const QLocale& locale, const Breakpoint& breakpoint) {
 
 BreakpointsPanel::BreakpointsPanel(Session& session, QWidget* parent)
     : QWidget(parent), m_session(session), m_kind(new ChoiceBox(this)), m_value(new QStackedWidget(this)),
-      m_line(new QSpinBox(this)), m_height(new QDoubleSpinBox(this)), m_condition(new QLineEdit(this)),
+      m_line(new CountBox(this)), m_height(new NumberBox(this)), m_condition(new QLineEdit(this)),
       m_add(new QPushButton(this)), m_remove(new QPushButton(this)), m_problem(wrappedLabel(this)),
       m_list(new QTreeWidget(this)) {
     build();

@@ -3,14 +3,13 @@
 
 #include <cmath>
 
-#include <QDoubleSpinBox>
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
-#include <QSignalBlocker>
 
 #include "ui/cycle_time_text.h"
 #include "ui/diagnostic_text.h"
+#include "ui/number_box.h"
 #include "ui/panel_layout.h"
 
 namespace proveout {
@@ -39,13 +38,12 @@ MachineForm::MachineForm(Session& session, QWidget* parent)
     Machine fields;
     describe(fields, [&](double&, const Field& field) {
         auto* label = new QLabel(this);
-        auto* box = new QDoubleSpinBox(this);
+        auto* box = new NumberBox(this);
         box->setObjectName(QLatin1String(field.key));
         box->setDecimals(decimalsOf(field));
         box->setRange(field.minimum, field.maximum);
         box->setSingleStep(field.step);
         box->setSuffix(u' ' + QString::fromUtf8(field.unit));
-        box->setKeyboardTracking(false);
         box->setMinimumWidth(kBoxWidth); // its own wish is room for the largest number of the range
         label->setBuddy(box);
         const auto row = static_cast<int>(m_boxes.size());
@@ -69,10 +67,7 @@ void MachineForm::showMachine() {
     m_rest.stop();
     Machine machine = m_session.machine().value_or(Machine());
     std::size_t row = 0;
-    describe(machine, [&](double& value, const Field&) {
-        const QSignalBlocker quiet(m_boxes[row]);
-        m_boxes[row++]->setValue(value);
-    });
+    describe(machine, [&](double& value, const Field&) { m_boxes[row++]->showValue(value); });
     showTimes();
 }
 

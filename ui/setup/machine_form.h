@@ -8,10 +8,11 @@
 
 #include "ui/session.h"
 
-class QDoubleSpinBox;
 class QLabel;
 
 namespace proveout {
+
+class NumberBox;
 
 /// How fast the machine is, one row a field of describe(), and how long it takes for the program.
 class MachineForm final : public QWidget {
@@ -31,7 +32,7 @@ private:
 
     Session& m_session;
     std::vector<QLabel*> m_labels; ///< in the order of the fields
-    std::vector<QDoubleSpinBox*> m_boxes;
+    std::vector<NumberBox*> m_boxes;
     QLabel* m_times;
     QTimer m_rest;
 };

@@ -19,6 +19,7 @@
 #include "ui/file_paths.h"
 #include "ui/panel_layout.h"
 #include "ui/setup/machine_form.h"
+#include "ui/setup/start_form.h"
 #include "ui/setup/stock_form.h"
 #include "ui/setup/tool_table_editor.h"
 
@@ -42,15 +43,16 @@ std::vector<int> missingTools(const Session& session) {
 SetupPanel::SetupPanel(Session& session, QWidget* parent)
     : QWidget(parent), m_session(session), m_programTitle(sectionLabel(this)),
       m_dialectLabel(new QLabel(this)), m_dialect(new QComboBox(this)), m_compensationLabel(new QLabel(this)),
-      m_compensation(new QComboBox(this)), m_stockTitle(sectionLabel(this)), m_stock(new StockForm(this)),
-      m_fit(new QPushButton(this)), m_memory(wrappedLabel(this)), m_problem(wrappedLabel(this)),
-      m_toolsTitle(sectionLabel(this)), m_tools(new ToolTableEditor(this)), m_missing(wrappedLabel(this)),
-      m_define(new QPushButton(this)), m_machineTitle(sectionLabel(this)),
+      m_compensation(new QComboBox(this)), m_start(new StartForm(this)), m_stockTitle(sectionLabel(this)),
+      m_stock(new StockForm(this)), m_fit(new QPushButton(this)), m_memory(wrappedLabel(this)),
+      m_problem(wrappedLabel(this)), m_toolsTitle(sectionLabel(this)), m_tools(new ToolTableEditor(this)),
+      m_missing(wrappedLabel(this)), m_define(new QPushButton(this)), m_machineTitle(sectionLabel(this)),
       m_machine(new MachineForm(session, this)), m_blockDelete(new QCheckBox(this)) {
     build();
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRestMs);
     connect(&m_rest, &QTimer::timeout, this, &SetupPanel::apply);
+    connect(m_start, &StartForm::edited, &m_rest, qOverload<>(&QTimer::start));
     connect(m_stock, &StockForm::edited, &m_rest, qOverload<>(&QTimer::start));
     connect(m_tools, &ToolTableEditor::edited, &m_rest, qOverload<>(&QTimer::start));
     connect(m_blockDelete, &QCheckBox::toggled, &m_rest, qOverload<>(&QTimer::start));
@@ -60,6 +62,7 @@ SetupPanel::SetupPanel(Session& session, QWidget* parent)
     connect(m_define, &QPushButton::clicked, this, &SetupPanel::defineMissingTools);
     connect(&session, &Session::setupChanged, this, &SetupPanel::showSetup);
     connect(&session, &Session::programChanged, this, &SetupPanel::showMissingTools);
+    connect(&session, &Session::programChanged, this, &SetupPanel::showStart);
     connect(&session, &Session::programChanged, this, &SetupPanel::showDialect);
     connect(&session, &Session::programChanged, this, &SetupPanel::showCompensation);
     retranslate();
@@ -79,6 +82,7 @@ void SetupPanel::build() {
     layout->addWidget(m_compensationLabel);
     layout->addWidget(m_compensation);
     layout->addWidget(m_blockDelete);
+    layout->addWidget(m_start);
     layout->addSpacing(10);
     for (QWidget* widget :
          {static_cast<QWidget*>(m_stockTitle), static_cast<QWidget*>(m_stock), static_cast<QWidget*>(m_fit),
@@ -103,7 +107,8 @@ void SetupPanel::showSetup() {
     m_tools->show(m_session.setup().tools);
     const QSignalBlocker quiet(m_blockDelete);
     m_blockDelete->setChecked(m_session.setup().blockDelete);
-    m_problem->hide();
+    showStockProblem();
+    showStart();
     showDialect();
     m_compensation->setCurrentIndex(m_session.setup().compensationTypeB ? 1 : 0);
     showCompensation();
@@ -147,6 +152,19 @@ void SetupPanel::showMissingTools() {
     m_fit->setEnabled(m_session.blockCount() > 0 && box);
 }
 
+/// What is being edited stays as it is.
+void SetupPanel::showStart() {
+    if (!m_rest.isActive())
+        m_start->show(m_session.setup(), m_session.program().get());
+}
+
+void SetupPanel::showStockProblem() {
+    const Result<void> whole = checkShape(m_session.setup().shape);
+    m_problem->setVisible(!whole);
+    if (!whole)
+        showProblem(whole.error());
+}
+
 void SetupPanel::showMemory(const Setup& setup) {
     const Result<Grid> grid = makeGrid(setup.stock, setup.spacing);
     if (!grid) {
@@ -162,6 +180,7 @@ void SetupPanel::showMemory(const Setup& setup) {
 void SetupPanel::apply() {
     Setup setup = m_session.setup();
     setup.tools = m_tools->tools();
+    m_start->put(setup);
     setup.blockDelete = m_blockDelete->isChecked();
     setup.compensationTypeB = m_compensation->currentIndex() == 1;
     setup.dialect.reset();
@@ -186,10 +205,8 @@ void SetupPanel::applyStock(Setup setup) {
         return;
     }
     const bool fromFile = spec.shape.kind != StockKind::cylinder;
-    if (fromFile && spec.shape.file.empty()) {
-        use(setup); // until a file is chosen, the stock stays
-        return;
-    }
+    if (fromFile && spec.shape.file.empty())
+        return takeNoStock(spec, setup);
     // Something from another file lies where it lies by itself.
     makeStock(spec, another && fromFile ? std::nullopt : std::optional(setup.stock.corner), setup);
 }
@@ -211,8 +228,10 @@ void SetupPanel::makeStock(const StockSpec& spec, const std::optional<Vec3>& cor
         reply.post([this, made, done, setup] {
             if (done)
                 takeStock(made, setup);
-            else
+            else {
+                takeNoStock(made, setup);
                 showProblem(done.error());
+            }
         });
     });
 }
@@ -226,11 +245,19 @@ void SetupPanel::takeStock(const StockSpec& spec, Setup setup) {
     use(setup);
 }
 
+/// A shape that cannot be made: nothing else is simulated under its name.
+void SetupPanel::takeNoStock(const StockSpec& spec, Setup setup) {
+    setup.shape = spec.shape;
+    setup.shape.body.reset();
+    use(setup);
+}
+
 void SetupPanel::use(const Setup& setup) {
     showMemory(setup);
     const Result<void> done = m_session.setSetup(setup);
-    m_problem->setVisible(!done);
-    if (!done)
+    if (done)
+        showStockProblem();
+    else
         showProblem(done.error());
 }
 

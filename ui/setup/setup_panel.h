@@ -18,6 +18,7 @@ class QPushButton;
 namespace proveout {
 
 class MachineForm;
+class StartForm;
 class StockForm;
 class ToolTableEditor;
 
@@ -38,11 +39,14 @@ private:
     void showDialect();
     void showCompensation();
     void showMissingTools();
+    void showStart();
+    void showStockProblem();
     void showMemory(const Setup& setup);
     void apply();
     void applyStock(Setup setup);
     void makeStock(const StockSpec& spec, const std::optional<Vec3>& corner, const Setup& setup);
     void takeStock(const StockSpec& spec, Setup setup);
+    void takeNoStock(const StockSpec& spec, Setup setup);
     void use(const Setup& setup);
     void showProblem(const Diagnostics& errors);
     void fitToProgram();
@@ -54,6 +58,7 @@ private:
     QComboBox* m_dialect;
     QLabel* m_compensationLabel;
     QComboBox* m_compensation;
+    StartForm* m_start;
     QLabel* m_stockTitle;
     StockForm* m_stock;
     QPushButton* m_fit;

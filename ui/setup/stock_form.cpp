@@ -5,9 +5,7 @@
 #include <cmath>
 
 #include <QComboBox>
-#include <QCoreApplication>
 #include <QDir>
-#include <QDoubleSpinBox>
 #include <QEvent>
 #include <QFileDialog>
 #include <QGridLayout>
@@ -17,49 +15,34 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 
+#include "core/simulation/setup_fields.h"
 #include "ui/diagnostic_text.h"
 #include "ui/file_paths.h"
+#include "ui/grid_field.h"
+#include "ui/number_box.h"
 
 namespace proveout {
 
 namespace {
 
-constexpr double kLargest = 100'000;
 constexpr double kSmallestSize = 0.01;
-constexpr double kFinestGrid = 0.001;
 constexpr int kBoxWidth = 110;
 /// What a box cannot show exactly (a stock of 12.7001 mm) stays as it is until it is edited.
 constexpr double kShown = 0.0005;
 
 struct PlaceField {
-    const char* key;
-    const char* label;
-    const char* help;
-    double minimum;
+    const char* name; ///< of the widget
+    const Field* field;
     double& (*place)(Setup&);
 };
 
-constexpr std::array<PlaceField, 4> kPlaceFields{{
-    {"corner-x", QT_TRANSLATE_NOOP("StockForm", "Left edge X"),
-     QT_TRANSLATE_NOOP("StockForm", "Program coordinate of the stock's least X."), -kLargest,
-     [](Setup& setup) -> double& { return setup.stock.corner.x; }},
-    {"corner-y", QT_TRANSLATE_NOOP("StockForm", "Front edge Y"),
-     QT_TRANSLATE_NOOP("StockForm", "Program coordinate of the stock's least Y."), -kLargest,
-     [](Setup& setup) -> double& { return setup.stock.corner.y; }},
-    {"corner-z", QT_TRANSLATE_NOOP("StockForm", "Top Z"),
-     QT_TRANSLATE_NOOP("StockForm", "Program coordinate of the stock's top."), -kLargest,
-     [](Setup& setup) -> double& { return setup.stock.corner.z; }},
-    {"spacing", QT_TRANSLATE_NOOP("StockForm", "Grid spacing"),
-     QT_TRANSLATE_NOOP("StockForm", "Wanted distance of the points of the z-map; it is adjusted so that it "
-                                    "divides the stock exactly."),
-     kFinestGrid, [](Setup& setup) -> double& { return setup.spacing; }},
+constexpr std::array<PlaceField, 3> kPlaceFields{{
+    {"corner-x", &setup_field::kMinX, [](Setup& setup) -> double& { return setup.stock.corner.x; }},
+    {"corner-y", &setup_field::kMinY, [](Setup& setup) -> double& { return setup.stock.corner.y; }},
+    {"corner-z", &setup_field::kTopZ, [](Setup& setup) -> double& { return setup.stock.corner.z; }},
 }};
 
-QString translated(const char* text) {
-    return QCoreApplication::translate("StockForm", text);
-}
-
-void take(double& place, const QDoubleSpinBox& box) {
+void take(double& place, const NumberBox& box) {
     if (std::abs(place - box.value()) > kShown)
         place = box.value();
 }
@@ -67,16 +50,19 @@ void take(double& place, const QDoubleSpinBox& box) {
 } // namespace
 
 StockForm::StockForm(QWidget* parent)
-    : QWidget(parent), m_shapeLabel(new QLabel(this)), m_shape(new QComboBox(this)) {
+    : QWidget(parent), m_shapeLabel(new QLabel(this)), m_shape(new QComboBox(this)),
+      m_gridLabel(new QLabel(this)), m_grid(new GridField(QStringLiteral("spacing"), this)) {
     auto* layout = new QGridLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setColumnStretch(1, 1);
     addShapes(*layout);
     for (const PlaceField& field : kPlaceFields) {
         m_labels.push_back(new QLabel(this));
-        m_boxes.push_back(lengthBox(QLatin1String(field.key), field.minimum));
+        m_boxes.push_back(lengthBox(QLatin1String(field.name), field.field->minimum, field.field->maximum));
         addRow(*layout, m_labels.back(), m_boxes.back());
     }
+    addRow(*layout, m_gridLabel, m_grid);
+    connect(m_grid, &GridField::edited, this, &StockForm::edited);
     retranslate();
     showFieldsOfShape();
 }
@@ -109,7 +95,7 @@ void StockForm::addField(QGridLayout& layout, const StockShapeRow& row, const St
     const QString name = prefix + u'-' + QLatin1String(field.name);
     ShapeField made{row.kind, &field, new QLabel(this), nullptr};
     if (std::holds_alternative<StockLength>(field.value)) {
-        made.length = lengthBox(name, kSmallestSize);
+        made.length = lengthBox(name, kSmallestSize, kLargestStockSide);
         made.editor = made.length;
     } else if (const auto* choice = std::get_if<StockChoice>(&field.value)) {
         made.choice = new QComboBox(this);
@@ -151,12 +137,11 @@ void StockForm::chooseFile(const ShapeField& row) {
     emit edited();
 }
 
-QDoubleSpinBox* StockForm::lengthBox(const QString& name, double minimum) {
-    auto* box = new QDoubleSpinBox(this);
+NumberBox* StockForm::lengthBox(const QString& name, double minimum, double maximum) {
+    auto* box = new NumberBox(this);
     box->setObjectName(name);
     box->setDecimals(3);
-    box->setRange(minimum, kLargest);
-    box->setKeyboardTracking(false);
+    box->setRange(minimum, maximum);
     box->setMinimumWidth(kBoxWidth); // its own wish is room for the largest number of the range
     box->setStepType(minimum > 0 ? QAbstractSpinBox::AdaptiveDecimalStepType
                                  : QAbstractSpinBox::DefaultStepType);
@@ -175,16 +160,15 @@ void StockForm::showFieldsOfShape() {
 void StockForm::show(const Setup& setup) {
     Setup copy = setup;
     for (std::size_t i = 0; i < kPlaceFields.size(); ++i) {
-        const QSignalBlocker quiet(m_boxes[i]);
-        m_boxes[i]->setValue(kPlaceFields[i].place(copy));
+        m_boxes[i]->showValue(kPlaceFields[i].place(copy));
     }
+    m_grid->show(setup);
     const QSignalBlocker quiet(m_shape);
     m_shape->setCurrentIndex(static_cast<int>(setup.shape.kind));
     const StockSpec spec{setup.stock, setup.shape};
     for (const ShapeField& row : m_fields) {
         if (row.length != nullptr) {
-            const QSignalBlocker quietBox(row.length);
-            row.length->setValue(std::get<StockLength>(row.field->value).get(spec));
+            row.length->showValue(std::get<StockLength>(row.field->value).get(spec));
         } else if (row.kind == setup.shape.kind && row.choice != nullptr) {
             const QSignalBlocker quietBox(row.choice);
             row.choice->setCurrentIndex(static_cast<int>(std::get<StockChoice>(row.field->value).get(spec)));
@@ -198,6 +182,7 @@ void StockForm::show(const Setup& setup) {
 void StockForm::put(Setup& setup) const {
     for (std::size_t i = 0; i < kPlaceFields.size(); ++i)
         take(kPlaceFields[i].place(setup), *m_boxes[i]);
+    m_grid->put(setup);
 }
 
 StockSpec StockForm::spec(const Setup& setup) const {
@@ -225,9 +210,10 @@ StockSpec StockForm::spec(const Setup& setup) const {
     return spec;
 }
 
-QString StockForm::rangeTip(const QString& help, double minimum, double standard) const {
+QString StockForm::rangeTip(const QString& help, const NumberBox& box, double standard) const {
     return tr("%1\nRange: %2 to %3 mm\nDefault: %4 mm")
-        .arg(help, locale().toString(minimum), locale().toString(kLargest), locale().toString(standard));
+        .arg(help, locale().toString(box.minimum()), locale().toString(box.maximum()),
+             locale().toString(standard));
 }
 
 void StockForm::retranslateShapes() {
@@ -243,7 +229,7 @@ void StockForm::retranslateShapes() {
         if (row.length != nullptr) {
             row.length->setSuffix(tr(" mm"));
             row.length->setAccessibleName(label);
-            row.length->setToolTip(rangeTip(coreText(row.field->help), kSmallestSize,
+            row.length->setToolTip(rangeTip(coreText(row.field->help), *row.length,
                                             std::get<StockLength>(row.field->value).get(StockSpec())));
         } else if (row.choice != nullptr) {
             row.choice->setAccessibleName(label);
@@ -266,12 +252,13 @@ void StockForm::retranslate() {
     retranslateShapes();
     Setup standard;
     for (std::size_t i = 0; i < kPlaceFields.size(); ++i) {
-        m_labels[i]->setText(translated(kPlaceFields[i].label));
+        const Field& field = *kPlaceFields[i].field;
+        m_labels[i]->setText(coreText(field.label));
         m_boxes[i]->setSuffix(tr(" mm"));
-        m_boxes[i]->setAccessibleName(translated(kPlaceFields[i].label));
-        m_boxes[i]->setToolTip(rangeTip(translated(kPlaceFields[i].help), kPlaceFields[i].minimum,
-                                        kPlaceFields[i].place(standard)));
+        m_boxes[i]->setAccessibleName(coreText(field.label));
+        m_boxes[i]->setToolTip(rangeTip(coreText(field.help), *m_boxes[i], kPlaceFields[i].place(standard)));
     }
+    m_gridLabel->setText(coreText(setup_field::kGrid.label));
 }
 
 void StockForm::changeEvent(QEvent* event) {

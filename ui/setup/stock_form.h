@@ -10,13 +10,15 @@
 #include "core/simulation/setup.h"
 
 class QComboBox;
-class QDoubleSpinBox;
 class QGridLayout;
 class QLabel;
 class QLineEdit;
 class QToolButton;
 
 namespace proveout {
+
+class GridField;
+class NumberBox;
 
 /// Shape, size and place of the stock, and the grid. The fields of the shapes are read from their table.
 class StockForm final : public QWidget {
@@ -26,7 +28,7 @@ public:
     explicit StockForm(QWidget* parent = nullptr);
     /// Shows other values; emits nothing.
     void show(const Setup& setup);
-    /// Puts corner and grid into `setup`.
+    /// Puts position and grid into `setup`.
     void put(Setup& setup) const;
     /// What the form describes, on the ground of `setup`; it has no body where that of `setup` is of another
     /// description.
@@ -45,7 +47,7 @@ private:
         const StockField* field;
         QLabel* label;
         QWidget* editor;
-        QDoubleSpinBox* length = nullptr;
+        NumberBox* length = nullptr;
         QComboBox* choice = nullptr;
         QLineEdit* file = nullptr;
         QToolButton* browse = nullptr;
@@ -56,17 +58,19 @@ private:
     QWidget* fileEditor(ShapeField& row);
     void chooseFile(const ShapeField& row);
     void addRow(QGridLayout& layout, QLabel* label, QWidget* editor);
-    QDoubleSpinBox* lengthBox(const QString& name, double minimum);
+    NumberBox* lengthBox(const QString& name, double minimum, double maximum);
     void showFieldsOfShape();
     void retranslate();
     void retranslateShapes();
-    [[nodiscard]] QString rangeTip(const QString& help, double minimum, double standard) const;
+    [[nodiscard]] QString rangeTip(const QString& help, const NumberBox& box, double standard) const;
 
     QLabel* m_shapeLabel;
     QComboBox* m_shape;
     std::vector<ShapeField> m_fields;
-    std::vector<QLabel*> m_labels;        ///< of corner and grid
-    std::vector<QDoubleSpinBox*> m_boxes; ///< in the order of their table
+    std::vector<QLabel*> m_labels;   ///< of the position
+    std::vector<NumberBox*> m_boxes; ///< in the order of their table
+    QLabel* m_gridLabel;
+    GridField* m_grid;
 };
 
 } // namespace proveout

@@ -12,6 +12,7 @@
 
 #include "ui/choice_box.h"
 #include "ui/diagnostic_text.h"
+#include "ui/number_box.h"
 
 namespace proveout {
 
@@ -67,10 +68,8 @@ void ToolForm::show(const ToolSpec& spec) {
 }
 
 void ToolForm::showNumber(const std::string& key, double value) {
-    if (auto* box = findChild<QDoubleSpinBox*>(nameOf(key))) {
-        const QSignalBlocker quiet(box);
-        box->setValue(value);
-    }
+    if (auto* box = findChild<NumberBox*>(nameOf(key)))
+        box->showValue(value);
 }
 
 void ToolForm::showText(const std::string& key, const std::string& text) {
@@ -113,11 +112,10 @@ void ToolForm::addKey(const ShapeKey& key) {
 }
 
 QWidget* ToolForm::numberBox(const ShapeKey& key) {
-    auto* box = new QDoubleSpinBox(this);
+    auto* box = new NumberBox(this);
     box->setDecimals(3);
     box->setRange(key.minimum, key.maximum);
     box->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    box->setKeyboardTracking(false);
     box->setSuffix(u' ' + coreText(key.unit));
     box->setValue(m_spec.values[key.key]);
     const QString unit = coreText(key.unit);

@@ -7,12 +7,12 @@
 #include <QLabel>
 #include <QPushButton>
 #include <QSignalBlocker>
-#include <QSpinBox>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
 #include "core/base/tool_number.h"
 #include "ui/diagnostic_text.h"
+#include "ui/number_box.h"
 #include "ui/setup/tool_form.h"
 
 namespace proveout {
@@ -31,14 +31,13 @@ QString description(const Cutter& cutter, const QLocale& locale) {
 
 ToolTableEditor::ToolTableEditor(QWidget* parent)
     : QWidget(parent), m_list(new QTreeWidget(this)), m_add(new QPushButton(this)),
-      m_remove(new QPushButton(this)), m_numberLabel(new QLabel(this)), m_number(new QSpinBox(this)),
+      m_remove(new QPushButton(this)), m_numberLabel(new QLabel(this)), m_number(new CountBox(this)),
       m_details(new QWidget(this)), m_form(new ToolForm(m_details)), m_problem(new QLabel(this)) {
     m_list->setRootIsDecorated(false);
     m_list->setColumnCount(2);
     m_list->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     m_list->setFixedHeight(m_list->header()->sizeHint().height() + kRowsShown * (fontMetrics().height() + 6));
-    m_number->setRange(1, kLargestTool);
-    m_number->setKeyboardTracking(false);
+    m_number->setRange(kLeastTool, kLargestTool);
     m_number->setPrefix(QStringLiteral("T"));
     m_numberLabel->setBuddy(m_number);
     m_problem->setWordWrap(true);
@@ -175,7 +174,8 @@ void ToolTableEditor::retranslate() {
     m_remove->setToolTip(tr("Remove the selected tool"));
     m_numberLabel->setText(tr("Number"));
     m_number->setToolTip(
-        tr("The T word that calls this tool (no unit)\nRange: 1 to %1\nDefault: the next free number")
+        tr("The T word that calls this tool (no unit)\nRange: %1 to %2\nDefault: the next free number")
+            .arg(kLeastTool)
             .arg(kLargestTool));
     m_number->setAccessibleName(tr("Tool number"));
 }

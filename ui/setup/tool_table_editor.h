@@ -7,11 +7,11 @@
 
 class QLabel;
 class QPushButton;
-class QSpinBox;
 class QTreeWidget;
 
 namespace proveout {
 
+class CountBox;
 class ToolForm;
 
 /// The tools by number: a list, and the form of the selected one.
@@ -47,7 +47,7 @@ private:
     QPushButton* m_add;
     QPushButton* m_remove;
     QLabel* m_numberLabel;
-    QSpinBox* m_number;
+    CountBox* m_number;
     QWidget* m_details;
     ToolForm* m_form;
     QLabel* m_problem;

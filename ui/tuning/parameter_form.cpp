@@ -21,6 +21,7 @@
 #include "ui/choice_box.h"
 #include "ui/diagnostic_text.h"
 #include "ui/icons.h"
+#include "ui/number_box.h"
 
 namespace proveout {
 
@@ -107,25 +108,23 @@ QWidget* ParameterForm::makeSwitch(Row& row) {
 }
 
 QWidget* ParameterForm::makeInteger(Row& row) {
-    auto* box = new QSpinBox(this);
+    auto* box = new CountBox(this);
     box->setRange(static_cast<int>(row.field.minimum), static_cast<int>(row.field.maximum));
     box->setSingleStep(static_cast<int>(row.field.step));
-    box->setKeyboardTracking(false);
     const std::size_t index = m_rows.size();
     connect(box, &QSpinBox::valueChanged, this, [this, index](int value) { change(index, value); });
-    row.show = [box](double value) { box->setValue(static_cast<int>(value)); };
+    row.show = [box](double value) { box->showValue(static_cast<int>(value)); };
     return box;
 }
 
 QWidget* ParameterForm::makeNumber(Row& row) {
-    auto* box = new QDoubleSpinBox(this);
+    auto* box = new NumberBox(this);
     box->setDecimals(kDecimals);
     box->setRange(row.field.minimum, row.field.maximum);
     box->setSingleStep(row.field.step);
-    box->setKeyboardTracking(false);
     const std::size_t index = m_rows.size();
     connect(box, &QDoubleSpinBox::valueChanged, this, [this, index](double value) { change(index, value); });
-    row.show = [box](double value) { box->setValue(value); };
+    row.show = [box](double value) { box->showValue(value); };
     return box;
 }
 

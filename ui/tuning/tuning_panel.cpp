@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/tuning/tuning_panel.h"
 
-#include <QDoubleSpinBox>
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QLabel>
-#include <QSignalBlocker>
 #include <QVBoxLayout>
 
+#include "core/simulation/setup_fields.h"
 #include "ui/diagnostic_text.h"
+#include "ui/grid_field.h"
 #include "ui/icons.h"
 #include "ui/panel_layout.h"
 #include "ui/theme.h"
@@ -20,16 +20,14 @@ namespace {
 
 constexpr int kRestMs = 150;
 constexpr int kIconSize = 16;
-constexpr double kFinestGrid = 0.001;
-constexpr double kCoarsestGrid = 1000;
 
 } // namespace
 
 TuningPanel::TuningPanel(Session& session, QWidget* parent)
     : QWidget(parent), m_session(session), m_form(new ParameterForm(this)), m_gridLabel(new QLabel(this)),
-      m_grid(new QDoubleSpinBox(this)), m_problemIcon(new QLabel(this)), m_problem(wrappedLabel(this)),
-      m_effectTitle(sectionLabel(this)), m_faces(wrappedLabel(this)), m_error(wrappedLabel(this)),
-      m_regions(wrappedLabel(this)), m_heldBack(wrappedLabel(this)) {
+      m_grid(new GridField(QStringLiteral("grid"), this)), m_problemIcon(new QLabel(this)),
+      m_problem(wrappedLabel(this)), m_effectTitle(sectionLabel(this)), m_faces(wrappedLabel(this)),
+      m_error(wrappedLabel(this)), m_regions(wrappedLabel(this)), m_heldBack(wrappedLabel(this)) {
     auto* content = new QWidget;
     auto* layout = new QVBoxLayout(content);
     m_form->addRow(m_gridLabel, m_grid);
@@ -44,11 +42,6 @@ TuningPanel::TuningPanel(Session& session, QWidget* parent)
     layout->addStretch(1);
     fillScrolled(*this, content);
 
-    m_grid->setObjectName(QStringLiteral("grid"));
-    m_grid->setDecimals(3);
-    m_grid->setRange(kFinestGrid, kCoarsestGrid);
-    m_grid->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
-    m_grid->setKeyboardTracking(false);
     showProblem({});
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRestMs);
@@ -57,7 +50,7 @@ TuningPanel::TuningPanel(Session& session, QWidget* parent)
         applyGrid();
     });
     connect(m_form, &ParameterForm::edited, &m_rest, qOverload<>(&QTimer::start));
-    connect(m_grid, &QDoubleSpinBox::valueChanged, &m_rest, qOverload<>(&QTimer::start));
+    connect(m_grid, &GridField::edited, &m_rest, qOverload<>(&QTimer::start));
     const auto showParameters = [this] { m_form->setValues(m_session.parameters()); };
     const auto showSetup = [this] {
         showGrid();
@@ -74,17 +67,15 @@ TuningPanel::TuningPanel(Session& session, QWidget* parent)
 
 void TuningPanel::applyGrid() {
     Setup setup = m_session.setup();
-    setup.spacing = m_grid->value();
-    const bool same = qFuzzyCompare(m_session.setup().spacing, setup.spacing);
-    const Result<void> done = same ? Result<void>() : m_session.setSetup(setup);
+    m_grid->put(setup);
+    const Result<void> done = m_session.setSetup(setup);
     showProblem(done ? QString() : sentence(done.error().front()));
     if (!done)
         showGrid(); // the spacing that the stock has, as all other panels tell it
 }
 
 void TuningPanel::showGrid() {
-    const QSignalBlocker quiet(m_grid);
-    m_grid->setValue(m_session.setup().spacing);
+    m_grid->show(m_session.setup());
 }
 
 void TuningPanel::showProblem(const QString& text) {
@@ -149,14 +140,7 @@ QString TuningPanel::heldBackText(const Frame& frame) const {
 }
 
 void TuningPanel::retranslate() {
-    m_gridLabel->setText(tr("Grid spacing"));
-    m_grid->setSuffix(tr(" mm"));
-    m_grid->setAccessibleName(tr("Grid spacing"));
-    m_grid->setToolTip(
-        tr("Wanted distance of the points of the z-map; finer shows more and takes longer. The "
-           "simulation starts anew.\nRange: %1 to %2 mm\nDefault: %3 mm")
-            .arg(locale().toString(kFinestGrid), locale().toString(kCoarsestGrid),
-                 locale().toString(Setup().spacing)));
+    m_gridLabel->setText(coreText(setup_field::kGrid.label));
     m_effectTitle->setText(tr("Measured effect"));
     showEffect(m_session.frame());
 }

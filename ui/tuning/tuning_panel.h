@@ -6,11 +6,11 @@
 
 #include "ui/session.h"
 
-class QDoubleSpinBox;
 class QLabel;
 
 namespace proveout {
 
+class GridField;
 class ParameterForm;
 
 /// The parameters of decimation and the grid, changed while the program plays, with their measured effect.
@@ -37,7 +37,7 @@ private:
     Session& m_session;
     ParameterForm* m_form;
     QLabel* m_gridLabel;
-    QDoubleSpinBox* m_grid;
+    GridField* m_grid;
     QLabel* m_problemIcon;
     QLabel* m_problem;
     QLabel* m_effectTitle;

@@ -13,6 +13,7 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 
+#include "ui/number_box.h"
 #include "ui/viewport/box_choice.h"
 
 namespace proveout {
@@ -27,12 +28,11 @@ constexpr int kProgressSteps = 100;
 constexpr int kTextWidth = 260; // px
 
 QDoubleSpinBox* lengthBox(QWidget* parent, double least, double most, int decimals, double step) {
-    auto* box = new QDoubleSpinBox(parent);
+    auto* box = new NumberBox(parent);
     box->setDecimals(decimals);
     box->setRange(least, most);
     box->setSingleStep(step);
     box->setSuffix(QStringLiteral(" mm"));
-    box->setKeyboardTracking(false);
     return box;
 }
 

@@ -82,6 +82,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
         session.toggleBreakpoint(session.program()->blockLine(50));
         Setup setup = session.setup();
+        setup.automaticGrid = false;
         setup.spacing = 2; // another map is loaded
         QVERIFY(session.setSetup(setup).has_value());
         session.setSpeed(std::numeric_limits<double>::infinity());

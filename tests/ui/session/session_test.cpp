@@ -136,6 +136,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
         Setup setup = session.setup();
         setup.tools.set(1, parseCutter("flat:d=4,l=20").value());
+        setup.automaticGrid = false;
         setup.spacing = 1;
         QVERIFY(session.setSetup(setup).has_value());
         const DecimationParameters wanted = session.parameters();
@@ -213,6 +214,7 @@ private slots:
         setup.stock.width = 40;
         setup.stock.depth = 30;
         const auto useSpacing = [&](double spacing) {
+            setup.automaticGrid = false;
             setup.spacing = spacing;
             return session.setSetup(setup).has_value();
         };
@@ -321,6 +323,7 @@ private slots:
         QVERIFY(opened(session, kSample));
         QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
         Setup setup = session.setup();
+        setup.automaticGrid = false;
         setup.spacing = 0.0005;
         const Result<void> done = session.setSetup(setup);
         QVERIFY(!done.has_value());
@@ -696,6 +699,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
         session.openFile(file);
         Setup setup = session.setup();
+        setup.automaticGrid = false;
         setup.spacing *= 2;
         DecimationParameters parameters = session.parameters();
         parameters.allowance = 0.3;

@@ -106,6 +106,7 @@ int main(int argc, char** argv) {
     waitUntil([&] { return session.frame() != nullptr; }, 30);
     Setup setup = session.setup();
     setup.stock = {{0, 0, 0}, kSide, kSide, 40};
+    setup.automaticGrid = false;
     setup.spacing = 1;
     setup.tools.set(1, parseCutter("ball:d=20,l=60").value());
     if (!session.setSetup(setup))

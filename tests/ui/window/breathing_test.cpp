@@ -163,6 +163,7 @@ private slots:
         Breath breath;
         for (const double spacing : {0.5, 0.3, 0.8, 0.4}) {
             Setup setup = station.session.setup();
+            setup.automaticGrid = false;
             setup.spacing = spacing;
             QVERIFY(station.session.setSetup(setup).has_value());
             QTest::qWait(600);

@@ -251,6 +251,7 @@ private slots:
         Workstation station(true);
         Session& session = station.session;
         Setup setup = session.setup();
+        setup.automaticGrid = false;
         setup.spacing = 0.1;
         QVERIFY(session.setSetup(setup));
         QTRY_VERIFY_WITH_TIMEOUT(session.frame()->zmap.grid().nx > 1000, kPatience);
@@ -287,6 +288,7 @@ private slots:
         station.open(program);
         Setup setup = station.session.setup();
         setup.stock = {{2000000.05, 0, 0}, 40, 30, 10};
+        setup.automaticGrid = false;
         setup.spacing = 0.5;
         setup.tools.set(1, parseCutter("ball:d=4,l=20").value());
         QVERIFY(station.session.setSetup(setup));

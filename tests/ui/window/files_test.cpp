@@ -85,6 +85,7 @@ private:
 QString startLongExport(Workstation& station, const QTemporaryDir& folder) {
     station.open(sampleJobs().front().file);
     Setup setup = station.session.setup();
+    setup.automaticGrid = false;
     setup.spacing = 0.1;
     const QString file = folder.filePath(QStringLiteral("part.stl"));
     if (!station.session.setSetup(setup) ||
@@ -126,6 +127,7 @@ private slots:
         parameters.allowance = 0.3;
         station.session.setParameters(parameters);
         Setup setup = station.session.setup();
+        setup.automaticGrid = false;
         setup.spacing *= 2;
         QVERIFY(station.session.setSetup(setup));
         QString question = questionOf(station.window);

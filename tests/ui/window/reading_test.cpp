@@ -101,6 +101,7 @@ private slots:
         Workstation station(true);
         station.appearance.setLanguage(language);
         Setup setup = station.session.setup();
+        setup.automaticGrid = false;
         setup.spacing = 0.12;
         QVERIFY(station.session.setSetup(setup));
         DecimationParameters never = station.session.parameters();

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Number fields that never change a number in silence.
+#pragma once
+
+#include <QDoubleSpinBox>
+#include <QSpinBox>
+
+namespace proveout {
+
+/// A spin box that lets any number be typed. Where it is out of range when the editing ends, the box keeps
+/// the value it had, says so beside itself, with the range, and emits refused().
+class NumberBox final : public QDoubleSpinBox {
+    Q_OBJECT
+
+public:
+    explicit NumberBox(QWidget* parent = nullptr);
+
+    /// Shows a value that others have set, also one out of the range (of a file, say); emits nothing.
+    void showValue(double value);
+    [[nodiscard]] QValidator::State validate(QString& text, int& position) const override;
+    void fixup(QString& text) const override;
+
+signals:
+    void refused(const QString& sentence) const;
+};
+
+/// The same of whole numbers.
+class CountBox final : public QSpinBox {
+    Q_OBJECT
+
+public:
+    explicit CountBox(QWidget* parent = nullptr);
+
+    void showValue(int value);
+    [[nodiscard]] QValidator::State validate(QString& text, int& position) const override;
+    void fixup(QString& text) const override;
+
+signals:
+    void refused(const QString& sentence) const;
+};
+
+} // namespace proveout

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/setup/start_form.h"
+
+#include <cmath>
+#include <cstddef>
+
+#include <QCheckBox>
+#include <QEvent>
+#include <QGridLayout>
+#include <QLabel>
+#include <QSignalBlocker>
+
+#include "core/simulation/setup_fields.h"
+#include "core/simulation/tool_choice.h"
+#include "ui/choice_box.h"
+#include "ui/diagnostic_text.h"
+#include "ui/number_box.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr double kShown = 0.0005; ///< what a box cannot show exactly stays until it is edited
+constexpr int kBoxWidth = 110;
+
+QString nameOf(int tool) {
+    return QStringLiteral("T%1").arg(tool);
+}
+
+} // namespace
+
+StartForm::StartForm(QWidget* parent)
+    : QWidget(parent), m_toolLabel(new QLabel(this)), m_tool(new ChoiceBox(this)),
+      m_known(new QCheckBox(this)) {
+    auto* layout = new QGridLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setColumnStretch(1, 1);
+    m_tool->setObjectName(QStringLiteral("start-tool"));
+    m_toolLabel->setBuddy(m_tool);
+    layout->addWidget(m_toolLabel, 0, 0);
+    layout->addWidget(m_tool, 0, 1);
+    m_known->setObjectName(QStringLiteral("start-known"));
+    layout->addWidget(m_known, 1, 0, 1, 2);
+    for (std::size_t axis = 0; axis < m_position.size(); ++axis) {
+        auto* label = new QLabel(this);
+        auto* box = new NumberBox(this);
+        box->setObjectName(QStringLiteral("start-") + QLatin1Char("xyz"[axis]));
+        box->setDecimals(3);
+        box->setRange(setup_field::kStart.minimum, setup_field::kStart.maximum);
+        box->setSingleStep(setup_field::kStart.step);
+        box->setMinimumWidth(kBoxWidth); // its own wish is room for the largest number of the range
+        label->setBuddy(box);
+        const auto row = static_cast<int>(axis) + 2;
+        layout->addWidget(label, row, 0);
+        layout->addWidget(box, row, 1);
+        m_axisLabels[axis] = label;
+        m_position[axis] = box;
+        connect(box, &QDoubleSpinBox::valueChanged, this, &StartForm::edited);
+    }
+    connect(m_tool, &QComboBox::activated, this, &StartForm::edited);
+    connect(m_known, &QCheckBox::toggled, this, [this] {
+        showPosition();
+        emit edited();
+    });
+    retranslate();
+    showPosition();
+}
+
+void StartForm::show(const Setup& setup, const Program* program) {
+    m_setup = setup;
+    m_assumed = program == nullptr ? std::nullopt : assumedTool(*program, setup);
+    fillTools();
+    const QSignalBlocker quiet(m_known);
+    m_known->setChecked(setup.start.has_value());
+    const Vec3 start = setup.start.value_or(Vec3(0));
+    for (std::size_t axis = 0; axis < m_position.size(); ++axis)
+        m_position[axis]->showValue(start[static_cast<int>(axis)]);
+    showPosition();
+}
+
+void StartForm::put(Setup& setup) const {
+    const QVariant tool = m_tool->currentData();
+    setup.startTool = tool.isValid() ? std::optional(tool.toInt()) : std::nullopt;
+    if (!m_known->isChecked()) {
+        setup.start.reset();
+        return;
+    }
+    Vec3 start = setup.start.value_or(Vec3(0));
+    for (std::size_t axis = 0; axis < m_position.size(); ++axis) {
+        double& place = start[static_cast<int>(axis)];
+        if (std::abs(place - m_position[axis]->value()) > kShown)
+            place = m_position[axis]->value();
+    }
+    setup.start = start;
+}
+
+/// Not set, the empty spindle, the tools of the table; and the one that is set, if it is none of these.
+void StartForm::fillTools() {
+    const QSignalBlocker quiet(m_tool);
+    m_tool->clear();
+    m_tool->addItem(m_assumed ? tr("Not set: %1 is assumed").arg(nameOf(*m_assumed)) : tr("Not set"));
+    if (m_setup.tools.find(0) == nullptr)
+        m_tool->addItem(tr("Empty spindle"), 0);
+    for (const auto& row : m_setup.tools.tools())
+        m_tool->addItem(nameOf(row.first), row.first);
+    if (!m_setup.startTool)
+        return;
+    if (m_tool->findData(*m_setup.startTool) < 0)
+        m_tool->addItem(tr("%1, not in the tool table").arg(nameOf(*m_setup.startTool)), *m_setup.startTool);
+    m_tool->setCurrentIndex(m_tool->findData(*m_setup.startTool));
+}
+
+void StartForm::showPosition() {
+    for (std::size_t axis = 0; axis < m_position.size(); ++axis) {
+        m_axisLabels[axis]->setVisible(m_known->isChecked());
+        m_position[axis]->setVisible(m_known->isChecked());
+    }
+}
+
+void StartForm::retranslate() {
+    m_toolLabel->setText(coreText(setup_field::kStartTool.label));
+    m_tool->setAccessibleName(coreText(setup_field::kStartTool.label));
+    m_tool->setToolTip(coreText(setup_field::kStartTool.help));
+    m_known->setText(tr("Start position is known"));
+    m_known->setToolTip(coreText(setup_field::kStart.help));
+    for (std::size_t axis = 0; axis < m_position.size(); ++axis) {
+        const QString name = tr("Start %1", "an axis").arg(QLatin1Char("XYZ"[axis]));
+        m_axisLabels[axis]->setText(name);
+        m_position[axis]->setAccessibleName(name);
+        m_position[axis]->setSuffix(tr(" mm"));
+        m_position[axis]->setToolTip(tr("%1\nRange: %2 to %3 mm")
+                                         .arg(coreText(setup_field::kStart.help),
+                                              locale().toString(setup_field::kStart.minimum),
+                                              locale().toString(setup_field::kStart.maximum)));
+    }
+    fillTools();
+}
+
+void StartForm::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+}
+
+} // namespace proveout
