@@ -7,16 +7,19 @@
 #include <optional>
 
 #include "core/nc/characters.h"
+#include "core/nc/named_control.h"
 
 namespace proveout {
 
 namespace {
 
 constexpr std::size_t kMostLines = 100'000;
+constexpr std::size_t kMostOfHeading = 100; ///< lines whose comments may name the post processor
 constexpr std::size_t kLongestShown = 24;
 
 constexpr int kHint = 1;      ///< others may write it too
 constexpr int kSign = 4;      ///< means something else, or nothing, elsewhere
+constexpr int kNamed = 20;    ///< a comment names the post processor or the control
 constexpr int kDecides = 100; ///< no other control reads it
 
 /// A piece of a line without blanks and comments, in upper case: "*" stands for anything, "#" for a digit,
@@ -145,6 +148,13 @@ bool standsAt(std::string_view pattern, std::string_view line, std::size_t at) {
     return !isDigit(pattern.back()) || at >= line.size() || !(isDigit(line[at]) || line[at] == '.');
 }
 
+/// The comment as it is shown.
+std::string shownComment(std::string_view line) {
+    constexpr std::size_t kLongest = 48;
+    const std::string_view from = line.substr(line.find_first_of("(;"));
+    return std::string(from.substr(0, std::min({from.find(')'), from.size() - 1, kLongest - 1}) + 1));
+}
+
 std::optional<std::size_t> placeOf(std::string_view pattern, std::string_view line) {
     if (pattern.front() == '^')
         return standsAt(pattern.substr(1), line, 0) ? std::optional<std::size_t>(0) : std::nullopt;
@@ -163,7 +173,14 @@ DialectGuess guessDialect(const NcText& text) {
     std::array<bool, std::size(kRows)> seen{};
     std::string line;
     const std::size_t most = std::min(text.lineCount(), kMostLines);
+    std::array<bool, static_cast<std::size_t>(DialectId::count)> isNamed{};
     for (std::size_t i = 0; i < most; ++i) {
+        if (const auto named = i < kMostOfHeading ? namedControl(text.line(i)) : std::nullopt;
+            named && !isNamed[static_cast<std::size_t>(named->dialect)]) {
+            isNamed[static_cast<std::size_t>(named->dialect)] = true;
+            signs.push_back({named->dialect, named->named ? kNamed : kHint, static_cast<int>(i + 1),
+                             shownComment(text.line(i))});
+        }
         strip(text.line(i), line);
         // Most lines are plain coordinates.
         if (line.find_first_of("GMOIW#:<*$") == std::string::npos)

@@ -26,8 +26,9 @@ struct DialectGuess {
     bool operator==(const DialectGuess&) const = default;
 };
 
-/// For which control a text was written, by what only some of them understand. Reads at most its first
-/// hundred thousand lines. Pure; any thread.
+/// For which control a text was written, by what only some of them understand, and by the post processor or
+/// the control that a comment of its heading names. Reads at most its first hundred thousand lines. Pure; any
+/// thread.
 [[nodiscard]] DialectGuess guessDialect(const NcText& text);
 
 } // namespace proveout

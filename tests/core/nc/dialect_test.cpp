@@ -60,6 +60,38 @@ TEST(Dialects, AreNotGuessedByComments) {
     EXPECT_EQ(guessed("(G65 P9010)\nG64 P0.1 ; IF[#1 EQ 1]GOTO 5\nM2\n"), DialectId::linuxcnc);
 }
 
+TEST(Dialects, AreGuessedByThePostThatACommentNames) {
+    const std::pair<const char*, DialectId> named[] = {
+        {"(Created with grbl post processor 2025/12/09)", DialectId::grbl},
+        {"(Post Processor: grbl_post)", DialectId::grbl},
+        {"(Postprocessor Geometry: GRBL_11_no_M6)", DialectId::grbl},
+        {"; grbl", DialectId::grbl},
+        {"(Mach2Mill)", DialectId::mach},
+        {"(POST: Mach3 mm)", DialectId::mach},
+        {"( Gcode for linuxcnc )", DialectId::linuxcnc},
+        {"(Post processor: LinuxCNC plasma.scpost)", DialectId::linuxcnc},
+        {"( FANUC 0M)", DialectId::fanuc},
+        {"(machine: Haas VF-2)", DialectId::haas},
+        {"(Using G0 which travels along dogleg path.)", DialectId::haas},
+    };
+    for (const auto& [comment, dialect] : named) {
+        const DialectGuess guess = guessDialect(NcText(std::string("%\n") + comment + "\nG0 X1.\nM30\n%\n"));
+        EXPECT_EQ(guess.dialect, dialect) << comment;
+        ASSERT_EQ(guess.reasons.size(), 1U) << comment;
+        EXPECT_EQ(guess.reasons.front().line, 2) << comment;
+        EXPECT_TRUE(std::string_view(comment).starts_with(guess.reasons.front().shown)) << comment;
+    }
+}
+
+TEST(Dialects, AreNotGuessedByCommentsThatMentionOne) {
+    for (const char* comment : {"( Fanuc M98 requires P-word )", "; Fanuc-style: all params are changed",
+                                "(PRINT,X FANUC)", "( Note: modified for compatibility with Mach3)",
+                                "(tap.ngc of grbl)", "(postamble of Machine 3)"})
+        EXPECT_TRUE(guessDialect(NcText(std::string(comment) + "\nG0 X1\nM2\n")).reasons.empty()) << comment;
+    // What no other control reads outranks a name.
+    EXPECT_EQ(guessed("(Post Processor: grbl_post)\no<a> sub\no<a> endsub\nM2\n"), DialectId::linuxcnc);
+}
+
 TEST(Dialects, GiveTheReasonsOfAGuessWithTheirLines) {
     const DialectGuess guess = guessDialect(NcText("G21\n\nN5 g65 p 9010 (drill)\nM30\n"));
     ASSERT_EQ(guess.reasons.size(), 1U);
