@@ -41,7 +41,7 @@ void executeBlock(Execution& execution) {
     BlockPlan plan;
     if (!makePlan(execution, plan)) {
         execution.state = before;
-        execution.state.forget(execution.block.letters());
+        execution.state.forget(execution.block.letters(), Forgotten::reported);
         return;
     }
     execution.program.beginBlock(execution.line);

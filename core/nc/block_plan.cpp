@@ -100,7 +100,7 @@ private:
             return;
         m_axesTaken = true;
         if (row.axisUse == AxisUse::allAxes && !m_block.letters().any(kAxes))
-            m_execution.state.forget(kAxes);
+            m_execution.state.forget(kAxes, Forgotten::reported);
     }
 
     /// A supported code with a claim on the axis words.
@@ -264,7 +264,7 @@ private:
         return true;
     }
 
-    void forgetNamedAxes() { m_execution.state.forget(m_block.letters()); }
+    void forgetNamedAxes() { m_execution.state.forget(m_block.letters(), Forgotten::reported); }
 
     [[nodiscard]] const Word* groupWord(ModalGroup group) const {
         return m_groups[static_cast<std::size_t>(group)];

@@ -207,7 +207,7 @@ void Interpretation::runStatement(const MacroStatement& statement, bool first) {
     const MacroFlow::Next next = m_macros.run(statement);
     tellInputRead();
     if (next == MacroFlow::Next::failed)
-        m_state.forget(LetterSet("XYZ"));
+        m_state.forget(LetterSet("XYZ"), Forgotten::reported);
     if (next != MacroFlow::Next::rest)
         return;
     const std::string_view text = m_calls.currentText();
@@ -272,7 +272,7 @@ void Interpretation::carryOut(const std::function<bool()>& order) {
     const std::uint64_t endedRuns = m_calls.endedRuns();
     const std::size_t line = m_calls.mainLine() + 1;
     if (!order())
-        m_state.forget(LetterSet("XYZ"));
+        m_state.forget(LetterSet("XYZ"), Forgotten::reported);
     if (m_calls.endedRuns() != endedRuns)
         restoreAfter(level, static_cast<std::uint32_t>(line));
 }

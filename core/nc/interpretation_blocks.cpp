@@ -28,7 +28,7 @@ void Interpretation::runBlock(bool first) {
     else if (request.kind != FlowRequest::Kind::none)
         carryOut([&] { return runRequest(request); });
     if (moved && m_macroB && !m_macros.afterMotion())
-        m_state.forget(LetterSet("XYZ"));
+        m_state.forget(LetterSet("XYZ"), Forgotten::reported);
     m_finished = m_state.ended || tooLong();
 }
 

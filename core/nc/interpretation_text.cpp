@@ -138,7 +138,7 @@ void Interpretation::skipUnreadable(std::string_view text, bool first) {
     const ReadError& error = *m_line.error;
     m_reporter.tell(*error.message, error.column, error.length, {readable(error.argument)});
     m_run.sourceBlocks += first ? 1 : 0;
-    m_state.forget(axisLetters(text));
+    m_state.forget(axisLetters(text), Forgotten::reported);
 }
 
 /// LinuxCNC runs what is between two "%". One alone is forgiven at the end of the file.

@@ -102,7 +102,7 @@ void goToFurtherReference(Execution& execution, const Word& word) {
     if (!execution.block.has('P') || wholeNumber(execution, execution.block.word('P'), kSecond, kFourth))
         goToReference(execution, word, false);
     else
-        execution.state.forget(execution.block.letters());
+        execution.state.forget(execution.block.letters(), Forgotten::reported);
 }
 
 void moveInMachine(Execution& execution, const Word& word) {

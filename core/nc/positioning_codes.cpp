@@ -27,7 +27,7 @@ bool moveToIntermediate(Execution& execution, const Word& word) {
     const auto missing = static_cast<std::uint8_t>(named & ~state.intermediateKnown);
     if (missing != 0) {
         execution.reporter.tell(nc_message::kNoIntermediate, word, {namesOfAxes(missing)});
-        state.forget(execution.block.letters());
+        state.forget(execution.block.letters(), Forgotten::reported);
         return false;
     }
     motion.end = state.frame.toMachine(program);

@@ -97,6 +97,9 @@ std::string brokenByMotions(const NcText& text, const Program& program) {
             broken = "a motion does not begin where the one before it ended";
         if (broken.empty() && !finite(program.programmedEnd(i)))
             broken = "a motion has no programmed end";
+        if (broken.empty() && motion.kind != MotionKind::rapid && !program.unverified() &&
+            (motion.startKnown & motion.endKnown) != kAllAxes)
+            broken = "a cut comes from or goes to an unknown place, and the program is not unverified";
         if (!broken.empty())
             return broken + " (motion " + std::to_string(i) + ", line " + std::to_string(motion.line) + ")";
     }
