@@ -30,6 +30,7 @@ struct InterpretCommandOptions {
     std::vector<std::string> compared; ///< two dialects, or none
     bool blockDelete = false;
     CompensationStart compensationStart;
+    IgnoredMOption ignoredM;
 };
 
 ExitCode run(const InterpretCommandOptions& options) {
@@ -43,6 +44,8 @@ ExitCode run(const InterpretCommandOptions& options) {
     interpreting.dialect = dialectOfOption(options.dialect);
     interpreting.blockDelete = options.blockDelete;
     options.compensationStart.apply(interpreting.compensationTypeB);
+    if (auto ignored = options.ignoredM.apply(interpreting.ignoredM); !ignored)
+        return fail(std::move(ignored.error()));
     interpreting.subprogramFolders = {std::filesystem::path(options.program).parent_path()};
     Setup setup;
     if (auto start = options.start.apply(setup); !start)
@@ -105,5 +108,6 @@ void addInterpretCommand(CLI::App& app, ExitCode& exitCode) {
     options->compensationStart.addTo(*command);
     command->callback([options, &exitCode] { exitCode = run(*options); });
 }
+    options->ignoredM.addTo(*command);
 
 } // namespace proveout::cli

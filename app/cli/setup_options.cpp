@@ -13,6 +13,7 @@
 #include "core/cutter/tool_file.h"
 #include "core/decimation/region_decimator.h"
 #include "core/formats/stock_shapes.h"
+#include "core/nc/ignored_codes.h"
 #include "core/simulation/automatic_grid.h"
 #include "core/simulation/setup_fields.h"
 
@@ -156,6 +157,22 @@ void CompensationStart::apply(bool& typeB) const {
         typeB = type == "b";
 }
 
+void IgnoredMOption::addTo(CLI::App& command) {
+    command
+        .add_option("--ignore-m", list,
+                    "M codes that move no axis on this machine (clamps, doors, air), e.g. 16,24,25: ignored, "
+                    "and listed")
+        ->type_name("N,…");
+}
+
+Result<void> IgnoredMOption::apply(std::set<int>& codes) const {
+    auto read = parseMCodes(list);
+    if (!read)
+        return aboutOption("--ignore-m", std::move(read.error()));
+    codes.merge(*read);
+    return {};
+}
+
 Diagnostics unusedCompensationStart(bool typeB, const Program& program) {
     const Dialect& row = dialect(program.dialect());
     if (!typeB || row.vectors.used)
@@ -183,6 +200,7 @@ void SetupOptions::addTo(CLI::App& command) {
     m_start.addTo(command, "not known");
     command.add_flag("--block-delete", m_blockDelete, "Skip blocks that begin with /");
     m_compensationStart.addTo(command);
+    m_ignoredM.addTo(command);
     addDialectOption(command, m_dialect);
     command
         .add_option("--machine", m_machine,
@@ -222,6 +240,8 @@ Result<Job> SetupOptions::job() const {
         job.setup.dialect = dialectOfOption(m_dialect);
     job.setup.blockDelete = job.setup.blockDelete || m_blockDelete;
     m_compensationStart.apply(job.setup.compensationTypeB);
+    if (auto ignored = m_ignoredM.apply(job.setup.ignoredM); !ignored)
+        return tl::unexpected(std::move(ignored.error()));
     if (!m_machine.empty()) {
         auto machine = parseMachine(m_machine, job.machine.value_or(Machine()));
         if (!machine)

@@ -57,6 +57,15 @@ struct CompensationStart {
     void apply(bool& typeB) const;
 };
 
+/// `--ignore-m`.
+struct IgnoredMOption {
+    std::string list;
+
+    void addTo(CLI::App& command);
+    /// Adds what is given.
+    [[nodiscard]] Result<void> apply(std::set<int>& codes) const;
+};
+
 /// A warning where type B is asked for, and the control of the program knows no types.
 [[nodiscard]] Diagnostics unusedCompensationStart(bool typeB, const Program& program);
 
@@ -89,6 +98,7 @@ private:
     StartOptions m_start;
     bool m_blockDelete = false;
     CompensationStart m_compensationStart;
+    IgnoredMOption m_ignoredM;
     std::string m_dialect;
     std::string m_machine;
     DecimationOptions m_decimation;

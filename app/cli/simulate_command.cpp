@@ -237,6 +237,7 @@ private:
         m_options.meshes.addTo(out, m_written);
         if (m_options.box.wanted())
             out["box"] = m_options.box.object();
+        out["ignoredCodes"] = ignoredCodes();
         out["findings"] = m_report.findings();
         out["unverified"] = m_report.unverified();
         return out;
@@ -247,6 +248,19 @@ private:
         if (!assumed && !m_job.setup.startTool)
             return nullptr;
         return {{"number", assumed ? *assumed : *m_job.setup.startTool}, {"assumed", assumed.has_value()}};
+    }
+
+    [[nodiscard]] nlohmann::ordered_json ignoredCodes() const {
+        auto list = nlohmann::ordered_json::array();
+        for (const auto& [number, code] : m_program->ignoredCodes()) {
+            const bool known = *code.name != '\0';
+            list.push_back({{"code", fmt::format("M{}", number)},
+                            {"meaning", known ? nlohmann::ordered_json(code.name) : nullptr},
+                            {"by", known ? "dialect" : "setup"},
+                            {"count", code.count},
+                            {"lines", code.lines}});
+        }
+        return list;
     }
 
     [[nodiscard]] nlohmann::ordered_json totals() const {

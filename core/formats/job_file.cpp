@@ -18,6 +18,7 @@
 #include "core/decimation/region_decimator.h"
 #include "core/formats/job_json.h"
 #include "core/formats/stock_shapes.h"
+#include "core/nc/ignored_codes.h"
 #include "core/simulation/setup_fields.h"
 
 namespace proveout {
@@ -294,6 +295,7 @@ Result<Job> parse(std::string_view text, const fs::path& file) {
     readDialect(fields, job.setup.dialect);
     fields.read("blockDelete", job.setup.blockDelete);
     readCompensationStart(fields, job.setup.compensationTypeB);
+    fields.read("ignoredM", job.setup.ignoredM, kLargestMCode);
     readMachine(fields, job.machine);
     readParameters(fields.object("decimation"), job);
     fields.warnAboutUnknown();
@@ -327,6 +329,8 @@ ordered_json toJson(const Job& job, const fs::path& file) {
     // Only where it is not the standard: the jobs of other controls have nothing to do with it.
     if (setup.compensationTypeB)
         out["compensationStart"] = kCompensationStarts[1].key;
+    if (!setup.ignoredM.empty())
+        out["ignoredM"] = setup.ignoredM;
     if (job.machine)
         describe(*job.machine,
                  [&out](double value, const Field& field) { out["machine"][field.key] = value; });

@@ -153,6 +153,24 @@ void JsonFields::read(const char* key, Vec3& point, const JsonRange& range) {
                                      point[axis], range));
 }
 
+void JsonFields::read(const char* key, std::set<int>& numbers, int most) {
+    const json* field = find(key);
+    if (field == nullptr)
+        return;
+    std::set<int> read;
+    const auto isNumber = [most](const json& one) {
+        return one.is_number_integer() && one.get<double>() >= 0 && one.get<double>() <= most;
+    };
+    if (!field->is_array() || !std::all_of(field->begin(), field->end(), isNumber)) {
+        fail(key, PROVEOUT_TEXT("Core", "The field \"{}\" must be a list of whole numbers from 0 to {}."),
+             {std::to_string(most)});
+        return;
+    }
+    for (const json& one : *field)
+        read.insert(one.get<int>());
+    numbers = std::move(read);
+}
+
 void JsonFields::read(const char* key, std::size_t& index, std::span<const Choice> choices) {
     const json* field = find(key);
     if (field == nullptr)

@@ -50,6 +50,8 @@ public:
     void read(const char* key, bool& value);
     void read(const char* key, std::string& value);
     void read(const char* key, Vec3& point, const JsonRange& range);
+    /// An array of whole numbers from 0 to `most`.
+    void read(const char* key, std::set<int>& numbers, int most);
     /// The index of the choice named.
     void read(const char* key, std::size_t& index, std::span<const Choice> choices);
     /// The object `key`; an empty one where it is missing or none.

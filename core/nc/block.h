@@ -55,6 +55,7 @@ public:
         m_letters = {};
         m_called.clear();
         m_codeCount = 0;
+        m_ignoredCodes = 0;
         m_earlier.clear();
     }
     /// False where there is no room for the word: the letter is there already, or there are too many codes.
@@ -88,6 +89,14 @@ public:
     [[nodiscard]] double value(char letter) const { return m_words[index(letter)].value; }
     [[nodiscard]] LetterSet letters() const { return m_letters; } ///< without G and M
     [[nodiscard]] std::span<const Word> codes() const { return {m_codes.data(), m_codeCount}; }
+    /// Takes the code at `index` of codes() out; words beside it may belong to it.
+    void ignoreCode(std::size_t index) {
+        for (std::size_t i = index + 1; i < m_codeCount; ++i)
+            m_codes[i - 1] = m_codes[i];
+        --m_codeCount;
+        ++m_ignoredCodes;
+    }
+    [[nodiscard]] int ignoredCodes() const { return m_ignoredCodes; } ///< how many were taken out
     /// Words whose letter came once more, in the order of the text.
     [[nodiscard]] std::span<const Word> earlier() const { return m_earlier; }
     /// The name between < and > of the program that the block calls; empty where it gives none.
@@ -103,6 +112,7 @@ private:
     LetterSet m_letters;
     std::string m_called;
     std::size_t m_codeCount = 0;
+    int m_ignoredCodes = 0;
     std::array<Word, kLetters> m_words;
     std::array<Word, kMostCodes> m_codes;
     std::vector<Word> m_earlier;

@@ -19,7 +19,8 @@ constexpr int kIncrementalTenths = 910; ///< G91
 class Planner {
 public:
     Planner(Execution& execution, BlockPlan& plan)
-        : m_execution(execution), m_block(execution.block), m_plan(plan) {}
+        : m_execution(execution), m_block(execution.block), m_plan(plan),
+          m_mWords(execution.block.ignoredCodes()), m_strange(execution.block.ignoredCodes() > 0) {}
 
     bool plan() {
         if (m_execution.dialect.mayRun != nullptr && !m_execution.dialect.mayRun(m_execution))
@@ -49,7 +50,8 @@ private:
         if (word.letter == 'M' && ++m_mWords > m_execution.dialect.mostMWords)
             return refuse(nc_message::kTooManyM, word, {std::to_string(m_execution.dialect.mostMWords)});
         if (row == nullptr) {
-            tell(nc_message::kUnknownCode, word, {nameOf(word)});
+            tell(word.letter == 'M' ? nc_message::kUnknownMCode : nc_message::kUnknownCode, word,
+                 {nameOf(word)});
             m_strange = true;
             m_unknownCode = true;
             return true;
@@ -298,9 +300,9 @@ private:
     std::array<const Word*, static_cast<std::size_t>(ModalGroup::count)> m_groups{};
     const CodeRow* m_motionRow = nullptr;
     LetterSet m_used;
-    int m_mWords = 0;
+    int m_mWords;
     bool m_allWords = false;    ///< G65: the words behind it are its arguments
-    bool m_strange = false;     ///< something in the block is not supported: other words may belong to it
+    bool m_strange;             ///< something in the block is not supported: other words may belong to it
     bool m_unknownCode = false; ///< it may use the axis words, unless a motion code does
     bool m_axesTaken = false;   ///< by a code that is not supported
     const Word* m_axisWord = nullptr;    ///< a supported code that uses the axis words itself

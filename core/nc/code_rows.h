@@ -10,13 +10,15 @@
 
 namespace proveout {
 
-[[nodiscard]] std::span<const CodeRow> basicCodes();   ///< alike on every control
-[[nodiscard]] std::span<const CodeRow> foreignCodes(); ///< known, of controls that are none of ours
-[[nodiscard]] std::span<const CodeRow> rs274Codes();   ///< of LinuxCNC
-[[nodiscard]] std::span<const CodeRow> fanucCodes();   ///< of Fanuc, and of Haas as far as it is the same
-[[nodiscard]] std::span<const CodeRow> haasCodes();    ///< of Haas, over those of Fanuc
-[[nodiscard]] std::span<const CodeRow> grblCodes();    ///< of grbl, all of them
-[[nodiscard]] std::span<const CodeRow> machCodes();    ///< of Mach, over the basic ones
+[[nodiscard]] std::span<const CodeRow> basicCodes();     ///< alike on every control
+[[nodiscard]] std::span<const CodeRow> foreignCodes();   ///< known, of controls that are none of ours
+[[nodiscard]] std::span<const CodeRow> rs274Codes();     ///< of LinuxCNC
+[[nodiscard]] std::span<const CodeRow> fanucCodes();     ///< of Fanuc, and of Haas as far as it is the same
+[[nodiscard]] std::span<const CodeRow> haasCodes();      ///< of Haas, over those of Fanuc
+[[nodiscard]] std::span<const CodeRow> fanucFunctions(); ///< of machines with Fanuc's control, as is usual
+[[nodiscard]] std::span<const CodeRow> haasFunctions();  ///< of Haas' machines
+[[nodiscard]] std::span<const CodeRow> grblCodes();      ///< of grbl, all of them
+[[nodiscard]] std::span<const CodeRow> machCodes();      ///< of Mach, over the basic ones
 
 /// The rows of `all` that other controls of the family have just so, by their tenths.
 [[nodiscard]] std::vector<CodeRow> sameRows(std::span<const CodeRow> all, char letter,

@@ -72,8 +72,8 @@ const CodeRow* CodeTable::find(const Word& word) const {
 
 const CodeTable& codesOf(DialectId dialect) {
     static const CodeTable kLinuxcnc{foreignCodes(), basicCodes(), rs274Codes()};
-    static const CodeTable kFanuc{basicCodes(), fanucCodes()};
-    static const CodeTable kHaas{basicCodes(), fanucCodes(), haasCodes()};
+    static const CodeTable kFanuc{basicCodes(), fanucCodes(), fanucFunctions()};
+    static const CodeTable kHaas{basicCodes(), fanucCodes(), haasCodes(), haasFunctions()};
     static const CodeTable kGrbl{grblCodes()};
     static const CodeTable kMach{foreignCodes(), basicCodes(), machCodes()};
     switch (dialect) {

@@ -124,8 +124,9 @@ struct CodeRow {
     LetterSet letters = {}; ///< the words that it uses
     AxisUse axisUse = AxisUse::none;
     WithCompensation withCompensation = WithCompensation::allowed;
+    bool ignored = false; ///< a function of the machine that moves no axis: reported, without effect
 
-    [[nodiscard]] bool supported() const { return handler != nullptr; }
+    [[nodiscard]] bool supported() const { return handler != nullptr || ignored; }
 };
 
 /// What the number of a word stands for, which decides its unit.

@@ -57,6 +57,7 @@ constexpr CodeRow kHaas[] = {
     {'G', 1500, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "pocket of any shape"), nullptr, Step::none, {}, AxisUse::takes},
     {'G', 1540, ModalGroup::workOffset, PROVEOUT_TEXT("Core", "additional work offset"), selectAdditionalSystem, Step::workOffset, LetterSet("P"), AxisUse::none, WithCompensation::refused},
     {'G', 1870, ModalGroup::lookAhead, PROVEOUT_TEXT("Core", "smoothness of the path"), keepState, Step::lookAhead, LetterSet("PE")},
+    {'M', 160, ModalGroup::toolChange, PROVEOUT_TEXT("Core", "tool change"), changeTool, Step::toolChange, {}, AxisUse::none, WithCompensation::refused},
     {'M', 970, ModalGroup::subprogram, PROVEOUT_TEXT("Core", "local subprogram call"), callLocalSubprogram, Step::subprogram, LetterSet("PL")},
 };
 // clang-format on

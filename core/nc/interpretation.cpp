@@ -93,6 +93,7 @@ void Interpretation::begin() {
     m_program->expect(m_text.lineCount());
     if (!m_guess.reasons.empty())
         tellGuess();
+    tellListedButExecuted();
     if (m_macroB)
         skipToPercent();
 }
@@ -106,6 +107,10 @@ void Interpretation::end() {
     m_program->setControlState(std::move(state));
     if (!m_cutShort && m_program->blockCount() < m_options.stopAfterBlocks)
         tellAboutTheWhole(m_run.linesRead);
+    const std::uint32_t last = m_reporter.line();
+    tellIgnored();
+    m_program->setIgnoredCodes(m_run.ignored);
+    m_reporter.beginLine(last);
     m_reporter.tellSuppressed();
     m_program->setSourceBlockCount(m_run.sourceBlocks);
     m_program->setAsksForTools(m_run.tools.asked());

@@ -62,6 +62,7 @@ private:
     void runBlock(bool first);
     bool isData();
     void endAtReturn(Execution& execution, const Word& word);
+    void ignoreCodes();
     void assign();
     bool writeVariable(const Assignment& order);
     bool tooLong();
@@ -69,6 +70,8 @@ private:
 
     // The text as a whole, its first and its last lines: interpretation_text.cpp.
     void tellGuess();
+    void tellListedButExecuted();
+    void tellIgnored();
     void skipToPercent();
     bool beginsProgram(std::size_t index);
     void firstLook(std::size_t index, std::string_view text);

@@ -1,15 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
 #include <fmt/format.h>
+#include <set>
 
 #include "core/nc/interpretation.h"
 #include "core/nc/motion_building.h"
 
 namespace proveout {
 
+namespace {
+
+bool isIn(const std::set<int>& codes, double number) {
+    return number >= 0 && number <= kLargestMCode && number == std::floor(number) &&
+           codes.contains(static_cast<int>(number));
+}
+
+} // namespace
+
 void Interpretation::runBlock(bool first) {
     m_run.sourceBlocks += first ? 1 : 0;
     if (isData())
         return;
+    ignoreCodes();
     assign();
     if (m_line.block.empty())
         return;
@@ -30,6 +42,27 @@ void Interpretation::runBlock(bool first) {
     if (moved && m_macroB && !m_macros.afterMotion())
         m_state.forget(LetterSet("XYZ"), Forgotten::reported);
     m_finished = m_state.ended || tooLong();
+}
+
+/// Takes out of the block what switches a device of the machine and moves no axis.
+void Interpretation::ignoreCodes() {
+    Block& block = m_line.block;
+    for (std::size_t i = 0; i < block.codes().size();) {
+        const Word word = block.codes()[i];
+        const CodeRow* row = m_codes.find(word);
+        const bool known = row != nullptr && row->ignored;
+        const bool listed = row == nullptr && word.letter == 'M' && isIn(m_options.ignoredM, word.value);
+        if (!known && !listed) {
+            ++i;
+            continue;
+        }
+        IgnoredCode& code = m_run.ignored[static_cast<int>(word.value)];
+        code.name = known ? row->name : "";
+        const bool here = m_calls.inMainText();
+        code.add(mainLine(), here ? word.column : 1, here ? word.length : 0);
+        m_state.lastM = word.value;
+        block.ignoreCode(i);
+    }
 }
 
 /// From G10 L50 to G11 the blocks are data for the control.

@@ -54,6 +54,32 @@ void Interpretation::tellGuess() {
     m_reporter.tell(nc_message::kDialectGuessed, 1, 0, {m_dialect.name, reasons});
 }
 
+/// Codes that the list of ignored ones has, but that have an effect.
+void Interpretation::tellListedButExecuted() {
+    constexpr int kTenths = 10;
+    m_reporter.beginLine(1);
+    for (const int number : m_options.ignoredM) {
+        const CodeRow* row = number < kLargestMCode / kTenths ? m_codes.find('M', number * kTenths) : nullptr;
+        if (row != nullptr && row->handler != nullptr)
+            m_reporter.tell(nc_message::kIgnoredExecuted, 1, 0, {fmt::format("M{}", number), row->name});
+    }
+}
+
+/// One message a code, at the line where it was met first.
+void Interpretation::tellIgnored() {
+    for (const auto& [number, code] : m_run.ignored) {
+        const bool known = *code.name != '\0';
+        std::vector<std::string> arguments{fmt::format("M{}", number)};
+        if (known)
+            arguments.emplace_back(code.name);
+        arguments.push_back(std::to_string(code.count));
+        arguments.push_back(linesOf(code));
+        m_reporter.beginLine(code.lines.front());
+        m_reporter.tell(known ? nc_message::kCodeIgnored : nc_message::kCodeIgnoredByList, code.column,
+                        code.length, std::move(arguments));
+    }
+}
+
 /// Controls of custom macro B's dialect look for the first "%" and read from there.
 void Interpretation::skipToPercent() {
     constexpr std::size_t kFarthest = 1000; ///< lines of a heading

@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,8 @@ struct InterpretOptions {
     /// Cutter compensation of Fanuc and Haas begins and ends round outside corners: type B of Fanuc's 5003#0,
     /// and of Haas' setting 43.
     bool compensationTypeB = false;
+    /// Numbers of M codes that move no axis on the machine: ignored where the dialect does not know them.
+    std::set<int> ignoredM;
     std::optional<Vec3> start; ///< mm, before the first block; without it no axis is known
     int startTool = 0;         ///< in the spindle before the first block; 0: none, or T0
     /// `interpret`: start at 0,0,0, which is the machine's zero too; every motion counts as known.

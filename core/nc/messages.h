@@ -208,6 +208,15 @@ inline constexpr Message kDialectGuessed{
     Severity::note, false, "dialect-guessed",
     PROVEOUT_TEXT("Core", "The program is read as {} does, because of these words (and lines): {}."),
     PROVEOUT_TEXT("Core", "Choose the dialect yourself if that is wrong.")};
+inline constexpr Message kDialectForeign{
+    Severity::error, true, "dialect-foreign",
+    PROVEOUT_TEXT("Core", "This is {} (line {}: {}), which Proveout does not read."),
+    PROVEOUT_TEXT("Core", "Post-process it for LinuxCNC, Fanuc, Haas, grbl or Mach3 / Mach4; if it is one of "
+                          "these after all, choose the dialect.")};
+inline constexpr Message kNotAProgram{
+    Severity::error, true, "not-a-program",
+    PROVEOUT_TEXT("Core", "This is {} (line {}: {}), not an NC program."),
+    PROVEOUT_TEXT("Core", "Open the program that the machine would run; if this is it, choose its dialect.")};
 inline constexpr Message kTextBeforePercent{
     Severity::note, false, "text-before-percent",
     PROVEOUT_TEXT("Core", "The text before the first \"%\" is not run."), ""};
@@ -321,6 +330,23 @@ inline constexpr Message kStillReading{
 inline constexpr Message kUnknownCode{
     Severity::error, true, "code-unknown", PROVEOUT_TEXT("Core", "{} is not a known code."),
     PROVEOUT_TEXT("Core", "Without its effect nothing behind it can be vouched for.")};
+inline constexpr Message kUnknownMCode{
+    Severity::error, true, "code-unknown", PROVEOUT_TEXT("Core", "{} is not a known code."),
+    PROVEOUT_TEXT("Core", "If it moves no axis (a clamp, a door, air), add it to the ignored M codes of the "
+                          "setup; until then, results after this block are unverified.")};
+inline constexpr Message kCodeIgnored{
+    Severity::note, false, "code-ignored",
+    PROVEOUT_TEXT("Core", "{} ({}) moves no axis and is ignored ({}×, line {})."),
+    PROVEOUT_TEXT("Core", "The machine builder gives M codes their meaning; check it where it matters.")};
+inline constexpr Message kCodeIgnoredByList{
+    Severity::note, false, "code-ignored",
+    PROVEOUT_TEXT("Core", "{} is ignored, because the setup lists it ({}×, line {})."),
+    PROVEOUT_TEXT("Core", "Remove it from the ignored M codes if it moves an axis.")};
+inline constexpr Message kIgnoredExecuted{
+    Severity::warning, false, "ignored-code-executed",
+    PROVEOUT_TEXT("Core", "{} ({}) is executed, although the setup lists it as ignored."),
+    PROVEOUT_TEXT("Core", "Remove it from the ignored M codes: only codes without a known effect can be "
+                          "ignored.")};
 inline constexpr Message kUnsupportedCode{
     Severity::error, true, "code-unsupported", PROVEOUT_TEXT("Core", "{} ({}) is not supported yet."),
     PROVEOUT_TEXT("Core", "Without its effect nothing behind it can be vouched for.")};

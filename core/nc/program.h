@@ -14,6 +14,7 @@
 #include "core/base/geometry.h"
 #include "core/nc/control_state.h"
 #include "core/nc/dialect.h"
+#include "core/nc/ignored_codes.h"
 #include "core/nc/line_values.h"
 #include "core/nc/motion.h"
 
@@ -117,6 +118,11 @@ public:
     [[nodiscard]] const ControlState& controlState() const { return m_controlState; }
     /// In which it was read.
     [[nodiscard]] DialectId dialect() const { return m_dialect; }
+    /// What the text is where no control of dialects() reads it, marked with PROVEOUT_TEXT; then the program
+    /// holds one message and nothing else. Null: a program.
+    [[nodiscard]] const char* foreignKind() const { return m_foreignKind; }
+    /// M codes that were met and ignored.
+    [[nodiscard]] const IgnoredCodes& ignoredCodes() const { return m_ignoredCodes; }
     [[nodiscard]] const Box3& bounds() const { return m_bounds; } ///< of all known motions
     /// Of the known motions at feed that do not probe: where the program means to cut.
     [[nodiscard]] const Box3& cuttingBounds() const { return m_cuttingBounds; }
@@ -173,6 +179,8 @@ public:
     void setLineValues(std::shared_ptr<const LineValues> values) { m_lineValues = std::move(values); }
     void setControlState(ControlState state) { m_controlState = std::move(state); }
     void setDialect(DialectId dialect) { m_dialect = dialect; }
+    void setForeignKind(const char* kind) { m_foreignKind = kind; }
+    void setIgnoredCodes(IgnoredCodes codes) { m_ignoredCodes = std::move(codes); }
 
 private:
     struct PackedMotion {
@@ -243,6 +251,8 @@ private:
     std::shared_ptr<const LineValues> m_lineValues;
     ControlState m_controlState;
     DialectId m_dialect = DialectId::linuxcnc;
+    const char* m_foreignKind = nullptr;
+    IgnoredCodes m_ignoredCodes;
 };
 
 } // namespace proveout

@@ -32,6 +32,7 @@ public:
     /// Of the messages that follow.
     void setFile(std::string file) { m_file = std::move(file); }
     void beginLine(std::uint32_t line) { m_line = static_cast<int>(line); }
+    [[nodiscard]] std::uint32_t line() const { return static_cast<std::uint32_t>(m_line); }
     void tell(const Message& message, int column, int length, std::vector<std::string> arguments = {});
     void tell(const Message& message, const Word& word, std::vector<std::string> arguments = {}) {
         tell(message, word.column, word.length, std::move(arguments));

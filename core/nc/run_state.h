@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <utility>
 
+#include "core/nc/ignored_codes.h"
 #include "core/nc/lint.h"
 #include "core/nc/machine_state.h"
 #include "core/nc/modal_saves.h"
@@ -27,6 +28,7 @@ struct RunState {
     LintMemory lint;
     SerialLine::Told serial;
     Unreachable unreachable;
+    IgnoredCodes ignored;
 
     std::size_t linesRead = 0; ///< of the main text, counted to the last one that was reached
     std::size_t linesSeen = 0; ///< of it, counted to the last one on which anything so far depends

@@ -37,6 +37,7 @@ InterpretOptions interpretOptions(const Setup& setup, const std::filesystem::pat
     options.dialect = setup.dialect;
     options.blockDelete = setup.blockDelete;
     options.compensationTypeB = setup.compensationTypeB;
+    options.ignoredM = setup.ignoredM;
     options.start = setup.start;
     options.startTool = setup.startTool.value_or(0);
     options.tools = toolOffsets(setup.tools);
@@ -57,6 +58,7 @@ bool interpretedAlike(const Program& program, const Setup& one, const Setup& oth
         return false;
     return one.dialect == other.dialect && one.blockDelete == other.blockDelete && one.start == other.start &&
            one.startTool == other.startTool &&
+           one.ignoredM == other.ignoredM &&
            (one.compensationTypeB == other.compensationTypeB || !dialect(program.dialect()).vectors.used) &&
            (!program.asksForTools() || std::ranges::equal(one.tools.tools(), other.tools.tools(), sameTool));
 }

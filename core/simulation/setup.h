@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <set>
 
 #include "core/base/geometry.h"
 #include "core/cutter/tool_table.h"
@@ -23,6 +24,7 @@ struct Setup {
     std::optional<DialectId> dialect; ///< of the program; nothing: by the signs in its text
     bool blockDelete = false;         ///< skip blocks that begin with "/"
     bool compensationTypeB = false;   ///< InterpretOptions
+    std::set<int> ignoredM = {};      ///< InterpretOptions
 
     friend bool operator==(const Setup&, const Setup&) = default;
 };

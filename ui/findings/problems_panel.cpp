@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/findings/problems_panel.h"
 
+#include <QClipboard>
 #include <QEvent>
+#include <QGuiApplication>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMenu>
 #include <QTreeView>
 #include <QVBoxLayout>
 
+#include "core/nc/ignored_codes.h"
+#include "ui/diagnostic_text.h"
 #include "ui/findings/problems_model.h"
 
 namespace proveout {
@@ -43,7 +48,10 @@ ProblemsPanel::ProblemsPanel(Session& session, QWidget* parent)
     m_view->header()->setSectionResizeMode(ProblemsModel::kSentence, QHeaderView::Stretch);
     for (QAction* action : m_commands.all())
         addAction(action);
-    connect(m_view, &QTreeView::activated, this, [this](const QModelIndex& index) { goTo(index.row()); });
+    connect(m_view, &QTreeView::activated, this,
+            [this](const QModelIndex& index) { goTo(m_model->problem(index.row())); });
+    m_view->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_view, &QTreeView::customContextMenuRequested, this, &ProblemsPanel::showMenu);
     connect(&session, &Session::problemsChanged, this, &ProblemsPanel::showProblems);
     retranslate();
     showProblems();
@@ -59,13 +67,40 @@ void ProblemsPanel::showProblems() {
         m_view->setCurrentIndex(m_model->index(row, 0));
 }
 
-void ProblemsPanel::goTo(int row) {
-    const Diagnostic& problem = m_model->problem(row);
+void ProblemsPanel::goTo(const Diagnostic& problem) {
     if (!Session::isInText(problem))
         return;
     const auto line = static_cast<std::uint32_t>(problem.where.line);
     emit m_session.lineRequested(line, problem.where.column);
     m_session.seekToLine(line);
+}
+
+/// What can be done about the problem at a place of the list.
+void ProblemsPanel::showMenu(const QPoint& position) {
+    const QModelIndex index = m_view->indexAt(position);
+    if (!index.isValid())
+        return;
+    const Diagnostic& problem = m_model->problem(index.row());
+    auto* menu = new QMenu(this);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    if (Session::isInText(problem))
+        menu->addAction(tr("Go to Line"), this, [this, problem] { goTo(problem); });
+    menu->addAction(tr("Copy"), this, [text = sentence(problem) + u' ' + hint(problem)] {
+        QGuiApplication::clipboard()->setText(text);
+    });
+    if (const auto code = unknownMCode(problem)) {
+        QAction* ignore = menu->addAction(tr("Ignore M%1: It Moves No Axis").arg(*code), this,
+                                          [this, code] { ignoreMCode(*code); });
+        ignore->setObjectName(QStringLiteral("ignore-m-code"));
+    }
+    menu->popup(m_view->viewport()->mapToGlobal(position));
+}
+
+void ProblemsPanel::ignoreMCode(int code) {
+    Setup setup = m_session.setup();
+    setup.ignoredM.insert(code);
+    if (const auto done = m_session.setSetup(setup); !done)
+        m_session.tell(done.error());
 }
 
 void ProblemsPanel::goToNeighbour(int direction) {
@@ -75,7 +110,7 @@ void ProblemsPanel::goToNeighbour(int direction) {
     const int present = m_view->currentIndex().row();
     const int row = present < 0 && direction < 0 ? count - 1 : (present + direction + count) % count;
     m_view->setCurrentIndex(m_model->index(row, 0));
-    goTo(row);
+    goTo(m_model->problem(row));
 }
 
 void ProblemsPanel::retranslate() {

@@ -32,7 +32,9 @@ private:
     static const std::array<Command<ProblemsPanel>, 2> kCommands;
 
     void showProblems();
-    void goTo(int row);
+    void goTo(const Diagnostic& problem);
+    void showMenu(const QPoint& position);
+    void ignoreMCode(int code);
     void retranslate();
 
     Session& m_session;

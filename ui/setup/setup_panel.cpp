@@ -18,6 +18,7 @@
 #include "ui/diagnostic_text.h"
 #include "ui/file_paths.h"
 #include "ui/panel_layout.h"
+#include "ui/setup/ignored_codes_field.h"
 #include "ui/setup/machine_form.h"
 #include "ui/setup/start_form.h"
 #include "ui/setup/stock_form.h"
@@ -47,7 +48,8 @@ SetupPanel::SetupPanel(Session& session, QWidget* parent)
       m_stock(new StockForm(this)), m_fit(new QPushButton(this)), m_memory(wrappedLabel(this)),
       m_problem(wrappedLabel(this)), m_toolsTitle(sectionLabel(this)), m_tools(new ToolTableEditor(this)),
       m_missing(wrappedLabel(this)), m_define(new QPushButton(this)), m_machineTitle(sectionLabel(this)),
-      m_machine(new MachineForm(session, this)), m_blockDelete(new QCheckBox(this)) {
+      m_machine(new MachineForm(session, this)), m_blockDelete(new QCheckBox(this)),
+      m_ignored(new IgnoredCodesField(this)) {
     build();
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRestMs);
@@ -56,6 +58,7 @@ SetupPanel::SetupPanel(Session& session, QWidget* parent)
     connect(m_stock, &StockForm::edited, &m_rest, qOverload<>(&QTimer::start));
     connect(m_tools, &ToolTableEditor::edited, &m_rest, qOverload<>(&QTimer::start));
     connect(m_blockDelete, &QCheckBox::toggled, &m_rest, qOverload<>(&QTimer::start));
+    connect(m_ignored, &IgnoredCodesField::edited, &m_rest, qOverload<>(&QTimer::start));
     connect(m_dialect, &QComboBox::activated, &m_rest, qOverload<>(&QTimer::start));
     connect(m_compensation, &QComboBox::activated, &m_rest, qOverload<>(&QTimer::start));
     connect(m_fit, &QPushButton::clicked, this, &SetupPanel::fitToProgram);
@@ -65,6 +68,8 @@ SetupPanel::SetupPanel(Session& session, QWidget* parent)
     connect(&session, &Session::programChanged, this, &SetupPanel::showStart);
     connect(&session, &Session::programChanged, this, &SetupPanel::showDialect);
     connect(&session, &Session::programChanged, this, &SetupPanel::showCompensation);
+    connect(&session, &Session::programChanged, this,
+            [this] { m_ignored->showProgram(m_session.program().get()); });
     retranslate();
     showSetup();
 }
@@ -73,6 +78,7 @@ void SetupPanel::build() {
     auto* content = new QWidget;
     auto* layout = new QVBoxLayout(content);
     m_dialectLabel->setBuddy(m_dialect);
+    m_dialect->setObjectName(QStringLiteral("dialect"));
     m_compensationLabel->setBuddy(m_compensation);
     m_compensation->setObjectName(QStringLiteral("compensation-start"));
     m_compensation->addItems({QString(), QString()});
@@ -83,6 +89,7 @@ void SetupPanel::build() {
     layout->addWidget(m_compensation);
     layout->addWidget(m_blockDelete);
     layout->addWidget(m_start);
+    layout->addWidget(m_ignored);
     layout->addSpacing(10);
     for (QWidget* widget :
          {static_cast<QWidget*>(m_stockTitle), static_cast<QWidget*>(m_stock), static_cast<QWidget*>(m_fit),
@@ -109,6 +116,9 @@ void SetupPanel::showSetup() {
     m_blockDelete->setChecked(m_session.setup().blockDelete);
     showStockProblem();
     showStart();
+    m_problem->hide();
+    m_ignored->show(m_session.setup());
+    m_ignored->showProgram(m_session.program().get());
     showDialect();
     m_compensation->setCurrentIndex(m_session.setup().compensationTypeB ? 1 : 0);
     showCompensation();
@@ -119,7 +129,6 @@ void SetupPanel::showSetup() {
 /// The first choice is the dialect that the text shows by its signs, and names it once it is known.
 void SetupPanel::showDialect() {
     const auto& chosen = m_session.setup().dialect;
-    const bool named = m_session.program() && !chosen;
     const QSignalBlocker quiet(m_dialect);
     m_dialect->clear();
     m_dialect->addItem(
@@ -190,6 +199,7 @@ void SetupPanel::apply() {
 }
 
 /// A body is made anew where it is described otherwise: at once where no file is needed.
+    m_ignored->put(setup);
 void SetupPanel::applyStock(Setup setup) {
     const StockSpec spec = m_stock->spec(setup);
     const StockShape& before = setup.shape;

@@ -17,6 +17,7 @@ class QPushButton;
 
 namespace proveout {
 
+class IgnoredCodesField;
 class MachineForm;
 class StartForm;
 class StockForm;
@@ -72,6 +73,7 @@ private:
     MachineForm* m_machine;
     QCheckBox* m_blockDelete;
     QTimer m_rest;
+    IgnoredCodesField* m_ignored;
     NewestTask m_making; ///< a stock from its file
 };
 

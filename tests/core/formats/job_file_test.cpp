@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <random>
+#include <set>
 
 #include "core/base/atomic_file.h"
 #include "core/base/tool_number.h"
@@ -133,6 +134,18 @@ TEST_F(JobFile, AShapeWhoseFileIsNotChosenYetComesBackSo) {
     ASSERT_TRUE(back) << oneLine(back.error().front());
     EXPECT_EQ(back->setup.shape, job.setup.shape);
     EXPECT_STREQ(checkShape(back->setup.shape).error().front().id, "stock-incomplete");
+}
+
+TEST_F(JobFile, KeepsTheIgnoredMCodes) {
+    EXPECT_TRUE(read(kWhole).value().setup.ignoredM.empty());
+    const Job job = read(with("\"grid\"", "\"ignoredM\": [24, 16], \"grid\"")).value();
+    EXPECT_EQ(job.setup.ignoredM, (std::set<int>{16, 24}));
+    ASSERT_TRUE(writeJob(m_folder / "b.proveout", job));
+    EXPECT_EQ(readJob(m_folder / "b.proveout")->setup, job.setup);
+    for (const char* value : {"16", "[\"16\"]", "[1.5]", "[-1]", "[100000]", "{}", "[[1]]"})
+        EXPECT_EQ(told(with("\"grid\"", std::string("\"ignoredM\": ") + value + ", \"grid\"")),
+                  "5:3 The field \"ignoredM\" must be a list of whole numbers from 0 to 99999. [job-field]\n")
+            << value;
 }
 
 TEST_F(JobFile, CompensationStartsByTypeAUnlessTheJobSaysB) {

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include "core/nc/program.h"
+#include "core/simulation/setup.h"
+
+class QLabel;
+class QLineEdit;
+
+namespace proveout {
+
+/// The list of M codes that move no axis on the machine, and below it those that the program holds and that
+/// are ignored.
+class IgnoredCodesField final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit IgnoredCodesField(QWidget* parent = nullptr);
+
+    void show(const Setup& setup);
+    /// What `program` ignores; null: nothing yet.
+    void showProgram(const Program* program);
+    /// A list that cannot be read changes nothing.
+    void put(Setup& setup) const;
+
+signals:
+    void edited();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void finish();
+    void retranslate();
+
+    QLabel* m_label;
+    QLineEdit* m_list;
+    QLabel* m_problem;
+    QLabel* m_found;
+    IgnoredCodes m_ignored; ///< of the program
+};
+
+} // namespace proveout
