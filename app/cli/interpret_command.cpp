@@ -71,6 +71,8 @@ ExitCode run(const InterpretCommandOptions& options) {
         return report.exitCode();
     }
     const auto program = interpret(*text, interpreting);
+    if (program->foreignKind() != nullptr)
+        return fail(program->diagnostics());
     NcMotionMeta meta;
     meta.by = "proveout-cli " PROVEOUT_VERSION;
     meta.file = std::filesystem::path(options.program).filename().string();
@@ -106,8 +108,8 @@ void addInterpretCommand(CLI::App& app, ExitCode& exitCode) {
     options->start.addTo(*command, "0,0,0, assumed");
     command->add_flag("--block-delete", options->blockDelete, "Skip blocks that begin with /");
     options->compensationStart.addTo(*command);
+    options->ignoredM.addTo(*command);
     command->callback([options, &exitCode] { exitCode = run(*options); });
 }
-    options->ignoredM.addTo(*command);
 
 } // namespace proveout::cli

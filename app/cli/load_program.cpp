@@ -13,6 +13,8 @@ Result<std::shared_ptr<const Program>> loadProgram(const Job& job, Report& repor
     if (!text)
         return tl::unexpected(std::move(text.error()));
     std::shared_ptr<const Program> program = interpret(*text, interpretOptions(job.setup, job.program));
+    if (program->foreignKind() != nullptr)
+        return tl::unexpected(program->diagnostics());
     report.add(program->diagnostics());
     report.add(unusedCompensationStart(job.setup.compensationTypeB, *program));
     if (program->unverified() || program->motionCount() == 0)

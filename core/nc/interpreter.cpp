@@ -3,12 +3,15 @@
 
 #include <utility>
 
+#include "core/nc/foreign_text.h"
 #include "core/nc/interpretation.h"
 
 namespace proveout {
 
 std::shared_ptr<const Program> interpret(const NcText& text, const InterpretOptions& options,
                                          const WorkContext& context) {
+    if (auto foreign = foreignProgram(text, options))
+        return foreign;
     DialectGuess guess = options.dialect ? DialectGuess{*options.dialect, {}} : guessDialect(text);
     return Interpretation(text, options, std::move(guess), context).run();
 }

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
+#include <cstdint>
+#include <iterator>
 #include <string>
 
 #include "core/base/atomic_file.h"
@@ -51,6 +53,43 @@ bool isTextByte(char c) {
     return byte >= 0x20 || (byte >= 0x09 && byte <= 0x0d) || (byte >= 0x11 && byte <= 0x14) || byte == 0x1a;
 }
 
+struct BinaryKind {
+    std::string_view begin;
+    const char* name;
+};
+
+constexpr BinaryKind kBinaryKinds[] = {
+    {"\x89PNG", PROVEOUT_TEXT("Core", "a PNG picture")},
+    {"\xff\xd8\xff", PROVEOUT_TEXT("Core", "a JPEG picture")},
+    {"GIF8", PROVEOUT_TEXT("Core", "a GIF picture")},
+    {"%PDF-", PROVEOUT_TEXT("Core", "a PDF document")},
+    {"PK\x03\x04", PROVEOUT_TEXT("Core", "a ZIP archive, as 3MF, FreeCAD and office files are")},
+    {"\x1f\x8b", PROVEOUT_TEXT("Core", "a gzip archive")},
+    {"7z\xbc\xaf", PROVEOUT_TEXT("Core", "a 7z archive")},
+    {"\xd0\xcf\x11\xe0", PROVEOUT_TEXT("Core", "an office or CAD document")},
+    {"AutoCAD Binary DXF", PROVEOUT_TEXT("Core", "a DXF drawing")},
+    {"\x7f"
+     "ELF",
+     PROVEOUT_TEXT("Core", "a program of the computer")},
+};
+
+/// Of a file that is no text; null where it is not known.
+const char* nameOfBinary(std::string_view bytes) {
+    constexpr std::size_t kStlHead = 84;
+    constexpr std::size_t kStlFacet = 50;
+    const auto* row = std::ranges::find_if(
+        kBinaryKinds, [&](const BinaryKind& kind) { return bytes.starts_with(kind.begin); });
+    if (row != std::end(kBinaryKinds))
+        return row->name;
+    if (bytes.size() < kStlHead)
+        return nullptr;
+    std::uint32_t facets = 0;
+    for (std::size_t i = 1; i <= sizeof facets; ++i)
+        facets = facets << 8U | static_cast<unsigned char>(bytes[kStlHead - i]);
+    return facets > 0 && bytes.size() == kStlHead + kStlFacet * facets ? PROVEOUT_TEXT("Core", "an STL mesh")
+                                                                       : nullptr;
+}
+
 bool looksBinary(std::string_view text) {
     if (text.starts_with("\x89PNG") || text.find('\0') != std::string_view::npos)
         return true;
@@ -72,6 +111,10 @@ Result<NcText> NcText::load(const std::filesystem::path& file, const WorkContext
                     {encoding}, file));
     }
     if (looksBinary(sample)) {
+        if (const char* name = nameOfBinary(*bytes))
+            return tl::unexpected(refusal(
+                "nc-binary", PROVEOUT_TEXT("Core", "This is {}, not an NC program."),
+                PROVEOUT_TEXT("Core", "Choose the text file that the machine would run."), {name}, file));
         return tl::unexpected(
             refusal("nc-binary", PROVEOUT_TEXT("Core", "This is not an NC program: it holds binary data."),
                     PROVEOUT_TEXT("Core", "Choose the text file that the machine would run."), {}, file));

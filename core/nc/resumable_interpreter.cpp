@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/nc/flow_index.h"
+#include "core/nc/foreign_text.h"
 #include "core/nc/interpretation.h"
 #include "core/nc/macro_index.h"
 
@@ -80,6 +81,12 @@ std::shared_ptr<const Program> ResumableInterpreter::interpret(const NcText& tex
                                                                const InterpretOptions& options,
                                                                const WorkContext& context,
                                                                const Publish& publish) {
+    if (auto foreign = foreignProgram(text, options)) {
+        m_last.reset();
+        forgetFrom(0);
+        m_resumedAt = 0;
+        return foreign;
+    }
     Run now{text, options, options.dialect ? DialectGuess{*options.dialect, {}} : guessDialect(text), {}};
     Interpretation run(now.text, now.options, now.guess, context);
     const bool again = m_last && alike(m_last->options, options) && m_last->guess == now.guess;

@@ -41,6 +41,53 @@ TEST_F(CliInput, FolderAndBinaryFile) {
               "p.nc: error: The file is encoded in UTF-16 LE, not in ASCII or UTF-8. [nc-encoding]\n");
 }
 
+TEST_F(CliInput, BinaryFilesAreNamed) {
+    EXPECT_EQ(simulate("\x89PNG\r\n\x1a\n").err,
+              "p.nc: error: This is a PNG picture, not an NC program. [nc-binary]\n");
+    EXPECT_THAT(simulate(std::string("PK\3\4\0\0", 6)).err, HasSubstr("a ZIP archive"));
+    EXPECT_THAT(simulate(std::string(80, 'x') + std::string("\1\0\0\0", 4) + std::string(50, '\0')).err,
+                HasSubstr("an STL mesh"));
+}
+
+TEST_F(CliInput, AProgramOfAnotherControlIsNamedOnce) {
+    const std::string program = "0 BEGIN PGM A MM\n1 TOOL CALL 5 Z S4000\n2 L X+10 Y+10 R0 FMAX\n";
+    const std::string sentence =
+        "p.nc:1:1: error: This is a Heidenhain conversational program (line 1: 0 BEGIN "
+        "PGM A MM), which Proveout does not read. [dialect-foreign]\n";
+    const auto done = simulate(program, "--json");
+    EXPECT_EQ(done.exitCode, 3);
+    EXPECT_EQ(done.err, sentence);
+    EXPECT_EQ(run("interpret p.nc").err, sentence);
+    EXPECT_EQ(run("interpret p.nc").exitCode, 3);
+    // Whoever names a dialect has it read.
+    const auto read = run("simulate p.nc --dialect linuxcnc" + kStock + kTool);
+    EXPECT_EQ(read.exitCode, 2);
+    EXPECT_THAT(read.err, testing::Not(HasSubstr("dialect-foreign")));
+}
+
+TEST_F(CliInput, MCodesThatMoveNoAxisAreIgnoredAndListed) {
+    const std::string program = "%\nO1\nG21 G90\nT1 M6\nM11\nG0 X5. Y5. Z5.\nM10\nM16\nG1 Z-2. F100 S500 M3\n"
+                                "X30.\nG0 Z5.\nM30\n%\n";
+    const auto unknown = simulate(program, "--dialect fanuc --json");
+    EXPECT_EQ(unknown.exitCode, 2);
+    EXPECT_TRUE(unknown.tells("p.nc:8:1: error: M16 ", "code-unknown")) << unknown.err;
+    const auto done = simulate(program, "--dialect fanuc --ignore-m 16 --json");
+    EXPECT_EQ(done.exitCode, 0) << done.err;
+    EXPECT_TRUE(done.tells("p.nc:8:1: note: M16 is ignored", "code-ignored")) << done.err;
+    EXPECT_TRUE(done.json()["unverified"].empty());
+    const auto listed = done.json()["ignoredCodes"];
+    ASSERT_EQ(listed.size(), 3U);
+    EXPECT_EQ(listed[0]["code"], "M10");
+    EXPECT_EQ(listed[0]["by"], "dialect");
+    EXPECT_EQ(listed[2],
+              (nlohmann::json{
+                  {"code", "M16"}, {"meaning", nullptr}, {"by", "setup"}, {"count", 1}, {"lines", {8}}}));
+    EXPECT_GT(done.json()["removedMm3"], 0);
+    const auto bad = run("interpret p.nc --ignore-m G16");
+    EXPECT_EQ(bad.exitCode, 3);
+    EXPECT_TRUE(bad.tells("--ignore-m: error: ", "m-code-list")) << bad.err;
+}
+
 TEST_F(CliInput, NoMotionIsAWarningAndUnverified) {
     for (const char* program : {"", "%\n%\n", "(nothing)\nM30\n"}) {
         const auto done = simulate(program, "--json");

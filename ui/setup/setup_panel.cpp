@@ -88,8 +88,8 @@ void SetupPanel::build() {
     layout->addWidget(m_compensationLabel);
     layout->addWidget(m_compensation);
     layout->addWidget(m_blockDelete);
-    layout->addWidget(m_start);
     layout->addWidget(m_ignored);
+    layout->addWidget(m_start);
     layout->addSpacing(10);
     for (QWidget* widget :
          {static_cast<QWidget*>(m_stockTitle), static_cast<QWidget*>(m_stock), static_cast<QWidget*>(m_fit),
@@ -116,7 +116,6 @@ void SetupPanel::showSetup() {
     m_blockDelete->setChecked(m_session.setup().blockDelete);
     showStockProblem();
     showStart();
-    m_problem->hide();
     m_ignored->show(m_session.setup());
     m_ignored->showProgram(m_session.program().get());
     showDialect();
@@ -126,14 +125,21 @@ void SetupPanel::showSetup() {
     showMissingTools();
 }
 
-/// The first choice is the dialect that the text shows by its signs, and names it once it is known.
+/// The dialect that the text shows by its signs, named once it is known.
+QString SetupPanel::automaticDialect() const {
+    const auto& program = m_session.program();
+    if (!program || m_session.setup().dialect)
+        return tr("Automatic");
+    if (program->foreignKind() != nullptr)
+        return tr("Automatic: none of these");
+    return tr("Automatic: %1").arg(QString::fromUtf8(dialect(program->dialect()).name));
+}
+
 void SetupPanel::showDialect() {
     const auto& chosen = m_session.setup().dialect;
     const QSignalBlocker quiet(m_dialect);
     m_dialect->clear();
-    m_dialect->addItem(
-        named ? tr("Automatic: %1").arg(QString::fromUtf8(dialect(m_session.program()->dialect()).name))
-              : tr("Automatic"));
+    m_dialect->addItem(automaticDialect());
     for (const Dialect& row : dialects())
         m_dialect->addItem(QString::fromUtf8(row.name));
     m_dialect->setCurrentIndex(chosen ? static_cast<int>(*chosen) + 1 : 0);
@@ -192,6 +198,7 @@ void SetupPanel::apply() {
     m_start->put(setup);
     setup.blockDelete = m_blockDelete->isChecked();
     setup.compensationTypeB = m_compensation->currentIndex() == 1;
+    m_ignored->put(setup);
     setup.dialect.reset();
     if (const int index = m_dialect->currentIndex(); index > 0)
         setup.dialect = static_cast<DialectId>(index - 1);
@@ -199,7 +206,6 @@ void SetupPanel::apply() {
 }
 
 /// A body is made anew where it is described otherwise: at once where no file is needed.
-    m_ignored->put(setup);
 void SetupPanel::applyStock(Setup setup) {
     const StockSpec spec = m_stock->spec(setup);
     const StockShape& before = setup.shape;

@@ -38,6 +38,7 @@ private:
     void retranslate();
     void showSetup();
     void showDialect();
+    [[nodiscard]] QString automaticDialect() const;
     void showCompensation();
     void showMissingTools();
     void showStart();
@@ -72,8 +73,8 @@ private:
     QLabel* m_machineTitle;
     MachineForm* m_machine;
     QCheckBox* m_blockDelete;
-    QTimer m_rest;
     IgnoredCodesField* m_ignored;
+    QTimer m_rest;
     NewestTask m_making; ///< a stock from its file
 };
 

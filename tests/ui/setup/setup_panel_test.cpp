@@ -2,6 +2,7 @@
 #include "ui/setup/setup_panel.h"
 
 #include <algorithm>
+#include <set>
 
 #include <QComboBox>
 #include <QDoubleSpinBox>
@@ -131,6 +132,60 @@ private slots:
         QCOMPARE(compensation(shown).currentIndex(), 1);
         other.newFile();
         QCOMPARE(compensation(shown).currentIndex(), 0);
+    }
+
+    void mCodesAreAddedToTheIgnoredOnes() {
+        QTemporaryDir folder;
+        Session session;
+        SetupPanel panel(session);
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        auto* list = panel.findChild<QLineEdit*>(QStringLiteral("ignored-m"));
+        auto* found = panel.findChild<QLabel*>(QStringLiteral("ignored-m-found"));
+        auto* problem = panel.findChild<QLabel*>(QStringLiteral("ignored-m-problem"));
+        QVERIFY(opened(session, write(folder, "%\nO1\nG65 P2\nM10\nM16\nM30\nO2\nM99\n%\n")));
+        QTRY_VERIFY_WITH_TIMEOUT(session.program() && session.program()->unverified(), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(found->isVisibleTo(&panel), kPatience);
+        QVERIFY(found->text().contains(QLatin1String("M10")));
+        QVERIFY(!found->text().contains(QLatin1String("M16")));
+
+        list->setFocus();
+        QTest::keyClicks(list, QStringLiteral("1x"));
+        QTest::keyClick(list, Qt::Key_Return);
+        QVERIFY(problem->isVisibleTo(&panel));
+        QVERIFY(session.setup().ignoredM.empty());
+        list->selectAll();
+        QTest::keyClicks(list, QStringLiteral("M16 24"));
+        QTest::keyClick(list, Qt::Key_Return);
+        QTRY_COMPARE_WITH_TIMEOUT(session.setup().ignoredM, (std::set<int>{16, 24}), kPatience);
+        QVERIFY(!problem->isVisibleTo(&panel));
+        QCOMPARE(list->text(), QStringLiteral("16, 24"));
+        QTRY_VERIFY_WITH_TIMEOUT(found->text().contains(QLatin1String("M16")), kPatience);
+        QVERIFY(session.jobModified());
+        const QString job = folder.filePath(QStringLiteral("p.proveout"));
+        QVERIFY(session.saveJobAs(job));
+
+        Session other;
+        SetupPanel shown(other);
+        QVERIFY(opened(other, job));
+        QCOMPARE(shown.findChild<QLineEdit*>(QStringLiteral("ignored-m"))->text(), QStringLiteral("16, 24"));
+        other.newFile();
+        QVERIFY(shown.findChild<QLineEdit*>(QStringLiteral("ignored-m"))->text().isEmpty());
+    }
+
+    void aProgramOfAnotherControlHasNoDialectOfOurs() {
+        QTemporaryDir folder;
+        Session session;
+        SetupPanel panel(session);
+        QVERIFY(opened(session, write(folder, "0 BEGIN PGM A MM\n1 L X+1 R0 FMAX\n2 END PGM A MM\n")));
+        QTRY_VERIFY_WITH_TIMEOUT(session.program() && session.program()->foreignKind() != nullptr, kPatience);
+        QCOMPARE(session.problems().size(), std::size_t{1});
+        auto* dialects = panel.findChild<QComboBox*>(QStringLiteral("dialect"));
+        QVERIFY(dialects->currentText().contains(QLatin1String("none")));
+        // The choice of a dialect has it read.
+        QVERIFY(setDialect(session, DialectId::fanuc).has_value());
+        QTRY_VERIFY_WITH_TIMEOUT(session.program()->foreignKind() == nullptr, kPatience);
+        QVERIFY(session.problems().size() > 1);
     }
 
     void theStartOfCompensationIsOfferedWhereTheControlHasIt() {

@@ -3,18 +3,23 @@
 #include <algorithm>
 #include <map>
 #include <memory>
+#include <set>
+#include <string_view>
 #include <vector>
 
 #include <QAbstractItemModel>
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QComboBox>
+#include <QContextMenuEvent>
 #include <QDialog>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QDragEnterEvent>
+#include <QFile>
 #include <QFileInfo>
 #include <QLabel>
+#include <QMenu>
 #include <QMenuBar>
 #include <QMimeData>
 #include <QPushButton>
@@ -276,6 +281,61 @@ private slots:
         QVERIFY(openingIsOver(station.session));
         QVERIFY(sentence(station.session.problems().front()).startsWith(QLatin1String("missing.nc: ")));
         QVERIFY(QApplication::activeModalWidget() == nullptr);
+    }
+
+    void anUnknownMCodeIsIgnoredFromItsProblem() {
+        QTemporaryDir folder;
+        QFile file(folder.filePath("clamp.nc"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("%\nO1\nG21 G90\nT1 M6\nG0 X0. Y0. Z5.\nM16\nG1 Z-1. F100 S500 M3\nX10.\nM30\n%\n");
+        file.close();
+        Workstation station(false);
+        station.open(file.fileName());
+        auto* problems = station.window.findChild<QDockWidget*>(QStringLiteral("dock-problems"));
+        problems->show();
+        problems->raise();
+        auto* list = problems->findChild<QTreeView*>();
+        const auto rowOf = [&](const char* id) {
+            const Diagnostics& all = station.session.problems();
+            const auto found = std::ranges::find_if(
+                all, [&](const Diagnostic& problem) { return std::string_view(problem.id) == id; });
+            return found == all.end() ? -1 : static_cast<int>(found - all.begin());
+        };
+        QTRY_VERIFY_WITH_TIMEOUT(rowOf("code-unknown") >= 0, kPatience);
+        QVERIFY(station.session.program()->unverified());
+        const QModelIndex index = list->model()->index(rowOf("code-unknown"), 2);
+        list->scrollTo(index);
+        QContextMenuEvent event(QContextMenuEvent::Mouse, list->visualRect(index).center());
+        QApplication::sendEvent(list->viewport(), &event);
+        QTRY_VERIFY_WITH_TIMEOUT(QApplication::activePopupWidget() != nullptr, kPatience);
+        auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+        auto* ignore = menu->findChild<QAction*>(QStringLiteral("ignore-m-code"));
+        QVERIFY(ignore != nullptr);
+        QTest::mouseClick(menu, Qt::LeftButton, Qt::NoModifier, menu->actionGeometry(ignore).center());
+        QTRY_VERIFY_WITH_TIMEOUT(rowOf("code-ignored") >= 0, kPatience);
+        QCOMPARE(rowOf("code-unknown"), -1);
+        QCOMPARE(station.session.setup().ignoredM, std::set<int>{16});
+        QVERIFY(!station.session.program()->unverified());
+    }
+
+    void aProgramOfAnotherControlIsShownAndNamedOnce() {
+        QTemporaryDir folder;
+        QFile file(folder.filePath("plate.h"));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("0 BEGIN PGM A MM\n1 TOOL CALL 5 Z S4000\n2 L X+10 Y+10 R0 FMAX\n3 END PGM A MM\n");
+        file.close();
+        Workstation station(false);
+        station.window.files().open(file.fileName());
+        QVERIFY(openingIsOver(station.session));
+        QTRY_COMPARE_WITH_TIMEOUT(station.session.problems().size(), std::size_t{1}, kPatience);
+        QCOMPARE(station.session.problems().front().id, "dialect-foreign");
+        QCOMPARE(station.session.blockCount(), std::size_t{0});
+        const auto* editor = station.window.findChild<NcEditor*>();
+        QVERIFY(editor->text().startsWith(QLatin1String("0 BEGIN PGM A MM")));
+        // Values under the pointer are asked for by line; there are none.
+        QTest::mouseMove(editor->viewport(), QPoint(60, 8));
+        QTest::qWait(1500);
+        QCOMPARE(station.session.problems().size(), std::size_t{1});
     }
 
     void dropsAreJudgedBeforeTheyLand() {

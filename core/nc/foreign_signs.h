@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The tables of what no dialect of ours reads: kinds of programs and files, and the signs that show them.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string_view>
+
+namespace proveout {
+
+enum class ForeignKind : std::uint8_t {
+    heidenhain,
+    heidenhainIso,
+    siemens,
+    okuma,
+    winCnc,
+    shopBot,
+    lathe,
+    printer,
+    apt,
+    gerber,
+    excellon,
+    hpgl,
+    camotics,
+    job,
+    json,
+    svg,
+    html,
+    xml,
+    stl,
+    obj,
+    ply,
+    step,
+    dxf,
+    postScript,
+    pdf,
+    richText,
+    count
+};
+
+struct ForeignKindRow {
+    const char* name; ///< marked with PROVEOUT_TEXT
+    bool program;     ///< of another control, otherwise no NC program at all
+};
+
+/// Which form of a line a pattern is about: all of them in upper case, without blanks at both ends and with
+/// one between words.
+enum class LineForm : std::uint8_t {
+    first,    ///< the first line that is not empty, as it is
+    line,     ///< any line, as it is
+    block,    ///< without comments and block number
+    squeezed, ///< that, without any blank
+};
+
+/// Of one kind, signs that weigh this much together decide.
+inline constexpr int kForeignDecides = 100;
+
+struct ForeignSign {
+    ForeignKind kind;
+    int weight;
+    LineForm form;
+    std::string_view pattern; ///< glob.h
+};
+
+inline constexpr std::size_t kForeignKinds = static_cast<std::size_t>(ForeignKind::count);
+
+[[nodiscard]] const ForeignKindRow& rowOf(ForeignKind kind);
+[[nodiscard]] std::span<const ForeignSign> foreignSigns();
+
+} // namespace proveout

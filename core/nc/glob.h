@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+
+namespace proveout {
+
+/// Whether a pattern stands for the whole of a text in upper case: "~" is anything or nothing, "#" a number
+/// of digits, "?" one digit, "@" a name of letters, digits and "_"; "\" before a character takes it as it is.
+/// Time: at most the product of both lengths.
+[[nodiscard]] bool matchesGlob(std::string_view pattern, std::string_view text);
+
+} // namespace proveout

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The programs of the corpus: those of other controls are named, those of ours are not taken for others.
+#include <filesystem>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <map>
+#include <sstream>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/nc/foreign_text.h"
+
+namespace proveout::test {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+const fs::path kCorpus = fs::path(PROVEOUT_SHARED_DIR) / "corpus";
+
+/// What the list of the corpus has as programs, but their control (or what runs them) is none of ours.
+const std::map<std::string, std::string> kForeign{
+    {"gcodeworkshop/examples/SINUMERIK840D.nc", "a Siemens Sinumerik program"},
+    {"gcodeworkshop/examples/SINUMERIK850.nc", "a Siemens Sinumerik program"},
+    {"gcodeworkshop/examples/FLANGE.nc", "an Okuma OSP program"},
+    {"gcodeworkshop/examples/TOKARKA.NC", "a lathe program"},
+    {"gpr/gcode_samples/camaster_sample.tap", "a WinCNC program"},
+    {"cncjs/examples/gcode/sample.gcode", "a 3D printer program"},
+};
+
+/// The path and the kind of every file in the list.
+std::vector<std::pair<std::string, std::string>> listed() {
+    std::vector<std::pair<std::string, std::string>> files;
+    std::ifstream in(kCorpus / "MANIFEST.csv");
+    std::string line;
+    std::getline(in, line);
+    while (std::getline(in, line)) {
+        std::istringstream fields(line);
+        std::string path;
+        std::string set;
+        std::string kind;
+        if (std::getline(fields, path, ',') && std::getline(fields, set, ',') &&
+            std::getline(fields, kind, ','))
+            files.emplace_back(path, kind);
+    }
+    return files;
+}
+
+std::string kindOf(const fs::path& file) {
+    const auto text = NcText::load(file);
+    if (!text)
+        return text.error().front().id;
+    const auto found = findForeignText(*text);
+    return found ? found->kind : "";
+}
+
+} // namespace
+
+TEST(ForeignCorpus, NamesProgramsOfOthersAndNoneOfOurs) {
+    if (!fs::exists(kCorpus / "MANIFEST.csv"))
+        GTEST_SKIP() << "the corpus is not here";
+    int ours = 0;
+    int heidenhain = 0;
+    for (const auto& [path, kind] : listed()) {
+        if (kind == "nc") {
+            const auto foreign = kForeign.find(path);
+            EXPECT_EQ(kindOf(kCorpus / path), foreign == kForeign.end() ? "" : foreign->second) << path;
+            ours += foreign == kForeign.end() ? 1 : 0;
+        } else if (kind == "nc-heidenhain") {
+            EXPECT_EQ(kindOf(kCorpus / path), "a Heidenhain conversational program") << path;
+            ++heidenhain;
+        } else if (path.ends_with(".camotics")) {
+            EXPECT_EQ(kindOf(kCorpus / path), "a CAMotics project") << path;
+        } else if (kind == "nc-fault" && fs::exists(kCorpus / path)) {
+            const std::string found = kindOf(kCorpus / path);
+            EXPECT_TRUE(found.empty() || found.starts_with("nc-")) << path << ": " << found;
+        }
+    }
+    EXPECT_GT(ours, 350);
+    EXPECT_GT(heidenhain, 15);
+}
+
+TEST(ForeignCorpus, NamesMeshes) {
+    if (!fs::exists(kCorpus))
+        GTEST_SKIP() << "the corpus is not here";
+    int meshes = 0;
+    for (const auto& [path, kind] : listed()) {
+        if (kind != "stl" || !fs::exists(kCorpus / path))
+            continue;
+        ++meshes;
+        const std::string found = kindOf(kCorpus / path);
+        EXPECT_TRUE(found == "an STL mesh" || found == "nc-binary") << path << ": " << found;
+    }
+    EXPECT_GT(meshes, 20);
+}
+
+} // namespace proveout::test
