@@ -53,6 +53,7 @@ constexpr int kSameWidth = 3;      // px; splitters round
 constexpr int kMessageTime = 8000; // ms
 // In the order of docks().
 constexpr std::size_t kProgramDock = 0;
+constexpr std::size_t kSetupDock = 1;
 constexpr std::size_t kTuningDock = 2;
 constexpr std::size_t kProblemsDock = 4;
 
@@ -89,6 +90,7 @@ MainWindow::MainWindow(Session& session, Appearance& appearance)
         if (answer.kind == PlaceAnswer::Kind::cut)
             bringForward(*m_docks[kProgramDock]); // with the line of the block
     });
+    connect(&session, &Session::toolRequested, this, [this] { bringForward(*m_docks[kSetupDock]); });
     connect(m_startPage, &StartPage::openWanted, m_files, &FileFlow::openByDialog);
     connect(m_startPage, &StartPage::newWanted, m_files, &FileFlow::newFile);
     connect(m_startPage, &StartPage::fileWanted, m_files, &FileFlow::open);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "core/base/text.h"
+#include "core/simulation/interpretation.h"
 
 namespace proveout {
 
@@ -24,16 +25,29 @@ ProgramSource::Interpret resuming() {
 ProgramSource::ProgramSource(QObject* parent, Interpret interpret)
     : QObject(parent), m_interpret(interpret ? std::move(interpret) : resuming()) {}
 
-void ProgramSource::request(NcText text, InterpretOptions options, bool beginning) {
-    m_task.start(
-        [this, request = Request{std::move(text), std::move(options), beginning}](const Reply& reply) {
-            reply.post([this, result = carryOut(request, reply)] {
-                if (result)
-                    emit ready(result->program, result->cutting);
-                else
-                    emit failed(result.error());
-            });
+void ProgramSource::request(NcText text, InterpretOptions options, bool beginning,
+                            std::optional<KnownTools> known) {
+    m_task.start([this, request = Request{std::move(text), std::move(options), beginning, std::move(known)}](
+                     const Reply& reply) {
+        reply.post([this, result = carryOut(request, reply)] {
+            if (result)
+                emit ready(result->program, result->cutting);
+            else
+                emit failed(result.error());
         });
+    });
+}
+
+InterpretOptions ProgramSource::optionsOf(const Request& request, const Reply& reply) {
+    InterpretOptions options = request.options;
+    if (!request.known)
+        return options;
+    const ToolProposals proposals = proposeTools(request.text);
+    reply.post([this, proposals] { emit proposed(proposals); });
+    ToolTable tools = request.known->tools;
+    addProposals(tools, proposals, request.known->proposed);
+    options.tools = toolOffsets(tools);
+    return options;
 }
 
 Result<ProgramSource::Interpreted> ProgramSource::carryOut(const Request& request, const Reply& reply) {
@@ -50,7 +64,7 @@ Result<ProgramSource::Interpreted> ProgramSource::carryOut(const Request& reques
                 reply.post(
                     [this, program, cutting = cuttingExtent(*program)] { emit begun(program, cutting); });
             };
-        const auto program = m_interpret(request.text, request.options, context, publish);
+        const auto program = m_interpret(request.text, optionsOf(request, reply), context, publish);
         const bool watching = request.options.watchedLine > 0;
         return Interpreted{program, watching ? CuttingExtent() : cuttingExtent(*program)};
     } catch (const std::bad_alloc&) {

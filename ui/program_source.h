@@ -4,6 +4,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include <QObject>
 
@@ -13,10 +14,17 @@
 #include "core/nc/nc_text.h"
 #include "core/nc/program.h"
 #include "core/nc/resumable_interpreter.h"
+#include "core/simulation/tool_proposals.h"
 #include "ui/newest_task.h"
 #include "ui/program_index.h"
 
 namespace proveout {
+
+/// The tools of a setup, to which the comments of the program add. Value type.
+struct KnownTools {
+    ToolTable tools;
+    ToolProposals proposed; ///< that were found before
+};
 
 /// Interprets texts on its own thread, each from where it differs from the one before; the newest request
 /// wins: it stops the one under way, whose result is dropped. Thread: the UI thread, which also gets the
@@ -31,13 +39,17 @@ public:
     explicit ProgramSource(QObject* parent = nullptr, Interpret interpret = {});
 
     /// `beginning`: the beginning of a long program is wanted before the rest was read.
-    void request(NcText text, InterpretOptions options, bool beginning = false);
+    /// `known`: its comments are read for tools first (proposed()), and the control knows those too.
+    void request(NcText text, InterpretOptions options, bool beginning = false,
+                 std::optional<KnownTools> known = {});
     /// Forgets what is under way.
     void cancel() { m_task.cancel(); }
     /// What is under way is ready as far as it is.
     void stop() { m_task.stop(); }
 
 signals:
+    /// What the comments of the text describe; comes before begun() and ready().
+    void proposed(const ToolProposals& proposals);
     /// The beginning of a program that is still being read, and what it cuts.
     void begun(const std::shared_ptr<const Program>& program, const CuttingExtent& cutting);
     /// How far a long text is read, in [0, 1).
@@ -52,12 +64,15 @@ private:
         NcText text;
         InterpretOptions options;
         bool beginning = false;
+        std::optional<KnownTools> known;
     };
     struct Interpreted {
         std::shared_ptr<const Program> program;
         CuttingExtent cutting;
     };
     [[nodiscard]] Result<Interpreted> carryOut(const Request& request, const Reply& reply);
+    /// The options with the tools that the comments add.
+    [[nodiscard]] InterpretOptions optionsOf(const Request& request, const Reply& reply);
 
     Interpret m_interpret; ///< used on the thread of the task only
     NewestTask m_task;     ///< last: its thread ends before what it uses

@@ -31,6 +31,7 @@ Session::Session(QObject* parent) : QObject(parent) {
     connect(&m_editPause, &QTimer::timeout, this, &Session::interpret);
     connect(&m_watch, &FileWatch::changed, this, &Session::watchedFileChanged);
     connect(&m_tick, &RepaintTick::fired, this, &Session::onTick);
+    connect(&m_source, &ProgramSource::proposed, this, &Session::adoptProposals);
     connect(&m_source, &ProgramSource::begun, this,
             [this](const auto& program, const auto& cutting) { adoptProgram(program, cutting, false); });
     connect(&m_reader, &DocumentReader::progressChanged, this, &Session::showWork);
@@ -92,7 +93,8 @@ void Session::interpret() {
         options.part = {};
     m_interpreted.reset();
     showWork();
-    m_source.request(document().text, std::move(options), !m_program);
+    m_source.request(document().text, std::move(options), !m_program,
+                     KnownTools{setup().tools, m_proposals});
 }
 
 /// `whole`: else its rest is still being read, and may leave the stock.

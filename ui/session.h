@@ -201,6 +201,8 @@ signals:
     void fileWritten();
     /// Someone asks to see a source line (1-based): the editor goes there.
     void lineRequested(std::uint32_t line, int column);
+    /// Someone asks to see a tool of the table, or to define the one with this number.
+    void toolRequested(int number);
     /// The answer to goToBlockThatMade().
     void placeTold(const PlaceAnswer& answer);
     /// The one coalesced repaint: the newest frame, null where there is none. At most 30 times a second, less
@@ -214,6 +216,7 @@ private:
     void watchedFileChanged();
     void interpret();
     void textRead(Result<Document> text);
+    void adoptProposals(const ToolProposals& proposals);
     void stopOpening();
     void adoptProgram(const std::shared_ptr<const Program>& program, const CuttingExtent& cutting,
                       bool whole);
@@ -248,6 +251,7 @@ private:
 
     std::shared_ptr<const Program> m_program;
     CuttingExtent m_cutting;
+    ToolProposals m_proposals; ///< what the comments of the text describe
     std::shared_ptr<const MachineTimes> m_times; ///< of m_program, or null
     std::vector<Breakpoint> m_breakpoints;
     std::optional<std::size_t> m_checkpointBudget; ///< nothing: the simulation's own

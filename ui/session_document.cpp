@@ -37,6 +37,7 @@ void Session::adopt(JobDocument job) {
     m_hasDocument = true;
     m_program.reset();
     m_cutting = {};
+    m_proposals = {};
     m_times.reset();
     m_timing.cancel();
     m_begun = false;
@@ -194,6 +195,18 @@ void Session::tellSetup(const DecimationParameters& before) {
     emit setupChanged();
     if (!(before == parameters()))
         emit parametersChanged();
+}
+
+/// Found out by us: nothing that the user would miss.
+void Session::adoptProposals(const ToolProposals& proposals) {
+    const ToolProposals before = std::exchange(m_proposals, proposals);
+    Setup with = setup();
+    addProposals(with.tools, proposals, before);
+    if (with.tools == setup().tools)
+        return;
+    const DecimationParameters parametersBefore = parameters();
+    m_job.fitSetup(std::make_shared<const Setup>(std::move(with)), true);
+    tellSetup(parametersBefore);
 }
 
 StockBox Session::stockFittedToProgram() const {

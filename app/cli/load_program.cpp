@@ -5,13 +5,15 @@
 
 #include "app/cli/setup_options.h"
 #include "core/simulation/interpretation.h"
+#include "core/simulation/tool_proposals.h"
 
 namespace proveout::cli {
 
-Result<std::shared_ptr<const Program>> loadProgram(const Job& job, Report& report) {
+Result<std::shared_ptr<const Program>> loadProgram(Job& job, Report& report) {
     auto text = NcText::load(job.program);
     if (!text)
         return tl::unexpected(std::move(text.error()));
+    addProposals(job.setup.tools, proposeTools(*text));
     std::shared_ptr<const Program> program = interpret(*text, interpretOptions(job.setup, job.program));
     if (program->foreignKind() != nullptr)
         return tl::unexpected(program->diagnostics());

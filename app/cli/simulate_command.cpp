@@ -19,6 +19,7 @@
 #include "app/cli/setup_options.h"
 #include "app/cli/stop_block.h"
 #include "app/cli/thread_limit.h"
+#include "app/cli/tool_report.h"
 #include "app/cli/zmap_file.h"
 #include "core/base/memory.h"
 #include "core/base/stop_watch.h"
@@ -215,6 +216,7 @@ private:
               {"spacing", m_job.setup.spacing},
               {"automatic", m_job.setup.automaticGrid}}},
             {"startTool", startTool()},
+            {"tools", toolsAsJson(m_job.setup.tools)},
             {"removedMm3", m_frame.removedMm3},
             {"machineSeconds", machineSeconds(*m_times, m_frame.block, !m_job.machine)},
             {"facesFull", m_surface->facesFull},
@@ -310,6 +312,7 @@ private:
         const Grid& grid = m_frame.zmap.grid();
         if (m_job.setup.automaticGrid)
             fmt::print("grid: {:g} mm (automatic), {} × {} points\n", m_job.setup.spacing, grid.nx, grid.ny);
+        printTools(m_job.setup.tools, true);
         printFiles(m_written);
         m_options.box.print();
     }

@@ -6,6 +6,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/report.h"
+#include "app/cli/tool_report.h"
 #include "core/cutter/shapes.h"
 #include "core/cutter/tool_file.h"
 
@@ -65,13 +66,6 @@ nlohmann::ordered_json shapesAsJson() {
     return list;
 }
 
-nlohmann::ordered_json toolsAsJson(const ToolTable& table) {
-    auto list = nlohmann::ordered_json::array();
-    for (const auto& [number, cutter] : table.tools())
-        list.push_back({{"number", number}, {"cutter", cutter.spec()}});
-    return list;
-}
-
 ExitCode run(const ToolsOptions& options) {
     Report report(options.file);
     nlohmann::ordered_json object;
@@ -86,8 +80,7 @@ ExitCode run(const ToolsOptions& options) {
         else if (options.json)
             object["tools"] = toolsAsJson(*table);
         else
-            for (const auto& [number, cutter] : table->tools())
-                fmt::print("T{} {}\n", number, cutter.spec());
+            printTools(*table, false);
     }
     if (options.json) {
         object["findings"] = report.findings();

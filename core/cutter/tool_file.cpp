@@ -28,7 +28,7 @@ namespace {
 constexpr std::uint64_t kMaxBytes = 10'000'000;
 
 constexpr std::array<std::string_view, 1> kTables{"tool"};
-constexpr std::array<std::string_view, 2> kRowKeys{"number", "cutter"};
+constexpr std::array<std::string_view, 3> kRowKeys{"number", "cutter", "source"};
 
 TextRange place(const toml::source_region& region) {
     return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column), 0};
@@ -94,13 +94,25 @@ private:
         }
         auto cutter = parseCutter(*spec);
         if (cutter) {
-            m_tools.set(number, std::move(*cutter));
+            m_tools.set(number, std::move(*cutter), {readSource(row)});
             return;
         }
         for (Diagnostic& error : cutter.error()) {
             error.where = placeOf(row, "cutter");
             m_errors.add(std::move(error));
         }
+    }
+
+    ToolSource readSource(const toml::table& row) {
+        if (!row.contains("source"))
+            return ToolSource::given;
+        const auto named = row["source"].value_exact<std::string>();
+        for (const ToolSource source : {ToolSource::given, ToolSource::comment, ToolSource::assumed})
+            if (named == name(source))
+                return source;
+        fail(placeOf(row, "source"), "tool-source",
+             PROVEOUT_TEXT("Core", "The source of a tool is \"given\", \"comment\" or \"assumed\"."));
+        return ToolSource::given;
     }
 
     /// A misspelt key must not be ignored in silence.

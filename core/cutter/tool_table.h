@@ -1,32 +1,67 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <map>
 #include <string>
 #include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/base/diagnostic.h"
 #include "core/cutter/cutter.h"
 
 namespace proveout {
 
-/// The cutters by tool number. Value type.
+/// Where the sizes of a tool come from.
+enum class ToolSource : std::uint8_t {
+    given,   ///< the user, a job or a tool table states them
+    comment, ///< a comment of the program states them; the user has not confirmed them
+    assumed, ///< default sizes, so that the moves of the tool can be simulated at all
+};
+
+/// "given", "comment" or "assumed", as in files and JSON.
+[[nodiscard]] const char* name(ToolSource source);
+
+/// Where the sizes of one tool come from. Value type.
+struct ToolOrigin {
+    ToolSource source = ToolSource::given;
+    std::uint32_t line = 0;   ///< of the comment, 1-based; else 0
+    std::string comment = {}; ///< its text
+    /// What the comment does not state and is a default: keys of the cutter's spec, or "shape".
+    std::vector<std::string> defaults = {};
+
+    friend bool operator==(const ToolOrigin&, const ToolOrigin&) = default;
+};
+
+/// The cutters by tool number, and which of them nobody has confirmed. Value type.
 class ToolTable {
 public:
-    void set(int number, Cutter cutter) { m_tools.insert_or_assign(number, std::move(cutter)); }
-    void remove(int number) { m_tools.erase(number); }
+    void set(int number, Cutter cutter, ToolOrigin origin = {});
+    void remove(int number);
+    /// The sizes of a tool are right: from now on they are given. Nothing where the table has no such tool.
+    void confirm(int number) { m_unconfirmed.erase(number); }
+    void confirmAll() { m_unconfirmed.clear(); }
+
     /// nullptr where the number is not in the table; valid until the table changes.
     [[nodiscard]] const Cutter* find(int number) const {
         const auto found = m_tools.find(number);
         return found == m_tools.end() ? nullptr : &found->second;
     }
     [[nodiscard]] const std::map<int, Cutter>& tools() const { return m_tools; }
+    /// Of the tools whose sizes are not given: where they come from.
+    [[nodiscard]] const std::map<int, ToolOrigin>& unconfirmed() const { return m_unconfirmed; }
+    /// nullptr where the sizes are given, or the number is not in the table; valid until the table changes.
+    [[nodiscard]] const ToolOrigin* unconfirmedOrigin(int number) const {
+        const auto found = m_unconfirmed.find(number);
+        return found == m_unconfirmed.end() ? nullptr : &found->second;
+    }
 
     friend bool operator==(const ToolTable&, const ToolTable&) = default;
 
 private:
     std::map<int, Cutter> m_tools;
+    std::map<int, ToolOrigin> m_unconfirmed; ///< its numbers are in m_tools
 };
 
 /// Reads `N=SHAPE:key=value,…` (also `TN=…`) of the command line into a number and a cutter.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 #include <array>
+#include <fmt/format.h>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
@@ -159,6 +161,55 @@ void readTools(JsonFields tools, ToolTable& table) {
     });
 }
 
+// Of tools whose sizes are not confirmed. Beside "tools", which older versions read too.
+constexpr const char* kUnconfirmed = "unconfirmedTools";
+constexpr Choice kUnconfirmedSources[] = {{"comment", ""}, {"assumed", ""}};
+constexpr JsonRange kLines{0, std::numeric_limits<int>::max()};
+
+void readOrigin(JsonFields fields, ToolOrigin& origin) {
+    std::size_t source = 1;
+    fields.require({"source"});
+    fields.read("source", source, kUnconfirmedSources);
+    origin.source = source == 0 ? ToolSource::comment : ToolSource::assumed;
+    int line = 0;
+    fields.read("line", line, kLines);
+    origin.line = static_cast<std::uint32_t>(line);
+    fields.read("comment", origin.comment);
+    std::string defaults;
+    fields.read("defaults", defaults);
+    for (std::size_t at = 0; at < defaults.size();) {
+        const std::size_t end = std::min(defaults.find(',', at), defaults.size());
+        origin.defaults.push_back(defaults.substr(at, end - at));
+        at = end + 1;
+    }
+    fields.warnAboutUnknown();
+}
+
+void readUnconfirmed(JsonFields& job, ToolTable& table) {
+    JsonFields fields = job.object(kUnconfirmed);
+    const ToolTable read = table;
+    for (const auto& [number, cutter] : read.tools()) {
+        const std::string key = std::to_string(number);
+        if (!fields.has(key.c_str()))
+            continue;
+        ToolOrigin origin;
+        readOrigin(fields.object(key.c_str()), origin);
+        table.set(number, cutter, std::move(origin));
+    }
+    fields.warnAboutUnknown();
+}
+
+ordered_json toJson(const ToolOrigin& origin) {
+    ordered_json out{{"source", name(origin.source)}};
+    if (origin.source == ToolSource::comment) {
+        out["line"] = origin.line;
+        out["comment"] = origin.comment;
+    }
+    if (!origin.defaults.empty())
+        out["defaults"] = fmt::format("{}", fmt::join(origin.defaults, ","));
+    return out;
+}
+
 constexpr Choice kCompensationStarts[] = {{"a", ""}, {"b", ""}};
 
 /// Type A in the jobs of a time that knew no other.
@@ -291,6 +342,7 @@ Result<Job> parse(std::string_view text, const fs::path& file) {
     job.setup.automaticGrid = !fields.has(setup_field::kGrid.key);
     fields.read(setup_field::kGrid.key, job.setup.spacing, kSize);
     readTools(fields.object("tools"), job.setup.tools);
+    readUnconfirmed(fields, job.setup.tools);
     readStart(fields, job.setup);
     readDialect(fields, job.setup.dialect);
     fields.read("blockDelete", job.setup.blockDelete);
@@ -319,6 +371,8 @@ ordered_json toJson(const Job& job, const fs::path& file) {
     out["tools"] = ordered_json::object();
     for (const auto& [number, cutter] : setup.tools.tools())
         out["tools"][std::to_string(number)] = cutter.spec();
+    for (const auto& [number, origin] : setup.tools.unconfirmed())
+        out[kUnconfirmed][std::to_string(number)] = toJson(origin);
     if (setup.start)
         out[setup_field::kStart.key] = toJson(*setup.start);
     if (setup.startTool)

@@ -11,19 +11,19 @@ namespace proveout {
 
 namespace {
 
-void judge(const CutRecord& record, const Motion& motion, const Cutter& cutter, std::size_t block,
-           FindingLog& findings) {
+void judge(const CutRecord& record, const Motion& motion, const Cutter& cutter, bool unconfirmed,
+           std::size_t block, FindingLog& findings) {
     if (motion.kind == MotionKind::rapid && record.maxDepth > kNothingRemoved)
-        findings.add(block, FindingKind::rapidCuts, record.maxDepth);
+        findings.add(block, FindingKind::rapidCuts, record.maxDepth, unconfirmed);
     if (cutter.fluteLength() > 0 && record.maxDepth > cutter.fluteLength() + kNothingRemoved)
-        findings.add(block, FindingKind::depthBeyondFlutes, record.maxDepth);
+        findings.add(block, FindingKind::depthBeyondFlutes, record.maxDepth, unconfirmed);
 }
 
-void judge(const Overhang& overhang, std::size_t block, FindingLog& findings) {
+void judge(const Overhang& overhang, bool unconfirmed, std::size_t block, FindingLog& findings) {
     if (overhang.neckDepth > kNothingRemoved)
-        findings.add(block, FindingKind::neckInStock, overhang.neckDepth);
+        findings.add(block, FindingKind::neckInStock, overhang.neckDepth, unconfirmed);
     if (overhang.height > kNothingRemoved)
-        findings.add(block, FindingKind::overhangLost, overhang.volumeMm3, overhang.place);
+        findings.add(block, FindingKind::overhangLost, overhang.volumeMm3, unconfirmed, overhang.place);
 }
 
 /// Whether the cutter may stand over the stock in plan: an axis that is not known may be anywhere.
@@ -92,6 +92,11 @@ const Cutter* cutterOf(const Motion& motion, const Setup& setup, const ToolChoic
     return motion.probing ? nullptr : setup.tools.find(tools.tool(motion.tool));
 }
 
+/// Whether nobody has confirmed the sizes of the tool of a motion, or that it is the one in the spindle.
+bool isUnconfirmed(const Motion& motion, const Setup& setup, const ToolChoice& tools) {
+    return tools.isAssumed(motion.tool) || setup.tools.unconfirmedOrigin(tools.tool(motion.tool)) != nullptr;
+}
+
 /// Cuts one motion and adds what it leaves above the head of the cutter, which costs a moment of the map and
 /// so is only for cutters with one. Nothing where it was stopped: the map may have been cut then.
 std::optional<CutRecord> cutWithHead(ZMap& zmap, const Cutter& cutter, const Motion& motion,
@@ -116,6 +121,7 @@ std::optional<CutRecord> cutBlock(ZMap& zmap, const Program& program, std::size_
     const auto motions = program.blockMotions(block);
     std::optional<ZMapSnapshot> before;
     Overhang overhang;
+    bool unconfirmed = false; // the tool of the last motion: a block changes its tool before it moves
     for (std::size_t index = motions.first; index < motions.last; ++index) {
         const Motion motion = program.motion(index);
         const Cutter* cutter = cutterOf(motion, setup, tools);
@@ -137,12 +143,14 @@ std::optional<CutRecord> cutBlock(ZMap& zmap, const Program& program, std::size_
         }
         if (findings != nullptr && motion.kind == MotionKind::rapid && !motion.known())
             judgeUnknownRapid(zmap, *cutter, motion, block, *findings);
-        if (findings != nullptr)
-            judge(*record, motion, *cutter, block, *findings);
+        if (findings != nullptr) {
+            unconfirmed = isUnconfirmed(motion, setup, tools);
+            judge(*record, motion, *cutter, unconfirmed, block, *findings);
+        }
         sum.add(*record);
     }
     if (findings != nullptr)
-        judge(overhang, block, *findings);
+        judge(overhang, unconfirmed, block, *findings);
     return sum;
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <set>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "core/base/bounded_diagnostics.h"
@@ -52,15 +53,50 @@ constexpr std::array kRows{
                PROVEOUT_TEXT("Core", "Check by other means what is done there from here on.")},
 };
 
+constexpr const char* kConfirmTool =
+    PROVEOUT_TEXT("Core", "Confirm the sizes of the tool in the tool table, or correct them.");
+
+/// What a fault is that was found with a tool whose sizes are not confirmed: as the row of its kind, and the
+/// tool is named behind the value. Kinds that are no faults anyway have none.
+constexpr std::array<std::pair<FindingKind, FindingRow>, 3> kUnconfirmedRows{{
+    {FindingKind::rapidCuts,
+     {Severity::warning, true, "rapid-cuts",
+      PROVEOUT_TEXT("Core", "Rapid move cuts stock ({} mm deep) with the unconfirmed tool T{}."),
+      kConfirmTool}},
+    {FindingKind::depthBeyondFlutes,
+     {Severity::warning, true, "depth-beyond-flutes",
+      PROVEOUT_TEXT("Core", "The cut is {} mm deep, beyond the flutes of the unconfirmed tool T{}."),
+      kConfirmTool}},
+    {FindingKind::neckInStock,
+     {Severity::warning, true, "neck-in-stock",
+      PROVEOUT_TEXT("Core", "{} mm of stock meet the neck of the unconfirmed tool T{}."), kConfirmTool}},
+}};
+
+const FindingRow& rowOf(FindingKind kind, bool unconfirmed) {
+    const auto* const row =
+        std::ranges::find(kUnconfirmedRows, kind, [](const auto& entry) { return entry.first; });
+    return unconfirmed && row != kUnconfirmedRows.end() ? row->second : kRows[static_cast<std::size_t>(kind)];
+}
+
 // About the tools.
+constexpr FindingRow kToolFromComment{
+    Severity::warning, true, "tool-unconfirmed",
+    PROVEOUT_TEXT("Core", "T{} is read from a comment ({}); it is not confirmed."), kConfirmTool};
+constexpr FindingRow kToolFromVagueComment{
+    Severity::warning, true, "tool-unconfirmed",
+    PROVEOUT_TEXT("Core", "T{} is read from a comment ({}; defaults: {}); it is not confirmed."),
+    kConfirmTool};
+constexpr FindingRow kToolSizesAssumed{
+    Severity::warning, true, "tool-unconfirmed",
+    PROVEOUT_TEXT("Core", "The sizes of T{} are assumed ({}); they are not confirmed."), kConfirmTool};
 constexpr FindingRow kToolAssumed{
     Severity::warning, true, "tool-assumed",
     PROVEOUT_TEXT("Core", "The program cuts before it calls a tool; T{} is assumed to be in the spindle."),
     PROVEOUT_TEXT("Core", "Set the tool at start in the setup if this is the right one.")};
 constexpr FindingRow kToolUndefined{
     Severity::error, true, "tool-undefined",
-    PROVEOUT_TEXT("Core", "No cutter is defined for tool T{}; its motions cut nothing."),
-    PROVEOUT_TEXT("Core", "Add the tool to the tool table.")};
+    PROVEOUT_TEXT("Core", "T{} is not in the tool table; its moves are not simulated."),
+    PROVEOUT_TEXT("Core", "Define it in the tool table.")};
 constexpr FindingRow kNoTool{
     Severity::error, true, "no-tool",
     PROVEOUT_TEXT("Core", "The program cuts before it calls a tool; moves are not simulated until it does."),
@@ -88,38 +124,56 @@ void tell(BoundedDiagnostics& out, const FindingRow& row, std::vector<std::strin
              {static_cast<int>(line), 1, 0}});
 }
 
+void tellUnconfirmed(BoundedDiagnostics& out, const UnconfirmedTool& tool) {
+    std::vector<std::string> values{std::to_string(tool.number), tool.cutter};
+    if (tool.origin.source == ToolSource::assumed)
+        return tell(out, kToolSizesAssumed, std::move(values), tool.line);
+    if (tool.origin.defaults.empty())
+        return tell(out, kToolFromComment, std::move(values), tool.origin.line);
+    values.push_back(fmt::format("{}", fmt::join(tool.origin.defaults, ", ")));
+    tell(out, kToolFromVagueComment, std::move(values), tool.origin.line);
+}
+
 void tellAboutTools(const Program& program, const ToolChoice& tools, BoundedDiagnostics& out) {
     if (tools.assumed() && program.blockCount() > 0)
         tell(out, kToolAssumed, {std::to_string(*tools.assumed())}, program.blockLine(0));
     for (const MissingTool& missing : tools.missing())
         tell(out, rowOf(missing), {std::to_string(missing.number)}, missing.line);
+    for (const UnconfirmedTool& tool : tools.unconfirmed())
+        tellUnconfirmed(out, tool);
 }
 
 } // namespace
 
-void FindingLog::add(std::size_t block, FindingKind kind, double value) {
+void FindingLog::add(std::size_t block, FindingKind kind, double value, bool unconfirmed) {
     const auto index = static_cast<std::uint32_t>(block);
     for (auto finding = m_findings.rbegin(); finding != m_findings.rend() && finding->block == index;
          ++finding)
         if (finding->kind == kind) {
             finding->value = std::max(finding->value, value);
+            --countOf(*finding);
+            finding->unconfirmed = finding->unconfirmed && unconfirmed;
+            ++countOf(*finding);
             return;
         }
-    m_findings.push_back({index, kind, value});
-    ++m_counts[static_cast<std::size_t>(kind)];
+    ++countOf(m_findings.emplace_back(Finding{index, kind, unconfirmed, value}));
 }
 
-void FindingLog::add(std::size_t block, FindingKind kind, double value, const Vec3& place) {
-    add(block, kind, value);
+void FindingLog::add(std::size_t block, FindingKind kind, double value, bool unconfirmed, const Vec3& place) {
+    add(block, kind, value, unconfirmed);
     m_places.insert_or_assign(static_cast<std::uint32_t>(block), place);
 }
 
-std::vector<std::string> FindingLog::argumentsOf(const Finding& finding) const {
+std::vector<std::string> FindingLog::argumentsOf(const Finding& finding, const Program& program,
+                                                 const ToolChoice& tools) const {
     std::vector<std::string> arguments = {fmt::format("{:.3f}", finding.value)};
     const auto place = m_places.find(finding.block);
     if (finding.kind == FindingKind::overhangLost && place != m_places.end()) {
         for (int axis = 0; axis < 3; ++axis)
             arguments.push_back(fmt::format("{:.3f}", place->second[axis]));
+    } else if (finding.unconfirmed) {
+        const std::size_t last = program.blockMotions(finding.block).last - 1;
+        arguments.push_back(std::to_string(tools.tool(program.motion(last).tool)));
     }
     return arguments;
 }
@@ -133,27 +187,29 @@ void FindingLog::truncate(std::size_t block) {
     m_places.erase(m_places.lower_bound(static_cast<std::uint32_t>(block)), m_places.end());
     const auto first = std::ranges::lower_bound(m_findings, block, {}, &Finding::block);
     for (auto gone = first; gone != m_findings.end(); ++gone)
-        --m_counts[static_cast<std::size_t>(gone->kind)];
+        --countOf(*gone);
     m_findings.erase(first, m_findings.end());
 }
 
 Diagnostics FindingLog::diagnostics(const Program& program, const ToolChoice& tools) const {
     BoundedDiagnostics out;
     tellAboutTools(program, tools, out);
-    std::set<std::pair<std::uint32_t, FindingKind>> told;
+    std::set<std::tuple<std::uint32_t, FindingKind, bool>> told;
     static_assert(kRows.size() == kKinds);
     auto left = m_counts;
     for (const Finding& finding : m_findings) {
         if (out.full())
             break;
-        const auto kind = static_cast<std::size_t>(finding.kind);
-        --left[kind];
+        --left[finding.unconfirmed ? 1 : 0][static_cast<std::size_t>(finding.kind)];
         const auto line = program.blockLine(finding.block);
-        if (told.emplace(line, finding.kind).second)
-            tell(out, kRows[kind], argumentsOf(finding), line);
+        if (told.emplace(line, finding.kind, finding.unconfirmed).second)
+            tell(out, rowOf(finding.kind, finding.unconfirmed), argumentsOf(finding, program, tools), line);
     }
-    for (std::size_t kind = 0; kind < kKinds; ++kind)
-        out.leaveOut(kRows[kind].severity, kRows[kind].unverified, left[kind]);
+    for (const bool unconfirmed : {false, true})
+        for (std::size_t kind = 0; kind < kKinds; ++kind) {
+            const FindingRow& row = rowOf(static_cast<FindingKind>(kind), unconfirmed);
+            out.leaveOut(row.severity, row.unverified, left[unconfirmed ? 1 : 0][kind]);
+        }
     return out.take("more-findings",
                     PROVEOUT_TEXT("Core", "{} more findings of the simulation are not shown."));
 }

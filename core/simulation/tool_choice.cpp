@@ -29,6 +29,22 @@ std::optional<std::size_t> firstMiss(const Program& program, const Program::Tool
     return {};
 }
 
+/// `toolOf(number)`: the tool of a motion that names tool `number`.
+template<class ToolOf>
+std::vector<UnconfirmedTool> unconfirmedTools(const Program& program, const ToolTable& tools,
+                                              ToolOf&& toolOf) {
+    std::vector<UnconfirmedTool> unconfirmed;
+    std::set<int> listed;
+    for (const Program::ToolRun& run : program.toolRuns()) {
+        const int number = toolOf(run.tool);
+        const ToolOrigin* origin = tools.unconfirmedOrigin(number);
+        if (origin != nullptr && listed.insert(number).second)
+            unconfirmed.push_back(
+                {number, program.motion(run.first).line, tools.find(number)->spec(), *origin});
+    }
+    return unconfirmed;
+}
+
 } // namespace
 
 std::size_t firstMotionWithCalledTool(const Program& program) {
@@ -59,6 +75,7 @@ ToolChoice::ToolChoice(const Program& program, const Setup& setup) : m_assumed(a
             told.insert(number);
         }
     }
+    m_unconfirmed = unconfirmedTools(program, setup.tools, [this](int number) { return tool(number); });
 }
 
 } // namespace proveout

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "core/nc/program.h"
@@ -16,6 +17,14 @@ struct MissingTool {
     int number = 0;         ///< 0: none in the spindle
     std::uint32_t line = 0; ///< source line of the first motion that misses it
     bool called = true;     ///< by the program; else the spindle is as it was at the start
+};
+
+/// A tool that motions cut with, and whose sizes nobody has confirmed.
+struct UnconfirmedTool {
+    int number = 0;
+    std::uint32_t line = 0; ///< source line of the first motion with it
+    std::string cutter;     ///< its spec
+    ToolOrigin origin;
 };
 
 /// The index of the first motion after the first tool change; motionCount() where no tool is changed.
@@ -42,10 +51,13 @@ public:
     /// Each once, in the order in which the program misses them. A rapid misses its tool too, for it may cut;
     /// but with no tool in the spindle it is only on its way to one.
     [[nodiscard]] const std::vector<MissingTool>& missing() const { return m_missing; }
+    /// Each once, in the order in which the program uses them.
+    [[nodiscard]] const std::vector<UnconfirmedTool>& unconfirmed() const { return m_unconfirmed; }
 
 private:
     std::optional<int> m_assumed;
     std::vector<MissingTool> m_missing;
+    std::vector<UnconfirmedTool> m_unconfirmed;
 };
 
 } // namespace proveout

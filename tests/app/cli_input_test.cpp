@@ -109,6 +109,29 @@ TEST_F(CliInput, ToolWithoutACutterIsUnverified) {
     EXPECT_EQ(done.json()["unverified"][0]["line"], 2);
 }
 
+TEST_F(CliInput, AToolOfACommentIsUsedAndWhatItFindsIsUnverified) {
+    const std::string program = "(T7 D=4. CR=0. - FLAT END MILL)\nG21 G90\nT7 M6\nG0 X5 Y5 Z5\nZ-3\nM30\n";
+    const auto done = simulate(program, "--json");
+    EXPECT_EQ(done.exitCode, 2) << done.err;
+    EXPECT_TRUE(done.tells("p.nc:1:1: warning: ", "tool-unconfirmed")) << done.err;
+    EXPECT_TRUE(done.tells("p.nc:5:1: warning: ", "rapid-cuts")) << done.err;
+    EXPECT_GT(done.json()["removedMm3"], 0);
+    for (const auto& tool : done.json()["tools"])
+        if (tool["number"] == 7) {
+            EXPECT_EQ(tool["cutter"], "flat:d=4");
+            EXPECT_EQ(tool["source"], "comment");
+            EXPECT_EQ(tool["line"], 1);
+            EXPECT_EQ(tool["comment"], "T7 D=4. CR=0. - FLAT END MILL");
+        }
+    // The same tool, stated by the user.
+    const auto given = simulate(program, "--json --tool 7=flat:d=4");
+    EXPECT_EQ(given.exitCode, 1) << given.err;
+    EXPECT_TRUE(given.tells("p.nc:5:1: fault: ", "rapid-cuts")) << given.err;
+    const auto other = simulate(program, "--json --tool 7=ball:d=6").json()["tools"];
+    EXPECT_NE(other.dump().find("ball:d=6"), std::string::npos) << "given tools win";
+    EXPECT_EQ(other.dump().find("flat:d=4"), std::string::npos);
+}
+
 TEST_F(CliInput, MotionBeforeFAndArcThatDoesNotFitAreUnverified) {
     const auto noFeed = simulate("T1 M6\nG0 X5 Y5 Z5\nG1 Z-2\nM30\n");
     EXPECT_EQ(noFeed.exitCode, 2);

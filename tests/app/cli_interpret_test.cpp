@@ -59,7 +59,7 @@ TEST_F(CliInterpret, ToolsAreKnownUnlessATableSaysOtherwise) {
     write("t.toml", "[[tool]]\nnumber = 1\ncutter = \"ball:d=4\"\n");
     lines("T5 M6\nG0 X1 Y1 Z1\nT1 M6\nG0 X2\nT5 M6\nG0 X3\nM2\n", "--tools t.toml");
     EXPECT_EQ(finished.exitCode, 2);
-    EXPECT_EQ(finished.err, "p.nc:2:1: error: No cutter is defined for tool T5; its motions cut nothing. "
+    EXPECT_EQ(finished.err, "p.nc:2:1: error: T5 is not in the tool table; its moves are not simulated. "
                             "[tool-undefined]\n")
         << "once, where it is missed first";
 }

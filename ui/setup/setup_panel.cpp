@@ -23,21 +23,13 @@
 #include "ui/setup/start_form.h"
 #include "ui/setup/stock_form.h"
 #include "ui/setup/tool_table_editor.h"
+#include "ui/tool_actions.h"
 
 namespace proveout {
 
 namespace {
 
 constexpr int kRestMs = 250;
-
-std::vector<int> missingTools(const Session& session) {
-    std::vector<int> missing;
-    for (const int number : session.cutting().tools) {
-        if (session.setup().tools.find(number) == nullptr)
-            missing.push_back(number);
-    }
-    return missing;
-}
 
 } // namespace
 
@@ -62,6 +54,10 @@ SetupPanel::SetupPanel(Session& session, QWidget* parent)
     connect(m_dialect, &QComboBox::activated, &m_rest, qOverload<>(&QTimer::start));
     connect(m_compensation, &QComboBox::activated, &m_rest, qOverload<>(&QTimer::start));
     connect(m_fit, &QPushButton::clicked, this, &SetupPanel::fitToProgram);
+    connect(m_tools, &ToolTableEditor::lineWanted, this,
+            [this](std::uint32_t line) { emit m_session.lineRequested(line, 1); });
+    // The window brings the panel forward first: what is hidden takes no focus.
+    connect(&session, &Session::toolRequested, m_tools, &ToolTableEditor::edit, Qt::QueuedConnection);
     connect(m_define, &QPushButton::clicked, this, &SetupPanel::defineMissingTools);
     connect(&session, &Session::setupChanged, this, &SetupPanel::showSetup);
     connect(&session, &Session::programChanged, this, &SetupPanel::showMissingTools);
@@ -156,11 +152,7 @@ void SetupPanel::showCompensation() {
 
 void SetupPanel::showMissingTools() {
     const std::vector<int> missing = missingTools(m_session);
-    QStringList names;
-    for (const int number : missing)
-        names << QStringLiteral("T%1").arg(number);
-    m_missing->setText(
-        tr("Used by the program, but not in the table: %1").arg(names.join(QStringLiteral(", "))));
+    m_missing->setText(tr("Tools missing from the table: %1").arg(toolList(missing)));
     m_missing->setVisible(!missing.empty());
     m_define->setVisible(!missing.empty());
     const bool box = m_session.setup().shape.kind == StockKind::box;
@@ -292,9 +284,8 @@ void SetupPanel::fitToProgram() {
 }
 
 void SetupPanel::defineMissingTools() {
-    for (const int number : missingTools(m_session))
-        m_tools->add(number);
-    apply();
+    apply(); // what is being typed
+    assumeMissingTools(m_session);
 }
 
 void SetupPanel::retranslate() {
@@ -313,8 +304,8 @@ void SetupPanel::retranslate() {
     m_fit->setToolTip(tr("Make the stock just large enough for all cutting motions"));
     m_toolsTitle->setText(tr("Tools"));
     m_machineTitle->setText(tr("Machine"));
-    m_define->setText(tr("Add them with standard sizes"));
-    m_define->setToolTip(tr("Add these tools; then give them the sizes of your cutters"));
+    m_define->setText(tr("Add missing tools (⌀ 10 mm assumed)"));
+    m_define->setToolTip(tr("Add these tools; then enter the sizes of your cutters"));
     m_blockDelete->setText(tr("Skip blocks that begin with /"));
     m_blockDelete->setToolTip(tr("Block delete, as the switch on the control"));
     showDialect();

@@ -12,8 +12,11 @@
 
 #include "core/base/tool_number.h"
 #include "ui/diagnostic_text.h"
+#include "ui/icons.h"
 #include "ui/number_box.h"
+#include "ui/panel_layout.h"
 #include "ui/setup/tool_form.h"
+#include "ui/tool_actions.h"
 
 namespace proveout {
 
@@ -21,21 +24,35 @@ namespace {
 
 constexpr int kRowsShown = 5;
 
-QString description(const Cutter& cutter, const QLocale& locale) {
-    const ToolSpec spec = readSpec(cutter.spec());
-    return QStringLiteral("%1  ⌀ %2 mm")
-        .arg(coreText(shapeRow(spec.shape).label), locale.toString(2 * cutter.radius(), 'g', 6));
+/// The labels of the keys that a comment does not state.
+QString defaultsText(const Cutter& cutter, const ToolOrigin& origin) {
+    QStringList names;
+    for (const std::string& key : origin.defaults) {
+        if (key == "shape")
+            names << ToolTableEditor::tr("Shape");
+        for (const ShapeKey& row : keysOf(readSpec(cutter.spec()).shape))
+            if (key == row.key)
+                names << coreText(row.label);
+    }
+    return names.join(QStringLiteral(", "));
 }
 
 } // namespace
 
 ToolTableEditor::ToolTableEditor(QWidget* parent)
     : QWidget(parent), m_list(new QTreeWidget(this)), m_add(new QPushButton(this)),
-      m_remove(new QPushButton(this)), m_numberLabel(new QLabel(this)), m_number(new CountBox(this)),
-      m_details(new QWidget(this)), m_form(new ToolForm(m_details)), m_problem(new QLabel(this)) {
+      m_remove(new QPushButton(this)), m_confirm(new QPushButton(this)), m_confirmAll(new QPushButton(this)),
+      m_numberLabel(new QLabel(this)), m_number(new CountBox(this)), m_details(new QWidget(this)),
+      m_form(new ToolForm(m_details)), m_origin(wrappedLabel(m_details)), m_problem(new QLabel(this)) {
     m_list->setRootIsDecorated(false);
-    m_list->setColumnCount(2);
-    m_list->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+    m_list->setColumnCount(3);
+    m_list->header()->setStretchLastSection(false);
+    m_list->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_list->header()->setSectionResizeMode(1, QHeaderView::Stretch);
+    m_confirm->setObjectName(QStringLiteral("tool-confirm"));
+    m_confirmAll->setObjectName(QStringLiteral("tool-confirm-all"));
+    m_origin->setObjectName(QStringLiteral("tool-origin"));
+    m_origin->setTextFormat(Qt::RichText);
     m_list->setFixedHeight(m_list->header()->sizeHint().height() + kRowsShown * (fontMetrics().height() + 6));
     m_number->setRange(kLeastTool, kLargestTool);
     m_number->setPrefix(QStringLiteral("T"));
@@ -47,17 +64,23 @@ ToolTableEditor::ToolTableEditor(QWidget* parent)
     buttons->addWidget(m_add);
     buttons->addWidget(m_remove);
     buttons->addStretch(1);
+    auto* confirming = new QHBoxLayout;
+    confirming->addWidget(m_confirm);
+    confirming->addWidget(m_confirmAll);
+    confirming->addStretch(1);
     auto* number = new QHBoxLayout;
     number->addWidget(m_numberLabel);
     number->addWidget(m_number, 1);
     auto* details = new QVBoxLayout(m_details);
     details->setContentsMargins(0, 0, 0, 0);
+    details->addWidget(m_origin);
     details->addLayout(number);
     details->addWidget(m_form);
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_list);
     layout->addLayout(buttons);
+    layout->addLayout(confirming);
     layout->addWidget(m_details);
     layout->addWidget(m_problem);
 
@@ -67,6 +90,10 @@ ToolTableEditor::ToolTableEditor(QWidget* parent)
         emit edited();
     });
     connect(m_remove, &QPushButton::clicked, this, &ToolTableEditor::removeSelected);
+    connect(m_confirm, &QPushButton::clicked, this, &ToolTableEditor::confirmSelected);
+    connect(m_confirmAll, &QPushButton::clicked, this, &ToolTableEditor::confirmAll);
+    connect(m_origin, &QLabel::linkActivated, this,
+            [this](const QString& line) { emit lineWanted(line.toUInt()); });
     connect(m_number, &QSpinBox::valueChanged, this, &ToolTableEditor::renumber);
     connect(m_form, &ToolForm::edited, this, &ToolTableEditor::applyForm);
     retranslate();
@@ -84,8 +111,21 @@ void ToolTableEditor::add(int number) {
     Result<Cutter> cutter = parseCutter(writeSpec(standardSpec()));
     if (!cutter || m_tools.find(number) != nullptr)
         return;
-    m_tools.set(number, std::move(*cutter));
+    m_tools.set(number, std::move(*cutter), {ToolSource::assumed});
     fillList(number);
+}
+
+void ToolTableEditor::edit(int number) {
+    if (m_tools.find(number) == nullptr) {
+        add(number);
+        emit edited();
+    } else {
+        fillList(number);
+    }
+    if (auto* size = m_form->findChild<QAbstractSpinBox*>()) {
+        size->setFocus();
+        size->selectAll();
+    }
 }
 
 int ToolTableEditor::selectedNumber() const {
@@ -105,10 +145,9 @@ void ToolTableEditor::fillList(int selected) {
         const QSignalBlocker quiet(m_list);
         m_list->clear();
         for (const auto& [number, cutter] : m_tools.tools()) {
-            auto* item = new QTreeWidgetItem(
-                m_list, {QStringLiteral("T%1").arg(number), description(cutter, locale())});
+            auto* item = new QTreeWidgetItem(m_list, {QStringLiteral("T%1").arg(number)});
             item->setData(0, Qt::UserRole, number);
-            item->setToolTip(1, QString::fromStdString(cutter.spec()));
+            showTool(*item, number);
             if (number == selected)
                 m_list->setCurrentItem(item);
         }
@@ -118,8 +157,64 @@ void ToolTableEditor::fillList(int selected) {
     select();
 }
 
+void ToolTableEditor::showTool(QTreeWidgetItem& item, int number) const {
+    const Cutter& cutter = *m_tools.find(number);
+    const ToolOrigin* origin = m_tools.unconfirmedOrigin(number);
+    item.setText(1, cutterText(cutter, locale()));
+    item.setToolTip(1, QString::fromStdString(cutter.spec()));
+    QFont font = m_list->font();
+    font.setItalic(origin != nullptr);
+    for (int column = 0; column < m_list->columnCount(); ++column)
+        item.setFont(column, font);
+    item.setIcon(2, origin == nullptr ? QIcon() : icon(QStringLiteral("warning")));
+    if (origin == nullptr) {
+        item.setText(2, tr("Given"));
+        item.setToolTip(2, QString());
+    } else if (origin->source == ToolSource::comment) {
+        item.setText(2, tr("Comment, line %1").arg(origin->line));
+        item.setToolTip(2, QString::fromStdString(origin->comment).toHtmlEscaped());
+    } else {
+        item.setText(2, tr("Assumed"));
+        item.setToolTip(2, tr("Default sizes; enter those of your cutter, or confirm them"));
+    }
+}
+
+/// Where the sizes of the selected tool come from, while they are not confirmed.
+void ToolTableEditor::showOrigin() {
+    const int number = selectedNumber();
+    const ToolOrigin* origin = m_tools.unconfirmedOrigin(number);
+    m_confirm->setVisible(origin != nullptr);
+    m_confirmAll->setVisible(m_tools.unconfirmed().size() > 1);
+    m_origin->setVisible(origin != nullptr);
+    if (origin == nullptr)
+        return;
+    if (origin->source == ToolSource::assumed) {
+        m_origin->setText(tr("These sizes are assumed. Enter those of your cutter, or confirm them."));
+        return;
+    }
+    QString text =
+        tr("From the comment in <a href=\"%1\">line %1</a>: <i>%2</i>")
+            .arg(QString::number(origin->line), QString::fromStdString(origin->comment).toHtmlEscaped());
+    if (const QString defaults = defaultsText(*m_tools.find(number), *origin); !defaults.isEmpty())
+        text += QStringLiteral("<br>") + tr("Not stated there, defaults: %1").arg(defaults.toHtmlEscaped());
+    m_origin->setText(text);
+}
+
+void ToolTableEditor::confirmSelected() {
+    m_tools.confirm(selectedNumber());
+    fillList(selectedNumber());
+    emit edited();
+}
+
+void ToolTableEditor::confirmAll() {
+    m_tools.confirmAll();
+    fillList(selectedNumber());
+    emit edited();
+}
+
 void ToolTableEditor::select() {
     const Cutter* cutter = m_tools.find(selectedNumber());
+    showOrigin();
     m_details->setVisible(cutter != nullptr);
     m_remove->setEnabled(cutter != nullptr);
     m_problem->hide();
@@ -138,8 +233,9 @@ void ToolTableEditor::applyForm() {
         m_problem->setText(sentence(cutter.error().front()));
         return;
     }
-    m_list->currentItem()->setText(1, description(*cutter, locale()));
-    m_tools.set(number, std::move(*cutter));
+    m_tools.set(number, std::move(*cutter)); // who edits its sizes knows them
+    showTool(*m_list->currentItem(), number);
+    showOrigin();
     emit edited();
 }
 
@@ -153,8 +249,10 @@ void ToolTableEditor::renumber(int number) {
         return;
     }
     Cutter cutter = *m_tools.find(before);
+    const ToolOrigin* unconfirmed = m_tools.unconfirmedOrigin(before);
+    ToolOrigin origin = unconfirmed == nullptr ? ToolOrigin() : *unconfirmed;
     m_tools.remove(before);
-    m_tools.set(number, std::move(cutter));
+    m_tools.set(number, std::move(cutter), std::move(origin));
     fillList(number);
     emit edited();
 }
@@ -166,7 +264,11 @@ void ToolTableEditor::removeSelected() {
 }
 
 void ToolTableEditor::retranslate() {
-    m_list->setHeaderLabels({tr("Tool"), tr("Cutter")});
+    m_list->setHeaderLabels({tr("Tool"), tr("Cutter"), tr("Source")});
+    m_confirm->setText(tr("Confirm"));
+    m_confirm->setToolTip(tr("The sizes of the selected tool are right"));
+    m_confirmAll->setText(tr("Confirm All"));
+    m_confirmAll->setToolTip(tr("The sizes of all tools are right"));
     m_list->setAccessibleName(tr("Tools"));
     m_add->setText(tr("Add"));
     m_add->setToolTip(tr("Add a tool with the next free number"));

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+
 #include <QWidget>
 
 #include "core/cutter/tool_table.h"
@@ -8,6 +10,7 @@
 class QLabel;
 class QPushButton;
 class QTreeWidget;
+class QTreeWidgetItem;
 
 namespace proveout {
 
@@ -23,11 +26,16 @@ public:
     [[nodiscard]] const ToolTable& tools() const { return m_tools; }
     /// Shows other tools; emits nothing.
     void show(const ToolTable& tools);
-    /// Adds a tool with the standard sizes, to be edited; nothing where the number is taken.
+    /// Adds a tool with the default sizes, assumed until they are edited or confirmed; nothing where the
+    /// number is taken.
     void add(int number);
+    /// Selects a tool and its first size, so that it can be typed; adds the tool where it is missing.
+    void edit(int number);
 
 signals:
     void edited();
+    /// The user wants to see the comment that a tool was read from.
+    void lineWanted(std::uint32_t line);
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -38,6 +46,10 @@ private:
     void applyForm();
     void renumber(int number);
     void removeSelected();
+    void confirmSelected();
+    void confirmAll();
+    void showOrigin();
+    void showTool(QTreeWidgetItem& item, int number) const;
     void retranslate();
     [[nodiscard]] int selectedNumber() const; ///< -1: none
     [[nodiscard]] int freeNumber() const;
@@ -46,10 +58,13 @@ private:
     QTreeWidget* m_list;
     QPushButton* m_add;
     QPushButton* m_remove;
+    QPushButton* m_confirm;
+    QPushButton* m_confirmAll;
     QLabel* m_numberLabel;
     CountBox* m_number;
     QWidget* m_details;
     ToolForm* m_form;
+    QLabel* m_origin; ///< where unconfirmed sizes come from
     QLabel* m_problem;
 };
 

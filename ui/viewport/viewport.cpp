@@ -16,6 +16,7 @@
 #include "ui/viewport/closer_look_form.h"
 #include "ui/viewport/hud.h"
 #include "ui/viewport/surface_pick.h"
+#include "ui/viewport/tool_notice.h"
 #include "ui/viewport/viewport_commands.h"
 
 namespace proveout {
@@ -73,6 +74,7 @@ Viewport::Viewport(Session& session, const GlSupport& support, QWidget* parent)
     connect(m_form, &CloserLookForm::edited, this, &Viewport::followForm);
     connect(&m_look, &CloserLook::changed, this, &Viewport::followLook);
     connect(&session, &Session::tick, this, &Viewport::setFrame);
+    new ToolNotice(session, this);
     followPalette();
     followOptions();
     setFrame(session.frame());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QLabel>
 
+#include "ui/viewport/tool_notice.h"
 #include "ui/viewport/viewport.h"
 
 namespace proveout {
@@ -19,6 +20,7 @@ public:
             if (frame != nullptr)
                 session.reportDrawn(frame->sequence, 0, 0);
         });
+        new ToolNotice(session, this);
     }
 };
 

@@ -46,6 +46,17 @@ TEST_F(ToolFile, ReadsNumbersAndCutters) {
     EXPECT_EQ(tools->find(12)->spec(), "flat:d=6");
 }
 
+TEST_F(ToolFile, MayMarkSizesAsNotConfirmed) {
+    const auto tools = read("[[tool]]\nnumber = 1\ncutter = \"flat:d=6\"\nsource = \"assumed\"\n"
+                            "[[tool]]\nnumber = 2\ncutter = \"flat:d=6\"\nsource = \"given\"\n"
+                            "[[tool]]\nnumber = 3\ncutter = \"flat:d=6\"\n");
+    ASSERT_TRUE(tools);
+    ASSERT_EQ(tools->unconfirmed().size(), 1U);
+    EXPECT_EQ(tools->unconfirmedOrigin(1)->source, ToolSource::assumed);
+    EXPECT_THAT(told("[[tool]]\nnumber = 1\ncutter = \"flat:d=6\"\nsource = \"me\"\n"),
+                HasSubstr("[tool-source]"));
+}
+
 TEST_F(ToolFile, HoldsCuttersOfEveryShape) {
     std::string text;
     int number = 0;
@@ -74,7 +85,7 @@ TEST_F(ToolFile, KeysOfARowThatAreNotKnownAreErrorsWithTheirPlace) {
               "1:1 Tool 1 needs a cutter, e.g. cutter = \"ball:d=11,l=50\". [tool-cutter]\n"
               "3:1 “cuter” is no key of a tool; perhaps “cutter” is meant. [tool-key-unknown]\n");
     EXPECT_EQ(told("[[tool]]\nnumber = 1\ncutter = \"ball:d=4\"\n  flutes = 2\n"),
-              "4:3 “flutes” is no key of a tool; there are number, cutter. [tool-key-unknown]\n");
+              "4:3 “flutes” is no key of a tool; there are number, cutter, source. [tool-key-unknown]\n");
     EXPECT_EQ(told("[[tool]]\nnumber = 1\ncutter = \"ball:d=4\"\nNumber = 2\n"),
               "4:1 “Number” is no key of a tool; perhaps “number” is meant. [tool-key-unknown]\n");
 }
@@ -86,7 +97,7 @@ TEST_F(ToolFile, TablesThatAreNotKnownAreErrorsWithTheirPlace) {
     EXPECT_EQ(told("unit = \"mm\"\n" + row),
               "1:1 “unit” is no table of a tool file; each tool is a [[tool]]. [tool-key-unknown]\n");
     EXPECT_EQ(told(row + "[tool.holder]\nd = 40\n"),
-              "4:7 “holder” is no key of a tool; there are number, cutter. [tool-key-unknown]\n");
+              "4:7 “holder” is no key of a tool; there are number, cutter, source. [tool-key-unknown]\n");
     EXPECT_EQ(told("[machine]\nname = \"x\"\n"),
               "0:0 The file holds no [[tool]] tables. [tool-file-empty]\n"
               "1:2 “machine” is no table of a tool file; each tool is a [[tool]]. [tool-key-unknown]\n");
@@ -106,7 +117,7 @@ TEST_F(ToolFile, AllErrorsAreToldAtOnceInTheOrderOfTheText) {
               "2:10 A tool needs a number, a whole one from 0 to 99999999. [tool-number]\n"
               "4:1 Tool 3 needs a cutter, e.g. cutter = \"ball:d=11,l=50\". [tool-cutter]\n"
               "7:10 A tool needs a number, a whole one from 0 to 99999999. [tool-number]\n"
-              "8:1 “colour” is no key of a tool; there are number, cutter. [tool-key-unknown]\n"
+              "8:1 “colour” is no key of a tool; there are number, cutter, source. [tool-key-unknown]\n"
               "10:10 Tool 3 stands in the table twice. [tool-twice]\n"
               "12:1 A tool needs a number, a whole one from 0 to 99999999. [tool-number]\n");
 }

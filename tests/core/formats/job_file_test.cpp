@@ -77,6 +77,31 @@ TEST_F(JobFile, ReadsEveryField) {
                                                      BorderRule::paper, RemovalOrder::sequential, 7}));
 }
 
+TEST_F(JobFile, KeepsWhereTheSizesOfAToolComeFrom) {
+    auto job = read(kWhole);
+    ASSERT_TRUE(job);
+    EXPECT_TRUE(job->setup.tools.unconfirmed().empty()) << "old jobs give their tools";
+    const ToolOrigin comment{ToolSource::comment, 3, "T1 D=11 \"BALL\"", {"shape", "l"}};
+    job->setup.tools.set(1, *job->setup.tools.find(1), comment);
+    job->setup.tools.set(5, parseCutter("flat:d=10").value(), {ToolSource::assumed});
+    ASSERT_TRUE(writeJob(m_folder / "again.proveout", *job));
+    const auto again = readJob(m_folder / "again.proveout");
+    ASSERT_TRUE(again) << oneLine(again.error().front());
+    EXPECT_TRUE(again->warnings.empty());
+    EXPECT_EQ(again->setup.tools, job->setup.tools);
+    ASSERT_NE(again->setup.tools.unconfirmedOrigin(1), nullptr);
+    EXPECT_EQ(*again->setup.tools.unconfirmedOrigin(1), comment);
+    EXPECT_EQ(again->setup.tools.unconfirmedOrigin(12), nullptr);
+    EXPECT_EQ(again->setup.tools.unconfirmedOrigin(5)->source, ToolSource::assumed);
+
+    const auto refused = [this](const std::string& field) {
+        return told(with("\"grid\"", "\"unconfirmedTools\": " + field + ", \"grid\""));
+    };
+    EXPECT_THAT(refused(R"({"1": {"source": "guessed"}})"), HasSubstr("unconfirmedTools.1.source"));
+    EXPECT_THAT(refused(R"({"1": {"source": "comment", "line": -1}})"), HasSubstr("unconfirmedTools.1.line"));
+    EXPECT_THAT(refused(R"({"99": {"source": "assumed"}})"), HasSubstr("unconfirmedTools.99"));
+}
+
 TEST_F(JobFile, OptionalFieldsHaveTheirDefaults) {
     const auto job =
         read(R"({"proveout": 1, "program": "a.nc", "stock": {"width": 1, "depth": 2, "height": 3}})");

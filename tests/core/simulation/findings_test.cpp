@@ -91,7 +91,46 @@ TEST(Findings, TheReferencePositionIsClearOfThePart) {
 TEST(Findings, TellLargeToolNumbersExactly) {
     const auto findings = findingsOf("T16777217 M6\nG0 X5 Y5 Z5\n");
     ASSERT_EQ(findings.size(), 1U);
-    EXPECT_THAT(message(findings[0]), HasSubstr("T16777217;"));
+    EXPECT_THAT(message(findings[0]), HasSubstr("T16777217 "));
+}
+
+/// The small stock, and a tool that cuts by a rapid, deeper than its flutes.
+Diagnostics faultsWith(const ToolOrigin& origin) {
+    proveout::Setup setup = *smallSetup();
+    setup.tools.set(7, parseCutter("flat:d=4,l=1").value(), origin);
+    return findingsOf("T7 M6\nG0 X5 Y5 Z5\nZ-3\nX30\nG0 Z5\n",
+                      std::make_shared<const proveout::Setup>(setup));
+}
+
+TEST(Findings, OfAToolThatIsNotConfirmedAreNoFaults) {
+    for (const ToolOrigin& origin :
+         {ToolOrigin{ToolSource::assumed}, ToolOrigin{ToolSource::comment, 3, "T7 D4", {}}}) {
+        const auto findings = faultsWith(origin);
+        for (const Diagnostic& finding : findings) {
+            EXPECT_EQ(finding.severity, Severity::warning) << message(finding);
+            EXPECT_TRUE(finding.unverified) << message(finding);
+            EXPECT_THAT(message(finding), HasSubstr("T7"));
+        }
+        EXPECT_NE(find(findings, "rapid-cuts"), nullptr);
+        EXPECT_NE(find(findings, "depth-beyond-flutes"), nullptr);
+        const auto* told = find(findings, "tool-unconfirmed");
+        ASSERT_NE(told, nullptr);
+        EXPECT_EQ(told->where.line, origin.source == ToolSource::comment ? 3 : 2);
+    }
+    const auto given = faultsWith({});
+    EXPECT_EQ(find(given, "rapid-cuts")->severity, Severity::fault);
+    EXPECT_EQ(find(given, "tool-unconfirmed"), nullptr);
+}
+
+TEST(Findings, AFaultIsNotHiddenByOneOfAnUnconfirmedTool) {
+    FindingLog log;
+    const auto program = programOf("T1 M6\nG0 X5 Y5 Z5\nM98 P1\n");
+    log.add(0, FindingKind::rapidCuts, 5, true);
+    log.add(0, FindingKind::rapidCuts, 2, false); // in the same block
+    const auto findings = log.diagnostics(*program, {});
+    ASSERT_EQ(findings.size(), 1U);
+    EXPECT_EQ(findings[0].severity, Severity::fault);
+    EXPECT_THAT(message(findings[0]), HasSubstr("5.000"));
 }
 
 TEST(Findings, UndefinedToolCutsNothingAndIsUnverified) {

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/setup/tool_table_editor.h"
+
+#include <QDoubleSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QTest>
+#include <QTreeWidget>
+
+namespace proveout {
+namespace {
+
+ToolTable mixed() {
+    ToolTable tools;
+    tools.set(1, parseCutter("flat:d=6").value(), {ToolSource::comment, 3, "T1 D=6 <FLAT>", {"l"}});
+    tools.set(2, parseCutter("flat:d=10").value(), {ToolSource::assumed});
+    tools.set(3, parseCutter("ball:d=4").value());
+    return tools;
+}
+
+/// The text of the column that says where the sizes come from.
+QString sourceOf(const ToolTableEditor& editor, int row) {
+    return editor.findChild<QTreeWidget*>()->topLevelItem(row)->text(2);
+}
+
+QPushButton& button(const ToolTableEditor& editor, const char* name) {
+    return *editor.findChild<QPushButton*>(QLatin1String(name));
+}
+
+} // namespace
+
+class ToolTableEditorTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void marksWhatIsNotConfirmed() {
+        ToolTableEditor editor;
+        editor.show(mixed());
+        QCOMPARE(sourceOf(editor, 0), QStringLiteral("Comment, line 3"));
+        QCOMPARE(sourceOf(editor, 1), QStringLiteral("Assumed"));
+        QCOMPARE(sourceOf(editor, 2), QStringLiteral("Given"));
+        const auto* list = editor.findChild<QTreeWidget*>();
+        QVERIFY(list->topLevelItem(0)->font(1).italic());
+        QVERIFY(!list->topLevelItem(2)->font(1).italic());
+        const auto* origin = editor.findChild<QLabel*>(QStringLiteral("tool-origin"));
+        QVERIFY(origin->text().contains(QStringLiteral("T1 D=6 &lt;FLAT&gt;")));
+        QVERIFY(origin->text().contains(QStringLiteral("Flute length")));
+    }
+
+    void confirmsOneOrAll() {
+        ToolTableEditor editor;
+        editor.show(mixed());
+        QSignalSpy edited(&editor, &ToolTableEditor::edited);
+        QTest::mouseClick(&button(editor, "tool-confirm"), Qt::LeftButton);
+        QCOMPARE(edited.size(), 1);
+        QVERIFY(editor.tools().unconfirmedOrigin(1) == nullptr);
+        QVERIFY(editor.tools().unconfirmedOrigin(2) != nullptr);
+        QCOMPARE(sourceOf(editor, 0), QStringLiteral("Given"));
+
+        editor.show(mixed());
+        QTest::mouseClick(&button(editor, "tool-confirm-all"), Qt::LeftButton);
+        QVERIFY(editor.tools().unconfirmed().empty());
+        QVERIFY(button(editor, "tool-confirm").isHidden());
+    }
+
+    void editingASizeConfirmsIt() {
+        ToolTableEditor editor;
+        editor.show(mixed());
+        auto* diameter = editor.findChild<QDoubleSpinBox*>(QStringLiteral("tool-d"));
+        diameter->setValue(8);
+        QCOMPARE(editor.tools().find(1)->spec(), std::string("flat:d=8"));
+        QVERIFY(editor.tools().unconfirmedOrigin(1) == nullptr);
+        QCOMPARE(sourceOf(editor, 0), QStringLiteral("Given"));
+    }
+
+    void anAddedToolIsAssumedUntilItsSizesAreEntered() {
+        ToolTableEditor editor;
+        editor.edit(7);
+        QVERIFY(editor.tools().find(7) != nullptr);
+        QCOMPARE(editor.tools().unconfirmedOrigin(7)->source, ToolSource::assumed);
+        editor.findChild<QDoubleSpinBox*>(QStringLiteral("tool-d"))->setValue(12);
+        QVERIFY(editor.tools().unconfirmed().empty());
+    }
+
+    void anotherNumberIsNoConfirmation() {
+        ToolTableEditor editor;
+        editor.show(mixed());
+        editor.findChild<QSpinBox*>()->setValue(9);
+        QVERIFY(editor.tools().find(1) == nullptr);
+        QCOMPARE(editor.tools().unconfirmedOrigin(9)->line, 3U);
+    }
+
+    void leadsToTheComment() {
+        ToolTableEditor editor;
+        editor.show(mixed());
+        QSignalSpy wanted(&editor, &ToolTableEditor::lineWanted);
+        emit editor.findChild<QLabel*>(QStringLiteral("tool-origin"))->linkActivated(QStringLiteral("3"));
+        QCOMPARE(wanted.size(), 1);
+        QCOMPARE(wanted[0][0].toUInt(), 3U);
+    }
+};
+
+} // namespace proveout
+
+QTEST_MAIN(proveout::ToolTableEditorTest)
+#include "tool_table_editor_test.moc"

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/tool_actions.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <string_view>
+
+#include <QStringList>
+
+#include "core/cutter/shapes.h"
+#include "ui/diagnostic_text.h"
+#include "ui/session.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr const char* kDefaultCutter = "flat:d=10";
+constexpr std::size_t kListed = 5;
+
+/// The number under which a missing tool is found. A program that calls none runs with the only tool there
+/// is.
+int numberToDefine(const Session& session, int missing) {
+    const auto& tools = session.setup().tools.tools();
+    return missing == 0 && tools.empty() && toolChangeMarks(*session.program()).empty() ? 1 : missing;
+}
+
+} // namespace
+
+ToolChoice toolChoice(const Session& session) {
+    return session.program() ? ToolChoice(*session.program(), session.setup()) : ToolChoice();
+}
+
+std::vector<int> missingTools(const Session& session) {
+    std::vector<int> numbers;
+    const ToolChoice choice = toolChoice(session);
+    for (const MissingTool& tool : choice.missing())
+        numbers.push_back(numberToDefine(session, tool.number));
+    return numbers;
+}
+
+void assumeMissingTools(Session& session) {
+    const Result<Cutter> cutter = parseCutter(kDefaultCutter);
+    Setup setup = session.setup();
+    for (const int number : missingTools(session))
+        setup.tools.set(number, cutter.value(), {ToolSource::assumed});
+    static_cast<void>(session.setSetup(setup)); // other tools need no other memory
+}
+
+void confirmTools(Session& session) {
+    Setup setup = session.setup();
+    setup.tools.confirmAll();
+    static_cast<void>(session.setSetup(setup));
+}
+
+QString toolList(const std::vector<int>& numbers) {
+    QStringList names;
+    for (std::size_t i = 0; i < std::min(numbers.size(), kListed); ++i)
+        names << QStringLiteral("T%1").arg(numbers[i]);
+    return names.join(QStringLiteral(", ")) + (numbers.size() > kListed ? QStringLiteral(", …") : QString());
+}
+
+QString cutterText(const Cutter& cutter, const QLocale& locale) {
+    const std::string_view spec = cutter.spec();
+    const std::string_view shape = spec.substr(0, spec.find(':'));
+    const auto rows = cutterShapes();
+    const auto row = std::ranges::find_if(rows, [&](const CutterShape& other) { return shape == other.key; });
+    return QStringLiteral("%1 ⌀ %2 mm")
+        .arg(row == rows.end() ? QString() : coreText(row->label),
+             locale.toString(2 * cutter.radius(), 'g', 6));
+}
+
+} // namespace proveout
