@@ -36,6 +36,7 @@
 #include "ui/status_line.h"
 #include "ui/timeline/timeline_panel.h"
 #include "ui/viewport/viewport.h"
+#include "ui/wheel_focus.h"
 
 namespace proveout {
 
@@ -101,6 +102,7 @@ MainWindow::MainWindow(Session& session, Appearance& appearance)
     m_viewOptions = new KeptSwitches(kViewGroup, m_viewport->actions() + m_plots->actions(), this);
     restore();
     showDocument();
+    new WheelFocus(this);
     qApp->installEventFilter(this);
 }
 

@@ -2,6 +2,7 @@
 #include "ui/breakpoints/breakpoints_panel.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 #include <QDoubleSpinBox>
@@ -11,6 +12,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QShortcut>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QStackedWidget>
@@ -65,6 +67,8 @@ BreakpointsPanel::BreakpointsPanel(Session& session, QWidget* parent)
     connect(m_list, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) { goTo(*item); });
     connect(m_list, &QTreeWidget::itemSelectionChanged, this,
             [this] { m_remove->setEnabled(!m_list->selectedItems().isEmpty()); });
+    connect(new QShortcut(QKeySequence::Delete, m_list, nullptr, nullptr, Qt::WidgetShortcut),
+            &QShortcut::activated, this, &BreakpointsPanel::removeSelected);
     connect(&session, &Session::breakpointsChanged, this, &BreakpointsPanel::showBreakpoints);
     connect(&session, &Session::stoppedAt, this, &BreakpointsPanel::showHit);
     retranslate();
@@ -77,6 +81,8 @@ void BreakpointsPanel::build() {
     for (QWidget* widget : {static_cast<QWidget*>(m_kind), static_cast<QWidget*>(m_value),
                             static_cast<QWidget*>(m_add), static_cast<QWidget*>(m_remove)})
         row->addWidget(widget, widget == m_value ? 1 : 0);
+    for (std::size_t kind = 0; kind < breakpointRows().size(); ++kind)
+        m_kind->addItem(QString());
     m_value->addWidget(new QWidget(this)); // in the order of BreakpointValue
     m_value->addWidget(m_line);
     m_value->addWidget(m_height);
@@ -129,18 +135,29 @@ void BreakpointsPanel::showKind() {
     m_problem->hide();
 }
 
+/// In place: the change of a row comes from that row's own check box, which must live through it.
 void BreakpointsPanel::showBreakpoints() {
     const QSignalBlocker quiet(m_list);
-    m_list->clear();
-    for (const Breakpoint& breakpoint : m_session.breakpoints()) {
+    const auto& all = m_session.breakpoints();
+    const int count = static_cast<int>(all.size());
+    if (count != m_list->topLevelItemCount())
+        m_list->clearSelection(); // the rows are not those that were selected
+    while (m_list->topLevelItemCount() > count)
+        delete m_list->takeTopLevelItem(count);
+    while (m_list->topLevelItemCount() < count) {
         auto* item = new QTreeWidgetItem(m_list);
         item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
-        item->setCheckState(kKindColumn, breakpoint.enabled ? Qt::Checked : Qt::Unchecked);
-        item->setText(kKindColumn, coreText(rowOf(breakpoint.kind).label));
-        item->setText(kValueColumn, shownValue(locale(), breakpoint));
-        item->setToolTip(kKindColumn, coreText(rowOf(breakpoint.kind).help));
     }
-    m_remove->setEnabled(false);
+    for (int row = 0; row < count; ++row)
+        showRow(*m_list->topLevelItem(row), all[static_cast<std::size_t>(row)]);
+    m_remove->setEnabled(!m_list->selectedItems().isEmpty());
+}
+
+void BreakpointsPanel::showRow(QTreeWidgetItem& item, const Breakpoint& breakpoint) const {
+    item.setCheckState(kKindColumn, breakpoint.enabled ? Qt::Checked : Qt::Unchecked);
+    item.setText(kKindColumn, coreText(rowOf(breakpoint.kind).label));
+    item.setText(kValueColumn, shownValue(locale(), breakpoint));
+    item.setToolTip(kKindColumn, coreText(rowOf(breakpoint.kind).help));
 }
 
 /// The one that has stopped the run is the current one.
@@ -200,11 +217,8 @@ void BreakpointsPanel::goTo(const QTreeWidgetItem& item) {
 }
 
 void BreakpointsPanel::retranslate() {
-    const int kind = std::max(0, m_kind->currentIndex());
-    m_kind->clear();
-    for (const BreakpointRow& row : breakpointRows())
-        m_kind->addItem(coreText(row.label));
-    m_kind->setCurrentIndex(kind);
+    for (int row = 0; row < m_kind->count(); ++row)
+        m_kind->setItemText(row, coreText(breakpointRows()[static_cast<std::size_t>(row)].label));
     QString letters = tr("Comparisons (< <= > >= == !=) joined by && || ! and parentheses of:");
     for (const ConditionVariable& variable : conditionVariables())
         letters +=

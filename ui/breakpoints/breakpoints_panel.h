@@ -35,6 +35,7 @@ private:
     void colourProblem();
     void showKind();
     void showBreakpoints();
+    void showRow(QTreeWidgetItem& item, const Breakpoint& breakpoint) const;
     void showHit(const BreakpointHit& hit);
     void add();
     void removeSelected();

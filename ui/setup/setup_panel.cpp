@@ -76,6 +76,9 @@ void SetupPanel::build() {
     m_dialectLabel->setBuddy(m_dialect);
     m_dialect->setObjectName(QStringLiteral("dialect"));
     m_compensationLabel->setBuddy(m_compensation);
+    m_dialect->addItem(QString()); // see showDialect()
+    for (const Dialect& row : dialects())
+        m_dialect->addItem(QString::fromUtf8(row.name));
     m_compensation->setObjectName(QStringLiteral("compensation-start"));
     m_compensation->addItems({QString(), QString()});
     layout->addWidget(m_programTitle);
@@ -134,10 +137,7 @@ QString SetupPanel::automaticDialect() const {
 void SetupPanel::showDialect() {
     const auto& chosen = m_session.setup().dialect;
     const QSignalBlocker quiet(m_dialect);
-    m_dialect->clear();
-    m_dialect->addItem(automaticDialect());
-    for (const Dialect& row : dialects())
-        m_dialect->addItem(QString::fromUtf8(row.name));
+    m_dialect->setItemText(0, automaticDialect());
     m_dialect->setCurrentIndex(chosen ? static_cast<int>(*chosen) + 1 : 0);
 }
 

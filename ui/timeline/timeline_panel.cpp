@@ -24,6 +24,7 @@ namespace proveout {
 namespace {
 
 constexpr int kPaperMode = kSpeedCount; // the entry behind the speeds
+constexpr int kPaceCount = 3;           // of PlayBy
 constexpr int kIconSize = 20;
 constexpr double kLags = 0.95; // of the speed that was asked for
 constexpr int kMostDecimals = 3;
@@ -65,6 +66,11 @@ TimelinePanel::TimelinePanel(Session& session, const PlaybackCommands& commands,
     m_position->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_time->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     m_speedLabel->setBuddy(m_speed);
+    for (int pace = 0; pace < kPaceCount; ++pace)
+        m_by->addItem(QString());
+    for (int speed = 0; speed <= kPaperMode; ++speed)
+        m_speed->addItem(QString());
+    m_speed->setMaxVisibleItems(m_speed->count());
     m_by->setObjectName(QStringLiteral("play-by"));
     m_speed->setObjectName(QStringLiteral("play-speed"));
     m_lag->setObjectName(QStringLiteral("playback-lag"));
@@ -129,52 +135,50 @@ void TimelinePanel::retranslate() {
     m_lag->setToolTip(tr("Cutting takes longer than the speed allows: the program is played more slowly, and "
                          "the stock is right at every moment"));
     m_lag->setMinimumWidth(fontMetrics().horizontalAdvance(lagText(kWidestLag)) + 8);
-    fillPaces();
-    fillSpeeds();
+    namePaces();
+    nameSpeeds();
     showSpeed();
     showTimes();
 }
 
-void TimelinePanel::fillPaces() {
-    const QSignalBlocker quiet(m_by);
-    m_by->clear();
-    m_by->addItems({tr("Blocks"), tr("Path length"), tr("Machine time")}); // in the order of PlayBy
-    m_by->setCurrentIndex(static_cast<int>(m_session.playback().by));
+/// In place, as the speeds: their own choice leads here, and the list may be open.
+void TimelinePanel::namePaces() {
+    const QStringList names{tr("Blocks"), tr("Path length"), tr("Machine time")}; // in the order of PlayBy
+    for (int index = 0; index < m_by->count(); ++index)
+        m_by->setItemText(index, names[index]);
 }
 
-void TimelinePanel::fillSpeeds() {
-    const QSignalBlocker quiet(m_speed);
+QString TimelinePanel::speedName(double speed, PlayBy by) const {
+    if (std::isinf(speed))
+        return tr("As fast as possible");
+    const double factor = speed / kUnitBlocksPerSecond;
+    const QString times = locale().toString(factor);
+    const QString units = locale().toString(factor * unitSpeed(by));
+    if (by == PlayBy::blocks)
+        return tr("%1× (%2 blocks/s)").arg(times, units);
+    if (by == PlayBy::length)
+        return tr("%1× (%2 mm/s)").arg(times, units);
+    return tr("%1× the machine").arg(times);
+}
+
+void TimelinePanel::nameSpeeds() {
     const PlayBy by = m_session.playback().by;
-    m_speed->clear();
-    for (const double speed : speeds()) {
-        const double factor = speed / kUnitBlocksPerSecond;
-        const QString times = locale().toString(factor);
-        const QString units = locale().toString(factor * unitSpeed(by));
-        if (std::isinf(speed))
-            m_speed->addItem(tr("As fast as possible"));
-        else if (by == PlayBy::blocks)
-            m_speed->addItem(tr("%1× (%2 blocks/s)").arg(times, units));
-        else if (by == PlayBy::length)
-            m_speed->addItem(tr("%1× (%2 mm/s)").arg(times, units));
-        else
-            m_speed->addItem(tr("%1× the machine").arg(times));
-    }
-    m_speed->addItem(tr("Every block (paper mode)"));
+    for (int index = 0; index < kSpeedCount; ++index)
+        m_speed->setItemText(index, speedName(speeds()[static_cast<std::size_t>(index)], by));
+    m_speed->setItemText(kPaperMode, tr("Every block (paper mode)"));
     m_speed->setItemData(kPaperMode, tr("Each block is drawn before the next one is cut"), Qt::ToolTipRole);
-    m_speed->setMaxVisibleItems(m_speed->count());
     m_speed->setToolTip(
         by == PlayBy::blocks   ? tr("Playing speed; 1× is %1 blocks a second").arg(unitSpeed(by))
         : by == PlayBy::length ? tr("Playing speed; 1× is %1 mm of path a second").arg(unitSpeed(by))
                                : tr("Playing speed; 1× is that of the machine"));
-    m_filledFor = by;
+    m_namedFor = by;
 }
 
 void TimelinePanel::showSpeed() {
     const Playback& playback = m_session.playback();
-    if (playback.by != m_filledFor) {
-        fillSpeeds();
-        fillPaces();
-    }
+    if (playback.by != m_namedFor)
+        nameSpeeds();
+    m_by->setCurrentIndex(static_cast<int>(playback.by));
     const auto& all = speeds();
     const double factor = playback.unitsPerSecond / unitSpeed(playback.by);
     const auto nearest = std::lower_bound(all.begin(), all.end(), factor * kUnitBlocksPerSecond * (1 - 1e-9));

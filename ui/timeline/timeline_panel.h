@@ -31,8 +31,9 @@ private:
     void addTransport(QHBoxLayout& layout, const PlaybackCommands& commands);
     void addReadings(QHBoxLayout& layout);
     void retranslate();
-    void fillPaces();
-    void fillSpeeds();
+    void namePaces();
+    void nameSpeeds();
+    [[nodiscard]] QString speedName(double speed, PlayBy by) const;
     [[nodiscard]] QString lagText(double speed) const;
     void showLag(const FramePtr& frame);
     void showTime(std::size_t block);
@@ -55,7 +56,7 @@ private:
     QLabel* m_speedLabel;
     QComboBox* m_speed;
     QString m_timeTip;                   ///< of the machine, without what was simulated
-    PlayBy m_filledFor = PlayBy::blocks; ///< what the speeds are named for
+    PlayBy m_namedFor = PlayBy::blocks; ///< what the speeds are named for
 };
 
 } // namespace proveout

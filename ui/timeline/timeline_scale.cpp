@@ -14,6 +14,7 @@
 #include <QWheelEvent>
 
 #include "ui/theme.h"
+#include "ui/wheel_focus.h"
 
 namespace proveout {
 
@@ -44,6 +45,7 @@ std::size_t roundStep(double wanted) {
 
 TimelineScale::TimelineScale(QWidget* parent) : QWidget(parent) {
     setFocusPolicy(Qt::StrongFocus);
+    WheelFocus::mark(*this);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
     setCursor(Qt::PointingHandCursor);
 }
