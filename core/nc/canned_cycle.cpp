@@ -12,6 +12,9 @@ namespace {
 
 using enum CycleStep;
 
+constexpr std::array<CycleStep, CannedCycle::kMostSteps> kMixedTap{
+    rapidToR, mixedToBottom, reverseSpindle, dwell, mixedToClearance, restoreSpindle, takenAsLeft};
+
 // Source: LinuxCNC's documentation of G73 to G89, in the order in which its stand-alone interpreter does it.
 constexpr CannedCycle kLinuxcnc[] = {
     {730, false, true, SpindleNeed::any, {rapidToR, peckAndBreakChip, rapidToClearance}},
@@ -19,7 +22,7 @@ constexpr CannedCycle kLinuxcnc[] = {
      false,
      false,
      SpindleNeed::counterClockwise,
-     {rapidToR, feedToBottom, reverseSpindle, dwell, feedToClearance, restoreSpindle}},
+     kMixedTap},
     {810, false, false, SpindleNeed::any, {rapidToR, feedToBottom, rapidToClearance}},
     {820, true, false, SpindleNeed::any, {rapidToR, feedToBottom, dwell, rapidToClearance}},
     {830, false, true, SpindleNeed::any, {rapidToR, peckAndRetract, rapidToClearance}},
@@ -27,7 +30,7 @@ constexpr CannedCycle kLinuxcnc[] = {
      false,
      false,
      SpindleNeed::clockwise,
-     {rapidToR, feedToBottom, reverseSpindle, dwell, feedToClearance, restoreSpindle}},
+     kMixedTap},
     {850, false, false, SpindleNeed::any, {rapidToR, feedToBottom, feedToR, rapidToClearance}},
     {860,
      true,
@@ -44,8 +47,22 @@ constexpr CannedCycle kLinuxcnc[] = {
      true,
      false,
      SpindleNeed::turning,
-     {rapidToR, feedToBottom, dwell, stopSpindle, stopProgram, restoreSpindle}},
+     {rapidToR, feedToBottom, dwell, stopSpindle, stopProgram, restoreSpindle, takenAsLeft}},
     {890, true, false, SpindleNeed::any, {rapidToR, feedToBottom, dwell, feedToClearance}},
+};
+
+constexpr std::array<CycleStep, CannedCycle::kMostSteps> kTapWithChuck{
+    rapidToR, feedToBottom, reverseSpindle, dwell, feedToClearance, restoreSpindle};
+
+// What Mach does otherwise than LinuxCNC. Source: Using Mach3Mill, canned cycles.
+constexpr CannedCycle kMach[] = {
+    {740, false, false, SpindleNeed::counterClockwise, kTapWithChuck},
+    {840, false, false, SpindleNeed::clockwise, kTapWithChuck},
+    {880,
+     true,
+     false,
+     SpindleNeed::turning,
+     {rapidToR, feedToBottom, dwell, stopSpindle, stopProgram, restoreSpindle}},
 };
 
 /// Down beside the hole, up through the bore, and out again beside it.
@@ -130,10 +147,11 @@ bool isCycle(const CodeRow* row) {
 }
 
 const CannedCycle& cycleOf(DialectId dialect, const CodeRow& row) {
-    if (dialect == DialectId::linuxcnc || dialect == DialectId::mach)
-        return *find(kLinuxcnc, row.tenths);
-    const CannedCycle* own = dialect == DialectId::haas ? find(kHaas, row.tenths) : nullptr;
-    return own != nullptr ? *own : *find(kFanuc, row.tenths);
+    const bool rs274 = dialect == DialectId::linuxcnc || dialect == DialectId::mach;
+    const CannedCycle* own = dialect == DialectId::haas   ? find(kHaas, row.tenths)
+                             : dialect == DialectId::mach ? find(kMach, row.tenths)
+                                                          : nullptr;
+    return own != nullptr ? *own : *find(rs274 ? std::span<const CannedCycle>(kLinuxcnc) : kFanuc, row.tenths);
 }
 
 } // namespace proveout

@@ -33,7 +33,10 @@ enum class CycleStep : std::uint8_t {
     rapidToClearance,
     shiftAside,
     shiftBack,
-    backBore ///< G87 of LinuxCNC as a whole
+    backBore,         ///< G87 of LinuxCNC as a whole
+    mixedToBottom,    ///< LinuxCNC's tap: outside of G17 with its axes mixed up
+    mixedToClearance, ///< likewise
+    takenAsLeft       ///< LinuxCNC takes the tool to be out of the hole, wherever it is
 };
 
 enum class SpindleNeed : std::uint8_t { any, turning, clockwise, counterClockwise };

@@ -120,6 +120,13 @@ void CycleRun::take(CycleStep step) {
         return shift(Vec3(0));
     case CycleStep::backBore:
         return backBore();
+    case CycleStep::mixedToBottom:
+        tellMixed();
+        return feedMixed(m_order.bottom);
+    case CycleStep::mixedToClearance:
+        return feedMixed(m_order.clearance);
+    case CycleStep::takenAsLeft:
+        return takeAsLeft();
     }
 }
 
@@ -193,6 +200,35 @@ void CycleRun::backBore() {
     depthTo(MotionKind::rapid, m_order.clearance);
     shift(Vec3(0));
     turn(m_turnBefore);
+}
+
+void CycleRun::tellMixed() {
+    const Plane plane = m_execution.state.plane;
+    if (plane != Plane::xy)
+        m_execution.reporter.tell(nc_message::kTapAxesMixed, m_word, {plane == Plane::zx ? "G18" : "G19"});
+}
+
+/// LinuxCNC 2.9 turns the coordinates of a tap outside of G17 round once more than those of the other cycles.
+void CycleRun::feedMixed(double level) {
+    Vec3 hole = m_hole;
+    hole[m_plane.normal] = level;
+    const Plane plane = m_execution.state.plane;
+    if (plane == Plane::xy)
+        return depthTo(MotionKind::feed, level);
+    const Vec3 mixed = plane == Plane::zx ? Vec3(hole.y, hole.z, hole.x) : Vec3(hole.z, hole.x, hole.y);
+    moveTo(MotionKind::feed, mixed, true);
+}
+
+void CycleRun::takeAsLeft() {
+    Vec3 left = m_hole;
+    left[m_plane.normal] = m_order.clearance;
+    if (left == m_at)
+        return;
+    MachineState& state = m_execution.state;
+    const Vec3 tip = state.position;
+    state.position = state.frame.toMachine(left);
+    state.strayed = tip - state.position;
+    m_at = left;
 }
 
 /// To the place of the next hole, at the level where the series is.

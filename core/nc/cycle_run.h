@@ -35,6 +35,9 @@ private:
     void tapOut();
     void shift(const Vec3& offset);
     void backBore();
+    void tellMixed();
+    void feedMixed(double level);
+    void takeAsLeft();
     void moveOver();
     void depthTo(MotionKind kind, double level, double ratio = 1);
     void moveTo(MotionKind kind, const Vec3& program, bool depthKnown, double ratio = 1);

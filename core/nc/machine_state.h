@@ -90,6 +90,9 @@ struct MachineState {
     std::uint8_t known = 0;     ///< AxisBits of `position`
     bool zAtReference = false;  ///< not known, but at the machine's reference position
     std::uint8_t everKnown = 0; ///< AxisBits that were known at the end of any motion
+    /// From where the control takes the tip to be to where it is. LinuxCNC takes it to be out of the hole behind
+    /// G88, and behind G74 and G84 outside of G17.
+    Vec3 strayed{0};
 
     // What was told already, so that it is told once.
     std::uint8_t unknownTold = 0; ///< AxisBits

@@ -504,6 +504,15 @@ inline constexpr Message kBackBore{
     Severity::warning, true, "back-bore",
     PROVEOUT_TEXT("Core", "G87 cuts from below, which a z-map cannot hold."),
     PROVEOUT_TEXT("Core", "The motions are shown; what they cut from below cannot be vouched for.")};
+inline constexpr Message kTapAxesMixed{
+    Severity::fault, false, "tap-axes-mixed",
+    PROVEOUT_TEXT("Core", "LinuxCNC 2.9 mixes up the axes of a tapping cycle in {}: the tool feeds to another place "
+                          "than the hole bottom."),
+    PROVEOUT_TEXT("Core", "Tap in G17, or use G33.1.")};
+inline constexpr Message kArcFromElsewhere{
+    Severity::error, true, "arc-from-elsewhere",
+    PROVEOUT_TEXT("Core", "The canned cycle before this arc leaves the tool elsewhere than the control takes it to be."),
+    PROVEOUT_TEXT("Core", "Program a straight move before the arc; the arc is skipped.")};
 inline constexpr Message kFineBore{
     Severity::warning, true, "fine-bore",
     PROVEOUT_TEXT("Core",

@@ -46,7 +46,7 @@ void setFeed(Motion& motion, const MachineState& state) {
 } // namespace
 
 Vec3 tipAt(const Execution& execution, const Vec3& programmed) {
-    const Vec3& displacement = execution.state.compensation.displacement;
+    const Vec3 displacement = execution.state.compensation.displacement + execution.state.strayed;
     if (displacement == Vec3(0))
         return programmed;
     constexpr double kRounding = 1e-9; ///< of adding and subtracting the displacement
@@ -254,9 +254,10 @@ void setInverseTimeFeed(const Execution& execution, Motion& motion) {
 }
 
 void appendMotion(Execution& execution, Motion motion) {
-    motion.start += execution.state.compensation.displacement;
+    const Vec3 displacement = execution.state.compensation.displacement + execution.state.strayed;
+    motion.start += displacement;
     setInverseTimeFeed(execution, motion);
-    motion.start -= execution.state.compensation.displacement;
+    motion.start -= displacement;
     appendWithFeed(execution, motion);
 }
 
@@ -285,7 +286,7 @@ void forgetTooFar(Execution& execution, Motion& motion) {
 
 void appendWithFeed(Execution& execution, Motion motion) {
     motion.start = tipAt(execution, motion.start);
-    execution.state.compensation.displacement = Vec3(0);
+    execution.state.compensation.displacement = execution.state.strayed = Vec3(0);
     forgetTooFar(execution, motion);
     motion.unverified = execution.reporter.unverified();
     forgetUnplaced(execution, motion);

@@ -53,6 +53,11 @@ void moveArc(Execution& execution, const Word& word, bool clockwise) {
         leaveOut(execution, motion);
         return;
     }
+    if (execution.state.strayed != Vec3(0)) {
+        execution.reporter.tell(nc_message::kArcFromElsewhere, word);
+        leaveOut(execution, motion);
+        return;
+    }
     const bool turned = turnsPlane(execution.state.frame, motion.plane);
     if (turned ? !motion.known() : !planeKnown(motion)) {
         // There is no centre to count from: what is left is where it goes.

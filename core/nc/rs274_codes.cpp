@@ -51,7 +51,7 @@ constexpr CodeRow kRs274[] = {
     {'G', 710, ModalGroup::motion, PROVEOUT_TEXT("Core", "roughing cycle or bolt arc"), nullptr, Step::none, {}, AxisUse::takes},
     {'G', 720, ModalGroup::motion, PROVEOUT_TEXT("Core", "facing cycle or bolt line"), nullptr, Step::none, {}, AxisUse::takes},
     {'G', 730, ModalGroup::motion, PROVEOUT_TEXT("Core", "chip-breaking drilling cycle"), runCycle, Step::motion, LetterSet("XYZRLQ"), AxisUse::none, WithCompensation::refused},
-    {'G', 740, ModalGroup::motion, PROVEOUT_TEXT("Core", "left-hand tapping cycle"), runCycle, Step::motion, LetterSet("XYZRLP"), AxisUse::none, WithCompensation::refused},
+    {'G', 740, ModalGroup::motion, PROVEOUT_TEXT("Core", "left-hand tapping cycle"), runCycle, Step::motion, LetterSet("XYZRP"), AxisUse::none, WithCompensation::refused},
     {'G', 760, ModalGroup::motion, PROVEOUT_TEXT("Core", "threading or fine boring cycle"), nullptr, Step::none, {}, AxisUse::takes},
     {'G', 810, ModalGroup::motion, PROVEOUT_TEXT("Core", "drilling cycle"), runCycle, Step::motion, LetterSet("XYZRL"), AxisUse::none, WithCompensation::refused},
     {'G', 820, ModalGroup::motion, PROVEOUT_TEXT("Core", "drilling cycle with dwell"), runCycle, Step::motion, LetterSet("XYZRLP"), AxisUse::none, WithCompensation::refused},

@@ -14,12 +14,6 @@ namespace {
 
 constexpr double kMostRepeats = 1e9;
 
-/// With G98 LinuxCNC goes to the next hole at the initial level, but not behind G73 and G74.
-bool staysAtInitialLevel(const CodeRow* before) {
-    constexpr int kG81 = 810;
-    return isCycle(before) && before->tenths >= kG81;
-}
-
 class Rs274CycleWords {
 public:
     Rs274CycleWords(Execution& execution, const Word& word, const CannedCycle& cycle)
@@ -41,16 +35,22 @@ public:
             if (axis != m_normal && block().has(letter))
                 m_order.aside[axis] = m_execution.length(letter);
         }
-        const bool toInitial = !m_execution.state.retractToR && m_initialKnown;
-        m_order.lifts = m_depthKnown && (m_series ? m_state.initialLevel : m_at) < m_order.retract;
-        const bool above = toInitial && staysAtInitialLevel(m_execution.motionBefore);
-        m_order.travel = std::max(above ? m_state.initialLevel : m_at, m_order.retract);
-        m_order.clearance = toInitial ? std::max(m_state.initialLevel, m_order.retract) : m_order.retract;
+        readLevelsBetweenHoles();
         return m_order;
     }
 
 private:
     [[nodiscard]] const Block& block() const { return m_execution.block; }
+
+    /// LinuxCNC goes to the first hole at the level of a tool that is above R, otherwise at the one at which holes
+    /// are left: after G98 that is the initial level, even if the hole before was left at R.
+    void readLevelsBetweenHoles() {
+        const bool toInitial = !m_execution.state.retractToR && m_initialKnown;
+        m_order.lifts = m_depthKnown && m_state.initialLevel < m_order.retract;
+        m_order.clearance = toInitial ? std::max(m_state.initialLevel, m_order.retract) : m_order.retract;
+        const bool rises = m_execution.dialect.risesOnTheWay && (m_order.lifts || m_at <= m_order.retract);
+        m_order.travel = rises ? m_order.clearance : std::max(m_at, m_order.retract);
+    }
 
     bool refuse(const Message& message, const Word& word, std::vector<std::string> arguments = {}) {
         m_execution.reporter.tell(message, word, std::move(arguments));
