@@ -23,6 +23,8 @@ struct Word {
 /// Stand for ",C" and ",R" of Fanuc's dialect, which are words of their own.
 inline constexpr char kChamferLetter = '[';
 inline constexpr char kRoundingLetter = ']';
+/// Stands for "$", with which LinuxCNC selects a spindle.
+inline constexpr char kSpindleLetter = '_';
 
 /// A set of letters of words.
 class LetterSet {
@@ -107,7 +109,7 @@ public:
 private:
     static std::size_t index(char letter) { return static_cast<std::size_t>(letter - '@'); }
 
-    static constexpr std::size_t kLetters = '^' - '@' + 1;
+    static constexpr std::size_t kLetters = '_' - '@' + 1;
 
     LetterSet m_letters;
     std::string m_called;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/block_plan.h"
 
+#include <cmath>
+#include <fmt/format.h>
 #include <string>
 
 #include "core/nc/handlers.h"
@@ -13,8 +15,10 @@ constexpr LetterSet kAxes("XYZ@^");
 constexpr LetterSet kPolar("@^");
 constexpr LetterSet kOtherAxes("ABCUVW");
 constexpr LetterSet kArcLetters("IJKR");
+constexpr LetterSet kCentreLetters("IJK");
 constexpr LetterSet kOwnMeaning("FSTNO");
 constexpr int kIncrementalTenths = 910; ///< G91
+constexpr int kOrientation = 190;       ///< M19
 
 class Planner {
 public:
@@ -39,9 +43,7 @@ public:
         }
         planRegisters();
         tellOtherAxes();
-        if (m_block.letters().any(kPolar) && m_block.letters().any(LetterSet("XY")))
-            return refuse(nc_message::kPolarMixed, firstAxisWord());
-        return planMotion() && checkUnused();
+        return checkSpindle() && checkPolar() && planMotion() && checkUnused();
     }
 
 private:
@@ -57,7 +59,8 @@ private:
             return true;
         }
         const Word*& rival = m_groups[static_cast<std::size_t>(row->group)];
-        if (rival != nullptr && !replaces(*row, *rival, word))
+        const bool offTwice = row->group == ModalGroup::motionOff;
+        if (rival != nullptr && !offTwice && !replaces(*row, *rival, word))
             return false;
         rival = &word;
         m_allWords = row->axisUse == AxisUse::allWords;
@@ -134,6 +137,32 @@ private:
         m_used.add(LetterSet("H"));
     }
 
+    /// The machine has one spindle: 0, and -1 for all of them.
+    bool checkSpindle() {
+        if (!m_block.has(kSpindleLetter))
+            return true;
+        if (m_block.has('S'))
+            m_used.add(LetterSet("_"));
+        const Word& word = m_block.word(kSpindleLetter);
+        const double number = std::trunc(word.value);
+        const bool inStep = m_motionRow != nullptr &&
+                            (m_motionRow->handler == moveInStep || m_motionRow->handler == tapRigidly);
+        const bool ofOne = inStep || groupWord(ModalGroup::spindleMode) != nullptr ||
+                           groupIs(ModalGroup::spindle, kOrientation);
+        return number == 0 || (number == -1 && !ofOne) ||
+               refuse(nc_message::kSpindleNumber, word, {fmt::format("{:g}", number)});
+    }
+
+    /// The plane that was in force before the block counts.
+    bool checkPolar() {
+        if (!m_block.letters().any(kPolar))
+            return true;
+        const Word& word = m_block.word(m_block.has('@') ? '@' : '^');
+        if (m_execution.state.plane != Plane::xy)
+            return refuse(nc_message::kPlaneXyOnly, word, {std::string(1, word.letter)});
+        return !m_block.letters().any(LetterSet("XY")) || refuse(nc_message::kPolarMixed, firstAxisWord());
+    }
+
     void tellOtherAxes() {
         LetterSet others = kOtherAxes;
         // Fanuc's dwell counts by any of X, U and P.
@@ -177,7 +206,8 @@ private:
         if (m_groups[static_cast<std::size_t>(ModalGroup::motionOff)] != nullptr)
             return planMotionOff(named);
         const bool arc = state.motion != nullptr && state.motion->letters.any(kArcLetters);
-        if (!named && !(arc && m_block.letters().any(kArcLetters)))
+        const LetterSet own = m_execution.dialect.radiusWins ? kArcLetters : kCentreLetters;
+        if (!named && !(arc && m_block.letters().any(own)))
             return true;
         return planMotionInForce();
     }

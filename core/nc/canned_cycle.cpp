@@ -18,19 +18,11 @@ constexpr std::array<CycleStep, CannedCycle::kMostSteps> kMixedTap{
 // Source: LinuxCNC's documentation of G73 to G89, in the order in which its stand-alone interpreter does it.
 constexpr CannedCycle kLinuxcnc[] = {
     {730, false, true, SpindleNeed::any, {rapidToR, peckAndBreakChip, rapidToClearance}},
-    {740,
-     false,
-     false,
-     SpindleNeed::counterClockwise,
-     kMixedTap},
+    {740, false, false, SpindleNeed::counterClockwise, kMixedTap},
     {810, false, false, SpindleNeed::any, {rapidToR, feedToBottom, rapidToClearance}},
     {820, true, false, SpindleNeed::any, {rapidToR, feedToBottom, dwell, rapidToClearance}},
     {830, false, true, SpindleNeed::any, {rapidToR, peckAndRetract, rapidToClearance}},
-    {840,
-     false,
-     false,
-     SpindleNeed::clockwise,
-     kMixedTap},
+    {840, false, false, SpindleNeed::clockwise, kMixedTap},
     {850, false, false, SpindleNeed::any, {rapidToR, feedToBottom, feedToR, rapidToClearance}},
     {860,
      true,
@@ -51,8 +43,8 @@ constexpr CannedCycle kLinuxcnc[] = {
     {890, true, false, SpindleNeed::any, {rapidToR, feedToBottom, dwell, feedToClearance}},
 };
 
-constexpr std::array<CycleStep, CannedCycle::kMostSteps> kTapWithChuck{
-    rapidToR, feedToBottom, reverseSpindle, dwell, feedToClearance, restoreSpindle};
+constexpr std::array<CycleStep, CannedCycle::kMostSteps> kTapWithChuck{rapidToR, feedToBottom, reverseSpindle,
+                                                                       feedToClearance, restoreSpindle};
 
 // What Mach does otherwise than LinuxCNC. Source: Using Mach3Mill, canned cycles.
 constexpr CannedCycle kMach[] = {
@@ -151,7 +143,8 @@ const CannedCycle& cycleOf(DialectId dialect, const CodeRow& row) {
     const CannedCycle* own = dialect == DialectId::haas   ? find(kHaas, row.tenths)
                              : dialect == DialectId::mach ? find(kMach, row.tenths)
                                                           : nullptr;
-    return own != nullptr ? *own : *find(rs274 ? std::span<const CannedCycle>(kLinuxcnc) : kFanuc, row.tenths);
+    return own != nullptr ? *own
+                          : *find(rs274 ? std::span<const CannedCycle>(kLinuxcnc) : kFanuc, row.tenths);
 }
 
 } // namespace proveout

@@ -84,6 +84,13 @@ struct CycleState {
     Vec3 aside{0};           ///< I J K of a cycle that shifts
     bool asideGiven = false;
     double outRatio = 1; ///< Haas: J of a tapping cycle
+
+    /// LinuxCNC keeps its lengths as numbers: they are others in another unit.
+    void reinterpret(double ratio) {
+        for (double* length : {&initialLevel, &bottom, &retract, &peck})
+            *length *= ratio;
+        aside *= ratio;
+    }
 };
 
 } // namespace proveout

@@ -44,6 +44,7 @@ constexpr LetterRow kLetters[] = {
     {kChamferLetter, PROVEOUT_TEXT("Core", "chamfer"), Quantity::length},
     {kRoundingLetter, PROVEOUT_TEXT("Core", "corner radius"), Quantity::length},
     {'^', PROVEOUT_TEXT("Core", "polar angle in degrees"), Quantity::angle},
+    {kSpindleLetter, PROVEOUT_TEXT("Core", "spindle number")},
 };
 
 } // namespace

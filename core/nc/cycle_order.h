@@ -21,6 +21,7 @@ struct CycleOrder {
     Pecks pecks;
     double remainder = 0; ///< a shorter last peck is none
     Vec3 aside{0};        ///< from the hole, of a cycle that shifts
+    double boreTop = 0;   ///< up to which LinuxCNC's G87 bores
     double outRatio = 1;  ///< of the feed with which a tap comes out to the one of going in
     long long repeats = 1;
 };

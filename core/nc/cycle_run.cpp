@@ -135,6 +135,12 @@ void CycleRun::dwell() {
         m_execution.program.append(Dwell{m_order.dwell}, m_execution.line);
 }
 
+/// Inches that were made millimetres are not to make one peck more of what is a whole number of them.
+bool CycleRun::isAbove(double depth, double bottom) const {
+    constexpr double kRounding = 1e-9;
+    return depth > bottom + (m_execution.state.inch ? kRounding : 0);
+}
+
 void CycleRun::peck(bool retract) {
     const Dialect& dialect = m_execution.dialect;
     const Pecks& pecks = m_order.pecks;
@@ -143,7 +149,8 @@ void CycleRun::peck(bool retract) {
     double step = pecks.first;
     double sinceClear = 0;
     for (double depth = m_order.retract - step;
-         step > 0 && depth > m_order.bottom + m_order.remainder && !m_execution.mustEnd(); depth -= step) {
+         step > 0 && isAbove(depth, m_order.bottom + m_order.remainder) && !m_execution.mustEnd();
+         depth -= step) {
         depthTo(MotionKind::feed, depth);
         sinceClear += step;
         if (retract || (pecks.clearing > 0 && sinceClear >= pecks.clearing)) {
@@ -164,7 +171,8 @@ double CycleRun::above(double depth, double gap) const {
 void CycleRun::tap() {
     const double step = m_order.pecks.first;
     for (double depth = m_order.retract - step;
-         step > 0 && depth > m_order.bottom + m_order.remainder && !m_execution.mustEnd(); depth -= step) {
+         step > 0 && isAbove(depth, m_order.bottom + m_order.remainder) && !m_execution.mustEnd();
+         depth -= step) {
         depthTo(MotionKind::feed, depth);
         turn(-m_turn);
         depthTo(MotionKind::feed,
@@ -186,14 +194,12 @@ void CycleRun::shift(const Vec3& offset) {
 
 /// Down beside the hole with the spindle stopped, up through the bore, and out again beside it.
 void CycleRun::backBore() {
-    const char top = static_cast<char>('I' + m_plane.normal);
-    const double end = block().has(top) ? m_execution.length(top) : m_order.bottom;
     shift(m_order.aside);
     turn(0);
     depthTo(MotionKind::rapid, m_order.bottom);
     shift(Vec3(0));
     turn(m_turnBefore);
-    depthTo(MotionKind::feed, end);
+    depthTo(MotionKind::feed, m_order.boreTop);
     depthTo(MotionKind::feed, m_order.bottom);
     turn(0);
     shift(m_order.aside);

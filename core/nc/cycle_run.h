@@ -29,6 +29,7 @@ private:
     void take(CycleStep step);
     void turn(int direction) { m_execution.state.spindleDirection = direction; }
     void dwell();
+    [[nodiscard]] bool isAbove(double depth, double bottom) const;
     void peck(bool retract);
     [[nodiscard]] double above(double depth, double gap) const;
     void tap();

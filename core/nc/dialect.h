@@ -86,8 +86,10 @@ struct Dialect {
     bool radiusNotScaled = false; ///< G51 scales words; whether R and Q are among them is not written
     bool dwellUnitOpen = false;   ///< a setting says whether P of a dwell counts seconds or milliseconds
     bool arcCentreOpen = false;   ///< a setting says whether I J K are absolute without G90.1 and G91.1
-    bool risesOnTheWay = false; ///< to the first hole under G98: up to the initial level, otherwise at its own level
-    bool noReferenceInCycle = false;      ///< G27 to G30 while a canned cycle is in force are an alarm
+    bool risesOnTheWay =
+        false; ///< to the first hole under G98: up to the initial level, otherwise at its own level
+    double leastInverseFeed = 0;     ///< to which G93 raises a lower feed, in units of the program a minute
+    bool noReferenceInCycle = false; ///< G27 to G30 while a canned cycle is in force are an alarm
     bool (*mayRun)(Execution&) = nullptr; ///< false: told, and the control drops the block
     /// What the control answers where it drops a block for what a message says; null: no answer is known.
     const char* (*answer)(const Message&) = nullptr;

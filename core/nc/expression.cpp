@@ -107,7 +107,8 @@ Value ExpressionReader::signedValue(std::size_t& at, std::string_view letter) {
         return plainNumber(at, letter);
     std::size_t behind = at + 1;
     const char next = peek(behind);
-    if (next != '#' && next != '[' && !isLetter(next))
+    const bool again = m_rules.repeatsSigns && (next == '-' || next == '+');
+    if (next != '#' && next != '[' && !isLetter(next) && !again)
         return plainNumber(at, letter);
     at = behind;
     const Value value = signedValue(at, letter);
@@ -183,7 +184,10 @@ tl::expected<std::string, ReadError> ExpressionReader::quotedName(std::size_t& a
 Value ExpressionReader::bracket(std::size_t& at) {
     const std::size_t open = at - 1;
     const Value value = bracketed(at);
-    return value ? closed(*value, open, at) : value;
+    const Value result = value ? closed(*value, open, at) : value;
+    if (result && m_rules.checksAtEnd && !std::isfinite(*result))
+        return fail(nc_message::kNoResult, open, at, m_line.substr(open, at - open));
+    return result;
 }
 
 /// What follows a bracket that stands open.
@@ -227,9 +231,10 @@ Value ExpressionReader::operation(double left, std::size_t& at, int strength) {
         const Value right = operand(at, found->strength + 1);
         if (!right)
             return right;
-        const Outcome result =
-            found->seesNull ? found->apply(left, *right) : found->apply(numberOf(left), numberOf(*right));
-        if (!result || !std::isfinite(*result))
+        const Outcome result = found->seesNull || m_rules.checksAtEnd
+                                   ? found->apply(left, *right)
+                                   : found->apply(numberOf(left), numberOf(*right));
+        if (!result || (!m_rules.checksAtEnd && !std::isfinite(*result)))
             return fail(nc_message::kNoResult, place, at, m_line.substr(place, at - place));
         left = *result;
     }
@@ -289,7 +294,8 @@ Value ExpressionReader::ofPair(const PairFunction& function, std::size_t begin, 
     }
     if (!second)
         return second;
-    const Outcome result = function.apply(numberOf(*first), numberOf(*second));
+    const Outcome result = m_rules.checksAtEnd ? function.apply(*first, *second)
+                                               : function.apply(numberOf(*first), numberOf(*second));
     if (!result || !std::isfinite(*result))
         return fail(nc_message::kNoResult, begin, at, m_line.substr(begin, at - begin));
     return *result;

@@ -57,10 +57,8 @@ Outcome lessOrEqual(double left, double right) {
     return truth(left <= right);
 }
 
-/// The rest has the sign of the divisor's amount: never negative.
+/// The rest has the sign of the divisor's amount: never negative. By 0 it is no number.
 Outcome modulo(double left, double right) {
-    if (right == 0)
-        return {};
     const double rest = std::fmod(left, right);
     return rest < 0 ? rest + std::abs(right) : rest;
 }
@@ -243,7 +241,7 @@ constexpr PairFunction kMacroBPairs[] = {
     {"POW", power, false, true, false},
 };
 
-constexpr ExpressionRules kOWordRules{kOWordOperators, kOWordFunctions, kOWordPairs, true};
+constexpr ExpressionRules kOWordRules{kOWordOperators, kOWordFunctions, kOWordPairs, true, true, true};
 constexpr ExpressionRules kLabelRules{kOWordOperators, kOWordFunctions, kOWordPairs, false};
 constexpr ExpressionRules kMacroBRules{kMacroBOperators, kMacroBFunctions, kMacroBPairs, false};
 

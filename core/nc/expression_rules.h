@@ -48,7 +48,9 @@ struct ExpressionRules {
     std::span<const Operator> operators; ///< a word that begins another one stands behind it
     std::span<const Function> functions; ///< likewise
     std::span<const PairFunction> pairs;
-    bool named; ///< parameters have names too: #<name>, EXISTS
+    bool named;                ///< parameters have names too: #<name>, EXISTS
+    bool repeatsSigns = false; ///< "- -#1" is #1
+    bool checksAtEnd = false;  ///< what is no number within brackets may still become one
 };
 
 [[nodiscard]] const ExpressionRules& expressionRules(MacroLanguage language);

@@ -54,7 +54,8 @@ public:
             return;
         case FlowKind::breaks:
         case FlowKind::continues:
-            if (const auto found = m_open.find(word.label); found != m_open.end())
+            // LinuxCNC leaves no repeat and no branch by them.
+            if (const auto found = m_open.find(word.label); found != m_open.end() && isLoop(found->second))
                 found->second.jumps.push_back(row);
             return;
         case FlowKind::programNumber:
@@ -81,6 +82,11 @@ private:
         const auto found = m_open.find(label);
         const bool fits = found != m_open.end() && m_rows[found->second.parts.front()].kind == kind;
         return fits ? &found->second : nullptr;
+    }
+
+    [[nodiscard]] bool isLoop(const Open& construct) const {
+        const FlowKind kind = m_rows[construct.parts.front()].kind;
+        return kind == FlowKind::whileLoop || kind == FlowKind::doLoop;
     }
 
     void chain(Open& construct, std::size_t row) {

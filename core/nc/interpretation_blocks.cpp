@@ -91,6 +91,12 @@ void Interpretation::assign() {
         if (m_dialect.macros == MacroLanguage::oWords && name.empty() &&
             order.target.number == kInputParameter)
             m_state.inputAssumed = false;
+        if (m_dialect.macros == MacroLanguage::oWords && name.empty() &&
+            order.target.number == kActiveOffset) {
+            m_state.writtenOffset = order.value;
+            m_reporter.tell(nc_message::kOffsetNumberWritten, order.column, order.length);
+            continue;
+        }
         const bool readOnly = name.empty() ? m_system.numbered(order.target.number).has_value()
                                            : m_system.named(name).has_value();
         const std::string shown =

@@ -18,7 +18,8 @@ constexpr int kLargestOffset = 99999;
 const ToolOffset* offsetAsked(Execution& execution, const Word& word) {
     const bool given = execution.block.has('H');
     const Word& number = given ? execution.block.word('H') : word;
-    const double whole = given ? number.value : execution.state.tool;
+    // H0 is the tool in the spindle.
+    const double whole = given && number.value != 0 ? number.value : execution.state.tool;
     if (whole < 0 || whole != std::round(whole) || whole > kLargestOffset) {
         execution.reporter.tell(nc_message::kNotInteger, number, {"H", "0", std::to_string(kLargestOffset)});
         return nullptr;
@@ -80,7 +81,16 @@ void useGivenLength(Execution& execution, const Word& word) {
 
 void addToolLength(Execution& execution, const Word& word) {
     Vec3 more(0);
-    if (execution.block.letters().any(kAxes)) {
+    const bool axes = execution.block.letters().any(kAxes);
+    if (axes && execution.block.has('H')) {
+        execution.reporter.tell(nc_message::kLengthTwice, word);
+        return;
+    }
+    if (!axes && !execution.block.has('H')) {
+        execution.reporter.tell(nc_message::kWordMissing, word, {"G43.2", "H"});
+        return;
+    }
+    if (axes) {
         more = offsetsGiven(execution, more);
     } else if (const ToolOffset* offset = offsetAsked(execution, word)) {
         more = offset->offset;

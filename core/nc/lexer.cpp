@@ -100,6 +100,8 @@ private:
             return;
         if (beginsWord(c))
             readWord(upperCase(c));
+        else if (c == '$' && m_context.dialect.macros == MacroLanguage::oWords)
+            readWord(kSpindleLetter);
         else if (c == '(')
             readComment();
         else if (c == ';')

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "core/base/geometry.h"
 #include "core/nc/canned_cycle.h"
@@ -65,6 +66,8 @@ struct MachineState {
     Vec3 toolOffset{0}; ///< in force, by G43 and its like
     int lengthSign = 0; ///< 1 for G43, -1 for G44, 0 without
     int workOffset = 1; ///< 1 for G54 to 9 for G59.3
+    /// What the program wrote into #5220 since then: LinuxCNC tells it instead, and nothing else comes of it.
+    std::optional<double> writtenOffset;
 
     // Of Fanuc's dialect.
     Vec3 presetShift{0};     ///< G92; part of frame.shift
@@ -90,8 +93,8 @@ struct MachineState {
     std::uint8_t known = 0;     ///< AxisBits of `position`
     bool zAtReference = false;  ///< not known, but at the machine's reference position
     std::uint8_t everKnown = 0; ///< AxisBits that were known at the end of any motion
-    /// From where the control takes the tip to be to where it is. LinuxCNC takes it to be out of the hole behind
-    /// G88, and behind G74 and G84 outside of G17.
+    /// From where the control takes the tip to be to where it is. LinuxCNC takes it to be out of the hole
+    /// behind G88, and behind G74 and G84 outside of G17.
     Vec3 strayed{0};
 
     // What was told already, so that it is told once.

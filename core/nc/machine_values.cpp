@@ -14,7 +14,6 @@ namespace {
 constexpr int kToolNumber = 5400;
 constexpr int kPosition = 5420; ///< X; Y and Z follow
 constexpr int kPositions = 9;   ///< the axes that LinuxCNC knows
-constexpr int kActiveOffset = 5220;
 
 double position(const MachineState& state, int axis) {
     const Vec3 tip =
@@ -76,10 +75,14 @@ std::optional<double> MachineValues::numbered(int number) const {
     if (number == kToolNumber)
         return m_state.tool;
     if (number == kActiveOffset)
-        return m_state.workOffset;
+        return m_state.writtenOffset.value_or(m_state.workOffset);
     m_inputRead = m_inputRead || number == kInputParameter;
     noteProbeRead(number, kProbeContact, kProbeSuccess);
     return {};
+}
+
+bool MachineValues::writable(int number) const {
+    return number == kActiveOffset;
 }
 
 const Message* MachineValues::refusal(int number) const {

@@ -10,6 +10,8 @@ namespace proveout {
 
 /// Where M66 leaves what it has read.
 inline constexpr int kInputParameter = 5399;
+/// The number of the work offset in force.
+inline constexpr int kActiveOffset = 5220;
 /// Where LinuxCNC's probing motions leave what they have found: from X on, and at last whether they have.
 inline constexpr int kProbeContact = 5061;
 inline constexpr int kProbeSuccess = 5070;
@@ -24,6 +26,7 @@ public:
     explicit MachineValues(const MachineState& state) : m_state(state) {}
 
     [[nodiscard]] std::optional<double> numbered(int number) const override;
+    [[nodiscard]] bool writable(int number) const override;
     [[nodiscard]] const Message* refusal(int number) const override;
     [[nodiscard]] std::optional<double> named(std::string_view name) const override;
 

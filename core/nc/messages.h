@@ -364,6 +364,17 @@ inline constexpr Message kAxisUnsupported{
 inline constexpr Message kWordUnused{
     Severity::error, true, "word-unused", PROVEOUT_TEXT("Core", "No code of this block uses the word {}."),
     PROVEOUT_TEXT("Core", "Remove it, or add the code that it belongs to; this block is skipped.")};
+inline constexpr Message kSpindleNumber{
+    Severity::error, true, "spindle-number",
+    PROVEOUT_TEXT("Core", "There is no spindle {}: the machine has one, $0."),
+    PROVEOUT_TEXT("Core", "Write $0, or leave the word out; this block is skipped.")};
+inline constexpr Message kOffsetNumberWritten{
+    Severity::warning, false, "offset-number-written",
+    PROVEOUT_TEXT("Core", "Writing #5220 selects no work offset."),
+    PROVEOUT_TEXT("Core", "Select it with G54 to G59.3, which write #5220 themselves.")};
+inline constexpr Message kLengthTwice{
+    Severity::error, true, "length-twice", PROVEOUT_TEXT("Core", "G43.2 has both H and axis words."),
+    PROVEOUT_TEXT("Core", "Write two blocks; the offset in force is kept.")};
 inline constexpr Message kAxisWithoutMotion{
     Severity::error, true, "axis-without-motion",
     PROVEOUT_TEXT("Core", "No motion code is in force for the word {}."),
@@ -506,12 +517,15 @@ inline constexpr Message kBackBore{
     PROVEOUT_TEXT("Core", "The motions are shown; what they cut from below cannot be vouched for.")};
 inline constexpr Message kTapAxesMixed{
     Severity::fault, false, "tap-axes-mixed",
-    PROVEOUT_TEXT("Core", "LinuxCNC 2.9 mixes up the axes of a tapping cycle in {}: the tool feeds to another place "
-                          "than the hole bottom."),
+    PROVEOUT_TEXT("Core",
+                  "LinuxCNC 2.9 mixes up the axes of a tapping cycle in {}: the tool feeds to another place "
+                  "than the hole bottom."),
     PROVEOUT_TEXT("Core", "Tap in G17, or use G33.1.")};
 inline constexpr Message kArcFromElsewhere{
     Severity::error, true, "arc-from-elsewhere",
-    PROVEOUT_TEXT("Core", "The canned cycle before this arc leaves the tool elsewhere than the control takes it to be."),
+    PROVEOUT_TEXT(
+        "Core",
+        "The canned cycle before this arc leaves the tool elsewhere than the control takes it to be."),
     PROVEOUT_TEXT("Core", "Program a straight move before the arc; the arc is skipped.")};
 inline constexpr Message kFineBore{
     Severity::warning, true, "fine-bore",

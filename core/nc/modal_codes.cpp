@@ -10,6 +10,8 @@ void setUnits(Execution& execution, const Word& word, bool inch) {
     if (execution.state.inch == inch)
         return;
     execution.state.inch = inch;
+    if (!execution.dialect.cyclesKeepWords)
+        execution.state.cycle.reinterpret(inch ? kMmPerInch : 1 / kMmPerInch);
     execution.program.append(UnitsChange{inch}, execution.line);
     if (execution.block.has('F') && execution.dialect.streamed) {
         // grbl reads the whole block before it converts F.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/motion_building.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -248,16 +249,27 @@ void leaveOut(Execution& execution, const Motion& motion) {
     arrive(execution.state, motion);
 }
 
+namespace {
+
+/// The feed of G93 for a path of a length in mm.
+double inverseTimeFeed(const Execution& execution, double length) {
+    const MachineState& state = execution.state;
+    if (!execution.block.has('F'))
+        return 0;
+    return std::max(state.feed * length, state.toMm(execution.dialect.leastInverseFeed));
+}
+
+} // namespace
+
 void setInverseTimeFeed(const Execution& execution, Motion& motion) {
     if (motion.kind != MotionKind::rapid && execution.state.feedMode == FeedMode::inverseTime)
-        motion.feedMmPerMin = execution.block.has('F') ? execution.state.feed * pathLength(motion) : 0;
+        motion.feedMmPerMin = inverseTimeFeed(execution, pathLength(motion));
 }
 
 void appendMotion(Execution& execution, Motion motion) {
-    const Vec3 displacement = execution.state.compensation.displacement + execution.state.strayed;
-    motion.start += displacement;
+    motion.start += execution.state.compensation.displacement;
     setInverseTimeFeed(execution, motion);
-    motion.start -= displacement;
+    motion.start -= execution.state.compensation.displacement;
     appendWithFeed(execution, motion);
 }
 
@@ -305,7 +317,7 @@ void appendPieces(Execution& execution, const Motion& whole, const std::vector<V
             length += glm::distance(last, end);
             last = end;
         }
-        piece.feedMmPerMin = execution.block.has('F') ? state.feed * length : 0;
+        piece.feedMmPerMin = inverseTimeFeed(execution, length);
     }
     for (const Vec3& end : ends) {
         piece.start = state.position;

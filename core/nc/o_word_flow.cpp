@@ -193,17 +193,13 @@ bool OWordFlow::endSub(const FlowWord& word) {
     if (m_calls.inMainProgram() || m_calls.level().repeats)
         return fail(nc_message::kReturnOutside, word, {std::string(keyword(word.kind))});
     std::size_t at = skipBlanks(m_calls.currentText(), word.arguments);
-    std::optional<double> value;
-    if (at < m_calls.currentText().size() && m_calls.currentText()[at] == '[') {
-        value = bracket(word, at);
-        if (!value)
-            return false;
-    }
-    if (!nothingBehind(at))
-        return false;
+    const bool given = at < m_calls.currentText().size() && m_calls.currentText()[at] == '[';
+    const std::optional<double> value = given ? bracket(word, at) : std::nullopt;
+    const bool readable = given == value.has_value() && nothingBehind(at);
+    // Whatever its value is, the subprogram ends here: the lines that follow are not its own.
     m_calls.leave();
     // The names are LinuxCNC's.
-    return m_parameters.setNamed("_value", value.value_or(0)) &&
+    return readable && m_parameters.setNamed("_value", value.value_or(0)) &&
            m_parameters.setNamed("_value_returned", value ? 1 : 0);
 }
 

@@ -86,6 +86,10 @@ void setWorkOffset(Execution& execution, bool here) {
         execution.reporter.tell(nc_message::kCompensationForbids, execution.block.word('L'), {"G10"});
         return;
     }
+    if (here && execution.block.has('R')) {
+        execution.reporter.tell(nc_message::kWordUnused, execution.block.word('R'), {"R"});
+        return;
+    }
     WorkFrame frame = frameOf(execution, system);
     if (execution.block.has('R'))
         frame.rotation = execution.block.value('R');
@@ -161,6 +165,7 @@ void selectSystem(Execution& execution, int system) {
     if (system == execution.state.workOffset)
         return;
     execution.state.workOffset = system;
+    execution.state.writtenOffset.reset();
     setFrame(execution, frameOf(execution, system));
 }
 
@@ -183,7 +188,20 @@ void setOffsets(Execution& execution, const Word& word) {
         execution.reporter.tell(nc_message::kOffsetKind, kind, {fmt::format("{:g}", kind.value)});
 }
 
-void shiftCoordinates(Execution& execution, const Word& /*word*/) {
+namespace {
+
+bool namesAxis(Execution& execution, const Word& word) {
+    if (execution.block.letters().any(LetterSet("XYZABCUVW")))
+        return true;
+    execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "X / Y / Z"});
+    return false;
+}
+
+} // namespace
+
+void shiftCoordinates(Execution& execution, const Word& word) {
+    if (!namesAxis(execution, word))
+        return;
     MachineState& state = execution.state;
     Vec3 program = state.frame.toProgram(state.position);
     Vec3 shift = state.frame.shift;
@@ -202,7 +220,9 @@ void shiftCoordinates(Execution& execution, const Word& /*word*/) {
     setShift(execution, shift);
 }
 
-void shiftLocally(Execution& execution, const Word& /*word*/) {
+void shiftLocally(Execution& execution, const Word& word) {
+    if (!namesAxis(execution, word))
+        return;
     Vec3 shift = execution.state.frame.shift;
     for (int axis = 0; axis < 3; ++axis) {
         if (execution.block.has(axisLetter(axis)))

@@ -11,6 +11,22 @@ namespace {
 
 constexpr LetterSet kAxes("XYZ");
 
+/// Where the tip goes: with the axes that the block names, which a rotation of the work offset turns as well.
+Vec3 referenceOfAxes(const Execution& execution, const Vec3& reference, bool all) {
+    const MachineState& state = execution.state;
+    const Vec3 tip = reference - state.toolOffset;
+    if (all || state.frame.rotation == 0)
+        return tip;
+    const Vec3 home = state.frame.toProgram(tip);
+    Vec3 program = state.frame.toProgram(state.position);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (execution.block.has(static_cast<char>('X' + axis)))
+            program[axis] = home[axis];
+    }
+    return state.frame.toMachine(program);
+}
+
+/// Reference positions are those of the machine, whatever tool is in the spindle.
 /// By way of the point that the block names to the reference position, with the axes that it names; without
 /// any, with all.
 void goToReference(Execution& execution, int parameter) {
@@ -18,9 +34,10 @@ void goToReference(Execution& execution, int parameter) {
     if (!all || execution.dialect.codeAloneMoves)
         appendMotion(execution, motionToTarget(execution, MotionKind::rapid));
     Motion home = motionFromHere(execution, MotionKind::rapid);
-    const Vec3 reference = vectorAt(execution.parameters, parameter);
+    const Vec3 reference = referenceOfAxes(execution, vectorAt(execution.parameters, parameter), all);
     for (int axis = 0; axis < 3; ++axis) {
-        if (!all && !execution.block.has(static_cast<char>('X' + axis)))
+        const bool turns = axis < 2 && execution.state.frame.rotation != 0;
+        if (!all && !turns && !execution.block.has(static_cast<char>('X' + axis)))
             continue;
         setMachineTarget(execution, home, axis, reference[axis]);
         if (axis == 2 && !execution.state.machineZeroKnown)
@@ -30,7 +47,7 @@ void goToReference(Execution& execution, int parameter) {
 }
 
 void storeReference(Execution& execution, int parameter) {
-    setVectorAt(execution.parameters, parameter, execution.state.position);
+    setVectorAt(execution.parameters, parameter, execution.state.position + execution.state.toolOffset);
 }
 
 } // namespace

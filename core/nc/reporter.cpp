@@ -7,11 +7,20 @@
 namespace proveout {
 
 std::string nameOf(const Word& word) {
-    return fmt::format("{}{:g}", word.letter, word.value);
+    return fmt::format("{}{:g}", writtenAs(word.letter), word.value);
 }
 
 std::string writtenAs(char letter) {
-    return letter == kChamferLetter ? ",C" : letter == kRoundingLetter ? ",R" : std::string(1, letter);
+    switch (letter) {
+    case kChamferLetter:
+        return ",C";
+    case kRoundingLetter:
+        return ",R";
+    case kSpindleLetter:
+        return "$";
+    default:
+        return {letter};
+    }
 }
 
 void Reporter::tell(const Message& message, int column, int length, std::vector<std::string> arguments) {

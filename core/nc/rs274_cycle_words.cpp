@@ -13,6 +13,7 @@ namespace proveout {
 namespace {
 
 constexpr double kMostRepeats = 1e9;
+constexpr double kSameLevel = 1e-9; ///< mm; of converting units and offsets
 
 class Rs274CycleWords {
 public:
@@ -30,11 +31,9 @@ public:
             m_execution.reporter.tell(*m_cycle.caveat, m_word);
         m_order.dwell = m_state.dwell;
         m_order.pecks = {m_state.peck, 0, m_state.peck, 0};
-        for (int axis = 0; axis < 3; ++axis) {
-            const char letter = static_cast<char>('I' + axis);
-            if (axis != m_normal && block().has(letter))
-                m_order.aside[axis] = m_execution.length(letter);
-        }
+        m_order.aside = m_state.aside;
+        m_order.aside[m_normal] = 0;
+        m_order.boreTop = m_state.aside[m_normal] + (m_execution.state.incremental ? m_order.bottom : 0);
         readLevelsBetweenHoles();
         return m_order;
     }
@@ -42,13 +41,14 @@ public:
 private:
     [[nodiscard]] const Block& block() const { return m_execution.block; }
 
-    /// LinuxCNC goes to the first hole at the level of a tool that is above R, otherwise at the one at which holes
-    /// are left: after G98 that is the initial level, even if the hole before was left at R.
+    /// LinuxCNC goes to the first hole at the level of a tool that is above R, otherwise at the one at which
+    /// holes are left: after G98 that is the initial level, even if the hole before was left at R.
     void readLevelsBetweenHoles() {
         const bool toInitial = !m_execution.state.retractToR && m_initialKnown;
-        m_order.lifts = m_depthKnown && m_state.initialLevel < m_order.retract;
+        m_order.lifts = m_depthKnown && m_state.initialLevel < m_order.retract - kSameLevel;
         m_order.clearance = toInitial ? std::max(m_state.initialLevel, m_order.retract) : m_order.retract;
-        const bool rises = m_execution.dialect.risesOnTheWay && (m_order.lifts || m_at <= m_order.retract);
+        const bool rises =
+            m_execution.dialect.risesOnTheWay && (m_order.lifts || m_at <= m_order.retract + kSameLevel);
         m_order.travel = rises ? m_order.clearance : std::max(m_at, m_order.retract);
     }
 
@@ -112,11 +112,24 @@ private:
             m_state.dwell = block().value('P');
             tellDwellUnit(m_execution, block().word('P'));
         }
-        if (!block().has('P') && !sticky)
-            m_state.dwell = 0;
         if (m_state.dwell < 0)
             return refuse(nc_message::kNegative, block().word('P'), {"P"});
-        return readRepeats();
+        return readBore(sticky) && readRepeats();
+    }
+
+    /// I, J and K of G87: two of them lead aside, the third is the top of the bore.
+    bool readBore(bool sticky) {
+        constexpr int kBackBore = 870;
+        if (m_cycle.tenths != kBackBore)
+            return true;
+        for (int axis = 0; axis < 3; ++axis) {
+            const char letter = static_cast<char>('I' + axis);
+            if (!sticky && !block().has(letter))
+                return refuseMissing(letter);
+            if (block().has(letter))
+                m_state.aside[axis] = m_execution.length(letter);
+        }
+        return true;
     }
 
     bool readRepeats() {

@@ -57,10 +57,12 @@ void tapRigidly(Execution& execution, const Word& word) {
     if (!wordsFit(execution, word))
         return;
     const Motion motion = motionInStep(execution, word);
+    const Vec3 strayed = execution.state.strayed;
+    const Vec3 start = tipAt(execution, motion.start);
     appendWithFeed(execution, motion);
     // The spindle turns backwards on the way out, faster by the factor I.
     Motion back = motionFromHere(execution, MotionKind::feed);
-    back.end = motion.start;
+    back.end = start;
     back.endKnown = motion.startKnown;
     back.endAtReference = motion.startAtReference;
     const bool faster = execution.block.has('I') && execution.block.value('I') > 0;
@@ -69,6 +71,8 @@ void tapRigidly(Execution& execution, const Word& word) {
     back.spindleRpm = -motion.spindleRpm * factor;
     back.feedMmPerMin = motion.feedMmPerMin * factor;
     appendWithFeed(execution, back);
+    execution.state.position = motion.start;
+    execution.state.strayed = strayed;
 }
 
 } // namespace proveout
