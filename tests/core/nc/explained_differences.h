@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a comparison with LinuxCNC's interpreter found, and the differences that are meant.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/nc/program.h"
+#include "tests/core/nc/oracle_records.h"
+
+namespace proveout::test {
+
+struct Outcome {
+    std::string kind; ///< "agrees", "refused by both", "differs", or the reason for a difference
+    std::string why;  ///< of a difference without a reason
+
+    [[nodiscard]] bool differs() const { return !why.empty(); }
+};
+
+[[nodiscard]] Outcome outcomeOf(const std::vector<std::string>& lines, const OracleAnswer& answer,
+                                const Program& program);
+
+} // namespace proveout::test

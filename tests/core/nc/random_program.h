@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Programs of LinuxCNC's language, by chance: every code, every order of words.
+#pragma once
+
+#include <map>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "core/nc/tool_offsets.h"
+
+namespace proveout::test {
+
+/// The tools that the programs use.
+[[nodiscard]] std::map<int, ToolOffset> toolsOfRandomPrograms();
+
+/// The lines of a program. Most can be run; some contradict themselves.
+[[nodiscard]] std::vector<std::string> randomProgram(std::mt19937& random);
+
+} // namespace proveout::test

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The listing of LinuxCNC's stand-alone interpreter as records that can be compared.
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include <nlohmann/json.hpp>
+
+#include "core/base/geometry.h"
+#include "core/nc/motion.h"
+#include "core/nc/work_frame.h"
+
+namespace proveout::test {
+
+/// Reads the listing line by line. It has program coordinates in the unit of the program; records have
+/// machine coordinates of the tip without tool length, in mm. A value.
+class Rs274Listing {
+public:
+    void readLine(std::string_view line);
+    /// Motions and the events that can be compared, in order.
+    [[nodiscard]] std::vector<nlohmann::json> takeRecords() { return std::move(m_records); }
+    /// Whether the radius of a cutter was compensated anywhere.
+    [[nodiscard]] bool compensated() const { return m_compensated; }
+
+private:
+    struct Call {
+        int line = 0; ///< the block number; 0: none
+        std::string_view name;
+        std::string_view words;
+        std::vector<double> numbers;
+    };
+
+    static bool parse(std::string_view text, Call& call);
+    void read(const Call& call);
+    bool readMotion(const Call& call);
+    bool readFrame(const Call& call);
+    bool readSpindle(const Call& call);
+    void readEvent(const Call& call);
+    void addMotion(const char* kind, const Call& call, const Vec3& end);
+    void addArc(const Call& call);
+    void addCutting(nlohmann::json& record) const;
+    void setFrame(const WorkFrame& frame);
+    [[nodiscard]] Vec3 pointOf(const Call& call, std::size_t first) const;
+
+    std::vector<nlohmann::json> m_records;
+    double m_unit = 1; ///< mm
+    Plane m_plane = Plane::xy;
+    WorkFrame m_frame;
+    Vec3 m_length{0};
+    Vec3 m_program{0};
+    Vec3 m_machine{0};
+    double m_feed = 0;
+    bool m_perRevolution = false;
+    double m_pitch = 0; ///< mm, of a motion in step with the spindle; 0: it is not
+    double m_speed = 0;
+    double m_most = 0; ///< with G96 the spindle turns as S and X say, up to D: as fast is what we take it for
+    int m_direction = 0;
+    int m_selected = 0;
+    int m_tool = 0;
+    bool m_compensated = false;
+};
+
+} // namespace proveout::test
