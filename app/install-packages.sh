@@ -1,7 +1,7 @@
 #!/bin/bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# install-packages.sh SECTION…: installs the missing Debian packages of these sections of packages.txt.
-# Touches the network only if something is missing.
+# install-packages.sh SECTION…: installs the missing Debian packages of these sections of packages.txt, and those of
+# SECTION-optional as far as they can be had. Touches the network only if something is missing.
 set -euo pipefail
 list="$(dirname "${BASH_SOURCE[0]}")/packages.txt"
 
@@ -43,21 +43,32 @@ fi
 
 as_root=()
 if [ "$(id -u)" -ne 0 ]; then
-    command -v sudo >/dev/null || give_up "${missing[@]}" "${optional[@]}"
     as_root=(sudo)
+    if ! command -v sudo >/dev/null; then
+        if [ "${#missing[@]}" -eq 0 ]; then
+            echo "Going on without: ${optional[*]}" >&2
+            exit 0
+        fi
+        give_up "${missing[@]}"
+    fi
 fi
-echo "Installing: ${missing[*]} ${optional[*]}"
-export DEBIAN_FRONTEND=noninteractive
-"${as_root[@]}" apt-get update || give_up "${missing[@]}" "${optional[@]}"
 
-available=()
+# Without what packages recommend: that of linuxcnc-uspace includes a real-time kernel.
+install() {
+    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install --yes --no-install-recommends "$@"
+}
+
+echo "Installing: ${missing[*]} ${optional[*]}"
+updated=yes
+"${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get update || updated=no
+if [ "${#missing[@]}" -gt 0 ]; then
+    if [ "$updated" = no ] || ! install "${missing[@]}"; then
+        give_up "${missing[@]}"
+    fi
+fi
+# Each by itself: one that cannot be had keeps no other away, and none of them stops the run.
 for package in "${optional[@]}"; do
     if apt-cache show "$package" >/dev/null 2>&1; then
-        available+=("$package")
+        install "$package" || echo "Going on without $package." >&2
     fi
 done
-if [ "$((${#missing[@]} + ${#available[@]}))" -gt 0 ]; then
-    "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive \
-        apt-get install --yes --no-install-recommends "${missing[@]}" "${available[@]}" ||
-        give_up "${missing[@]}" "${available[@]}"
-fi
