@@ -345,8 +345,8 @@ TEST_F(JobFile, SyntaxErrorsHaveLineAndColumn) {
 TEST_F(JobFile, OtherJsonAndNewerJobsAreRefusedPolitely) {
     for (const char* other : {"{}", "[]", "5", "null", "\"text\"", "{\"grid\": 1}"})
         EXPECT_THAT(told(other), HasSubstr("[not-a-job]")) << other;
-    EXPECT_EQ(told(R"({"proveout": 2, "everything": "else may differ"})"),
-              "0:0 The job was written by a newer Proveout (format 2); this one reads up to format 1. "
+    EXPECT_EQ(told(R"({"proveout": 3, "everything": "else may differ"})"),
+              "0:0 The job was written by a newer Proveout (format 3); this one reads up to format 2. "
               "[job-newer]\n");
     EXPECT_THAT(told(R"({"proveout": 18446744073709551615})"), HasSubstr("[job-newer]"));
     for (const char* schema : {"0", "-1", "1.5", "\"1\"", "null"})
