@@ -61,7 +61,12 @@ int refusal(const std::filesystem::path& target) {
         return 0;
     if (!std::filesystem::is_regular_file(status))
         return kNotRegular;
-    // A rename would replace a write-protected file without asking.
+    // A rename would replace a write-protected file without asking; that of a superuser even one that nobody
+    // may write.
+    constexpr auto kAnyWrite = std::filesystem::perms::owner_write | std::filesystem::perms::group_write |
+                               std::filesystem::perms::others_write;
+    if ((status.permissions() & kAnyWrite) == std::filesystem::perms::none)
+        return EACCES;
     return ::access(target.c_str(), W_OK) == 0 ? 0 : errno;
 }
 
