@@ -208,6 +208,8 @@ private:
             {"blocks", m_program->sourceBlockCount()},
             {"motions", executedMotions()},
             {"movingBlocks", m_frame.block},
+            {"movingBlocksInProgram", m_program->blockCount()},
+            {"finished", m_frame.block == m_program->blockCount()},
             {"grid",
              {{"nx", grid.nx},
               {"ny", grid.ny},

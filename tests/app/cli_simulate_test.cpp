@@ -117,7 +117,11 @@ TEST_F(CliSimulate, RecordsTellWhatEachBlockCutAndItsTotals) {
     EXPECT_EQ(totals["axialDepth"]["mm"], 2);
     EXPECT_EQ(totals["firstContact"]["line"], 4);
     EXPECT_NEAR(totals["firstContact"]["z"].get<double>(), 0, 0.002);
-    EXPECT_TRUE(simulate("--json --until 1").json()["records"]["firstContact"].is_null());
+    const auto begun = simulate("--json --until 1").json();
+    EXPECT_TRUE(begun["records"]["firstContact"].is_null());
+    EXPECT_EQ(begun["movingBlocks"], 1);
+    EXPECT_GT(begun["movingBlocksInProgram"], 1);
+    EXPECT_EQ(begun["finished"], false);
 }
 
 TEST_F(CliSimulate, JsonHasTheKeysOfTheContract) {
@@ -372,6 +376,8 @@ TEST_F(CliSimulate, SampleOfTheRepositoryRunsClean) {
     const auto done = run("simulate --job " + job + " --json --records r.csv");
     ASSERT_EQ(done.exitCode, 0) << done.err;
     EXPECT_EQ(done.json()["movingBlocks"], 10'273);
+    EXPECT_EQ(done.json()["movingBlocksInProgram"], 10'273);
+    EXPECT_EQ(done.json()["finished"], true);
     EXPECT_EQ(records("r.csv").size(), 10'274U);
     EXPECT_LE(done.json()["largestErrorMm"], 0.05);
 }
