@@ -44,6 +44,11 @@ void DocumentReader::open(const QString& file, Done<JobDocument> done) {
                        std::move(done));
 }
 
+void DocumentReader::restore(const KeptWork& kept, Done<JobDocument> done) {
+    start<JobDocument>([kept](const WorkContext& context) { return JobDocument::restore(kept, context); },
+                       std::move(done));
+}
+
 void DocumentReader::readText(const std::filesystem::path& file, Done<Document> done) {
     start<Document>([file](const WorkContext& context) { return JobDocument::readText(file, context); },
                     std::move(done));

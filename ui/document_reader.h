@@ -32,6 +32,8 @@ public:
 
     /// As JobDocument::open(); what the reading throws is told as an error too.
     void open(const QString& file, Done<JobDocument> done);
+    /// As JobDocument::restore().
+    void restore(const KeptWork& kept, Done<JobDocument> done);
     /// As JobDocument::readText().
     void readText(const std::filesystem::path& file, Done<Document> done);
     /// Forgets what is under way.

@@ -104,16 +104,18 @@ Result<ExportSummary> exportFrame(const Frame& frame, const QString& file, const
                                   const WorkContext& context, double availableBytes) {
     const StockFormat* stock =
         options.format == nullptr ? nullptr : std::get_if<StockFormat>(&options.format->handlers);
-    if (stock != nullptr) {
-        auto saved = save(*stock, frame, file, options.provenance);
-        return saved ? saved : tl::unexpected(about(file, std::move(saved.error())));
-    }
+    const auto ofMoment = [&](Result<ExportSummary> summary) -> Result<ExportSummary> {
+        if (!summary)
+            return tl::unexpected(about(file, std::move(summary.error())));
+        summary->block = frame.block;
+        summary->blocks = frame.program ? frame.program->blockCount() : frame.block;
+        return summary;
+    };
+    if (stock != nullptr)
+        return ofMoment(save(*stock, frame, file, options.provenance));
     if (Result<void> fits = checkMeshMemory(frame, options, availableBytes); !fits)
         return tl::unexpected(about(file, std::move(fits.error())));
-    Result<ExportSummary> written = write(frame, file, options, context);
-    if (!written)
-        return tl::unexpected(about(file, std::move(written.error())));
-    return written;
+    return ofMoment(write(frame, file, options, context));
 }
 
 ExportJob::ExportJob(QObject* parent) : QObject(parent) {}

@@ -25,7 +25,9 @@ struct ExportOptions {
 
 struct ExportSummary {
     QString file;
-    bool stock = false; ///< the z-map itself was saved; there is no mesh and no error
+    std::size_t block = 0;  ///< executed when the stock was as in the file …
+    std::size_t blocks = 0; ///< … of so many
+    bool stock = false;     ///< the z-map itself was saved; there is no mesh and no error
     std::uint64_t triangles = 0;
     std::uint64_t bytes = 0;
     double largestErrorMm = 0;             ///< of what the file holds, measured against the z-map

@@ -24,6 +24,15 @@ QString shortName(const QString& file) {
     return name.first(kLongest / 2) + QChar(0x2026) + name.last(kLongest / 2 - 1);
 }
 
+/// Up to which block the program had run; nothing at its end.
+QString momentOf(const ExportSummary& summary, const QLocale& locale) {
+    if (summary.block >= summary.blocks)
+        return {};
+    return u' ' + translated(QT_TRANSLATE_NOOP("Export", "(block %1 of %2)"))
+                      .arg(locale.toString(static_cast<qulonglong>(summary.block)),
+                           locale.toString(static_cast<qulonglong>(summary.blocks)));
+}
+
 /// The error of the file, and whether the allowance bounds it.
 QString errorText(const ExportSummary& summary, const QLocale& locale) {
     const QString error = locale.toString(summary.largestErrorMm, 'f', kErrorDecimals);
@@ -49,11 +58,10 @@ QString errorText(const ExportSummary& summary, const QLocale& locale) {
 } // namespace
 
 QString exportText(const ExportSummary& summary, const QLocale& locale) {
+    const QString name = shortName(summary.file) + momentOf(summary, locale);
     if (summary.stock)
-        return translated(QT_TRANSLATE_NOOP("Export", "Saved %1: the stock for the next set-up"))
-            .arg(shortName(summary.file));
-    return translated(QT_TRANSLATE_NOOP("Export", "Wrote %1: %2"))
-        .arg(shortName(summary.file), errorText(summary, locale));
+        return translated(QT_TRANSLATE_NOOP("Export", "Saved %1: the stock for the next setup")).arg(name);
+    return translated(QT_TRANSLATE_NOOP("Export", "Wrote %1: %2")).arg(name, errorText(summary, locale));
 }
 
 QString exportDetails(const ExportSummary& summary, const QLocale& locale) {

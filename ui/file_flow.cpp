@@ -3,6 +3,8 @@
 
 #include <utility>
 
+#include <QAbstractSpinBox>
+#include <QApplication>
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -15,7 +17,9 @@
 #include "ui/export_dialog.h"
 #include "ui/file_paths.h"
 #include "ui/resource_paths.h"
+#include "ui/run_to_end.h"
 #include "ui/save_dialog.h"
+#include "ui/save_question.h"
 
 namespace proveout {
 
@@ -54,18 +58,74 @@ void FileFlow::openByDialog() {
 }
 
 void FileFlow::newFile() {
-    if (mayDiscard())
-        m_session.newFile();
+    if (!mayDiscard())
+        return;
+    m_session.newFile();
+    emit newBegun();
+}
+
+bool FileFlow::settle(const std::function<std::optional<DiskConflict>()>& next) {
+    while (const std::optional<DiskConflict> conflict = next()) {
+        const SaveAnswer answer = askBeforeSave(m_window, *conflict);
+        if (answer == SaveAnswer::cancel)
+            return false;
+        if (answer == SaveAnswer::overwrite) {
+            m_session.acceptDisk(*conflict);
+            continue;
+        }
+        if (!m_session.saveBeside(conflict->part))
+            return false;
+        const QString beside =
+            conflict->part == FilePart::text ? toQString(m_session.document().path) : m_session.jobFile();
+        m_recent.add(beside);
+        emit saved(tr("Saved as %1; %2 keeps the other version.")
+                       .arg(QFileInfo(beside).fileName(), QFileInfo(toQString(conflict->file)).fileName()));
+    }
+    return true;
+}
+
+/// Whatever was asked about may change again before it is written; the session then refuses to overwrite it.
+bool FileFlow::saveFiles() {
+    if (!settle([this] { return m_session.conflict(); }))
+        return false;
+    const bool text = m_session.document().modified;
+    const bool job = m_session.jobModified();
+    if (!m_session.save())
+        return false;
+    tellSaved(text, job && !m_session.jobModified());
+    return true;
+}
+
+void FileFlow::tellSaved(bool text, bool job) {
+    QStringList names;
+    if (text)
+        names << QFileInfo(toQString(m_session.document().path)).fileName();
+    if (job)
+        names << QFileInfo(m_session.jobFile()).fileName();
+    if (names.isEmpty())
+        return;
+    QString message = tr("Saved %1").arg(names.join(QStringLiteral(", ")));
+    if (m_session.jobModified())
+        message += tr(". The setup has not been saved as a job.");
+    emit saved(message);
+}
+
+/// What is typed in a field counts too, although the field still has the focus.
+void FileFlow::collectChanges() {
+    if (auto* field = qobject_cast<QAbstractSpinBox*>(QApplication::focusWidget()))
+        field->interpretText();
+    m_session.collectChanges();
 }
 
 bool FileFlow::save() {
+    collectChanges();
     const Document& document = m_session.document();
     if (document.path.empty() || (document.modified && isSample(toQString(document.path))))
         return saveAs();
     const bool needsJobFile = m_session.jobFile().isEmpty() || isSample(m_session.jobFile());
     if (!document.modified && m_session.modified() && needsJobFile)
         return saveJobAs(); // only the setup was changed, and it has no file of its own yet
-    return m_session.save();
+    return saveFiles();
 }
 
 bool FileFlow::saveAs() {
@@ -75,11 +135,24 @@ bool FileFlow::saveAs() {
     else if (isSample(proposal))
         proposal = QDir(startFolder()).filePath(QFileInfo(proposal).fileName());
     const QString file = askWhereToSave(m_window, tr("Save NC Program As"), proposal, tr("All files (*)"));
-    if (file.isEmpty() || !m_session.saveAs(file))
+    if (file.isEmpty() || !saveTextAs(file))
         return false;
     if (isSample(m_session.jobFile()))
         m_session.detachJob();
     m_recent.add(file);
+    return true;
+}
+
+bool FileFlow::saveTextAs(const QString& file) {
+    if (file == toQString(m_session.document().path)) {
+        if (!settle([this] { return m_session.conflict(FilePart::text); }))
+            return false;
+        if (toQString(m_session.document().path) != file)
+            return true; // both were kept
+    }
+    if (!m_session.saveAs(file))
+        return false;
+    tellSaved(true, false);
     return true;
 }
 
@@ -94,16 +167,33 @@ bool FileFlow::saveJobAs() {
     }
     const QString file = askWhereToSave(m_window, tr("Save Job As"), proposal,
                                         tr("Proveout jobs (*.proveout)"), QStringLiteral("proveout"));
-    if (file.isEmpty() || !m_session.saveJobAs(file))
+    if (file.isEmpty())
+        return false;
+    if (file == m_session.jobFile()) {
+        if (!settle([this] { return m_session.conflict(FilePart::job); }))
+            return false;
+        if (m_session.jobFile() != file)
+            return true; // both were kept
+    }
+    if (!m_session.saveJobAs(file))
         return false;
     m_recent.add(file);
+    tellSaved(false, true);
     return true;
 }
 
+/// With the moment of the stock where the program is half run.
+QString FileFlow::titled(const QString& title) const {
+    const QString moment = momentText(m_session);
+    return moment.isEmpty() ? title : title + QStringLiteral(" – ") + moment;
+}
+
 void FileFlow::saveStock() {
+    if (!settleHalfRun(m_window, m_session))
+        return;
     const QString program = QFileInfo(toQString(m_session.document().path)).completeBaseName();
     const QString stem = program.isEmpty() ? QStringLiteral("part") : program;
-    const QString file = askWhereToSave(m_window, tr("Save Stock"),
+    const QString file = askWhereToSave(m_window, titled(tr("Save Stock")),
                                         QDir(startFolder()).filePath(stem + QStringLiteral(".pvstock")),
                                         tr("Proveout stock (*.pvstock)"), QStringLiteral("pvstock"));
     if (!file.isEmpty())
@@ -111,11 +201,13 @@ void FileFlow::saveStock() {
 }
 
 void FileFlow::exportByDialog(bool decimated) {
+    if (!settleHalfRun(m_window, m_session))
+        return;
     const QString program = QFileInfo(toQString(m_session.document().path)).completeBaseName();
     const QString stem = program.isEmpty() ? QStringLiteral("part") : program;
-    const auto target =
-        askForExport(m_window, decimated ? tr("Export Decimated Mesh") : tr("Export Full-Resolution Mesh"),
-                     QDir(startFolder()).filePath(stem));
+    const auto target = askForExport(
+        m_window, titled(decimated ? tr("Export Decimated Mesh") : tr("Export Full-Resolution Mesh")),
+        QDir(startFolder()).filePath(stem));
     if (target)
         m_session.exportMesh(target->file, {decimated, target->format});
 }
@@ -124,22 +216,23 @@ QString FileFlow::unsaved() const {
     QStringList sentences;
     const QString program = QFileInfo(toQString(m_session.document().path)).fileName();
     if (m_session.document().modified)
-        sentences << (program.isEmpty() ? tr("The text of the new program is not saved.")
-                                        : tr("The text of %1 is not saved.").arg(program));
+        sentences << (program.isEmpty() ? tr("The new program has not been saved.")
+                                        : tr("%1 has unsaved changes.").arg(program));
     const QString job = QFileInfo(m_session.jobFile()).fileName();
     if (m_session.jobModified())
-        sentences << (job.isEmpty() ? tr("Setup and parameters are in no job file yet.")
-                                    : tr("The setup and parameters of %1 are not saved.").arg(job));
+        sentences << (job.isEmpty() ? tr("The setup has not been saved as a job.")
+                                    : tr("The setup of %1 has unsaved changes.").arg(job));
     return sentences.join(u'\n');
 }
 
 bool FileFlow::mayDiscard() {
+    collectChanges();
     if (!m_session.modified())
         return true;
     QMessageBox question(QMessageBox::Warning, tr("Unsaved changes"), unsaved(),
                          QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
     question.setTextFormat(Qt::PlainText); // the names are the user's
-    question.setInformativeText(tr("Save before going on?"));
+    question.setInformativeText(tr("Save changes before closing?"));
     question.setDefaultButton(QMessageBox::Save);
     const int answer = question.exec();
     if (answer == QMessageBox::Save)

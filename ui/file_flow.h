@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
+#include <optional>
+
 #include <QString>
 #include <QWidget>
 
@@ -13,7 +16,8 @@ class QMimeData;
 namespace proveout {
 
 /// Opening, saving and exporting with their file dialogs, and the only questions that interrupt: about
-/// unsaved changes, and about an export that is still being written when the window closes. UI thread.
+/// unsaved changes, about a file that is newer on the disk than in the window, and about an export that is
+/// still being written when the window closes. UI thread.
 class FileFlow final : public QObject {
     Q_OBJECT
 
@@ -44,13 +48,24 @@ public:
 
 signals:
     void closeWanted();
+    /// Something was written, e.g. "Saved bracket.nc".
+    void saved(const QString& message);
+    /// An empty program was begun.
+    void newBegun();
 
 private:
     enum class ExportAnswer { stay, wait, drop, written };
 
     ExportAnswer askAboutExport();
+    /// Goes on when no file is newer than what the window has read, or the user has said what to do with it.
+    bool settle(const std::function<std::optional<DiskConflict>()>& next);
+    void collectChanges();
+    bool saveFiles();
+    bool saveTextAs(const QString& file);
+    void tellSaved(bool text, bool job);
     [[nodiscard]] QString startFolder() const;
     [[nodiscard]] QString unsaved() const;
+    [[nodiscard]] QString titled(const QString& title) const;
 
     Session& m_session;
     QWidget& m_window;

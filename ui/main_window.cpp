@@ -10,9 +10,9 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QComboBox>
+#include <QDataStream>
 #include <QDockWidget>
 #include <QDragEnterEvent>
-#include <QFileInfo>
 #include <QKeyEvent>
 #include <QMenuBar>
 #include <QSettings>
@@ -20,12 +20,12 @@
 #include <QStatusBar>
 #include <QToolBar>
 #include <QToolButton>
+#include <QVBoxLayout>
 
 #include "ui/about.h"
-#include "ui/diagnostic_text.h"
 #include "ui/dock_titles.h"
+#include "ui/document_title.h"
 #include "ui/editor/editor_panel.h"
-#include "ui/file_paths.h"
 #include "ui/findings/problems_panel.h"
 #include "ui/kept_breakpoints.h"
 #include "ui/kept_switches.h"
@@ -81,7 +81,10 @@ MainWindow::MainWindow(Session& session, Appearance& appearance)
     makeDocks();
     makeMenus();
     makeToolBar();
-    connect(&session, &Session::documentChanged, this, &MainWindow::titleWindow);
+    connect(&session, &Session::documentChanged, this, [this] {
+        titleWindow();
+        titleDocks();
+    });
     connect(&session, &Session::textReplaced, this, &MainWindow::showDocument);
     connect(&session, &Session::textReplaced, this, &MainWindow::fitEditor);
     connect(m_layoutMenu, &LayoutMenu::chosen, this, &MainWindow::arrange);
@@ -97,6 +100,9 @@ MainWindow::MainWindow(Session& session, Appearance& appearance)
     connect(m_startPage, &StartPage::fileWanted, m_files, &FileFlow::open);
     connect(m_startPage, &StartPage::backWanted, this, &MainWindow::showDocument);
     connect(m_files, &FileFlow::closeWanted, this, &QWidget::close);
+    connect(m_files, &FileFlow::newBegun, this, &MainWindow::editNewProgram);
+    connect(m_files, &FileFlow::saved, this,
+            [this](const QString& message) { statusBar()->showMessage(message, kMessageTime); });
     retranslate();
     new KeptBreakpoints(session, this);
     m_viewOptions = new KeptSwitches(kViewGroup, m_viewport->actions() + m_plots->actions(), this);
@@ -121,7 +127,12 @@ void MainWindow::makePanels() {
     }
     m_centre->addWidget(m_startPage);
     m_centre->addWidget(m_viewport);
-    setCentralWidget(m_centre);
+    auto* middle = new QWidget(this);
+    auto* layout = new QVBoxLayout(middle);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_centre, 1);
+    setCentralWidget(middle);
 }
 
 void MainWindow::makeDocks() {
@@ -197,6 +208,11 @@ void MainWindow::retranslate() {
 void MainWindow::titleDocks() {
     for (std::size_t i = 0; i < m_docks.size(); ++i)
         m_docks[i]->setWindowTitle(QCoreApplication::translate(kDockContext, docks()[i].title));
+    // Each panel is marked for what it shows.
+    for (const auto& [dock, modified] : {std::pair(kProgramDock, m_session.document().modified),
+                                         std::pair(kSetupDock, m_session.jobModified())})
+        if (modified)
+            m_docks[dock]->setWindowTitle(m_docks[dock]->windowTitle() + u'*');
     if (const std::size_t count = m_session.problems().size(); count > 0) {
         QDockWidget* dock = m_docks[kProblemsDock];
         dock->setWindowTitle(QStringLiteral("%1 (%2)").arg(dock->windowTitle()).arg(count));
@@ -205,8 +221,7 @@ void MainWindow::titleDocks() {
 
 void MainWindow::showProblems() {
     bringForward(*m_docks[kProblemsDock]);
-    if (!m_session.problems().empty())
-        statusBar()->showMessage(sentence(m_session.problems().front()), kMessageTime);
+    m_status->tellProblem();
 }
 
 void MainWindow::restore() {
@@ -246,6 +261,33 @@ void MainWindow::raiseFloatingDocks() {
     }
 }
 
+QByteArray MainWindow::layout() const {
+    QByteArray bytes;
+    QDataStream stream(&bytes, QIODevice::WriteOnly);
+    stream << saveGeometry() << saveState(kLayoutVersion);
+    return bytes;
+}
+
+void MainWindow::setLayout(const QByteArray& layout) {
+    QByteArray geometry;
+    QByteArray state;
+    QDataStream stream(layout);
+    stream >> geometry >> state;
+    if (restoreState(state, kLayoutVersion)) {
+        restoreGeometry(geometry);
+        m_layoutKept = true;
+    }
+}
+
+void MainWindow::addNotice(QWidget* notice) {
+    static_cast<QBoxLayout*>(centralWidget()->layout())->insertWidget(0, notice);
+}
+
+void MainWindow::editNewProgram() {
+    bringForward(*m_docks[kProgramDock]);
+    m_editor->setFocus();
+}
+
 void MainWindow::resetLayout() {
     arrange();
     m_viewOptions->reset();
@@ -281,12 +323,8 @@ void MainWindow::titleWindow() {
         setWindowTitle(QStringLiteral("Proveout"));
         return;
     }
-    const QString path = toQString(m_session.document().path);
-    QString name = path.isEmpty() ? tr("untitled") : QFileInfo(path).fileName();
-    m_startPage->setOpenDocument(name);
-    if (!m_session.jobFile().isEmpty())
-        name += QStringLiteral(" (%1)").arg(QFileInfo(m_session.jobFile()).fileName());
-    setWindowTitle(QStringLiteral("%1[*] – Proveout").arg(name));
+    m_startPage->setOpenDocument(documentName(m_session));
+    setWindowTitle(documentTitle(m_session));
     setWindowModified(m_session.modified());
 }
 

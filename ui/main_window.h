@@ -39,6 +39,12 @@ public:
     /// The action with this objectName, of whatever table; null where there is none.
     [[nodiscard]] QAction* action(const QString& id) const;
 
+    /// Sizes and places of the window and its docks, to be restored later.
+    [[nodiscard]] QByteArray layout() const;
+    /// Leaves all as it is where `layout` is not one of this version.
+    void setLayout(const QByteArray& layout);
+    /// Shows a message above the view or the start page, which shares the room with it; takes ownership.
+    void addNotice(QWidget* notice);
     void resetLayout();
     void toggleFullScreen();
     void showStartPage();
@@ -78,6 +84,7 @@ private:
     void retranslate();
     void titleDocks();
     void showProblems();
+    void editNewProgram();
     void restore();
     void showDocument();
     void titleWindow();

@@ -30,6 +30,7 @@ Session::Session(QObject* parent) : QObject(parent) {
     m_editPause.setInterval(kEditPauseMs);
     connect(&m_editPause, &QTimer::timeout, this, &Session::interpret);
     connect(&m_watch, &FileWatch::changed, this, &Session::watchedFileChanged);
+    connect(&m_jobWatch, &FileWatch::changed, this, &Session::watchedJobChanged);
     connect(&m_tick, &RepaintTick::fired, this, &Session::onTick);
     connect(&m_source, &ProgramSource::proposed, this, &Session::adoptProposals);
     connect(&m_source, &ProgramSource::begun, this,

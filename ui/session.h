@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -67,6 +68,8 @@ public:
     [[nodiscard]] bool modified() const { return m_job.modified(); }
     /// Whether set-up or parameters hold changes that no job file has.
     [[nodiscard]] bool jobModified() const { return m_job.jobModified(); }
+    /// Text, setup and parameters with their files, as one value.
+    [[nodiscard]] const JobDocument& job() const { return m_job; }
 
     [[nodiscard]] const Setup& setup() const { return *m_job.setup(); }
     [[nodiscard]] const DecimationParameters& parameters() const { return m_job.parameters(); }
@@ -116,16 +119,34 @@ public:
     /// the document while the file is read stops the opening, so that none is lost. The newest file wins.
     void openFile(const QString& file);
     void newFile();
-    /// Writes text and job to where they came from. False where that failed or where there is no path yet.
+    /// Panels that wait for a rest in typing hand over what they have now (changesWanted()), e.g. to be
+    /// saved.
+    void collectChanges() { emit changesWanted(); }
+    /// Opens kept work as openFile() opens a file; `done` is called when it is there.
+    void restore(const KeptWork& kept, std::function<void()> done);
+    /// Writes text and job to where they came from. False where that failed, where there is no path yet, and
+    /// where a file has been changed by somebody else: see conflict().
     bool save();
     bool saveAs(const QString& file);
     bool saveJobAs(const QString& file);
+    /// What save() would overwrite although it is newer than what the window has read: the files are compared
+    /// now, by content. Nothing where there is no such, or no longer.
+    [[nodiscard]] std::optional<DiskConflict> conflict() const;
+    [[nodiscard]] std::optional<DiskConflict> conflict(FilePart part) const { return m_job.conflict(part); }
+    /// The next save may overwrite it.
+    void acceptDisk(const DiskConflict& conflict) { m_job.acceptDisk(conflict); }
+    /// Saves a part under a new name beside its file, which stays as it is. False where that failed.
+    bool saveBeside(FilePart part);
     /// Setup and parameters stay, but no longer belong to a job file.
     void detachJob();
     /// Reads the text again from the disk, in the background as openFile() does.
     void reload();
-    /// Leaves the text as it is although the file has changed; it counts as modified.
+    /// Leaves the text as it is although the file has changed; it counts as modified, and may be saved over
+    /// what the file holds now.
     void keepMine();
+    /// The same of setup and parameters, for the job file.
+    void reloadJob();
+    void keepMyJob();
 
     /// The user replaced the bytes [offset, offset + removed) of the text. Interprets anew in the background.
     void applyEdit(std::size_t offset, std::size_t removed, std::string_view inserted);
@@ -177,6 +198,7 @@ public:
 signals:
     /// Another document, or the same one under another name or with another modified state.
     void documentChanged();
+    void changesWanted();
     /// The text was replaced as a whole (opened, reloaded): views load it anew.
     void textReplaced();
     /// openFile() is through: the document is that of the file.
@@ -199,6 +221,8 @@ signals:
     void fileChangedOnDisk();
     /// The file of the document is again what the window holds.
     void fileWritten();
+    /// The job file is no longer what was read or written; false: it is again.
+    void jobChangedOnDisk(bool changed);
     /// Someone asks to see a source line (1-based): the editor goes there.
     void lineRequested(std::uint32_t line, int column);
     /// Someone asks to see a tool of the table, or to define the one with this number.
@@ -211,7 +235,9 @@ signals:
 
 private:
     void adopt(JobDocument job);
-    bool saved(const Result<void>& written, bool text);
+    bool saved(const Result<void>& written, bool text, bool job);
+    void watchFiles();
+    void watchedJobChanged();
     bool told(const Result<void>& result);
     void watchedFileChanged();
     void interpret();
@@ -277,6 +303,7 @@ private:
     std::optional<ExportSummary> m_lastExport;
 
     FileWatch m_watch;
+    FileWatch m_jobWatch;
     RepaintTick m_tick;
     QTimer m_editPause; ///< typing is interpreted after a short rest
     DocumentReader m_reader;

@@ -1,16 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The document of the session: text, set-up and parameters with their files.
+// The document of the session: text, set-up and parameters.
 #include <memory>
 #include <utility>
-
-#include <QFileInfo>
 
 #include "core/base/memory.h"
 #include "core/base/text.h"
 #include "core/decimation/map_memory.h"
 #include "core/simulation/automatic_grid.h"
 #include "core/simulation/interpretation.h"
-#include "ui/file_paths.h"
 #include "ui/program_index.h"
 #include "ui/session.h"
 
@@ -49,7 +46,7 @@ void Session::adopt(JobDocument job) {
     m_messages.clear();
     m_simulationErrors.clear();
     m_simulation->post(PauseCommand{});
-    m_watch.watch(toQString(document().path), document().onDisk);
+    watchFiles();
     interpret();
     emit textReplaced();
     emit documentChanged();
@@ -63,59 +60,6 @@ void Session::adopt(JobDocument job) {
     requestTick();
 }
 
-bool Session::save() {
-    if (document().path.empty())
-        return false;
-    const bool before = document().modified;
-    const Result<void> written = m_job.save();
-    return saved(written, before && !document().modified);
-}
-
-bool Session::saveAs(const QString& file) {
-    const Result<void> written = m_job.saveTextAs(file);
-    return saved(written, written.has_value());
-}
-
-bool Session::saveJobAs(const QString& file) {
-    return saved(m_job.saveJobAs(file), false);
-}
-
-void Session::detachJob() {
-    m_job.detachJob();
-    emit documentChanged();
-}
-
-bool Session::saved(const Result<void>& written, bool text) {
-    if (text) {
-        m_watch.watch(toQString(document().path)); // from what we have written on
-        emit fileWritten();
-    }
-    emit documentChanged();
-    return told(written);
-}
-
-bool Session::told(const Result<void>& result) {
-    tell(result ? Diagnostics() : result.error());
-    return result.has_value();
-}
-
-void Session::reload() {
-    m_reader.readText(document().path, [this](Result<Document> text) { textRead(std::move(text)); });
-}
-
-void Session::textRead(Result<Document> text) {
-    if (!text)
-        m_job.keepMine();
-    else if (text->path == document().path) { // else it was saved elsewhere in the meantime
-        m_job.replaceText(*text);
-        m_watch.watch(toQString(document().path), document().onDisk);
-        emit textReplaced();
-        interpret();
-    }
-    told(text ? Result<void>() : tl::unexpected(text.error()));
-    emit documentChanged();
-}
-
 /// The document is changed: what is being read would take the change away.
 void Session::stopOpening() {
     if (!m_reader.isReading())
@@ -125,18 +69,6 @@ void Session::stopOpening() {
                  PROVEOUT_TEXT("Core", "The file was not opened, because the open program was changed "
                                        "while the file was being read."))
              .value());
-}
-
-void Session::keepMine() {
-    stopOpening();
-    m_job.keepMine();
-    emit documentChanged();
-}
-
-void Session::watchedFileChanged() {
-    if (!QFileInfo::exists(toQString(document().path)))
-        keepMine(); // the window holds the last copy
-    emit fileChangedOnDisk();
 }
 
 void Session::applyEdit(std::size_t offset, std::size_t removed, std::string_view inserted) {

@@ -20,6 +20,7 @@ namespace {
 constexpr int kProgressWidth = 140;
 constexpr int kProgressSteps = 100;
 constexpr int kAnswerTime = 15'000;        // ms
+constexpr int kProblemTime = 8'000;        // ms
 constexpr int kMargin = 6;                 // px
 constexpr double kFarPosition = -8888.888; // mm, as wide as any within it
 const QString kWideWord = QStringLiteral("88888");
@@ -63,9 +64,21 @@ StatusLine::StatusLine(Session& session, QStatusBar& bar)
     connect(&bar, &QStatusBar::messageChanged, &bar, [&bar] { bar.setToolTip({}); });
     connect(&session, &Session::exported, this, [this](const ExportSummary& summary) {
         const QString text = exportText(summary, m_bar.locale());
-        m_bar.showMessage(text);
+        say(text, Until::edited);
         // A narrow window cuts the message off.
         m_bar.setToolTip(text + QLatin1Char('\n') + exportDetails(summary, m_bar.locale()));
+    });
+    connect(&session, &Session::problemsChanged, this, &StatusLine::forgetProblem);
+    connect(&session, &Session::textReplaced, this, [this] { forget(Until::edited); });
+    connect(&session, &Session::programChanged, this, [this] { forget(Until::edited); });
+    connect(&session, &Session::setupChanged, this, [this] { forget(Until::edited); });
+    connect(&session, &Session::workChanged, this, [this] {
+        if (m_session.exporting())
+            forget(Until::edited);
+    });
+    connect(&session, &Session::playbackChanged, this, [this] {
+        if (m_session.playback().playing)
+            forget(Until::moved);
     });
     connect(&session, &Session::stoppedAt, this, &StatusLine::tellStop);
     connect(&session, &Session::placeTold, this, &StatusLine::tellPlace);
@@ -77,7 +90,24 @@ void StatusLine::tellStop(const BreakpointHit& hit) {
     Diagnostic reason;
     reason.text = rowOf(hit.breakpoint.kind).reason;
     reason.arguments = {valueText(hit.breakpoint)};
-    m_bar.showMessage(sentence(reason));
+    say(sentence(reason), Until::moved, m_session.block());
+}
+
+void StatusLine::say(const QString& text, Until until, std::size_t block, int milliseconds) {
+    m_said = text;
+    m_until = until;
+    m_saidOf = block;
+    m_arrived = false;
+    m_bar.showMessage(text, milliseconds);
+}
+
+/// An edit ends what a move ends too.
+void StatusLine::forget(Until event) {
+    if (m_said.isEmpty() || (event == Until::moved && m_until == Until::edited))
+        return;
+    if (m_bar.currentMessage() == m_said)
+        m_bar.clearMessage();
+    m_said.clear();
 }
 
 void StatusLine::tellPlace(const PlaceAnswer& answer) {
@@ -96,8 +126,35 @@ void StatusLine::tellPlace(const PlaceAnswer& answer) {
         }
         return {};
     }();
-    m_bar.showMessage(text, kAnswerTime);
+    say(text, Until::moved, answer.block, kAnswerTime);
     m_bar.setToolTip(text); // a narrow window cuts the message off
+}
+
+void StatusLine::tellProblem() {
+    if (m_session.problems().empty())
+        return;
+    m_problem = sentence(m_session.problems().front());
+    m_bar.showMessage(m_problem, kProblemTime);
+}
+
+void StatusLine::forgetProblem() {
+    if (m_problem.isEmpty())
+        return;
+    const bool stays = std::ranges::any_of(
+        m_session.problems(), [this](const Diagnostic& problem) { return sentence(problem) == m_problem; });
+    if (stays)
+        return;
+    if (m_bar.currentMessage() == m_problem)
+        m_bar.clearMessage();
+    m_problem.clear();
+}
+
+/// The frame of a block that a message is about may still be on its way.
+void StatusLine::forgetWhatIsBehind(const Frame& frame) {
+    if (frame.block == m_saidOf)
+        m_arrived = true;
+    else if (m_arrived)
+        forget(Until::moved);
 }
 
 void StatusLine::retranslate() {
@@ -141,6 +198,8 @@ void StatusLine::fitFields() {
 
 void StatusLine::onTick(const FramePtr& frame) {
     showWork();
+    if (frame)
+        forgetWhatIsBehind(*frame);
     const bool otherFaces =
         frame && std::exchange(m_facesFull, frame->surface.facesFull) != frame->surface.facesFull;
     const bool toolAssumed = frame && frame->toolAssumed;

@@ -23,6 +23,8 @@ class StatusLine final : public QObject {
 public:
     StatusLine(Session& session, QStatusBar& bar);
     void retranslate();
+    /// The first problem, for a while; no longer than it is one.
+    void tellProblem();
 
 private:
     enum Field { kX, kY, kZ, kFeed, kSpindle, kTool, kBlock, kFaces, kFieldCount };
@@ -34,6 +36,12 @@ private:
     void showWork();
     void tellStop(const BreakpointHit& hit);
     void tellPlace(const PlaceAnswer& answer);
+    /// How long what a message says is true.
+    enum class Until { moved, edited };
+    void say(const QString& text, Until until, std::size_t block = 0, int milliseconds = 0);
+    void forget(Until event);
+    void forgetProblem();
+    void forgetWhatIsBehind(const Frame& frame);
     /// Makes each field as wide as the widest text that it will show for this program and stock.
     void fitFields();
     void set(Field field, const QString& text);
@@ -44,6 +52,11 @@ private:
     QLabel* m_workLabel;
     QProgressBar* m_progress;
     QToolButton* m_cancel;
+    QString m_problem; ///< that tellProblem() has shown
+    QString m_said;    ///< by say(); something else may be shown meanwhile
+    Until m_until = Until::edited;
+    std::size_t m_saidOf = 0;    ///< the block that it is about
+    bool m_arrived = false;      ///< there
     std::size_t m_facesFull = 0; ///< of the newest frame
     bool m_toolAssumed = false;  ///< the same
 };

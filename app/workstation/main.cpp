@@ -15,6 +15,7 @@
 #include "app/workstation/study_main.h"
 #include "ui/appearance.h"
 #include "ui/main_window.h"
+#include "ui/recovery.h"
 #include "ui/session.h"
 
 namespace proveout {
@@ -122,11 +123,21 @@ int run() {
         appearance.overrideLanguage(options.language);
     Session session;
     MainWindow window(session, appearance);
+    // A picture shows the defaults.
+    std::optional<Recovery> recovery;
+    if (options.screenshot.isEmpty())
+        recovery.emplace(window, Recovery::standardRoot());
     if (!options.size.isEmpty())
         window.resize(options.size);
     window.show();
+    const auto execute = [&recovery] {
+        const int result = QApplication::exec();
+        if (recovery)
+            recovery->end(); // not where something was thrown
+        return result;
+    };
     if (options.file.isEmpty())
-        return goOn(window, options) ? QApplication::exec() : kUsage;
+        return goOn(window, options) ? execute() : kUsage;
     // The commands are about what the file holds.
     QObject::connect(
         &session, &Session::opened, &window,
@@ -144,7 +155,7 @@ int run() {
             QCoreApplication::exit(kUsage);
         });
     window.files().open(options.file);
-    return QApplication::exec();
+    return execute();
 }
 
 } // namespace

@@ -405,10 +405,9 @@ Result<Job> readJob(const fs::path& file) {
     return job;
 }
 
-Result<void> writeJob(const fs::path& file, const Job& job) {
-    std::string text;
+Result<std::string> jobText(const fs::path& file, const Job& job) {
     try {
-        text = toJson(job, file).dump(2) + "\n";
+        return toJson(job, file).dump(2) + "\n";
     } catch (
         const nlohmann::json::type_error&) { // dump() knows no other way to refuse bytes that are no UTF-8
         return failure(
@@ -416,7 +415,11 @@ Result<void> writeJob(const fs::path& file, const Job& job) {
             PROVEOUT_TEXT("Core", "The name of the program is not UTF-8, which JSON needs; rename it."), {},
             file.string());
     }
-    return writeFile(file, text);
+}
+
+Result<void> writeJob(const fs::path& file, const Job& job) {
+    const Result<std::string> text = jobText(file, job);
+    return text ? writeFile(file, *text) : tl::unexpected(text.error());
 }
 
 } // namespace proveout

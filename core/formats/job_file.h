@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 #include "core/base/diagnostic.h"
 #include "core/decimation/parameters.h"
@@ -31,6 +32,9 @@ struct Job {
 /// spacing is found once the program is known. A newer schema is refused, and so are files larger or nested
 /// deeper than any job.
 [[nodiscard]] Result<Job> readJob(const std::filesystem::path& file);
+
+/// What writeJob() writes to this file: names of other files are relative to it. Errors: a name is not UTF-8.
+[[nodiscard]] Result<std::string> jobText(const std::filesystem::path& file, const Job& job);
 
 /// Writes a job atomically. Errors: the file cannot be written, or the program's name is not UTF-8.
 [[nodiscard]] Result<void> writeJob(const std::filesystem::path& file, const Job& job);

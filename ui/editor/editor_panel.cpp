@@ -11,9 +11,9 @@
 #include <QVBoxLayout>
 
 #include "core/simulation/interpretation.h"
-#include "ui/editor/file_changed_bar.h"
 #include "ui/editor/find_bar.h"
 #include "ui/editor/nc_editor.h"
+#include "ui/file_changed_bar.h"
 
 namespace proveout {
 
@@ -78,7 +78,7 @@ const std::array<Command<EditorPanel>, 15> EditorPanel::kCommands{{
 
 EditorPanel::EditorPanel(Session& session, QWidget* parent)
     : QWidget(parent), m_session(session), m_editor(new NcEditor(this)), m_find(new FindBar(*m_editor, this)),
-      m_changed(new FileChangedBar(this)), m_readOnly(new QLabel(this)),
+      m_changed(new FileChangedBar(session, FilePart::text, this)), m_readOnly(new QLabel(this)),
       m_commands(*this, kContext, kCommands, this) {
     for (QAction* action : m_commands.all()) {
         addAction(action);
@@ -132,10 +132,6 @@ EditorPanel::EditorPanel(Session& session, QWidget* parent)
     connect(&session, &Session::tick, this, &EditorPanel::showFrame);
     connect(&session, &Session::lineRequested, this,
             [this](std::uint32_t line, int column) { m_editor->goTo(static_cast<int>(line), column); });
-    connect(&session, &Session::fileChangedOnDisk, m_changed, &QWidget::show);
-    connect(&session, &Session::fileWritten, m_changed, &QWidget::hide);
-    connect(m_changed, &FileChangedBar::reloadWanted, &session, &Session::reload);
-    connect(m_changed, &FileChangedBar::keepWanted, &session, &Session::keepMine);
     retranslate();
     loadText();
 }
@@ -161,7 +157,6 @@ void EditorPanel::retranslate() {
 void EditorPanel::loadText() {
     m_editor->load(m_session.document());
     m_readOnly->setVisible(m_session.document().readOnly);
-    m_changed->hide();
 }
 
 void EditorPanel::updateActions() {

@@ -16,6 +16,7 @@
 #include "core/base/memory.h"
 #include "core/base/text.h"
 #include "ui/diagnostic_text.h"
+#include "ui/file_changed_bar.h"
 #include "ui/file_paths.h"
 #include "ui/panel_layout.h"
 #include "ui/setup/ignored_codes_field.h"
@@ -53,6 +54,12 @@ SetupPanel::SetupPanel(Session& session, QWidget* parent)
     connect(m_ignored, &IgnoredCodesField::edited, &m_rest, qOverload<>(&QTimer::start));
     connect(m_dialect, &QComboBox::activated, &m_rest, qOverload<>(&QTimer::start));
     connect(m_compensation, &QComboBox::activated, &m_rest, qOverload<>(&QTimer::start));
+    connect(&session, &Session::changesWanted, this, [this] {
+        if (!m_rest.isActive())
+            return;
+        m_rest.stop();
+        apply();
+    });
     connect(m_fit, &QPushButton::clicked, this, &SetupPanel::fitToProgram);
     connect(m_tools, &ToolTableEditor::lineWanted, this,
             [this](std::uint32_t line) { emit m_session.lineRequested(line, 1); });
@@ -60,6 +67,7 @@ SetupPanel::SetupPanel(Session& session, QWidget* parent)
     connect(&session, &Session::toolRequested, m_tools, &ToolTableEditor::edit, Qt::QueuedConnection);
     connect(m_define, &QPushButton::clicked, this, &SetupPanel::defineMissingTools);
     connect(&session, &Session::setupChanged, this, &SetupPanel::showSetup);
+    connect(&session, &Session::documentChanged, this, &SetupPanel::titleTools);
     connect(&session, &Session::programChanged, this, &SetupPanel::showMissingTools);
     connect(&session, &Session::programChanged, this, &SetupPanel::showStart);
     connect(&session, &Session::programChanged, this, &SetupPanel::showDialect);
@@ -73,6 +81,7 @@ SetupPanel::SetupPanel(Session& session, QWidget* parent)
 void SetupPanel::build() {
     auto* content = new QWidget;
     auto* layout = new QVBoxLayout(content);
+    layout->addWidget(new FileChangedBar(m_session, FilePart::job, content));
     m_dialectLabel->setBuddy(m_dialect);
     m_dialect->setObjectName(QStringLiteral("dialect"));
     m_compensationLabel->setBuddy(m_compensation);
@@ -288,6 +297,11 @@ void SetupPanel::defineMissingTools() {
     assumeMissingTools(m_session);
 }
 
+/// Marked while the tools are in no job file as they are.
+void SetupPanel::titleTools() {
+    m_toolsTitle->setText(m_session.job().toolsModified() ? tr("Tools") + u'*' : tr("Tools"));
+}
+
 void SetupPanel::retranslate() {
     m_programTitle->setText(tr("Control"));
     m_dialectLabel->setText(tr("Dialect of the program"));
@@ -302,7 +316,7 @@ void SetupPanel::retranslate() {
     m_stockTitle->setText(tr("Stock and grid"));
     m_fit->setText(tr("Fit to program"));
     m_fit->setToolTip(tr("Make the stock just large enough for all cutting motions"));
-    m_toolsTitle->setText(tr("Tools"));
+    titleTools();
     m_machineTitle->setText(tr("Machine"));
     m_define->setText(tr("Add missing tools (⌀ 10 mm assumed)"));
     m_define->setToolTip(tr("Add these tools; then enter the sizes of your cutters"));

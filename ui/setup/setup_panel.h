@@ -36,6 +36,7 @@ protected:
 private:
     void build();
     void retranslate();
+    void titleTools();
     void showSetup();
     void showDialect();
     [[nodiscard]] QString automaticDialect() const;

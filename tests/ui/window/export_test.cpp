@@ -27,6 +27,7 @@
 #include "tests/ui/window/workstation.h"
 #include "ui/diagnostic_text.h"
 #include "ui/file_paths.h"
+#include "ui/run_to_end.h"
 
 namespace proveout {
 namespace {
@@ -68,13 +69,24 @@ void whenOpen(const std::function<void(Dialog&)>& work) {
     wait->start(20);
 }
 
-/// Triggers an action that opens a file dialog, and lets `work` deal with it.
+void press(QMessageBox& question, const QString& name) {
+    for (QAbstractButton* each : question.buttons())
+        if (each->text().remove(u'&') == name)
+            return each->click();
+    qFatal("no button %s", qPrintable(name));
+}
+
+/// Triggers an action that opens a file dialog, and lets `work` deal with it. A program that is half run is
+/// exported as it is.
 void inDialog(MainWindow& window, const char* action, const std::function<void(QFileDialog&)>& work) {
     bool met = false;
     whenOpen<QFileDialog>([&](QFileDialog& dialog) {
         met = true;
         work(dialog);
     });
+    if (isHalfRun(window.session()))
+        whenOpen<QMessageBox>(
+            [](QMessageBox& question) { press(question, QStringLiteral("Export This Block")); });
     window.action(QLatin1String(action))->trigger();
     QVERIFY(met);
 }
@@ -175,6 +187,90 @@ private slots:
         QVERIFY(toldWith().endsWith(QLatin1String("certified within 0.0325 mm at every z-map point")));
         parameters.certify = false;
         QVERIFY(toldWith().endsWith(QLatin1String("mm, not a bound")));
+    }
+
+    void aHalfRunProgramIsNamedAsSuch() {
+        QTemporaryDir folder;
+        Workstation station(true);
+        Session& session = station.session;
+        session.seek(3);
+        QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{3}, kPatience);
+        const QString of = QStringLiteral("3 of %1").arg(session.blockCount());
+        QString asked;
+        QString title;
+        whenOpen<QMessageBox>([&](QMessageBox& question) {
+            asked = question.text();
+            press(question, QStringLiteral("Export This Block"));
+            whenOpen<QFileDialog>([&](QFileDialog& dialog) {
+                title = dialog.windowTitle();
+                nameOf(dialog).setText(folder.filePath(QStringLiteral("part.stl")));
+                save(dialog);
+            });
+        });
+        QSignalSpy exported(&session, &Session::exported);
+        station.window.action(QStringLiteral("export-mesh"))->trigger();
+        QVERIFY2(asked.contains(of), qPrintable(asked));
+        QVERIFY2(title.contains(of), qPrintable(title));
+        QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, kPatience);
+        QCOMPARE(session.lastExport()->block, std::size_t{3});
+        const QString told = station.window.statusBar()->currentMessage();
+        QVERIFY2(told.contains(of), qPrintable(told));
+        // A message about the past goes when something else is open.
+        session.newFile();
+        QTRY_VERIFY_WITH_TIMEOUT(station.window.statusBar()->currentMessage() != told, kPatience);
+    }
+
+    void aHalfRunProgramCanBeRunToItsEndFirst_data() {
+        QTest::addColumn<QString>("action");
+        QTest::addColumn<QString>("file");
+        QTest::addRow("mesh") << QStringLiteral("export-mesh") << QStringLiteral("part.stl");
+        QTest::addRow("stock") << QStringLiteral("file-save-stock") << QStringLiteral("part.pvstock");
+    }
+
+    void aHalfRunProgramCanBeRunToItsEndFirst() {
+        QFETCH(QString, action);
+        QFETCH(QString, file);
+        QTemporaryDir folder;
+        Workstation station(true);
+        Session& session = station.session;
+        session.seek(3);
+        QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{3}, kPatience);
+        whenOpen<QMessageBox>([&](QMessageBox& question) {
+            press(question, QStringLiteral("Run to the End First"));
+            whenOpen<QFileDialog>([&](QFileDialog& dialog) {
+                nameOf(dialog).setText(folder.filePath(file));
+                save(dialog);
+            });
+        });
+        QSignalSpy exported(&session, &Session::exported);
+        station.window.action(action)->trigger();
+        QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, kPatience);
+        QCOMPARE(session.block(), session.blockCount());
+        QCOMPARE(session.lastExport()->block, session.blockCount());
+        QVERIFY(!station.window.statusBar()->currentMessage().contains(QLatin1String(" of ")));
+        QVERIFY(QFileInfo::exists(folder.filePath(file)));
+    }
+
+    void runningToTheEndCanBeCancelled() {
+        Workstation station(true);
+        Session& session = station.session;
+        Setup setup = session.setup();
+        setup.spacing = 0.1; // seconds of work
+        QVERIFY(session.setSetup(setup));
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame()->zmap.grid().nx > 1000, kPatience);
+        session.seek(0);
+        QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{0}, kPatience);
+        whenOpen<QMessageBox>([&](QMessageBox& question) {
+            press(question, QStringLiteral("Run to the End First"));
+            whenOpen<RunToEnd>([](RunToEnd& dialog) {
+                dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Cancel)->click();
+            });
+        });
+        QSignalSpy exported(&session, &Session::exported);
+        station.window.action(QStringLiteral("export-mesh"))->trigger();
+        QVERIFY(isHalfRun(session));
+        QVERIFY(!session.exporting());
+        QCOMPARE(exported.count(), 0);
     }
 
     void anEndingThatIsTypedOutranksTheFilter() {

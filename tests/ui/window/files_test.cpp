@@ -132,7 +132,7 @@ private slots:
         QVERIFY(station.session.setSetup(setup));
         QString question = questionOf(station.window);
         QVERIFY2(question.contains(QLatin1String("bracket.nc")), qPrintable(question));
-        QVERIFY2(question.contains(QLatin1String("no job file")), qPrintable(question));
+        QVERIFY2(question.contains(QLatin1String("not been saved as a job")), qPrintable(question));
 
         QVERIFY(station.session.saveJobAs(folder.filePath(QStringLiteral("fixture.proveout"))));
         QVERIFY(station.session.save());

@@ -1,0 +1,394 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Saving beside others: nothing that somebody else has written is overwritten without a question.
+#include <memory>
+
+#include <QApplication>
+#include <QDir>
+#include <QFile>
+#include <QMessageBox>
+#include <QPlainTextEdit>
+#include <QPushButton>
+#include <QSignalSpy>
+#include <QStatusBar>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+
+#include "tests/ui/window/workstation.h"
+#include "ui/compare_dialog.h"
+#include "ui/editor/editor_panel.h"
+#include "ui/editor/nc_editor.h"
+#include "ui/file_changed_bar.h"
+
+namespace proveout {
+namespace {
+
+const QByteArray kProgram = "G21 G90\nT1 M6\nG0 X0 Y0 Z5\nG1 X5 F100\n";
+const QByteArray kTheirs = "G21 G90\nT1 M6\nG0 X0 Y0 Z5\nG1 X9 F100\n"; // of the same size
+
+void write(const QString& path, const QByteArray& bytes) {
+    QFile file(path);
+    if (!file.open(QIODevice::WriteOnly) || file.write(bytes) != bytes.size())
+        qFatal("%s cannot be written", qPrintable(path));
+}
+
+QByteArray read(const QString& path) {
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? file.readAll() : QByteArray();
+}
+
+/// Presses the buttons of these names, one for each time that a question is asked; what was asked, and what
+/// a comparison has shown, is kept.
+class Answers {
+public:
+    explicit Answers(QStringList buttons) : m_buttons(std::move(buttons)) {
+        QObject::connect(&m_look, &QTimer::timeout, [this] { act(QApplication::activeModalWidget()); });
+        m_look.start(20);
+    }
+    [[nodiscard]] const QStringList& questions() const { return m_questions; }
+    [[nodiscard]] const QString& compared() const { return m_compared; }
+
+private:
+    void act(QWidget* widget) {
+        if (auto* dialog = qobject_cast<CompareDialog*>(widget)) {
+            m_compared = dialog->findChild<QPlainTextEdit*>()->toPlainText();
+            dialog->reject();
+            return;
+        }
+        auto* box = qobject_cast<QMessageBox*>(widget);
+        if (box == nullptr)
+            return;
+        m_questions << box->text() + u'\n' + box->informativeText();
+        const QString wanted = m_buttons.isEmpty() ? QStringLiteral("Cancel") : m_buttons.takeFirst();
+        for (QAbstractButton* each : box->buttons())
+            if (each->text().remove(u'&') == wanted) {
+                // Later: a timer does not fire while what it has called waits for an answer.
+                QMetaObject::invokeMethod(each, "click", Qt::QueuedConnection);
+                return;
+            }
+        box->reject();
+    }
+
+    QStringList m_buttons;
+    QStringList m_questions;
+    QString m_compared;
+    QTimer m_look;
+};
+
+void type(Workstation& station, const QString& text) {
+    NcEditor& editor = station.window.editor().editor();
+    editor.setFocus();
+    editor.setCursorPosition(0, 0);
+    QTest::keyClicks(&editor, text);
+    if (!QTest::qWaitFor([&] { return station.session.document().modified; }, kPatience))
+        qFatal("nothing was typed");
+}
+
+void pressSave(Workstation& station) {
+    QTest::keyClick(&station.window, Qt::Key_S, Qt::ControlModifier);
+}
+
+FileChangedBar* bar(Workstation& station, FilePart part) {
+    for (FileChangedBar* each : station.window.findChildren<FileChangedBar*>())
+        if (station.window.editor().isAncestorOf(each) == (part == FilePart::text))
+            return each;
+    return nullptr;
+}
+
+void press(FileChangedBar& bar, const QString& name) {
+    for (QPushButton* each : bar.findChildren<QPushButton*>())
+        if (each->text().remove(u'&') == name)
+            return each->click();
+    qFatal("no button %s", qPrintable(name));
+}
+
+} // namespace
+
+class SavingTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() {
+        m_settings = std::make_unique<OwnSettings>();
+        m_folder = std::make_unique<QTemporaryDir>();
+        m_program = m_folder->filePath(QStringLiteral("bracket.nc"));
+        write(m_program, kProgram);
+    }
+
+    void aNewerFileIsNotOverwrittenWithoutAQuestion() {
+        Workstation station(false);
+        station.open(m_program);
+        type(station, QStringLiteral("(mine)"));
+        write(m_program, kTheirs); // nobody has told the window yet
+        Answers answers({QStringLiteral("Cancel")});
+        pressSave(station);
+        QCOMPARE(answers.questions().size(), 1);
+        QVERIFY2(answers.questions().front().contains(QLatin1String("bracket.nc has changed on disk")),
+                 qPrintable(answers.questions().front()));
+        QCOMPARE(read(m_program), kTheirs);
+        QVERIFY(station.session.document().modified);
+        QVERIFY(!station.session.save()); // below the question too
+        QCOMPARE(read(m_program), kTheirs);
+        station.session.setTextModified(false);
+    }
+
+    void aChangeOfTheSameSizeAndTimeIsSeen() {
+        Workstation station(false);
+        const auto time = std::filesystem::last_write_time(m_program.toStdString());
+        station.open(m_program);
+        type(station, QStringLiteral("(mine)"));
+        write(m_program, kTheirs);
+        std::filesystem::last_write_time(m_program.toStdString(), time);
+        Answers answers({});
+        pressSave(station);
+        QCOMPARE(answers.questions().size(), 1);
+        QCOMPARE(read(m_program), kTheirs);
+    }
+
+    void overwritesWhenTold() {
+        Workstation station(false);
+        station.open(m_program);
+        type(station, QStringLiteral("(mine)"));
+        write(m_program, kTheirs);
+        Answers answers({QStringLiteral("Overwrite")});
+        pressSave(station);
+        QCOMPARE(answers.questions().size(), 1);
+        QCOMPARE(read(m_program), "(mine)" + kProgram);
+        QVERIFY(!station.session.modified());
+        QTest::qWait(400); // the watcher has told it by now
+        QVERIFY(!bar(station, FilePart::text)->isVisible());
+        type(station, QStringLiteral("(more)"));
+        pressSave(station); // the own save is no change by somebody else
+        QCOMPARE(answers.questions().size(), 1);
+        QCOMPARE(read(m_program), "(more)(mine)" + kProgram);
+    }
+
+    void keepsBothUnderANewName() {
+        write(m_folder->filePath(QStringLiteral("bracket-2.nc")), "taken");
+        Workstation station(false);
+        station.open(m_program);
+        type(station, QStringLiteral("(mine)"));
+        write(m_program, kTheirs);
+        Answers answers({QStringLiteral("Keep Both")});
+        pressSave(station);
+        const QString beside = m_folder->filePath(QStringLiteral("bracket-3.nc"));
+        QCOMPARE(read(m_program), kTheirs);
+        QCOMPARE(read(m_folder->filePath(QStringLiteral("bracket-2.nc"))), QByteArray("taken"));
+        QCOMPARE(read(beside), "(mine)" + kProgram);
+        QVERIFY(!station.session.modified());
+        QVERIFY(station.window.windowTitle().startsWith(QLatin1String("bracket-3.nc")));
+        const QString message = station.window.statusBar()->currentMessage();
+        QVERIFY2(message.contains(QLatin1String("bracket-3.nc")), qPrintable(message));
+    }
+
+    void comparesBeforeTheAnswer() {
+        Workstation station(false);
+        station.open(m_program);
+        type(station, QStringLiteral("(mine)"));
+        write(m_program, kTheirs);
+        Answers answers({QStringLiteral("Compare…"), QStringLiteral("Cancel")});
+        pressSave(station);
+        QVERIFY2(answers.compared().contains(QLatin1String("+ (mine)G21 G90")),
+                 qPrintable(answers.compared()));
+        QVERIFY(answers.compared().contains(QStringLiteral("\u2212 G1 X9 F100")));
+        QVERIFY(answers.compared().contains(QLatin1String("+ G1 X5 F100")));
+        QCOMPARE(read(m_program), kTheirs);
+    }
+
+    void theJobFileIsAskedAboutToo() {
+        Workstation station(false);
+        station.open(m_program);
+        const QString job = m_folder->filePath(QStringLiteral("bracket.proveout"));
+        QVERIFY(station.session.saveJobAs(job));
+        const QByteArray before = read(job);
+        DecimationParameters parameters = station.session.parameters();
+        parameters.allowance = 0.25;
+        station.session.setParameters(parameters);
+        const QByteArray theirs =
+            QByteArray(before).replace("\"blockDelete\": false", "\"blockDelete\": true");
+        QVERIFY(theirs != before);
+        write(job, theirs);
+        {
+            Answers answers({QStringLiteral("Compare…"), QStringLiteral("Cancel")});
+            pressSave(station);
+            QVERIFY(answers.questions().value(0).contains(QLatin1String("bracket.proveout")));
+            QVERIFY2(answers.compared().contains(QLatin1String("blockDelete")),
+                     qPrintable(answers.compared()));
+        }
+        QCOMPARE(read(job), theirs);
+        Answers answers({QStringLiteral("Keep Both")});
+        pressSave(station);
+        QCOMPARE(read(job), theirs);
+        QCOMPARE(QFileInfo(station.session.jobFile()).fileName(), QStringLiteral("bracket-2.proveout"));
+        QVERIFY(read(station.session.jobFile()).contains("0.25"));
+        QVERIFY(!station.session.modified());
+    }
+
+    void aChangedJobIsShownInTheSetupAndReadAgain() {
+        Workstation station(false);
+        station.open(m_program);
+        const QString job = m_folder->filePath(QStringLiteral("bracket.proveout"));
+        QVERIFY(station.session.saveJobAs(job));
+        FileChangedBar* told = bar(station, FilePart::job);
+        QVERIFY(told->isHidden());
+        write(job, read(job).replace("\"blockDelete\": false", "\"blockDelete\": true"));
+        QTRY_VERIFY_WITH_TIMEOUT(!told->isHidden(), kPatience);
+        press(*told, QStringLiteral("Reload"));
+        QTRY_VERIFY_WITH_TIMEOUT(station.session.setup().blockDelete, kPatience);
+        QVERIFY(told->isHidden());
+        QVERIFY(!station.session.modified());
+    }
+
+    void twoWindowsOnOneFileDoNotOverwriteEachOther() {
+        Workstation first(false);
+        Workstation second(false);
+        first.open(m_program);
+        second.open(m_program);
+        second.window.activateWindow();
+        type(second, QStringLiteral("(second)"));
+        QVERIFY(second.window.files().save());
+        first.window.activateWindow();
+        QVERIFY(QTest::qWaitForWindowActive(&first.window));
+        type(first, QStringLiteral("(first)"));
+        Answers answers({QStringLiteral("Cancel")});
+        QVERIFY(!first.window.files().save());
+        QCOMPARE(answers.questions().size(), 1);
+        QCOMPARE(read(m_program), "(second)" + kProgram);
+        QTRY_VERIFY_WITH_TIMEOUT(bar(first, FilePart::text)->isVisible(), kPatience);
+        first.session.setTextModified(false);
+    }
+
+    void afterKeepMyVersionTheSaveDoesNotAskAgain() {
+        Workstation station(false);
+        station.open(m_program);
+        write(m_program, kTheirs);
+        QTRY_VERIFY_WITH_TIMEOUT(bar(station, FilePart::text)->isVisible(), kPatience);
+        press(*bar(station, FilePart::text), QStringLiteral("Keep My Version"));
+        QVERIFY(station.session.document().modified);
+        Answers answers({});
+        pressSave(station);
+        QCOMPARE(answers.questions().size(), 0);
+        QCOMPARE(read(m_program), kProgram);
+        write(m_program, kTheirs);
+        type(station, QStringLiteral("(mine)"));
+        pressSave(station); // that is another change
+        QCOMPARE(answers.questions().size(), 1);
+        station.session.setTextModified(false);
+    }
+
+    void theSameContentWrittenAgainIsNoNews() {
+        Workstation station(false);
+        station.open(m_program);
+        QSignalSpy changed(&station.session, &Session::fileChangedOnDisk);
+        write(m_program, kProgram);
+        QTest::qWait(600);
+        QCOMPARE(changed.count(), 0);
+        type(station, QStringLiteral("(mine)"));
+        Answers answers({});
+        pressSave(station);
+        QCOMPARE(answers.questions().size(), 0);
+        QCOMPARE(read(m_program), "(mine)" + kProgram);
+    }
+
+    void aDeletedFileIsWrittenAgain() {
+        Workstation station(false);
+        station.open(m_program);
+        QVERIFY(QFile::remove(m_program));
+        QTRY_VERIFY_WITH_TIMEOUT(station.session.modified(), kPatience);
+        QVERIFY(bar(station, FilePart::text)->isVisible());
+        Answers answers({});
+        pressSave(station);
+        QCOMPARE(answers.questions().size(), 0);
+        QCOMPARE(read(m_program), kProgram);
+        QVERIFY(!bar(station, FilePart::text)->isVisible());
+    }
+
+    void whatCannotBeOverwrittenIsSaidClearly() {
+        Workstation station(false);
+        station.open(m_program);
+        type(station, QStringLiteral("(mine)"));
+        QVERIFY(QFile::setPermissions(m_program, QFile::ReadOwner));
+        Answers answers({});
+        pressSave(station);
+        QCOMPARE(read(m_program), kProgram);
+        QVERIFY(!station.session.problems().empty());
+        QCOMPARE(station.session.problems().front().id, "file-unwritable");
+        QVERIFY(*station.session.problems().front().hint != '\0');
+
+        QVERIFY(QFile::remove(m_program));
+        QVERIFY(QDir().mkpath(m_program));
+        pressSave(station);
+        QCOMPARE(station.session.problems().front().id, "file-not-regular");
+        QVERIFY(station.session.document().modified);
+        QVERIFY(QDir(m_program).exists());
+        QCOMPARE(answers.questions().size(), 0);
+        station.session.setTextModified(false);
+    }
+
+    void theStarIsOnWhatIsUnsaved() {
+        Workstation station(false);
+        station.open(m_program);
+        const QString job = m_folder->filePath(QStringLiteral("bracket.proveout"));
+        QVERIFY(station.session.saveJobAs(job));
+        const auto dock = [&](const char* id) {
+            return station.window.findChild<QWidget*>(QLatin1String(id))->windowTitle();
+        };
+        QVERIFY(!station.window.isWindowModified());
+        QCOMPARE(dock("dock-program"), QStringLiteral("NC Program"));
+        type(station, QStringLiteral("(mine)"));
+        QCOMPARE(station.window.windowTitle(),
+                 QStringLiteral("bracket.nc[*] (bracket.proveout) \u2013 Proveout"));
+        QVERIFY(station.window.isWindowModified());
+        QCOMPARE(dock("dock-program"), QStringLiteral("NC Program*"));
+        QCOMPARE(dock("dock-setup"), QStringLiteral("Setup"));
+        pressSave(station);
+        QVERIFY(!station.window.isWindowModified());
+
+        Setup setup = station.session.setup();
+        setup.tools.set(7, parseCutter("flat:d=6,l=20").value());
+        QVERIFY(station.session.setSetup(setup));
+        QCOMPARE(station.window.windowTitle(),
+                 QStringLiteral("bracket.nc (bracket.proveout[*]) \u2013 Proveout"));
+        QCOMPARE(dock("dock-program"), QStringLiteral("NC Program"));
+        QCOMPARE(dock("dock-setup"), QStringLiteral("Setup*"));
+        QVERIFY(station.session.job().toolsModified());
+        pressSave(station); // the text is saved already
+        QVERIFY(read(job).contains("\"7\""));
+        QVERIFY(!station.window.isWindowModified());
+        QVERIFY2(station.window.statusBar()->currentMessage().contains(QLatin1String("bracket.proveout")),
+                 qPrintable(station.window.statusBar()->currentMessage()));
+
+        const Setup saved = station.session.setup();
+        setup.spacing *= 2;
+        QVERIFY(station.session.setSetup(setup));
+        QVERIFY(station.session.jobModified());
+        QVERIFY(station.session.setSetup(saved)); // as undo does
+        QVERIFY(!station.session.jobModified());
+    }
+
+    void aNewProgramCanBeTypedAtOnce() {
+        Workstation station(false);
+        QTest::keyClick(&station.window, Qt::Key_N, Qt::ControlModifier);
+        QVERIFY(station.session.hasDocument());
+        QTRY_VERIFY_WITH_TIMEOUT(station.window.editor().editor().hasFocus(), kPatience);
+        QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("G0 X1"));
+        QCOMPARE(station.session.document().text.toString(), std::string("G0 X1"));
+        station.session.setTextModified(false);
+    }
+
+private:
+    std::unique_ptr<OwnSettings> m_settings;
+    std::unique_ptr<QTemporaryDir> m_folder;
+    QString m_program;
+};
+
+} // namespace proveout
+
+int main(int argc, char** argv) {
+    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    QApplication application(argc, argv);
+    proveout::SavingTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "saving_test.moc"

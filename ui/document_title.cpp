@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/document_title.h"
+
+#include <QCoreApplication>
+#include <QFileInfo>
+
+#include "ui/file_paths.h"
+
+namespace proveout {
+
+QString documentName(const Session& session) {
+    const QString path = toQString(session.document().path);
+    return path.isEmpty() ? QCoreApplication::translate("DocumentTitle", "untitled")
+                          : QFileInfo(path).fileName();
+}
+
+QString documentTitle(const Session& session) {
+    const bool jobModified = session.jobModified();
+    QString name = documentName(session);
+    if (session.document().modified || !jobModified)
+        name += QLatin1String("[*]"); // without a place for it QWidget complains
+    QString job = QFileInfo(session.jobFile()).fileName();
+    if (jobModified)
+        job = (job.isEmpty() ? QCoreApplication::translate("DocumentTitle", "setup") : job) +
+              QLatin1String("[*]");
+    return job.isEmpty() ? QStringLiteral("%1 – Proveout").arg(name)
+                         : QStringLiteral("%1 (%2) – Proveout").arg(name, job);
+}
+
+} // namespace proveout

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/run_to_end.h"
+
+#include <QCoreApplication>
+#include <QDialogButtonBox>
+#include <QLabel>
+#include <QLocale>
+#include <QMessageBox>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QVBoxLayout>
+
+namespace proveout {
+
+namespace {
+
+constexpr int kSteps = 1000;
+constexpr int kWidth = 360;
+
+QString text(const char* source) {
+    return QCoreApplication::translate("RunToEnd", source);
+}
+
+QString number(const QLocale& locale, std::size_t value) {
+    return locale.toString(static_cast<qulonglong>(value));
+}
+
+} // namespace
+
+bool isHalfRun(const Session& session) {
+    const FramePtr& frame = session.frame();
+    return frame && (session.isReading() || frame->program != session.program() ||
+                     frame->block < session.blockCount());
+}
+
+QString momentText(const Session& session) {
+    if (!isHalfRun(session))
+        return {};
+    const QLocale locale;
+    return text(QT_TRANSLATE_NOOP("RunToEnd", "stock after block %1 of %2"))
+        .arg(number(locale, session.block()), number(locale, session.blockCount()));
+}
+
+bool settleHalfRun(QWidget& parent, Session& session) {
+    if (!isHalfRun(session))
+        return true;
+    if (session.playback().playing)
+        session.pause(); // the question is about this moment
+    const QLocale locale = parent.locale();
+    QMessageBox question(QMessageBox::Question,
+                         text(QT_TRANSLATE_NOOP("RunToEnd", "Program not run to its end")),
+                         text(QT_TRANSLATE_NOOP("RunToEnd", "The simulation is at block %1 of %2."))
+                             .arg(number(locale, session.block()), number(locale, session.blockCount())),
+                         QMessageBox::Cancel, &parent);
+    question.setInformativeText(text(QT_TRANSLATE_NOOP(
+        "RunToEnd", "Export the stock as it is now, or run the program to the end first?")));
+    QPushButton* run = question.addButton(text(QT_TRANSLATE_NOOP("RunToEnd", "&Run to the End First")),
+                                          QMessageBox::AcceptRole);
+    const QPushButton* now = question.addButton(text(QT_TRANSLATE_NOOP("RunToEnd", "&Export This Block")),
+                                                QMessageBox::ActionRole);
+    question.setDefaultButton(run);
+    question.exec();
+    if (question.clickedButton() == run)
+        return RunToEnd(session, &parent).exec() == QDialog::Accepted;
+    return question.clickedButton() == now;
+}
+
+RunToEnd::RunToEnd(Session& session, QWidget* parent)
+    : QDialog(parent), m_session(session), m_progress(new QProgressBar(this)) {
+    setWindowTitle(tr("Run to the End"));
+    setMinimumWidth(kWidth);
+    m_progress->setRange(0, kSteps);
+    auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
+    connect(buttons, &QDialogButtonBox::rejected, this, &RunToEnd::reject);
+    auto* layout = new QVBoxLayout(this);
+    layout->addWidget(new QLabel(tr("The program runs to its end before the export."), this));
+    layout->addWidget(m_progress);
+    layout->addWidget(buttons);
+    connect(&session, &Session::tick, this, &RunToEnd::look);
+    connect(&session, &Session::programChanged, this, &RunToEnd::look);
+    connect(&session, &Session::workChanged, this, &RunToEnd::showProgress);
+    connect(&session, &Session::troubled, this, &QDialog::reject);
+    // A dialog that is not open yet cannot be closed.
+    QMetaObject::invokeMethod(this, &RunToEnd::look, Qt::QueuedConnection);
+}
+
+void RunToEnd::look() {
+    if (m_session.isReading() || !m_session.program())
+        return;
+    if (m_sought != m_session.program()) {
+        m_sought = m_session.program();
+        m_session.seek(m_session.blockCount());
+    }
+    if (!isHalfRun(m_session))
+        accept();
+    showProgress();
+}
+
+void RunToEnd::showProgress() {
+    if (m_session.work())
+        m_progress->setValue(static_cast<int>(m_session.work()->done * kSteps));
+}
+
+void RunToEnd::reject() {
+    m_session.cancelWork();
+    QDialog::reject();
+}
+
+} // namespace proveout
