@@ -372,7 +372,7 @@ void Monkey::workWhatIsOnTop() {
         top->close();
         return;
     }
-    if (auto* files = qobject_cast<QFileDialog*>(top); files != nullptr && oneIn(3))
+    if (auto* files = qobject_cast<QFileDialog*>(QApplication::activeModalWidget()))
         workFileDialog(*files);
     else if (oneIn(2))
         click();
@@ -380,8 +380,13 @@ void Monkey::workWhatIsOnTop() {
         pressKeys();
 }
 
-/// Writes nowhere but into the folder of the test.
+/// Keys and clicks could choose any file of this machine: only files of the test's folder are chosen here.
 void Monkey::workFileDialog(QFileDialog& dialog) {
+    if (oneIn(3)) {
+        note(QStringLiteral("reject file dialog"));
+        dialog.reject();
+        return;
+    }
     if (auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit")))
         name->setText(oneIn(2) ? anyFile() : m_folder + QStringLiteral("/saved-%1").arg(below(5)));
     note(QStringLiteral("accept file dialog"));
