@@ -9,10 +9,6 @@ uniform vec4 tint;         // colour and strength
 uniform vec3 rawAlbedo;    // skin of the stock that no cutter has touched
 uniform vec3 cutAlbedo;
 
-#ifdef HOLES
-uniform vec4 cutOut; // from x, y to x, y: what is drawn by somebody else
-#endif
-
 #ifdef WIREFRAME
 uniform float regionCells;
 uniform vec3 wireColour;
@@ -49,10 +45,9 @@ vec3 withLines(vec3 shaded) {
 
 void main() {
 #ifdef HOLES
+    bool elsewhere = isCutOut(position.xy);
     // Exact: where all three corners stand on the floor, every interpolated value is 0.
-    if (position.z <= 0.0)
-        discard;
-    if (all(greaterThan(position.xy, cutOut.xy)) && all(lessThan(position.xy, cutOut.zw)))
+    if (elsewhere || position.z <= 0.0)
         discard;
 #endif
     // Differences over one cell, centred here: continuous, and sharp where the surface has an edge.

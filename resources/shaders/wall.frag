@@ -8,15 +8,12 @@ uniform float floorHeight;
 uniform float stockHeight;
 uniform vec3 rawAlbedo;
 uniform bool underside;
-uniform vec4 cutOut; // from x, y to x, y: what is drawn by somebody else
 
 in vec3 vertexPosition;
 out vec4 colour;
 
 void main() {
-    // Walls on its sides too: a box at the rim of the stock has its own.
-    float slack = 1e-3 * (spacing.x + spacing.y);
-    if (all(greaterThan(vertexPosition.xy, cutOut.xy - slack)) && all(lessThan(vertexPosition.xy, cutOut.zw + slack)))
+    if (isCutOut(vertexPosition.xy))
         discard;
     if (underside) {
         // A cell that is cut away to the floor is a hole.

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "core/decimation/canonical_surface.h"
 
@@ -13,6 +14,8 @@ constexpr float kWidth = 2.2f; // pixels of the user interface
 constexpr float kCurtainShade = 0.7f;
 /// Heights nearer than this count as the floor, mm.
 constexpr double kOnFloor = 1e-4;
+/// Points of both grids nearer than this are one, mm.
+constexpr double kSamePlace = 1e-6;
 
 struct Post {
     glm::vec2 at;
@@ -29,43 +32,48 @@ public:
     [[nodiscard]] BoxEdge made() const {
         const int lastI = m_box.grid().nx - 1;
         const int lastJ = m_box.grid().ny - 1;
+        const BoxSides atEdge = sidesAtEdge(m_around.grid(), m_box.grid());
         BoxEdge edge;
         // Counter-clockwise.
-        addSide(edge, {0, 0}, {1, 0}, lastI);
-        addSide(edge, {lastI, 0}, {0, 1}, lastJ);
-        addSide(edge, {lastI, lastJ}, {-1, 0}, lastI);
-        addSide(edge, {0, lastJ}, {0, -1}, lastJ);
+        addSide(edge, {0, 0}, {1, 0}, lastI, atEdge.south);
+        addSide(edge, {lastI, 0}, {0, 1}, lastJ, atEdge.east);
+        addSide(edge, {lastI, lastJ}, {-1, 0}, lastI, atEdge.north);
+        addSide(edge, {0, lastJ}, {0, -1}, lastJ, atEdge.west);
         return edge;
     }
 
 private:
-    [[nodiscard]] Post post(const glm::ivec2& at) const {
+    [[nodiscard]] Post post(const glm::ivec2& at, bool alone) const {
         const Grid& grid = m_box.grid();
         const Grid& wide = m_around.grid();
+        const glm::vec2 place(grid.hx * at.x, grid.hy * at.y);
         const double fine = double{m_box.height(at.x, at.y)};
+        if (alone)
+            return {place, static_cast<float>(fine), static_cast<float>(fine), onFloor(fine)};
         const double coarse =
             m_surface.height(std::clamp((grid.x(at.x) - wide.x0) / wide.hx, 0.0, wide.nx - 1.0),
                              std::clamp((grid.y(at.y) - wide.y0) / wide.hy, 0.0, wide.ny - 1.0));
-        return {glm::vec2(grid.hx * at.x, grid.hy * at.y),
-                static_cast<float>(std::min(fine, coarse) - m_slack),
-                static_cast<float>(std::max(fine, coarse) + m_slack),
-                std::max(fine, coarse) <= double{m_box.floor()} + kOnFloor};
+        return {place, static_cast<float>(std::min(fine, coarse) - m_slack),
+                static_cast<float>(std::max(fine, coarse) + m_slack), onFloor(std::max(fine, coarse))};
     }
 
-    void addSide(BoxEdge& edge, const glm::ivec2& from, const glm::ivec2& step, int count) const {
-        Post last = post(from);
+    [[nodiscard]] bool onFloor(double height) const { return height <= double{m_box.floor()} + kOnFloor; }
+
+    void addSide(BoxEdge& edge, const glm::ivec2& from, const glm::ivec2& step, int count, bool alone) const {
+        Post last = post(from, alone);
         for (int k = 1; k <= count; ++k) {
-            const Post next = post(from + step * k);
+            const Post next = post(from + step * k, alone);
             if (!(last.onFloor && next.onFloor))
-                add(edge, last, next);
+                add(edge, last, next, alone);
             last = next;
         }
     }
 
-    static void add(BoxEdge& edge, const Post& a, const Post& b) {
+    static void add(BoxEdge& edge, const Post& a, const Post& b, bool alone) {
         const std::array corners{glm::vec3(a.at, a.low), glm::vec3(b.at, b.low),  glm::vec3(b.at, b.high),
                                  glm::vec3(a.at, a.low), glm::vec3(b.at, b.high), glm::vec3(a.at, a.high)};
-        edge.curtain.insert(edge.curtain.end(), corners.begin(), corners.end());
+        if (!alone)
+            edge.curtain.insert(edge.curtain.end(), corners.begin(), corners.end());
         edge.line.push_back({glm::vec3(a.at, a.high), 0, 0});
         edge.line.push_back({glm::vec3(b.at, b.high), 0, 0});
     }
@@ -77,6 +85,12 @@ private:
 };
 
 } // namespace
+
+BoxSides sidesAtEdge(const Grid& around, const Grid& box) {
+    const auto same = [](double a, double b) { return std::abs(a - b) < kSamePlace; };
+    return {same(box.y(0), around.y(0)), same(box.x(box.nx - 1), around.x(around.nx - 1)),
+            same(box.y(box.ny - 1), around.y(around.ny - 1)), same(box.x(0), around.x(0))};
+}
 
 BoxEdge boxEdge(const ZMapSnapshot& around, const ZMapSnapshot& box, double slack) {
     return Edge(around, box, slack).made();

@@ -11,11 +11,21 @@
 
 namespace proveout {
 
+/// Which sides of a box of interest are at the edge of the stock, so that nothing is beyond them.
+struct BoxSides {
+    bool south = false;
+    bool east = false;
+    bool north = false;
+    bool west = false;
+};
+[[nodiscard]] BoxSides sidesAtEdge(const Grid& around, const Grid& box);
+
 /// What stands between a box of interest and the stock round it, in mm from the corner of the box, its
 /// heights from the top of the stock.
 struct BoxEdge {
     std::vector<glm::vec3> curtain; ///< triangles that close the step between both surfaces
-    std::vector<PathVertex> line;   ///< the higher one of them, as separate lines
+    std::vector<PathVertex> line;   ///< the higher one of them, as separate lines; at the edge of the stock
+                                    ///< there is the box alone
 };
 
 /// `slack`: how far the surface that is drawn round the box may lie from its z-map, mm. Where both stand on

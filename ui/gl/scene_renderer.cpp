@@ -5,13 +5,17 @@ namespace proveout {
 
 namespace {
 
-/// The place of a box in stock coordinates; empty where there is none.
-glm::vec4 cutOut(const FramePtr& box, const Vec3& origin) {
+/// The place of a box in stock coordinates, open where it reaches the edge of the stock; empty where there is
+/// none.
+glm::vec4 cutOut(const FramePtr& box, const Grid& around) {
     if (box == nullptr)
         return {1, 1, -1, -1};
+    constexpr float kBeyond = 1e9F;
     const Grid& grid = box->zmap.grid();
-    return {grid.x(0) - origin.x, grid.y(0) - origin.y, grid.x(grid.nx - 1) - origin.x,
-            grid.y(grid.ny - 1) - origin.y};
+    const BoxSides open = sidesAtEdge(around, grid);
+    return {open.west ? -kBeyond : grid.x(0) - around.x0, open.south ? -kBeyond : grid.y(0) - around.y0,
+            open.east ? kBeyond : grid.x(grid.nx - 1) - around.x0,
+            open.north ? kBeyond : grid.y(grid.ny - 1) - around.y0};
 }
 
 } // namespace
@@ -100,7 +104,7 @@ void SceneRenderer::draw(const View& view, const SceneOptions& options) {
         const Vec3 origin(grid.x0, grid.y0, m_frame->zmap.stock().floorZ());
         const StockView stockView(view, origin);
         if (m_gridFits && m_frame->zmap.tileCount() > 0) {
-            m_surface.setCutOut(cutOut(m_box, origin));
+            m_surface.setCutOut(cutOut(m_box, grid));
             m_surface.draw(m_gl, stockView, options);
         }
         if (m_box != nullptr)

@@ -14,9 +14,12 @@ constexpr float kTintStrength = 0.65f;
 
 SurfaceRenderer::SurfaceRenderer()
     : m_plain({"surface.vert", nullptr, {"lighting.glsl", "surface.frag"}, {}}),
-      m_holes({"surface.vert", nullptr, {"lighting.glsl", "surface.frag"}, {"HOLES"}}),
-      m_wire({"surface.vert", "wireframe.geom", {"lighting.glsl", "surface.frag"}, {"HOLES", "WIREFRAME"}}),
-      m_walls({"surface.vert", nullptr, {"lighting.glsl", "wall.frag"}, {}}) {}
+      m_holes({"surface.vert", nullptr, {"cut_out.glsl", "lighting.glsl", "surface.frag"}, {"HOLES"}}),
+      m_wire({"surface.vert",
+              "wireframe.geom",
+              {"cut_out.glsl", "lighting.glsl", "surface.frag"},
+              {"HOLES", "WIREFRAME"}}),
+      m_walls({"surface.vert", nullptr, {"cut_out.glsl", "lighting.glsl", "wall.frag"}, {}}) {}
 
 bool SurfaceRenderer::valid() const {
     return m_plain.valid() && m_holes.valid() && m_wire.valid() && m_walls.valid();

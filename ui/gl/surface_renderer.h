@@ -28,8 +28,8 @@ public:
     /// The grid must fit (HeightTexture::fits). Where the budget does not do, the next call goes on, and
     /// nothing may be drawn before the frame is whole.
     [[nodiscard]] UploadCounts upload(Gl& gl, const Frame& frame, const UploadBudget& budget = {});
-    /// A rectangle in plan, stock coordinates (x, y, x, y), that is left out of the picture; none where it is
-    /// empty.
+    /// A rectangle in plan, stock coordinates (x, y, x, y), that is left out of the picture but for a pixel
+    /// at its rim; none where it is empty. A side at the edge of the stock must be beyond it.
     void setCutOut(const glm::vec4& rectangle) { m_cutOut = rectangle; }
     void draw(Gl& gl, const StockView& view, const SceneOptions& options);
     void release(Gl& gl);

@@ -30,7 +30,10 @@ OffscreenPicture::~OffscreenPicture() {
 QImage OffscreenPicture::draw(const FramePtr& frame, const View& view, const SceneOptions& options,
                               const FramePtr& box, const UploadBudget& ofBox) {
     m_context.makeCurrent(&m_surface); // A test may hold two of them.
-    QOpenGLFramebufferObject target(view.pixels.x, view.pixels.y, QOpenGLFramebufferObject::Depth);
+    QOpenGLFramebufferObjectFormat format;
+    format.setAttachment(QOpenGLFramebufferObject::Depth);
+    format.setSamples(m_samples);
+    QOpenGLFramebufferObject target(view.pixels.x, view.pixels.y, format);
     target.bind();
     m_uploaded = m_renderer->upload(frame);
     if (!m_renderer->uploadBox(box, ofBox))

@@ -20,6 +20,8 @@ public:
     /// False where this machine or platform has no OpenGL 3.3.
     [[nodiscard]] bool usable() const { return m_renderer != nullptr; }
     [[nodiscard]] SceneRenderer& renderer() { return *m_renderer; }
+    /// Of a pixel in the next pictures; 0: edges are not smoothed.
+    void setSamples(int samples) { m_samples = samples; }
     /// Uploads and draws.
     [[nodiscard]] QImage draw(const FramePtr& frame, const View& view, const SceneOptions& options = {},
                               const FramePtr& box = nullptr, const UploadBudget& ofBox = {});
@@ -31,6 +33,7 @@ private:
     QOpenGLContext m_context;
     std::unique_ptr<SceneRenderer> m_renderer;
     UploadCounts m_uploaded;
+    int m_samples = 0;
 };
 
 } // namespace proveout

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The renderer's pictures, looked at pixel by pixel. The backdrop is magenta, which nothing else is.
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <memory>
@@ -57,12 +58,17 @@ double hills(double x, double y) {
     return -6 + 3 * std::sin(x * 0.13) * std::cos(y * 0.11) + (std::hypot(x - 60, y - 30) < 15 ? -5 : 0);
 }
 
+/// A part of the pixel at least; the stock itself is grey.
+bool showsBackdrop(QRgb pixel) {
+    return std::min(qRed(pixel), qBlue(pixel)) - qGreen(pixel) > 40;
+}
+
 /// Backdrop pixels of `picture` whose whole neighbourhood is stock in `reference`.
-int cracks(const QImage& picture, const QImage& reference) {
+int cracks(const QImage& picture, const QImage& reference, bool (*open)(QRgb) = isBackdrop) {
     int count = 0;
     for (int y = 2; y < picture.height() - 2; ++y)
         for (int x = 2; x < picture.width() - 2; ++x) {
-            if (!isBackdrop(picture.pixel(x, y)))
+            if (!open(picture.pixel(x, y)))
                 continue;
             bool inside = true;
             for (int dy = -2; dy <= 2 && inside; ++dy)
@@ -128,11 +134,13 @@ private slots:
     void boxStandsInThePlaceOfWhatIsThere();
     void boxComesInPartsAndIsShownWhole();
     void boxLeavesNoCracks();
+    void boxAtTheEdgeOfTheStockLeavesNoCracks();
     void boxThatIsCutThroughIsAHole();
 
 private:
     [[nodiscard]] QImage draw(const FramePtr& frame, const Camera& camera, const SceneOptions& options,
-                              const FramePtr& box = nullptr) {
+                              const FramePtr& box = nullptr, int samples = 0) {
+        m_picture->setSamples(samples);
         return m_picture->draw(frame, camera.view(stockBox()), options, box);
     }
     std::unique_ptr<OffscreenPicture> m_picture;
@@ -567,6 +575,48 @@ void SceneRendererTest::boxLeavesNoCracks() {
             QCOMPARE(cracks(draw(around.frame(), camera, testOptions(), box.frame()), reference), 0);
         }
     }
+}
+
+void SceneRendererTest::boxAtTheEdgeOfTheStockLeavesNoCracks() {
+    // Both surfaces are the same one, so that all of what the stock covers without a box is covered with it.
+    // Far from the origin of the stock, where single precision is coarsest.
+    FrameBuilder around(kStock, 1);
+    around.cutAll(hills);
+    around.decimate();
+    const StockBox rim{{87.3, 41.7, 0}, 12.7, 28.3, 20}; // reaches the right side and the back
+    FrameBuilder box(rim, 0.1);
+    box.cutAll(hills);
+    box.decimate();
+    SceneOptions options = testOptions();
+    options.colours.box = {0.5F, 0.5F, 0.5F};
+    struct Seam {
+        StandardView view;
+        Vec3 at;
+    };
+    const std::array seams{
+        Seam{StandardView::right, {100, 41.7, -16}}, Seam{StandardView::back, {87.3, 70, -16}},
+        Seam{StandardView::bottom, {90, 41.7, -20}}, Seam{StandardView::bottom, {87.3, 60, -20}},
+        Seam{StandardView::top, {87.3, 60, hills(87.3, 60)}}};
+    for (const bool perspective : {false, true})
+        for (const int samples : {0, 4})
+            for (const Seam& seam : seams)
+                for (const double zoom : {1.0, 0.3, 0.05, 0.004})
+                    for (const double turn : {0.0, 3.0, -41.0}) {
+                        Camera camera = cameraAt(seam.view, perspective);
+                        camera.setTarget(seam.at);
+                        camera.zoom(zoom, seam.at);
+                        camera.orbit(turn, 0.7 * turn);
+                        const QImage without = draw(around.frame(), camera, options, nullptr, samples);
+                        const QImage with = draw(around.frame(), camera, options, box.frame(), samples);
+                        const int seen = cracks(with, without, showsBackdrop);
+                        QVERIFY2(seen == 0,
+                                 qPrintable(QStringLiteral("%1 pixels, view %2, zoom %3, turn %4, %5 samples")
+                                                .arg(seen)
+                                                .arg(static_cast<int>(seam.view))
+                                                .arg(zoom)
+                                                .arg(turn)
+                                                .arg(samples)));
+                    }
 }
 
 void SceneRendererTest::boxThatIsCutThroughIsAHole() {
