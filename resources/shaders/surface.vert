@@ -12,6 +12,7 @@ uniform float floorHeight;
 uniform mat4 clipFromStock;
 
 out vec3 vertexPosition;
+invariant gl_Position; // in all programs: top and walls meet in the same points
 
 void main() {
     bool onFloor = gl_VertexID >= points;

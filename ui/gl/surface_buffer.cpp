@@ -168,6 +168,7 @@ SurfaceBuffer::Uploaded SurfaceBuffer::update(Gl& gl, const SurfaceSnapshot& sur
         if (!updateRegion(gl, surface, index, uploaded))
             continue;
         m_collected = false;
+        uploaded.changed = true;
         uploaded.whole = !budget.spent();
     }
     if (uploaded.whole && !m_collected) {

@@ -24,7 +24,8 @@ public:
         std::size_t lists = 0;
         std::size_t indices = 0;
         std::size_t bytes = 0;
-        bool whole = true; ///< all of the surface is there
+        bool changed = false; ///< another mesh or border somewhere
+        bool whole = true;    ///< all of the surface is there
     };
     enum class Part : std::uint8_t { fromZMap, decimated };
 

@@ -2,6 +2,7 @@
 #include "ui/gl/surface_renderer.h"
 
 #include <array>
+#include <utility>
 
 namespace proveout {
 namespace {
@@ -39,7 +40,10 @@ UploadCounts SurfaceRenderer::upload(Gl& gl, const Frame& frame, const UploadBud
     const SurfaceBuffer::Uploaded uploaded = m_surface.update(gl, frame.surface, budget);
     counts.lists = uploaded.lists;
     counts.whole = uploaded.whole;
-    const std::size_t ofWalls = counts.whole ? m_wallBuffer.update(gl, frame.surface) : 0;
+    m_wallsDue = m_wallsDue || uploaded.changed;
+    std::size_t ofWalls = 0;
+    if (counts.whole && std::exchange(m_wallsDue, false))
+        ofWalls = m_wallBuffer.update(gl, frame.surface);
     counts.indices = uploaded.indices + ofWalls;
     counts.bytes += uploaded.bytes + ofWalls * sizeof(std::uint32_t);
     return counts;
@@ -98,6 +102,7 @@ void SurfaceRenderer::release(Gl& gl) {
     m_heights.release(gl);
     m_surface.release(gl);
     m_wallBuffer.release(gl);
+    m_wallsDue = true;
 }
 
 } // namespace proveout

@@ -48,6 +48,7 @@ private:
     HeightTexture m_heights;
     SurfaceBuffer m_surface;
     WallBuffer m_wallBuffer;
+    bool m_wallsDue = true; ///< the surface is another one than theirs
     Grid m_grid;
     float m_floor = -1;
     int m_regionCells = 1;

@@ -2,12 +2,37 @@
 #include "ui/gl/wall_buffer.h"
 
 #include <algorithm>
+#include <unordered_set>
+#include <utility>
 
 namespace proveout {
 namespace {
 
-/// The lattice points of a border, running so that the stock lies to the left: seen from outside, from left
-/// to right.
+struct EdgeBorder {
+    Side side;
+    std::size_t border;
+};
+
+/// Counter-clockwise, so that the stock is to the left.
+std::vector<EdgeBorder> edgeBorders(const RegionGrid& grid) {
+    const int lastX = grid.regionsX() - 1;
+    const int lastY = grid.regionsY() - 1;
+    std::vector<EdgeBorder> borders;
+    const auto add = [&](int rx, int ry, Side side) {
+        borders.push_back({side, grid.border(grid.regionAt(rx, ry), side)});
+    };
+    for (int rx = 0; rx <= lastX; ++rx)
+        add(rx, 0, Side::south);
+    for (int ry = 0; ry <= lastY; ++ry)
+        add(lastX, ry, Side::east);
+    for (int rx = lastX; rx >= 0; --rx)
+        add(rx, lastY, Side::north);
+    for (int ry = lastY; ry >= 0; --ry)
+        add(0, ry, Side::west);
+    return borders;
+}
+
+/// The lattice points of a border, counter-clockwise too.
 std::vector<std::uint32_t> polyline(const SurfaceSnapshot& surface, const EdgeBorder& edge) {
     std::vector<std::uint32_t> points;
     const IndexRect rect = surface.grid.borderPoints(edge.border);
@@ -27,68 +52,102 @@ std::vector<std::uint32_t> polyline(const SurfaceSnapshot& surface, const EdgeBo
     return points;
 }
 
-} // namespace
-
-std::vector<EdgeBorder> edgeBorders(const RegionGrid& grid) {
-    std::vector<EdgeBorder> borders;
-    const auto add = [&](int rx, int ry, Side side) {
-        borders.push_back({side, grid.border(grid.regionAt(rx, ry), side)});
-    };
-    for (int rx = 0; rx < grid.regionsX(); ++rx) {
-        add(rx, 0, Side::south);
-        add(rx, grid.regionsY() - 1, Side::north);
-    }
-    for (int ry = 0; ry < grid.regionsY(); ++ry) {
-        add(0, ry, Side::west);
-        add(grid.regionsX() - 1, ry, Side::east);
-    }
-    return borders;
+bool hasMergedMeshes(const SurfaceSnapshot& surface) {
+    for (std::size_t region = 0; region < surface.meshes.size(); ++region)
+        if (const RegionMeshPtr& mesh = surface.meshes[region]; mesh != nullptr && mesh->triangles.empty())
+            return true;
+    return false;
 }
 
-WallMesh wallMesh(const SurfaceSnapshot& surface, const EdgeBorder& edge) {
+/// The points of borders at the edge of the map that no triangle meets.
+std::unordered_set<std::uint32_t> pointsLeftOut(const SurfaceSnapshot& surface,
+                                                const std::vector<EdgeBorder>& borders) {
+    std::unordered_set<std::uint32_t> points;
+    if (!hasMergedMeshes(surface))
+        return points;
+    for (const EdgeBorder& edge : borders) {
+        const std::vector<std::uint32_t> line = polyline(surface, edge);
+        points.insert(line.begin(), line.end());
+    }
+    for (std::size_t region = 0; region < surface.meshes.size(); ++region) {
+        if (const RegionMeshPtr& mesh = surface.meshes[region]; mesh != nullptr)
+            for (const LatticeTriangle& triangle : mesh->triangles)
+                for (const std::uint32_t point : triangle)
+                    points.erase(point);
+        else // drawn from the z-map, with all of them
+            for (const Side side : kSides)
+                for (const std::uint32_t point : polyline(surface, {side, surface.grid.border(region, side)}))
+                    points.erase(point);
+    }
+    return points;
+}
+
+} // namespace
+
+std::vector<WallLine> wallLines(const SurfaceSnapshot& surface) {
+    const std::vector<EdgeBorder> borders = edgeBorders(surface.grid);
+    const std::unordered_set<std::uint32_t> leftOut = pointsLeftOut(surface, borders);
+    std::vector<WallLine> lines;
+    lines.reserve(borders.size());
+    std::size_t open = 0; // the line that is not at its end yet
+    for (const EdgeBorder& edge : borders) {
+        const std::size_t own = lines.size();
+        lines.push_back({edge.side, {}});
+        std::vector<std::uint32_t> points = polyline(surface, edge);
+        points.pop_back(); // the first one of the next border
+        for (const std::uint32_t point : points) {
+            if (leftOut.contains(point))
+                continue;
+            if (open != own)
+                lines[open].points.push_back(point);
+            lines[own].points.push_back(point);
+            open = own;
+        }
+    }
+    if (!lines.empty()) // a corner of the stock is always kept
+        lines[open].points.push_back(lines.front().points.front());
+    return lines;
+}
+
+WallMesh wallMesh(const RegionGrid& grid, const WallLine& line) {
     WallMesh mesh;
-    const RegionGrid& grid = surface.grid;
     const std::uint32_t floor = grid.lattice(0, grid.ny());
     const std::uint32_t middle = floor + grid.lattice(grid.nx() / 2, grid.ny() / 2);
-    const std::vector<std::uint32_t> top = polyline(surface, edge);
-    for (std::size_t k = 0; k + 1 < top.size(); ++k) {
-        const std::uint32_t a = top[k];
-        const std::uint32_t b = top[k + 1];
+    for (std::size_t k = 0; k + 1 < line.points.size(); ++k) {
+        const std::uint32_t a = line.points[k];
+        const std::uint32_t b = line.points[k + 1];
         mesh.wall.insert(mesh.wall.end(), {a + floor, b + floor, b, a + floor, b, a});
         mesh.underside.insert(mesh.underside.end(), {middle, b + floor, a + floor});
     }
     return mesh;
 }
 
-void WallBuffer::restart(const RegionGrid& grid) {
-    m_grid = grid;
-    m_indices.clear();
-    m_pieces.clear();
-    for (const EdgeBorder& edge : edgeBorders(grid))
-        m_pieces.push_back({edge, nullptr, {}, 0, 0});
-}
-
-void WallBuffer::write(Gl& gl, Piece& piece, const SurfaceSnapshot& surface) {
-    WallMesh mesh = wallMesh(surface, piece.edge);
-    piece.line = surface.borders[piece.edge.border];
+void WallBuffer::write(Gl& gl, Piece& piece, WallLine line) {
+    piece.line = std::move(line);
+    WallMesh mesh = wallMesh(m_grid, piece.line);
     piece.wall = static_cast<std::uint32_t>(mesh.wall.size());
     piece.underside = static_cast<std::uint32_t>(mesh.underside.size());
     mesh.wall.insert(mesh.wall.end(), mesh.underside.begin(), mesh.underside.end());
-    piece.slot = m_indices.write(gl, piece.slot, mesh.wall, IndexWidth::bits32);
+    if (!mesh.wall.empty())
+        piece.slot = m_indices.write(gl, piece.slot, mesh.wall, IndexWidth::bits32);
 }
 
 std::size_t WallBuffer::update(Gl& gl, const SurfaceSnapshot& surface) {
-    if (m_pieces.empty() || !(surface.grid == m_grid))
-        restart(surface.grid);
+    std::vector<WallLine> lines = wallLines(surface);
+    if (m_pieces.size() != lines.size() || !(surface.grid == m_grid)) {
+        m_grid = surface.grid;
+        m_indices.clear();
+        m_pieces.assign(lines.size(), {});
+    }
     std::size_t uploaded = 0;
-    for (Piece& piece : m_pieces) {
-        if (piece.wall > 0 && piece.line == surface.borders[piece.edge.border])
+    for (std::size_t k = 0; k < lines.size(); ++k) {
+        Piece& piece = m_pieces[k];
+        if (piece.line.side == lines[k].side && piece.line.points == lines[k].points)
             continue;
-        write(gl, piece, surface);
+        write(gl, piece, std::move(lines[k]));
         uploaded += piece.wall + piece.underside;
     }
-    if (uploaded > 0)
-        collect();
+    collect();
     return uploaded;
 }
 
@@ -99,7 +158,9 @@ void WallBuffer::collect() {
         list.offsets.push_back(bufferPlace(std::size_t{half} * IndexBuffer::kHalf));
     };
     for (const Piece& piece : m_pieces) {
-        add(m_lists[static_cast<std::size_t>(piece.edge.side)], piece.wall, piece.slot.offset);
+        if (piece.wall == 0)
+            continue;
+        add(m_lists[static_cast<std::size_t>(piece.line.side)], piece.wall, piece.slot.offset);
         add(m_lists[kUnderside], piece.underside, piece.slot.offset + 2 * piece.wall);
     }
 }

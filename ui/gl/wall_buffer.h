@@ -10,23 +10,25 @@
 
 namespace proveout {
 
-/// A border of a region at the edge of the map.
-struct EdgeBorder {
+/// The upper edge of an outside wall of the stock along one border at the edge of the map, in lattice points
+/// from left to right as seen from outside. It ends where the next one begins.
+struct WallLine {
     Side side = Side::south;
-    std::size_t border = 0; ///< of the grid
+    std::vector<std::uint32_t> points; ///< fewer than two: the line before it passes this border
 };
-[[nodiscard]] std::vector<EdgeBorder> edgeBorders(const RegionGrid& grid);
+/// One for each border at the edge. They meet the triangles of the surface vertex by vertex: a merged mesh
+/// may have left out points of the borders.
+[[nodiscard]] std::vector<WallLine> wallLines(const SurfaceSnapshot& surface);
 
-/// The outside wall of the stock below such a border, and the part of the underside that it bounds, as
-/// indices into the lattice (index + number of points: the point on the floor). Walls hang from the same
-/// border polylines as the surface, so that nothing shows between them.
+/// The outside wall below such a line, and the part of the underside that it bounds, as indices into the
+/// lattice (index + number of points: the point on the floor).
 struct WallMesh {
     std::vector<std::uint32_t> wall;
     std::vector<std::uint32_t> underside;
 };
-[[nodiscard]] WallMesh wallMesh(const SurfaceSnapshot& surface, const EdgeBorder& edge);
+[[nodiscard]] WallMesh wallMesh(const RegionGrid& grid, const WallLine& line);
 
-/// All walls and the underside on the graphics side; below a border they are written again when its line is
+/// All walls and the underside on the graphics side; what is below a line is written again when that is
 /// another one. All methods need the same context to be current.
 class WallBuffer {
 public:
@@ -41,8 +43,7 @@ public:
 
 private:
     struct Piece {
-        EdgeBorder edge;
-        BorderLinePtr line;
+        WallLine line;
         IndexBuffer::Slot slot; ///< the wall's indices, then the underside's
         std::uint32_t wall = 0;
         std::uint32_t underside = 0;
@@ -52,8 +53,7 @@ private:
         std::vector<const void*> offsets;
     };
 
-    void restart(const RegionGrid& grid);
-    void write(Gl& gl, Piece& piece, const SurfaceSnapshot& surface);
+    void write(Gl& gl, Piece& piece, WallLine line);
     void collect();
 
     RegionGrid m_grid;

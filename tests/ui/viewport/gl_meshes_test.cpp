@@ -9,6 +9,7 @@
 
 #include <QTest>
 
+#include "core/decimation/refined_surface.h"
 #include "tests/core/cutter/standard_spec.h"
 #include "tests/ui/viewport/frame_builder.h"
 #include "ui/gl/cutter_mesh.h"
@@ -26,6 +27,7 @@ private slots:
     void cutterIsClosedAndToScale_data();
     void cutterIsClosedAndToScale();
     void wallsCloseTheSurface();
+    void wallsCloseMergedRegions();
     void pathFollowsTheMotions();
 };
 
@@ -104,8 +106,29 @@ void GlMeshesTest::cutterIsClosedAndToScale() {
     }
 }
 
+/// Top, walls and underside together: every edge has its opposite.
+static void isClosed(const SurfaceSnapshot& surface) {
+    std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
+    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+        ++edges[{a, b}];
+        ++edges[{b, c}];
+        ++edges[{c, a}];
+    };
+    for (const LatticeTriangle& triangle : surface.triangles())
+        add(triangle[0], triangle[1], triangle[2]);
+    for (const WallLine& line : wallLines(surface)) {
+        const WallMesh mesh = wallMesh(surface.grid, line);
+        for (const auto& face : {mesh.wall, mesh.underside})
+            for (std::size_t k = 0; k < face.size(); k += 3)
+                add(face[k], face[k + 1], face[k + 2]);
+    }
+    for (const auto& [edge, count] : edges) {
+        QCOMPARE(count, 1);
+        QCOMPARE((edges.contains({edge.second, edge.first})), true);
+    }
+}
+
 void GlMeshesTest::wallsCloseTheSurface() {
-    // Top, walls and underside together: every edge has its opposite, whatever is decimated.
     DecimationParameters parameters;
     parameters.regionCells = 8;
     FrameBuilder builder({{0, 0, 0}, 33, 21, 10}, 1, parameters);
@@ -114,24 +137,21 @@ void GlMeshesTest::wallsCloseTheSurface() {
     builder.cut({0, 0, 12, 9}, [](double x, double) { return -5 - 0.1 * x; });
     const FramePtr frame = builder.frame();
     QVERIFY(frame->surface.dirtyRegions > 0 && frame->surface.dirtyRegions < frame->surface.meshes.size());
+    isClosed(frame->surface);
+}
 
-    std::map<std::pair<std::uint32_t, std::uint32_t>, int> edges;
-    const auto add = [&](std::uint32_t a, std::uint32_t b, std::uint32_t c) {
-        ++edges[{a, b}];
-        ++edges[{b, c}];
-        ++edges[{c, a}];
-    };
-    for (const LatticeTriangle& triangle : frame->surface.triangles())
-        add(triangle[0], triangle[1], triangle[2]);
-    for (const EdgeBorder& edge : edgeBorders(frame->surface.grid)) {
-        const WallMesh mesh = wallMesh(frame->surface, edge);
-        for (const auto& face : {mesh.wall, mesh.underside})
-            for (std::size_t k = 0; k < face.size(); k += 3)
-                add(face[k], face[k + 1], face[k + 2]);
-    }
-    for (const auto& [edge, count] : edges) {
-        QCOMPARE(count, 1);
-        QCOMPARE((edges.contains({edge.second, edge.first})), true);
+void GlMeshesTest::wallsCloseMergedRegions() {
+    // Merged meshes leave out points of the borders, at the edge of the stock too.
+    DecimationParameters parameters;
+    parameters.regionCells = 8;
+    FrameBuilder builder({{0, 0, 0}, 133, 70, 10}, 1, parameters);
+    for (const double bend : {0.0, 0.02, 0.3}) {
+        builder.cutAll(
+            [=](double x, double y) { return -3 - bend + std::sin(x * bend) + std::cos(y * bend); });
+        const FramePtr frame = builder.frame();
+        RefinedSurface refined(builder.grid().nx, builder.grid().ny, parameters);
+        QVERIFY(refined.follow(frame->zmap, {}));
+        isClosed(refined.snapshot());
     }
 }
 

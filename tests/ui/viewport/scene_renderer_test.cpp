@@ -356,8 +356,6 @@ void SceneRendererTest::indicesOfAnyWidthDrawTheSame() {
 
 void SceneRendererTest::mergedRegionsAreDrawnWhole() {
     // The points of a region are counted with 16 bits, those of all regions together are not.
-    // Wrong indices miss tens of thousands of pixels.
-    constexpr int kFew = 20;
     DecimationParameters parameters;
     FrameBuilder builder(kStock, 0.2, parameters);
     builder.cutAll(hills);
@@ -369,11 +367,21 @@ void SceneRendererTest::mergedRegionsAreDrawnWhole() {
     QVERIFY(refined.follow(full->zmap, {}));
     merged.surface = refined.snapshot();
     const FramePtr atRest = std::make_shared<const Frame>(merged);
-    QVERIFY(cracks(draw(atRest, camera, testOptions()), reference) < kFew);
+    QCOMPARE(cracks(draw(atRest, camera, testOptions()), reference), 0);
     // From one to the other and back, in the same buffer.
     builder.decimate();
     QCOMPARE(cracks(draw(builder.frame(), camera, testOptions()), reference), 0);
-    QVERIFY(cracks(draw(atRest, camera, testOptions()), reference) < kFew);
+    QCOMPARE(cracks(draw(atRest, camera, testOptions()), reference), 0);
+    // Where the top meets the sides.
+    for (const StandardView view : {StandardView::iso, StandardView::right, StandardView::front})
+        for (const double zoom : {0.7, 0.3, 0.1}) {
+            Camera near = cameraAt(view, true);
+            near.setTarget({99, 30, -12});
+            near.zoom(zoom, {99, 30, -12});
+            near.orbit(11, 17);
+            const QImage whole = draw(full, near, testOptions());
+            QCOMPARE(cracks(draw(atRest, near, testOptions()), whole), 0);
+        }
 }
 
 void SceneRendererTest::noCracksInHalfDirtyStates() {
@@ -600,8 +608,8 @@ void SceneRendererTest::boxAtTheEdgeOfTheStockLeavesNoCracks() {
     for (const bool perspective : {false, true})
         for (const int samples : {0, 4})
             for (const Seam& seam : seams)
-                for (const double zoom : {1.0, 0.3, 0.05, 0.004})
-                    for (const double turn : {0.0, 3.0, -41.0}) {
+                for (const double zoom : {1.0, 0.05, 0.004})
+                    for (const double turn : {0.0, -41.0}) {
                         Camera camera = cameraAt(seam.view, perspective);
                         camera.setTarget(seam.at);
                         camera.zoom(zoom, seam.at);
