@@ -71,7 +71,10 @@ std::vector<double> FilledCurve::bottoms(const Columns& columns) const {
         other->getLines(&lines, QCPDataRange(0, other->dataCount()));
         return highest(lines, columns);
     }
-    return std::vector<double>(columns.count, valueAxis()->coordToPixel(0));
+    // There is no 0 on a logarithmic axis.
+    const bool even = valueAxis()->scaleType() == QCPAxis::stLinear;
+    return std::vector<double>(columns.count,
+                               valueAxis()->coordToPixel(even ? 0 : valueAxis()->range().lower));
 }
 
 std::vector<double> FilledCurve::highest(const QVector<QPointF>& lines, const Columns& columns) {

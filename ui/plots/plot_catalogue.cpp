@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_catalogue.h"
 
+#include <algorithm>
 #include <array>
 #include <limits>
 
@@ -10,22 +11,6 @@
 
 namespace proveout {
 namespace {
-
-double blockNumber(const PlotInput&, std::size_t row) {
-    return static_cast<double>(row + 1);
-}
-
-double blockBefore(const PlotInput&, std::size_t row) {
-    return static_cast<double>(row);
-}
-
-double firstBlock(const PlotInput& input, std::size_t row) {
-    return input.frames[row].firstBlock;
-}
-
-double lastBlock(const PlotInput& input, std::size_t row) {
-    return input.frames[row].lastBlock;
-}
 
 // The paper's Fig. 10: faces grow with every cut and fall with every decimation.
 constexpr std::array kFaces{
@@ -39,8 +24,8 @@ double faces(const PlotInput& input, std::size_t row, std::size_t series) {
     return series == 0 ? block.facesFull : block.facesShown;
 }
 
-// The paper's Fig. 11: where the time of a picture goes. The paper draws every block; where a picture stands
-// for many (a fast run, a jump to the end), the mean of a block is what compares with the others.
+// The paper's Fig. 11: where the time of a picture goes. Cutting and decimation are measured block by block;
+// uploading and drawing by picture, which in a fast run or after a jump stands for many blocks.
 constexpr std::array kTimes{
     PlotSeries{"cutMs", QT_TRANSLATE_NOOP("Plots", "Cutting"), 0, Qt::SolidLine, Qt::SolidPattern},
     PlotSeries{"decimationMs", QT_TRANSLATE_NOOP("Plots", "Decimation"), 2, Qt::SolidLine, Qt::BDiagPattern},
@@ -48,11 +33,25 @@ constexpr std::array kTimes{
     PlotSeries{"drawMs", QT_TRANSLATE_NOOP("Plots", "Drawing"), 1, Qt::SolidLine, Qt::Dense5Pattern},
 };
 
+const FrameStatistics* pictureOf(const PlotInput& input, std::size_t row) {
+    const auto found = std::ranges::upper_bound(input.frames, row, {}, &FrameStatistics::lastBlock);
+    return found != input.frames.end() && found->firstBlock <= row ? &*found : nullptr;
+}
+
+PictureBlocks pictureBlocks(const PlotInput& input, std::size_t row) {
+    const FrameStatistics* picture = pictureOf(input, row);
+    return picture != nullptr ? PictureBlocks{picture->firstBlock, picture->lastBlock} : PictureBlocks();
+}
+
 double milliseconds(const PlotInput& input, std::size_t row, std::size_t series) {
-    const FrameStatistics& frame = input.frames[row];
-    const std::array seconds{frame.cutSeconds, frame.decimationSeconds, frame.uploadSeconds,
-                             frame.drawSeconds};
-    return 1e3 * double{seconds.at(series)} / (frame.lastBlock - frame.firstBlock);
+    constexpr std::size_t kOfBlock = 2; // curves
+    if (series < kOfBlock)
+        return 1e3 * double{series == 0 ? input.blocks[row].cutSeconds : input.blocks[row].decimationSeconds};
+    const FrameStatistics* picture = pictureOf(input, row);
+    if (picture == nullptr)
+        return std::numeric_limits<double>::quiet_NaN();
+    const float seconds = series == kOfBlock ? picture->uploadSeconds : picture->drawSeconds;
+    return 1e3 * double{seconds} / (picture->lastBlock - picture->firstBlock);
 }
 
 constexpr std::array kVolume{
@@ -102,36 +101,27 @@ double timed(const PlotInput& input, std::size_t row, std::size_t) {
 
 const std::array<PlotSpec, 7> kPlots{{
     {"faces", QT_TRANSLATE_NOOP("Plots", "Faces"), QT_TRANSLATE_NOOP("Plots", "Block"),
-     QT_TRANSLATE_NOOP("Plots", "Triangles"), PlotRows::blocks, false, false, kFaces, blockBefore,
-     blockNumber, faces},
+     QT_TRANSLATE_NOOP("Plots", "Triangles"), false, false, true, kFaces, faces},
     {"block-time", QT_TRANSLATE_NOOP("Plots", "Time per Block"), QT_TRANSLATE_NOOP("Plots", "Block"),
-     QT_TRANSLATE_NOOP("Plots", "Time (ms)"), PlotRows::frames, true, false, kTimes, firstBlock, lastBlock,
-     milliseconds},
+     QT_TRANSLATE_NOOP("Plots", "Time (ms)"), true, false, false, kTimes, milliseconds, pictureBlocks},
     {"removed-volume", QT_TRANSLATE_NOOP("Plots", "Removed Volume"), QT_TRANSLATE_NOOP("Plots", "Block"),
-     QT_TRANSLATE_NOOP("Plots", "Volume (mm³)"), PlotRows::blocks, false, false, kVolume, blockBefore,
-     blockNumber, volume},
+     QT_TRANSLATE_NOOP("Plots", "Volume (mm³)"), false, false, false, kVolume, volume},
     {"axial-depth", QT_TRANSLATE_NOOP("Plots", "Axial Depth"), QT_TRANSLATE_NOOP("Plots", "Block"),
-     QT_TRANSLATE_NOOP("Plots", "Depth (mm)"), PlotRows::blocks, false, false, kDepth, blockBefore,
-     blockNumber, depth},
+     QT_TRANSLATE_NOOP("Plots", "Depth (mm)"), false, false, false, kDepth, depth},
     {"radial-engagement", QT_TRANSLATE_NOOP("Plots", "Radial Engagement"),
-     QT_TRANSLATE_NOOP("Plots", "Block"), QT_TRANSLATE_NOOP("Plots", "Width (mm)"), PlotRows::blocks, false,
-     false, kEngagement, blockBefore, blockNumber, engagement},
+     QT_TRANSLATE_NOOP("Plots", "Block"), QT_TRANSLATE_NOOP("Plots", "Width (mm)"), false, false, false,
+     kEngagement, engagement},
     {"removal-rate", QT_TRANSLATE_NOOP("Plots", "Removal Rate"), QT_TRANSLATE_NOOP("Plots", "Block"),
-     QT_TRANSLATE_NOOP("Plots", "Rate (mm³/min)"), PlotRows::blocks, false, true, kRate, blockBefore,
-     blockNumber, timed<machineRemovalRate>},
+     QT_TRANSLATE_NOOP("Plots", "Rate (mm³/min)"), false, true, false, kRate, timed<machineRemovalRate>},
     {"volume-per-length", QT_TRANSLATE_NOOP("Plots", "Volume per Length"),
-     QT_TRANSLATE_NOOP("Plots", "Block"), QT_TRANSLATE_NOOP("Plots", "Volume (mm³/mm)"), PlotRows::blocks,
-     false, true, kPerLength, blockBefore, blockNumber, timed<removalPerLength>},
+     QT_TRANSLATE_NOOP("Plots", "Block"), QT_TRANSLATE_NOOP("Plots", "Volume (mm³/mm)"), false, true, false,
+     kPerLength, timed<removalPerLength>},
 }};
 
 } // namespace
 
 std::span<const PlotSpec> plotCatalogue() {
     return kPlots;
-}
-
-std::size_t rowCount(const PlotSpec& plot, const PlotInput& input) {
-    return plot.rows == PlotRows::blocks ? input.blocks.size() : input.frames.size();
 }
 
 } // namespace proveout

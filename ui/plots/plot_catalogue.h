@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -30,28 +31,28 @@ struct PlotSeries {
     Qt::BrushStyle fill; ///< down to the axis, or to the curve before it in a stack
 };
 
-/// A row of blocks is a point; one of frames is a step over the blocks that its picture stands for, as high
-/// as their mean: what lies under it is what was spent.
-enum class PlotRows : std::uint8_t { blocks, frames };
+/// The blocks (first, last] of one picture.
+struct PictureBlocks {
+    std::uint32_t first = 0;
+    std::uint32_t last = 0; ///< equal to `first`: no picture is known
+};
 
-/// One plot over the blocks.
+/// One plot over the blocks; row k is of block k + 1.
 struct PlotSpec {
     const char* id;    ///< stable
     const char* title; ///< marked under the context "Plots", like the labels
     const char* xLabel;
     const char* yLabel; ///< with the unit
-    PlotRows rows;
-    bool stacked; ///< curves stand on each other, in the order of `series`
-    bool timed;   ///< values change with PlotInput::times
+    bool stacked;       ///< curves stand on each other, in the order of `series`
+    bool timed;         ///< values change with PlotInput::times
+    bool wide;          ///< on a logarithmic axis where its values differ too much for an even one
     std::span<const PlotSeries> series;
-    double (*begin)(const PlotInput&, std::size_t row); ///< a row stands for the blocks (begin, x]
-    double (*x)(const PlotInput&, std::size_t row);
     double (*y)(const PlotInput&, std::size_t row,
                 std::size_t series); ///< of the curve itself, not of the stack; NaN: not known
+    /// Null unless some curves were measured by picture; a row then has its share, the mean of a block.
+    PictureBlocks (*picture)(const PlotInput&, std::size_t row) = nullptr;
 };
 
 [[nodiscard]] std::span<const PlotSpec> plotCatalogue();
-
-[[nodiscard]] std::size_t rowCount(const PlotSpec& plot, const PlotInput& input);
 
 } // namespace proveout

@@ -47,6 +47,7 @@ PlotHistory::Changes PlotHistory::update(const PersistentArray<BlockStatistics>&
     m_session.insert(m_session.end(), frames.begin() + static_cast<std::ptrdiff_t>(known), frames.end());
     for (std::size_t row = known; row < frames.size(); ++row)
         take(frames[row], playing, changes);
+    changes.firstPictured = changes.firstFrame == 0 ? 0 : m_frames[changes.firstFrame - 1].lastBlock;
     return changes;
 }
 

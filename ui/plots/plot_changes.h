@@ -17,6 +17,7 @@ public:
     struct Changes {
         std::size_t firstBlock = 0;
         std::size_t firstFrame = 0;
+        std::size_t firstPictured = 0; ///< the first block whose picture is another one
         bool any = false;
     };
     /// Takes over the present rows. Frames that the session no longer counts after a seek back stay until

@@ -19,24 +19,32 @@ void append(std::string& text, double value) {
     text.append(digits.data(), end.ptr);
 }
 
+void appendPicture(std::string& text, const PictureBlocks& picture) {
+    text += ',';
+    if (picture.first < picture.last)
+        append(text, picture.first + 1.0);
+    text += ',';
+    if (picture.first < picture.last)
+        append(text, picture.last);
+}
+
 } // namespace
 
 std::string plotCsv(const PlotSpec& plot, const PlotInput& input) {
-    const bool ranges = plot.rows == PlotRows::frames;
-    std::string text = ranges ? "firstBlock,lastBlock" : "block";
+    std::string text = "block";
     for (const PlotSeries& series : plot.series)
         text.append(",").append(series.key);
+    if (plot.picture != nullptr)
+        text += ",pictureFirstBlock,pictureLastBlock";
     text += '\n';
-    for (std::size_t row = 0; row < rowCount(plot, input); ++row) {
-        if (ranges) {
-            append(text, plot.begin(input, row) + 1);
-            text += ',';
-        }
-        append(text, plot.x(input, row));
+    for (std::size_t row = 0; row < input.blocks.size(); ++row) {
+        append(text, static_cast<double>(row + 1));
         for (std::size_t series = 0; series < plot.series.size(); ++series) {
             text += ',';
             append(text, plot.y(input, row, series));
         }
+        if (plot.picture != nullptr)
+            appendPicture(text, plot.picture(input, row));
         text += '\n';
     }
     return text;

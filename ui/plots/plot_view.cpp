@@ -18,8 +18,14 @@ namespace {
 
 constexpr double kZoomPerStep = 0.8;
 constexpr double kNearPixels = 4;
-constexpr int kTicks = 5;
-constexpr int kTickDigits = 12; ///< more than any count has, so that none is written with an exponent
+constexpr int kMostTicks = 6;
+constexpr int kTickHeight = 34; ///< px that a label and the room about it take
+constexpr int kTickGap = 28;    ///< px between labels beside each other
+/// Of the lowest to the highest value in sight: beyond it an even axis would press the low ones flat.
+constexpr double kWideValues = 8;
+/// Free above the highest value, and below the lowest one on a logarithmic axis.
+constexpr double kHeadroom = 1.06;
+constexpr double kWideHeadroom = 1.4;
 constexpr std::size_t kMostSmoothRows = 20000;
 constexpr double kAheadOfBlock = 0.06; ///< of a followed span, free to the right of the current block
 
@@ -54,8 +60,9 @@ QString number(double value) {
 } // namespace
 
 PlotView::PlotView(const PlotSpec& spec, QWidget* parent)
-    : QCustomPlot(parent), m_spec(spec), m_mark(new QCPItemStraightLine(this)),
-      m_hint(new QCPItemText(this)) {
+    : QCustomPlot(parent), m_spec(spec), m_header(*this, spec.series.size()),
+      m_blockTicks(QSharedPointer<PlotTicks>::create()), m_valueTicks(QSharedPointer<PlotTicks>::create()),
+      m_mark(new QCPItemStraightLine(this)), m_hint(new QCPItemText(this)) {
     setObjectName(QLatin1String(spec.id));
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
@@ -63,31 +70,11 @@ PlotView::PlotView(const PlotSpec& spec, QWidget* parent)
     setNoAntialiasingOnDrag(true);
     setPlottingHint(QCP::phFastPolylines, true);
     setNotAntialiasedElements(QCP::aeFills);
-    for (QCPAxis* axis : {xAxis, yAxis}) {
-        axis->setNumberFormat(QStringLiteral("g"));
-        axis->setNumberPrecision(kTickDigits);
-        axis->ticker()->setTickCount(kTicks);
-    }
-    const auto whole = QSharedPointer<QCPAxisTickerFixed>::create(); // there is no half block
-    whole->setScaleStrategy(QCPAxisTickerFixed::ssMultiples);
-    whole->setTickCount(kTicks);
-    xAxis->setTicker(whole);
+    xAxis->setTicker(m_blockTicks);
+    yAxis->setTicker(m_valueTicks);
     yAxis->setPadding(4);
     m_hint->position->setType(QCPItemPosition::ptAxisRectRatio);
     m_hint->position->setCoords(0.5, 0.5);
-    legend->setVisible(true);
-    // Beside the curves: in a low dock it would cover them.
-    axisRect()->insetLayout()->take(legend);
-    // The empty row below takes the rest of the height, which would else spread the legend's rows.
-    auto* side = new QCPLayoutGrid;
-    side->addElement(0, 0, legend);
-    side->addElement(1, 0, new QCPLayoutElement(this));
-    side->setRowStretchFactor(0, 1e-3);
-    side->setRowSpacing(0);
-    plotLayout()->addElement(0, 1, side);
-    plotLayout()->setColumnStretchFactor(1, 1e-3);
-    plotLayout()->setColumnSpacing(0);
-    legend->setMargins({2, 0, 4, 0});
     addCurves();
     setTexts();
     style();
@@ -98,8 +85,6 @@ void PlotView::addCurves() {
     for (std::size_t index = 0; index < m_spec.series.size(); ++index) {
         auto* curve = new FilledCurve(xAxis, yAxis); // the plot takes it over
         curve->setAdaptiveSampling(true);
-        if (m_spec.rows == PlotRows::frames)
-            curve->setLineStyle(QCPGraph::lsStepRight);
         if (m_spec.stacked && index > 0)
             curve->setChannelFillGraph(graph(static_cast<int>(index) - 1));
     }
@@ -107,17 +92,17 @@ void PlotView::addCurves() {
 
 void PlotView::setTexts() {
     setLocale(QLocale()); // the axes group digits as the texts do
+    m_header.setTitle(translated(m_spec.title));
     xAxis->setLabel(translated(m_spec.xLabel));
-    yAxis->setLabel(translated(m_spec.yLabel));
+    setLogarithmic(yAxis->scaleType() == QCPAxis::stLogarithmic);
     for (std::size_t index = 0; index < m_spec.series.size(); ++index)
         graph(static_cast<int>(index))->setName(translated(m_spec.series[index].label));
     m_hint->setText(tr("Play to measure"));
     setAccessibleName(translated(m_spec.title));
-    setLocale(QLocale());
+    m_header.fit(width());
 }
 
 void PlotView::style() {
-    const bool dark = isDark(palette());
     const QColor text = palette().color(QPalette::Text);
     const QColor ground = palette().color(QPalette::Base);
     QColor grid = text;
@@ -135,26 +120,28 @@ void PlotView::style() {
         axis->grid()->setPen(QPen(grid, 1));
         axis->grid()->setZeroLinePen(QPen(grid, 1));
     }
-    QColor plate = ground;
-    plate.setAlphaF(0.8f);
-    legend->setBrush(plate);
-    legend->setBorderPen(Qt::NoPen);
-    legend->setTextColor(text);
-    legend->setFont(font());
-    legend->setRowSpacing(-2);
+    m_header.style(font(), text);
+    m_header.fit(width());
     styleChanges();
     m_hint->setColor(axisColour);
     m_hint->setFont(font());
     styleMark();
+    styleCurves();
+}
+
+void PlotView::styleCurves() {
+    const bool logarithmic = yAxis->scaleType() == QCPAxis::stLogarithmic;
     for (std::size_t index = 0; index < m_spec.series.size(); ++index) {
         const PlotSeries& series = m_spec.series[index];
-        const QColor colour = seriesColour(series.colour, dark);
+        const QColor colour = seriesColour(series.colour, isDark(palette()));
         QCPGraph* curve = graph(static_cast<int>(index));
         // One pixel wide: anything wider goes through Qt's stroker, which takes minutes for a jagged curve.
         curve->setPen(QPen(colour, 1, series.pen));
         QColor fill = colour;
         fill.setAlphaF(series.fill == Qt::SolidPattern ? 0.22f : 0.75f);
-        curve->setBrush(series.fill == Qt::NoBrush ? QBrush(Qt::NoBrush) : QBrush(fill, series.fill));
+        // An area says how much, which it cannot on a logarithmic axis.
+        const bool filled = series.fill != Qt::NoBrush && !logarithmic;
+        curve->setBrush(filled ? QBrush(fill, series.fill) : QBrush(Qt::NoBrush));
     }
 }
 
@@ -164,21 +151,19 @@ void PlotView::styleMark() {
 }
 
 void PlotView::setRows(const PlotInput& input, std::size_t first) {
-    const std::size_t count = rowCount(m_spec, input);
+    const std::size_t count = input.blocks.size();
     // A curve of more rows than pixels is a band: smoothing its edges shows nothing and doubles its cost.
     setNotAntialiasedElement(QCP::aePlottables, count > kMostSmoothRows);
     const auto added = static_cast<int>(count - std::min(first, count));
     std::vector<double> below(static_cast<std::size_t>(added), 0.0);
     for (std::size_t index = 0; index < m_spec.series.size(); ++index) {
         QVector<QCPGraphData> points;
-        points.reserve(added + 1);
+        points.reserve(added);
         for (std::size_t row = first; row < count; ++row) {
             double y = m_spec.y(input, row, index);
             if (m_spec.stacked)
                 y = below[row - first] += y;
-            if (row == 0 && pointsBefore() > 0)
-                points.append({m_spec.begin(input, row), y});
-            points.append({m_spec.x(input, row), y});
+            points.append({static_cast<double>(row + 1), y});
         }
         const auto shown = graph(static_cast<int>(index))->data();
         if (first == 0)
@@ -187,16 +172,19 @@ void PlotView::setRows(const PlotInput& input, std::size_t first) {
             shown->removeAfter(pointOf(index, first - 1)->key);
         shown->add(points, true);
     }
+    if (m_spec.picture == nullptr)
+        return;
+    m_pictures.resize(count);
+    for (std::size_t row = first; row < count; ++row)
+        m_pictures[row] = m_spec.picture(input, row);
 }
 
 std::size_t PlotView::rows(std::size_t series) const {
-    return static_cast<std::size_t>(
-        std::max(0, graph(static_cast<int>(series))->dataCount() - pointsBefore()));
+    return static_cast<std::size_t>(graph(static_cast<int>(series))->dataCount());
 }
 
 QCPGraphDataContainer::const_iterator PlotView::pointOf(std::size_t series, std::size_t row) const {
-    return graph(static_cast<int>(series))->data()->constBegin() + pointsBefore() +
-           static_cast<std::ptrdiff_t>(row);
+    return graph(static_cast<int>(series))->data()->constBegin() + static_cast<std::ptrdiff_t>(row);
 }
 
 double PlotView::value(std::size_t series, std::size_t row) const {
@@ -264,38 +252,61 @@ void PlotView::fitAxes() {
         }
         xAxis->setRange(begin, end);
     }
-    const double highest = highestInSight();
-    yAxis->setRange(0, highest > 0 ? highest * 1.06 : 1);
+    fitValues();
+    fitTicks();
     const bool measured = rows() > 0;
     m_hint->setVisible(!measured);
     yAxis->setTickLabels(measured); // else they would be figures of nothing
 }
 
-double PlotView::highestInSight() const {
-    double highest = 0;
+void PlotView::fitValues() {
+    const auto values = valuesInSight();
+    const bool logarithmic = m_spec.wide && values && values->upper > kWideValues * values->lower;
+    if (logarithmic != (yAxis->scaleType() == QCPAxis::stLogarithmic))
+        setLogarithmic(logarithmic);
+    if (logarithmic)
+        yAxis->setRange(values->lower / kWideHeadroom, values->upper * kWideHeadroom);
+    else
+        yAxis->setRange(0, values ? values->upper * kHeadroom : 1);
+}
+
+/// As many as have room for their labels.
+void PlotView::fitTicks() {
+    const QString last = shortNumber(static_cast<double>(std::max(m_block, m_blockCount)), QLocale());
+    const int width = QFontMetrics(xAxis->tickLabelFont()).horizontalAdvance(last) + kTickGap;
+    const QRect area = axisRect()->rect();
+    m_blockTicks->setTickCount(std::clamp(area.width() / width, 2, kMostTicks));
+    m_valueTicks->setTickCount(std::clamp(area.height() / kTickHeight, 2, kMostTicks));
+}
+
+void PlotView::setLogarithmic(bool on) {
+    yAxis->setScaleType(on ? QCPAxis::stLogarithmic : QCPAxis::stLinear);
+    m_valueTicks->setLogarithmic(on);
+    const QString label = translated(m_spec.yLabel);
+    yAxis->setLabel(on ? tr("%1 (log)").arg(label) : label);
+    styleCurves();
+}
+
+std::optional<QCPRange> PlotView::valuesInSight() const {
+    std::optional<QCPRange> values;
     for (int index = 0; index < graphCount(); ++index) {
         bool found = false;
-        const QCPRange range = graph(index)->getValueRange(found, QCP::sdBoth, xAxis->range());
+        const QCPRange range = graph(index)->getValueRange(found, QCP::sdPositive, xAxis->range());
         if (found)
-            highest = std::max(highest, range.upper);
-        // A step may begin in sight and end beyond.
-        const auto points = graph(index)->data();
-        const auto beyond = points->findBegin(xAxis->range().upper, false);
-        if (beyond != points->constEnd())
-            highest = std::max(highest, beyond->value);
+            values =
+                values ? QCPRange(std::min(values->lower, range.lower), std::max(values->upper, range.upper))
+                       : range;
     }
-    return highest;
+    return values;
 }
 
 std::size_t PlotView::rowAt(double block) const {
     const auto points = graph(0)->data();
-    const auto begin = points->constBegin() + pointsBefore();
     auto found = points->findBegin(block, false); // the first one that reaches so far
-    found = std::clamp(found, begin, points->constEnd() - 1);
-    const bool steps = m_spec.rows == PlotRows::frames;
-    if (!steps && found != begin && block - (found - 1)->key < found->key - block)
+    found = std::clamp(found, points->constBegin(), points->constEnd() - 1);
+    if (found != points->constBegin() && block - (found - 1)->key < found->key - block)
         --found;
-    return static_cast<std::size_t>(found - begin);
+    return static_cast<std::size_t>(found - points->constBegin());
 }
 
 std::optional<std::size_t> PlotView::peakAt(double pixelX) const {
@@ -303,7 +314,7 @@ std::optional<std::size_t> PlotView::peakAt(double pixelX) const {
     const double left = std::floor(pixelX);
     const auto first = points->findBegin(xAxis->pixelToCoord(left), false);
     const auto last = points->findEnd(xAxis->pixelToCoord(left + 1), false);
-    if (m_spec.rows == PlotRows::frames || last - first < 2)
+    if (last - first < 2)
         return std::nullopt;
     auto peak = first;
     for (auto point = first; point != last; ++point) {
@@ -313,22 +324,30 @@ std::optional<std::size_t> PlotView::peakAt(double pixelX) const {
     return static_cast<std::size_t>(peak - points->constBegin());
 }
 
-QString PlotView::rangeText(std::size_t row) const {
-    const auto point = pointOf(0, row);
-    const double first = m_spec.rows == PlotRows::frames ? (point - 1)->key + 1 : point->key;
-    if (first == point->key)
-        return QStringLiteral("%1 %2").arg(translated(m_spec.xLabel), number(first));
-    return tr("Mean of blocks %1 to %2 (one picture)").arg(number(first), number(point->key));
+/// Which values of a row are means, and over which blocks.
+QString PlotView::pictureText(std::size_t row) const {
+    if (m_spec.picture == nullptr)
+        return {};
+    const PictureBlocks& picture = m_pictures[row];
+    if (picture.first == picture.last)
+        return u'\n' + tr("Not drawn yet");
+    if (picture.last - picture.first == 1)
+        return {};
+    return u'\n' + tr("Upload and drawing: mean of blocks %1 to %2 (one picture)")
+                       .arg(number(picture.first + 1.0), number(picture.last));
 }
 
 QString PlotView::valuesAt(double pixelX) const {
     if (rows() == 0)
         return {};
     const std::size_t row = peakAt(pixelX).value_or(rowAt(xAxis->pixelToCoord(pixelX)));
-    QString text = rangeText(row) + u'\n' + translated(m_spec.yLabel);
+    QString text =
+        QStringLiteral("%1 %2\n%3")
+            .arg(translated(m_spec.xLabel), number(static_cast<double>(row + 1)), translated(m_spec.yLabel));
     for (std::size_t index = 0; index < m_spec.series.size(); ++index)
         text +=
             QStringLiteral("\n%1: %2").arg(translated(m_spec.series[index].label), number(value(index, row)));
+    text += pictureText(row);
     if (std::ranges::any_of(m_changes, [&](const QCPItemStraightLine* line) {
             return std::abs(line->point1->pixelPosition().x() - pixelX) < kNearPixels;
         }))
@@ -374,6 +393,8 @@ void PlotView::mouseDoubleClickEvent(QMouseEvent*) {
 }
 
 void PlotView::wheelEvent(QWheelEvent* event) {
+    if (m_wheelScrolls && !event->modifiers().testFlag(Qt::ControlModifier))
+        return event->ignore();
     const double steps = event->angleDelta().y() / double{QWheelEvent::DefaultDeltasPerStep};
     const double whole = std::max(1.0, static_cast<double>(m_blockCount));
     xAxis->scaleRange(std::pow(kZoomPerStep, steps), xAxis->pixelToCoord(event->position().x()));
@@ -386,6 +407,13 @@ void PlotView::wheelEvent(QWheelEvent* event) {
         setBlock(m_block, m_blockCount);
     }
     event->accept();
+}
+
+void PlotView::resizeEvent(QResizeEvent* event) {
+    m_header.fit(width());
+    QCustomPlot::resizeEvent(event);
+    fitTicks();
+    replot(rpQueuedRefresh);
 }
 
 void PlotView::focusInEvent(QFocusEvent* event) {

@@ -7,6 +7,8 @@
 #include <qcustomplot.h>
 
 #include "ui/plots/plot_catalogue.h"
+#include "ui/plots/plot_header.h"
+#include "ui/plots/plot_ticks.h"
 
 namespace proveout {
 
@@ -36,6 +38,8 @@ public:
     /// The value of one curve at a row, as drawn (stacked plots: without those below).
     [[nodiscard]] double value(std::size_t series, std::size_t row) const;
     [[nodiscard]] std::size_t rows() const { return rows(0); }
+    /// Where it stands in an area that scrolls, the wheel scrolls that, and zooms with Ctrl held down.
+    void setWheelScrolls(bool scrolls) { m_wheelScrolls = scrolls; }
 
     [[nodiscard]] QByteArray png(double scale);
     [[nodiscard]] QByteArray svg();
@@ -50,6 +54,7 @@ protected:
     void mouseReleaseEvent(QMouseEvent* event) override;
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
     void focusInEvent(QFocusEvent* event) override;
     void focusOutEvent(QFocusEvent* event) override;
     void changeEvent(QEvent* event) override;
@@ -57,21 +62,28 @@ protected:
 private:
     void addCurves();
     void style();
+    void styleCurves();
     void styleMark();
     void setTexts();
     void fitAxes();
+    void fitValues();
+    void fitTicks();
     [[nodiscard]] std::size_t rows(std::size_t series) const;
     [[nodiscard]] QCPGraphDataContainer::const_iterator pointOf(std::size_t series, std::size_t row) const;
-    [[nodiscard]] double highestInSight() const;
-    [[nodiscard]] QString rangeText(std::size_t row) const;
+    /// Of the points in sight those above 0; empty where there are none.
+    [[nodiscard]] std::optional<QCPRange> valuesInSight() const;
+    void setLogarithmic(bool on);
+    [[nodiscard]] QString pictureText(std::size_t row) const;
     [[nodiscard]] std::size_t rowAt(double block) const;
     /// Where several rows of blocks stand on one pixel: the highest of them, which is the one that is seen.
     [[nodiscard]] std::optional<std::size_t> peakAt(double pixelX) const;
-    /// Points of a curve before the one of row 0: where a curve of steps begins.
-    [[nodiscard]] int pointsBefore() const { return m_spec.rows == PlotRows::frames ? 1 : 0; }
     void styleChanges();
 
     const PlotSpec& m_spec;
+    PlotHeader m_header;
+    QSharedPointer<PlotTicks> m_blockTicks;
+    QSharedPointer<PlotTicks> m_valueTicks;
+    std::vector<PictureBlocks> m_pictures; ///< of the rows, where the plot has them
     QCPItemStraightLine* m_mark;
     QCPItemText* m_hint;                         ///< in place of curves, before there is anything to show
     std::vector<QCPItemStraightLine*> m_changes; ///< owned by the plot
@@ -80,6 +92,7 @@ private:
     bool m_following = true;
     double m_span = 0; ///< blocks shown; 0: all
     bool m_dragged = false;
+    bool m_wheelScrolls = false;
     QPointF m_pressed;
 };
 

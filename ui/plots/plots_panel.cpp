@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plots_panel.h"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
@@ -8,7 +9,6 @@
 #include <QFile>
 #include <QGuiApplication>
 #include <QMenu>
-#include <QSplitter>
 #include <QToolBar>
 #include <QVBoxLayout>
 
@@ -42,14 +42,13 @@ constexpr std::array kExports{
 } // namespace
 
 PlotsPanel::PlotsPanel(Session& session, QWidget* parent)
-    : QWidget(parent), m_session(session), m_bar(new QToolBar(this)),
-      m_splitter(new QSplitter(Qt::Horizontal, this)), m_follow(new QAction(this)) {
+    : QWidget(parent), m_session(session), m_bar(new QToolBar(this)), m_grid(new PlotGrid(this)),
+      m_follow(new QAction(this)) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
     layout->addWidget(m_bar);
-    layout->addWidget(m_splitter, 1);
-    m_splitter->setChildrenCollapsible(false);
+    layout->addWidget(m_grid, 1);
 
     for (const PlotSpec& spec : plotCatalogue())
         addView(spec, m_views.size() < kShownAtFirst);
@@ -69,15 +68,15 @@ PlotsPanel::PlotsPanel(Session& session, QWidget* parent)
 }
 
 void PlotsPanel::addView(const PlotSpec& spec, bool shown) {
-    auto* view = new PlotView(spec, m_splitter);
-    view->setVisible(shown);
+    auto* view = new PlotView(spec); // the grid takes it over
     view->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(view, &PlotView::blockClicked, &m_session, &Session::seek);
     connect(view, &PlotView::followingChanged, this,
             [this] { m_follow->setChecked(std::ranges::all_of(m_views, &PlotView::following)); });
     connect(view, &QWidget::customContextMenuRequested, this,
             [this, view](const QPoint& position) { openMenu(*view, position); });
-    m_splitter->addWidget(view);
+    m_grid->add(view);
+    m_grid->setShown(*view, shown);
     m_views.push_back(view);
 
     QAction* action = m_bar->addAction(QString());
@@ -85,7 +84,7 @@ void PlotsPanel::addView(const PlotSpec& spec, bool shown) {
     action->setChecked(shown);
     action->setObjectName(QStringLiteral("plot-") + QLatin1String(spec.id));
     connect(action, &QAction::toggled, view, [this, view](bool on) {
-        view->setVisible(on);
+        m_grid->setShown(*view, on);
         view->setBlock(m_block, m_blockCount);
     });
     m_shown.push_back(action);
@@ -138,8 +137,9 @@ void PlotsPanel::refresh() {
     const std::vector<std::size_t> parameterChanges = m_trace.changes();
     for (PlotView* view : m_views) {
         view->setParameterChanges(parameterChanges);
+        const bool pictured = view->spec().picture != nullptr;
         const std::size_t changed =
-            view->spec().rows == PlotRows::blocks ? changes.firstBlock : changes.firstFrame;
+            pictured ? std::min(changes.firstBlock, changes.firstPictured) : changes.firstBlock;
         view->setRows(input, retimed && view->spec().timed ? 0 : changed);
         if (view->isVisible())
             view->setBlock(m_block, m_blockCount);

@@ -10,10 +10,10 @@
 
 #include "ui/plots/parameter_trace.h"
 #include "ui/plots/plot_changes.h"
+#include "ui/plots/plot_grid.h"
 #include "ui/plots/plot_view.h"
 #include "ui/session.h"
 
-class QSplitter;
 class QToolBar;
 
 namespace proveout {
@@ -21,7 +21,7 @@ namespace proveout {
 /// What a plot is exported as.
 enum class PlotFormat : std::uint8_t { csv, png, svg };
 
-/// The plots of the catalogue side by side, live; a button shows or hides each. Clicking a plot seeks.
+/// The plots of the catalogue in rows, live; a button shows or hides each. Clicking a plot seeks.
 /// Thread: UI.
 class PlotsPanel : public QWidget {
     Q_OBJECT
@@ -56,7 +56,7 @@ private:
     std::shared_ptr<const MachineTimes> m_times; ///< of the program of m_history; null: not known yet
     std::uint64_t m_generation = 0;              ///< of the frame that m_history was updated with
     QToolBar* m_bar;
-    QSplitter* m_splitter;
+    PlotGrid* m_grid;
     QAction* m_follow;
     std::vector<PlotView*> m_views;
     std::vector<QAction*> m_shown; ///< one a view

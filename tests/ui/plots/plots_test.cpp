@@ -10,6 +10,7 @@
 #include <QApplication>
 #include <QPaintDevice>
 #include <QPaintEngine>
+#include <QScrollBar>
 #include <QSignalSpy>
 #include <QTemporaryDir>
 #include <QTest>
@@ -22,6 +23,8 @@
 #include "ui/plots/parameter_trace.h"
 #include "ui/plots/plot_changes.h"
 #include "ui/plots/plot_csv.h"
+#include "ui/plots/plot_grid.h"
+#include "ui/plots/plot_ticks.h"
 #include "ui/plots/plots_panel.h"
 
 using namespace proveout;
@@ -33,6 +36,8 @@ BlockStatistics randomBlock(std::mt19937& random) {
     row.facesFull = 500000;
     row.facesShown = static_cast<std::uint32_t>(random() % 500000);
     row.removedMm3 = static_cast<double>(random() % 1000) / 8;
+    row.cutSeconds = static_cast<float>(random() % 64) / 1024;
+    row.decimationSeconds = static_cast<float>(random() % 64) / 1024;
     return row;
 }
 
@@ -47,7 +52,7 @@ const PlotSpec& plot(const char* id) {
 }
 
 void compare(const PlotView& view, const PlotInput& input) {
-    QCOMPARE(view.rows(), rowCount(view.spec(), input));
+    QCOMPARE(view.rows(), input.blocks.size());
     for (std::size_t row = 0; row < view.rows(); ++row)
         for (std::size_t series = 0; series < view.spec().series.size(); ++series)
             QCOMPARE(view.value(series, row), view.spec().y(input, row, series));
@@ -118,8 +123,10 @@ private slots:
     void amongManyRowsTheOneThatIsSeenIsMeant();
     void followingKeepsTheBlockInSight();
     void hoverReadsTheNearestRow();
-    void axesWriteLargeCountsOut();
-    void aJumpIsAStepOfItsMean();
+    void axesWriteLargeCountsShort();
+    void fewFacesAreReadBesideMillions();
+    void aJumpShowsTheTimeOfEachBlock();
+    void plotsWrapIntoRows();
     void restylesWithThePalette();
     void manyRowsCostLittle();
     void fillingsStandUnderTheirCurves();
@@ -241,14 +248,15 @@ void PlotsTest::viewsHoldWhatTheStatisticsSay() {
         const auto changes = history.update(blocks, frames, true);
         const PlotInput input{history.blocks(), history.frames()};
         faces.setRows(input, changes.firstBlock);
-        times.setRows(input, changes.firstFrame);
+        times.setRows(input, std::min(changes.firstBlock, changes.firstPictured));
         compare(faces, {blocks, frames});
         compare(times, {blocks, measured});
     }
 }
 
 void PlotsTest::stackedCurvesStandOnEachOther() {
-    const PersistentArray<BlockStatistics> blocks;
+    PersistentArray<BlockStatistics> blocks;
+    blocks.push_back({0, 0, 0, 0, 0.001f, 0.002f, 0, 0, 0});
     const std::vector<FrameStatistics> frames{{0, 1, 0.001f, 0.002f, 0.003f, 0.004f}};
     PlotView times(plot("block-time"));
     times.setRows({blocks, frames}, 0);
@@ -259,9 +267,9 @@ void PlotsTest::stackedCurvesStandOnEachOther() {
 
 void PlotsTest::csvHoldsEveryValue() {
     PersistentArray<BlockStatistics> blocks;
-    blocks.push_back({1200, 39200, 3, 1, 0.001f, 0, 1, 4, 12.5});
-    blocks.push_back({980, 39200, 0, 4, 0.001f, 0, 0, 0, 0});
-    const std::vector<FrameStatistics> frames{{0, 2, 0.0005f, 0.25f, 0, 0.0125f}};
+    blocks.push_back({1200, 39200, 3, 1, 0.0005f, 0.25f, 1, 4, 12.5});
+    blocks.push_back({980, 39200, 0, 4, 0.00025f, 0, 0, 0, 0});
+    const std::vector<FrameStatistics> frames{{0, 2, 0, 0, 0, 0.0125f}};
     QCOMPARE(plotCsv(plot("faces"), {blocks, frames}),
              std::string("block,facesFull,facesShown\n1,39200,1200\n2,39200,980\n"));
     QCOMPARE(plotCsv(plot("removed-volume"), {blocks, frames}),
@@ -270,8 +278,10 @@ void PlotsTest::csvHoldsEveryValue() {
     QCOMPARE(plotCsv(plot("radial-engagement"), {blocks, frames}),
              std::string("block,radialEngagementMm\n1,4\n2,0\n"));
     QCOMPARE(plotCsv(plot("block-time"), {blocks, frames}),
-             std::string("firstBlock,lastBlock,cutMs,decimationMs,uploadMs,drawMs\n"
-                         "1,2,0.250000012,125,0,6.25000009\n")); // of a block, on average
+             std::string("block,cutMs,decimationMs,uploadMs,drawMs,pictureFirstBlock,pictureLastBlock\n"
+                         "1,0.5,250,0,6.25,1,2\n"
+                         "2,0.25,0,0,6.25,1,2\n")); // drawing: of a block, on average
+    QVERIFY(plotCsv(plot("block-time"), {blocks, {}}).ends_with("2,0.25,0,,,,\n"));
 }
 
 void PlotsTest::ratesAreThoseOfTheMachinesTime() {
@@ -387,63 +397,153 @@ void PlotsTest::hoverReadsTheNearestRow() {
     QVERIFY2(text.contains(QStringLiteral("42")) && text.contains(QStringLiteral("200")), qPrintable(text));
 }
 
-void PlotsTest::axesWriteLargeCountsOut() {
+void PlotsTest::axesWriteLargeCountsShort() {
+    const QString space(QChar(0x202F));
+    const QLocale german(QLocale::German);
+    QCOMPARE(shortNumber(1'200'000, QLocale::c()), QStringLiteral("1.2") + space + u'M');
+    QCOMPARE(shortNumber(1'200'000, german), QStringLiteral("1,2") + space + u'M');
+    QCOMPARE(shortNumber(40'000, german), QStringLiteral("40") + space + u'k');
+    QCOMPARE(shortNumber(0.002, german), QStringLiteral("0,002"));
+    QCOMPARE(shortNumber(2500, QLocale(QLocale::English)), QStringLiteral("2,500"));
     PersistentArray<BlockStatistics> blocks;
     for (std::uint32_t k = 1; k <= 10; ++k)
-        blocks.push_back({k * 3'000'000, 30'000'000, 0, 0, 0, 0, 0, 0});
-    const QLocale before;
-    const std::array<std::pair<QLocale, QString>, 2> ways{
-        {{QLocale(QLocale::German), QStringLiteral("10.000.000")},
-         {QLocale(QLocale::Korean), QStringLiteral("10,000,000")}}};
-    for (const auto& [locale, tenMillion] : ways) {
-        QLocale::setDefault(locale);
-        PlotView view(plot("faces"));
-        view.resize(600, 220);
-        view.setRows({blocks, {}}, 0);
-        view.setBlock(10, 10);
-        view.replot();
-        const QVector<QString> labels = view.yAxis->tickVectorLabels();
-        QVERIFY2(labels.contains(tenMillion), qPrintable(labels.toList().join(u' ')));
-        for (const QString& label : labels)
-            QVERIFY2(!label.contains(u'E', Qt::CaseInsensitive), qPrintable(label));
-    }
-    QLocale::setDefault(before);
+        blocks.push_back({20'000'000 + k * 1'000'000, 30'000'000, 0, 0, 0, 0, 0, 0});
+    PlotView view(plot("faces"));
+    view.resize(600, 220);
+    view.setRows({blocks, {}}, 0);
+    view.setBlock(10, 10);
+    view.replot();
+    const QVector<QString> labels = view.yAxis->tickVectorLabels();
+    QVERIFY2(labels.contains(QStringLiteral("20") + space + u'M'), qPrintable(labels.toList().join(u' ')));
 }
 
-void PlotsTest::aJumpIsAStepOfItsMean() {
-    // Ten blocks played one by one, 2 ms each; then a jump over 990 of the same cost, 1.98 s in one row.
-    const PersistentArray<BlockStatistics> blocks;
+void PlotsTest::fewFacesAreReadBesideMillions() {
+    // The sawtooth of a decimated surface, 2 % of what there is without decimation.
+    PersistentArray<BlockStatistics> blocks;
+    for (std::uint32_t k = 0; k < 400; ++k)
+        blocks.push_back({40'000 + 900 * (k % 20), 2'400'000, 0, 0, 0, 0, 0, 0});
+    for (const QSize size : {QSize(320, 150), QSize(640, 300)}) {
+        PlotView view(plot("faces"));
+        view.resize(size);
+        view.setRows({blocks, {}}, 0);
+        view.setBlock(400, 400);
+        view.replot();
+        const QRect area = view.axisRect()->rect();
+        const auto heightOf = [&](double faces) { return area.bottom() - view.yAxis->coordToPixel(faces); };
+        QVERIFY2(heightOf(40'000) > 4, qPrintable(QString::number(heightOf(40'000)))); // not on the axis
+        const double sawtooth = heightOf(57'100) - heightOf(40'000);
+        QVERIFY2(sawtooth > 0.05 * area.height(), qPrintable(QString::number(sawtooth)));
+        QVERIFY(area.contains(area.center().x(), static_cast<int>(view.yAxis->coordToPixel(2'400'000))));
+        QVERIFY(view.yAxis->label() != plot("faces").yLabel); // says that it is logarithmic
+        const QVector<QString> labels = view.yAxis->tickVectorLabels();
+        QVERIFY2(labels.size() >= 2 && labels.size() <= 7, qPrintable(labels.toList().join(u' ')));
+        QVERIFY2(labels.back().endsWith(u'M'), qPrintable(labels.toList().join(u' ')));
+    }
+    // Values that are near each other stand on an even axis, from 0.
+    for (std::size_t k = 0; k < blocks.size(); ++k)
+        blocks.edit(k).facesFull = 120'000;
+    PlotView view(plot("faces"));
+    view.resize(640, 300);
+    view.setRows({blocks, {}}, 0);
+    view.setBlock(400, 400);
+    QCOMPARE(view.yAxis->range().lower, 0.0);
+    QCOMPARE(view.yAxis->label(), QString::fromUtf8(plot("faces").yLabel));
+}
+
+void PlotsTest::aJumpShowsTheTimeOfEachBlock() {
+    // Ten blocks drawn one by one; then 990 in one picture. Each was cut, and every fifth decimated, by
+    // itself.
+    constexpr std::uint32_t kLast = 1000;
+    PersistentArray<BlockStatistics> blocks(kLast);
+    for (std::size_t k = 0; k < kLast; ++k) {
+        blocks.edit(k).cutSeconds = k == 600 ? 0.004f : 0.0005f;
+        blocks.edit(k).decimationSeconds = k % 5 == 4 ? 0.002f : 0;
+    }
     std::vector<FrameStatistics> frames;
     for (std::uint32_t k = 0; k < 10; ++k)
         frames.push_back({k, k + 1, 0.0005f, 0.0005f, 0.0005f, 0.0005f});
-    frames.push_back({10, 1000, 990 * 0.0005f, 990 * 0.0005f, 990 * 0.0005f, 990 * 0.0005f});
+    frames.push_back({10, kLast, 0.5f, 0.4f, 990 * 0.0001f, 990 * 0.0002f});
     PlotView times(plot("block-time"));
     times.resize(600, 220);
     times.setRows({blocks, frames}, 0);
-    times.setBlock(1000, 1000);
+    times.setBlock(kLast, kLast);
     times.replot();
-    QVERIFY2(times.yAxis->range().upper < 2.5, qPrintable(QString::number(times.yAxis->range().upper)));
-    for (std::size_t row = 0; row < times.rows(); ++row)
-        QVERIFY(std::abs(times.value(3, row) - 0.5) < 1e-4);
-    // The same height from the first to the last block of the jump, and what it stands for is told.
-    const QImage picture = times.toPixmap().toImage();
-    const auto inkAt = [&](double block) {
-        const int x = static_cast<int>(times.xAxis->coordToPixel(block));
-        const int y = static_cast<int>(times.yAxis->coordToPixel(1.9));
-        return picture.pixelColor(x, y) !=
-               picture.pixelColor(x, y - static_cast<int>(0.2 * picture.height()));
+    const auto is = [&](std::size_t series, std::size_t row, double expected) {
+        QVERIFY2(std::abs(times.value(series, row) - expected) < 1e-4,
+                 qPrintable(QString::number(times.value(series, row))));
     };
-    QVERIFY(inkAt(50) || inkAt(51) || inkAt(52)); // the filling is a pattern
-    QVERIFY(inkAt(950) || inkAt(951) || inkAt(952));
-    const QString jump = times.valuesAt(times.xAxis->coordToPixel(300));
-    QVERIFY2(jump.contains(QStringLiteral("11 to %1").arg(QLocale().toString(1000))), qPrintable(jump));
-    const QString single = times.valuesAt(times.xAxis->coordToPixel(4.6));
-    QVERIFY2(single.startsWith(QStringLiteral("Block 5\n")), qPrintable(single));
-    // Zoomed into the jump, its end out of sight, it still sets the scale.
+    is(0, 600, 4); // what the picture hides in its mean
+    is(0, 601, 0.5);
+    is(1, 604, 2);
+    is(1, 605, 0);
+    is(2, 604, 0.1);
+    is(3, 604, 0.2);
+    is(3, 4, 0.5);
+    // What is a mean is told as one, with its blocks.
     times.setFollowing(false);
-    times.xAxis->setRange(200, 210);
-    times.setBlock(1000, 1000);
-    QVERIFY(times.yAxis->range().upper > 1.9);
+    times.xAxis->setRange(595, 605);
+    times.setBlock(kLast, kLast);
+    const QString jump = times.valuesAt(times.xAxis->coordToPixel(601));
+    QVERIFY2(jump.startsWith(QStringLiteral("Block 601\n")), qPrintable(jump));
+    QVERIFY2(jump.contains(QStringLiteral("11 to %1").arg(QLocale().toString(kLast))), qPrintable(jump));
+    times.xAxis->setRange(0, 10);
+    times.setBlock(kLast, kLast);
+    QVERIFY(!times.valuesAt(times.xAxis->coordToPixel(5)).contains(QStringLiteral(" to ")));
+    // Blocks that no picture shows yet have no time of drawing, which is not 0.
+    times.setRows({blocks, {}}, 0);
+    QVERIFY(std::isnan(times.value(3, 20)));
+    is(0, 20, 0.5);
+}
+
+void PlotsTest::plotsWrapIntoRows() {
+    Session session;
+    PlotsPanel panel(session);
+    panel.show();
+    for (PlotView* view : panel.views()) // all of them
+        if (view->isHidden())
+            panel.findChild<QAction*>(QStringLiteral("plot-") + view->objectName())->trigger();
+    struct Case {
+        QSize size;
+        bool scrolls;
+    };
+    for (const auto& [size, scrolls] : {Case{{1280, 230}, true}, Case{{640, 300}, true},
+                                        Case{{2560, 420}, false}, Case{{1280, 700}, false}}) {
+        panel.resize(size);
+        QTRY_COMPARE(panel.size(), size);
+        auto* grid = panel.findChild<PlotGrid*>();
+        QTRY_COMPARE(grid->verticalScrollBar()->isVisible(), scrolls);
+        QRegion taken;
+        for (const PlotView* view : panel.views()) {
+            QVERIFY(view->width() >= PlotGrid::kLeastWidth && view->height() >= PlotGrid::kLeastHeight);
+            QVERIFY(!taken.intersects(view->geometry()));
+            taken += view->geometry();
+            QVERIFY(view->axisRect()->width() > view->width() / 2);
+        }
+        QCOMPARE(taken.boundingRect().width(), grid->viewport()->width());
+    }
+    // The wheel scrolls there, and zooms with Ctrl.
+    panel.resize(640, 300);
+    auto* bar = panel.findChild<PlotGrid*>()->verticalScrollBar();
+    QTRY_VERIFY(bar->maximum() > 0);
+    PlotView& first = *panel.views().front();
+    first.setBlock(0, 1000);
+    const auto wheel = [&](Qt::KeyboardModifiers modifiers, int angle) {
+        const QPointF at(150, 80);
+        QWheelEvent event(at, first.mapToGlobal(at), {}, {0, angle}, Qt::NoButton, modifiers,
+                          Qt::NoScrollPhase, false);
+        QApplication::sendEvent(&first, &event);
+    };
+    wheel({}, -120);
+    QVERIFY(bar->value() > 0);
+    QCOMPARE(first.xAxis->range().size(), 1000.0);
+    wheel(Qt::ControlModifier, 120);
+    QVERIFY(first.xAxis->range().size() < 1000);
+    // A plot that is hidden leaves no gap.
+    panel.resize(1280, 700);
+    for (PlotView* view : panel.views())
+        if (view != &first)
+            panel.findChild<QAction*>(QStringLiteral("plot-") + view->objectName())->trigger();
+    QTRY_COMPARE(first.width(), panel.findChild<PlotGrid*>()->viewport()->width());
 }
 
 void PlotsTest::restylesWithThePalette() {
@@ -504,6 +604,8 @@ void PlotsTest::fillingsStandUnderTheirCurves() {
         for (int k = 0; k < 40; ++k) {
             BlockStatistics row;
             row.removedMm3 = k % 7 * 3 + k % 3;
+            row.cutSeconds = static_cast<float>(k % 5);
+            row.decimationSeconds = 1;
             blocks.push_back(row);
         }
         std::vector<FrameStatistics> frames;
@@ -579,7 +681,7 @@ void PlotsTest::panelShowsARunAndExportsIt() {
     });
     session.seek(120);
     QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{120}, 10000);
-    QTRY_COMPARE(panel.views()[1]->rows(), std::size_t{1}); // of a jump too, at once
+    QTRY_COMPARE(panel.views()[1]->rows(), std::size_t{120}); // of a jump too, at once
     const FramePtr frame = session.frame();
     QVERIFY(frame->statistics.size() >= 120);
     PlotView& faces = *panel.views().front();

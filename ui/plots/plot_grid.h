@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <QScrollArea>
+
+#include "ui/plots/plot_view.h"
+
+namespace proveout {
+
+/// Plots in rows: as many beside each other as can be read, and it scrolls where the rows do not fit. Thread:
+/// UI.
+class PlotGrid : public QScrollArea {
+    Q_OBJECT
+
+public:
+    static constexpr int kLeastWidth = 320; ///< of a plot, px
+    static constexpr int kLeastHeight = 150;
+
+    explicit PlotGrid(QWidget* parent = nullptr);
+
+    /// Takes the plot over.
+    void add(PlotView* plot);
+    /// Hidden plots take no place.
+    void setShown(PlotView& plot, bool shown);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+
+private:
+    void arrange();
+
+    QWidget* m_inner;
+    std::vector<PlotView*> m_plots;
+};
+
+} // namespace proveout
