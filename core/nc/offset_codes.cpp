@@ -166,7 +166,10 @@ void selectSystem(Execution& execution, int system) {
         return;
     execution.state.workOffset = system;
     execution.state.writtenOffset.reset();
-    setFrame(execution, frameOf(execution, system));
+    const WorkFrame frame = frameOf(execution, system);
+    if (frame == execution.state.frame) // its name is another one all the same
+        execution.program.append(WorkOffset{system, frame.zero()}, execution.line);
+    setFrame(execution, frame);
 }
 
 void selectWorkOffset(Execution& execution, const Word& word) {

@@ -29,7 +29,10 @@ void select(Execution& execution, int system) {
     if (system == execution.state.workOffset)
         return;
     execution.state.workOffset = system;
+    const WorkFrame before = execution.state.frame;
     refresh(execution);
+    if (execution.state.frame == before) // its name is another one all the same
+        execution.program.append(WorkOffset{system, before.zero()}, execution.line);
 }
 
 /// Whether another code of the block has a use for P.
