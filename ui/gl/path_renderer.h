@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "ui/gl/path_lines.h"
+#include "ui/gl/path_overview.h"
 #include "ui/gl/scene_light.h"
 #include "ui/gl/scene_options.h"
 #include "ui/gl/vertex_buffer.h"
@@ -27,11 +28,20 @@ public:
     void setPosition(std::shared_ptr<const Program> program, std::size_t block);
     /// `stockOrigin`: program coordinates of the origin of stock coordinates.
     void draw(Gl& gl, const StockView& view, const SceneOptions& options, const Vec3& stockOrigin);
+    /// What of the whole toolpath is behind that which is drawn already, dimmed: for each of its pixels it
+    /// must have written its depth. Draws nothing before advanceOverview() is through.
+    void drawHidden(Gl& gl, const StockView& view, const SceneOptions& options, const Vec3& stockOrigin);
+    /// Makes the lines of drawHidden().
+    void advanceOverview(const UploadBudget& budget) { m_overview.advance(budget); }
+    [[nodiscard]] bool overviewPending() const { return !m_overview.whole(); }
     void release(Gl& gl);
 
 private:
     void prepare(Gl& gl, bool whole);
-    void drawRun(Gl& gl, const SceneOptions& options, std::size_t first, std::size_t last, float opacity);
+    void begin(Gl& gl, const StockView& view, const Vec3& shift);
+    static void end(Gl& gl);
+    void drawRun(Gl& gl, VertexBuffer& vertices, const SceneOptions& options, std::size_t first,
+                 std::size_t last, float opacity);
 
     ShaderProgram m_program;
     VertexBuffer m_vertices;
@@ -41,6 +51,9 @@ private:
     std::shared_ptr<const Program> m_shownPath;
     std::size_t m_shownFirst = 0;
     std::size_t m_shownLast = 0;
+    PathOverview m_overview;
+    VertexBuffer m_overviewVertices;
+    bool m_overviewUploaded = false;
 };
 
 } // namespace proveout

@@ -54,6 +54,7 @@ struct SceneOptions {
     bool wireframe = false; ///< triangles and region borders
     bool tint = false;      ///< regions drawn from the z-map against decimated ones
     PathShown path = PathShown::nearCutter;
+    bool pathThroughStock = true; ///< all of it that the stock hides, dimmed; not where `path` is none
     CutterShown cutter = CutterShown::solid;
     SceneColours colours = lightColours();
 };

@@ -111,6 +111,8 @@ void SceneRenderer::draw(const View& view, const SceneOptions& options) {
             drawBox(view, options, stockView, origin);
         m_gl.glBindVertexArray(0);
         m_path.draw(m_gl, stockView, options, origin);
+        if (options.pathThroughStock)
+            m_path.drawHidden(m_gl, stockView, options, origin);
         m_cutter.draw(m_gl, stockView, options, glm::vec3(m_frame->cutterPosition - origin));
         m_gl.glDisable(GL_CULL_FACE);
         m_gl.glDisable(GL_DEPTH_TEST);

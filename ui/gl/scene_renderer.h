@@ -29,6 +29,10 @@ public:
     bool uploadBox(const FramePtr& box, const UploadBudget& budget = {});
     /// Whether the box needs another call.
     [[nodiscard]] bool boxPending() const { return m_boxPending; }
+    /// Takes a part of the toolpath that is seen through the stock, which is drawn once it is whole: a long
+    /// program may take several calls. Needs no context.
+    void advancePath(const UploadBudget& budget) { m_path.advanceOverview(budget); }
+    [[nodiscard]] bool pathPending() const { return m_path.overviewPending(); }
     /// Frees what lies on the graphics side of a box that is not coming back.
     void releaseBox();
     /// Draws the uploaded frame, or the backdrop alone. Sets viewport, depth and culling; leaves blending and

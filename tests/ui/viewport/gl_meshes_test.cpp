@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the renderer builds before anything goes to the graphics side.
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <map>
+#include <memory>
 #include <numbers>
 #include <random>
 #include <set>
@@ -14,6 +16,7 @@
 #include "tests/ui/viewport/frame_builder.h"
 #include "ui/gl/cutter_mesh.h"
 #include "ui/gl/path_lines.h"
+#include "ui/gl/path_overview.h"
 #include "ui/gl/slot_allocator.h"
 #include "ui/gl/wall_buffer.h"
 
@@ -29,6 +32,7 @@ private slots:
     void wallsCloseTheSurface();
     void wallsCloseMergedRegions();
     void pathFollowsTheMotions();
+    void overviewStaysNearThePath();
 };
 
 void GlMeshesTest::slotsNeverOverlap() {
@@ -190,6 +194,57 @@ void GlMeshesTest::pathFollowsTheMotions() {
     const PathLines later = pathLines(program, 1, 2);
     QCOMPARE(later.verticesBefore(1), std::size_t{0});
     QCOMPARE(later.verticesBefore(2), later.vertices.size());
+}
+
+void GlMeshesTest::overviewStaysNearThePath() {
+    // Rows of short motions over hills, with rapids between them.
+    constexpr int kRows = 60;
+    constexpr int kSteps = 400;
+    auto program = std::make_shared<Program>();
+    Vec3 at(0, 0, 10);
+    std::vector<Vec3> ends;
+    const auto go = [&](MotionKind kind, const Vec3& to) {
+        Motion motion;
+        motion.kind = kind;
+        motion.startKnown = motion.endKnown = kAllAxes;
+        motion.start = at;
+        motion.end = at = to;
+        program->beginBlock(1);
+        program->append(motion);
+        ends.push_back(to);
+    };
+    for (int row = 0; row < kRows; ++row) {
+        go(MotionKind::rapid, {0, row, 10});
+        for (int k = 0; k <= kSteps; ++k) {
+            const double x = 0.25 * k;
+            go(MotionKind::feed, {x, row, -3 + std::sin(0.2 * x) * std::cos(0.3 * row)});
+        }
+        go(MotionKind::rapid, {at.x, row, 10});
+    }
+    program->settle();
+    PathOverview overview;
+    QVERIFY(overview.setProgram(program));
+    QVERIFY(!overview.setProgram(program));
+    int calls = 0;
+    for (; !overview.whole(); ++calls)
+        overview.advance(UploadBudget(std::chrono::seconds(0)));
+    QVERIFY(calls > 10); // in parts
+    const std::vector<PathVertex>& vertices = overview.vertices();
+    QVERIFY2(vertices.size() / 2 < program->blockCount() / 5, qPrintable(QString::number(vertices.size())));
+    QCOMPARE(overview.verticesBefore(0), std::size_t{0});
+    QCOMPARE(overview.verticesBefore(program->blockCount()), vertices.size());
+    // Every end lies on the line that its block is part of, which may begin a few blocks earlier.
+    for (std::size_t block = 0; block < ends.size(); block += 7) {
+        const std::size_t until = overview.verticesBefore(block + 1);
+        double nearest = 1e9;
+        for (std::size_t k = until >= 4 ? until - 4 : 0; k < until; k += 2) {
+            const Vec3 a = overview.origin() + Vec3(vertices[k].position);
+            const Vec3 b = overview.origin() + Vec3(vertices[k + 1].position);
+            const double t = std::clamp(glm::dot(ends[block] - a, b - a) / glm::dot(b - a, b - a), 0.0, 1.0);
+            nearest = std::min(nearest, glm::distance(ends[block], a + (b - a) * t));
+        }
+        QVERIFY2(nearest < overview.tolerance() + 1e-4, qPrintable(QString::number(nearest)));
+    }
 }
 
 QTEST_APPLESS_MAIN(GlMeshesTest)

@@ -121,6 +121,7 @@ private slots:
     void holesShowWhatIsBehind();
     void cutterIsDrawnToScale();
     void pathHasTheColourOfItsMotion();
+    void hiddenPathIsSeenThroughTheStock();
     void tintTellsDirtyFromDecimated();
     void wireframeShowsRegionBorders();
     void decimationDoesNotShow();
@@ -269,6 +270,62 @@ void SceneRendererTest::pathHasTheColourOfItsMotion() {
             greenest = std::max(greenest, qGreen(pixel) - std::max(qRed(pixel), qBlue(pixel)));
         }
         QCOMPARE(greenest > 100, shown != PathShown::none);
+    }
+}
+
+void SceneRendererTest::hiddenPathIsSeenThroughTheStock() {
+    // Far from the block that is executed, so that it is no part of the path near the cutter.
+    auto program = std::make_shared<Program>();
+    const auto append = [&](const Vec3& from, const Vec3& to) {
+        Motion feed;
+        feed.kind = MotionKind::feed;
+        feed.startKnown = feed.endKnown = kAllAxes;
+        feed.start = from;
+        feed.end = to;
+        program->beginBlock(1);
+        program->append(feed);
+    };
+    for (int k = 0; k < 400; ++k)
+        append({10 + 0.2 * k, 60, 5}, {10 + 0.2 * (k + 1), 60, 5});
+    append({90, 60, 5}, {90, 20, -10});
+    append({90, 20, -10}, {10, 20, -10});
+    FrameBuilder builder(kStock, 1);
+    builder.setProgram(program, 0);
+    Box3 scene = stockBox();
+    scene.add(Vec3(0, 0, 10));
+    const Camera camera = cameraAt(StandardView::top, false);
+    const auto draws = [&](const SceneOptions& options) {
+        m_picture->renderer().advancePath({});
+        return m_picture->draw(builder.frame(), camera.view(scene), options);
+    };
+    const auto inkAt = [&](const QImage& picture, const QImage& without, const Vec3& place) {
+        const Vec2 at = camera.project(place);
+        int most = 0;
+        for (int dy = -2; dy <= 2; ++dy) {
+            const QPoint pixel(static_cast<int>(at.x), static_cast<int>(at.y) + dy);
+            most = std::max(most, std::abs(qRed(picture.pixel(pixel)) - qRed(without.pixel(pixel))));
+        }
+        return most;
+    };
+    for (const SceneColours& colours : {lightColours(), darkColours()}) {
+        SceneOptions options;
+        options.colours = colours;
+        options.path = PathShown::none;
+        static_cast<void>(draws(options)); // brings the program
+        const QImage none = draws(options);
+        options.path = PathShown::nearCutter;
+        options.pathThroughStock = false;
+        const QImage solid = draws(options);
+        options.pathThroughStock = true;
+        const QImage through = draws(options);
+        const Vec3 near(20, 60, 5);
+        const Vec3 hidden(50, 20, -10);
+        QVERIFY(inkAt(solid, none, near) > 60);
+        QCOMPARE(inkAt(solid, none, hidden), 0);
+        const int dimmed = inkAt(through, none, hidden);
+        QVERIFY2(dimmed > 15 && dimmed < inkAt(through, none, near) / 2, qPrintable(QString::number(dimmed)));
+        // Beside the stock nothing hides it: there it is near the cutter or not drawn.
+        QCOMPARE(inkAt(through, solid, near), 0);
     }
 }
 
