@@ -34,6 +34,7 @@
 #include "ui/plots/plots_panel.h"
 #include "ui/start_page.h"
 #include "ui/status_line.h"
+#include "ui/surface_probe.h"
 #include "ui/timeline/timeline_panel.h"
 #include "ui/viewport/viewport.h"
 #include "ui/wheel_focus.h"
@@ -114,6 +115,8 @@ MainWindow::MainWindow(Session& session, Appearance& appearance)
 
 void MainWindow::makePanels() {
     m_viewport = createViewport(m_session, this);
+    if (const auto* pointer = m_viewport->findChild<SurfaceProbe*>())
+        m_status->follow(*pointer);
     m_editor = new EditorPanel(m_session, this);
     auto* plots = new PlotsPanel(m_session, this);
     m_plots = plots;

@@ -10,8 +10,12 @@
 #include <QStatusBar>
 #include <QToolButton>
 
+#include "core/nc/active_offset.h"
 #include "ui/diagnostic_text.h"
+#include "ui/elided_label.h"
 #include "ui/export_text.h"
+#include "ui/probe_text.h"
+#include "ui/surface_probe.h"
 
 namespace proveout {
 
@@ -44,8 +48,10 @@ Motion lastMotion(const Frame& frame) {
 } // namespace
 
 StatusLine::StatusLine(Session& session, QStatusBar& bar)
-    : QObject(&bar), m_session(session), m_bar(bar), m_workLabel(new QLabel(&bar)),
-      m_progress(new QProgressBar(&bar)), m_cancel(new QToolButton(&bar)) {
+    : QObject(&bar), m_session(session), m_bar(bar), m_place(new ElidedLabel(&bar)),
+      m_workLabel(new QLabel(&bar)), m_progress(new QProgressBar(&bar)), m_cancel(new QToolButton(&bar)) {
+    m_place->setObjectName(QStringLiteral("status-place"));
+    bar.addWidget(m_place, 1);
     bar.addPermanentWidget(m_workLabel);
     bar.addPermanentWidget(m_progress);
     bar.addPermanentWidget(m_cancel);
@@ -157,12 +163,25 @@ void StatusLine::forgetWhatIsBehind(const Frame& frame) {
         forget(Until::moved);
 }
 
+void StatusLine::follow(const SurfaceProbe& pointer) {
+    m_pointer = &pointer;
+    connect(&pointer, &SurfaceProbe::moved, this, &StatusLine::showPlace);
+}
+
+void StatusLine::showPlace() {
+    if (m_pointer == nullptr)
+        return;
+    const QString position = positionText(*m_pointer, m_bar.locale());
+    const QString cut = cutText(*m_pointer);
+    m_place->setText(cut.isEmpty() ? position : position + QStringLiteral("   ·   ") + cut);
+}
+
 void StatusLine::retranslate() {
     m_cancel->setText(tr("Cancel"));
     m_cancel->setToolTip(tr("Stop this work"));
-    const std::array<QString, kFieldCount> tips{tr("Position X of the tip of the cutter, mm"),
-                                                tr("Position Y of the tip of the cutter, mm"),
-                                                tr("Position Z of the tip of the cutter, mm"),
+    const std::array<QString, kFieldCount> tips{tr("Tool tip X in the active work offset, mm"),
+                                                tr("Tool tip Y in the active work offset, mm"),
+                                                tr("Tool tip Z in the active work offset, mm"),
                                                 tr("Feed, mm/min"),
                                                 tr("Spindle speed, 1/min"),
                                                 tr("Tool in the spindle"),
@@ -200,6 +219,7 @@ void StatusLine::onTick(const FramePtr& frame) {
     showWork();
     if (frame)
         forgetWhatIsBehind(*frame);
+    showPlace();
     const bool otherFaces =
         frame && std::exchange(m_facesFull, frame->surface.facesFull) != frame->surface.facesFull;
     const bool toolAssumed = frame && frame->toolAssumed;
@@ -223,7 +243,9 @@ void StatusLine::showFrame(const FramePtr& frame) {
         return QLatin1String(name) +
                (executed && frame->cutterKnown ? millimetres(locale, value) : QStringLiteral("–"));
     };
-    const Vec3 position = frame ? frame->cutterPosition : Vec3(0);
+    const ActiveOffset offset =
+        frame && frame->program ? activeOffset(*frame->program, frame->block) : ActiveOffset();
+    const Vec3 position = frame ? frame->cutterPosition - offset.zero : Vec3(0);
     set(kX, axis("X ", position.x));
     set(kY, axis("Y ", position.y));
     set(kZ, axis("Z ", position.z));

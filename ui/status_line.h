@@ -15,13 +15,18 @@ class QToolButton;
 
 namespace proveout {
 
-/// What the status bar tells: position, feed, speed, tool, block, faces; and long work with a Cancel button.
-/// The fields have fixed widths, so that nothing jumps while numbers change.
+class ElidedLabel;
+class SurfaceProbe;
+
+/// What the status bar tells: the place under the pointer; position, feed, speed, tool, block, faces; and
+/// long work with a Cancel button. The fields have fixed widths, so that nothing jumps while numbers change.
 class StatusLine final : public QObject {
     Q_OBJECT
 
 public:
     StatusLine(Session& session, QStatusBar& bar);
+    /// Shows the place under the pointer, too; it must outlive the last tick of the session.
+    void follow(const SurfaceProbe& pointer);
     void retranslate();
     /// The first problem, for a while; no longer than it is one.
     void tellProblem();
@@ -42,6 +47,7 @@ private:
     void forget(Until event);
     void forgetProblem();
     void forgetWhatIsBehind(const Frame& frame);
+    void showPlace();
     /// Makes each field as wide as the widest text that it will show for this program and stock.
     void fitFields();
     void set(Field field, const QString& text);
@@ -49,6 +55,8 @@ private:
     Session& m_session;
     QStatusBar& m_bar;
     std::array<QLabel*, kFieldCount> m_fields{};
+    const SurfaceProbe* m_pointer = nullptr;
+    ElidedLabel* m_place; ///< under the pointer
     QLabel* m_workLabel;
     QProgressBar* m_progress;
     QToolButton* m_cancel;

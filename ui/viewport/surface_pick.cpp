@@ -184,9 +184,9 @@ bool isOver(const StockBox& box, const Vec3& place) {
 
 } // namespace
 
-PickedPlace pickPlace(const FramePtr& whole, const FramePtr& closer, const Ray& ray) {
+std::optional<SurfacePlace> pickSurface(const FramePtr& whole, const FramePtr& closer, const Ray& ray) {
     if (whole == nullptr)
-        return {};
+        return std::nullopt;
     const auto hit = pickStock(whole->zmap, ray);
     if (closer != nullptr) {
         const auto fine = pickStock(closer->zmap, ray);
@@ -194,9 +194,16 @@ PickedPlace pickPlace(const FramePtr& whole, const FramePtr& closer, const Ray& 
         const bool hidden = hit && fine && !isOver(closer->zmap.stock(), *hit) &&
                             glm::distance(ray.origin, *hit) < glm::distance(ray.origin, *fine);
         if (point && !hidden)
-            return {closer, point};
+            return SurfacePlace{{closer, point}, *fine};
     }
-    return hit ? PickedPlace{whole, mapPointAt(whole->zmap, *hit)} : PickedPlace();
+    if (!hit)
+        return std::nullopt;
+    return SurfacePlace{{whole, mapPointAt(whole->zmap, *hit)}, *hit};
+}
+
+PickedPlace pickPlace(const FramePtr& whole, const FramePtr& closer, const Ray& ray) {
+    const auto place = pickSurface(whole, closer, ray);
+    return place ? place->picked : PickedPlace();
 }
 
 bool isInStock(const ZMapSnapshot& zmap, const Vec3& point) {

@@ -5,7 +5,7 @@
 
 #include "core/simulation/block_provenance.h"
 #include "core/zmap/zmap.h"
-#include "ui/block_search.h"
+#include "ui/surface_probe.h"
 #include "ui/viewport/camera.h"
 
 namespace proveout {
@@ -19,6 +19,9 @@ namespace proveout {
 [[nodiscard]] std::optional<MapPoint> mapPointAt(const ZMapSnapshot& zmap, const Vec3& place);
 /// The place that a ray meets first, in the picture that shows a closer look in the place of the stock there;
 /// `closer` may be null, as `whole` may.
+[[nodiscard]] std::optional<SurfacePlace> pickSurface(const FramePtr& whole, const FramePtr& closer,
+                                                      const Ray& ray);
+/// The same, without where it is.
 [[nodiscard]] PickedPlace pickPlace(const FramePtr& whole, const FramePtr& closer, const Ray& ray);
 /// Whether a point lies between the stock's underside and its top, taken at the nearest grid point.
 [[nodiscard]] bool isInStock(const ZMapSnapshot& zmap, const Vec3& point);

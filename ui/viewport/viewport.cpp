@@ -12,9 +12,11 @@
 #include <QOpenGLPaintDevice>
 #include <QPainter>
 
+#include "ui/surface_probe.h"
 #include "ui/theme.h"
 #include "ui/viewport/closer_look_form.h"
 #include "ui/viewport/hud.h"
+#include "ui/viewport/place_label.h"
 #include "ui/viewport/surface_pick.h"
 #include "ui/viewport/tool_notice.h"
 #include "ui/viewport/viewport_commands.h"
@@ -39,8 +41,8 @@ double seconds(const QElapsedTimer& timer) {
 } // namespace
 
 Viewport::Viewport(Session& session, const GlSupport& support, QWidget* parent)
-    : QOpenGLWidget(parent), m_session(session), m_support(support),
-      m_form(new CloserLookForm(m_look, this)) {
+    : QOpenGLWidget(parent), m_session(session), m_support(support), m_form(new CloserLookForm(m_look, this)),
+      m_probe(new SurfaceProbe(this)), m_placeLabel(new PlaceLabel(this)) {
     QSurfaceFormat format;
     format.setVersion(3, 3);
     format.setProfile(QSurfaceFormat::CoreProfile);
@@ -50,6 +52,7 @@ Viewport::Viewport(Session& session, const GlSupport& support, QWidget* parent)
     format.setSamples(support.software ? 0 : 4);
     setFormat(format);
     setFocusPolicy(Qt::StrongFocus);
+    setMouseTracking(true);
     setMinimumSize(160, 120);
 
     m_commands =
@@ -73,7 +76,8 @@ Viewport::Viewport(Session& session, const GlSupport& support, QWidget* parent)
     connect(m_form, &CloserLookForm::closed, this, &Viewport::closeLook);
     connect(m_form, &CloserLookForm::edited, this, &Viewport::followForm);
     connect(&m_look, &CloserLook::changed, this, &Viewport::followLook);
-    connect(&session, &Session::tick, this, &Viewport::setFrame);
+    connect(&session, &Session::tick, this, &Viewport::onTick);
+    connect(m_probe, &SurfaceProbe::answered, &session, &Session::requestTick);
     new ToolNotice(session, this);
     followPalette();
     followOptions();
@@ -87,6 +91,11 @@ Viewport::~Viewport() {
     makeCurrent();
     releaseGl();
     doneCurrent();
+}
+
+void Viewport::onTick(const FramePtr& frame) {
+    setFrame(frame);
+    probeSurface();
 }
 
 void Viewport::setFrame(const FramePtr& frame) {
@@ -110,6 +119,7 @@ void Viewport::setFrame(const FramePtr& frame) {
 void Viewport::moved() {
     leaveTheSolid();
     m_fits = false;
+    probeAgain();
     repaintSoon();
 }
 
@@ -157,6 +167,12 @@ void Viewport::followOptions() {
     repaintSoon();
 }
 
+void Viewport::setPlaceLabelShown(bool shown) {
+    m_placeLabelShown = shown;
+    probeAgain();
+    followOptions();
+}
+
 void Viewport::followPalette() {
     m_options.colours = isDark(palette()) ? darkColours() : lightColours();
     repaintSoon();
@@ -170,6 +186,7 @@ void Viewport::setStandardView(StandardView view) {
 void Viewport::setPerspective(bool perspective) {
     m_camera.setPerspective(perspective);
     leaveTheSolid();
+    probeAgain();
     followOptions();
 }
 
@@ -185,6 +202,7 @@ void Viewport::fit() {
     }
     m_camera.fit(box);
     m_fits = true;
+    probeAgain();
     repaintSoon();
 }
 
@@ -255,6 +273,8 @@ void Viewport::paintGL() {
         m_boxFits = m_renderer->uploadBox(m_look.picture(), UploadBudget(kUploadAtOnce));
         if (!m_look.box())
             m_renderer->releaseBox();
+        if (showsHiddenPath())
+            m_renderer->advancePath(UploadBudget(kUploadAtOnce));
         // Waiting for the end costs nothing at 30 pictures a second and makes the figures honest.
         m_renderer->finish();
         uploadSeconds = seconds(timer);
@@ -268,11 +288,21 @@ void Viewport::paintGL() {
     if (m_frame != nullptr)
         m_session.reportDrawn(m_frame->sequence, uploadSeconds, drawSeconds);
     paintOverlay(view);
-    if (m_renderer != nullptr && m_renderer->boxPending())
+    if (workPending())
         m_uploading.start(0);
     const bool worthIt = m_support.software && kSmoothCost * m_plainSeconds < kLongestSmoothSeconds;
     if (worthIt && !m_smooth && m_frame != nullptr && !m_frame->playing)
         m_rest.start();
+}
+
+bool Viewport::showsHiddenPath() const {
+    return m_options.pathThroughStock && m_options.path != PathShown::none;
+}
+
+/// What a picture waits for without holding up the window.
+bool Viewport::workPending() const {
+    return m_renderer != nullptr &&
+           (m_renderer->boxPending() || (showsHiddenPath() && m_renderer->pathPending()));
 }
 
 /// Between the events of the window, and without a picture that shows nothing new.
@@ -283,7 +313,9 @@ void Viewport::goOnUploading() {
     m_boxFits = m_renderer->uploadBox(m_look.picture(), UploadBudget(kUploadAtOnce));
     m_renderer->finish();
     doneCurrent();
-    if (m_renderer->boxPending())
+    if (showsHiddenPath())
+        m_renderer->advancePath(UploadBudget(kUploadAtOnce));
+    if (workPending())
         m_uploading.start(0);
     else
         repaintSoon();

@@ -23,6 +23,8 @@ class QOpenGLFramebufferObject;
 namespace proveout {
 
 class CloserLookForm;
+class PlaceLabel;
+class SurfaceProbe;
 
 /// The 3D view of a session, with its commands as actions() of the widget; where OpenGL is not to be had, a
 /// plain message that stands for it: the rest of the window works on. Owned by `parent`. Thread: UI.
@@ -31,7 +33,7 @@ class CloserLookForm;
 [[nodiscard]] QWidget* createViewport(Session& session, const GlSupport& support, QWidget* parent);
 
 /// Repaints in the session's tick and on the user's gestures only, and tells the session what uploading and
-/// drawing took.
+/// drawing took. A SurfaceProbe among its children follows the pointer, in the same ticks.
 class Viewport : public QOpenGLWidget {
     Q_OBJECT
 
@@ -45,6 +47,10 @@ public:
     void setOptions(const SceneOptions& options);
     [[nodiscard]] bool legendShown() const { return m_legend; }
     void setLegendShown(bool shown);
+
+    /// Whether the place under the pointer is told beside it.
+    [[nodiscard]] bool placeLabelShown() const { return m_placeLabelShown; }
+    void setPlaceLabelShown(bool shown);
 
     void setStandardView(StandardView view);
     void setPerspective(bool perspective);
@@ -74,11 +80,14 @@ protected:
     void keyPressEvent(QKeyEvent* event) override;
     void changeEvent(QEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
 
 private:
     /// What the next click or drag chooses.
     enum class Choosing : std::uint8_t { nothing, box, place };
 
+    void onTick(const FramePtr& frame);
     void setFrame(const FramePtr& frame);
     void releaseGl();
     void followPalette();
@@ -90,6 +99,8 @@ private:
     void repaintSoon();
     [[nodiscard]] Vec3 under(const QPointF& position) const;
     [[nodiscard]] Box3 sceneBox() const;
+    [[nodiscard]] bool showsHiddenPath() const;
+    [[nodiscard]] bool workPending() const;
     void goOnUploading();
     void drawScene(const View& view);
     void drawSmooth(const View& view);
@@ -108,6 +119,10 @@ private:
     void clicked(Qt::MouseButton button, const QPointF& position);
     void askWhatMade(const QPointF& position);
     void openMenu(const QPointF& position);
+    void hover(const QPointF& position);
+    void probeAgain();
+    void probeSurface();
+    void showPlace();
 
     Session& m_session;
     GlSupport m_support;
@@ -125,6 +140,11 @@ private:
     Choosing m_choosing = Choosing::nothing;
     std::optional<BoxChoice> m_choice; ///< while it is drawn
 
+    std::optional<QPointF> m_hover; ///< the pointer, while it is over the view
+    SurfaceProbe* m_probe;
+    PlaceLabel* m_placeLabel;
+    bool m_placeLabelShown = true;
+
     Gesture m_gesture = Gesture::none;
     QPointF m_last;
     std::optional<QPointF> m_pressed; ///< where a click has begun that has not become a drag
@@ -132,7 +152,7 @@ private:
     std::unique_ptr<SceneRenderer> m_renderer;
     std::unique_ptr<QOpenGLFramebufferObject> m_smoothTarget;
     UploadCounts m_uploaded;
-    QTimer m_uploading;    ///< runs while a box of interest goes to the graphics side
+    QTimer m_uploading;    ///< runs while a box of interest or a long toolpath is prepared
     QTimer m_rest;         ///< the picture has not changed for a moment
     bool m_smooth = false; ///< draw with smoothed edges, although software takes long for it
     double m_plainSeconds = 0;

@@ -34,7 +34,7 @@ void choose(Viewport& viewport) {
 
 constexpr auto kFocus = Reach::focus;
 
-const std::array<Command<Viewport>, 23> kCommands{{
+const std::array<Command<Viewport>, 25> kCommands{{
     {"view-fit", QT_TRANSLATE_NOOP("ViewportCommands", "&Fit"),
      QT_TRANSLATE_NOOP("ViewportCommands", "Show the whole stock"), "fit", "F", kFocus,
      [](Viewport& viewport) { viewport.fit(); }},
@@ -67,6 +67,10 @@ const std::array<Command<Viewport>, 23> kCommands{{
     {"view-legend", QT_TRANSLATE_NOOP("ViewportCommands", "Lege&nd"),
      QT_TRANSLATE_NOOP("ViewportCommands", "Show what the colours and lines mean"), "legend", "L", kFocus,
      [](Viewport& viewport) { viewport.setLegendShown(!viewport.legendShown()); }},
+    {"view-place", QT_TRANSLATE_NOOP("ViewportCommands", "P&osition at Pointer"),
+     QT_TRANSLATE_NOOP("ViewportCommands",
+                       "Show the coordinates under the pointer, and the line that cut there"),
+     "", "", kFocus, [](Viewport& viewport) { viewport.setPlaceLabelShown(!viewport.placeLabelShown()); }},
     separator<Viewport>(),
     {"look-closer", QT_TRANSLATE_NOOP("ViewportCommands", "Look Clo&ser"),
      QT_TRANSLATE_NOOP("ViewportCommands",
@@ -85,6 +89,9 @@ const std::array<Command<Viewport>, 23> kCommands{{
     {"path-whole", QT_TRANSLATE_NOOP("ViewportCommands", "Wh&ole Toolpath"),
      QT_TRANSLATE_NOOP("ViewportCommands", "Draw the toolpath of the whole program"), "", "", kFocus,
      choose<&SceneOptions::path, PathShown::whole>},
+    {"path-through", QT_TRANSLATE_NOOP("ViewportCommands", "Toolpath Through Stoc&k"),
+     QT_TRANSLATE_NOOP("ViewportCommands", "Show the toolpath inside and behind the stock, dimmed"), "", "",
+     kFocus, toggle<&SceneOptions::pathThroughStock>},
     separator<Viewport>(),
     {"cutter-see-through", QT_TRANSLATE_NOOP("ViewportCommands", "See-Through C&utter"),
      QT_TRANSLATE_NOOP("ViewportCommands", "Let the stock show through the cutter"), "cutter", "", kFocus,
@@ -105,15 +112,17 @@ bool has(const Viewport& viewport) {
     return viewport.options().*Member == Value;
 }
 
-const std::array<Switch, 10> kSwitches{{
+const std::array<Switch, 12> kSwitches{{
     {"view-perspective", [](const Viewport& viewport) { return viewport.camera().perspective(); }},
     {"view-wireframe", has<&SceneOptions::wireframe, true>},
     {"view-tint", has<&SceneOptions::tint, true>},
     {"view-legend", [](const Viewport& viewport) { return viewport.legendShown(); }},
+    {"view-place", [](const Viewport& viewport) { return viewport.placeLabelShown(); }},
     {"look-closer", [](const Viewport& viewport) { return viewport.looksCloser(); }},
     {"path-none", has<&SceneOptions::path, PathShown::none>},
     {"path-near", has<&SceneOptions::path, PathShown::nearCutter>},
     {"path-whole", has<&SceneOptions::path, PathShown::whole>},
+    {"path-through", has<&SceneOptions::pathThroughStock, true>},
     {"cutter-see-through", has<&SceneOptions::cutter, CutterShown::seeThrough>},
     {"cutter-hidden", has<&SceneOptions::cutter, CutterShown::hidden>},
 }};

@@ -11,7 +11,10 @@
 #include <QStatusTipEvent>
 #include <QWheelEvent>
 
+#include "ui/probe_text.h"
+#include "ui/surface_probe.h"
 #include "ui/viewport/closer_look_form.h"
+#include "ui/viewport/place_label.h"
 #include "ui/viewport/surface_pick.h"
 #include "ui/viewport/viewport.h"
 
@@ -41,6 +44,7 @@ void Viewport::askWhatMade(const QPointF& position) {
 }
 
 void Viewport::openMenu(const QPointF& position) {
+    m_placeLabel->hide();
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     // The command of the menu bar asks for a click; here the place is known.
@@ -59,6 +63,51 @@ void Viewport::contextMenuEvent(QContextMenuEvent* event) {
     if (event->reason() != QContextMenuEvent::Mouse)
         openMenu(event->pos());
     event->accept();
+}
+
+// --- the place under the pointer
+
+void Viewport::hover(const QPointF& position) {
+    m_hover = position;
+    probeAgain();
+}
+
+/// With the next tick, as all of the window: the status line tells the place too.
+void Viewport::probeAgain() {
+    if (m_hover)
+        m_session.requestTick();
+}
+
+void Viewport::probeSurface() {
+    std::optional<SurfacePlace> place;
+    if (m_hover) {
+        const QPointF pixel = *m_hover * devicePixelRatioF();
+        place = pickSurface(m_frame, m_look.picture(), m_camera.ray(pixel.x(), pixel.y()));
+    }
+    if (place || m_probe->place())
+        m_probe->point(place, m_frame != nullptr && m_frame->program == m_session.program());
+    showPlace();
+}
+
+void Viewport::showPlace() {
+    const bool busy = m_gesture != Gesture::none || m_choice || QApplication::activePopupWidget() != nullptr;
+    if (!m_placeLabelShown || !m_hover || !m_probe->place() || busy || !isActiveWindow())
+        return m_placeLabel->hide();
+    const QString cut = cutText(*m_probe);
+    const QString position = positionText(*m_probe, locale());
+    m_placeLabel->showAt(mapToGlobal(m_hover->toPoint()), cut.isEmpty() ? position : position + u'\n' + cut);
+}
+
+void Viewport::leaveEvent(QEvent* event) {
+    QOpenGLWidget::leaveEvent(event);
+    m_placeLabel->hide();
+    probeAgain();
+    m_hover.reset();
+}
+
+void Viewport::hideEvent(QHideEvent* event) {
+    m_placeLabel->hide();
+    QOpenGLWidget::hideEvent(event);
 }
 
 // --- the user's gestures
@@ -82,6 +131,7 @@ void Viewport::mousePressEvent(QMouseEvent* event) {
         m_pressed = event->position();
     m_gesture = gestureFor(event->button(), event->modifiers());
     m_last = event->position();
+    m_placeLabel->hide();
 }
 
 /// Whether what begins with it means something if it stays a click.
@@ -104,6 +154,7 @@ void Viewport::clicked(Qt::MouseButton button, const QPointF& position) {
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
+    hover(event->position());
     if (m_pressed && (event->position() - *m_pressed).manhattanLength() >= QApplication::startDragDistance())
         m_pressed.reset();
     if (m_choice) {
@@ -125,6 +176,7 @@ void Viewport::mouseMoveEvent(QMouseEvent* event) {
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
     m_gesture = Gesture::none;
+    hover(event->position());
     if (std::exchange(m_pressed, std::nullopt))
         return clicked(event->button(), event->position());
     if (!m_choice || event->button() != Qt::LeftButton)

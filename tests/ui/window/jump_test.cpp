@@ -6,6 +6,8 @@
 #include <QApplication>
 #include <QContextMenuEvent>
 #include <QDockWidget>
+#include <QLabel>
+#include <QLocale>
 #include <QMenu>
 #include <QStatusBar>
 #include <QTest>
@@ -16,6 +18,7 @@
 #include "ui/editor/nc_editor.h"
 #include "ui/gl/gl_functions.h"
 #include "ui/viewport/box_choice.h"
+#include "ui/viewport/place_label.h"
 #include "ui/viewport/surface_pick.h"
 #include "ui/viewport/viewport.h"
 
@@ -132,6 +135,93 @@ private slots:
         wentTo(expected);
     }
 
+    void thePointerShowsThePlaceAndItsLine() {
+        const QPoint at = placeOf(true);
+        const std::uint32_t line = session().program()->blockLine(expectedAt(at) - 1);
+        const auto place = pickSurface(session().frame(), nullptr, rayAt(at));
+        QTest::mouseMove(&view(), at);
+        const QString position = QStringLiteral("X %1  Y %2  Z %3 mm (G54)")
+                                     .arg(number(place->at.x), number(place->at.y), number(place->at.z));
+        const QString cut = QStringLiteral("Line %1, T1").arg(line);
+        QTRY_VERIFY2_WITH_TIMEOUT(status().contains(position) && status().contains(cut), qPrintable(status()),
+                                  kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(label().isVisible(), kPatience);
+        QCOMPARE(label().text(), position + u'\n' + cut);
+        QVERIFY(label().isWindow()); // else every move would compose the window again
+        QVERIFY(!label().geometry().contains(view().mapToGlobal(at)));
+        // A switch of the menu; the status line stays.
+        m_station->window.action(QStringLiteral("view-place"))->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(!label().isVisible(), kPatience);
+        QVERIFY(status().contains(cut));
+        m_station->window.action(QStringLiteral("view-place"))->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(label().isVisible(), kPatience);
+        // Not while the view is turned, nor beside the stock.
+        QTest::mousePress(&view(), Qt::LeftButton, {}, at);
+        QVERIFY(!label().isVisible());
+        QTest::mouseRelease(&view(), Qt::LeftButton, {}, at);
+        QTRY_VERIFY_WITH_TIMEOUT(label().isVisible(), kPatience);
+        QTest::mouseMove(&view(), QPoint(view().width() - 4, view().height() - 4));
+        QTRY_VERIFY_WITH_TIMEOUT(!label().isVisible() && status().isEmpty(), kPatience);
+    }
+
+    void thePointerKnowsRawStockSidesAndDetailRegions() {
+        goTo(kFacing);
+        QTest::mouseMove(&view(), placeOf(false));
+        QTRY_VERIFY2_WITH_TIMEOUT(status().contains(QLatin1String("Raw stock")), qPrintable(status()),
+                                  kPatience);
+        view().setStandardView(StandardView::front);
+        const StockBox stock = session().frame()->zmap.stock();
+        const Vec2 side = view().camera().project(
+            {stock.corner.x + 0.4 * stock.width, stock.corner.y, stock.floorZ() + 0.3 * stock.height});
+        QTest::mouseMove(&view(), (QPointF(side.x, side.y) / view().devicePixelRatioF()).toPoint());
+        QTRY_VERIFY2_WITH_TIMEOUT(status().contains(QLatin1String("Raw stock")) &&
+                                      status().contains(QStringLiteral("Y %1").arg(number(stock.corner.y))),
+                                  qPrintable(status()), kPatience);
+        goTo(kStart);
+        view().setStandardView(StandardView::top);
+        const QPoint at = placeOf(true);
+        const auto coarse = pickSurface(session().frame(), nullptr, rayAt(at));
+        view().closerLook().look({boxAbout(Vec2(coarse->at), {6, 6}, stock), 0.05});
+        QTRY_VERIFY_WITH_TIMEOUT(view().closerLook().picture() != nullptr, kPatience);
+        QTest::mouseMove(&view(), at + QPoint(1, 0));
+        QTest::mouseMove(&view(), at);
+        const auto fine = pickSurface(session().frame(), view().closerLook().picture(), rayAt(at));
+        QTRY_VERIFY2_WITH_TIMEOUT(status().contains(QStringLiteral("Z %1 mm").arg(number(fine->at.z))) &&
+                                      status().contains(QLatin1String("Line ")),
+                                  qPrintable(status()), kPatience);
+    }
+
+    void thePointerPaintsWithTheTickOnly() {
+        QTest::mouseMove(&view(), placeOf(true));
+        QTRY_VERIFY_WITH_TIMEOUT(status().contains(QLatin1String("Line ")), kPatience);
+        int drawn = 0;
+        int ticks = 0;
+        QObject context;
+        QObject::connect(&session(), &Session::tick, &context, [&] { ++ticks; });
+        QObject::connect(&view(), &QOpenGLWidget::aboutToCompose, &context, [&] { ++drawn; });
+        const QPoint from = placeOf(true);
+        for (int k = 0; k < 60; ++k) {
+            QTest::mouseMove(&view(), from + QPoint(k % 30, k / 30));
+            QTest::qWait(5);
+        }
+        QVERIFY(ticks > 2);
+        QVERIFY2(drawn <= 2 * ticks + 4, qPrintable(QStringLiteral("%1 %2").arg(drawn).arg(ticks)));
+    }
+
+    void thePointerDoesNotHoldUpPlayback() {
+        const QPoint at = placeOf(true);
+        session().seek(0);
+        QTRY_COMPARE_WITH_TIMEOUT(session().block(), std::size_t{0}, kPatience);
+        session().setSpeed(2000);
+        session().play();
+        QTest::mouseMove(&view(), at);
+        QTRY_VERIFY_WITH_TIMEOUT(session().block() > 150, kPatience);
+        QTest::mouseMove(&view(), at + QPoint(1, 1));
+        QTRY_VERIFY_WITH_TIMEOUT(session().block() == session().blockCount(), kPatience);
+        session().pause();
+        QTRY_VERIFY2_WITH_TIMEOUT(status().contains(QLatin1String("Line ")), qPrintable(status()), kPatience);
+    }
+
     void rawStockAndNoStockAreTold() {
         goTo(kFacing);
         const QPoint at = placeOf(false);
@@ -168,6 +258,14 @@ private:
             std::find_if(menus.begin(), menus.end(), [](QMenu* menu) { return menu->isVisible(); });
         return shown == menus.end() ? nullptr : *shown;
     }
+
+    Ray rayAt(const QPoint& at) {
+        const double ratio = view().devicePixelRatioF();
+        return view().camera().ray(at.x() * ratio, at.y() * ratio);
+    }
+    QLabel& label() { return *view().findChild<PlaceLabel*>(); }
+    QString status() { return m_station->window.findChild<QLabel*>(QStringLiteral("status-place"))->text(); }
+    static QString number(double value) { return QLocale().toString(value, 'f', 3); }
 
     void goTo(std::size_t block) {
         session().seek(block);
