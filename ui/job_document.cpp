@@ -45,6 +45,28 @@ Result<void> withHint(Result<void> result) {
     return result;
 }
 
+/// What differs between `from` and `to` comes into `now`; with `whereSame` only where `now` is like `from`.
+std::shared_ptr<const Setup> carried(Setup now, const Setup& from, const Setup& to, bool whereSame) {
+    const auto carry = [&](auto Setup::*field) {
+        if (!(from.*field == to.*field) && (!whereSame || now.*field == from.*field))
+            now.*field = to.*field;
+    };
+    // Every field: a new one does not compile until it is counted here, and carried below.
+    [[maybe_unused]] const auto& [f1, f2, f3, f4, f5, f6, f7, f8, f9, f10, f11] = now;
+    carry(&Setup::stock);
+    carry(&Setup::shape);
+    carry(&Setup::spacing);
+    carry(&Setup::automaticGrid);
+    carry(&Setup::tools);
+    carry(&Setup::start);
+    carry(&Setup::startTool);
+    carry(&Setup::dialect);
+    carry(&Setup::blockDelete);
+    carry(&Setup::compensationTypeB);
+    carry(&Setup::ignoredM);
+    return std::make_shared<const Setup>(std::move(now));
+}
+
 } // namespace
 
 Result<Document> JobDocument::readText(const std::filesystem::path& file, const WorkContext& context) {
@@ -290,11 +312,12 @@ void JobDocument::setSetup(std::shared_ptr<const Setup> setup) {
 }
 
 void JobDocument::fitSetup(std::shared_ptr<const Setup> setup, bool forNow) {
-    const bool saved = *m_setup == *m_saved.setup;
+    const std::shared_ptr<const Setup> before = m_setup;
     takeSetup(std::move(setup));
     m_wantsStock = m_wantsStock && forNow;
-    if (saved) // what the user has changed stays unsaved
-        m_saved.setup = m_setup;
+    // What the user has changed stays unsaved.
+    const bool saved = *before == *m_saved.setup;
+    m_saved.setup = saved ? m_setup : carried(*m_saved.setup, *before, *m_setup, true);
 }
 
 void JobDocument::takeSetup(std::shared_ptr<const Setup> setup) {
@@ -313,6 +336,20 @@ void JobDocument::setParameters(const DecimationParameters& parameters) {
 void JobDocument::setMachine(const Machine& machine) {
     ++m_revision;
     m_machine = machine;
+}
+
+void JobDocument::change(const JobValues& from, const JobValues& to) {
+    ++m_revision;
+    if (from.setup != to.setup) {
+        m_setup = m_setup == from.setup ? to.setup : carried(*m_setup, *from.setup, *to.setup, false);
+        m_wantsStock = to.wantsStock;
+    }
+    if (from.parameters != to.parameters) {
+        m_parameters = to.parameters;
+        m_regionNamed = to.regionNamed;
+    }
+    if (from.machine != to.machine)
+        m_machine = to.machine;
 }
 
 } // namespace proveout

@@ -44,6 +44,15 @@ struct KeptWork {
     bool jobModified = false;
 };
 
+/// Setup, parameters and machine of one moment. Value type, cheap to copy.
+struct JobValues {
+    std::shared_ptr<const Setup> setup; ///< never null
+    DecimationParameters parameters;
+    std::optional<Machine> machine; ///< nothing: not described
+    bool regionNamed = false;       ///< else the region size is the standard, and follows the map
+    bool wantsStock = true;         ///< the stock is still to be fitted to the program
+};
+
 /// What File > Open reads and File > Save writes: a program text with its set-up and decimation parameters,
 /// and the job file that holds these two where there is one. Value type; one thread at a time.
 class JobDocument {
@@ -68,6 +77,9 @@ public:
     [[nodiscard]] const std::shared_ptr<const Setup>& setup() const { return m_setup; } ///< never null
     [[nodiscard]] const DecimationParameters& parameters() const { return m_parameters; }
     [[nodiscard]] const std::optional<Machine>& machine() const { return m_machine; }
+    [[nodiscard]] JobValues values() const {
+        return {m_setup, m_parameters, m_machine, m_regionNamed, m_wantsStock};
+    }
     /// Whether the stock is still to be fitted to the program: no job and no user has given one.
     [[nodiscard]] bool wantsStock() const { return m_wantsStock; }
     /// Whether set-up or parameters hold changes that no job file has.
@@ -120,6 +132,9 @@ public:
     void fitSetup(std::shared_ptr<const Setup> setup, bool forNow = false);
     void setParameters(const DecimationParameters& parameters);
     void setMachine(const Machine& machine);
+    /// Brings what differs between two moments from the first to the second: a step undone or redone. What
+    /// both have in common stays as it is now.
+    void change(const JobValues& from, const JobValues& to);
 
 private:
     [[nodiscard]] static std::shared_ptr<const Setup> newSetup();

@@ -37,6 +37,7 @@
 #include "ui/surface_probe.h"
 #include "ui/timeline/timeline_panel.h"
 #include "ui/viewport/viewport.h"
+#include "ui/undo_commands.h"
 #include "ui/wheel_focus.h"
 
 namespace proveout {
@@ -81,6 +82,7 @@ MainWindow::MainWindow(Session& session, Appearance& appearance)
     makePanels();
     makeDocks();
     makeMenus();
+    m_undo = new UndoCommands(session, *m_editor, {panelOf("dock-setup"), panelOf("dock-tuning")}, this);
     makeToolBar();
     connect(&session, &Session::documentChanged, this, [this] {
         titleWindow();
@@ -158,6 +160,7 @@ void MainWindow::makeDocks() {
     }
     new DockTitles(*this, std::move(titled));
 }
+        m_focus->add(*dock);
 
 void MainWindow::arrange() {
     const DockLayout& layout = m_layoutMenu->present();
@@ -168,6 +171,10 @@ void MainWindow::arrange() {
 }
 
 /// The editor is as wide as the lines of its text where there is room; a width that the user gave it stays.
+const QWidget* MainWindow::panelOf(const char* dock) const {
+    return findChild<QDockWidget*>(QLatin1String(dock))->widget();
+}
+
 void MainWindow::fitEditor() {
     QDockWidget* dock = m_docks[kProgramDock];
     if (dock->isFloating() || std::abs(dock->width() - m_fittedWidth) > kSameWidth)

@@ -16,6 +16,7 @@
 #include "ui/plots/plots_panel.h"
 #include "ui/recent_menu.h"
 #include "ui/resource_paths.h"
+#include "ui/undo_commands.h"
 
 namespace proveout {
 
@@ -41,7 +42,8 @@ void MainWindow::makeMenus() {
     file->insertMenu(m_fileCommands.all()[2], recent);
     m_menus.emplace_back(recent, QT_TRANSLATE_NOOP("Menus", "Open &Recent"));
 
-    QMenu* edit = addMenu(QT_TRANSLATE_NOOP("Menus", "&Edit"), m_editor->actions());
+    QMenu* edit =
+        addMenu(QT_TRANSLATE_NOOP("Menus", "&Edit"), listOf(m_undo->actions().all()) + m_editor->actions());
     edit->addSeparator();
     edit->addActions(m_problems->actions());
 

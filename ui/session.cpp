@@ -19,7 +19,8 @@ constexpr int kPaperWatchdogMs = 2000;
 
 } // namespace
 
-Session::Session(QObject* parent) : QObject(parent) {
+Session::Session(QObject* parent)
+    : QObject(parent), m_history([this](const JobValues& from, const JobValues& to) { change(from, to); }) {
     m_paperWatchdog.setSingleShot(true);
     m_paperWatchdog.setInterval(kPaperWatchdogMs);
     connect(&m_paperWatchdog, &QTimer::timeout, this, [this] {

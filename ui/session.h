@@ -31,6 +31,7 @@
 #include "ui/file_watch.h"
 #include "ui/frame_log.h"
 #include "ui/job_document.h"
+#include "ui/job_history.h"
 #include "ui/newest_task.h"
 #include "ui/playback.h"
 #include "ui/played_parameters.h"
@@ -186,6 +187,12 @@ public:
     /// is no motion.
     [[nodiscard]] StockBox stockFittedToProgram() const;
 
+    /// The user's steps in setup, parameters and machine since the document was opened.
+    [[nodiscard]] JobHistory& history() { return m_history; }
+    /// With what panels still hold back.
+    void undoStep();
+    void redoStep();
+
     /// Writes the stock of the newest frame in the background; work() tells how far it is.
     void exportMesh(const QString& file, const ExportOptions& options);
     /// Saves it for the next set-up, in the background too.
@@ -208,6 +215,8 @@ signals:
     void parametersChanged();
     void playbackChanged(); ///< canReturn() too
     void machineChanged();
+    /// Input that a panel holds back while the user is still typing is wanted now.
+    void inputWanted();
     void timesChanged();
     void breakpointsChanged();
     /// A breakpoint has stopped the run.
@@ -235,6 +244,8 @@ signals:
 
 private:
     void adopt(JobDocument job);
+    void change(const JobValues& from, const JobValues& to);
+    void runOn(const Setup& before);
     bool saved(const Result<void>& written, bool text, bool job);
     void watchFiles();
     void watchedJobChanged();
@@ -272,6 +283,7 @@ private:
     void exportDone(const Result<ExportSummary>& result);
 
     JobDocument m_job;
+    JobHistory m_history;
     bool m_hasDocument = false;
     Playback m_playback;
 

@@ -31,6 +31,7 @@ void Session::newFile() {
 void Session::adopt(JobDocument job) {
     m_playback.playing = false;
     m_job = std::move(job);
+    m_history.clear();
     m_hasDocument = true;
     m_program.reset();
     m_cutting = {};
@@ -88,19 +89,21 @@ void Session::setParameters(const DecimationParameters& parameters) {
     if (parameters == m_job.parameters())
         return;
     stopOpening();
+    const JobValues before = m_job.values();
     m_job.setParameters(parameters);
     restartHoldBack();
     postParameters();
     emit parametersChanged();
     emit documentChanged();
+    m_history.record(before, m_job.values());
 }
 
 Result<void> Session::setSetup(const Setup& wanted) {
-    const Setup& before = *m_job.setup();
+    const JobValues before = m_job.values();
     Setup setup = wanted;
     if (m_program)
         setup.spacing = gridSpacing(setup, *m_program, gridLimits(m_job.parameters()));
-    if (setup == before)
+    if (setup == *before.setup)
         return {};
     const Result<Grid> grid = makeGrid(setup.stock, setup.spacing);
     if (!grid)
@@ -109,17 +112,52 @@ Result<void> Session::setSetup(const Setup& wanted) {
         checkMapMemory(setup.stock, *grid, m_job.parameters(), {}, static_cast<double>(memoryLimitBytes()));
     if (!fits)
         return fits;
-    const bool otherProgram = !m_program || !interpretedAlike(*m_program, setup, before);
-    const DecimationParameters parametersBefore = parameters();
     stopOpening();
     m_job.setSetup(std::make_shared<const Setup>(setup));
-    if (otherProgram)
+    runOn(*before.setup);
+    tellSetup(before.parameters);
+    emit documentChanged();
+    m_history.record(before, m_job.values());
+    return {};
+}
+
+/// The setup is another than `before`.
+void Session::runOn(const Setup& before) {
+    if (m_job.wantsStock() || !m_program || !interpretedAlike(*m_program, setup(), before))
         interpret();
     else
         load();
-    tellSetup(parametersBefore);
+}
+
+/// A step is undone or redone.
+void Session::change(const JobValues& from, const JobValues& to) {
+    const JobValues before = m_job.values();
+    stopOpening();
+    m_job.change(from, to);
+    if (before.setup != m_job.setup()) {
+        runOn(*before.setup);
+        emit setupChanged();
+    }
+    if (!(before.parameters == parameters())) {
+        restartHoldBack();
+        postParameters();
+        emit parametersChanged();
+    }
+    if (before.machine != machine()) {
+        askForTimes();
+        emit machineChanged();
+    }
     emit documentChanged();
-    return {};
+}
+
+void Session::undoStep() {
+    emit inputWanted();
+    m_history.undo();
+}
+
+void Session::redoStep() {
+    emit inputWanted(); // which leaves nothing to redo where it is a step itself
+    m_history.redo();
 }
 
 /// The region size may have followed the map.

@@ -99,10 +99,12 @@ void Session::setMachine(const Machine& machine) {
     if (m_job.machine() == machine)
         return;
     stopOpening();
+    const JobValues before = m_job.values();
     m_job.setMachine(machine);
     askForTimes();
     emit machineChanged();
     emit documentChanged();
+    m_history.record(before, m_job.values());
 }
 
 /// A million blocks take some tenths of a second: not on this thread.

@@ -120,6 +120,7 @@ void Session::reloadJob() {
                 return adopt(std::move(*read));
             const DecimationParameters before = parameters();
             m_job.replaceJob(*read);
+            m_history.clear();
             if (!sameProgram)
                 m_job.keepMyJob(); // it must name the program of the window
             m_jobWatch.watch(file, m_job.jobState());

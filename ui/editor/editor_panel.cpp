@@ -26,14 +26,7 @@ constexpr double kUsualLines = 0.95; ///< the share of them that fits
 
 } // namespace
 
-const std::array<Command<EditorPanel>, 15> EditorPanel::kCommands{{
-    {"edit-undo", QT_TRANSLATE_NOOP("EditCommands", "&Undo"),
-     QT_TRANSLATE_NOOP("EditCommands", "Take back the last change of the text"), "undo", "Ctrl+Z",
-     Reach::focus, [](EditorPanel& panel) { panel.m_editor->undo(); }},
-    {"edit-redo", QT_TRANSLATE_NOOP("EditCommands", "&Redo"),
-     QT_TRANSLATE_NOOP("EditCommands", "Make the change again that was taken back"), "redo",
-     "Ctrl+Shift+Z; Ctrl+Y", Reach::focus, [](EditorPanel& panel) { panel.m_editor->redo(); }},
-    separator<EditorPanel>(),
+const std::array<Command<EditorPanel>, 12> EditorPanel::kCommands{{
     {"edit-cut", QT_TRANSLATE_NOOP("EditCommands", "Cu&t"),
      QT_TRANSLATE_NOOP("EditCommands", "Move the selected text to the clipboard"), "", "Ctrl+X", Reach::focus,
      [](EditorPanel& panel) { panel.m_editor->cut(); }},
@@ -162,8 +155,6 @@ void EditorPanel::loadText() {
 void EditorPanel::updateActions() {
     const bool editable = !m_editor->isReadOnly();
     const bool selected = m_editor->hasSelectedText();
-    m_commands.find("edit-undo")->setEnabled(editable && m_editor->isUndoAvailable());
-    m_commands.find("edit-redo")->setEnabled(editable && m_editor->isRedoAvailable());
     m_commands.find("edit-cut")->setEnabled(editable && selected);
     m_commands.find("edit-copy")->setEnabled(selected);
     m_commands.find("edit-paste")->setEnabled(editable);

@@ -32,7 +32,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
-    static const std::array<Command<EditorPanel>, 15> kCommands;
+    static const std::array<Command<EditorPanel>, 12> kCommands;
 
     void retranslate();
     void loadText();

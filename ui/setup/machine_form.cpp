@@ -57,6 +57,10 @@ MachineForm::MachineForm(Session& session, QWidget* parent)
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRestMs);
     connect(&m_rest, &QTimer::timeout, this, &MachineForm::apply);
+    connect(&session, &Session::inputWanted, this, [this] {
+        if (m_rest.isActive())
+            apply();
+    });
     connect(&session, &Session::machineChanged, this, &MachineForm::showMachine);
     connect(&session, &Session::timesChanged, this, &MachineForm::showTimes);
     retranslate();
@@ -86,6 +90,7 @@ void MachineForm::showTimes() {
 }
 
 void MachineForm::apply() {
+    m_rest.stop();
     Machine machine = m_session.machine().value_or(Machine());
     std::size_t row = 0;
     describe(machine, [&](double& value, const Field& field) {

@@ -66,6 +66,10 @@ SetupPanel::SetupPanel(Session& session, QWidget* parent)
     // The window brings the panel forward first: what is hidden takes no focus.
     connect(&session, &Session::toolRequested, m_tools, &ToolTableEditor::edit, Qt::QueuedConnection);
     connect(m_define, &QPushButton::clicked, this, &SetupPanel::defineMissingTools);
+    connect(&session, &Session::inputWanted, this, [this] {
+        if (m_rest.isActive())
+            apply();
+    });
     connect(&session, &Session::setupChanged, this, &SetupPanel::showSetup);
     connect(&session, &Session::documentChanged, this, &SetupPanel::titleTools);
     connect(&session, &Session::programChanged, this, &SetupPanel::showMissingTools);
@@ -194,6 +198,7 @@ void SetupPanel::showMemory(const Setup& setup) {
 }
 
 void SetupPanel::apply() {
+    m_rest.stop();
     Setup setup = m_session.setup();
     setup.tools = m_tools->tools();
     m_start->put(setup);

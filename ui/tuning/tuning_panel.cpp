@@ -46,9 +46,10 @@ TuningPanel::TuningPanel(Session& session, QWidget* parent)
     showProblem({});
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRestMs);
-    connect(&m_rest, &QTimer::timeout, &session, [this] {
-        m_session.setParameters(m_form->values());
-        applyGrid();
+    connect(&m_rest, &QTimer::timeout, this, &TuningPanel::apply);
+    connect(&session, &Session::inputWanted, this, [this] {
+        if (m_rest.isActive())
+            apply();
     });
     connect(m_form, &ParameterForm::edited, &m_rest, qOverload<>(&QTimer::start));
     connect(m_grid, &GridField::edited, &m_rest, qOverload<>(&QTimer::start));
@@ -64,6 +65,12 @@ TuningPanel::TuningPanel(Session& session, QWidget* parent)
     retranslate();
     showParameters();
     showSetup();
+}
+
+void TuningPanel::apply() {
+    m_rest.stop();
+    m_session.setParameters(m_form->values());
+    applyGrid();
 }
 
 void TuningPanel::applyGrid() {

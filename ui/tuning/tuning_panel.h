@@ -26,6 +26,7 @@ protected:
 
 private:
     void retranslate();
+    void apply();
     void applyGrid();
     void showGrid();
     /// An empty one hides the line.
