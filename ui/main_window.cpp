@@ -31,13 +31,14 @@
 #include "ui/kept_switches.h"
 #include "ui/layout_menu.h"
 #include "ui/main_window_tables.h"
+#include "ui/panel_focus.h"
 #include "ui/plots/plots_panel.h"
 #include "ui/start_page.h"
 #include "ui/status_line.h"
 #include "ui/surface_probe.h"
 #include "ui/timeline/timeline_panel.h"
-#include "ui/viewport/viewport.h"
 #include "ui/undo_commands.h"
+#include "ui/viewport/viewport.h"
 #include "ui/wheel_focus.h"
 
 namespace proveout {
@@ -81,8 +82,9 @@ MainWindow::MainWindow(Session& session, Appearance& appearance)
     setDockNestingEnabled(true);
     makePanels();
     makeDocks();
+    m_undo = new UndoCommands(session, *m_editor,
+                              {m_docks[kSetupDock]->widget(), m_docks[kTuningDock]->widget()}, this);
     makeMenus();
-    m_undo = new UndoCommands(session, *m_editor, {panelOf("dock-setup"), panelOf("dock-tuning")}, this);
     makeToolBar();
     connect(&session, &Session::documentChanged, this, [this] {
         titleWindow();
@@ -93,10 +95,10 @@ MainWindow::MainWindow(Session& session, Appearance& appearance)
     connect(m_layoutMenu, &LayoutMenu::chosen, this, &MainWindow::arrange);
     connect(&session, &Session::problemsChanged, this, &MainWindow::titleDocks);
     connect(&session, &Session::troubled, this, &MainWindow::showProblems);
-    connect(&session, &Session::placeTold, this, [this](const PlaceAnswer& answer) {
-        if (answer.kind == PlaceAnswer::Kind::cut)
-            bringForward(*m_docks[kProgramDock]); // with the line of the block
-    });
+    connect(&session, &Session::lineRequested, this, [this] { bringForward(*m_docks[kProgramDock]); });
+    for (const char* id : {"edit-find", "edit-replace", "edit-find-next", "edit-find-previous"})
+        connect(action(QLatin1String(id)), &QAction::triggered, this,
+                [this] { m_focus->activate(*m_docks[kProgramDock]); });
     connect(&session, &Session::toolRequested, this, [this] { bringForward(*m_docks[kSetupDock]); });
     connect(m_startPage, &StartPage::openWanted, m_files, &FileFlow::openByDialog);
     connect(m_startPage, &StartPage::newWanted, m_files, &FileFlow::newFile);
@@ -113,6 +115,10 @@ MainWindow::MainWindow(Session& session, Appearance& appearance)
     showDocument();
     new WheelFocus(this);
     qApp->installEventFilter(this);
+}
+
+MainWindow::~MainWindow() {
+    hide(); // moves the focus, while all that it could move to is there
 }
 
 void MainWindow::makePanels() {
@@ -141,6 +147,7 @@ void MainWindow::makePanels() {
 }
 
 void MainWindow::makeDocks() {
+    m_focus = new PanelFocus(*this, *m_centre);
     for (const Dock& row : docks()) {
         auto* dock = new QDockWidget(this);
         dock->setObjectName(QLatin1String(row.id));
@@ -151,6 +158,7 @@ void MainWindow::makeDocks() {
         toggle->setObjectName(QStringLiteral("show-") + QLatin1String(row.id));
         toggle->setIcon(icon(QLatin1String(row.icon)));
         toggle->setShortcut(QKeySequence(QLatin1String(row.keys)));
+        m_focus->add(*dock);
         m_docks.push_back(dock);
     }
     std::vector<QDockWidget*> titled;
@@ -160,7 +168,6 @@ void MainWindow::makeDocks() {
     }
     new DockTitles(*this, std::move(titled));
 }
-        m_focus->add(*dock);
 
 void MainWindow::arrange() {
     const DockLayout& layout = m_layoutMenu->present();
@@ -171,10 +178,6 @@ void MainWindow::arrange() {
 }
 
 /// The editor is as wide as the lines of its text where there is room; a width that the user gave it stays.
-const QWidget* MainWindow::panelOf(const char* dock) const {
-    return findChild<QDockWidget*>(QLatin1String(dock))->widget();
-}
-
 void MainWindow::fitEditor() {
     QDockWidget* dock = m_docks[kProgramDock];
     if (dock->isFloating() || std::abs(dock->width() - m_fittedWidth) > kSameWidth)
@@ -206,6 +209,7 @@ void MainWindow::retranslate() {
          {&m_fileCommands, &m_meshCommands, &m_windowCommands, &m_helpCommands})
         commands->retranslate();
     m_playback->retranslate();
+    m_undo->retranslate();
     m_status->retranslate();
     m_layoutMenu->retranslate();
     m_toolBar->setWindowTitle(tr("Tool bar"));
@@ -309,11 +313,11 @@ void MainWindow::toggleFullScreen() {
 
 void MainWindow::showStartPage() {
     m_centre->setCurrentWidget(m_startPage);
+    m_focus->activateCentre();
 }
 
 void MainWindow::showTuning() {
-    bringForward(*m_docks[kTuningDock]);
-    m_docks[kTuningDock]->widget()->setFocus();
+    m_focus->activate(*m_docks[kTuningDock]);
 }
 
 void MainWindow::showAbout() {
@@ -325,7 +329,7 @@ void MainWindow::showShortcuts() {
 }
 
 void MainWindow::showDocument() {
-    m_centre->setCurrentWidget(m_session.hasDocument() ? m_viewport : static_cast<QWidget*>(m_startPage));
+    m_focus->showPage(m_session.hasDocument() ? *m_viewport : static_cast<QWidget&>(*m_startPage));
 }
 
 void MainWindow::titleWindow() {

@@ -18,12 +18,13 @@ namespace proveout {
 class EditorPanel;
 class KeptSwitches;
 class LayoutMenu;
+class PanelFocus;
 class ProblemsPanel;
 class StartPage;
 class StatusLine;
 class TimelinePanel;
-
 class UndoCommands;
+
 /// The workstation's window: panels in docks round the 3D view, menus and tool bars made from tables.
 class MainWindow final : public QMainWindow {
     Q_OBJECT
@@ -31,8 +32,8 @@ class MainWindow final : public QMainWindow {
 public:
     /// Session and appearance outlive the window.
     MainWindow(Session& session, Appearance& appearance);
-
     ~MainWindow() override;
+
     [[nodiscard]] FileFlow& files() { return *m_files; }
     [[nodiscard]] Session& session() { return m_session; }
     [[nodiscard]] Appearance& appearance() { return m_appearance; }
@@ -105,6 +106,7 @@ private:
     ProblemsPanel* m_problems = nullptr;
     TimelinePanel* m_timeline = nullptr;
     UndoCommands* m_undo = nullptr;
+    PanelFocus* m_focus = nullptr;
     std::vector<QDockWidget*> m_docks;                   ///< in the order of docks()
     std::vector<std::pair<QMenu*, const char*>> m_menus; ///< with their untranslated titles
     QMenu* m_samplesMenu = nullptr;
