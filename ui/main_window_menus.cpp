@@ -59,6 +59,7 @@ void MainWindow::makeMenus() {
     }
     QMenu* simulate = addMenu(QT_TRANSLATE_NOOP("Menus", "&Simulate"), listOf(m_playback->actions().all()));
     simulate->addSeparator();
+    simulate->addAction(&m_editor->followAction());
     auto* checkpoints = new CheckpointMenu(m_session, this);
     simulate->addMenu(checkpoints);
     m_menus.emplace_back(checkpoints, QT_TRANSLATE_NOOP("Menus", "&Memory to Go Back"));

@@ -4,22 +4,26 @@
 #include <algorithm>
 #include <cstdint>
 #include <iterator>
+#include <utility>
 #include <vector>
 
 #include <QEvent>
 #include <QLabel>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include "core/simulation/interpretation.h"
 #include "ui/editor/find_bar.h"
 #include "ui/editor/nc_editor.h"
 #include "ui/file_changed_bar.h"
+#include "ui/icons.h"
 
 namespace proveout {
 
 namespace {
 
 constexpr const char* kContext = "EditCommands";
+constexpr int kFollowMargin = 8; // px
 // For the width of the panel.
 constexpr std::size_t kMeasuredLines = 2000;
 constexpr double kUsualLines = 0.95; ///< the share of them that fits
@@ -72,6 +76,7 @@ const std::array<Command<EditorPanel>, 12> EditorPanel::kCommands{{
 EditorPanel::EditorPanel(Session& session, QWidget* parent)
     : QWidget(parent), m_session(session), m_editor(new NcEditor(this)), m_find(new FindBar(*m_editor, this)),
       m_changed(new FileChangedBar(session, FilePart::text, this)), m_readOnly(new QLabel(this)),
+      m_follow(new QAction(this)), m_followAgain(new QToolButton(m_editor)),
       m_commands(*this, kContext, kCommands, this) {
     for (QAction* action : m_commands.all()) {
         addAction(action);
@@ -125,6 +130,7 @@ EditorPanel::EditorPanel(Session& session, QWidget* parent)
     connect(&session, &Session::tick, this, &EditorPanel::showFrame);
     connect(&session, &Session::lineRequested, this,
             [this](std::uint32_t line, int column) { m_editor->goTo(static_cast<int>(line), column); });
+    makeFollowing();
     retranslate();
     loadText();
 }
@@ -141,9 +147,70 @@ QSize EditorPanel::sizeHint() const {
     return {m_editor->widthOf(*usual), QWidget::sizeHint().height()};
 }
 
+void EditorPanel::makeFollowing() {
+    m_follow->setObjectName(QStringLiteral("follow-program"));
+    m_follow->setCheckable(true);
+    m_follow->setChecked(true);
+    m_follow->setIcon(icon(QStringLiteral("path")));
+    m_followAgain->setObjectName(QStringLiteral("follow-again"));
+    m_followAgain->setDefaultAction(m_follow);
+    m_followAgain->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    m_followAgain->setFocusPolicy(Qt::NoFocus); // the caret keeps it
+    m_followAgain->hide();
+    m_editor->installEventFilter(this);
+    connect(m_follow, &QAction::triggered, this, &EditorPanel::chooseFollowing);
+    connect(m_editor, &NcEditor::worked, this, &EditorPanel::pauseFollowing);
+    connect(&m_session, &Session::playbackChanged, this, &EditorPanel::followPlayback);
+}
+
+void EditorPanel::pauseFollowing() {
+    if (!m_session.playback().playing || !m_follow->isChecked())
+        return;
+    m_followingPaused = true;
+    m_follow->setChecked(false);
+    showFollowing();
+}
+
+void EditorPanel::chooseFollowing(bool on) {
+    m_followingPaused = false;
+    if (on)
+        m_editor->revealCurrentLine();
+    showFollowing();
+}
+
+void EditorPanel::followPlayback() {
+    const bool playing = m_session.playback().playing;
+    const bool starts = playing && !m_wasPlaying;
+    m_wasPlaying = playing;
+    if (starts && std::exchange(m_followingPaused, false)) {
+        m_follow->setChecked(true);
+        m_editor->revealCurrentLine();
+    }
+    showFollowing();
+}
+
+/// The button stands in the lower right corner of the text, and moves none of it.
+void EditorPanel::showFollowing() {
+    m_followAgain->setVisible(m_session.playback().playing && !m_follow->isChecked());
+    m_followAgain->adjustSize();
+    const QRect text = m_editor->viewport()->geometry();
+    m_followAgain->move(text.bottomRight() - m_followAgain->rect().bottomRight() -
+                        QPoint(kFollowMargin, kFollowMargin));
+    m_followAgain->raise();
+}
+
+bool EditorPanel::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::Resize && m_followAgain->isVisible())
+        showFollowing();
+    return QWidget::eventFilter(watched, event);
+}
+
 void EditorPanel::retranslate() {
     m_commands.retranslate();
     m_editor->setAccessibleName(tr("NC program"));
+    m_follow->setText(tr("F&ollow Program"));
+    m_follow->setToolTip(tr("Keep the current line in sight while the program plays; typing, clicking or "
+                            "scrolling in the text turns this off until playback is started again"));
     m_readOnly->setText(tr("Shown read-only, because the file is larger than 10 MB."));
 }
 
@@ -185,8 +252,10 @@ void EditorPanel::showFrame(const FramePtr& frame) {
         m_editor->showCurrentLine(0, false);
         return;
     }
-    // While the user works in the text, it does not scroll away under the hands.
-    const bool follow = !m_editor->hasFocus() || m_session.playback().playing;
+    // While the user works in the text, it does not scroll away under the caret.
+    const bool resting = !m_session.playback().playing;
+    const bool follow = m_follow->isChecked() ? !resting || !m_editor->hasFocus()
+                                              : resting && m_followingPaused && !m_editor->hasFocus();
     m_editor->showCurrentLine(static_cast<int>(frame->program->blockLine(frame->block - 1)), follow);
 }
 

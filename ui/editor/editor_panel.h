@@ -10,6 +10,7 @@
 #include "ui/session.h"
 
 class QLabel;
+class QToolButton;
 
 namespace proveout {
 
@@ -27,9 +28,13 @@ public:
     [[nodiscard]] NcEditor& editor() { return *m_editor; }
     /// As wide as the lines of the program, but for a few long ones.
     [[nodiscard]] QSize sizeHint() const override;
+    /// Checkable: while the program plays, its current line stays in sight. Work in the text turns it off,
+    /// so that nothing scrolls away under the caret, until playback is started again or it is turned on.
+    [[nodiscard]] QAction& followAction() { return *m_follow; }
 
 protected:
     void changeEvent(QEvent* event) override;
+    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     static const std::array<Command<EditorPanel>, 12> kCommands;
@@ -37,6 +42,11 @@ private:
     void retranslate();
     void loadText();
     void showFrame(const FramePtr& frame);
+    void makeFollowing();
+    void pauseFollowing();
+    void chooseFollowing(bool on);
+    void followPlayback();
+    void showFollowing();
     void showProblems();
     void showBreakpoints();
     void updateActions();
@@ -48,6 +58,10 @@ private:
     FindBar* m_find;
     FileChangedBar* m_changed;
     QLabel* m_readOnly;
+    QAction* m_follow;
+    QToolButton* m_followAgain; ///< over the text, while following is off
+    bool m_wasPlaying = false;
+    bool m_followingPaused = false; ///< by work in the text, not by the user's choice
     CommandActions<EditorPanel> m_commands;
     ProgramSource m_values; ///< interprets up to the line that the mouse points at
     bool m_counts = false;  ///< it runs to the end, for the number of executions

@@ -42,6 +42,11 @@ unsigned long asWord(std::size_t value) {
     return static_cast<unsigned long>(value);
 }
 
+/// Keys that move the caret or the text; Shift and the like alone do not.
+bool isNavigation(int key) {
+    return key >= Qt::Key_Home && key <= Qt::Key_PageDown;
+}
+
 int scintillaLineEnd(LineEnd lineEnd) {
     switch (lineEnd) {
     case LineEnd::lf:
@@ -74,6 +79,7 @@ NcEditor::NcEditor(QWidget* parent)
         if (!m_loading)
             emit savedStateChanged(modified);
     });
+    connect(verticalScrollBar(), &QScrollBar::actionTriggered, this, &NcEditor::worked);
     adoptPalette();
 }
 
@@ -206,6 +212,7 @@ void NcEditor::onModified(int position, int type, const char* text, int length, 
     if (m_loading)
         return;
     m_edited = true;
+    emit worked();
     const auto offset = static_cast<std::size_t>(position);
     const auto size = static_cast<std::size_t>(length);
     if (linesAdded != 0) {
@@ -239,6 +246,11 @@ void NcEditor::showCurrentLine(int line, bool follow) {
         revealLine(line);
 }
 
+void NcEditor::revealCurrentLine() {
+    if (m_currentLine > 0)
+        revealLine(m_currentLine);
+}
+
 void NcEditor::revealLine(int line) {
     const long first = SendScintilla(SCI_GETFIRSTVISIBLELINE);
     const long shown = SendScintilla(SCI_LINESONSCREEN);
@@ -248,6 +260,7 @@ void NcEditor::revealLine(int line) {
 }
 
 void NcEditor::goTo(int line, int column) {
+    emit worked();
     if (m_isFilling) {
         m_place = {line, column};
         return;
@@ -279,6 +292,7 @@ std::pair<std::size_t, std::size_t> NcEditor::selectedBytes() const {
 }
 
 void NcEditor::selectBytes(std::size_t begin, std::size_t end) {
+    emit worked();
     SendScintilla(SCI_SETSEL, asWord(begin), static_cast<long>(end));
 }
 
@@ -299,6 +313,11 @@ bool NcEditor::event(QEvent* event) {
     return QsciScintilla::event(event);
 }
 
+void NcEditor::mousePressEvent(QMouseEvent* event) {
+    emit worked();
+    QsciScintilla::mousePressEvent(event);
+}
+
 void NcEditor::mouseReleaseEvent(QMouseEvent* event) {
     QsciScintilla::mouseReleaseEvent(event);
     if (event->button() == Qt::LeftButton && !hasSelectedText())
@@ -306,6 +325,8 @@ void NcEditor::mouseReleaseEvent(QMouseEvent* event) {
 }
 
 void NcEditor::keyPressEvent(QKeyEvent* event) {
+    if (!event->text().isEmpty() || isNavigation(event->key()))
+        emit worked();
     const int before = caretLine();
     m_edited = false;
     QsciScintilla::keyPressEvent(event);

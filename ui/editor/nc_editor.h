@@ -40,6 +40,8 @@ public:
     void markSaved();
     /// Marks the line (1-based, 0: none) of the block that was executed last, and shows it where `follow`.
     void showCurrentLine(int line, bool follow);
+    /// Scrolls to the line that is marked.
+    void revealCurrentLine();
     /// Colours the codes of this dialect as known ones.
     void showDialect(DialectId dialect);
     /// Lines (1-based) with breakpoints, those that are on and those that are off.
@@ -64,6 +66,8 @@ public:
     void replaceBytes(std::size_t begin, std::size_t end, std::string_view text);
 
 signals:
+    /// The user types, clicks or scrolls, or was led to a place here: the text is not to scroll by itself.
+    void worked();
     /// The margin beside a line (1-based) was clicked.
     void marginChosen(int line);
     /// The user added (or took away) lines behind a place in `line` (1-based).
@@ -82,6 +86,7 @@ signals:
 protected:
     bool event(QEvent* event) override;
     bool viewportEvent(QEvent* event) override;
+    void mousePressEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
     void contextMenuEvent(QContextMenuEvent* event) override;

@@ -7,6 +7,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
+#include <QScrollBar>
 #include <QTreeView>
 #include <QVBoxLayout>
 
@@ -59,12 +60,15 @@ ProblemsPanel::ProblemsPanel(Session& session, QWidget* parent)
 
 void ProblemsPanel::showProblems() {
     const int row = m_view->currentIndex().row();
+    const int scrolled = m_view->verticalScrollBar()->value();
     m_model->setProblems(m_session.problems());
     const bool any = m_model->rowCount() > 0;
     m_view->setVisible(any);
     m_empty->setVisible(!any);
     if (row >= 0 && row < m_model->rowCount())
         m_view->setCurrentIndex(m_model->index(row, 0));
+    m_view->doItemsLayout();                         // the range of the bar
+    m_view->verticalScrollBar()->setValue(scrolled); // what is being read stays where it is
 }
 
 void ProblemsPanel::goTo(const Diagnostic& problem) {
