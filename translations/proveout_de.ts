@@ -268,6 +268,45 @@ Vorgabe: 0 mm</translation>
     </message>
 </context>
 <context>
+    <name>CompareDialog</name>
+    <message>
+        <source>in this window</source>
+        <translation>in diesem Fenster</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Differences of %1</source>
+        <translation>Unterschiede von %1</translation>
+    </message>
+    <message>
+        <source>Both versions of %1 have the same lines.</source>
+        <translation>Beide Fassungen von %1 haben dieselben Zeilen.</translation>
+    </message>
+    <message>
+        <source>− lines only on disk: %1</source>
+        <translation>− Zeilen nur auf dem Datenträger: %1</translation>
+    </message>
+    <message>
+        <source>+ lines only %1: %2</source>
+        <translation>+ Zeilen nur %1: %2</translation>
+    </message>
+    <message>
+        <source>&amp;Previous Difference</source>
+        <translation>&amp;Vorheriger Unterschied</translation>
+    </message>
+    <message>
+        <source>&amp;Next Difference</source>
+        <translation>&amp;Nächster Unterschied</translation>
+    </message>
+    <message>
+        <source>Only the first %1 lines are shown.</source>
+        <translation>Nur die ersten %1 Zeilen werden gezeigt.</translation>
+    </message>
+</context>
+<context>
     <name>ControlPanel</name>
     <message>
         <source>State of the control</source>
@@ -1529,26 +1568,6 @@ Vorgabe: 0 mm</translation>
         <translation>Fräsen Sie in flacheren Zustellungen, oder wählen Sie ein Werkzeug mit längeren Schneiden.</translation>
     </message>
     <message>
-        <source>No cutter is defined for tool T{}; its motions cut nothing.</source>
-        <translation>Für Werkzeug T{} ist kein Fräser festgelegt; seine Bewegungen fräsen nichts.</translation>
-    </message>
-    <message>
-        <source>Add the tool to the tool table.</source>
-        <translation>Nehmen Sie das Werkzeug in die Werkzeugtabelle auf.</translation>
-    </message>
-    <message>
-        <source>The program cuts with no tool in the spindle.</source>
-        <translation>Das Programm fräst ohne Werkzeug in der Spindel.</translation>
-    </message>
-    <message>
-        <source>Select a tool with T and M6 before the first cut.</source>
-        <translation>Wählen Sie vor dem ersten Schnitt ein Werkzeug mit T und M6.</translation>
-    </message>
-    <message>
-        <source>The program never selects a tool; tool T{} is used.</source>
-        <translation>Das Programm wählt nie ein Werkzeug; Werkzeug T{} wird verwendet.</translation>
-    </message>
-    <message>
         <source>{} more findings of the simulation are not shown.</source>
         <translation>{} weitere Befunde der Simulation werden nicht gezeigt.</translation>
     </message>
@@ -2183,18 +2202,6 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>The program has more than {} tool changes, stops, dwells and the like; interpretation ends here.</source>
         <translation>Das Programm hat mehr als {} Werkzeugwechsel, Halte, Verweilzeiten und dergleichen; die Interpretation endet hier.</translation>
-    </message>
-    <message>
-        <source>“{}” does not begin with a tool number from 1 to {}, as in {}.</source>
-        <translation>„{}“ beginnt nicht mit einer Werkzeugnummer von 1 bis {}, wie in {}.</translation>
-    </message>
-    <message>
-        <source>A tool needs a number, a whole one from 1 to {}.</source>
-        <translation>Ein Werkzeug braucht eine Nummer, eine ganze Zahl von 1 bis {}.</translation>
-    </message>
-    <message>
-        <source>&quot;{}&quot; is no tool number; they are whole numbers from 1 to {}.</source>
-        <translation>„{}“ ist keine Werkzeugnummer; das sind ganze Zahlen von 1 bis {}.</translation>
     </message>
     <message>
         <source>&quot;{}&quot; is a tool that the table has already.</source>
@@ -4900,6 +4907,550 @@ Vorgabe: 0 mm</translation>
         <source>The block that made this place could not be found: {}.</source>
         <translation>Der Satz, der diese Stelle gefräst hat, ließ sich nicht finden: {}.</translation>
     </message>
+    <message>
+        <source>“{}” does not begin with a tool number from {} to {}, as in {}.</source>
+        <translation>„{}“ beginnt nicht mit einer Werkzeugnummer von {} bis {}, wie in {}.</translation>
+    </message>
+    <message>
+        <source>A tool needs a number, a whole one from {} to {}.</source>
+        <translation>Ein Werkzeug braucht eine Nummer, eine ganze Zahl von {} bis {}.</translation>
+    </message>
+    <message>
+        <source>The source of a tool is &quot;given&quot;, &quot;comment&quot; or &quot;assumed&quot;.</source>
+        <translation>Die Herkunft eines Werkzeugs ist „given“, „comment“ oder „assumed“.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; and the fields minX, minY, topZ exclude each other; they are the same position.</source>
+        <translation>Das Feld „{}“ und die Felder minX, minY, topZ schließen einander aus; sie sind dieselbe Position.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is not a tool number; these are whole numbers from {} to {}.</source>
+        <translation>„{}“ ist keine Werkzeugnummer; das sind ganze Zahlen von {} bis {}.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; must be a list of whole numbers from 0 to {}.</source>
+        <translation>Das Feld „{}“ muss eine Liste ganzer Zahlen von 0 bis {} sein.</translation>
+    </message>
+    <message>
+        <source>spindle number</source>
+        <translation>Spindelnummer</translation>
+    </message>
+    <message>
+        <source>a Heidenhain conversational program</source>
+        <translation>ein Heidenhain-Klartextprogramm</translation>
+    </message>
+    <message>
+        <source>a Heidenhain DIN/ISO program</source>
+        <translation>ein Heidenhain-DIN/ISO-Programm</translation>
+    </message>
+    <message>
+        <source>a Siemens Sinumerik program</source>
+        <translation>ein Siemens-Sinumerik-Programm</translation>
+    </message>
+    <message>
+        <source>an Okuma OSP program</source>
+        <translation>ein Okuma-OSP-Programm</translation>
+    </message>
+    <message>
+        <source>a WinCNC program</source>
+        <translation>ein WinCNC-Programm</translation>
+    </message>
+    <message>
+        <source>a ShopBot program</source>
+        <translation>ein ShopBot-Programm</translation>
+    </message>
+    <message>
+        <source>a lathe program</source>
+        <translation>ein Drehprogramm</translation>
+    </message>
+    <message>
+        <source>a 3D printer program</source>
+        <translation>ein 3D-Drucker-Programm</translation>
+    </message>
+    <message>
+        <source>an APT or CL data file</source>
+        <translation>eine APT- oder CL-Datei</translation>
+    </message>
+    <message>
+        <source>a Gerber file</source>
+        <translation>eine Gerber-Datei</translation>
+    </message>
+    <message>
+        <source>an Excellon drill file</source>
+        <translation>eine Excellon-Bohrdatei</translation>
+    </message>
+    <message>
+        <source>an HPGL plot file</source>
+        <translation>eine HPGL-Plotdatei</translation>
+    </message>
+    <message>
+        <source>a CAMotics project</source>
+        <translation>ein CAMotics-Projekt</translation>
+    </message>
+    <message>
+        <source>a Proveout job</source>
+        <translation>ein Proveout-Auftrag</translation>
+    </message>
+    <message>
+        <source>a JSON file</source>
+        <translation>eine JSON-Datei</translation>
+    </message>
+    <message>
+        <source>an SVG drawing</source>
+        <translation>eine SVG-Zeichnung</translation>
+    </message>
+    <message>
+        <source>an HTML page</source>
+        <translation>eine HTML-Seite</translation>
+    </message>
+    <message>
+        <source>an XML file</source>
+        <translation>eine XML-Datei</translation>
+    </message>
+    <message>
+        <source>an STL mesh</source>
+        <translation>ein STL-Netz</translation>
+    </message>
+    <message>
+        <source>an OBJ mesh</source>
+        <translation>ein OBJ-Netz</translation>
+    </message>
+    <message>
+        <source>a PLY mesh</source>
+        <translation>ein PLY-Netz</translation>
+    </message>
+    <message>
+        <source>a STEP model</source>
+        <translation>ein STEP-Modell</translation>
+    </message>
+    <message>
+        <source>a DXF drawing</source>
+        <translation>eine DXF-Zeichnung</translation>
+    </message>
+    <message>
+        <source>a PostScript file</source>
+        <translation>eine PostScript-Datei</translation>
+    </message>
+    <message>
+        <source>a PDF document</source>
+        <translation>ein PDF-Dokument</translation>
+    </message>
+    <message>
+        <source>a rich text document</source>
+        <translation>ein Rich-Text-Dokument</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is not an M code; write numbers from 0 to {}, for example 10, 11, 16.</source>
+        <translation>„{}“ ist kein M-Befehl; schreiben Sie Zahlen von 0 bis {}, zum Beispiel 10, 11, 16.</translation>
+    </message>
+    <message>
+        <source>clamp of a rotary axis or pallet on</source>
+        <translation>Klemmung einer Drehachse oder Palette ein</translation>
+    </message>
+    <message>
+        <source>clamp of a rotary axis or pallet off</source>
+        <translation>Klemmung einer Drehachse oder Palette aus</translation>
+    </message>
+    <message>
+        <source>low spindle gear</source>
+        <translation>niedrige Getriebestufe der Spindel</translation>
+    </message>
+    <message>
+        <source>high spindle gear</source>
+        <translation>hohe Getriebestufe der Spindel</translation>
+    </message>
+    <message>
+        <source>clamp of the B axis on</source>
+        <translation>Klemmung der B-Achse ein</translation>
+    </message>
+    <message>
+        <source>clamp of the B axis off</source>
+        <translation>Klemmung der B-Achse aus</translation>
+    </message>
+    <message>
+        <source>brake of the 4th axis on</source>
+        <translation>Bremse der 4. Achse ein</translation>
+    </message>
+    <message>
+        <source>brake of the 4th axis off</source>
+        <translation>Bremse der 4. Achse aus</translation>
+    </message>
+    <message>
+        <source>brake of the 5th axis on</source>
+        <translation>Bremse der 5. Achse ein</translation>
+    </message>
+    <message>
+        <source>brake of the 5th axis off</source>
+        <translation>Bremse der 5. Achse aus</translation>
+    </message>
+    <message>
+        <source>pallet unclamped, door open</source>
+        <translation>Palette gelöst, Tür offen</translation>
+    </message>
+    <message>
+        <source>pallet clamped, door closed</source>
+        <translation>Palette geklemmt, Tür geschlossen</translation>
+    </message>
+    <message>
+        <source>chip conveyor on</source>
+        <translation>Späneförderer ein</translation>
+    </message>
+    <message>
+        <source>chip conveyor off</source>
+        <translation>Späneförderer aus</translation>
+    </message>
+    <message>
+        <source>coolant nozzle one step on</source>
+        <translation>Kühlmitteldüse einen Schritt weiter</translation>
+    </message>
+    <message>
+        <source>coolant nozzle one step back</source>
+        <translation>Kühlmitteldüse einen Schritt zurück</translation>
+    </message>
+    <message>
+        <source>pallet part ready</source>
+        <translation>Werkstück auf der Palette bereit</translation>
+    </message>
+    <message>
+        <source>air through the tool on</source>
+        <translation>Luft durch das Werkzeug ein</translation>
+    </message>
+    <message>
+        <source>air through the tool off</source>
+        <translation>Luft durch das Werkzeug aus</translation>
+    </message>
+    <message>
+        <source>display off</source>
+        <translation>Anzeige aus</translation>
+    </message>
+    <message>
+        <source>display on</source>
+        <translation>Anzeige ein</translation>
+    </message>
+    <message>
+        <source>door open</source>
+        <translation>Tür offen</translation>
+    </message>
+    <message>
+        <source>door closed</source>
+        <translation>Tür geschlossen</translation>
+    </message>
+    <message>
+        <source>air jet on</source>
+        <translation>Blasluft ein</translation>
+    </message>
+    <message>
+        <source>air jet off</source>
+        <translation>Blasluft aus</translation>
+    </message>
+    <message>
+        <source>coolant through the spindle on</source>
+        <translation>Kühlmittel durch die Spindel ein</translation>
+    </message>
+    <message>
+        <source>coolant through the spindle off</source>
+        <translation>Kühlmittel durch die Spindel aus</translation>
+    </message>
+    <message>
+        <source>picture shown on the display</source>
+        <translation>Bild auf der Anzeige gezeigt</translation>
+    </message>
+    <message>
+        <source>picture on the display closed</source>
+        <translation>Bild auf der Anzeige geschlossen</translation>
+    </message>
+    <message>
+        <source>spindle speed variation on</source>
+        <translation>Drehzahlvariation der Spindel ein</translation>
+    </message>
+    <message>
+        <source>spindle speed variation off</source>
+        <translation>Drehzahlvariation der Spindel aus</translation>
+    </message>
+    <message>
+        <source>mist extractor on</source>
+        <translation>Nebelabsaugung ein</translation>
+    </message>
+    <message>
+        <source>mist extractor off</source>
+        <translation>Nebelabsaugung aus</translation>
+    </message>
+    <message>
+        <source>This is {} (line {}: {}), which Proveout does not read.</source>
+        <translation>Dies ist {} (Zeile {}: {}); das liest Proveout nicht.</translation>
+    </message>
+    <message>
+        <source>Post-process it for LinuxCNC, Fanuc, Haas, grbl or Mach3 / Mach4; if it is one of these after all, choose the dialect.</source>
+        <translation>Geben Sie es mit einem Postprozessor für LinuxCNC, Fanuc, Haas, grbl oder Mach3 / Mach4 aus; ist es doch eines davon, wählen Sie den Dialekt.</translation>
+    </message>
+    <message>
+        <source>This is {} (line {}: {}), not an NC program.</source>
+        <translation>Dies ist {} (Zeile {}: {}), kein NC-Programm.</translation>
+    </message>
+    <message>
+        <source>Open the program that the machine would run; if this is it, choose its dialect.</source>
+        <translation>Öffnen Sie das Programm, das die Maschine ausführen würde; ist es dieses, wählen Sie seinen Dialekt.</translation>
+    </message>
+    <message>
+        <source>If it moves no axis (a clamp, a door, air), add it to the ignored M codes of the setup; until then, results after this block are unverified.</source>
+        <translation>Bewegt er keine Achse (eine Klemmung, eine Tür, Luft), nehmen Sie ihn in die ignorierten M-Befehle der Einrichtung auf; bis dahin sind die Ergebnisse nach diesem Satz ungeprüft.</translation>
+    </message>
+    <message>
+        <source>{} ({}) moves no axis and is ignored ({}×, line {}).</source>
+        <translation>{} ({}) bewegt keine Achse und wird ignoriert ({}×, Zeile {}).</translation>
+    </message>
+    <message>
+        <source>The machine builder gives M codes their meaning; check it where it matters.</source>
+        <translation>Der Maschinenhersteller bestimmt, was M-Befehle bedeuten; prüfen Sie es, wo es darauf ankommt.</translation>
+    </message>
+    <message>
+        <source>{} is ignored, because the setup lists it ({}×, line {}).</source>
+        <translation>{} wird ignoriert, weil die Einrichtung es aufführt ({}×, Zeile {}).</translation>
+    </message>
+    <message>
+        <source>Remove it from the ignored M codes if it moves an axis.</source>
+        <translation>Nehmen Sie den Befehl aus den ignorierten M-Befehlen heraus, falls er eine Achse bewegt.</translation>
+    </message>
+    <message>
+        <source>{} ({}) is executed, although the setup lists it as ignored.</source>
+        <translation>{} ({}) wird ausgeführt, obwohl die Einrichtung es als ignoriert aufführt.</translation>
+    </message>
+    <message>
+        <source>Remove it from the ignored M codes: only codes without a known effect can be ignored.</source>
+        <translation>Nehmen Sie den Befehl aus den ignorierten M-Befehlen heraus: Nur Befehle ohne bekannte Wirkung lassen sich ignorieren.</translation>
+    </message>
+    <message>
+        <source>There is no spindle {}: the machine has one, $0.</source>
+        <translation>Es gibt keine Spindel {}: Die Maschine hat eine, $0.</translation>
+    </message>
+    <message>
+        <source>Write $0, or leave the word out; this block is skipped.</source>
+        <translation>Schreiben Sie $0, oder lassen Sie das Wort weg; dieser Satz wird übersprungen.</translation>
+    </message>
+    <message>
+        <source>Writing #5220 selects no work offset.</source>
+        <translation>Ein Schreiben von #5220 wählt keine Nullpunktverschiebung.</translation>
+    </message>
+    <message>
+        <source>Select it with G54 to G59.3, which write #5220 themselves.</source>
+        <translation>Wählen Sie sie mit G54 bis G59.3, die #5220 selbst schreiben.</translation>
+    </message>
+    <message>
+        <source>G43.2 has both H and axis words.</source>
+        <translation>G43.2 hat sowohl H als auch Achswörter.</translation>
+    </message>
+    <message>
+        <source>Write two blocks; the offset in force is kept.</source>
+        <translation>Schreiben Sie zwei Sätze; die wirksame Korrektur bleibt.</translation>
+    </message>
+    <message>
+        <source>LinuxCNC 2.9 mixes up the axes of a tapping cycle in {}: the tool feeds to another place than the hole bottom.</source>
+        <translation>LinuxCNC 2.9 verwechselt die Achsen eines Gewindebohrzyklus in {}: Das Werkzeug fährt im Vorschub an eine andere Stelle als den Bohrungsgrund.</translation>
+    </message>
+    <message>
+        <source>Tap in G17, or use G33.1.</source>
+        <translation>Bohren Sie das Gewinde in G17, oder verwenden Sie G33.1.</translation>
+    </message>
+    <message>
+        <source>The canned cycle before this arc leaves the tool elsewhere than the control takes it to be.</source>
+        <translation>Nach dem Festzyklus vor diesem Bogen steht das Werkzeug anderswo, als die Steuerung annimmt.</translation>
+    </message>
+    <message>
+        <source>Program a straight move before the arc; the arc is skipped.</source>
+        <translation>Programmieren Sie vor dem Bogen eine Gerade; der Bogen wird übersprungen.</translation>
+    </message>
+    <message>
+        <source>a PNG picture</source>
+        <translation>ein PNG-Bild</translation>
+    </message>
+    <message>
+        <source>a JPEG picture</source>
+        <translation>ein JPEG-Bild</translation>
+    </message>
+    <message>
+        <source>a GIF picture</source>
+        <translation>ein GIF-Bild</translation>
+    </message>
+    <message>
+        <source>a ZIP archive, as 3MF, FreeCAD and office files are</source>
+        <translation>ein ZIP-Archiv, wie es 3MF-, FreeCAD- und Office-Dateien sind</translation>
+    </message>
+    <message>
+        <source>a gzip archive</source>
+        <translation>ein gzip-Archiv</translation>
+    </message>
+    <message>
+        <source>a 7z archive</source>
+        <translation>ein 7z-Archiv</translation>
+    </message>
+    <message>
+        <source>an office or CAD document</source>
+        <translation>ein Office- oder CAD-Dokument</translation>
+    </message>
+    <message>
+        <source>a program of the computer</source>
+        <translation>ein Programm des Computers</translation>
+    </message>
+    <message>
+        <source>This is {}, not an NC program.</source>
+        <translation>Dies ist {}, kein NC-Programm.</translation>
+    </message>
+    <message>
+        <source>The grid spacing of {} mm is too coarse for T{} (⌀{} mm): it has only {} points across it.</source>
+        <translation>Die Rasterweite von {} mm ist zu grob für T{} (⌀{} mm): Auf den Durchmesser kommen nur {} Punkte.</translation>
+    </message>
+    <message>
+        <source>Choose a finer grid, or the automatic one; look at details in a smaller stock or a detail region.</source>
+        <translation>Wählen Sie ein feineres Raster oder das automatische; sehen Sie sich Einzelheiten in einem kleineren Rohteil oder einem Detailausschnitt an.</translation>
+    </message>
+    <message>
+        <source>Confirm the sizes of the tool in the tool table, or correct them.</source>
+        <translation>Bestätigen Sie die Maße des Werkzeugs in der Werkzeugtabelle, oder berichtigen Sie sie.</translation>
+    </message>
+    <message>
+        <source>Rapid move cuts stock ({} mm deep) with the unconfirmed tool T{}.</source>
+        <translation>Eilgang fräst Rohteil ({} mm tief) mit dem unbestätigten Werkzeug T{}.</translation>
+    </message>
+    <message>
+        <source>The cut is {} mm deep, beyond the flutes of the unconfirmed tool T{}.</source>
+        <translation>Der Schnitt ist {} mm tief, tiefer als die Schneidenlänge des unbestätigten Werkzeugs T{}.</translation>
+    </message>
+    <message>
+        <source>{} mm of stock meet the neck of the unconfirmed tool T{}.</source>
+        <translation>{} mm Rohteil treffen auf den Hals des unbestätigten Werkzeugs T{}.</translation>
+    </message>
+    <message>
+        <source>T{} is read from a comment ({}); it is not confirmed.</source>
+        <translation>T{} ist aus einem Kommentar gelesen ({}) und nicht bestätigt.</translation>
+    </message>
+    <message>
+        <source>T{} is read from a comment ({}; defaults: {}); it is not confirmed.</source>
+        <translation>T{} ist aus einem Kommentar gelesen ({}; Vorgaben: {}) und nicht bestätigt.</translation>
+    </message>
+    <message>
+        <source>The sizes of T{} are assumed ({}); they are not confirmed.</source>
+        <translation>Die Maße von T{} sind angenommen ({}) und nicht bestätigt.</translation>
+    </message>
+    <message>
+        <source>The program cuts before it calls a tool; T{} is assumed to be in the spindle.</source>
+        <translation>Das Programm fräst, bevor es ein Werkzeug aufruft; angenommen wird T{} in der Spindel.</translation>
+    </message>
+    <message>
+        <source>Set the tool at start in the setup if this is the right one.</source>
+        <translation>Setzen Sie in der Einrichtung das Werkzeug am Anfang, falls dies das richtige ist.</translation>
+    </message>
+    <message>
+        <source>T{} is not in the tool table; its moves are not simulated.</source>
+        <translation>T{} steht nicht in der Werkzeugtabelle; seine Bewegungen werden nicht simuliert.</translation>
+    </message>
+    <message>
+        <source>Define it in the tool table.</source>
+        <translation>Legen Sie es in der Werkzeugtabelle fest.</translation>
+    </message>
+    <message>
+        <source>The program cuts before it calls a tool; moves are not simulated until it does.</source>
+        <translation>Das Programm fräst, bevor es ein Werkzeug aufruft; bis dahin werden Bewegungen nicht simuliert.</translation>
+    </message>
+    <message>
+        <source>Set the tool at start in the setup, or program T and M6 before the first cut.</source>
+        <translation>Setzen Sie in der Einrichtung das Werkzeug am Anfang, oder programmieren Sie T und M6 vor dem ersten Schnitt.</translation>
+    </message>
+    <message>
+        <source>T{} leaves the spindle empty; its moves are not simulated.</source>
+        <translation>T{} lässt die Spindel leer; seine Bewegungen werden nicht simuliert.</translation>
+    </message>
+    <message>
+        <source>Define T0 in the tool table if it is a cutter.</source>
+        <translation>Legen Sie T0 in der Werkzeugtabelle fest, falls es ein Fräser ist.</translation>
+    </message>
+    <message>
+        <source>Min X</source>
+        <translation>Min. X</translation>
+    </message>
+    <message>
+        <source>Program coordinate of the left side of the stock.</source>
+        <translation>Programmkoordinate der linken Seite des Rohteils.</translation>
+    </message>
+    <message>
+        <source>Min Y</source>
+        <translation>Min. Y</translation>
+    </message>
+    <message>
+        <source>Program coordinate of the front side of the stock.</source>
+        <translation>Programmkoordinate der Vorderseite des Rohteils.</translation>
+    </message>
+    <message>
+        <source>Top Z</source>
+        <translation>Oberseite Z</translation>
+    </message>
+    <message>
+        <source>Program coordinate of the top of the stock.</source>
+        <translation>Programmkoordinate der Oberseite des Rohteils.</translation>
+    </message>
+    <message>
+        <source>Grid spacing</source>
+        <translation>Rasterweite</translation>
+    </message>
+    <message>
+        <source>Distance between the points of the z-map; adjusted so that it divides the stock exactly.</source>
+        <translation>Abstand der Punkte der Z-Map; so angepasst, dass er das Rohteil genau teilt.</translation>
+    </message>
+    <message>
+        <source>Start position</source>
+        <translation>Startposition</translation>
+    </message>
+    <message>
+        <source>Program coordinates of the tool tip before the first block; unknown if not set.</source>
+        <translation>Programmkoordinaten der Werkzeugspitze vor dem ersten Satz; unbekannt, wenn nicht gesetzt.</translation>
+    </message>
+    <message>
+        <source>Tool at start</source>
+        <translation>Werkzeug am Anfang</translation>
+    </message>
+    <message>
+        <source>Tool in the spindle before the first tool change; 0 is an empty spindle, or T0 of the tool table.</source>
+        <translation>Werkzeug in der Spindel vor dem ersten Werkzeugwechsel; 0 ist eine leere Spindel oder T0 der Werkzeugtabelle.</translation>
+    </message>
+    <message>
+        <source>Check size and position of the stock, and the work offset: the position of the stock names its top, not its bottom.</source>
+        <translation>Prüfen Sie Größe und Position des Rohteils und die Nullpunktverschiebung: Die Position des Rohteils nennt seine Oberseite, nicht seine Unterseite.</translation>
+    </message>
+    <message>
+        <source>The program never cuts the stock: its moves at feed are within {}, the stock within {}.</source>
+        <translation>Das Programm fräst das Rohteil nirgends: Seine Vorschubbewegungen liegen in {}, das Rohteil in {}.</translation>
+    </message>
+    <message>
+        <source>Moves at feed go {} mm beyond the stock in {}, where it measures {} mm.</source>
+        <translation>Vorschubbewegungen gehen {} mm über das Rohteil hinaus in {}, wo es {} mm misst.</translation>
+    </message>
+    <message>
+        <source>The stock has no file yet; nothing is simulated.</source>
+        <translation>Das Rohteil hat noch keine Datei; nichts wird simuliert.</translation>
+    </message>
+    <message>
+        <source>The stock cannot be made from {}; nothing is simulated.</source>
+        <translation>Das Rohteil lässt sich nicht aus {} bilden; nichts wird simuliert.</translation>
+    </message>
+    <message>
+        <source>Choose the file of the stock, or another shape.</source>
+        <translation>Wählen Sie die Datei des Rohteils oder eine andere Form.</translation>
+    </message>
+    <message>
+        <source>Keeping unsaved changes had to stop: {}.</source>
+        <translation>Das Sichern nicht gespeicherter Änderungen musste enden: {}.</translation>
+    </message>
+    <message>
+        <source>Save under another name (File &gt; Save As).</source>
+        <translation>Speichern Sie unter einem anderen Namen (Datei &gt; Speichern unter).</translation>
+    </message>
+    <message>
+        <source>The file has changed on disk; it was not overwritten.</source>
+        <translation>Die Datei hat sich auf dem Datenträger geändert; sie wurde nicht überschrieben.</translation>
+    </message>
+    <message>
+        <source>The record of the session is damaged.</source>
+        <translation>Die Aufzeichnung der Sitzung ist beschädigt.</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -4918,6 +5469,17 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>%1 motions have no feed; the largest is taken.</source>
         <translation>%1 Bewegungen haben keinen Vorschub; angenommen ist der größte.</translation>
+    </message>
+</context>
+<context>
+    <name>DockTitles</name>
+    <message>
+        <source>Float or dock this panel</source>
+        <translation>Diesen Bereich lösen oder andocken</translation>
+    </message>
+    <message>
+        <source>Close this panel</source>
+        <translation>Diesen Bereich schließen</translation>
     </message>
 </context>
 <context>
@@ -4960,22 +5522,25 @@ Vorgabe: 0 mm</translation>
     </message>
 </context>
 <context>
+    <name>DocumentTitle</name>
+    <message>
+        <source>untitled</source>
+        <translation>unbenannt</translation>
+    </message>
+    <message>
+        <source>setup</source>
+        <translation>Einrichtung</translation>
+    </message>
+</context>
+<context>
     <name>EditCommands</name>
     <message>
         <source>&amp;Undo</source>
         <translation>&amp;Rückgängig</translation>
     </message>
     <message>
-        <source>Take back the last change of the text</source>
-        <translation>Die letzte Änderung am Text zurücknehmen</translation>
-    </message>
-    <message>
         <source>&amp;Redo</source>
         <translation>&amp;Wiederholen</translation>
-    </message>
-    <message>
-        <source>Make the change again that was taken back</source>
-        <translation>Die zurückgenommene Änderung wiederholen</translation>
     </message>
     <message>
         <source>Cu&amp;t</source>
@@ -5065,6 +5630,14 @@ Vorgabe: 0 mm</translation>
         <source>Stop the run before the line that the caret is on, or no longer</source>
         <translation>Den Lauf vor der Zeile der Schreibmarke anhalten, oder nicht mehr</translation>
     </message>
+    <message>
+        <source>Undo the last change where the focus is: in the text, or in setup, tuning and machine</source>
+        <translation>Die letzte Änderung dort zurücknehmen, wo der Fokus ist: im Text oder in Einrichtung, Abstimmung und Maschine</translation>
+    </message>
+    <message>
+        <source>Redo the change that was undone last</source>
+        <translation>Die zuletzt zurückgenommene Änderung wiederholen</translation>
+    </message>
 </context>
 <context>
     <name>EditorPanel</name>
@@ -5075,6 +5648,14 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>Shown read-only, because the file is larger than 10 MB.</source>
         <translation>Nur zum Lesen gezeigt, da die Datei größer als 10 MB ist.</translation>
+    </message>
+    <message>
+        <source>F&amp;ollow Program</source>
+        <translation>Dem Pr&amp;ogramm folgen</translation>
+    </message>
+    <message>
+        <source>Keep the current line in sight while the program plays; typing, clicking or scrolling in the text turns this off until playback is started again</source>
+        <translation>Die aktuelle Zeile beim Abspielen im Blick halten; Tippen, Klicken oder Rollen im Text schaltet dies aus, bis das Abspielen neu gestartet wird</translation>
     </message>
 </context>
 <context>
@@ -5112,31 +5693,55 @@ Vorgabe: 0 mm</translation>
         <translation>größter Fehler %1 mm, überall zertifiziert innerhalb %2 mm</translation>
     </message>
     <message>
-        <source>Saved %1: the stock for the next set-up</source>
+        <source>(block %1 of %2)</source>
+        <translation>(Satz %1 von %2)</translation>
+    </message>
+    <message>
+        <source>Saved %1: the stock for the next setup</source>
         <translation>%1 gespeichert: das Rohteil für die nächste Aufspannung</translation>
     </message>
 </context>
 <context>
     <name>FileChangedBar</name>
     <message>
-        <source>The file was changed on the disk.</source>
-        <translation>Die Datei wurde auf dem Datenträger geändert.</translation>
-    </message>
-    <message>
-        <source>Reload</source>
-        <translation>Neu laden</translation>
-    </message>
-    <message>
         <source>Read the file again; changes made here are lost</source>
         <translation>Die Datei neu lesen; hier gemachte Änderungen gehen verloren</translation>
     </message>
     <message>
-        <source>Keep mine</source>
-        <translation>Meine behalten</translation>
+        <source>%1 was deleted or renamed on disk. Saving writes it again.</source>
+        <translation>%1 wurde auf dem Datenträger gelöscht oder umbenannt. Speichern schreibt die Datei neu.</translation>
     </message>
     <message>
-        <source>Go on with the text of this window</source>
-        <translation>Mit dem Text dieses Fensters weiterarbeiten</translation>
+        <source>%1 is no longer a file. Save under another name.</source>
+        <translation>%1 ist keine Datei mehr. Unter anderem Namen speichern.</translation>
+    </message>
+    <message>
+        <source>%1 has changed on disk. Reloading discards your unsaved changes.</source>
+        <translation>%1 wurde auf dem Datenträger geändert. Neu laden verwirft Ihre nicht gespeicherten Änderungen.</translation>
+    </message>
+    <message>
+        <source>%1 has changed on disk.</source>
+        <translation>%1 wurde auf dem Datenträger geändert.</translation>
+    </message>
+    <message>
+        <source>&amp;Reload</source>
+        <translation>Neu &amp;laden</translation>
+    </message>
+    <message>
+        <source>&amp;Keep My Version</source>
+        <translation>&amp;Meine Version behalten</translation>
+    </message>
+    <message>
+        <source>Continue with the version of this window</source>
+        <translation>Mit der Version dieses Fensters weiterarbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Compare…</source>
+        <translation>&amp;Vergleichen …</translation>
+    </message>
+    <message>
+        <source>Show where the file and this window differ</source>
+        <translation>Zeigen, wo sich die Datei und dieses Fenster unterscheiden</translation>
     </message>
 </context>
 <context>
@@ -5241,26 +5846,6 @@ Vorgabe: 0 mm</translation>
         <translation>Ein Netz lässt sich nicht öffnen; legen Sie ein NC-Programm oder einen Auftrag ab.</translation>
     </message>
     <message>
-        <source>The text of the new program is not saved.</source>
-        <translation>Der Text des neuen Programms ist nicht gespeichert.</translation>
-    </message>
-    <message>
-        <source>The text of %1 is not saved.</source>
-        <translation>Der Text von %1 ist nicht gespeichert.</translation>
-    </message>
-    <message>
-        <source>Setup and parameters are in no job file yet.</source>
-        <translation>Einrichtung und Parameter stehen noch in keiner Auftragsdatei.</translation>
-    </message>
-    <message>
-        <source>The setup and parameters of %1 are not saved.</source>
-        <translation>Einrichtung und Parameter von %1 sind nicht gespeichert.</translation>
-    </message>
-    <message>
-        <source>Save before going on?</source>
-        <translation>Vorher speichern?</translation>
-    </message>
-    <message>
         <source>Export Decimated Mesh</source>
         <translation>Dezimiertes Netz exportieren</translation>
     </message>
@@ -5295,6 +5880,38 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>Proveout stock (*.pvstock)</source>
         <translation>Proveout-Rohteil (*.pvstock)</translation>
+    </message>
+    <message>
+        <source>Saved as %1; %2 keeps the other version.</source>
+        <translation>Als %1 gespeichert; %2 behält die andere Version.</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>. The setup has not been saved as a job.</source>
+        <translation>. Die Einrichtung ist nicht als Auftrag gespeichert.</translation>
+    </message>
+    <message>
+        <source>The new program has not been saved.</source>
+        <translation>Das neue Programm ist nicht gespeichert.</translation>
+    </message>
+    <message>
+        <source>%1 has unsaved changes.</source>
+        <translation>%1 hat nicht gespeicherte Änderungen.</translation>
+    </message>
+    <message>
+        <source>The setup has not been saved as a job.</source>
+        <translation>Die Einrichtung ist nicht als Auftrag gespeichert.</translation>
+    </message>
+    <message>
+        <source>The setup of %1 has unsaved changes.</source>
+        <translation>Die Einrichtung von %1 hat nicht gespeicherte Änderungen.</translation>
+    </message>
+    <message>
+        <source>Save changes before closing?</source>
+        <translation>Änderungen vor dem Schließen speichern?</translation>
     </message>
 </context>
 <context>
@@ -5379,6 +5996,33 @@ Vorgabe: 0 mm</translation>
     </message>
 </context>
 <context>
+    <name>GridField</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>%1
+Range: %2 to %3 mm
+Default: automatic</source>
+        <translation>%1
+Bereich: %2 bis %3 mm
+Vorgabe: automatisch</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Automatic grid spacing</source>
+        <translation>Automatische Rasterweite</translation>
+    </message>
+    <message>
+        <source>A tenth of the diameter of the smallest cutter, with 1 to 4 million points</source>
+        <translation>Ein Zehntel des Durchmessers des kleinsten Fräsers, bei 1 bis 4 Millionen Punkten</translation>
+    </message>
+</context>
+<context>
     <name>HelpCommands</name>
     <message>
         <source>&amp;Keys and Mouse</source>
@@ -5411,6 +6055,127 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>About the library of the user interface</source>
         <translation>Über die Bibliothek der Oberfläche</translation>
+    </message>
+</context>
+<context>
+    <name>IgnoredCodesField</name>
+    <message>
+        <source>M%1 (%2×)</source>
+        <translation>M%1 (%2×)</translation>
+    </message>
+    <message>
+        <source>M%1 %2 (%3×)</source>
+        <translation>M%1 %2 (%3×)</translation>
+    </message>
+    <message>
+        <source>Ignored in this program: %1</source>
+        <translation>In diesem Programm ignoriert: %1</translation>
+    </message>
+    <message>
+        <source>Ignored M codes</source>
+        <translation>Ignorierte M-Befehle</translation>
+    </message>
+    <message>
+        <source>for example 16, 24, 25</source>
+        <translation>zum Beispiel 16, 24, 25</translation>
+    </message>
+    <message>
+        <source>M codes that move no axis on this machine: clamps, doors, air, chip conveyor. They are ignored and listed; other unknown codes leave the rest unverified.</source>
+        <translation>M-Befehle, die an dieser Maschine keine Achse bewegen: Spanner, Türen, Luft, Späneförderer. Sie werden ignoriert und aufgelistet; nach anderen unbekannten Befehlen bleibt der Rest ungeprüft.</translation>
+    </message>
+</context>
+<context>
+    <name>JobSteps</name>
+    <message>
+        <source>Min X</source>
+        <translation>Min. X</translation>
+    </message>
+    <message>
+        <source>Min Y</source>
+        <translation>Min. Y</translation>
+    </message>
+    <message>
+        <source>Top Z</source>
+        <translation>Oberseite Z</translation>
+    </message>
+    <message>
+        <source>Stock Shape</source>
+        <translation>Form des Rohteils</translation>
+    </message>
+    <message>
+        <source>Grid Spacing</source>
+        <translation>Rasterweite</translation>
+    </message>
+    <message>
+        <source>Start Position</source>
+        <translation>Startposition</translation>
+    </message>
+    <message>
+        <source>Tool at Start</source>
+        <translation>Werkzeug am Anfang</translation>
+    </message>
+    <message>
+        <source>Ignored M Codes</source>
+        <translation>Ignorierte M-Befehle</translation>
+    </message>
+    <message>
+        <source>Dialect</source>
+        <translation>Dialekt</translation>
+    </message>
+    <message>
+        <source>Block Delete</source>
+        <translation>Sätze ausblenden</translation>
+    </message>
+    <message>
+        <source>Cutter Compensation Start-Up</source>
+        <translation>Beginn der Fräserradiuskorrektur</translation>
+    </message>
+    <message>
+        <source>Tool T%1</source>
+        <translation>Werkzeug T%1</translation>
+    </message>
+    <message>
+        <source>Tool Table</source>
+        <translation>Werkzeugtabelle</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>Rohteil</translation>
+    </message>
+    <message>
+        <source>Setup</source>
+        <translation>Einrichtung</translation>
+    </message>
+    <message>
+        <source>Decimation Method</source>
+        <translation>Dezimierungsverfahren</translation>
+    </message>
+    <message>
+        <source>Decimation Parameters</source>
+        <translation>Dezimierungsparameter</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>Maschine</translation>
+    </message>
+</context>
+<context>
+    <name>Layouts</name>
+    <message>
+        <source>&amp;Machinist</source>
+        <translation>&amp;Werkstatt</translation>
+    </message>
+    <message>
+        <source>Program, setup and problems in front; playback in machine time</source>
+        <translation>Programm, Einrichtung und Probleme vorn; Abspielen in Maschinenzeit</translation>
+    </message>
+    <message>
+        <source>&amp;Research</source>
+        <translation>&amp;Forschung</translation>
+    </message>
+    <message>
+        <source>Tuning and plots in front; playback by blocks</source>
+        <translation>Abstimmung und Diagramme vorn; Abspielen nach Sätzen</translation>
     </message>
 </context>
 <context>
@@ -5449,10 +6214,6 @@ Vorgabe: %4 %5</translation>
     <message>
         <source>Tool bar</source>
         <translation>Werkzeugleiste</translation>
-    </message>
-    <message>
-        <source>untitled</source>
-        <translation>unbenannt</translation>
     </message>
 </context>
 <context>
@@ -5509,6 +6270,10 @@ Vorgabe: %4 %5</translation>
         <source>&amp;Memory to Go Back</source>
         <translation>Speicher zum &amp;Zurückgehen</translation>
     </message>
+    <message>
+        <source>L&amp;ayout</source>
+        <translation>A&amp;nordnung</translation>
+    </message>
 </context>
 <context>
     <name>MeshCommands</name>
@@ -5543,6 +6308,13 @@ Vorgabe: %4 %5</translation>
     <message>
         <source>Export &amp;Full-Resolution Mesh…</source>
         <translation>Netz in &amp;voller Auflösung exportieren …</translation>
+    </message>
+</context>
+<context>
+    <name>NumberBox</name>
+    <message>
+        <source>%1 is out of range: %2 to %3%4.</source>
+        <translation>%1 liegt außerhalb des Bereichs: %2 bis %3%4.</translation>
     </message>
 </context>
 <context>
@@ -5584,8 +6356,16 @@ Vorgabe: %4 %5</translation>
         <translation>Hier wurden Parameter geändert</translation>
     </message>
     <message>
-        <source>Mean of blocks %1 to %2 (one picture)</source>
-        <translation>Mittel der Sätze %1 bis %2 (ein Bild)</translation>
+        <source>%1 (log)</source>
+        <translation>%1 (log)</translation>
+    </message>
+    <message>
+        <source>Not drawn yet</source>
+        <translation>Noch nicht gezeichnet</translation>
+    </message>
+    <message>
+        <source>Upload and drawing: mean of blocks %1 to %2 (one picture)</source>
+        <translation>Übertragen und Zeichnen: Mittel der Sätze %1 bis %2 (ein Bild)</translation>
     </message>
 </context>
 <context>
@@ -5802,6 +6582,18 @@ Vorgabe: %4 %5</translation>
         <source>No problems found.</source>
         <translation>Keine Probleme gefunden.</translation>
     </message>
+    <message>
+        <source>Go to Line</source>
+        <translation>Zur Zeile gehen</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Ignore M%1: It Moves No Axis</source>
+        <translation>M%1 ignorieren: bewegt keine Achse</translation>
+    </message>
 </context>
 <context>
     <name>RecentMenu</name>
@@ -5819,6 +6611,119 @@ Vorgabe: %4 %5</translation>
     </message>
 </context>
 <context>
+    <name>Recovery</name>
+    <message>
+        <source>untitled</source>
+        <translation>unbenannt</translation>
+    </message>
+    <message>
+        <source>in the kept version</source>
+        <translation>in der aufbewahrten Version</translation>
+    </message>
+    <message>
+        <source>Setup</source>
+        <translation>Einrichtung</translation>
+    </message>
+    <message>
+        <source>Discard unsaved changes</source>
+        <translation>Nicht gespeicherte Änderungen verwerfen</translation>
+    </message>
+    <message>
+        <source>Discard the unsaved changes of %1?</source>
+        <translation>Die nicht gespeicherten Änderungen von %1 verwerfen?</translation>
+    </message>
+    <message>
+        <source>The kept version is deleted. The file on disk stays as it is.</source>
+        <translation>Die aufbewahrte Version wird gelöscht. Die Datei auf dem Datenträger bleibt, wie sie ist.</translation>
+    </message>
+</context>
+<context>
+    <name>RecoveryBar</name>
+    <message>
+        <source>Proveout did not close normally. These unsaved changes can be restored:</source>
+        <translation>Proveout wurde nicht normal beendet. Diese nicht gespeicherten Änderungen lassen sich wiederherstellen:</translation>
+    </message>
+    <message>
+        <source>program and setup</source>
+        <translation>Programm und Einrichtung</translation>
+    </message>
+    <message>
+        <source>program</source>
+        <translation>Programm</translation>
+    </message>
+    <message>
+        <source>setup</source>
+        <translation>Einrichtung</translation>
+    </message>
+    <message>
+        <source>untitled</source>
+        <translation>unbenannt</translation>
+    </message>
+    <message>
+        <source>%1 (%2), %3</source>
+        <translation>%1 (%2), %3</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Open the kept version as unsaved changes; the file stays as it is</source>
+        <translation>Die aufbewahrte Version als nicht gespeicherte Änderungen öffnen; die Datei bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>Vergleichen …</translation>
+    </message>
+    <message>
+        <source>Show where the kept version and the file differ</source>
+        <translation>Zeigen, wo sich die aufbewahrte Version und die Datei unterscheiden</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Delete the kept version; the file stays as it is</source>
+        <translation>Die aufbewahrte Version löschen; die Datei bleibt, wie sie ist</translation>
+    </message>
+</context>
+<context>
+    <name>RunToEnd</name>
+    <message>
+        <source>stock after block %1 of %2</source>
+        <translation>Rohteil nach Satz %1 von %2</translation>
+    </message>
+    <message>
+        <source>Program not run to its end</source>
+        <translation>Programm nicht bis zum Ende ausgeführt</translation>
+    </message>
+    <message>
+        <source>The simulation is at block %1 of %2.</source>
+        <translation>Die Simulation steht bei Satz %1 von %2.</translation>
+    </message>
+    <message>
+        <source>Export the stock as it is now, or run the program to the end first?</source>
+        <translation>Das Rohteil im jetzigen Stand exportieren oder das Programm zuerst bis zum Ende ausführen?</translation>
+    </message>
+    <message>
+        <source>&amp;Run to the End First</source>
+        <translation>&amp;Zuerst bis zum Ende ausführen</translation>
+    </message>
+    <message>
+        <source>&amp;Export This Block</source>
+        <translation>&amp;Diesen Stand exportieren</translation>
+    </message>
+    <message>
+        <source>Run to the End</source>
+        <translation>Bis zum Ende ausführen</translation>
+    </message>
+    <message>
+        <source>The program runs to its end before the export.</source>
+        <translation>Das Programm läuft vor dem Export bis zum Ende.</translation>
+    </message>
+</context>
+<context>
     <name>Samples</name>
     <message>
         <source>Core insert</source>
@@ -5827,6 +6732,37 @@ Vorgabe: %4 %5</translation>
     <message>
         <source>Mouse case</source>
         <translation>Mausgehäuse</translation>
+    </message>
+</context>
+<context>
+    <name>SaveQuestion</name>
+    <message>
+        <source>File changed on disk</source>
+        <translation>Datei auf dem Datenträger geändert</translation>
+    </message>
+    <message>
+        <source>%1 has changed on disk.</source>
+        <translation>%1 wurde auf dem Datenträger geändert.</translation>
+    </message>
+    <message>
+        <source>Another program or window wrote it at %1. Saving here would overwrite those changes.
+
+Keep Both saves your version as a new file beside it.</source>
+        <translation>Ein anderes Programm oder Fenster hat sie um %1 geschrieben. Speichern würde diese Änderungen hier überschreiben.
+
+„Beide behalten“ speichert Ihre Version als neue Datei daneben.</translation>
+    </message>
+    <message>
+        <source>&amp;Overwrite</source>
+        <translation>Über&amp;schreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Keep Both</source>
+        <translation>&amp;Beide behalten</translation>
+    </message>
+    <message>
+        <source>&amp;Compare…</source>
+        <translation>&amp;Vergleichen …</translation>
     </message>
 </context>
 <context>
@@ -5855,10 +6791,6 @@ Vorgabe: %4 %5</translation>
 <context>
     <name>SetupPanel</name>
     <message>
-        <source>Used by the program, but not in the table: %1</source>
-        <translation>Vom Programm verwendet, aber nicht in der Tabelle: %1</translation>
-    </message>
-    <message>
         <source>%1 × %2 points, %3 × %4 mm apart; needs about %5</source>
         <translation>%1 × %2 Punkte im Abstand von %3 × %4 mm; braucht etwa %5</translation>
     </message>
@@ -5877,14 +6809,6 @@ Vorgabe: %4 %5</translation>
     <message>
         <source>Tools</source>
         <translation>Werkzeuge</translation>
-    </message>
-    <message>
-        <source>Add them with standard sizes</source>
-        <translation>Mit Standardmaßen aufnehmen</translation>
-    </message>
-    <message>
-        <source>Add these tools; then give them the sizes of your cutters</source>
-        <translation>Diese Werkzeuge aufnehmen; geben Sie ihnen dann die Maße Ihrer Fräser</translation>
     </message>
     <message>
         <source>Skip blocks that begin with /</source>
@@ -5937,6 +6861,22 @@ Vorgabe: %4 %5</translation>
     <message>
         <source>Machine</source>
         <translation>Maschine</translation>
+    </message>
+    <message>
+        <source>Automatic: none of these</source>
+        <translation>Automatisch: keiner davon</translation>
+    </message>
+    <message>
+        <source>Tools missing from the table: %1</source>
+        <translation>In der Tabelle fehlende Werkzeuge: %1</translation>
+    </message>
+    <message>
+        <source>Add missing tools (⌀ 10 mm assumed)</source>
+        <translation>Fehlende Werkzeuge aufnehmen (⌀ 10 mm angenommen)</translation>
+    </message>
+    <message>
+        <source>Add these tools; then enter the sizes of your cutters</source>
+        <translation>Diese Werkzeuge aufnehmen; danach die Maße Ihrer Fräser eintragen</translation>
     </message>
 </context>
 <context>
@@ -6078,6 +7018,44 @@ Vorgabe: %4 %5</translation>
     </message>
 </context>
 <context>
+    <name>StartForm</name>
+    <message>
+        <source>Not set: %1 is assumed</source>
+        <translation>Nicht gesetzt: %1 wird angenommen</translation>
+    </message>
+    <message>
+        <source>Not set</source>
+        <translation>Nicht gesetzt</translation>
+    </message>
+    <message>
+        <source>Empty spindle</source>
+        <translation>Leere Spindel</translation>
+    </message>
+    <message>
+        <source>%1, not in the tool table</source>
+        <translation>%1, nicht in der Werkzeugtabelle</translation>
+    </message>
+    <message>
+        <source>Start position is known</source>
+        <translation>Startposition ist bekannt</translation>
+    </message>
+    <message>
+        <source>Start %1</source>
+        <comment>an axis</comment>
+        <translation>Start %1</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>%1
+Range: %2 to %3 mm</source>
+        <translation>%1
+Bereich: %2 bis %3 mm</translation>
+    </message>
+</context>
+<context>
     <name>StartPage</name>
     <message>
         <source>%1 (missing)</source>
@@ -6149,18 +7127,6 @@ Diese Datei ist nicht mehr da.</translation>
         <translation>Diese Arbeit abbrechen</translation>
     </message>
     <message>
-        <source>Position X of the tip of the cutter, mm</source>
-        <translation>Position X der Fräserspitze, mm</translation>
-    </message>
-    <message>
-        <source>Position Y of the tip of the cutter, mm</source>
-        <translation>Position Y der Fräserspitze, mm</translation>
-    </message>
-    <message>
-        <source>Position Z of the tip of the cutter, mm</source>
-        <translation>Position Z der Fräserspitze, mm</translation>
-    </message>
-    <message>
         <source>Feed, mm/min</source>
         <translation>Vorschub, mm/min</translation>
     </message>
@@ -6208,41 +7174,26 @@ Diese Datei ist nicht mehr da.</translation>
         <source>Cut by block %1: line %2, tool T%3.</source>
         <translation>Gefräst von Satz %1: Zeile %2, Werkzeug T%3.</translation>
     </message>
+    <message>
+        <source>Tool tip X in the active work offset, mm</source>
+        <translation>X der Werkzeugspitze in der aktiven Nullpunktverschiebung, mm</translation>
+    </message>
+    <message>
+        <source>Tool tip Y in the active work offset, mm</source>
+        <translation>Y der Werkzeugspitze in der aktiven Nullpunktverschiebung, mm</translation>
+    </message>
+    <message>
+        <source>Tool tip Z in the active work offset, mm</source>
+        <translation>Z der Werkzeugspitze in der aktiven Nullpunktverschiebung, mm</translation>
+    </message>
+    <message>
+        <source>%1 (assumed)</source>
+        <comment>a tool</comment>
+        <translation>%1 (angenommen)</translation>
+    </message>
 </context>
 <context>
     <name>StockForm</name>
-    <message>
-        <source>Left edge X</source>
-        <translation>Linke Kante X</translation>
-    </message>
-    <message>
-        <source>Program coordinate of the stock&apos;s least X.</source>
-        <translation>Programmkoordinate des kleinsten X des Rohteils.</translation>
-    </message>
-    <message>
-        <source>Front edge Y</source>
-        <translation>Vordere Kante Y</translation>
-    </message>
-    <message>
-        <source>Program coordinate of the stock&apos;s least Y.</source>
-        <translation>Programmkoordinate des kleinsten Y des Rohteils.</translation>
-    </message>
-    <message>
-        <source>Top Z</source>
-        <translation>Oberseite Z</translation>
-    </message>
-    <message>
-        <source>Program coordinate of the stock&apos;s top.</source>
-        <translation>Programmkoordinate der Oberseite des Rohteils.</translation>
-    </message>
-    <message>
-        <source>Grid spacing</source>
-        <translation>Rasterweite</translation>
-    </message>
-    <message>
-        <source>Wanted distance of the points of the z-map; it is adjusted so that it divides the stock exactly.</source>
-        <translation>Gewünschter Abstand der Punkte der Z-Map; er wird so angepasst, dass er das Rohteil genau teilt.</translation>
-    </message>
     <message>
         <source> mm</source>
         <translation> mm</translation>
@@ -6353,6 +7304,21 @@ Vorgabe: %4 mm</translation>
     <message>
         <source>&amp;Export…</source>
         <translation>&amp;Exportieren…</translation>
+    </message>
+</context>
+<context>
+    <name>SurfaceProbe</name>
+    <message>
+        <source>X %1  Y %2  Z %3 mm (%4)</source>
+        <translation>X %1  Y %2  Z %3 mm (%4)</translation>
+    </message>
+    <message>
+        <source>Raw stock</source>
+        <translation>Unberührtes Rohteil</translation>
+    </message>
+    <message>
+        <source>Line %1, T%2</source>
+        <translation>Zeile %1, T%2</translation>
     </message>
 </context>
 <context>
@@ -6472,6 +7438,81 @@ Vorgabe: %3</translation>
     </message>
 </context>
 <context>
+    <name>ToolNotice</name>
+    <message>
+        <source>Hide this notice</source>
+        <translation>Diesen Hinweis ausblenden</translation>
+    </message>
+    <message>
+        <source>The program cuts before it calls a tool; those moves are not simulated.</source>
+        <translation>Das Programm fräst, bevor es ein Werkzeug aufruft; diese Bewegungen werden nicht simuliert.</translation>
+    </message>
+    <message>
+        <source>T%1 is not in the tool table; its moves are not simulated.</source>
+        <translation>T%1 steht nicht in der Werkzeugtabelle; seine Bewegungen werden nicht simuliert.</translation>
+    </message>
+    <message>
+        <source>%1 are not in the tool table; their moves are not simulated.</source>
+        <translation>%1 stehen nicht in der Werkzeugtabelle; ihre Bewegungen werden nicht simuliert.</translation>
+    </message>
+    <message>
+        <source>Nothing is cut.</source>
+        <translation>Es wird nichts gefräst.</translation>
+    </message>
+    <message>
+        <source>Define T%1 …</source>
+        <translation>T%1 festlegen …</translation>
+    </message>
+    <message>
+        <source>Add T%1 to the tool table and enter its sizes</source>
+        <translation>T%1 in die Werkzeugtabelle aufnehmen und seine Maße eintragen</translation>
+    </message>
+    <message>
+        <source>Assume ⌀ 10 mm</source>
+        <translation>⌀ 10 mm annehmen</translation>
+    </message>
+    <message>
+        <source>Add the missing tools as flat end mills of 10 mm, marked as assumed</source>
+        <translation>Die fehlenden Werkzeuge als Schaftfräser von 10 mm aufnehmen, als angenommen gekennzeichnet</translation>
+    </message>
+    <message>
+        <source>The sizes of %1 are not confirmed.</source>
+        <translation>Die Maße von %1 sind nicht bestätigt.</translation>
+    </message>
+    <message>
+        <source>T%1 is read from the comment in line %2: %3.</source>
+        <translation>T%1 ist aus dem Kommentar in Zeile %2 gelesen: %3.</translation>
+    </message>
+    <message>
+        <source>The sizes of T%1 are assumed: %2.</source>
+        <translation>Die Maße von T%1 sind angenommen: %2.</translation>
+    </message>
+    <message>
+        <source>Until you confirm them, results are unverified.</source>
+        <translation>Bis Sie sie bestätigen, sind die Ergebnisse ungeprüft.</translation>
+    </message>
+    <message>
+        <source>Check …</source>
+        <translation>Prüfen …</translation>
+    </message>
+    <message>
+        <source>Show T%1 in the tool table</source>
+        <translation>T%1 in der Werkzeugtabelle zeigen</translation>
+    </message>
+    <message>
+        <source>Confirm All</source>
+        <translation>Alle bestätigen</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>Bestätigen</translation>
+    </message>
+    <message>
+        <source>The sizes in the tool table are right</source>
+        <translation>Die Maße in der Werkzeugtabelle stimmen</translation>
+    </message>
+</context>
+<context>
     <name>ToolTableEditor</name>
     <message>
         <source>T%1 is already in the table.</source>
@@ -6514,13 +7555,64 @@ Vorgabe: %3</translation>
         <translation>Werkzeugnummer</translation>
     </message>
     <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Given</source>
+        <translation>Angegeben</translation>
+    </message>
+    <message>
+        <source>Comment, line %1</source>
+        <translation>Kommentar, Zeile %1</translation>
+    </message>
+    <message>
+        <source>Assumed</source>
+        <translation>Angenommen</translation>
+    </message>
+    <message>
+        <source>Default sizes; enter those of your cutter, or confirm them</source>
+        <translation>Vorgabemaße; die Ihres Fräsers eintragen oder sie bestätigen</translation>
+    </message>
+    <message>
+        <source>These sizes are assumed. Enter those of your cutter, or confirm them.</source>
+        <translation>Diese Maße sind angenommen. Die Ihres Fräsers eintragen oder sie bestätigen.</translation>
+    </message>
+    <message>
+        <source>From the comment in &lt;a href=&quot;%1&quot;&gt;line %1&lt;/a&gt;: &lt;i&gt;%2&lt;/i&gt;</source>
+        <translation>Aus dem Kommentar in &lt;a href=&quot;%1&quot;&gt;Zeile %1&lt;/a&gt;: &lt;i&gt;%2&lt;/i&gt;</translation>
+    </message>
+    <message>
+        <source>Not stated there, defaults: %1</source>
+        <translation>Dort nicht angegeben, Vorgaben: %1</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>Herkunft</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>Bestätigen</translation>
+    </message>
+    <message>
+        <source>The sizes of the selected tool are right</source>
+        <translation>Die Maße des gewählten Werkzeugs stimmen</translation>
+    </message>
+    <message>
+        <source>Confirm All</source>
+        <translation>Alle bestätigen</translation>
+    </message>
+    <message>
+        <source>The sizes of all tools are right</source>
+        <translation>Die Maße aller Werkzeuge stimmen</translation>
+    </message>
+    <message>
         <source>The T word that calls this tool (no unit)
-Range: 1 to %1
+Range: %1 to %2
 Default: the next free number</source>
         <translation>Das T-Wort, das dieses Werkzeug ruft (ohne Einheit)
-Bereich: 1 bis %1
-Vorgabe: die nächste freie Nummer {1 ?} {1
-?}</translation>
+Bereich: %1 bis %2
+Vorgabe: die nächste freie Nummer</translation>
     </message>
 </context>
 <context>
@@ -6542,22 +7634,6 @@ Vorgabe: die nächste freie Nummer {1 ?} {1
         <translation>Größter Fehler: %1 mm neben zulässigen %2 mm, die ohne Zertifizieren keine Schranke sind</translation>
     </message>
     <message>
-        <source>Grid spacing</source>
-        <translation>Rasterweite</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>Wanted distance of the points of the z-map; finer shows more and takes longer. The simulation starts anew.
-Range: %1 to %2 mm
-Default: %3 mm</source>
-        <translation>Gewünschter Abstand der Punkte der Z-Map; feiner zeigt mehr und dauert länger. Die Simulation beginnt neu.
-Bereich: %1 bis %2 mm
-Vorgabe: %3 mm</translation>
-    </message>
-    <message>
         <source>Measured effect</source>
         <translation>Gemessene Wirkung</translation>
     </message>
@@ -6576,6 +7652,21 @@ Vorgabe: %3 mm</translation>
     <message>
         <source>Decimation is held back while playing: there are only %1 faces to draw without it.</source>
         <translation>Die Dezimierung wird beim Abspielen zurückgehalten: Ohne sie sind nur %1 Dreiecke zu zeichnen.</translation>
+    </message>
+</context>
+<context>
+    <name>UndoCommands</name>
+    <message>
+        <source>Text Change</source>
+        <translation>Textänderung</translation>
+    </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo %1</source>
+        <translation>&amp;Wiederholen: %1</translation>
     </message>
 </context>
 <context>
@@ -6802,6 +7893,22 @@ Vorgabe: %3 mm</translation>
     <message>
         <source>Click a place of the stock, and see the block that cut it</source>
         <translation>Eine Stelle des Rohteils anklicken und den Satz sehen, der sie gefräst hat</translation>
+    </message>
+    <message>
+        <source>P&amp;osition at Pointer</source>
+        <translation>Positio&amp;n am Zeiger</translation>
+    </message>
+    <message>
+        <source>Show the coordinates under the pointer, and the line that cut there</source>
+        <translation>Die Koordinaten unter dem Zeiger zeigen und die Zeile, die dort gefräst hat</translation>
+    </message>
+    <message>
+        <source>Toolpath Through Stoc&amp;k</source>
+        <translation>Wer&amp;kzeugweg durch das Rohteil</translation>
+    </message>
+    <message>
+        <source>Show the toolpath inside and behind the stock, dimmed</source>
+        <translation>Den Werkzeugweg im Rohteil und dahinter abgeschwächt zeigen</translation>
     </message>
 </context>
 <context>

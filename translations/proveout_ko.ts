@@ -268,6 +268,45 @@ Default: 0 mm</source>
     </message>
 </context>
 <context>
+    <name>CompareDialog</name>
+    <message>
+        <source>in this window</source>
+        <translation>이 창에</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>비교</translation>
+    </message>
+    <message>
+        <source>Differences of %1</source>
+        <translation>%1의 차이</translation>
+    </message>
+    <message>
+        <source>Both versions of %1 have the same lines.</source>
+        <translation>%1의 두 버전은 모든 줄이 같습니다.</translation>
+    </message>
+    <message>
+        <source>− lines only on disk: %1</source>
+        <translation>− 디스크에만 있는 줄: %1</translation>
+    </message>
+    <message>
+        <source>+ lines only %1: %2</source>
+        <translation>+ %1만 있는 줄: %2</translation>
+    </message>
+    <message>
+        <source>&amp;Previous Difference</source>
+        <translation>이전 차이(&amp;P)</translation>
+    </message>
+    <message>
+        <source>&amp;Next Difference</source>
+        <translation>다음 차이(&amp;N)</translation>
+    </message>
+    <message>
+        <source>Only the first %1 lines are shown.</source>
+        <translation>처음 %1줄만 표시합니다.</translation>
+    </message>
+</context>
+<context>
     <name>ControlPanel</name>
     <message>
         <source>State of the control</source>
@@ -1529,26 +1568,6 @@ Default: 0 mm</source>
         <translation>절삭 깊이를 줄이거나 날이 더 긴 공구를 선택하십시오.</translation>
     </message>
     <message>
-        <source>No cutter is defined for tool T{}; its motions cut nothing.</source>
-        <translation>공구 T{}의 형상이 정의되지 않아 이 공구의 이송은 아무것도 절삭하지 않습니다.</translation>
-    </message>
-    <message>
-        <source>Add the tool to the tool table.</source>
-        <translation>공구 테이블에 공구를 추가하십시오.</translation>
-    </message>
-    <message>
-        <source>The program cuts with no tool in the spindle.</source>
-        <translation>주축에 공구가 없는 상태로 절삭합니다.</translation>
-    </message>
-    <message>
-        <source>Select a tool with T and M6 before the first cut.</source>
-        <translation>첫 절삭 전에 T와 M6으로 공구를 선택하십시오.</translation>
-    </message>
-    <message>
-        <source>The program never selects a tool; tool T{} is used.</source>
-        <translation>프로그램에서 공구를 선택하지 않아 공구 T{}를 사용합니다.</translation>
-    </message>
-    <message>
         <source>{} more findings of the simulation are not shown.</source>
         <translation>시뮬레이션 결과 {}건을 더 표시하지 않습니다.</translation>
     </message>
@@ -2183,18 +2202,6 @@ Default: 0 mm</source>
     <message>
         <source>The program has more than {} tool changes, stops, dwells and the like; interpretation ends here.</source>
         <translation>프로그램의 공구 교환, 정지, 드웰 등이 {}개를 넘어 여기서 해석을 끝냅니다.</translation>
-    </message>
-    <message>
-        <source>“{}” does not begin with a tool number from 1 to {}, as in {}.</source>
-        <translation>“{}”이(가) 1에서 {}까지의 공구 번호로 시작하지 않습니다. 예: {}.</translation>
-    </message>
-    <message>
-        <source>A tool needs a number, a whole one from 1 to {}.</source>
-        <translation>공구에는 1에서 {}까지의 정수 번호가 필요합니다.</translation>
-    </message>
-    <message>
-        <source>&quot;{}&quot; is no tool number; they are whole numbers from 1 to {}.</source>
-        <translation>&quot;{}&quot;은(는) 공구 번호가 아닙니다. 공구 번호는 1에서 {}까지의 정수입니다.</translation>
     </message>
     <message>
         <source>&quot;{}&quot; is a tool that the table has already.</source>
@@ -4900,6 +4907,550 @@ Default: 0 mm</source>
         <source>The block that made this place could not be found: {}.</source>
         <translation>이곳을 가공한 블록을 찾지 못했습니다: {}.</translation>
     </message>
+    <message>
+        <source>“{}” does not begin with a tool number from {} to {}, as in {}.</source>
+        <translation>“{}”이(가) {}에서 {}까지의 공구 번호로 시작하지 않습니다. 예: {}.</translation>
+    </message>
+    <message>
+        <source>A tool needs a number, a whole one from {} to {}.</source>
+        <translation>공구에는 {}에서 {} 사이의 정수인 번호가 필요합니다.</translation>
+    </message>
+    <message>
+        <source>The source of a tool is &quot;given&quot;, &quot;comment&quot; or &quot;assumed&quot;.</source>
+        <translation>공구의 출처는 &quot;given&quot;, &quot;comment&quot;, &quot;assumed&quot; 중 하나여야 합니다.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; and the fields minX, minY, topZ exclude each other; they are the same position.</source>
+        <translation>&quot;{}&quot; 필드와 minX, minY, topZ 필드는 같은 위치를 나타내므로 함께 쓸 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is not a tool number; these are whole numbers from {} to {}.</source>
+        <translation>&quot;{}&quot;은(는) 공구 번호가 아닙니다. 공구 번호는 {}에서 {}까지의 정수입니다.</translation>
+    </message>
+    <message>
+        <source>The field &quot;{}&quot; must be a list of whole numbers from 0 to {}.</source>
+        <translation>&quot;{}&quot; 필드는 0에서 {} 사이의 정수 목록이어야 합니다.</translation>
+    </message>
+    <message>
+        <source>spindle number</source>
+        <translation>주축 번호</translation>
+    </message>
+    <message>
+        <source>a Heidenhain conversational program</source>
+        <translation>Heidenhain 대화형 프로그램</translation>
+    </message>
+    <message>
+        <source>a Heidenhain DIN/ISO program</source>
+        <translation>Heidenhain DIN/ISO 프로그램</translation>
+    </message>
+    <message>
+        <source>a Siemens Sinumerik program</source>
+        <translation>Siemens Sinumerik 프로그램</translation>
+    </message>
+    <message>
+        <source>an Okuma OSP program</source>
+        <translation>Okuma OSP 프로그램</translation>
+    </message>
+    <message>
+        <source>a WinCNC program</source>
+        <translation>WinCNC 프로그램</translation>
+    </message>
+    <message>
+        <source>a ShopBot program</source>
+        <translation>ShopBot 프로그램</translation>
+    </message>
+    <message>
+        <source>a lathe program</source>
+        <translation>선반 프로그램</translation>
+    </message>
+    <message>
+        <source>a 3D printer program</source>
+        <translation>3D 프린터 프로그램</translation>
+    </message>
+    <message>
+        <source>an APT or CL data file</source>
+        <translation>APT 또는 CL 데이터 파일</translation>
+    </message>
+    <message>
+        <source>a Gerber file</source>
+        <translation>Gerber 파일</translation>
+    </message>
+    <message>
+        <source>an Excellon drill file</source>
+        <translation>Excellon 드릴 파일</translation>
+    </message>
+    <message>
+        <source>an HPGL plot file</source>
+        <translation>HPGL 플롯 파일</translation>
+    </message>
+    <message>
+        <source>a CAMotics project</source>
+        <translation>CAMotics 프로젝트</translation>
+    </message>
+    <message>
+        <source>a Proveout job</source>
+        <translation>Proveout 작업</translation>
+    </message>
+    <message>
+        <source>a JSON file</source>
+        <translation>JSON 파일</translation>
+    </message>
+    <message>
+        <source>an SVG drawing</source>
+        <translation>SVG 도면</translation>
+    </message>
+    <message>
+        <source>an HTML page</source>
+        <translation>HTML 페이지</translation>
+    </message>
+    <message>
+        <source>an XML file</source>
+        <translation>XML 파일</translation>
+    </message>
+    <message>
+        <source>an STL mesh</source>
+        <translation>STL 메시</translation>
+    </message>
+    <message>
+        <source>an OBJ mesh</source>
+        <translation>OBJ 메시</translation>
+    </message>
+    <message>
+        <source>a PLY mesh</source>
+        <translation>PLY 메시</translation>
+    </message>
+    <message>
+        <source>a STEP model</source>
+        <translation>STEP 모델</translation>
+    </message>
+    <message>
+        <source>a DXF drawing</source>
+        <translation>DXF 도면</translation>
+    </message>
+    <message>
+        <source>a PostScript file</source>
+        <translation>PostScript 파일</translation>
+    </message>
+    <message>
+        <source>a PDF document</source>
+        <translation>PDF 문서</translation>
+    </message>
+    <message>
+        <source>a rich text document</source>
+        <translation>서식 있는 텍스트(RTF) 문서</translation>
+    </message>
+    <message>
+        <source>&quot;{}&quot; is not an M code; write numbers from 0 to {}, for example 10, 11, 16.</source>
+        <translation>&quot;{}&quot;은(는) M 코드가 아닙니다. 0에서 {} 사이의 숫자를 쓰십시오. 예: 10, 11, 16.</translation>
+    </message>
+    <message>
+        <source>clamp of a rotary axis or pallet on</source>
+        <translation>회전축 또는 팔레트 클램프 켜기</translation>
+    </message>
+    <message>
+        <source>clamp of a rotary axis or pallet off</source>
+        <translation>회전축 또는 팔레트 클램프 끄기</translation>
+    </message>
+    <message>
+        <source>low spindle gear</source>
+        <translation>주축 저속 기어</translation>
+    </message>
+    <message>
+        <source>high spindle gear</source>
+        <translation>주축 고속 기어</translation>
+    </message>
+    <message>
+        <source>clamp of the B axis on</source>
+        <translation>B축 클램프 켜기</translation>
+    </message>
+    <message>
+        <source>clamp of the B axis off</source>
+        <translation>B축 클램프 끄기</translation>
+    </message>
+    <message>
+        <source>brake of the 4th axis on</source>
+        <translation>제4축 브레이크 켜기</translation>
+    </message>
+    <message>
+        <source>brake of the 4th axis off</source>
+        <translation>제4축 브레이크 끄기</translation>
+    </message>
+    <message>
+        <source>brake of the 5th axis on</source>
+        <translation>제5축 브레이크 켜기</translation>
+    </message>
+    <message>
+        <source>brake of the 5th axis off</source>
+        <translation>제5축 브레이크 끄기</translation>
+    </message>
+    <message>
+        <source>pallet unclamped, door open</source>
+        <translation>팔레트 클램프 해제, 도어 열기</translation>
+    </message>
+    <message>
+        <source>pallet clamped, door closed</source>
+        <translation>팔레트 클램프, 도어 닫기</translation>
+    </message>
+    <message>
+        <source>chip conveyor on</source>
+        <translation>칩 컨베이어 켜기</translation>
+    </message>
+    <message>
+        <source>chip conveyor off</source>
+        <translation>칩 컨베이어 끄기</translation>
+    </message>
+    <message>
+        <source>coolant nozzle one step on</source>
+        <translation>절삭유 노즐 한 단계 앞으로</translation>
+    </message>
+    <message>
+        <source>coolant nozzle one step back</source>
+        <translation>절삭유 노즐 한 단계 뒤로</translation>
+    </message>
+    <message>
+        <source>pallet part ready</source>
+        <translation>팔레트 공작물 준비 완료</translation>
+    </message>
+    <message>
+        <source>air through the tool on</source>
+        <translation>공구 관통 에어 켜기</translation>
+    </message>
+    <message>
+        <source>air through the tool off</source>
+        <translation>공구 관통 에어 끄기</translation>
+    </message>
+    <message>
+        <source>display off</source>
+        <translation>화면 표시 끄기</translation>
+    </message>
+    <message>
+        <source>display on</source>
+        <translation>화면 표시 켜기</translation>
+    </message>
+    <message>
+        <source>door open</source>
+        <translation>도어 열기</translation>
+    </message>
+    <message>
+        <source>door closed</source>
+        <translation>도어 닫기</translation>
+    </message>
+    <message>
+        <source>air jet on</source>
+        <translation>에어 블로 켜기</translation>
+    </message>
+    <message>
+        <source>air jet off</source>
+        <translation>에어 블로 끄기</translation>
+    </message>
+    <message>
+        <source>coolant through the spindle on</source>
+        <translation>주축 관통 절삭유 켜기</translation>
+    </message>
+    <message>
+        <source>coolant through the spindle off</source>
+        <translation>주축 관통 절삭유 끄기</translation>
+    </message>
+    <message>
+        <source>picture shown on the display</source>
+        <translation>화면에 그림 표시</translation>
+    </message>
+    <message>
+        <source>picture on the display closed</source>
+        <translation>화면의 그림 닫기</translation>
+    </message>
+    <message>
+        <source>spindle speed variation on</source>
+        <translation>주축 속도 변동 켜기</translation>
+    </message>
+    <message>
+        <source>spindle speed variation off</source>
+        <translation>주축 속도 변동 끄기</translation>
+    </message>
+    <message>
+        <source>mist extractor on</source>
+        <translation>미스트 집진기 켜기</translation>
+    </message>
+    <message>
+        <source>mist extractor off</source>
+        <translation>미스트 집진기 끄기</translation>
+    </message>
+    <message>
+        <source>This is {} (line {}: {}), which Proveout does not read.</source>
+        <translation>이 파일은 {}이며({}번 줄: {}), Proveout이 읽지 않는 형식입니다.</translation>
+    </message>
+    <message>
+        <source>Post-process it for LinuxCNC, Fanuc, Haas, grbl or Mach3 / Mach4; if it is one of these after all, choose the dialect.</source>
+        <translation>LinuxCNC, Fanuc, Haas, grbl 또는 Mach3 / Mach4용으로 포스트 처리하십시오. 실제로 이 중 하나라면 제어기 방식을 고르십시오.</translation>
+    </message>
+    <message>
+        <source>This is {} (line {}: {}), not an NC program.</source>
+        <translation>이 파일은 {}이며({}번 줄: {}), NC 프로그램이 아닙니다.</translation>
+    </message>
+    <message>
+        <source>Open the program that the machine would run; if this is it, choose its dialect.</source>
+        <translation>기계에서 실행할 프로그램을 여십시오. 이것이 그 프로그램이라면 제어기 방식을 고르십시오.</translation>
+    </message>
+    <message>
+        <source>If it moves no axis (a clamp, a door, air), add it to the ignored M codes of the setup; until then, results after this block are unverified.</source>
+        <translation>축을 움직이지 않는 코드(클램프, 도어, 에어)라면 셋업의 무시할 M 코드에 추가하십시오. 그때까지 이 블록 뒤의 결과는 검증되지 않습니다.</translation>
+    </message>
+    <message>
+        <source>{} ({}) moves no axis and is ignored ({}×, line {}).</source>
+        <translation>{}({})은(는) 축을 움직이지 않으므로 무시합니다({}회, {}번 줄).</translation>
+    </message>
+    <message>
+        <source>The machine builder gives M codes their meaning; check it where it matters.</source>
+        <translation>M 코드의 의미는 기계 제조사가 정합니다. 중요한 곳에서는 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>{} is ignored, because the setup lists it ({}×, line {}).</source>
+        <translation>{}은(는) 셋업의 목록에 있으므로 무시합니다({}회, {}번 줄).</translation>
+    </message>
+    <message>
+        <source>Remove it from the ignored M codes if it moves an axis.</source>
+        <translation>축을 움직이는 코드라면 무시할 M 코드에서 제거하십시오.</translation>
+    </message>
+    <message>
+        <source>{} ({}) is executed, although the setup lists it as ignored.</source>
+        <translation>{}({})은(는) 셋업의 무시 목록에 있지만 실행합니다.</translation>
+    </message>
+    <message>
+        <source>Remove it from the ignored M codes: only codes without a known effect can be ignored.</source>
+        <translation>무시할 M 코드에서 제거하십시오. 효과가 알려지지 않은 코드만 무시할 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>There is no spindle {}: the machine has one, $0.</source>
+        <translation>주축 {}이(가) 없습니다. 기계의 주축은 $0 하나입니다.</translation>
+    </message>
+    <message>
+        <source>Write $0, or leave the word out; this block is skipped.</source>
+        <translation>$0을 쓰거나 워드를 빼십시오. 이 블록은 건너뜁니다.</translation>
+    </message>
+    <message>
+        <source>Writing #5220 selects no work offset.</source>
+        <translation>#5220에 값을 써도 공작물 좌표계가 선택되지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Select it with G54 to G59.3, which write #5220 themselves.</source>
+        <translation>G54~G59.3으로 선택하십시오. 이 코드들이 #5220을 직접 씁니다.</translation>
+    </message>
+    <message>
+        <source>G43.2 has both H and axis words.</source>
+        <translation>G43.2에 H와 축 워드가 모두 있습니다.</translation>
+    </message>
+    <message>
+        <source>Write two blocks; the offset in force is kept.</source>
+        <translation>두 블록으로 나누어 쓰십시오. 적용 중인 옵셋이 유지됩니다.</translation>
+    </message>
+    <message>
+        <source>LinuxCNC 2.9 mixes up the axes of a tapping cycle in {}: the tool feeds to another place than the hole bottom.</source>
+        <translation>LinuxCNC 2.9는 {}에서 탭핑 사이클의 축을 뒤바꿉니다. 공구가 구멍 바닥이 아닌 다른 곳으로 이송합니다.</translation>
+    </message>
+    <message>
+        <source>Tap in G17, or use G33.1.</source>
+        <translation>G17에서 탭핑하거나 G33.1을 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>The canned cycle before this arc leaves the tool elsewhere than the control takes it to be.</source>
+        <translation>이 원호 앞의 고정 사이클이 끝난 뒤 실제 공구 위치가 제어기가 인식하는 위치와 다릅니다.</translation>
+    </message>
+    <message>
+        <source>Program a straight move before the arc; the arc is skipped.</source>
+        <translation>원호 앞에 직선 이송을 지령하십시오. 이 원호는 건너뜁니다.</translation>
+    </message>
+    <message>
+        <source>a PNG picture</source>
+        <translation>PNG 그림</translation>
+    </message>
+    <message>
+        <source>a JPEG picture</source>
+        <translation>JPEG 그림</translation>
+    </message>
+    <message>
+        <source>a GIF picture</source>
+        <translation>GIF 그림</translation>
+    </message>
+    <message>
+        <source>a ZIP archive, as 3MF, FreeCAD and office files are</source>
+        <translation>ZIP 압축 파일(3MF, FreeCAD, 오피스 파일 등)</translation>
+    </message>
+    <message>
+        <source>a gzip archive</source>
+        <translation>gzip 압축 파일</translation>
+    </message>
+    <message>
+        <source>a 7z archive</source>
+        <translation>7z 압축 파일</translation>
+    </message>
+    <message>
+        <source>an office or CAD document</source>
+        <translation>오피스 또는 CAD 문서</translation>
+    </message>
+    <message>
+        <source>a program of the computer</source>
+        <translation>컴퓨터용 실행 프로그램</translation>
+    </message>
+    <message>
+        <source>This is {}, not an NC program.</source>
+        <translation>이 파일은 {}이며, NC 프로그램이 아닙니다.</translation>
+    </message>
+    <message>
+        <source>The grid spacing of {} mm is too coarse for T{} (⌀{} mm): it has only {} points across it.</source>
+        <translation>격자 간격 {} mm는 T{}(⌀{} mm)에 너무 큽니다. 공구 지름에 걸치는 점이 {}개뿐입니다.</translation>
+    </message>
+    <message>
+        <source>Choose a finer grid, or the automatic one; look at details in a smaller stock or a detail region.</source>
+        <translation>더 작은 격자 간격이나 자동을 선택하십시오. 세부는 더 작은 소재나 세부 영역에서 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>Confirm the sizes of the tool in the tool table, or correct them.</source>
+        <translation>공구 테이블에서 공구의 치수를 확인하거나 고치십시오.</translation>
+    </message>
+    <message>
+        <source>Rapid move cuts stock ({} mm deep) with the unconfirmed tool T{}.</source>
+        <translation>급속 이송이 소재를 절삭합니다(깊이 {} mm, 확인되지 않은 공구 T{}).</translation>
+    </message>
+    <message>
+        <source>The cut is {} mm deep, beyond the flutes of the unconfirmed tool T{}.</source>
+        <translation>절삭 깊이가 {} mm로, 확인되지 않은 공구 T{}의 날 길이를 넘습니다.</translation>
+    </message>
+    <message>
+        <source>{} mm of stock meet the neck of the unconfirmed tool T{}.</source>
+        <translation>소재 {} mm가 확인되지 않은 공구 T{}의 목에 닿습니다.</translation>
+    </message>
+    <message>
+        <source>T{} is read from a comment ({}); it is not confirmed.</source>
+        <translation>T{}은(는) 주석에서 읽었으며({}) 확인되지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>T{} is read from a comment ({}; defaults: {}); it is not confirmed.</source>
+        <translation>T{}은(는) 주석에서 읽었으며({}; 기본값: {}) 확인되지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>The sizes of T{} are assumed ({}); they are not confirmed.</source>
+        <translation>T{}의 치수는 가정한 값이며({}) 확인되지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>The program cuts before it calls a tool; T{} is assumed to be in the spindle.</source>
+        <translation>공구를 호출하기 전에 절삭합니다. T{}이(가) 주축에 있다고 가정합니다.</translation>
+    </message>
+    <message>
+        <source>Set the tool at start in the setup if this is the right one.</source>
+        <translation>이 공구가 맞으면 셋업에서 시작 공구로 지정하십시오.</translation>
+    </message>
+    <message>
+        <source>T{} is not in the tool table; its moves are not simulated.</source>
+        <translation>T{}이(가) 공구 테이블에 없어 그 이송을 시뮬레이션하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Define it in the tool table.</source>
+        <translation>공구 테이블에 정의하십시오.</translation>
+    </message>
+    <message>
+        <source>The program cuts before it calls a tool; moves are not simulated until it does.</source>
+        <translation>공구를 호출하기 전에 절삭합니다. 공구를 호출할 때까지 이송을 시뮬레이션하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Set the tool at start in the setup, or program T and M6 before the first cut.</source>
+        <translation>셋업에서 시작 공구를 지정하거나 첫 절삭 전에 T와 M6을 지령하십시오.</translation>
+    </message>
+    <message>
+        <source>T{} leaves the spindle empty; its moves are not simulated.</source>
+        <translation>T{}은(는) 주축을 비우므로 그 이송을 시뮬레이션하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Define T0 in the tool table if it is a cutter.</source>
+        <translation>T0이 절삭 공구라면 공구 테이블에 정의하십시오.</translation>
+    </message>
+    <message>
+        <source>Min X</source>
+        <translation>최소 X</translation>
+    </message>
+    <message>
+        <source>Program coordinate of the left side of the stock.</source>
+        <translation>소재 왼쪽 면의 프로그램 좌표입니다.</translation>
+    </message>
+    <message>
+        <source>Min Y</source>
+        <translation>최소 Y</translation>
+    </message>
+    <message>
+        <source>Program coordinate of the front side of the stock.</source>
+        <translation>소재 앞쪽 면의 프로그램 좌표입니다.</translation>
+    </message>
+    <message>
+        <source>Top Z</source>
+        <translation>윗면 Z</translation>
+    </message>
+    <message>
+        <source>Program coordinate of the top of the stock.</source>
+        <translation>소재 윗면의 프로그램 좌표입니다.</translation>
+    </message>
+    <message>
+        <source>Grid spacing</source>
+        <translation>격자 간격</translation>
+    </message>
+    <message>
+        <source>Distance between the points of the z-map; adjusted so that it divides the stock exactly.</source>
+        <translation>Z맵 점 사이의 거리입니다. 소재를 정확히 나누도록 조정됩니다.</translation>
+    </message>
+    <message>
+        <source>Start position</source>
+        <translation>시작 위치</translation>
+    </message>
+    <message>
+        <source>Program coordinates of the tool tip before the first block; unknown if not set.</source>
+        <translation>첫 블록 전 공구 선단의 프로그램 좌표입니다. 설정하지 않으면 알 수 없는 것으로 봅니다.</translation>
+    </message>
+    <message>
+        <source>Tool at start</source>
+        <translation>시작 공구</translation>
+    </message>
+    <message>
+        <source>Tool in the spindle before the first tool change; 0 is an empty spindle, or T0 of the tool table.</source>
+        <translation>첫 공구 교환 전에 주축에 있는 공구입니다. 0은 빈 주축 또는 공구 테이블의 T0입니다.</translation>
+    </message>
+    <message>
+        <source>Check size and position of the stock, and the work offset: the position of the stock names its top, not its bottom.</source>
+        <translation>소재의 크기와 위치, 공작물 좌표계를 확인하십시오. 소재의 위치는 바닥이 아니라 윗면을 가리킵니다.</translation>
+    </message>
+    <message>
+        <source>The program never cuts the stock: its moves at feed are within {}, the stock within {}.</source>
+        <translation>프로그램이 소재를 전혀 절삭하지 않습니다. 절삭 이송의 범위는 {}, 소재의 범위는 {}입니다.</translation>
+    </message>
+    <message>
+        <source>Moves at feed go {} mm beyond the stock in {}, where it measures {} mm.</source>
+        <translation>절삭 이송이 소재를 {} mm 벗어납니다({} 방향, 소재 크기 {} mm).</translation>
+    </message>
+    <message>
+        <source>The stock has no file yet; nothing is simulated.</source>
+        <translation>소재 파일이 아직 지정되지 않아 시뮬레이션하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The stock cannot be made from {}; nothing is simulated.</source>
+        <translation>{}(으)로 소재를 만들 수 없어 시뮬레이션하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Choose the file of the stock, or another shape.</source>
+        <translation>소재 파일을 고르거나 다른 형상을 선택하십시오.</translation>
+    </message>
+    <message>
+        <source>Keeping unsaved changes had to stop: {}.</source>
+        <translation>저장하지 않은 변경의 보관을 중단해야 했습니다: {}.</translation>
+    </message>
+    <message>
+        <source>Save under another name (File &gt; Save As).</source>
+        <translation>다른 이름으로 저장하십시오(파일 &gt; 다른 이름으로 저장).</translation>
+    </message>
+    <message>
+        <source>The file has changed on disk; it was not overwritten.</source>
+        <translation>디스크의 파일이 변경되어 덮어쓰지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>The record of the session is damaged.</source>
+        <translation>세션 기록이 손상되었습니다.</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -4918,6 +5469,17 @@ Default: 0 mm</source>
     <message>
         <source>%1 motions have no feed; the largest is taken.</source>
         <translation>동작 %1개에 이송이 없어 최대 이송을 썼습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>DockTitles</name>
+    <message>
+        <source>Float or dock this panel</source>
+        <translation>이 패널을 띄우거나 고정합니다</translation>
+    </message>
+    <message>
+        <source>Close this panel</source>
+        <translation>이 패널을 닫습니다</translation>
     </message>
 </context>
 <context>
@@ -4960,22 +5522,25 @@ Default: 0 mm</source>
     </message>
 </context>
 <context>
+    <name>DocumentTitle</name>
+    <message>
+        <source>untitled</source>
+        <translation>제목 없음</translation>
+    </message>
+    <message>
+        <source>setup</source>
+        <translation>셋업</translation>
+    </message>
+</context>
+<context>
     <name>EditCommands</name>
     <message>
         <source>&amp;Undo</source>
         <translation>실행 취소(&amp;U)</translation>
     </message>
     <message>
-        <source>Take back the last change of the text</source>
-        <translation>텍스트의 마지막 변경을 되돌립니다</translation>
-    </message>
-    <message>
         <source>&amp;Redo</source>
         <translation>다시 실행(&amp;R)</translation>
-    </message>
-    <message>
-        <source>Make the change again that was taken back</source>
-        <translation>되돌린 변경을 다시 적용합니다</translation>
     </message>
     <message>
         <source>Cu&amp;t</source>
@@ -5065,6 +5630,14 @@ Default: 0 mm</source>
         <source>Stop the run before the line that the caret is on, or no longer</source>
         <translation>커서가 있는 줄 앞에서 실행을 멈추거나 해제합니다</translation>
     </message>
+    <message>
+        <source>Undo the last change where the focus is: in the text, or in setup, tuning and machine</source>
+        <translation>포커스가 있는 곳(텍스트 또는 셋업, 조정, 기계)의 마지막 변경을 실행 취소합니다</translation>
+    </message>
+    <message>
+        <source>Redo the change that was undone last</source>
+        <translation>마지막으로 실행 취소한 변경을 다시 실행합니다</translation>
+    </message>
 </context>
 <context>
     <name>EditorPanel</name>
@@ -5075,6 +5648,14 @@ Default: 0 mm</source>
     <message>
         <source>Shown read-only, because the file is larger than 10 MB.</source>
         <translation>파일이 10 MB보다 커서 읽기 전용으로 표시합니다.</translation>
+    </message>
+    <message>
+        <source>F&amp;ollow Program</source>
+        <translation>프로그램 따라가기(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Keep the current line in sight while the program plays; typing, clicking or scrolling in the text turns this off until playback is started again</source>
+        <translation>프로그램을 재생하는 동안 현재 줄이 보이도록 유지합니다. 텍스트에서 입력, 클릭 또는 스크롤하면 재생을 다시 시작할 때까지 꺼집니다</translation>
     </message>
 </context>
 <context>
@@ -5112,31 +5693,55 @@ Default: 0 mm</source>
         <translation>최대 오차 %1 mm, 모든 곳에서 %2 mm 이내로 보증됨</translation>
     </message>
     <message>
-        <source>Saved %1: the stock for the next set-up</source>
+        <source>(block %1 of %2)</source>
+        <translation>(블록 %1/%2)</translation>
+    </message>
+    <message>
+        <source>Saved %1: the stock for the next setup</source>
         <translation>%1 저장됨: 다음 셋업의 소재</translation>
     </message>
 </context>
 <context>
     <name>FileChangedBar</name>
     <message>
-        <source>The file was changed on the disk.</source>
-        <translation>디스크에서 파일이 변경되었습니다.</translation>
-    </message>
-    <message>
-        <source>Reload</source>
-        <translation>다시 읽기</translation>
-    </message>
-    <message>
         <source>Read the file again; changes made here are lost</source>
         <translation>파일을 다시 읽습니다. 여기서 변경한 내용은 없어집니다</translation>
     </message>
     <message>
-        <source>Keep mine</source>
-        <translation>내 것 유지</translation>
+        <source>%1 was deleted or renamed on disk. Saving writes it again.</source>
+        <translation>디스크에서 %1이(가) 삭제되었거나 이름이 바뀌었습니다. 저장하면 다시 만듭니다.</translation>
     </message>
     <message>
-        <source>Go on with the text of this window</source>
-        <translation>이 창의 텍스트로 계속합니다</translation>
+        <source>%1 is no longer a file. Save under another name.</source>
+        <translation>%1은(는) 더 이상 파일이 아닙니다. 다른 이름으로 저장하십시오.</translation>
+    </message>
+    <message>
+        <source>%1 has changed on disk. Reloading discards your unsaved changes.</source>
+        <translation>디스크에서 %1이(가) 변경되었습니다. 다시 읽으면 저장하지 않은 변경을 잃습니다.</translation>
+    </message>
+    <message>
+        <source>%1 has changed on disk.</source>
+        <translation>디스크에서 %1이(가) 변경되었습니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Reload</source>
+        <translation>다시 읽기(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Keep My Version</source>
+        <translation>내 버전 유지(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Continue with the version of this window</source>
+        <translation>이 창의 버전으로 계속합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Compare…</source>
+        <translation>비교(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Show where the file and this window differ</source>
+        <translation>파일과 이 창의 차이를 표시합니다</translation>
     </message>
 </context>
 <context>
@@ -5241,26 +5846,6 @@ Default: 0 mm</source>
         <translation>메시는 열 수 없습니다. NC 프로그램이나 작업을 끌어다 놓으십시오.</translation>
     </message>
     <message>
-        <source>The text of the new program is not saved.</source>
-        <translation>새 프로그램의 텍스트가 저장되지 않았습니다.</translation>
-    </message>
-    <message>
-        <source>The text of %1 is not saved.</source>
-        <translation>%1의 텍스트가 저장되지 않았습니다.</translation>
-    </message>
-    <message>
-        <source>Setup and parameters are in no job file yet.</source>
-        <translation>셋업과 매개변수가 아직 작업 파일에 없습니다.</translation>
-    </message>
-    <message>
-        <source>The setup and parameters of %1 are not saved.</source>
-        <translation>%1의 셋업과 매개변수가 저장되지 않았습니다.</translation>
-    </message>
-    <message>
-        <source>Save before going on?</source>
-        <translation>계속하기 전에 저장할까요?</translation>
-    </message>
-    <message>
         <source>Export Decimated Mesh</source>
         <translation>간략화된 메시 내보내기</translation>
     </message>
@@ -5295,6 +5880,38 @@ Default: 0 mm</source>
     <message>
         <source>Proveout stock (*.pvstock)</source>
         <translation>Proveout 소재 (*.pvstock)</translation>
+    </message>
+    <message>
+        <source>Saved as %1; %2 keeps the other version.</source>
+        <translation>%1(으)로 저장했습니다. 다른 버전은 %2에 남아 있습니다.</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 저장됨</translation>
+    </message>
+    <message>
+        <source>. The setup has not been saved as a job.</source>
+        <translation>. 셋업은 작업으로 저장되지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>The new program has not been saved.</source>
+        <translation>새 프로그램이 저장되지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>%1 has unsaved changes.</source>
+        <translation>%1에 저장하지 않은 변경이 있습니다.</translation>
+    </message>
+    <message>
+        <source>The setup has not been saved as a job.</source>
+        <translation>셋업이 작업으로 저장되지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>The setup of %1 has unsaved changes.</source>
+        <translation>%1의 셋업에 저장하지 않은 변경이 있습니다.</translation>
+    </message>
+    <message>
+        <source>Save changes before closing?</source>
+        <translation>닫기 전에 변경을 저장할까요?</translation>
     </message>
 </context>
 <context>
@@ -5378,6 +5995,33 @@ Default: 0 mm</source>
     </message>
 </context>
 <context>
+    <name>GridField</name>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>%1
+Range: %2 to %3 mm
+Default: automatic</source>
+        <translation>%1
+범위: %2~%3 mm
+기본값: 자동</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>자동</translation>
+    </message>
+    <message>
+        <source>Automatic grid spacing</source>
+        <translation>자동 격자 간격</translation>
+    </message>
+    <message>
+        <source>A tenth of the diameter of the smallest cutter, with 1 to 4 million points</source>
+        <translation>가장 작은 공구 지름의 10분의 1, 점 100만~400만 개</translation>
+    </message>
+</context>
+<context>
     <name>HelpCommands</name>
     <message>
         <source>&amp;Keys and Mouse</source>
@@ -5410,6 +6054,127 @@ Default: 0 mm</source>
     <message>
         <source>About the library of the user interface</source>
         <translation>사용자 인터페이스 라이브러리 정보</translation>
+    </message>
+</context>
+<context>
+    <name>IgnoredCodesField</name>
+    <message>
+        <source>M%1 (%2×)</source>
+        <translation>M%1(%2회)</translation>
+    </message>
+    <message>
+        <source>M%1 %2 (%3×)</source>
+        <translation>M%1 %2(%3회)</translation>
+    </message>
+    <message>
+        <source>Ignored in this program: %1</source>
+        <translation>이 프로그램에서 무시됨: %1</translation>
+    </message>
+    <message>
+        <source>Ignored M codes</source>
+        <translation>무시할 M 코드</translation>
+    </message>
+    <message>
+        <source>for example 16, 24, 25</source>
+        <translation>예: 16, 24, 25</translation>
+    </message>
+    <message>
+        <source>M codes that move no axis on this machine: clamps, doors, air, chip conveyor. They are ignored and listed; other unknown codes leave the rest unverified.</source>
+        <translation>이 기계에서 축을 움직이지 않는 M 코드입니다: 클램프, 도어, 에어, 칩 컨베이어. 무시하고 목록에 표시합니다. 알 수 없는 다른 코드가 있으면 그 뒤는 검증되지 않습니다.</translation>
+    </message>
+</context>
+<context>
+    <name>JobSteps</name>
+    <message>
+        <source>Min X</source>
+        <translation>최소 X</translation>
+    </message>
+    <message>
+        <source>Min Y</source>
+        <translation>최소 Y</translation>
+    </message>
+    <message>
+        <source>Top Z</source>
+        <translation>윗면 Z</translation>
+    </message>
+    <message>
+        <source>Stock Shape</source>
+        <translation>소재 형상</translation>
+    </message>
+    <message>
+        <source>Grid Spacing</source>
+        <translation>격자 간격</translation>
+    </message>
+    <message>
+        <source>Start Position</source>
+        <translation>시작 위치</translation>
+    </message>
+    <message>
+        <source>Tool at Start</source>
+        <translation>시작 공구</translation>
+    </message>
+    <message>
+        <source>Ignored M Codes</source>
+        <translation>무시할 M 코드</translation>
+    </message>
+    <message>
+        <source>Dialect</source>
+        <translation>제어기 방식</translation>
+    </message>
+    <message>
+        <source>Block Delete</source>
+        <translation>블록 스킵</translation>
+    </message>
+    <message>
+        <source>Cutter Compensation Start-Up</source>
+        <translation>공구경 보정 시작 방식</translation>
+    </message>
+    <message>
+        <source>Tool T%1</source>
+        <translation>공구 T%1</translation>
+    </message>
+    <message>
+        <source>Tool Table</source>
+        <translation>공구 테이블</translation>
+    </message>
+    <message>
+        <source>Stock</source>
+        <translation>소재</translation>
+    </message>
+    <message>
+        <source>Setup</source>
+        <translation>셋업</translation>
+    </message>
+    <message>
+        <source>Decimation Method</source>
+        <translation>간략화 방법</translation>
+    </message>
+    <message>
+        <source>Decimation Parameters</source>
+        <translation>간략화 매개변수</translation>
+    </message>
+    <message>
+        <source>Machine</source>
+        <translation>기계</translation>
+    </message>
+</context>
+<context>
+    <name>Layouts</name>
+    <message>
+        <source>&amp;Machinist</source>
+        <translation>가공 작업자(&amp;M)</translation>
+    </message>
+    <message>
+        <source>Program, setup and problems in front; playback in machine time</source>
+        <translation>프로그램, 셋업, 문제를 앞에 표시하고 기계 시간으로 재생합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Research</source>
+        <translation>연구(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Tuning and plots in front; playback by blocks</source>
+        <translation>조정과 그래프를 앞에 표시하고 블록 단위로 재생합니다</translation>
     </message>
 </context>
 <context>
@@ -5448,10 +6213,6 @@ Default: %4 %5</source>
     <message>
         <source>Tool bar</source>
         <translation>도구 모음</translation>
-    </message>
-    <message>
-        <source>untitled</source>
-        <translation>제목 없음</translation>
     </message>
 </context>
 <context>
@@ -5508,6 +6269,10 @@ Default: %4 %5</source>
         <source>&amp;Memory to Go Back</source>
         <translation>되돌아가기 메모리(&amp;M)</translation>
     </message>
+    <message>
+        <source>L&amp;ayout</source>
+        <translation>배치(&amp;A)</translation>
+    </message>
 </context>
 <context>
     <name>MeshCommands</name>
@@ -5542,6 +6307,13 @@ Default: %4 %5</source>
     <message>
         <source>Export &amp;Full-Resolution Mesh…</source>
         <translation>전체 해상도 메시 내보내기(&amp;F)…</translation>
+    </message>
+</context>
+<context>
+    <name>NumberBox</name>
+    <message>
+        <source>%1 is out of range: %2 to %3%4.</source>
+        <translation>%1은(는) 범위를 벗어납니다: %2~%3%4.</translation>
     </message>
 </context>
 <context>
@@ -5583,8 +6355,16 @@ Default: %4 %5</source>
         <translation>여기서 매개변수가 바뀌었습니다</translation>
     </message>
     <message>
-        <source>Mean of blocks %1 to %2 (one picture)</source>
-        <translation>블록 %1~%2의 평균(한 장면)</translation>
+        <source>%1 (log)</source>
+        <translation>%1(로그)</translation>
+    </message>
+    <message>
+        <source>Not drawn yet</source>
+        <translation>아직 그리지 않음</translation>
+    </message>
+    <message>
+        <source>Upload and drawing: mean of blocks %1 to %2 (one picture)</source>
+        <translation>업로드와 그리기: 블록 %1~%2의 평균(한 화면)</translation>
     </message>
 </context>
 <context>
@@ -5801,6 +6581,18 @@ Default: %4 %5</source>
         <source>No problems found.</source>
         <translation>문제가 없습니다.</translation>
     </message>
+    <message>
+        <source>Go to Line</source>
+        <translation>줄로 이동</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>복사</translation>
+    </message>
+    <message>
+        <source>Ignore M%1: It Moves No Axis</source>
+        <translation>M%1 무시: 축을 움직이지 않음</translation>
+    </message>
 </context>
 <context>
     <name>RecentMenu</name>
@@ -5818,6 +6610,119 @@ Default: %4 %5</source>
     </message>
 </context>
 <context>
+    <name>Recovery</name>
+    <message>
+        <source>untitled</source>
+        <translation>제목 없음</translation>
+    </message>
+    <message>
+        <source>in the kept version</source>
+        <translation>보관된 버전에</translation>
+    </message>
+    <message>
+        <source>Setup</source>
+        <translation>셋업</translation>
+    </message>
+    <message>
+        <source>Discard unsaved changes</source>
+        <translation>저장하지 않은 변경 버리기</translation>
+    </message>
+    <message>
+        <source>Discard the unsaved changes of %1?</source>
+        <translation>%1의 저장하지 않은 변경을 버릴까요?</translation>
+    </message>
+    <message>
+        <source>The kept version is deleted. The file on disk stays as it is.</source>
+        <translation>보관된 버전이 삭제됩니다. 디스크의 파일은 그대로 유지됩니다.</translation>
+    </message>
+</context>
+<context>
+    <name>RecoveryBar</name>
+    <message>
+        <source>Proveout did not close normally. These unsaved changes can be restored:</source>
+        <translation>Proveout이 정상적으로 종료되지 않았습니다. 저장하지 않은 다음 변경을 복원할 수 있습니다:</translation>
+    </message>
+    <message>
+        <source>program and setup</source>
+        <translation>프로그램과 셋업</translation>
+    </message>
+    <message>
+        <source>program</source>
+        <translation>프로그램</translation>
+    </message>
+    <message>
+        <source>setup</source>
+        <translation>셋업</translation>
+    </message>
+    <message>
+        <source>untitled</source>
+        <translation>제목 없음</translation>
+    </message>
+    <message>
+        <source>%1 (%2), %3</source>
+        <translation>%1(%2), %3</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>복원</translation>
+    </message>
+    <message>
+        <source>Open the kept version as unsaved changes; the file stays as it is</source>
+        <translation>보관된 버전을 저장하지 않은 변경으로 엽니다. 파일은 그대로 유지됩니다</translation>
+    </message>
+    <message>
+        <source>Compare…</source>
+        <translation>비교…</translation>
+    </message>
+    <message>
+        <source>Show where the kept version and the file differ</source>
+        <translation>보관된 버전과 파일의 차이를 표시합니다</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>버리기</translation>
+    </message>
+    <message>
+        <source>Delete the kept version; the file stays as it is</source>
+        <translation>보관된 버전을 삭제합니다. 파일은 그대로 유지됩니다</translation>
+    </message>
+</context>
+<context>
+    <name>RunToEnd</name>
+    <message>
+        <source>stock after block %1 of %2</source>
+        <translation>소재(블록 %1/%2 이후)</translation>
+    </message>
+    <message>
+        <source>Program not run to its end</source>
+        <translation>프로그램이 끝까지 실행되지 않음</translation>
+    </message>
+    <message>
+        <source>The simulation is at block %1 of %2.</source>
+        <translation>시뮬레이션이 블록 %1/%2에 있습니다.</translation>
+    </message>
+    <message>
+        <source>Export the stock as it is now, or run the program to the end first?</source>
+        <translation>소재를 지금 상태로 내보낼까요, 아니면 먼저 프로그램을 끝까지 실행할까요?</translation>
+    </message>
+    <message>
+        <source>&amp;Run to the End First</source>
+        <translation>먼저 끝까지 실행(&amp;R)</translation>
+    </message>
+    <message>
+        <source>&amp;Export This Block</source>
+        <translation>이 블록 내보내기(&amp;E)</translation>
+    </message>
+    <message>
+        <source>Run to the End</source>
+        <translation>끝까지 실행</translation>
+    </message>
+    <message>
+        <source>The program runs to its end before the export.</source>
+        <translation>내보내기 전에 프로그램을 끝까지 실행합니다.</translation>
+    </message>
+</context>
+<context>
     <name>Samples</name>
     <message>
         <source>Core insert</source>
@@ -5826,6 +6731,37 @@ Default: %4 %5</source>
     <message>
         <source>Mouse case</source>
         <translation>마우스 케이스</translation>
+    </message>
+</context>
+<context>
+    <name>SaveQuestion</name>
+    <message>
+        <source>File changed on disk</source>
+        <translation>디스크의 파일이 변경됨</translation>
+    </message>
+    <message>
+        <source>%1 has changed on disk.</source>
+        <translation>디스크에서 %1이(가) 변경되었습니다.</translation>
+    </message>
+    <message>
+        <source>Another program or window wrote it at %1. Saving here would overwrite those changes.
+
+Keep Both saves your version as a new file beside it.</source>
+        <translation>%1에 다른 프로그램이나 창이 이 파일을 저장했습니다. 여기서 저장하면 그 변경을 덮어씁니다.
+
+‘둘 다 유지’를 선택하면 현재 버전을 같은 폴더에 새 파일로 저장합니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Overwrite</source>
+        <translation>덮어쓰기(&amp;O)</translation>
+    </message>
+    <message>
+        <source>&amp;Keep Both</source>
+        <translation>둘 다 유지(&amp;K)</translation>
+    </message>
+    <message>
+        <source>&amp;Compare…</source>
+        <translation>비교(&amp;C)…</translation>
     </message>
 </context>
 <context>
@@ -5854,10 +6790,6 @@ Default: %4 %5</source>
 <context>
     <name>SetupPanel</name>
     <message>
-        <source>Used by the program, but not in the table: %1</source>
-        <translation>프로그램에서 사용하지만 테이블에 없음: %1</translation>
-    </message>
-    <message>
         <source>%1 × %2 points, %3 × %4 mm apart; needs about %5</source>
         <translation>%1 × %2점, 간격 %3 × %4 mm, 약 %5 필요</translation>
     </message>
@@ -5876,14 +6808,6 @@ Default: %4 %5</source>
     <message>
         <source>Tools</source>
         <translation>공구</translation>
-    </message>
-    <message>
-        <source>Add them with standard sizes</source>
-        <translation>표준 크기로 추가</translation>
-    </message>
-    <message>
-        <source>Add these tools; then give them the sizes of your cutters</source>
-        <translation>이 공구들을 추가합니다. 그다음 실제 공구의 치수를 입력하십시오</translation>
     </message>
     <message>
         <source>Skip blocks that begin with /</source>
@@ -5936,6 +6860,22 @@ Default: %4 %5</source>
     <message>
         <source>Machine</source>
         <translation>기계</translation>
+    </message>
+    <message>
+        <source>Automatic: none of these</source>
+        <translation>자동: 해당 없음</translation>
+    </message>
+    <message>
+        <source>Tools missing from the table: %1</source>
+        <translation>테이블에 없는 공구: %1</translation>
+    </message>
+    <message>
+        <source>Add missing tools (⌀ 10 mm assumed)</source>
+        <translation>없는 공구 추가(⌀ 10 mm로 가정)</translation>
+    </message>
+    <message>
+        <source>Add these tools; then enter the sizes of your cutters</source>
+        <translation>이 공구들을 추가합니다. 그다음 실제 공구의 치수를 입력하십시오</translation>
     </message>
 </context>
 <context>
@@ -6077,6 +7017,44 @@ Default: %4 %5</source>
     </message>
 </context>
 <context>
+    <name>StartForm</name>
+    <message>
+        <source>Not set: %1 is assumed</source>
+        <translation>설정되지 않음: %1(으)로 가정</translation>
+    </message>
+    <message>
+        <source>Not set</source>
+        <translation>설정되지 않음</translation>
+    </message>
+    <message>
+        <source>Empty spindle</source>
+        <translation>빈 주축</translation>
+    </message>
+    <message>
+        <source>%1, not in the tool table</source>
+        <translation>%1, 공구 테이블에 없음</translation>
+    </message>
+    <message>
+        <source>Start position is known</source>
+        <translation>시작 위치를 알고 있음</translation>
+    </message>
+    <message>
+        <source>Start %1</source>
+        <comment>an axis</comment>
+        <translation>시작 %1</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>%1
+Range: %2 to %3 mm</source>
+        <translation>%1
+범위: %2~%3 mm</translation>
+    </message>
+</context>
+<context>
     <name>StartPage</name>
     <message>
         <source>%1 (missing)</source>
@@ -6148,18 +7126,6 @@ This file is no longer there.</source>
         <translation>이 작업을 중단합니다</translation>
     </message>
     <message>
-        <source>Position X of the tip of the cutter, mm</source>
-        <translation>공구 끝의 X 위치, mm</translation>
-    </message>
-    <message>
-        <source>Position Y of the tip of the cutter, mm</source>
-        <translation>공구 끝의 Y 위치, mm</translation>
-    </message>
-    <message>
-        <source>Position Z of the tip of the cutter, mm</source>
-        <translation>공구 끝의 Z 위치, mm</translation>
-    </message>
-    <message>
         <source>Feed, mm/min</source>
         <translation>이송 속도, mm/min</translation>
     </message>
@@ -6207,41 +7173,26 @@ This file is no longer there.</source>
         <source>Cut by block %1: line %2, tool T%3.</source>
         <translation>블록 %1에서 절삭: %2행, 공구 T%3.</translation>
     </message>
+    <message>
+        <source>Tool tip X in the active work offset, mm</source>
+        <translation>현재 공작물 좌표계의 공구 선단 X, mm</translation>
+    </message>
+    <message>
+        <source>Tool tip Y in the active work offset, mm</source>
+        <translation>현재 공작물 좌표계의 공구 선단 Y, mm</translation>
+    </message>
+    <message>
+        <source>Tool tip Z in the active work offset, mm</source>
+        <translation>현재 공작물 좌표계의 공구 선단 Z, mm</translation>
+    </message>
+    <message>
+        <source>%1 (assumed)</source>
+        <comment>a tool</comment>
+        <translation>%1(가정)</translation>
+    </message>
 </context>
 <context>
     <name>StockForm</name>
-    <message>
-        <source>Left edge X</source>
-        <translation>왼쪽 모서리 X</translation>
-    </message>
-    <message>
-        <source>Program coordinate of the stock&apos;s least X.</source>
-        <translation>소재의 최소 X의 프로그램 좌표입니다.</translation>
-    </message>
-    <message>
-        <source>Front edge Y</source>
-        <translation>앞쪽 모서리 Y</translation>
-    </message>
-    <message>
-        <source>Program coordinate of the stock&apos;s least Y.</source>
-        <translation>소재의 최소 Y의 프로그램 좌표입니다.</translation>
-    </message>
-    <message>
-        <source>Top Z</source>
-        <translation>윗면 Z</translation>
-    </message>
-    <message>
-        <source>Program coordinate of the stock&apos;s top.</source>
-        <translation>소재 윗면의 프로그램 좌표입니다.</translation>
-    </message>
-    <message>
-        <source>Grid spacing</source>
-        <translation>격자 간격</translation>
-    </message>
-    <message>
-        <source>Wanted distance of the points of the z-map; it is adjusted so that it divides the stock exactly.</source>
-        <translation>원하는 Z맵 점 간격입니다. 소재를 정확히 나누도록 조정됩니다.</translation>
-    </message>
     <message>
         <source> mm</source>
         <translation> mm</translation>
@@ -6352,6 +7303,21 @@ Default: %4 mm</source>
     <message>
         <source>&amp;Export…</source>
         <translation>내보내기(&amp;E)…</translation>
+    </message>
+</context>
+<context>
+    <name>SurfaceProbe</name>
+    <message>
+        <source>X %1  Y %2  Z %3 mm (%4)</source>
+        <translation>X %1  Y %2  Z %3 mm (%4)</translation>
+    </message>
+    <message>
+        <source>Raw stock</source>
+        <translation>원소재</translation>
+    </message>
+    <message>
+        <source>Line %1, T%2</source>
+        <translation>%1번 줄, T%2</translation>
     </message>
 </context>
 <context>
@@ -6471,6 +7437,81 @@ Default: %3</source>
     </message>
 </context>
 <context>
+    <name>ToolNotice</name>
+    <message>
+        <source>Hide this notice</source>
+        <translation>이 알림 숨기기</translation>
+    </message>
+    <message>
+        <source>The program cuts before it calls a tool; those moves are not simulated.</source>
+        <translation>공구를 호출하기 전에 절삭합니다. 그 이송은 시뮬레이션하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>T%1 is not in the tool table; its moves are not simulated.</source>
+        <translation>T%1이(가) 공구 테이블에 없어 그 이송을 시뮬레이션하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>%1 are not in the tool table; their moves are not simulated.</source>
+        <translation>%1이(가) 공구 테이블에 없어 그 이송을 시뮬레이션하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Nothing is cut.</source>
+        <translation>아무것도 절삭하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Define T%1 …</source>
+        <translation>T%1 정의 …</translation>
+    </message>
+    <message>
+        <source>Add T%1 to the tool table and enter its sizes</source>
+        <translation>공구 테이블에 T%1을(를) 추가하고 치수를 입력합니다</translation>
+    </message>
+    <message>
+        <source>Assume ⌀ 10 mm</source>
+        <translation>⌀ 10 mm로 가정</translation>
+    </message>
+    <message>
+        <source>Add the missing tools as flat end mills of 10 mm, marked as assumed</source>
+        <translation>없는 공구를 10 mm 평 엔드밀로 추가하고 가정한 값으로 표시합니다</translation>
+    </message>
+    <message>
+        <source>The sizes of %1 are not confirmed.</source>
+        <translation>%1의 치수가 확인되지 않았습니다.</translation>
+    </message>
+    <message>
+        <source>T%1 is read from the comment in line %2: %3.</source>
+        <translation>T%1은(는) %2번 줄의 주석에서 읽었습니다: %3.</translation>
+    </message>
+    <message>
+        <source>The sizes of T%1 are assumed: %2.</source>
+        <translation>T%1의 치수는 가정한 값입니다: %2.</translation>
+    </message>
+    <message>
+        <source>Until you confirm them, results are unverified.</source>
+        <translation>확인하기 전까지 결과는 검증되지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Check …</source>
+        <translation>점검 …</translation>
+    </message>
+    <message>
+        <source>Show T%1 in the tool table</source>
+        <translation>공구 테이블에서 T%1을(를) 표시합니다</translation>
+    </message>
+    <message>
+        <source>Confirm All</source>
+        <translation>모두 확인</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>확인</translation>
+    </message>
+    <message>
+        <source>The sizes in the tool table are right</source>
+        <translation>공구 테이블의 치수가 맞습니다</translation>
+    </message>
+</context>
+<context>
     <name>ToolTableEditor</name>
     <message>
         <source>T%1 is already in the table.</source>
@@ -6513,13 +7554,64 @@ Default: %3</source>
         <translation>공구 번호</translation>
     </message>
     <message>
+        <source>Shape</source>
+        <translation>형상</translation>
+    </message>
+    <message>
+        <source>Given</source>
+        <translation>지정됨</translation>
+    </message>
+    <message>
+        <source>Comment, line %1</source>
+        <translation>주석, %1번 줄</translation>
+    </message>
+    <message>
+        <source>Assumed</source>
+        <translation>가정함</translation>
+    </message>
+    <message>
+        <source>Default sizes; enter those of your cutter, or confirm them</source>
+        <translation>기본 치수입니다. 실제 공구의 치수를 입력하거나 이 값을 확인하십시오</translation>
+    </message>
+    <message>
+        <source>These sizes are assumed. Enter those of your cutter, or confirm them.</source>
+        <translation>이 치수는 가정한 값입니다. 실제 공구의 치수를 입력하거나 이 값을 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>From the comment in &lt;a href=&quot;%1&quot;&gt;line %1&lt;/a&gt;: &lt;i&gt;%2&lt;/i&gt;</source>
+        <translation>&lt;a href=&quot;%1&quot;&gt;%1번 줄&lt;/a&gt;의 주석에서: &lt;i&gt;%2&lt;/i&gt;</translation>
+    </message>
+    <message>
+        <source>Not stated there, defaults: %1</source>
+        <translation>주석에 없어 기본값 사용: %1</translation>
+    </message>
+    <message>
+        <source>Source</source>
+        <translation>출처</translation>
+    </message>
+    <message>
+        <source>Confirm</source>
+        <translation>확인</translation>
+    </message>
+    <message>
+        <source>The sizes of the selected tool are right</source>
+        <translation>선택한 공구의 치수가 맞습니다</translation>
+    </message>
+    <message>
+        <source>Confirm All</source>
+        <translation>모두 확인</translation>
+    </message>
+    <message>
+        <source>The sizes of all tools are right</source>
+        <translation>모든 공구의 치수가 맞습니다</translation>
+    </message>
+    <message>
         <source>The T word that calls this tool (no unit)
-Range: 1 to %1
+Range: %1 to %2
 Default: the next free number</source>
         <translation>이 공구를 부르는 T 워드(단위 없음)
-범위: 1~%1
-기본값: 다음 빈 번호 {1 ?} {1
-?}</translation>
+범위: %1~%2
+기본값: 다음 빈 번호</translation>
     </message>
 </context>
 <context>
@@ -6541,22 +7633,6 @@ Default: the next free number</source>
         <translation>최대 오차: %1 mm. 오차 보증이 꺼져 있어 허용 오차 %2 mm가 한계로 보장되지 않습니다</translation>
     </message>
     <message>
-        <source>Grid spacing</source>
-        <translation>격자 간격</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>Wanted distance of the points of the z-map; finer shows more and takes longer. The simulation starts anew.
-Range: %1 to %2 mm
-Default: %3 mm</source>
-        <translation>원하는 Z맵 점 간격입니다. 작을수록 자세하고 오래 걸립니다. 시뮬레이션을 새로 시작합니다.
-범위: %1~%2 mm
-기본값: %3 mm</translation>
-    </message>
-    <message>
         <source>Measured effect</source>
         <translation>측정된 효과</translation>
     </message>
@@ -6575,6 +7651,21 @@ Default: %3 mm</source>
     <message>
         <source>Decimation is held back while playing: there are only %1 faces to draw without it.</source>
         <translation>재생하는 동안 간략화를 보류합니다. 간략화하지 않아도 그릴 면이 %1개뿐입니다.</translation>
+    </message>
+</context>
+<context>
+    <name>UndoCommands</name>
+    <message>
+        <source>Text Change</source>
+        <translation>텍스트 변경</translation>
+    </message>
+    <message>
+        <source>&amp;Undo %1</source>
+        <translation>%1 실행 취소(&amp;U)</translation>
+    </message>
+    <message>
+        <source>&amp;Redo %1</source>
+        <translation>%1 다시 실행(&amp;R)</translation>
     </message>
 </context>
 <context>
@@ -6801,6 +7892,22 @@ Default: %3 mm</source>
     <message>
         <source>Click a place of the stock, and see the block that cut it</source>
         <translation>소재의 한 곳을 클릭하면 그곳을 절삭한 블록을 봅니다</translation>
+    </message>
+    <message>
+        <source>P&amp;osition at Pointer</source>
+        <translation>포인터 위치(&amp;O)</translation>
+    </message>
+    <message>
+        <source>Show the coordinates under the pointer, and the line that cut there</source>
+        <translation>포인터 아래의 좌표와 그곳을 절삭한 줄을 표시합니다</translation>
+    </message>
+    <message>
+        <source>Toolpath Through Stoc&amp;k</source>
+        <translation>소재를 투과하는 공구 경로(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Show the toolpath inside and behind the stock, dimmed</source>
+        <translation>소재 안과 뒤의 공구 경로를 흐리게 표시합니다</translation>
     </message>
 </context>
 <context>
