@@ -121,7 +121,7 @@ QWidget* StartPage::makeFooter() {
     auto* footer = new QWidget(this);
     auto* layout = new QHBoxLayout(footer);
     layout->setContentsMargins(0, 0, 0, 0);
-    m_dropHint = new QLabel(footer);
+    m_dropHint = wrappedLabel(footer);
     m_dropHint->setForegroundRole(QPalette::PlaceholderText);
     m_languageLabel = new QLabel(footer);
     m_language = new QComboBox(footer);

@@ -21,7 +21,8 @@ namespace proveout {
 
 namespace {
 
-constexpr int kProgressWidth = 140;
+constexpr int kProgressWidth = 140; // px, where its text is not wider
+constexpr int kProgressMargin = 24;
 constexpr int kProgressSteps = 100;
 constexpr int kAnswerTime = 15'000;        // ms
 constexpr int kProblemTime = 8'000;        // ms
@@ -49,10 +50,9 @@ Motion lastMotion(const Frame& frame) {
 
 StatusLine::StatusLine(Session& session, QStatusBar& bar)
     : QObject(&bar), m_session(session), m_bar(bar), m_place(new ElidedLabel(&bar)),
-      m_workLabel(new QLabel(&bar)), m_progress(new QProgressBar(&bar)), m_cancel(new QToolButton(&bar)) {
+      m_progress(new QProgressBar(&bar)), m_cancel(new QToolButton(&bar)) {
     m_place->setObjectName(QStringLiteral("status-place"));
     bar.addWidget(m_place, 1);
-    bar.addPermanentWidget(m_workLabel);
     bar.addPermanentWidget(m_progress);
     bar.addPermanentWidget(m_cancel);
     for (QLabel*& field : m_fields) {
@@ -61,7 +61,7 @@ StatusLine::StatusLine(Session& session, QStatusBar& bar)
     }
     m_progress->setRange(0, kProgressSteps);
     m_progress->setFixedWidth(kProgressWidth);
-    m_progress->setTextVisible(false);
+    m_progress->setAlignment(Qt::AlignCenter);
     m_cancel->setAutoRaise(true);
     connect(m_cancel, &QToolButton::clicked, &session, &Session::cancelWork);
     connect(&session, &Session::tick, this, &StatusLine::onTick);
@@ -272,13 +272,16 @@ QString StatusLine::assumed(const QString& tool) {
 
 void StatusLine::showWork() {
     const std::optional<Work>& work = m_session.work();
-    m_workLabel->setVisible(work.has_value());
     m_progress->setVisible(work.has_value());
     m_cancel->setVisible(work.has_value());
     if (!work)
         return;
-    if (m_workLabel->text() != work->label)
-        m_workLabel->setText(work->label);
+    // Within the bar: beside it, a narrow window had to grow for as long as the work takes.
+    if (m_progress->format() != work->label) {
+        m_progress->setFormat(work->label);
+        m_progress->setFixedWidth(std::max(
+            kProgressWidth, m_progress->fontMetrics().horizontalAdvance(work->label) + kProgressMargin));
+    }
     m_progress->setValue(static_cast<int>(work->done * kProgressSteps));
 }
 

@@ -57,7 +57,6 @@ private:
     std::array<QLabel*, kFieldCount> m_fields{};
     const SurfaceProbe* m_pointer = nullptr;
     ElidedLabel* m_place; ///< under the pointer
-    QLabel* m_workLabel;
     QProgressBar* m_progress;
     QToolButton* m_cancel;
     QString m_problem; ///< that tellProblem() has shown

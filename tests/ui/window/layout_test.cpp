@@ -99,6 +99,18 @@ private slots:
         }
     }
 
+    void workUnderWayDoesNotWidenTheWindow() {
+        for (const Language& language : languages()) {
+            Workstation station(false);
+            station.appearance.setLanguage(language.code);
+            station.window.resize(kSmallScreen);
+            station.open(sampleJobs().back().file); // while it is read, the status bar says so
+            station.session.seek(station.session.blockCount());
+            QTRY_COMPARE_WITH_TIMEOUT(station.session.block(), station.session.blockCount(), kPatience);
+            QCOMPARE(station.window.size(), kSmallScreen);
+        }
+    }
+
     void noTextIsClippedInAnyLanguage() {
         Workstation station(true);
         station.session.seek(station.session.blockCount());
