@@ -85,7 +85,7 @@ TEST_F(CliInput, MCodesThatMoveNoAxisAreIgnoredAndListed) {
     EXPECT_GT(done.json()["removedMm3"], 0);
     const auto bad = run("interpret p.nc --ignore-m G16");
     EXPECT_EQ(bad.exitCode, 3);
-    EXPECT_TRUE(bad.tells("--ignore-m: error: ", "m-code-list")) << bad.err;
+    EXPECT_TRUE(bad.tells("proveout-cli: error: --ignore-m: ", "m-code-list")) << bad.err;
 }
 
 TEST_F(CliInput, NoMotionIsAWarningAndUnverified) {
