@@ -22,8 +22,11 @@ QDockWidget* dockNamed(const QMainWindow& window, const char* id) {
 
 /// Puts the docks of a place as tabs behind `first`, which is there already.
 void addTabs(QMainWindow& window, const DockTabs& tabs) {
-    for (std::size_t i = 1; i < tabs.size(); ++i)
+    for (std::size_t i = 1; i < tabs.size(); ++i) {
         window.tabifyDockWidget(dockNamed(window, tabs[i - 1]), dockNamed(window, tabs[i]));
+        dockNamed(window, tabs[i])->setFloating(false);
+        dockNamed(window, tabs[i])->show();
+    }
 }
 
 void fillArea(QMainWindow& window, Qt::DockWidgetArea area, const std::vector<DockTabs>& places) {
@@ -31,6 +34,8 @@ void fillArea(QMainWindow& window, Qt::DockWidgetArea area, const std::vector<Do
     for (const DockTabs& tabs : places) {
         QDockWidget* first = dockNamed(window, tabs.front());
         window.addDockWidget(area, first);
+        first->setFloating(false);
+        first->show();
         if (above != nullptr)
             window.splitDockWidget(above, first, Qt::Vertical);
         above = first;
@@ -116,10 +121,12 @@ int leftDockWidth(int windowWidth, int wanted) {
 }
 
 void arrangeDocks(QMainWindow& window, const DockLayout& layout) {
-    for (QDockWidget* dock : window.findChildren<QDockWidget*>()) {
-        dock->setFloating(false);
-        dock->show();
-    }
+    // From nothing: docks beside others on their way would need more width than the window has, and it would
+    // keep it.
+    for (const std::vector<DockTabs>* area : {&layout.left, &layout.right, &layout.bottom})
+        for (const DockTabs& tabs : *area)
+            for (const char* id : tabs)
+                window.removeDockWidget(dockNamed(window, id));
     window.setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
     window.setCorner(Qt::BottomRightCorner, Qt::BottomDockWidgetArea);
     window.setTabPosition(Qt::AllDockWidgetAreas, QTabWidget::North);

@@ -34,8 +34,8 @@ struct DockLayout {
 /// The layout with this id; the first one where there is none.
 [[nodiscard]] const DockLayout& dockLayout(std::string_view id);
 
-/// Puts the docks of `window`, all shown, where the layout has them. Docks that it does not name stay where
-/// they are. Sizes follow from the window's own: it must have its size.
+/// Puts the docks that the layout names where it has them, all shown. Sizes follow from the window's own: it
+/// must have its size.
 void arrangeDocks(QMainWindow& window, const DockLayout& layout);
 
 /// The width that the leftmost docks get in a window of `windowWidth`, where the widest content of them

@@ -28,6 +28,15 @@ QString leastSizes(const QMainWindow& window) {
         const QSize least = dock->minimumSizeHint();
         text += QStringLiteral("%1 %2 × %3\n").arg(dock->objectName()).arg(least.width()).arg(least.height());
     }
+    for (const QWidget* widget :
+         window.centralWidget()->findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
+        text += QStringLiteral("%1 %2\n")
+                    .arg(widget->metaObject()->className())
+                    .arg(widget->minimumSizeHint().width());
+    for (const QWidget* widget : window.findChildren<QWidget*>(QString(), Qt::FindDirectChildrenOnly))
+        text += QStringLiteral("%1 %2\n")
+                    .arg(widget->metaObject()->className())
+                    .arg(widget->minimumSizeHint().width());
     return text;
 }
 
@@ -101,9 +110,13 @@ private slots:
 
     void workUnderWayDoesNotWidenTheWindow() {
         for (const Language& language : languages()) {
+            Appearance before;
+            before.setLanguage(language.code); // of the settings
             Workstation station(false);
-            station.appearance.setLanguage(language.code);
-            station.window.resize(kSmallScreen);
+            QVERIFY2(station.window.size() == kSmallScreen, qPrintable(QStringLiteral("%1: %2\n%3")
+                                                                           .arg(language.code)
+                                                                           .arg(station.window.width())
+                                                                           .arg(leastSizes(station.window))));
             station.open(sampleJobs().back().file); // while it is read, the status bar says so
             station.session.seek(station.session.blockCount());
             QTRY_COMPARE_WITH_TIMEOUT(station.session.block(), station.session.blockCount(), kPatience);
