@@ -65,9 +65,9 @@ QString cutterText(const Cutter& cutter, const QLocale& locale) {
     const std::string_view shape = spec.substr(0, spec.find(':'));
     const auto rows = cutterShapes();
     const auto row = std::ranges::find_if(rows, [&](const CutterShape& other) { return shape == other.key; });
-    return QStringLiteral("%1 ⌀ %2 mm")
-        .arg(row == rows.end() ? QString() : coreText(row->label),
-             locale.toString(2 * cutter.radius(), 'g', 6));
+    return QStringLiteral("⌀ %1 mm %2")
+        .arg(locale.toString(2 * cutter.radius(), 'g', 6),
+             row == rows.end() ? QString() : coreText(row->label));
 }
 
 } // namespace proveout

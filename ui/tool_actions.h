@@ -28,7 +28,7 @@ void confirmTools(Session& session);
 /// "T1, T2, T3", the first few of them.
 [[nodiscard]] QString toolList(const std::vector<int>& numbers);
 
-/// "Flat end mill ⌀ 6 mm"
+/// "⌀ 6 mm Flat end mill": the size first, because a narrow column cuts off what follows.
 [[nodiscard]] QString cutterText(const Cutter& cutter, const QLocale& locale);
 
 } // namespace proveout

@@ -196,6 +196,7 @@ constexpr ShapeRow kShapeWords[] = {
     {"TORIC", "bull"},
     {"TOTAL DRILLS", "drill"},
     {"DRILL", "drill"},
+    {"CHAMDRILL", "drill"},
     {"TWISTDRILL", "drill"},
     {"BOHRER", "drill"},
     {"SPIRALBOHRER", "drill"},

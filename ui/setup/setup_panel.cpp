@@ -10,6 +10,7 @@
 #include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
 
@@ -64,7 +65,7 @@ SetupPanel::SetupPanel(Session& session, QWidget* parent)
     connect(m_tools, &ToolTableEditor::lineWanted, this,
             [this](std::uint32_t line) { emit m_session.lineRequested(line, 1); });
     // The window brings the panel forward first: what is hidden takes no focus.
-    connect(&session, &Session::toolRequested, m_tools, &ToolTableEditor::edit, Qt::QueuedConnection);
+    connect(&session, &Session::toolRequested, this, &SetupPanel::showTool, Qt::QueuedConnection);
     connect(m_define, &QPushButton::clicked, this, &SetupPanel::defineMissingTools);
     connect(&session, &Session::inputWanted, this, [this] {
         if (m_rest.isActive())
@@ -305,6 +306,15 @@ void SetupPanel::defineMissingTools() {
 /// Marked while the tools are in no job file as they are.
 void SetupPanel::titleTools() {
     m_toolsTitle->setText(m_session.job().toolsModified() ? tr("Tools") + u'*' : tr("Tools"));
+}
+
+void SetupPanel::showTool(int number) {
+    m_tools->edit(number);
+    auto* area = findChild<QScrollArea*>();
+    layout()->activate(); // a tool that was just added has its form only now
+    area->ensureWidgetVisible(m_tools);
+    if (QWidget* size = m_tools->focusWidget())
+        area->ensureWidgetVisible(size);
 }
 
 void SetupPanel::retranslate() {

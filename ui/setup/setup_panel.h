@@ -54,6 +54,7 @@ private:
     void showProblem(const Diagnostics& errors);
     void fitToProgram();
     void defineMissingTools();
+    void showTool(int number);
 
     Session& m_session;
     QLabel* m_programTitle;

@@ -123,7 +123,7 @@ void ToolNotice::showUnconfirmed() {
                        .arg(QString::number(m_tool), locale().toString(first.origin.line), cutter);
     else
         sentence = tr("The sizes of T%1 are assumed: %2.").arg(QString::number(m_tool), cutter);
-    m_text->setText(sentence + u' ' + tr("Until you confirm them, results are unverified."));
+    m_text->setText(sentence + u' ' + tr("Results are unverified until you confirm the sizes."));
     m_define->setText(tr("Check …"));
     m_define->setToolTip(tr("Show T%1 in the tool table").arg(m_tool));
     m_mend->setText(tools.size() > 1 ? tr("Confirm All") : tr("Confirm"));

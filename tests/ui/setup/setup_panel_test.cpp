@@ -105,6 +105,22 @@ private slots:
         QCOMPARE(other.setup().stock.width, 42.0);
     }
 
+    void aToolThatIsAskedForIsSeenAndReadyToBeTyped() {
+        QTemporaryDir folder;
+        Session session;
+        SetupPanel panel(session);
+        panel.resize(320, 300);
+        panel.show();
+        QVERIFY(QTest::qWaitForWindowExposed(&panel));
+        QVERIFY(opened(session, write(folder, "G21\nT7 M6\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX9\nM30\n")));
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame(), kPatience);
+        emit session.toolRequested(7);
+        const auto diameter = [&panel] { return panel.findChild<QDoubleSpinBox*>(QStringLiteral("tool-d")); };
+        QTRY_VERIFY_WITH_TIMEOUT(diameter() != nullptr && !diameter()->visibleRegion().isEmpty(), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(session.setup().tools.unconfirmedOrigin(7) != nullptr, kPatience);
+        QCOMPARE(session.setup().tools.unconfirmedOrigin(7)->source, ToolSource::assumed);
+    }
+
     void theStartOfCompensationIsChosenAndSavedWithTheJob() {
         QTemporaryDir folder;
         Session session;
