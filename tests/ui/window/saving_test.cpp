@@ -359,6 +359,7 @@ private slots:
                  qPrintable(station.window.statusBar()->currentMessage()));
 
         const Setup saved = station.session.setup();
+        setup.automaticGrid = false;
         setup.spacing *= 2;
         QVERIFY(station.session.setSetup(setup));
         QVERIFY(station.session.jobModified());
