@@ -35,7 +35,7 @@ PlotHeader::PlotHeader(QCustomPlot& plot, std::size_t curves)
     m_legend->setBorderPen(Qt::NoPen);
     m_legend->setBrush(Qt::NoBrush);
     plot.axisRect()->insetLayout()->take(m_legend);
-    m_grid->addElement(0, 1, m_legend);
+    placeLegend(0, 1);
 }
 
 void PlotHeader::setTitle(const QString& title) {
@@ -64,11 +64,14 @@ void PlotHeader::fit(int width) {
         return;
     m_grid->take(m_legend);
     m_grid->simplify();
+    placeLegend(row, column);
+}
+
+void PlotHeader::placeLegend(int row, int column) {
     m_grid->addElement(row, column, m_legend);
-    if (column == 1) { // the title takes what is left
-        m_grid->setColumnStretchFactor(0, 1);
-        m_grid->setColumnStretchFactor(1, kAsLittleAsPossible);
-    }
+    m_grid->setColumnStretchFactor(0, 1); // the title takes what is left
+    if (column > 0)
+        m_grid->setColumnStretchFactor(column, kAsLittleAsPossible);
 }
 
 } // namespace proveout

@@ -18,6 +18,8 @@ public:
     void fit(int width);
 
 private:
+    void placeLegend(int row, int column);
+
     QCPLayoutGrid* m_grid;
     QCPTextElement* m_title;
     QCPLegend* m_legend; ///< null: one curve, which the title names

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/plots/plot_ticks.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace proveout {
@@ -33,8 +34,13 @@ QString shortNumber(double value, const QLocale& locale) {
     return locale.toString(value, 'g', kExactDigits);
 }
 
+double PlotTicks::getTickStep(const QCPRange& range) {
+    const double step = QCPAxisTicker::getTickStep(range);
+    return m_whole ? std::max(1.0, std::ceil(step)) : step;
+}
+
 int PlotTicks::getSubTickCount(double tickStep) {
-    return m_logarithmic ? 0 : QCPAxisTicker::getSubTickCount(tickStep);
+    return m_logarithmic || m_whole ? 0 : QCPAxisTicker::getSubTickCount(tickStep);
 }
 
 QString PlotTicks::getTickLabel(double tick, const QLocale& locale, QChar, int) {

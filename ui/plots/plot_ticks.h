@@ -13,14 +13,18 @@ namespace proveout {
 class PlotTicks : public QCPAxisTicker {
 public:
     void setLogarithmic(bool on) { m_logarithmic = on; }
+    /// Of what is counted: there is no tick at half of one.
+    void setWhole(bool on) { m_whole = on; }
 
 protected:
+    double getTickStep(const QCPRange& range) override;
     int getSubTickCount(double tickStep) override;
     QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override;
     QVector<double> createTickVector(double tickStep, const QCPRange& range) override;
 
 private:
     bool m_logarithmic = false;
+    bool m_whole = false;
 };
 
 } // namespace proveout

@@ -20,6 +20,7 @@ constexpr double kZoomPerStep = 0.8;
 constexpr double kNearPixels = 4;
 constexpr int kMostTicks = 6;
 constexpr int kTickHeight = 34; ///< px that a label and the room about it take
+constexpr int kBesides = 70;    ///< px about the curves: header, labels, titles of axes
 constexpr int kTickGap = 28;    ///< px between labels beside each other
 /// Of the lowest to the highest value in sight: beyond it an even axis would press the low ones flat.
 constexpr double kWideValues = 8;
@@ -70,6 +71,7 @@ PlotView::PlotView(const PlotSpec& spec, QWidget* parent)
     setNoAntialiasingOnDrag(true);
     setPlottingHint(QCP::phFastPolylines, true);
     setNotAntialiasedElements(QCP::aeFills);
+    m_blockTicks->setWhole(true);
     xAxis->setTicker(m_blockTicks);
     yAxis->setTicker(m_valueTicks);
     yAxis->setPadding(4);
@@ -274,9 +276,8 @@ void PlotView::fitValues() {
 void PlotView::fitTicks() {
     const QString last = shortNumber(static_cast<double>(std::max(m_block, m_blockCount)), QLocale());
     const int width = QFontMetrics(xAxis->tickLabelFont()).horizontalAdvance(last) + kTickGap;
-    const QRect area = axisRect()->rect();
-    m_blockTicks->setTickCount(std::clamp(area.width() / width, 2, kMostTicks));
-    m_valueTicks->setTickCount(std::clamp(area.height() / kTickHeight, 2, kMostTicks));
+    m_blockTicks->setTickCount(std::clamp((this->width() - kBesides) / width, 2, kMostTicks));
+    m_valueTicks->setTickCount(std::clamp((height() - kBesides) / kTickHeight, 2, kMostTicks));
 }
 
 void PlotView::setLogarithmic(bool on) {
