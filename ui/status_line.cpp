@@ -52,6 +52,7 @@ StatusLine::StatusLine(Session& session, QStatusBar& bar)
     : QObject(&bar), m_session(session), m_bar(bar), m_place(new ElidedLabel(&bar)),
       m_progress(new QProgressBar(&bar)), m_cancel(new QToolButton(&bar)) {
     m_place->setObjectName(QStringLiteral("status-place"));
+    m_place->setContentsMargins(kMargin, 0, kMargin, 0);
     bar.addWidget(m_place, 1);
     bar.addPermanentWidget(m_progress);
     bar.addPermanentWidget(m_cancel);

@@ -103,12 +103,14 @@ void PathOverview::finishLine() {
         return;
     const Vec3 to = m_passed.back();
     const double length = glm::distance(m_from, to);
+    m_passed.clear();
+    if (length == 0)
+        return;
     const auto kind = static_cast<float>(m_kind);
     m_vertices.push_back({glm::vec3(m_from - m_origin), 0, kind});
     m_vertices.push_back({glm::vec3(to - m_origin), static_cast<float>(length), kind});
     m_blocks.push_back(m_block);
     m_length += length;
-    m_passed.clear();
 }
 
 std::size_t PathOverview::verticesBefore(std::size_t block) const {

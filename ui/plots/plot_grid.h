@@ -16,7 +16,7 @@ class PlotGrid : public QScrollArea {
 
 public:
     static constexpr int kLeastWidth = 320; ///< of a plot, px
-    static constexpr int kLeastHeight = 150;
+    static constexpr int kLeastHeight = 130;
 
     explicit PlotGrid(QWidget* parent = nullptr);
 

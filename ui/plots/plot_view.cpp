@@ -90,6 +90,9 @@ void PlotView::addCurves() {
         if (m_spec.stacked && index > 0)
             curve->setChannelFillGraph(graph(static_cast<int>(index) - 1));
     }
+    // A curve with nothing on it is the line that is seen, not the last one of those that lie on it.
+    for (int index = graphCount() - 1; m_spec.stacked && index >= 0; --index)
+        graph(index)->setLayer(graph(index)->layer());
 }
 
 void PlotView::setTexts() {

@@ -69,7 +69,7 @@ private slots:
         probe.point(at(3, {10, 12}));
         QTRY_VERIFY_WITH_TIMEOUT(probe.answer().has_value(), kPatience);
         QCOMPARE(probe.answer()->kind, PlaceAnswer::Kind::neverCut);
-        probe.point(at(3, std::nullopt)); // the side of the stock
+        probe.point(onTheSide(3));
         QVERIFY(probe.answer() && probe.answer()->kind == PlaceAnswer::Kind::neverCut);
         probe.point(std::nullopt);
         QVERIFY(!probe.place() && !probe.answer());
@@ -146,12 +146,12 @@ private slots:
     }
 
 private:
-    [[nodiscard]] SurfacePlace at(std::size_t block, const std::optional<MapPoint>& point) const {
+    [[nodiscard]] SurfacePlace at(std::size_t block, const MapPoint& point) const {
         const FramePtr& frame = m_frames.at(block);
-        if (!point)
-            return {{frame, point}, Vec3(0, 0, -2)};
-        const double z = double{frame->zmap.height(point->i, point->j)};
-        return {{frame, point}, Vec3(point->i, point->j, z)};
+        return {{frame, point}, Vec3(point.i, point.j, double{frame->zmap.height(point.i, point.j)})};
+    }
+    [[nodiscard]] SurfacePlace onTheSide(std::size_t block) const {
+        return {{m_frames.at(block), std::nullopt}, Vec3(0, 0, -2)};
     }
 
     std::shared_ptr<const Setup> m_setup;

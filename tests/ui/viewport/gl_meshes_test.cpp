@@ -201,7 +201,7 @@ void GlMeshesTest::overviewStaysNearThePath() {
     constexpr int kRows = 60;
     constexpr int kSteps = 400;
     auto program = std::make_shared<Program>();
-    Vec3 at(0, 0, 10);
+    Vec3 at(-5, 0, 10);
     std::vector<Vec3> ends;
     const auto go = [&](MotionKind kind, const Vec3& to) {
         Motion motion;
