@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kCorpus = fs::path(PROVEOUT_SHARED_DIR) / "corpus";
+const fs::path kForeignCorpus = fs::path(PROVEOUT_SHARED_DIR) / "corpus";
 
 /// What the list of the corpus has as programs, but their control (or what runs them) is none of ours.
 const std::map<std::string, std::string> kForeign{
@@ -32,7 +32,7 @@ const std::map<std::string, std::string> kForeign{
 /// The path and the kind of every file in the list.
 std::vector<std::pair<std::string, std::string>> listed() {
     std::vector<std::pair<std::string, std::string>> files;
-    std::ifstream in(kCorpus / "MANIFEST.csv");
+    std::ifstream in(kForeignCorpus / "MANIFEST.csv");
     std::string line;
     std::getline(in, line);
     while (std::getline(in, line)) {
@@ -58,22 +58,23 @@ std::string kindOf(const fs::path& file) {
 } // namespace
 
 TEST(ForeignCorpus, NamesProgramsOfOthersAndNoneOfOurs) {
-    if (!fs::exists(kCorpus / "MANIFEST.csv"))
+    if (!fs::exists(kForeignCorpus / "MANIFEST.csv"))
         GTEST_SKIP() << "the corpus is not here";
     int ours = 0;
     int heidenhain = 0;
     for (const auto& [path, kind] : listed()) {
         if (kind == "nc") {
             const auto foreign = kForeign.find(path);
-            EXPECT_EQ(kindOf(kCorpus / path), foreign == kForeign.end() ? "" : foreign->second) << path;
+            EXPECT_EQ(kindOf(kForeignCorpus / path), foreign == kForeign.end() ? "" : foreign->second)
+                << path;
             ours += foreign == kForeign.end() ? 1 : 0;
         } else if (kind == "nc-heidenhain") {
-            EXPECT_EQ(kindOf(kCorpus / path), "a Heidenhain conversational program") << path;
+            EXPECT_EQ(kindOf(kForeignCorpus / path), "a Heidenhain conversational program") << path;
             ++heidenhain;
         } else if (path.ends_with(".camotics")) {
-            EXPECT_EQ(kindOf(kCorpus / path), "a CAMotics project") << path;
-        } else if (kind == "nc-fault" && fs::exists(kCorpus / path)) {
-            const std::string found = kindOf(kCorpus / path);
+            EXPECT_EQ(kindOf(kForeignCorpus / path), "a CAMotics project") << path;
+        } else if (kind == "nc-fault" && fs::exists(kForeignCorpus / path)) {
+            const std::string found = kindOf(kForeignCorpus / path);
             EXPECT_TRUE(found.empty() || found.starts_with("nc-")) << path << ": " << found;
         }
     }
@@ -82,14 +83,14 @@ TEST(ForeignCorpus, NamesProgramsOfOthersAndNoneOfOurs) {
 }
 
 TEST(ForeignCorpus, NamesMeshes) {
-    if (!fs::exists(kCorpus))
+    if (!fs::exists(kForeignCorpus))
         GTEST_SKIP() << "the corpus is not here";
     int meshes = 0;
     for (const auto& [path, kind] : listed()) {
-        if (kind != "stl" || !fs::exists(kCorpus / path))
+        if (kind != "stl" || !fs::exists(kForeignCorpus / path))
             continue;
         ++meshes;
-        const std::string found = kindOf(kCorpus / path);
+        const std::string found = kindOf(kForeignCorpus / path);
         EXPECT_TRUE(found == "an STL mesh" || found == "nc-binary") << path << ": " << found;
     }
     EXPECT_GT(meshes, 20);

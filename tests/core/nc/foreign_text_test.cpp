@@ -12,14 +12,14 @@ namespace proveout {
 
 namespace {
 
-struct Sample {
+struct ForeignSample {
     const char* kind;
     int line; ///< of the sign
     const char* text;
 };
 
 // Own texts in the manner of each.
-const Sample kForeign[] = {
+const ForeignSample kForeign[] = {
     {"a Heidenhain conversational program", 1,
      "0 BEGIN PGM PLATE MM\n1 BLK FORM 0.1 Z X+0 Y+0 Z-20\n2 BLK FORM 0.2 X+100 Y+60 Z+0\n"
      "3 TOOL CALL 5 Z S4000\n4 L Z+100 R0 FMAX M3\n5 L X+10 Y+10 R0 FMAX\n6 END PGM PLATE MM\n"},
@@ -82,7 +82,7 @@ const char* const kOurs[] = {
 } // namespace
 
 TEST(ForeignText, IsNamedWithTheLineThatShowsIt) {
-    for (const Sample& sample : kForeign) {
+    for (const ForeignSample& sample : kForeign) {
         const auto found = findForeignText(NcText(sample.text));
         ASSERT_TRUE(found) << sample.text;
         EXPECT_STREQ(found->kind, sample.kind) << sample.text;
@@ -99,7 +99,7 @@ TEST(ForeignText, IsNotSeenInProgramsOfOurs) {
 }
 
 TEST(ForeignText, IsSaidInOneSentenceAndNothingElse) {
-    for (const Sample& sample : kForeign) {
+    for (const ForeignSample& sample : kForeign) {
         InterpretOptions options;
         options.dialect.reset();
         ResumableInterpreter again;
@@ -129,7 +129,7 @@ TEST(ForeignText, SaysWhatItIsWhereAndWhatToDo) {
 }
 
 TEST(ForeignText, IsReadAllTheSameWhereTheDialectIsChosen) {
-    for (const Sample& sample : kForeign) {
+    for (const ForeignSample& sample : kForeign) {
         for (const Dialect& row : dialects()) {
             InterpretOptions options;
             options.dialect = row.id;
