@@ -305,7 +305,8 @@ private slots:
         QVERIFY(station.session.program()->unverified());
         const QModelIndex index = list->model()->index(rowOf("code-unknown"), 2);
         list->scrollTo(index);
-        QContextMenuEvent event(QContextMenuEvent::Mouse, list->visualRect(index).center());
+        const QPoint at = list->visualRect(index).center();
+        QContextMenuEvent event(QContextMenuEvent::Mouse, at, list->viewport()->mapToGlobal(at));
         QApplication::sendEvent(list->viewport(), &event);
         QTRY_VERIFY_WITH_TIMEOUT(QApplication::activePopupWidget() != nullptr, kPatience);
         auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
