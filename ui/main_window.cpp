@@ -27,6 +27,7 @@
 #include "ui/document_title.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/findings/problems_panel.h"
+#include "ui/first_geometry.h"
 #include "ui/kept_breakpoints.h"
 #include "ui/kept_switches.h"
 #include "ui/layout_menu.h"
@@ -51,7 +52,6 @@ const QString kStateKey = QStringLiteral("window/state");
 const QString kPlayByKey = QStringLiteral("playback/by");
 const QString kSpeedKey = QStringLiteral("playback/speed");
 const QString kViewGroup = QStringLiteral("view");
-constexpr QSize kFirstSize{1280, 800};
 constexpr int kToolBarIcon = 20;
 constexpr int kSameWidth = 3;      // px; splitters round
 constexpr int kMessageTime = 8000; // ms
@@ -241,7 +241,7 @@ void MainWindow::showProblems() {
 void MainWindow::restore() {
     const QSettings settings;
     if (!restoreGeometry(settings.value(kGeometryKey).toByteArray()))
-        resize(kFirstSize);
+        applyFirstGeometry(*this);
     arrange();
     m_layoutKept = restoreState(settings.value(kStateKey).toByteArray(), kLayoutVersion);
     if (m_layoutKept)

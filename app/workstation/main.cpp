@@ -127,8 +127,10 @@ int run() {
     std::optional<Recovery> recovery;
     if (options.screenshot.isEmpty())
         recovery.emplace(window, Recovery::standardRoot());
-    if (!options.size.isEmpty())
+    if (!options.size.isEmpty()) {
+        window.setWindowState(Qt::WindowNoState); // as a small screen or the last session had it
         window.resize(options.size);
+    }
     window.show();
     const auto execute = [&recovery] {
         const int result = QApplication::exec();

@@ -13,6 +13,7 @@
 
 #include "tests/ui/window/workstation.h"
 #include "ui/dock_layouts.h"
+#include "ui/first_geometry.h"
 #include "ui/languages.h"
 #include "ui/theme.h"
 
@@ -49,6 +50,23 @@ class LayoutTest : public QObject {
 
 private slots:
     void init() { m_settings = std::make_unique<OwnSettings>(); }
+
+    void firstSizeLeavesRoomForTheFrame_data() {
+        QTest::addColumn<QSize>("screen");
+        QTest::addColumn<QSize>("first"); // empty: maximised
+        QTest::newRow("smaller") << QSize(1024, 768) << QSize();
+        QTest::newRow("as small") << kSmallScreen << QSize();
+        QTest::newRow("laptop") << QSize(1366, 768) << QSize();
+        QTest::newRow("just enough") << QSize(1300, 850) << kSmallScreen;
+        QTest::newRow("full HD") << QSize(1920, 1080) << QSize(1632, 918);
+        QTest::newRow("WQHD") << QSize(2560, 1440) << QSize(2176, 1224);
+        QTest::newRow("4K") << QSize(3840, 2160) << QSize(2200, 1400);
+    }
+
+    void firstSizeLeavesRoomForTheFrame() {
+        QFETCH(QSize, screen);
+        QTEST(firstWindowSize(screen), "first");
+    }
 
     void layoutAndLanguageComeBack() {
         {
