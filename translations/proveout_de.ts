@@ -1988,8 +1988,12 @@ Vorgabe: 0 mm</translation>
         <translation>Das ist ein Ordner, keine Datei.</translation>
     </message>
     <message>
-        <source>The export needs about {}, but the machine has only {} left.</source>
-        <translation>Der Export braucht etwa {}, der Rechner hat aber nur noch {} frei.</translation>
+        <source>The export needs {}; {} may be taken, which is enough for a grid spacing of {} mm.</source>
+        <translation>Der Export braucht {}; {} dürfen belegt werden, was für eine Rasterweite von {} mm reicht.</translation>
+    </message>
+    <message>
+        <source>The export needs {}; {} may be taken.</source>
+        <translation>Der Export braucht {}; {} dürfen belegt werden.</translation>
     </message>
     <message>
         <source>Wavefront OBJ</source>

@@ -1988,8 +1988,12 @@ Default: 0 mm</source>
         <translation>파일이 아니라 폴더입니다.</translation>
     </message>
     <message>
-        <source>The export needs about {}, but the machine has only {} left.</source>
-        <translation>내보내기에는 약 {}이(가) 필요하지만 컴퓨터에 {}만 남아 있습니다.</translation>
+        <source>The export needs {}; {} may be taken, which is enough for a grid spacing of {} mm.</source>
+        <translation>내보내기에는 {}가 필요하지만 사용할 수 있는 메모리는 {}입니다. 이 메모리로는 격자 간격 {} mm까지 가능합니다.</translation>
+    </message>
+    <message>
+        <source>The export needs {}; {} may be taken.</source>
+        <translation>내보내기에는 {}가 필요하지만 사용할 수 있는 메모리는 {}입니다.</translation>
     </message>
     <message>
         <source>Wavefront OBJ</source>

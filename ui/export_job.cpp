@@ -3,6 +3,7 @@
 
 #include <exception>
 #include <filesystem>
+#include <fmt/format.h>
 #include <system_error>
 #include <utility>
 #include <variant>
@@ -36,18 +37,24 @@ tl::unexpected<Diagnostics> cancelled() {
     return failure("cancelled", PROVEOUT_TEXT("Core", "The export was cancelled."));
 }
 
-/// The z-map itself is there already.
-Result<void> checkMeshMemory(const Frame& frame, const ExportOptions& options, double availableBytes) {
+/// The z-map itself is there already; on another grid it is another.
+Result<void> checkMeshMemory(const Frame& frame, const ExportOptions& options, double limitBytes) {
     const Grid& grid = frame.zmap.grid();
     const double points = static_cast<double>(grid.nx) * grid.ny;
     const MapOutputs outputs{.schedule = false, .whole = true, .solid = true};
-    const double needed = points * meshBytesPerPoint(parametersOf(frame, options), outputs);
-    if (needed <= availableBytes)
+    const double bytesPerPoint = meshBytesPerPoint(parametersOf(frame, options), outputs);
+    const double needed = points * bytesPerPoint;
+    if (needed <= limitBytes)
         return {};
+    const auto would = finestSpacing(frame.zmap.stock(), limitBytes + zmapBytes(grid), bytesPerPoint);
     auto refused =
-        failure("export-needs-too-much-memory",
-                PROVEOUT_TEXT("Core", "The export needs about {}, but the machine has only {} left."),
-                {readableBytes(needed), readableBytes(availableBytes)});
+        would ? failure("export-needs-too-much-memory",
+                        PROVEOUT_TEXT("Core", "The export needs {}; {} may be taken, which is enough for a "
+                                              "grid spacing of {} mm."),
+                        {readableBytes(needed), readableBytes(limitBytes), fmt::format("{:g}", *would)})
+              : failure("export-needs-too-much-memory",
+                        PROVEOUT_TEXT("Core", "The export needs {}; {} may be taken."),
+                        {readableBytes(needed), readableBytes(limitBytes)});
     refused.value().front().hint = PROVEOUT_TEXT("Core", "Choose a wider grid spacing, or close programs.");
     return refused;
 }
@@ -68,11 +75,12 @@ Result<ExportSummary> write(const Frame& frame, const QString& file, const Expor
     if (!format)
         return tl::unexpected(format.error());
     const DecimationParameters parameters = parametersOf(frame, options);
-    const std::vector<LatticeTriangle> triangles =
-        decimatedWhole(frame.zmap, parameters, context.part(0, kDecimated)).triangles();
+    std::vector<LatticeTriangle> triangles =
+        decimatedWhole(frame.zmap, parameters, context.part(0, kDecimated)).takeTriangles();
     if (context.stopped())
         return cancelled();
-    const TriangleMesh solid = closeSolid(frame.zmap, triangles, context.part(kDecimated, kClosed));
+    const TriangleMesh solid =
+        closeSolid(frame.zmap, std::move(triangles), context.part(kDecimated, kClosed));
     if (context.stopped())
         return cancelled();
     if (solid.triangles.empty())
@@ -101,7 +109,7 @@ Diagnostics about(const QString& file, Diagnostics errors) {
 } // namespace
 
 Result<ExportSummary> exportFrame(const Frame& frame, const QString& file, const ExportOptions& options,
-                                  const WorkContext& context, double availableBytes) {
+                                  const WorkContext& context, double limitBytes) {
     const StockFormat* stock =
         options.format == nullptr ? nullptr : std::get_if<StockFormat>(&options.format->handlers);
     const auto ofMoment = [&](Result<ExportSummary> summary) -> Result<ExportSummary> {
@@ -113,7 +121,7 @@ Result<ExportSummary> exportFrame(const Frame& frame, const QString& file, const
     };
     if (stock != nullptr)
         return ofMoment(save(*stock, frame, file, options.provenance));
-    if (Result<void> fits = checkMeshMemory(frame, options, availableBytes); !fits)
+    if (Result<void> fits = checkMeshMemory(frame, options, limitBytes); !fits)
         return tl::unexpected(about(file, std::move(fits.error())));
     return ofMoment(write(frame, file, options, context));
 }

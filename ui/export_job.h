@@ -39,11 +39,11 @@ struct ExportSummary {
 
 /// Writes the stock of a frame: the surface, closed by walls and a floor, or its z-map for the next set-up.
 /// Any thread. Borders between regions are always the shared ones, because the paper's own leave cracks.
-/// Errors, which name the file: an ending of no mesh format, meshes that need more than `availableBytes` of
+/// Errors, which name the file: an ending of no mesh format, meshes that need more than `limitBytes` of
 /// memory, nothing left of the stock, an unwritable file, cancelled.
-[[nodiscard]] Result<ExportSummary>
-exportFrame(const Frame& frame, const QString& file, const ExportOptions& options, const WorkContext& context,
-            double availableBytes = static_cast<double>(availableMemoryBytes()));
+[[nodiscard]] Result<ExportSummary> exportFrame(const Frame& frame, const QString& file,
+                                                const ExportOptions& options, const WorkContext& context,
+                                                double limitBytes = static_cast<double>(memoryLimitBytes()));
 
 /// Runs one export at a time on its own thread; a new one cancels the one under way.
 class ExportJob : public QObject {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/box_output.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -54,16 +55,23 @@ void BoxOutput::addTo(CLI::App& command) {
         ->needs(box);
 }
 
-Result<void> BoxOutput::check(const Setup& setup) {
+MapOutputs BoxOutput::mapOutputs() const {
+    const bool solid = !m_stl.empty();
+    return {.schedule = false, .whole = solid, .solid = solid};
+}
+
+double BoxOutput::bytes() const {
+    return boxBytes(m_part, fineParameters(m_spacing), mapOutputs());
+}
+
+Result<void> BoxOutput::check(const Setup& setup, double heldBytes) {
     if (!wanted())
         return {};
     auto box = parseBox(m_box);
     if (!box)
         return aboutOption("--box", std::move(box.error()));
-    const bool solid = !m_stl.empty();
-    const MapOutputs outputs{.schedule = false, .whole = solid, .solid = solid};
-    auto part = fineGrid(setup, {*box, m_spacing}, fineParameters(m_spacing), outputs,
-                         static_cast<double>(memoryLimitBytes()));
+    const double limit = std::max(0.0, static_cast<double>(memoryLimitBytes()) - heldBytes);
+    auto part = fineGrid(setup, {*box, m_spacing}, fineParameters(m_spacing), mapOutputs(), limit);
     if (!part) {
         const std::string_view id = part.error().front().id;
         return aboutOption(id.starts_with("box-outside") || id.starts_with("box-without") ? "--box"
@@ -87,8 +95,8 @@ void BoxOutput::run(const Program& program, const Setup& setup, std::size_t bloc
 
 void BoxOutput::writeStl(Report& report) {
     const DecimationParameters parameters = fineParameters(m_spacing);
-    const SurfaceSnapshot surface = decimatedWhole(m_fine.zmap, parameters);
-    const TriangleMesh solid = closeSolid(m_fine.zmap, surface.triangles());
+    const TriangleMesh solid =
+        closeSolid(m_fine.zmap, decimatedWhole(m_fine.zmap, parameters).takeTriangles());
     auto exported = exportSolid(m_stl, *findFormat("stl")->meshWriter(), solid, m_fine.zmap,
                                 parameters.allowance, errorLevel(parameters));
     if (!exported)

@@ -23,8 +23,11 @@ public:
 
     [[nodiscard]] bool wanted() const { return !m_box.empty(); }
     [[nodiscard]] std::vector<std::string> files() const { return {m_stl, m_heights}; }
-    /// Refuses a box that cannot be cut, before anything is.
-    [[nodiscard]] Result<void> check(const Setup& setup);
+    /// Refuses a box that cannot be cut, or needs more memory than may be taken beside `heldBytes`, before
+    /// anything is cut.
+    [[nodiscard]] Result<void> check(const Setup& setup, double heldBytes);
+    /// That the box takes; check() was asked.
+    [[nodiscard]] double bytes() const;
 
     /// Cuts the box after the first `blocks` blocks, and writes its files; check() was asked. Warnings and
     /// errors go to the report.
@@ -34,6 +37,7 @@ public:
     void print() const;
 
 private:
+    [[nodiscard]] MapOutputs mapOutputs() const;
     void writeStl(Report& report);
 
     std::string m_box;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // decimate: decimation alone, on a given z-map.
+#include <cmath>
 #include <fmt/core.h>
 #include <memory>
 #include <optional>
@@ -35,6 +36,10 @@ struct DecimateOptions {
     bool json = false;
 };
 
+MapOutputs mapOutputs(const DecimateOptions& options) {
+    return {.schedule = false, .whole = true, .solid = options.meshes.wanted()};
+}
+
 /// The map, once all that can be refused without decimating has been, and the parameters for it.
 Result<ZMapSnapshot> prepare(const DecimateOptions& options, DecimationParameters& parameters) {
     const bool solid = options.meshes.wanted();
@@ -54,8 +59,7 @@ Result<ZMapSnapshot> prepare(const DecimateOptions& options, DecimationParameter
                         options.decimation.apply(parameters, {}, static_cast<double>(grid.nx) * grid.ny);
                         if (solid)
                             parameters.regionCells = forExport(parameters).regionCells;
-                        return checkMapMemory(stock, grid, parameters,
-                                              {.schedule = false, .whole = true, .solid = solid},
+                        return checkMapMemory(stock, grid, parameters, mapOutputs(options),
                                               static_cast<double>(memoryLimitBytes()));
                     });
 }
@@ -72,7 +76,7 @@ ExitCode run(const DecimateOptions& options) {
         return report.exitCode();
     }
     const StopWatch watch;
-    const SurfaceSnapshot result = decimatedWhole(*zmap, parameters);
+    SurfaceSnapshot result = decimatedWhole(*zmap, parameters);
     const double seconds = watch.seconds();
     const MeasuredSurface measured = measure(result, *zmap, parameters);
     std::vector<MeshOutput> written;
@@ -92,6 +96,7 @@ ExitCode run(const DecimateOptions& options) {
                                {"errorLevel", measured.level},
                                {"regions", result.grid.regionCount()},
                                {"method", kMethodChoices[static_cast<std::size_t>(parameters.method)].key}};
+    out["forecastBytes"] = std::llround(mapBytes(zmap->grid(), parameters, mapOutputs(options)));
     out["peakBytes"] = peakMemoryBytes();
     options.meshes.addTo(out, written);
     out["findings"] = report.findings();

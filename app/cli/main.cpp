@@ -7,6 +7,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/run_command.h"
+#include "core/base/memory.h"
 
 namespace {
 
@@ -32,6 +33,7 @@ ExitCode run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
+    proveout::returnLargeBlocksAtOnce();
     try {
         return static_cast<int>(run(argc, argv));
     } catch (const std::bad_alloc&) {

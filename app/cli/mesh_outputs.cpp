@@ -42,10 +42,10 @@ const FileFormat& MeshOutputs::formatOf(const std::string& file) const {
     return format == binary && m_asciiStl ? *findFormat("stl-ascii") : *format;
 }
 
-std::vector<MeshOutput> MeshOutputs::write(const ZMapSnapshot& zmap, const SurfaceSnapshot& surface,
+std::vector<MeshOutput> MeshOutputs::write(const ZMapSnapshot& zmap, SurfaceSnapshot& surface,
                                            const DecimationParameters& parameters, Report& report) const {
     std::vector<MeshOutput> written;
-    const TriangleMesh solid = closeSolid(zmap, surface.triangles());
+    const TriangleMesh solid = closeSolid(zmap, surface.takeTriangles());
     for (const std::string& file : files()) {
         const FileFormat& format = formatOf(file);
         auto exported = exportSolid(file, *format.meshWriter(), solid, zmap, parameters.allowance,

@@ -32,9 +32,9 @@ public:
     /// Refuses endings that no mesh format has.
     [[nodiscard]] Result<void> check() const;
 
-    /// Closes a surface of these parameters into a solid and writes every file. Warnings and errors go to the
-    /// report.
-    [[nodiscard]] std::vector<MeshOutput> write(const ZMapSnapshot& zmap, const SurfaceSnapshot& surface,
+    /// Closes a surface of these parameters into a solid, taking its triangles, and writes every file.
+    /// Warnings and errors go to the report.
+    [[nodiscard]] std::vector<MeshOutput> write(const ZMapSnapshot& zmap, SurfaceSnapshot& surface,
                                                 const DecimationParameters& parameters, Report& report) const;
     /// Adds "exports", one row a file, and "stl" where that option was given.
     void addTo(nlohmann::ordered_json& object, const std::vector<MeshOutput>& written) const;

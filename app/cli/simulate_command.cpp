@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // simulate: cuts a program, and writes what is asked for.
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <fmt/core.h>
 #include <memory>
@@ -116,7 +118,21 @@ private:
     }
 
     bool checkGrid() {
-        return fine(m_options.setup.checkGrid(m_job, mapOutputs())) && fine(m_options.box.check(m_job.setup));
+        return fine(m_options.setup.checkGrid(m_job, mapOutputs())) &&
+               fine(m_options.box.check(m_job.setup, heldBytes()));
+    }
+
+    /// What of the map and its meshes is there yet when the box is cut.
+    [[nodiscard]] double heldBytes() const {
+        const auto grid = makeGrid(m_job.setup.stock, m_job.setup.spacing);
+        return grid ? zmapBytes(*grid) + static_cast<double>(grid->nx) * grid->ny *
+                                             heldBytesPerPoint(scheduled(), mapOutputs())
+                    : 0;
+    }
+
+    [[nodiscard]] double forecastBytes() const {
+        return std::max(mapBytes(m_frame.zmap.grid(), scheduled(), mapOutputs()),
+                        m_options.box.wanted() ? heldBytes() + m_options.box.bytes() : 0);
     }
 
     [[nodiscard]] MapOutputs mapOutputs() const {
@@ -125,7 +141,6 @@ private:
         return {.schedule = followsSchedule(),
                 .whole = !full && (solid || m_options.json),
                 .solid = solid,
-                .fullMesh = full && solid,
                 .again = !m_options.provenance.empty()};
     }
 
@@ -145,12 +160,17 @@ private:
         return !m_options.records.empty() || m_options.setup.decimation().given("period");
     }
 
-    bool simulate() {
+    /// The parameters of the surface while it is cut.
+    [[nodiscard]] DecimationParameters scheduled() const {
         DecimationParameters parameters = m_job.parameters;
         if (!followsSchedule())
             parameters.period = 0;
+        return parameters;
+    }
+
+    bool simulate() {
         auto simulation =
-            Simulation::create(m_program, std::make_shared<const Setup>(m_job.setup), parameters);
+            Simulation::create(m_program, std::make_shared<const Setup>(m_job.setup), scheduled());
         if (!simulation)
             return fine(std::move(simulation));
         m_simulation = std::move(*simulation);
@@ -236,6 +256,7 @@ private:
               {"decimate", m_seconds.decimate},
               {"write", m_seconds.write},
               {"total", m_seconds.total}}},
+            {"forecastBytes", std::llround(forecastBytes())},
             {"peakBytes", peakMemoryBytes()}};
         out["records"] = totals();
         m_options.meshes.addTo(out, m_written);

@@ -259,10 +259,10 @@ Result<std::string> readFile(const std::filesystem::path& source, std::uint64_t 
                                              : PROVEOUT_TEXT("Core", "This is not a regular file."),
                        {}, source.string());
     }
-    // Memory is asked first: a file that fits the limit may still be more than the machine can hold. Asking
+    // Memory is asked first: a file that fits the limit may still be more than may be taken. Asking
     // takes longer than reading a small file.
     if (info.st_size > kSurelyFits)
-        limit = std::min(limit, availableMemoryBytes());
+        limit = std::min(limit, memoryLimitBytes());
     if (static_cast<std::uint64_t>(info.st_size) > limit) {
         ::close(descriptor);
         return failure(

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <limits>
+#include <utility>
 #include <vector>
 
 namespace proveout {
@@ -30,6 +31,8 @@ public:
     [[nodiscard]] std::uint32_t find(std::uint32_t lattice) const { return m_numberOf[lattice]; }
     /// The grid points by number.
     [[nodiscard]] const std::vector<std::uint32_t>& used() const { return m_used; }
+    /// The same for the last time: what the numbers take is free afterwards.
+    [[nodiscard]] std::vector<std::uint32_t> takeUsed() && { return std::move(m_used); }
 
 private:
     std::vector<std::uint32_t> m_numberOf; ///< per grid point

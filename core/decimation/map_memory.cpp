@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/decimation/map_memory.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 
 #include "core/base/text.h"
@@ -11,12 +12,12 @@ namespace proveout {
 
 namespace {
 
-// Measured: peaks of runs on maps of noise, of which no triangle can be removed.
-constexpr double kFullSurface = 25;
-constexpr double kLayer = 25;  ///< each time that regions are merged: what they were made of is kept
-constexpr double kListed = 30; ///< all triangles once more, to be measured or closed
-constexpr double kSolid = 60;
-constexpr double kAgain = 13; ///< two maps and 4 bytes a mark
+// Bytes a point. Measured: peaks of runs on maps of noise, of which no triangle can be removed, and on maps
+// that come down to the floor at every other point (tests/bench/memory_table).
+constexpr double kLayer = 25;    ///< each time that regions are merged: what they were made of is kept
+constexpr double kMeasured = 30; ///< all triangles once more, and the distances of the points
+constexpr double kSolid = 135;   ///< with the list of the triangles that becomes its own
+constexpr double kAgain = 13;    ///< two maps and 4 bytes a mark
 /// A region with its borders and its places in arrays, whatever the triangles; measured on planes.
 constexpr double kRegion = 500;
 
@@ -28,8 +29,12 @@ double pointsOf(const Grid& grid) {
     return static_cast<double>(grid.nx) * grid.ny;
 }
 
-bool makesRegions(const DecimationParameters& parameters, const MapOutputs& outputs) {
-    return decimates(parameters) && (outputs.whole || (outputs.schedule && parameters.period != 0));
+bool followsSchedule(const DecimationParameters& parameters, const MapOutputs& outputs) {
+    return decimates(parameters) && outputs.schedule && parameters.period != 0;
+}
+
+bool decimatesWhole(const DecimationParameters& parameters, const MapOutputs& outputs) {
+    return decimates(parameters) && outputs.whole;
 }
 
 /// How often regions are merged until blocks of them have so many cells along a side.
@@ -40,7 +45,7 @@ int layers(int cells, int mostCells) {
     return count;
 }
 
-/// Of the regions by themselves.
+/// Of the regions by themselves, and while they are made.
 double regionBytesPerPoint(const DecimationParameters& parameters) {
     const DecimationMethodRow& method = row(parameters.method);
     if (method.wholeMap)
@@ -50,34 +55,42 @@ double regionBytesPerPoint(const DecimationParameters& parameters) {
 
 } // namespace
 
+double heldBytesPerPoint(const DecimationParameters& parameters, const MapOutputs& outputs) {
+    const bool whole = decimatesWhole(parameters, outputs) && !outputs.solid; // whose triangles a solid takes
+    return (followsSchedule(parameters, outputs) ? regionBytesPerPoint(parameters) : 0) +
+           (whole ? regionBytesPerPoint(parameters) : 0);
+}
+
 double meshBytesPerPoint(const DecimationParameters& parameters, const MapOutputs& outputs) {
-    double bytes = outputs.solid ? kSolid : 0;
-    if (makesRegions(parameters, outputs))
-        bytes += regionBytesPerPoint(parameters);
-    if (decimates(parameters) && outputs.whole) {
-        bytes += kListed;
-        if (canMerge(parameters)) // beside the regions of the schedule, which are others
-            bytes += layers(parameters.regionCells, kMostExportCells) * kLayer +
-                     (outputs.schedule ? regionBytesPerPoint(parameters) : 0);
+    const double scheduled = followsSchedule(parameters, outputs) ? regionBytesPerPoint(parameters) : 0;
+    double whole = 0;
+    double more = outputs.again ? kAgain : 0;
+    if (decimatesWhole(parameters, outputs)) {
+        whole = regionBytesPerPoint(parameters);
+        const int merged = canMerge(parameters) ? layers(parameters.regionCells, kMostExportCells) : 0;
+        more = std::max({more, merged * kLayer, kMeasured});
     }
-    if (outputs.fullMesh || (outputs.solid && !decimates(parameters)))
-        bytes += kFullSurface;
-    if (outputs.again)
-        bytes += kAgain;
-    return bytes;
+    return scheduled + std::max(whole + more, outputs.solid ? kSolid : 0);
+}
+
+double mapBytes(const Grid& grid, const DecimationParameters& parameters, const MapOutputs& outputs) {
+    return zmapBytes(grid) + pointsOf(grid) * meshBytesPerPoint(parameters, outputs);
 }
 
 Result<void> checkMapMemory(const StockBox& stock, const Grid& grid, const DecimationParameters& parameters,
                             const MapOutputs& outputs, double limitBytes) {
     const double points = pointsOf(grid);
     const double most = row(parameters.method).mostPoints;
-    if (makesRegions(parameters, outputs) && points > most)
+    if ((followsSchedule(parameters, outputs) || decimatesWhole(parameters, outputs)) && points > most)
         return failure("method-map-too-large",
                        PROVEOUT_TEXT("Core", "The method “{}” works on maps of {} points at most; this "
                                              "one has {}."),
                        {kMethodChoices[static_cast<std::size_t>(parameters.method)].key,
                         fmt::format("{:.0f}", most), fmt::format("{:.0f}", points)});
-    return checkMemory(stock, grid, limitBytes, meshBytesPerPoint(parameters, outputs));
+    DecimationParameters coarser = parameters; // on which standardRegion() is smaller
+    coarser.regionCells = std::min(parameters.regionCells, row(parameters.method).standardRegion);
+    return checkMemory(stock, grid, limitBytes, meshBytesPerPoint(parameters, outputs),
+                       meshBytesPerPoint(coarser, outputs));
 }
 
 double bytesAtRest(const DecimationParameters& parameters, const Grid& grid, std::size_t faces) {

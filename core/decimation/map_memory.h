@@ -12,15 +12,22 @@ namespace proveout {
 
 /// What is made of a map beside cutting it.
 struct MapOutputs {
-    bool schedule = true;  ///< regions that are decimated while it is cut
-    bool whole = false;    ///< all of it decimated in the end (decimatedWhole()), as one list of triangles
-    bool solid = false;    ///< that list, or the full mesh, closed for export
-    bool fullMesh = false; ///< of all points, whatever the method
-    bool again = false;    ///< the map is kept uncut, and cut once more with a mark a point
+    bool schedule = true; ///< regions that are decimated while it is cut
+    bool whole = false;   ///< all of it decimated in the end (decimatedWhole()), and measured
+    bool solid = false;   ///< that, or the full mesh where there is none, closed and written to files
+    bool again = false;   ///< the map is kept uncut, and cut once more with a mark a point
 };
 
-/// Bytes a point of the grid that the meshes take at most, also where no triangle goes.
+/// Bytes a point of the grid that the meshes take at most, also where no triangle can be removed and the
+/// surface comes down to the floor everywhere.
 [[nodiscard]] double meshBytesPerPoint(const DecimationParameters& parameters, const MapOutputs& outputs);
+
+/// The same of the meshes that remain once everything is made.
+[[nodiscard]] double heldBytesPerPoint(const DecimationParameters& parameters, const MapOutputs& outputs);
+
+/// The most bytes that a map and what is made of it take at a time.
+[[nodiscard]] double mapBytes(const Grid& grid, const DecimationParameters& parameters,
+                              const MapOutputs& outputs);
 
 /// Refuses a grid whose map and meshes need more than `limitBytes` (checkMemory() of core/zmap), or that is
 /// larger than the method can count.

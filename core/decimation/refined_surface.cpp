@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/base/memory.h"
 #include "core/decimation/region_merge.h"
 #include "core/decimation/tally.h"
 
@@ -224,8 +225,10 @@ void RefinedSurface::cover(SurfaceSnapshot& shown, std::size_t layer, int bx, in
     shown.meshes.edit(grid().regionAt(bx * own.regions, by * own.regions)) = mesh;
 }
 
-SurfaceSnapshot decimatedWhole(const ZMapSnapshot& zmap, const DecimationParameters& parameters,
-                               const WorkContext& context) {
+namespace {
+
+SurfaceSnapshot wholeSurface(const ZMapSnapshot& zmap, const DecimationParameters& parameters,
+                             const WorkContext& context) {
     const Grid& grid = zmap.grid();
     if (canMerge(parameters)) {
         RefinedSurface surface(grid.nx, grid.ny, parameters, kMostExportCells);
@@ -235,6 +238,15 @@ SurfaceSnapshot decimatedWhole(const ZMapSnapshot& zmap, const DecimationParamet
     Surface surface(grid.nx, grid.ny, parameters);
     (void)surface.decimateDirty(zmap, context);
     return surface.snapshot();
+}
+
+} // namespace
+
+SurfaceSnapshot decimatedWhole(const ZMapSnapshot& zmap, const DecimationParameters& parameters,
+                               const WorkContext& context) {
+    SurfaceSnapshot surface = wholeSurface(zmap, parameters, context);
+    returnFreedMemory(); // of what was merged, twice as much as is left
+    return surface;
 }
 
 } // namespace proveout

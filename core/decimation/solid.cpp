@@ -33,6 +33,7 @@
 #include "core/decimation/solid.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "core/decimation/solid_above_floor.h"
 #include "core/decimation/solid_frame.h"
@@ -40,7 +41,7 @@
 
 namespace proveout {
 
-TriangleMesh closeSolid(const ZMapSnapshot& zmap, std::span<const LatticeTriangle> surface,
+TriangleMesh closeSolid(const ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
                         const WorkContext& context) {
     const SolidFrame frame(zmap);
     const bool touches =
@@ -49,7 +50,8 @@ TriangleMesh closeSolid(const ZMapSnapshot& zmap, std::span<const LatticeTriangl
         });
     if (surface.empty() || context.stopped())
         return {};
-    return touches ? closeOnFloor(frame, surface, context) : closeAboveFloor(frame, surface, context);
+    return touches ? closeOnFloor(frame, std::move(surface), context)
+                   : closeAboveFloor(frame, std::move(surface), context);
 }
 
 } // namespace proveout

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <span>
 #include <vector>
 
 #include "core/base/geometry.h"
@@ -29,9 +28,9 @@ inline constexpr double kPinchGap = 1e-4;
 /// lie wholly on the stock's floor are holes: they leave top and floor; vertices and edges where sheets would
 /// pinch are split and set apart by kPinchGap, or by four steps of float32 where the coordinates are so large
 /// that STL could not hold it. Empty where nothing of the stock is left, and where the context was stopped.
-/// `surface` must cover the map without cracks (SurfaceSnapshot::triangles() of BorderRule::shared). Any
-/// thread.
-[[nodiscard]] TriangleMesh closeSolid(const ZMapSnapshot& zmap, std::span<const LatticeTriangle> surface,
+/// `surface` must cover the map without cracks (SurfaceSnapshot::triangles() of BorderRule::shared); moved
+/// in, its memory becomes that of the solid. Any thread.
+[[nodiscard]] TriangleMesh closeSolid(const ZMapSnapshot& zmap, std::vector<LatticeTriangle> surface,
                                       const WorkContext& context = {});
 
 } // namespace proveout

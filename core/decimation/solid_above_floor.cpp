@@ -2,6 +2,7 @@
 #include "core/decimation/solid_above_floor.h"
 
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "core/decimation/lattice_numbers.h"
@@ -61,10 +62,13 @@ class AboveFloor {
 public:
     explicit AboveFloor(const SolidFrame& frame) : m_frame(frame), m_numbers(frame.points()) {}
 
-    TriangleMesh build(std::span<const LatticeTriangle> surface, const WorkContext& context) {
-        for (const LatticeTriangle& triangle : surface)
-            m_mesh.triangles.push_back({m_numbers.number(triangle[0]), m_numbers.number(triangle[1]),
-                                        m_numbers.number(triangle[2])});
+    TriangleMesh build(std::vector<LatticeTriangle> surface, const WorkContext& context) {
+        m_mesh.triangles = std::move(surface);
+        // Here, where a copy is all there is beside the list; a wall has a triangle a point at most.
+        m_mesh.triangles.reserve(m_mesh.triangles.size() + m_frame.outlinePoints() + kFloorTriangles);
+        for (LatticeTriangle& triangle : m_mesh.triangles)
+            for (std::uint32_t& corner : triangle)
+                corner = m_numbers.number(corner);
         constexpr std::size_t kFloorCorners = 4;
         m_mesh.vertices.reserve(m_numbers.used().size() + kFloorCorners);
         for (const std::uint32_t lattice : m_numbers.used())
@@ -84,6 +88,8 @@ public:
     }
 
 private:
+    static constexpr std::size_t kFloorTriangles = 2;
+
     /// The corners counter-clockwise from the south-west; returns the first.
     std::uint32_t addFloor(int east, int north) {
         const auto first = static_cast<std::uint32_t>(m_mesh.vertices.size());
@@ -120,9 +126,9 @@ private:
 
 } // namespace
 
-TriangleMesh closeAboveFloor(const SolidFrame& frame, std::span<const LatticeTriangle> surface,
+TriangleMesh closeAboveFloor(const SolidFrame& frame, std::vector<LatticeTriangle> surface,
                              const WorkContext& context) {
-    return AboveFloor(frame).build(surface, context);
+    return AboveFloor(frame).build(std::move(surface), context);
 }
 
 } // namespace proveout

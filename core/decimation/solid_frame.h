@@ -20,6 +20,10 @@ public:
     [[nodiscard]] std::size_t points() const {
         return static_cast<std::size_t>(nx()) * static_cast<std::size_t>(ny());
     }
+    /// On the four sides of the map, corners twice.
+    [[nodiscard]] std::size_t outlinePoints() const {
+        return 2 * (static_cast<std::size_t>(nx()) + static_cast<std::size_t>(ny()));
+    }
     [[nodiscard]] int column(std::uint32_t lattice) const {
         return static_cast<int>(lattice % static_cast<std::uint32_t>(nx()));
     }

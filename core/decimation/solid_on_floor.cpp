@@ -2,8 +2,9 @@
 #include "core/decimation/solid_on_floor.h"
 
 #include <algorithm>
-#include <array>
+#include <compare>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -14,9 +15,18 @@ namespace proveout {
 
 namespace {
 
-/// A vertex of the plan: a grid point, or one of the copies that a pinched one was split into.
-struct PlanVertex {
-    std::uint32_t lattice = 0;
+/// A corner of a triangle, at one vertex of the plan.
+struct CornerPlace {
+    std::uint32_t vertex = 0;
+    std::uint32_t triangle = 0;
+    std::uint8_t place = 0; ///< which of the three
+
+    friend auto operator<=>(const CornerPlace&, const CornerPlace&) = default;
+};
+
+/// Where a vertex that touched others was moved in plan.
+struct MovedVertex {
+    std::uint32_t vertex = 0;
     Vec2 offset{0};
 };
 
@@ -28,78 +38,94 @@ struct PlanEdge {
     [[nodiscard]] std::pair<std::uint32_t, std::uint32_t> undirected() const { return std::minmax(from, to); }
 };
 
+/// Memory is what limits the size of solids: the list of the surface becomes that of the plan and then of the
+/// solid, and lists grow once, to the size that was counted.
 class OnFloor {
 public:
     explicit OnFloor(const SolidFrame& frame) : m_frame(frame) {}
 
-    TriangleMesh build(std::span<const LatticeTriangle> surface, const WorkContext& context) {
-        leaveOutHoles(surface);
+    TriangleMesh build(std::vector<LatticeTriangle> surface, const WorkContext& context) {
+        m_mesh.triangles = std::move(surface);
+        leaveOutHoles();
         context.tell(0.2);
-        if (m_kept.empty() || context.stopped())
+        if (m_mesh.triangles.empty() || context.stopped())
             return {};
         numberVertices();
         splitPinches();
         context.tell(0.5);
         if (context.stopped())
             return {};
-        addVertices();
-        addSheets();
+        const std::vector<PlanEdge> boundary = boundaryOfPlan();
         context.tell(0.8);
-        addWalls();
+        if (context.stopped())
+            return {};
+        // Room for all triangles while little else is there; they are added once the list of what was moved
+        // has gone.
+        m_mesh.triangles.reserve(2 * (m_mesh.triangles.size() + boundary.size()));
+        addVertices();
+        m_moved = {};
+        addTriangles(boundary);
         context.tell(1);
         return std::move(m_mesh);
     }
 
 private:
-    void leaveOutHoles(std::span<const LatticeTriangle> surface) {
+    void leaveOutHoles() {
         m_atHole.assign(m_frame.points(), false);
-        for (const LatticeTriangle& triangle : surface) {
+        std::erase_if(m_mesh.triangles, [this](const LatticeTriangle& triangle) {
             const bool hole = std::all_of(triangle.begin(), triangle.end(),
                                           [this](std::uint32_t lattice) { return m_frame.onFloor(lattice); });
-            if (!hole)
-                m_kept.push_back(triangle);
-            else
+            if (hole)
                 for (const std::uint32_t lattice : triangle)
                     m_atHole[lattice] = true;
-        }
+            return hole;
+        });
     }
 
-    /// From lattice indices to plan vertices: m_kept holds the latter from here on.
+    /// From lattice indices to plan vertices: the triangles hold the latter from here on.
     void numberVertices() {
         LatticeNumbers numbers(m_frame.points());
-        for (LatticeTriangle& triangle : m_kept)
+        for (LatticeTriangle& triangle : m_mesh.triangles)
             for (std::uint32_t& corner : triangle)
                 corner = numbers.number(corner);
-        for (const std::uint32_t lattice : numbers.used())
-            m_plan.push_back({lattice, Vec2(0)});
+        m_plan = std::move(numbers).takeUsed();
     }
 
     /// Only beside a hole can the material round a vertex fall apart into sectors.
     void splitPinches() {
-        std::vector<std::pair<std::uint32_t, Corner>> corners;
-        for (std::size_t t = 0; t < m_kept.size(); ++t) {
-            for (int place = 0; place < 3; ++place) {
-                const std::uint32_t vertex = m_kept[t][static_cast<std::size_t>(place)];
-                if (m_atHole[m_plan[vertex].lattice])
-                    corners.emplace_back(vertex, cornerAt(t, place));
-            }
-        }
-        std::stable_sort(corners.begin(), corners.end(),
-                         [](const auto& a, const auto& b) { return a.first < b.first; });
+        const std::vector<CornerPlace> corners = cornersAtHoles();
         std::vector<Corner> around;
         for (auto from = corners.begin(); from != corners.end();) {
             around.clear();
             auto to = from;
-            for (; to != corners.end() && to->first == from->first; ++to)
-                around.push_back(to->second);
-            split(from->first, around);
+            for (; to != corners.end() && to->vertex == from->vertex; ++to)
+                around.push_back(cornerAt(to->triangle, to->place));
+            split(from->vertex, around);
             from = to;
         }
+        m_moved.shrink_to_fit();
+    }
+
+    /// By vertex, and in the order of the triangles there.
+    [[nodiscard]] std::vector<CornerPlace> cornersAtHoles() const {
+        const auto forEachCorner = [this](auto&& take) {
+            for (std::uint32_t t = 0; t < m_mesh.triangles.size(); ++t)
+                for (std::uint8_t place = 0; place < 3; ++place)
+                    if (const std::uint32_t vertex = m_mesh.triangles[t][place]; m_atHole[m_plan[vertex]])
+                        take(CornerPlace{vertex, t, place});
+        };
+        std::size_t count = 0;
+        forEachCorner([&count](const CornerPlace&) { ++count; });
+        std::vector<CornerPlace> corners;
+        corners.reserve(count);
+        forEachCorner([&corners](const CornerPlace& corner) { corners.push_back(corner); });
+        std::sort(corners.begin(), corners.end());
+        return corners;
     }
 
     [[nodiscard]] Corner cornerAt(std::size_t t, int place) const {
         const auto at = [&](int step) {
-            return m_plan[m_kept[t][static_cast<std::size_t>((place + step) % 3)]].lattice;
+            return m_plan[m_mesh.triangles[t][static_cast<std::size_t>((place + step) % 3)]];
         };
         const Vec2 here = m_frame.plan(at(0));
         return {t, place, at(1), at(2), m_frame.plan(at(1)) - here, m_frame.plan(at(2)) - here};
@@ -110,85 +136,104 @@ private:
         const auto sectors = sectorsAround(corners, m_frame.gapXY());
         if (sectors.size() < 2)
             return;
-        const std::uint32_t lattice = m_plan[vertex].lattice;
-        m_plan[vertex].offset = sectors.front().offset;
+        m_moved.push_back({vertex, sectors.front().offset});
         for (std::size_t s = 1; s < sectors.size(); ++s) {
             const auto copy = static_cast<std::uint32_t>(m_plan.size());
-            m_plan.push_back({lattice, sectors[s].offset});
+            m_moved.push_back({copy, sectors[s].offset});
+            m_plan.push_back(std::uint32_t{m_plan[vertex]});
             for (const Corner& corner : sectors[s].corners)
-                m_kept[corner.triangle][static_cast<std::size_t>(corner.place)] = copy;
+                m_mesh.triangles[corner.triangle][static_cast<std::size_t>(corner.place)] = copy;
         }
     }
 
-    /// The top sheet's vertices, then the floor's in the same order.
-    void addVertices() {
-        m_mesh.vertices.reserve(2 * m_plan.size());
-        for (const PlanVertex& vertex : m_plan)
-            m_mesh.vertices.push_back(m_frame.top(vertex.lattice) + Vec3(vertex.offset, 0));
-        for (const PlanVertex& vertex : m_plan) {
-            const double gap = m_frame.onFloor(vertex.lattice) ? m_frame.gapZ() : 0;
-            m_mesh.vertices.emplace_back(m_frame.plan(vertex.lattice) + vertex.offset,
-                                         m_frame.floorZ() - gap);
+    /// Whether the boundary of the plan may pass through a vertex: looking at the few edges between such
+    /// vertices saves sorting all edges of the mesh.
+    [[nodiscard]] bool mayBeBoundary(std::uint32_t vertex) const {
+        const std::uint32_t lattice = m_plan[vertex];
+        const int i = m_frame.column(lattice);
+        const int j = m_frame.row(lattice);
+        return m_atHole[lattice] || i == 0 || j == 0 || i == m_frame.nx() - 1 || j == m_frame.ny() - 1;
+    }
+
+    /// The edges with a triangle on one side only.
+    [[nodiscard]] std::vector<PlanEdge> boundaryOfPlan() const {
+        std::vector<PlanEdge> edges = edgesThatMayBeBoundary();
+        std::sort(edges.begin(), edges.end(),
+                  [](const PlanEdge& a, const PlanEdge& b) { return a.undirected() < b.undirected(); });
+        std::size_t kept = 0;
+        for (std::size_t e = 0; e < edges.size(); ++e) {
+            // An edge between two triangles comes twice.
+            if (e + 1 < edges.size() && edges[e].undirected() == edges[e + 1].undirected())
+                ++e;
+            else
+                edges[kept++] = edges[e];
         }
+        edges.resize(kept);
+        edges.shrink_to_fit();
+        return edges;
+    }
+
+    [[nodiscard]] std::vector<PlanEdge> edgesThatMayBeBoundary() const {
+        const auto forEachEdge = [this](auto&& take) {
+            for (const LatticeTriangle& triangle : m_mesh.triangles)
+                for (std::size_t k = 0; k < 3; ++k)
+                    if (const PlanEdge edge{triangle[k], triangle[(k + 1) % 3]};
+                        mayBeBoundary(edge.from) && mayBeBoundary(edge.to))
+                        take(edge);
+        };
+        std::size_t count = 0;
+        forEachEdge([&count](const PlanEdge&) { ++count; });
+        std::vector<PlanEdge> edges;
+        edges.reserve(count);
+        forEachEdge([&edges](const PlanEdge& edge) { edges.push_back(edge); });
+        return edges;
     }
 
     [[nodiscard]] std::uint32_t below(std::uint32_t vertex) const {
         return vertex + static_cast<std::uint32_t>(m_plan.size());
     }
 
-    void addSheets() {
-        m_mesh.triangles.reserve(2 * m_kept.size());
-        m_mesh.triangles.assign(m_kept.begin(), m_kept.end());
-        for (const auto& [a, b, c] : m_kept)
-            m_mesh.triangles.push_back({below(a), below(c), below(b)});
-    }
-
-    /// Whether the boundary of the plan may pass through a vertex: looking at the few edges between such
-    /// vertices saves sorting all edges of the mesh.
-    [[nodiscard]] bool mayBeBoundary(std::uint32_t vertex) const {
-        const std::uint32_t lattice = m_plan[vertex].lattice;
-        const int i = m_frame.column(lattice);
-        const int j = m_frame.row(lattice);
-        return m_atHole[lattice] || i == 0 || j == 0 || i == m_frame.nx() - 1 || j == m_frame.ny() - 1;
-    }
-
-    void addWalls() {
-        std::vector<PlanEdge> edges;
-        for (const LatticeTriangle& triangle : m_kept) {
-            for (std::size_t k = 0; k < 3; ++k) {
-                const PlanEdge edge{triangle[k], triangle[(k + 1) % 3]};
-                if (mayBeBoundary(edge.from) && mayBeBoundary(edge.to))
-                    edges.push_back(edge);
-            }
+    /// The top sheet is there; the floor repeats it the other way round, and each boundary edge has a wall.
+    void addTriangles(const std::vector<PlanEdge>& boundary) {
+        std::vector<LatticeTriangle>& triangles = m_mesh.triangles;
+        const std::size_t top = triangles.size();
+        for (std::size_t t = 0; t < top; ++t) {
+            const auto [a, b, c] = triangles[t];
+            triangles.push_back({below(a), below(c), below(b)});
         }
-        std::sort(edges.begin(), edges.end(),
-                  [](const PlanEdge& a, const PlanEdge& b) { return a.undirected() < b.undirected(); });
-        for (std::size_t e = 0; e < edges.size(); ++e) {
-            // An edge between two triangles comes twice.
-            if (e + 1 < edges.size() && edges[e].undirected() == edges[e + 1].undirected())
-                ++e;
-            else
-                addWall(edges[e]);
+        for (const PlanEdge& edge : boundary) {
+            triangles.push_back({below(edge.from), below(edge.to), edge.to});
+            triangles.push_back({below(edge.from), edge.to, edge.from});
         }
     }
 
-    void addWall(const PlanEdge& edge) {
-        m_mesh.triangles.push_back({below(edge.from), below(edge.to), edge.to});
-        m_mesh.triangles.push_back({below(edge.from), edge.to, edge.from});
+    /// The top sheet's vertices, then the floor's in the same order.
+    void addVertices() {
+        std::vector<Vec3>& vertices = m_mesh.vertices;
+        vertices.reserve(2 * m_plan.size());
+        for (const std::uint32_t lattice : m_plan)
+            vertices.push_back(m_frame.top(lattice));
+        for (const std::uint32_t lattice : m_plan) {
+            const double gap = m_frame.onFloor(lattice) ? m_frame.gapZ() : 0;
+            vertices.emplace_back(m_frame.plan(lattice), m_frame.floorZ() - gap);
+        }
+        for (const MovedVertex& moved : m_moved)
+            for (const std::uint32_t vertex : {moved.vertex, below(moved.vertex)})
+                vertices[vertex] += Vec3(moved.offset, 0);
     }
 
     const SolidFrame& m_frame;
-    std::vector<bool> m_atHole; ///< per grid point
-    std::vector<LatticeTriangle> m_kept;
-    std::vector<PlanVertex> m_plan;
-    TriangleMesh m_mesh;
+    std::vector<bool> m_atHole;        ///< per grid point
+    std::vector<std::uint32_t> m_plan; ///< the grid point of each vertex; pinched ones come more than once
+    std::vector<MovedVertex> m_moved;
+    TriangleMesh m_mesh; ///< its triangles are those of the plan, until the floor is added
 };
 
 } // namespace
 
-TriangleMesh closeOnFloor(const SolidFrame& frame, std::span<const LatticeTriangle> surface,
+TriangleMesh closeOnFloor(const SolidFrame& frame, std::vector<LatticeTriangle> surface,
                           const WorkContext& context) {
-    return OnFloor(frame).build(surface, context);
+    return OnFloor(frame).build(std::move(surface), context);
 }
 
 } // namespace proveout

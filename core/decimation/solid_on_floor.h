@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <span>
+#include <vector>
 
 #include "core/base/work_context.h"
 #include "core/decimation/solid_frame.h"
@@ -10,7 +10,7 @@ namespace proveout {
 
 /// closeSolid() where the surface touches the floor: triangles wholly on the floor are holes, and the floor
 /// repeats the triangles that are left. Empty where none is.
-[[nodiscard]] TriangleMesh closeOnFloor(const SolidFrame& frame, std::span<const LatticeTriangle> surface,
+[[nodiscard]] TriangleMesh closeOnFloor(const SolidFrame& frame, std::vector<LatticeTriangle> surface,
                                         const WorkContext& context);
 
 } // namespace proveout

@@ -7,6 +7,7 @@
 #include <cassert>
 #include <utility>
 
+#include "core/base/memory.h"
 #include "core/decimation/decimator_pool.h"
 #include "core/decimation/random_order.h"
 #include "core/decimation/tally.h"
@@ -46,6 +47,14 @@ std::vector<LatticeTriangle> SurfaceSnapshot::triangles() const {
             all.insert(all.end(), full.begin(), full.end());
         }
     }
+    return all;
+}
+
+std::vector<LatticeTriangle> SurfaceSnapshot::takeTriangles() {
+    std::vector<LatticeTriangle> all = triangles();
+    meshes = {};
+    borders = {};
+    returnFreedMemory();
     return all;
 }
 

@@ -33,6 +33,9 @@ struct SurfaceSnapshot {
     [[nodiscard]] std::vector<LatticeTriangle> triangles(std::size_t region) const;
     /// The triangles of all regions, in the order of the regions.
     [[nodiscard]] std::vector<LatticeTriangle> triangles() const;
+    /// The same, for what takes as much memory itself: only the counts are left in the snapshot, and what no
+    /// other one shares is given back to the system.
+    [[nodiscard]] std::vector<LatticeTriangle> takeTriangles();
     /// The largest measured error of the regions that are decimated, mm.
     [[nodiscard]] double largestError() const;
 };

@@ -50,21 +50,28 @@ Vec3 normalized(const Vec3& normal) {
 /// Turns triangles into facets and counts those that lose their area or turn over on the way.
 class Rounding {
 public:
-    explicit Rounding(const TriangleMesh& mesh)
-        : m_mesh(mesh), m_coarse(isCoarse(mesh)), m_welder(m_coarse ? mesh.vertices.size() : 0) {}
+    /// Vertices that may meet are looked for in so many passes, each over a part of them, because a welder of
+    /// all would take as much memory as the mesh.
+    static constexpr std::size_t kParts = 8;
+
+    explicit Rounding(const TriangleMesh& mesh) : m_mesh(mesh), m_coarse(isCoarse(mesh)) {}
 
     /// Whether vertices may meet: only where steps of float32 come near the spacing of a grid, for the gaps
     /// that closeSolid() leaves hold at any distance. Then all of them are to be looked at.
     [[nodiscard]] bool verticesMayMeet() const { return m_coarse; }
 
-    /// The vertices in the order of the mesh.
+    /// The vertices in the order of the mesh, kParts times.
     void look(const Vec3& vertex) {
-        const std::uint32_t welded = m_welder.index(toFloat(inFile(vertex)));
-        if (welded == m_first.size())
-            m_first.push_back(m_looked);
-        else
-            m_met += m_mesh.vertices[m_first[welded]] != vertex ? 1 : 0;
-        ++m_looked;
+        const Point rounded = toFloat(inFile(vertex));
+        if (partOf(rounded) == m_part) {
+            const std::uint32_t welded = m_welder.index(rounded);
+            if (welded == m_first.size())
+                m_first.push_back(m_looked);
+            else
+                m_met += m_mesh.vertices[m_first[welded]] != vertex ? 1 : 0;
+        }
+        if (++m_looked == m_mesh.vertices.size())
+            beginPart(m_part + 1);
     }
 
     Facet facet(const Triangle& triangle) {
@@ -100,11 +107,27 @@ private:
         return farthest * static_cast<double>(std::numeric_limits<float>::epsilon()) >= kFineStep;
     }
 
+    /// Equal points are in the same part: adding zero turns -0 into 0.
+    static std::size_t partOf(const Point& rounded) {
+        std::uint32_t mixed = 0;
+        for (const float value : rounded)
+            mixed = (mixed ^ std::bit_cast<std::uint32_t>(value + 0.0F)) * 0x9e3779b9U;
+        return mixed >> 29U; // 3 bits: kParts
+    }
+
+    void beginPart(std::size_t part) {
+        m_part = part;
+        m_looked = 0;
+        m_welder = VertexWelder(0);
+        m_first.clear();
+    }
+
     const TriangleMesh& m_mesh;
     bool m_coarse;
-    VertexWelder m_welder;
-    std::vector<std::size_t> m_first; ///< by place in float32, the vertex that was there first
-    std::size_t m_looked = 0;
+    VertexWelder m_welder{0};
+    std::vector<std::uint32_t> m_first; ///< by place in float32, the vertex that was there first
+    std::size_t m_part = 0;
+    std::uint32_t m_looked = 0;
     std::uint64_t m_met = 0; ///< lie apart and fall together in float32
     std::uint64_t m_lost = 0;
 };
@@ -169,8 +192,8 @@ Result<WrittenFile> writeStl(const std::filesystem::path& file, const TriangleMe
         return tl::unexpected(std::move(fine.error()));
     AtomicFile out(file, expectedBytes(encoding, mesh.triangles.size()));
     Rounding rounding(mesh);
-    const std::size_t looks = rounding.verticesMayMeet() ? mesh.vertices.size() : 0;
-    MeshBatches batches(file, mesh.triangles.size() + looks, context);
+    const std::size_t looks = rounding.verticesMayMeet() ? Rounding::kParts : 0;
+    MeshBatches batches(file, mesh.triangles.size() + looks * mesh.vertices.size(), context);
     const auto append = encoding == StlEncoding::binary ? appendBinary : appendAscii;
     return writeWhole(out, mesh, context, [&](AtomicFile& to) {
         to.write(opening(encoding, mesh.triangles.size()));
@@ -178,11 +201,14 @@ Result<WrittenFile> writeStl(const std::filesystem::path& file, const TriangleMe
             .pass(
                 mesh.triangles, to,
                 [&](std::string& text, const Triangle& triangle) { append(text, rounding.facet(triangle)); })
-            .and_then([&] {
-                return looks == 0 ? Result<void>()
-                                  : batches.pass(mesh.vertices, to, [&](std::string&, const Vec3& vertex) {
-                                        rounding.look(vertex);
-                                    });
+            .and_then([&]() -> Result<void> {
+                for (std::size_t part = 0; part < looks; ++part)
+                    if (Result<void> looked =
+                            batches.pass(mesh.vertices, to,
+                                         [&](std::string&, const Vec3& vertex) { rounding.look(vertex); });
+                        !looked)
+                        return looked;
+                return {};
             })
             .and_then([&] { return rounding.check(file); })
             .map([&] { to.write(encoding == StlEncoding::ascii ? "endsolid proveout\n" : ""); });

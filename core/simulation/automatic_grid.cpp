@@ -62,7 +62,8 @@ GridLimits gridLimits(const DecimationParameters& parameters, const MapOutputs& 
     limits.most = std::clamp(cores * kPointsOfCore, kPointsOfCore, limits.most);
     limits.most = std::min(limits.most, row(parameters.method).mostPoints);
     const double bytes = bytesOfPoint(parameters, outputs);
-    while (limits.most > kLeastPoints && limits.most * bytes > static_cast<double>(memoryLimitBytes()) / 2)
+    const double half = static_cast<double>(memoryLimitBytes()) / 2;
+    while (limits.most > kLeastPoints && limits.most * bytes > half)
         limits.most /= 2;
     limits.fewest = std::min(limits.fewest, limits.most);
     return limits;

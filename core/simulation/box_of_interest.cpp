@@ -138,6 +138,10 @@ Result<GridPart> fineGrid(const Setup& setup, const BoxOfInterest& box,
                     readableBytes(limitBytes), fmt::format("{:g}", *would)});
 }
 
+double boxBytes(const GridPart& part, const DecimationParameters& parameters, const MapOutputs& outputs) {
+    return bytesOf(part, meshBytesPerPoint(parameters, outputs));
+}
+
 DecimationParameters fineParameters(double spacing) {
     constexpr int kRegionCells = 64; // a box is shown as a whole, and never cut again
     DecimationParameters parameters;

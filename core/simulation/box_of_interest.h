@@ -35,6 +35,10 @@ struct FineMap {
                                         const DecimationParameters& parameters, const MapOutputs& outputs,
                                         double limitBytes);
 
+/// The most bytes that the maps of a box, and what is made of them, take at a time.
+[[nodiscard]] double boxBytes(const GridPart& part, const DecimationParameters& parameters,
+                              const MapOutputs& outputs);
+
 /// How a box is decimated for the screen and for files: within half of its spacing.
 [[nodiscard]] DecimationParameters fineParameters(double spacing);
 

@@ -219,8 +219,8 @@ Result<Rehearsal> rehearse(const StudyJob& job, const DecimationParameters& base
     const auto grid = makeGrid(job.setup->stock, job.setup->spacing);
     if (!grid)
         return tl::unexpected(grid.error());
-    const auto available = static_cast<double>(availableMemoryBytes());
-    if (auto fits = checkMapMemory(job.setup->stock, *grid, base, {}, available); !fits)
+    const auto limit = static_cast<double>(memoryLimitBytes());
+    if (auto fits = checkMapMemory(job.setup->stock, *grid, base, {}, limit); !fits)
         return tl::unexpected(std::move(fits.error()));
     return Rehearsing(job, base, options, drawing, uncutStock(job.setup->stock, job.setup->shape, *grid).zmap)
         .go(context);

@@ -38,7 +38,7 @@ double bytesOf(double nx, double ny, double bytesPerPoint = 0) {
 
 /// The finest spacing, to three digits and rounded upwards, whose map has no more points and bytes than
 /// given.
-double finestSpacing(const StockBox& stock, double mostPoints, double mostBytes, double bytesPerPoint = 0) {
+double finestWithin(const StockBox& stock, double mostPoints, double mostBytes, double bytesPerPoint = 0) {
     const auto fits = [&](double spacing) {
         const double nx = pointsAlong(stock.width, spacing);
         const double ny = pointsAlong(stock.depth, spacing);
@@ -120,8 +120,7 @@ Result<Grid> makeGrid(const StockBox& stock, double spacing) {
             PROVEOUT_TEXT("Core", "The grid spacing {} mm makes {} points on the stock {}, {} of memory; the "
                                   "finest possible is {} mm."),
             {fmt::format("{:g}", spacing), pointsOf(nx, ny), sizeOf(stock), readableBytes(bytesOf(nx, ny)),
-             fmt::format("{:g}",
-                         finestSpacing(stock, kMostPoints, std::numeric_limits<double>::infinity()))});
+             fmt::format("{:g}", finestWithin(stock, kMostPoints, std::numeric_limits<double>::infinity()))});
     const double farthest = farthestPoint(stock);
     if (spacing < kLeastSteps * stepOfDouble(farthest))
         return failure(
@@ -148,21 +147,26 @@ double zmapBytes(const Grid& grid) {
     return bytesOf(grid.nx, grid.ny);
 }
 
-Result<void> checkMemory(const StockBox& stock, const Grid& grid, double availableBytes,
-                         double bytesPerPoint) {
+std::optional<double> finestSpacing(const StockBox& stock, double mostBytes, double bytesPerPoint) {
+    if (bytesOf(2, 2, bytesPerPoint) > mostBytes) // not even one tile
+        return std::nullopt;
+    return finestWithin(stock, kMostPoints, mostBytes, bytesPerPoint);
+}
+
+Result<void> checkMemory(const StockBox& stock, const Grid& grid, double availableBytes, double bytesPerPoint,
+                         double coarserBytesPerPoint) {
     const double needed = bytesOf(grid.nx, grid.ny, bytesPerPoint);
     if (needed <= availableBytes)
         return {};
-    // Even one tile does not fit: then no spacing can be proposed.
-    if (bytesOf(2, 2, bytesPerPoint) > availableBytes)
+    const auto would = finestSpacing(stock, availableBytes, std::max(bytesPerPoint, coarserBytesPerPoint));
+    if (!would)
         return failure("memory-too-small", PROVEOUT_TEXT("Core", "The z-map needs {}; {} may be taken."),
                        {readableBytes(needed), readableBytes(availableBytes)});
     return failure("grid-needs-too-much-memory",
                    PROVEOUT_TEXT("Core", "A grid of {} × {} points needs {}; {} may be taken, which is "
                                          "enough for a spacing of {} mm."),
                    {fmt::format("{}", grid.nx), fmt::format("{}", grid.ny), readableBytes(needed),
-                    readableBytes(availableBytes),
-                    fmt::format("{:g}", finestSpacing(stock, kMostPoints, availableBytes, bytesPerPoint))});
+                    readableBytes(availableBytes), fmt::format("{:g}", *would)});
 }
 
 } // namespace proveout

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
 #include <string_view>
 
 #include "core/base/diagnostic.h"
@@ -48,11 +49,16 @@ struct Grid {
 /// Bytes that a z-map over the grid takes while it is cut, without meshes and checkpoints.
 [[nodiscard]] double zmapBytes(const Grid& grid);
 
+/// The finest spacing, to three digits, whose map with so many more bytes a point takes no more than
+/// `mostBytes`; nothing where none does.
+[[nodiscard]] std::optional<double> finestSpacing(const StockBox& stock, double mostBytes,
+                                                  double bytesPerPoint);
+
 /// Refuses a grid that needs more memory than may be taken (memoryLimitBytes()); the message tells the figure
 /// and the finest spacing that would fit. `bytesPerPoint`: what else will be made of each point, meshes above
-/// all.
+/// all; `coarserBytesPerPoint`: the same on coarser grids, where that is more.
 [[nodiscard]] Result<void> checkMemory(const StockBox& stock, const Grid& grid, double availableBytes,
-                                       double bytesPerPoint = 0);
+                                       double bytesPerPoint = 0, double coarserBytesPerPoint = 0);
 
 /// "WxDxH" and "X,Y,Z" of the command line.
 [[nodiscard]] Result<Vec3> parseStockSize(std::string_view text);

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The memory that is asked first is the memory that is taken: no peak beyond 1.2 times the prediction.
+#include <algorithm>
 #include <fmt/format.h>
 #include <random>
+#include <regex>
+#include <thread>
 
 #include "core/decimation/map_memory.h"
 #include "core/decimation/region_decimator.h"
 #include "core/formats/npy.h"
 #include "tests/app/command_line.h"
+#include "tests/app/memory_cases.h"
 
 namespace proveout {
 namespace {
@@ -84,6 +88,51 @@ TEST_F(CliMemory, OfTheGlobalMethodIsPredicted) {
     writeNoise(401);
     const auto done = run("decimate noise.npy --grid 1 --method global --allowance 0.05 --json");
     expectWithin(done, predicted(401, 401, DecimationMethod::global, {.schedule = false, .whole = true}));
+}
+
+TEST_F(CliMemory, IsWithinTheForecastOfTheRunItself) {
+    writeMemoryInputs(folder.path());
+    const double smallest = smallestPeakBytes(PROVEOUT_CLI, folder.path());
+    for (const MemoryCase& one : memoryCases()) {
+        if (!one.isQuick)
+            continue;
+        const MemoryRun run = runForMemory(PROVEOUT_CLI, folder.path(), one.arguments);
+        EXPECT_EQ(brokenPromise(run, smallest), "")
+            << one.arguments << ": " << run.peakBytes - smallest << " of " << run.forecastBytes;
+    }
+}
+
+/// `ulimit -v` with so many megabytes beside what the threads reserve.
+std::string addressLimit(unsigned megabytes) {
+    constexpr unsigned kThread = 80;
+    const unsigned threads = std::max(1U, std::thread::hardware_concurrency());
+    return fmt::format("ulimit -v {};", 1000 * (megabytes + kThread * threads));
+}
+
+TEST_F(CliMemory, UnderAnAddressLimitTheFigureIsToldAndWhatWouldFit) {
+    write("p.nc", "G21 G90\nT1 M6\nG0 X20 Y20 Z5\nG1 Z-9 F100\nX30 Y22\nG0 Z5\nX5\nG1 Z-12\nG0 Z5\nM30\n");
+    const std::string limit = addressLimit(300);
+    for (const std::string rest : {"--mesh full --stl s.stl", "--stl s.stl", "--provenance p.npy"}) {
+        const std::string job = "simulate p.nc --json --stock 40x30x10 " + kTool + rest + " --grid ";
+        const auto refused = run(job + "0.005", limit);
+        EXPECT_EQ(refused.exitCode, 3);
+        EXPECT_TRUE(refused.tells("", "grid-needs-too-much-memory")) << refused.err;
+        EXPECT_FALSE(exists("s.stl"));
+        std::smatch spacing;
+        ASSERT_TRUE(
+            std::regex_search(refused.err, spacing, std::regex("enough for a spacing of ([0-9.]+) mm")))
+            << refused.err;
+        const auto fits = run(job + spacing[1].str(), limit);
+        EXPECT_LT(fits.exitCode, 3) << rest << ", " << spacing[1] << ": " << fits.err;
+    }
+}
+
+TEST_F(CliMemory, UnderALimitOfPrivateMemoryItIsRefusedAsWell) {
+    write("p.nc", kSound);
+    const auto refused = run("simulate p.nc --stock 40x30x10 --grid 0.005 --mesh full --stl s.stl" + kTool,
+                             "ulimit -d 600000;");
+    EXPECT_EQ(refused.exitCode, 3);
+    EXPECT_TRUE(refused.tells("", "grid-needs-too-much-memory")) << refused.err;
 }
 
 } // namespace

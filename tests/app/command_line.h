@@ -25,7 +25,8 @@ struct Finished {
 /// Runs the real binary in a folder of its own.
 class CommandLine : public testing::Test {
 protected:
-    Finished run(const std::string& arguments);
+    /// `before`: commands of the shell that runs it, each ended by a semicolon.
+    Finished run(const std::string& arguments, const std::string& before = "");
     /// Writes a file into the folder and returns its name.
     std::string write(const std::string& name, const std::string& text);
     std::string read(const std::string& name);

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/memory.h"
 
+#include <algorithm>
+#include <array>
+#include <fstream>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <thread>
 #include <unistd.h>
 #include <vector>
 
@@ -20,6 +26,41 @@ TEST(Memory, AJobMayTakeHalfOfTheMachineAtMost) {
                            static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
     EXPECT_GT(memoryLimitBytes(), 10'000'000U);
     EXPECT_LE(memoryLimitBytes(), installed / 2);
+}
+
+/// availableMemoryBytes() of a child process under a resource limit.
+std::uint64_t availableUnder(decltype(RLIMIT_AS) resource, std::uint64_t bytes) {
+    std::array<int, 2> ends{};
+    EXPECT_EQ(::pipe(ends.data()), 0);
+    const pid_t child = ::fork();
+    if (child == 0) {
+        const rlimit limit{bytes, bytes};
+        const std::uint64_t available = ::setrlimit(resource, &limit) == 0 ? availableMemoryBytes() : 0;
+        ::_exit(::write(ends[1], &available, sizeof available) == sizeof available ? 0 : 1);
+    }
+    ::close(ends[1]);
+    std::uint64_t available = 0;
+    EXPECT_EQ(::read(ends[0], &available, sizeof available), sizeof available);
+    ::close(ends[0]);
+    EXPECT_EQ(::waitpid(child, nullptr, 0), child);
+    return available;
+}
+
+TEST(Memory, AvailableIsWhatResourceLimitsLeave) {
+    constexpr std::uint64_t kGiven = 200'000'000;
+    const std::uint64_t free = availableMemoryBytes();
+    std::ifstream statm("/proc/self/statm");
+    std::uint64_t pages = 0;
+    statm >> pages;
+    const std::uint64_t size = pages * static_cast<std::uint64_t>(::sysconf(_SC_PAGESIZE));
+    const std::uint64_t threads = std::max(1U, std::thread::hardware_concurrency()) * 80'000'000ULL;
+    if (free < 2 * kGiven || size > (1ULL << 40U))
+        GTEST_SKIP() << "too little memory, or a sanitizer that reserves addresses";
+    const std::uint64_t left = availableUnder(RLIMIT_AS, size + threads + kGiven);
+    EXPECT_LE(left, kGiven + threads / 4);
+    EXPECT_GE(left, kGiven / 2);
+    EXPECT_EQ(availableUnder(RLIMIT_AS, size), 0U) << "what is reserved already";
+    EXPECT_LE(availableUnder(RLIMIT_DATA, kGiven), kGiven);
 }
 
 TEST(Memory, PeakRisesWithWhatIsTouched) {

@@ -36,9 +36,29 @@ TEST(MapMemory, CountsWhatIsAskedFor) {
     parameters.period = 20;
     parameters.method = DecimationMethod::global;
     EXPECT_GT(meshBytesPerPoint(parameters, {}), surface);
+    parameters.method = DecimationMethod::lee;
+    const double whole = meshBytesPerPoint(parameters, {.schedule = false, .whole = true});
     parameters.method = DecimationMethod::certified;
-    EXPECT_GT(meshBytesPerPoint(parameters, {.schedule = false, .whole = true, .solid = true}), solid)
+    EXPECT_GT(meshBytesPerPoint(parameters, {.schedule = false, .whole = true}), whole)
         << "merging keeps what it merged";
+    EXPECT_GT(meshBytesPerPoint(parameters, {.whole = true, .solid = true}), solid) << "the schedule as well";
+}
+
+TEST(MapMemory, OfASolidNothingButTheScheduleRemains) {
+    DecimationParameters parameters;
+    EXPECT_EQ(heldBytesPerPoint(parameters, {.schedule = false, .whole = true, .solid = true}), 0);
+    EXPECT_GT(heldBytesPerPoint(parameters, {.schedule = false, .whole = true}), 24);
+    EXPECT_GT(heldBytesPerPoint(parameters, {.whole = true, .solid = true}), 24);
+    EXPECT_LE(heldBytesPerPoint(parameters, {.whole = true}), meshBytesPerPoint(parameters, {.whole = true}));
+}
+
+TEST(MapMemory, OfAMapIsWhatIsComparedWithTheLimit) {
+    const StockBox stock{{0, 0, 0}, 100, 100, 20};
+    const Grid grid = makeGrid(stock, 0.1).value();
+    const MapOutputs outputs{.schedule = false, .solid = true};
+    const double bytes = mapBytes(grid, {}, outputs);
+    EXPECT_TRUE(checkMapMemory(stock, grid, {}, outputs, bytes));
+    EXPECT_FALSE(checkMapMemory(stock, grid, {}, outputs, bytes - 1));
 }
 
 } // namespace
