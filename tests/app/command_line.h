@@ -15,6 +15,8 @@ struct Finished {
     int exitCode = -1; ///< -1: ended by a signal
     std::string out;
     std::string err;
+    double peakBytes = 0;  ///< resident
+    double cpuSeconds = 0; ///< of all its threads
 
     /// The one JSON object on stdout; null where it is none.
     [[nodiscard]] nlohmann::json json() const { return nlohmann::json::parse(out, nullptr, false); }
@@ -26,12 +28,17 @@ struct Finished {
 class CommandLine : public testing::Test {
 protected:
     Finished run(const std::string& arguments);
+    /// With an address space of so many bytes.
+    Finished runWithin(std::size_t bytes, const std::string& arguments);
     /// Writes a file into the folder and returns its name.
     std::string write(const std::string& name, const std::string& text);
     std::string read(const std::string& name);
     [[nodiscard]] bool exists(const std::string& name) const;
 
     TemporaryFolder folder;
+
+private:
+    Finished shell(const std::string& command);
 };
 
 inline const std::string kStock = " --stock 40x30x10 --grid 0.5 ";
