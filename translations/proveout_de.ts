@@ -2204,6 +2204,14 @@ Vorgabe: 0 mm</translation>
         <translation>OpenGL 3.3 ist auf dieser Anzeige nicht verfügbar.</translation>
     </message>
     <message>
+        <source>The motions of the program need more than {} of memory; interpretation ends here.</source>
+        <translation>Die Bewegungen des Programms brauchen mehr als {} Speicher; die Interpretation endet hier.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or split the program.</source>
+        <translation>Schließen Sie andere Programme, oder teilen Sie das Programm.</translation>
+    </message>
+    <message>
         <source>The program has more than {} tool changes, stops, dwells and the like; interpretation ends here.</source>
         <translation>Das Programm hat mehr als {} Werkzeugwechsel, Halte, Verweilzeiten und dergleichen; die Interpretation endet hier.</translation>
     </message>
@@ -2476,12 +2484,44 @@ Vorgabe: 0 mm</translation>
         <translation>Hier wird es einmal ausgeführt; beenden Sie es mit M30, wenn das gemeint war.</translation>
     </message>
     <message>
-        <source>The program runs through more than {} lines; interpretation ends in line {}.</source>
-        <translation>Das Programm durchläuft mehr als {} Zeilen; die Interpretation endet in Zeile {}.</translation>
+        <source>Repeated lines and their motions are more than {}; interpretation ends in line {}.</source>
+        <translation>Wiederholte Zeilen und ihre Bewegungen sind mehr als {}; die Interpretation endet in Zeile {}.</translation>
+    </message>
+    <message>
+        <source>Check loops and repeat counts. What this repetition makes is not shown.</source>
+        <translation>Prüfen Sie Schleifen und Wiederholungszahlen. Was diese Wiederholung erzeugt, wird nicht angezeigt.</translation>
+    </message>
+    <message>
+        <source>More than {} repeated lines in a row make no motion; interpretation ends in line {}.</source>
+        <translation>Mehr als {} wiederholte Zeilen in Folge erzeugen keine Bewegung; die Interpretation endet in Zeile {}.</translation>
     </message>
     <message>
         <source>Check the loop for an end.</source>
         <translation>Prüfen Sie, ob die Schleife ein Ende hat.</translation>
+    </message>
+    <message>
+        <source>This loop never ends: line {} jumps back to line {} and no variable changes from one round to the next.</source>
+        <translation>Diese Schleife endet nie: Zeile {} springt zurück zu Zeile {}, und von einem Durchlauf zum nächsten ändert sich keine Variable.</translation>
+    </message>
+    <message>
+        <source>Check the condition of the loop. Only its first rounds are shown.</source>
+        <translation>Prüfen Sie die Bedingung der Schleife. Nur ihre ersten Durchläufe werden angezeigt.</translation>
+    </message>
+    <message>
+        <source>{} repeats are more than the limit of {}; nothing is repeated here.</source>
+        <translation>{} Wiederholungen sind mehr als die Grenze von {}; hier wird nichts wiederholt.</translation>
+    </message>
+    <message>
+        <source>Check the number of repeats.</source>
+        <translation>Prüfen Sie die Zahl der Wiederholungen.</translation>
+    </message>
+    <message>
+        <source>This block makes {} motions, more than the limit of {}; it is not executed.</source>
+        <translation>Dieser Satz erzeugt {} Bewegungen, mehr als die Grenze von {}; er wird nicht ausgeführt.</translation>
+    </message>
+    <message>
+        <source>Check the depth of the pecks, the step and the number of repeats.</source>
+        <translation>Prüfen Sie die Tiefe der Bohrhübe, die Zustellung und die Zahl der Wiederholungen.</translation>
     </message>
     <message>
         <source>G10 with L{} is not supported.</source>

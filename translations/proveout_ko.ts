@@ -2204,6 +2204,14 @@ Default: 0 mm</source>
         <translation>이 디스플레이에서는 OpenGL 3.3을 사용할 수 없습니다.</translation>
     </message>
     <message>
+        <source>The motions of the program need more than {} of memory; interpretation ends here.</source>
+        <translation>프로그램의 이송에 {}가 넘는 메모리가 필요하여 여기서 해석을 끝냅니다.</translation>
+    </message>
+    <message>
+        <source>Close other programs, or split the program.</source>
+        <translation>다른 프로그램을 닫거나 NC 프로그램을 나누십시오.</translation>
+    </message>
+    <message>
         <source>The program has more than {} tool changes, stops, dwells and the like; interpretation ends here.</source>
         <translation>프로그램의 공구 교환, 정지, 드웰 등이 {}개를 넘어 여기서 해석을 끝냅니다.</translation>
     </message>
@@ -2476,12 +2484,44 @@ Default: 0 mm</source>
         <translation>여기서는 한 번만 실행합니다. 한 번만 실행할 의도라면 M30으로 끝내십시오.</translation>
     </message>
     <message>
-        <source>The program runs through more than {} lines; interpretation ends in line {}.</source>
-        <translation>프로그램이 실행한 줄이 {}개를 넘어 {}번 줄에서 해석을 끝냅니다.</translation>
+        <source>Repeated lines and their motions are more than {}; interpretation ends in line {}.</source>
+        <translation>반복된 줄과 그 이송이 모두 {}개를 넘어 {}번 줄에서 해석을 끝냅니다.</translation>
+    </message>
+    <message>
+        <source>Check loops and repeat counts. What this repetition makes is not shown.</source>
+        <translation>루프와 반복 횟수를 확인하십시오. 이 반복이 만드는 것은 표시하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>More than {} repeated lines in a row make no motion; interpretation ends in line {}.</source>
+        <translation>반복된 줄이 연속으로 {}개를 넘도록 이송이 없어 {}번 줄에서 해석을 끝냅니다.</translation>
     </message>
     <message>
         <source>Check the loop for an end.</source>
         <translation>반복이 끝나는지 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>This loop never ends: line {} jumps back to line {} and no variable changes from one round to the next.</source>
+        <translation>이 루프는 끝나지 않습니다. {}번 줄이 {}번 줄로 되돌아가고 회차마다 바뀌는 변수가 없습니다.</translation>
+    </message>
+    <message>
+        <source>Check the condition of the loop. Only its first rounds are shown.</source>
+        <translation>루프의 조건을 확인하십시오. 처음 몇 회만 표시합니다.</translation>
+    </message>
+    <message>
+        <source>{} repeats are more than the limit of {}; nothing is repeated here.</source>
+        <translation>반복 {}회는 한계인 {}회를 넘으므로 여기서는 아무것도 반복하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Check the number of repeats.</source>
+        <translation>반복 횟수를 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>This block makes {} motions, more than the limit of {}; it is not executed.</source>
+        <translation>이 블록은 이송을 {}개 만들어 한계인 {}개를 넘으므로 실행하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Check the depth of the pecks, the step and the number of repeats.</source>
+        <translation>1회 절입량, 간격, 반복 횟수를 확인하십시오.</translation>
     </message>
     <message>
         <source>G10 with L{} is not supported.</source>

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <set>
 #include <utility>
 #include <variant>
@@ -16,6 +17,10 @@ namespace {
 constexpr double kFloorBelowCut = 5;
 constexpr double kSideWithoutTool = 5; ///< margin while no cutter is known
 constexpr double kSmallestSide = 5;
+
+bool isToolChange(const Event& event) {
+    return std::holds_alternative<ToolChange>(event.data);
+}
 
 double largestRadius(const std::vector<int>& numbers, const ToolTable& tools) {
     double radius = 0;
@@ -42,23 +47,31 @@ std::size_t blockOfMotion(const Program& program, std::size_t motion) {
 }
 
 std::vector<ToolChangeMark> toolChangeMarks(const Program& program) {
+    const auto count = static_cast<std::size_t>(std::ranges::count_if(program.events(), isToolChange));
+    const std::size_t stretch = count > kMostMarks ? program.motionCount() / kMostMarks + 1 : 0;
+    std::size_t nextMotion = 0;
     std::vector<ToolChangeMark> marks;
     for (const Event& event : program.events()) {
-        if (const auto* change = std::get_if<ToolChange>(&event.data))
-            marks.push_back({blockOfMotion(program, event.beforeMotion), change->tool});
+        const auto* change = std::get_if<ToolChange>(&event.data);
+        if (change == nullptr || event.beforeMotion < nextMotion)
+            continue;
+        marks.push_back({blockOfMotion(program, event.beforeMotion), change->tool});
+        nextMotion = stretch == 0 ? 0 : event.beforeMotion + stretch;
     }
     return marks;
 }
 
 std::optional<std::size_t> neighbouringToolChange(const Program& program, std::size_t block, int direction) {
-    std::optional<std::size_t> nearest;
-    for (const ToolChangeMark& mark : toolChangeMarks(program)) {
-        if (direction < 0 && mark.block < block)
-            nearest = mark.block;
-        if (direction > 0 && mark.block > block && !nearest)
-            nearest = mark.block;
+    const std::vector<Event>& events = program.events();
+    const auto blockOf = [&](const Event& event) { return blockOfMotion(program, event.beforeMotion); };
+    if (direction > 0) {
+        const auto behind = std::ranges::upper_bound(events, block, {}, blockOf);
+        const auto found = std::find_if(behind, events.end(), isToolChange);
+        return found == events.end() ? std::nullopt : std::optional(blockOf(*found));
     }
-    return nearest;
+    const auto before = std::make_reverse_iterator(std::ranges::lower_bound(events, block, {}, blockOf));
+    const auto found = std::find_if(before, events.rend(), isToolChange);
+    return found == events.rend() ? std::nullopt : std::optional(blockOf(*found));
 }
 
 CuttingExtent cuttingExtent(const Program& program) {

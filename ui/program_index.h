@@ -17,7 +17,9 @@ struct ToolChangeMark {
     int tool = 0;
 };
 
-/// The tool changes of a program, ascending by block.
+/// The tool changes of a program, ascending by block; of more than kMostMarks one in each of so many equal
+/// stretches of the program.
+inline constexpr std::size_t kMostMarks = 4096;
 [[nodiscard]] std::vector<ToolChangeMark> toolChangeMarks(const Program& program);
 
 /// The block of the nearest tool change before (`direction` < 0) or behind (> 0) `block`; none where there is

@@ -43,6 +43,7 @@ ExitCode run(const InterpretCommandOptions& options) {
     interpreting.file = options.program;
     interpreting.dialect = dialectOfOption(options.dialect);
     interpreting.blockDelete = options.blockDelete;
+    interpreting.maxBytes = programBytesThatFit();
     options.compensationStart.apply(interpreting.compensationTypeB);
     if (auto ignored = options.ignoredM.apply(interpreting.ignoredM); !ignored)
         return fail(std::move(ignored.error()));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <cmath>
+#include <fmt/format.h>
 #include <string>
 
 #include "core/nc/block_plan.h"
@@ -19,6 +20,14 @@ std::optional<int> wholeNumber(Execution& execution, const Word& word, int least
     execution.reporter.tell(nc_message::kNotInteger, word,
                             {std::string(1, word.letter), std::to_string(least), std::to_string(most)});
     return {};
+}
+
+bool Execution::mayMake(double motions, const Word& word) const {
+    if (motions <= static_cast<double>(kMostBlockMotions))
+        return true;
+    reporter.tell(nc_message::kBlockTooLong, word,
+                  {fmt::format("{:.15g}", motions), std::to_string(kMostBlockMotions)});
+    return false;
 }
 
 namespace {

@@ -9,7 +9,7 @@ namespace proveout {
 CallStack::CallStack(const NcText& main, std::string file, const Limits& limits, Parameters& parameters,
                      Reporter& reporter)
     : m_limits(limits), m_parameters(parameters), m_reporter(reporter) {
-    m_sources.push_back(std::make_unique<Source>(Source{main, std::move(file), {}, {}}));
+    m_sources.push_back(std::make_unique<Source>(Source{main, std::move(file), {}, {}, 0, {}}));
     m_source = m_sources.front().get();
 }
 
@@ -38,25 +38,25 @@ const MacroIndex& CallStack::macroIndex(Source& source) {
 std::optional<CallStack::Place> CallStack::place() const {
     if (!m_levels.empty() || m_filesAsked)
         return {};
-    return Place{m_line, m_steps, m_endedRuns, m_counts, m_indexAsked};
+    return Place{m_line, m_source->reached, m_endedRuns, m_roundsCounted, m_counts, m_indexAsked};
 }
 
 void CallStack::goOn(const Place& place) {
     m_line = place.line;
     m_at = place.line > 0 ? place.line - 1 : 0;
-    m_steps = place.steps;
+    m_source->reached = place.reached;
     m_endedRuns = place.endedRuns;
+    m_roundsCounted = place.roundsCounted;
     m_counts = place.counts;
     m_indexAsked = place.indexAsked;
 }
 
-bool CallStack::step() {
+void CallStack::step() {
     m_at = m_line++;
-    if (++m_steps <= m_limits.maxSteps)
-        return true;
-    m_reporter.tellInAnyCase(nc_message::kTooManySteps, 1, 0,
-                             {std::to_string(m_limits.maxSteps), linesOfCalls()});
-    return false;
+    Reached& all = m_source->reached;
+    std::size_t& reached = m_levels.empty() ? all.inProgram : all.inCalls;
+    m_again = m_at < reached;
+    reached = std::max(reached, m_line);
 }
 
 void CallStack::enter(Source& source, Level level, const Parameters::Locals& arguments) {
@@ -73,6 +73,7 @@ void CallStack::enter(Source& source, Level level, const Parameters::Locals& arg
 
 void CallStack::again(bool withArguments) {
     ++m_endedRuns;
+    noteRound();
     const Level& level = m_levels.back();
     m_line = level.entry;
     if (!level.ownLocals || !withArguments)
@@ -90,6 +91,7 @@ void CallStack::leave() {
     if (level.ownLocals)
         m_parameters.leave();
     m_levels.pop_back();
+    m_lowestDepth = std::min(m_lowestDepth, m_levels.size());
     m_reporter.setFile(m_source->file);
 }
 
@@ -113,7 +115,8 @@ CallStack::FileFound CallStack::file(const std::vector<std::string>& names) {
             Result<NcText> text = NcText::load(path);
             if (!text)
                 return {nullptr, FileFault::unreadable, text.error().front().text};
-            m_sources.push_back(std::make_unique<Source>(Source{std::move(*text), path.string(), {}, {}}));
+            m_sources.push_back(std::make_unique<Source>(
+                Source{std::move(*text), path.string(), {}, {}, m_sources.size(), {}}));
             return {m_sources.back().get(), FileFault::none, {}};
         }
     }

@@ -10,6 +10,7 @@
 #include <string>
 #include <string_view>
 #include <unordered_map>
+#include <utility>
 #include <vector>
 
 #include "core/nc/flow_index.h"
@@ -25,9 +26,15 @@ namespace proveout {
 class CallStack {
 public:
     struct Limits {
-        std::uint64_t maxSteps;                            ///< lines that may be run through
         const std::vector<std::filesystem::path>& folders; ///< of subprograms in files of their own
         std::size_t deepest;                               ///< calls within calls
+    };
+
+    /// Lines of a text, counted to the last one that has run: in the program itself, and in calls, which
+    /// often stand behind it.
+    struct Reached {
+        std::size_t inProgram = 0;
+        std::size_t inCalls = 0;
     };
 
     struct Source {
@@ -35,6 +42,8 @@ public:
         std::string file;
         std::optional<FlowIndex> flow;   ///< built when it is asked for
         std::optional<MacroIndex> macro; ///< likewise
+        std::size_t number = 0;          ///< of the texts, in the order in which they were asked for
+        Reached reached;                 ///< of it
     };
 
     using Counts = std::unordered_map<std::size_t, std::uint64_t>;
@@ -56,6 +65,8 @@ public:
     [[nodiscard]] std::size_t line() const { return m_line; } ///< the next one, 0-based, of text()
     [[nodiscard]] const NcText& text() const { return m_source->text; }
     [[nodiscard]] std::size_t at() const { return m_at; } ///< the line that step() has left
+    /// Whether this line, or one behind it, has run before.
+    [[nodiscard]] bool isAgain() const { return m_again; }
     [[nodiscard]] std::string_view currentText() const { return m_source->text.line(m_at); }
     /// Whether text() is that of the program, not of a subprogram in a file of its own.
     [[nodiscard]] bool inMainText() const { return m_source == m_sources.front().get(); }
@@ -77,8 +88,9 @@ public:
     /// Where a main program stands between two lines. A value.
     struct Place {
         std::size_t line = 0; ///< the next one
-        std::uint64_t steps = 0;
+        Reached reached;
         std::uint64_t endedRuns = 0;
+        std::uint64_t roundsCounted = 0;
         Counts counts;
         bool indexAsked = false; ///< whether O-words, programs or block numbers have been looked for
     };
@@ -86,8 +98,8 @@ public:
     [[nodiscard]] std::optional<Place> place() const;
     void goOn(const Place& place);
 
-    /// To the line behind this one. False, and told, where the limit of steps is reached.
-    [[nodiscard]] bool step();
+    /// To the line behind this one.
+    void step();
     /// Another line is the one that is being carried out.
     void standAt(std::size_t line) {
         m_at = line;
@@ -107,6 +119,11 @@ public:
     /// How many runs of subprograms have ended.
     [[nodiscard]] std::uint64_t endedRuns() const { return m_endedRuns; }
     [[nodiscard]] std::size_t depth() const { return m_levels.size(); }
+    /// The fewest calls that were open since the last call of this.
+    [[nodiscard]] std::size_t takeLowestDepth() { return std::exchange(m_lowestDepth, m_levels.size()); }
+    /// One of a number of rounds was counted.
+    void noteRound() { ++m_roundsCounted; }
+    [[nodiscard]] std::uint64_t roundsCounted() const { return m_roundsCounted; }
     /// Back to the caller.
     void leave();
 
@@ -130,8 +147,10 @@ private:
     Source* m_source;
     std::size_t m_line = 0; ///< next
     std::size_t m_at = 0;   ///< the line that is being carried out
-    std::uint64_t m_steps = 0;
+    bool m_again = false;
     std::uint64_t m_endedRuns = 0;
+    std::uint64_t m_roundsCounted = 0;
+    std::size_t m_lowestDepth = 0;
     bool m_indexAsked = false;
     bool m_filesAsked = false;
     std::vector<Level> m_levels;

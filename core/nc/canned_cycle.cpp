@@ -134,6 +134,20 @@ const CannedCycle* find(std::span<const CannedCycle> cycles, int tenths) {
 
 } // namespace
 
+double Pecks::count(double depth) const {
+    if (first <= 0 || depth <= 0)
+        return 0;
+    const double last = std::max(first - less, least) < first ? least : std::max(first, least);
+    const double shrinking = less > 0 ? std::max(std::floor((first - last) / less), 0.0) : 0;
+    // The k pecks that shrink are k * first - less * k * (k - 1) / 2 deep.
+    const double shrunk = shrinking * first - less * shrinking * (shrinking - 1) / 2;
+    if (less > 0 && shrunk >= depth) {
+        const double twice = 2 * first + less;
+        return std::ceil((twice - std::sqrt(std::max(twice * twice - 8 * less * depth, 0.0))) / (2 * less));
+    }
+    return last > 0 ? shrinking + 1 + std::ceil((depth - shrunk) / last) : shrinking + 1;
+}
+
 bool isCycle(const CodeRow* row) {
     return row != nullptr && row->handler == runCycle;
 }

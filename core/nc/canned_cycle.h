@@ -66,6 +66,9 @@ struct Pecks {
     double less = 0;
     double least = 0;
     double clearing = 0; ///< so deep by pecks, then out to R (0: never)
+
+    /// How many it takes to get so deep: no fewer than are made. Infinite where they never do.
+    [[nodiscard]] double count(double depth) const;
 };
 
 /// What one canned cycle leaves to the next of the same series, in mm.

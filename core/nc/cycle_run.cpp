@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 #include "core/nc/motion_building.h"
 #include "core/nc/polar_words.h"
@@ -48,7 +49,24 @@ CycleRun::CycleRun(Execution& execution, const Word& word, const CannedCycle& cy
       m_plane(axes(execution.state.plane)), m_at(execution.state.frame.toProgram(execution.state.position)),
       m_hole(m_at), m_depthKnown(depthKnown(execution)), m_level(order.travel) {}
 
+bool CycleRun::mayDrill(double holes) const {
+    constexpr double kOfPeck = 3;     // down, out, and back
+    constexpr double kOfBackBore = 8; // in one step
+    double motions = 1;               // to the hole
+    for (const CycleStep step : m_cycle.steps)
+        motions += step == CycleStep::backBore ? kOfBackBore : step == CycleStep::none ? 0 : 1;
+    const double pecks = m_cycle.pecks ? m_order.pecks.count(m_order.retract - m_order.bottom) : 0;
+    const bool deep = pecks > holes;
+    const auto wordOf = [&](std::string_view letters) -> const Word& {
+        const auto found = std::ranges::find_if(letters, [&](char letter) { return block().has(letter); });
+        return found == letters.end() ? m_word : block().word(*found);
+    };
+    return m_execution.mayMake(holes * (motions + kOfPeck * pecks), wordOf(deep ? "QI" : "LK"));
+}
+
 void CycleRun::drillBlock() {
+    if (!mayDrill(static_cast<double>(m_order.repeats)))
+        return;
     lift();
     for (long long hole = 0; hole < m_order.repeats && !m_execution.mustEnd(); ++hole) {
         moveOver();

@@ -14,6 +14,8 @@ class CycleRun {
 public:
     CycleRun(Execution& execution, const Word& word, const CannedCycle& cycle, const CycleOrder& order);
 
+    /// Whether a block may have so many of these holes; told where not.
+    [[nodiscard]] bool mayDrill(double holes) const;
     /// The holes to which the axis words of the block lead.
     void drillBlock();
     /// One hole at a place in the plane, in program coordinates.

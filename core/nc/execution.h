@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -19,6 +20,10 @@
 #include "core/nc/tool_offsets.h"
 
 namespace proveout {
+
+/// The limit of the motions of one block: far more than a machine runs from one, and few enough to be made
+/// and shown in a moment.
+inline constexpr std::size_t kMostBlockMotions = 100'000;
 
 struct LintMemory;
 class ProbeTarget;
@@ -42,6 +47,7 @@ struct Execution {
     std::size_t callLevel; ///< 0: the main program
     std::uint32_t line;    ///< source line, 1-based
     std::size_t maxMotions;
+    std::uint64_t maxBytes;
     const WorkContext& context;
     bool machineCoordinates = false;       ///< G53: of this block's axis words
     const CodeRow* motionBefore = nullptr; ///< the motion code in force before this block
@@ -63,7 +69,12 @@ struct Execution {
     }
 
     /// Whether a block that makes many motions has to stop in between.
-    [[nodiscard]] bool mustEnd() const { return program.motionCount() > maxMotions || context.stopped(); }
+    [[nodiscard]] bool mustEnd() const {
+        return program.motionCount() > maxMotions || program.bytes() > maxBytes || context.stopped();
+    }
+    /// Whether one block may make so many motions; told at the word that asks for them where not. Asked
+    /// before the first one is made.
+    [[nodiscard]] bool mayMake(double motions, const Word& word) const;
 };
 
 /// The whole number of a word, told where it is none within the limits.

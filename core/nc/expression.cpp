@@ -129,15 +129,18 @@ Value ExpressionReader::parameter(std::size_t& at) {
     const tl::expected<ParameterName, ReadError> name = parameterName(at);
     if (!name)
         return tl::unexpected(name.error());
-    if (const Message* refusal = name->name.empty() ? m_system.refusal(name->number) : nullptr)
+    if (const Message* refusal = name->name.empty() ? m_system.refusal(name->number) : nullptr) {
+        m_system.noteUse();
         return fail(*refusal, begin, at, m_line.substr(begin, at - begin));
+    }
+    const auto ofSystem = name->name.empty() ? m_system.numbered(name->number) : m_system.named(name->name);
+    if (ofSystem) {
+        m_system.noteUse();
+        return *ofSystem;
+    }
     if (name->name.empty()) {
-        if (const auto value = m_system.numbered(name->number))
-            return *value;
         return m_parameters.exists(name->number) ? m_parameters.numbered(name->number) : kNull;
     }
-    if (const auto value = m_system.named(name->name))
-        return *value;
     if (const auto value = m_parameters.named(name->name))
         return *value;
     return fail(nc_message::kParameterUnset, begin, at, m_line.substr(begin, at - begin));

@@ -31,8 +31,8 @@ Interpretation::Interpretation(const NcText& text, const InterpretOptions& optio
       m_program(std::make_shared<Program>()),
       m_reporter(*m_program, options.file, options.maxDiagnostics, m_dialect.answer),
       m_run(m_dialect.macros, options.tools),
-      m_calls(text, options.file, {options.maxSteps, options.subprogramFolders, m_dialect.deepestCalls},
-              m_parameters, m_reporter) {
+      m_calls(text, options.file, {options.subprogramFolders, m_dialect.deepestCalls}, m_parameters,
+              m_reporter) {
     if (options.start || options.assumeStartAtZero) {
         m_state.position = options.start.value_or(Vec3(0));
         m_state.known = kAllAxes;
@@ -52,10 +52,10 @@ std::shared_ptr<const Program> Interpretation::run() {
            (!m_calls.atEnd() || leaveText())) {
         if (m_calls.line() >= m_nextPoint)
             offerPoint();
-        if (!lookUp() || !m_calls.step())
-            m_finished = m_cutShort = true;
+        if (lookUp())
+            runCounted();
         else
-            runWatched();
+            m_finished = m_cutShort = true;
     }
     end();
     return std::move(m_program);
@@ -131,6 +131,57 @@ bool Interpretation::lookUp() {
     }
     if (step % kLinesPerTell == 0)
         m_context.tell(static_cast<double>(m_run.linesRead) / static_cast<double>(m_text.lineCount()));
+    return true;
+}
+
+/// A line, unless the program has come back to it once too often.
+void Interpretation::runCounted() {
+    Repetition& repetition = m_run.repetition;
+    m_calls.step();
+    if (repeatsTooMuch() || goesRoundForGood()) {
+        m_finished = m_cutShort = true;
+        return;
+    }
+    repetition.begin(m_calls.isAgain(), *m_program);
+    const std::size_t at = m_calls.at();
+    const std::size_t length = m_calls.currentText().size();
+    const std::size_t told = m_reporter.count();
+    runWatched();
+    // What was told once may be done otherwise the next time.
+    if (m_system.takeUse() || m_macros.modal() || m_state.dataInput || m_reporter.count() > told)
+        repetition.noteUse();
+    repetition.leftTo(m_calls.takeLowestDepth());
+    repetition.end(length, m_calls.line() <= at ? std::optional(at) : std::nullopt, *m_program);
+}
+
+/// Loops and calls have limits, beyond which nobody waits for their end.
+bool Interpretation::repeatsTooMuch() {
+    constexpr std::uint64_t kOfLine = 10;
+    const std::uint64_t ofText = kOfLine * m_text.lineCount();
+    const Repetition::Limits limits{std::max(m_options.maxRepeated, ofText),
+                                    std::max(m_options.maxIdle, ofText)};
+    const Repetition::Verdict verdict = m_run.repetition.verdict(limits);
+    if (verdict == Repetition::Verdict::goesOn)
+        return false;
+    const bool idle = verdict == Repetition::Verdict::idle;
+    m_program->cutBack(m_run.repetition.before());
+    m_reporter.tellInAnyCase(idle ? nc_message::kIdleLoop : nc_message::kTooMuchRepeated, 1, 0,
+                             {std::to_string(idle ? limits.idle : limits.work), m_calls.linesOfCalls()});
+    return true;
+}
+
+/// Whether it is proved that the program never leaves the loop of this line.
+bool Interpretation::goesRoundForGood() {
+    const auto from = m_run.repetition.jumpedFrom();
+    if (!from)
+        return false;
+    const Repetition::Head head{m_calls.source().number, m_calls.at(), m_calls.depth(),
+                                m_parameters.changes() + m_calls.roundsCounted()};
+    if (!m_run.repetition.closes(head, *m_program))
+        return false;
+    m_program->cutBack(m_run.repetition.firstRound());
+    m_reporter.tellInAnyCase(nc_message::kEndlessLoop, 1, 0,
+                             {std::to_string(*from + 1), std::to_string(m_calls.at() + 1)});
     return true;
 }
 

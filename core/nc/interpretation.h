@@ -46,6 +46,9 @@ private:
     void offerPoint();
     void end();
     bool lookUp();
+    void runCounted();
+    bool repeatsTooMuch();
+    bool goesRoundForGood();
     void runWatched();
     void runLine();
     void runLineWatched();

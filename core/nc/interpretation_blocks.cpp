@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <set>
 
+#include "core/base/memory.h"
 #include "core/nc/interpretation.h"
 #include "core/nc/motion_building.h"
 
@@ -138,10 +139,18 @@ bool Interpretation::writeVariable(const Assignment& order) {
 
 bool Interpretation::tooLong() {
     const bool motions = m_program->motionCount() > m_options.maxMotions;
-    if (!motions && m_program->events().size() <= m_options.maxMotions)
+    const bool events = m_program->events().size() > m_options.maxMotions;
+    const bool bytes = m_program->bytes() > m_options.maxBytes;
+    if (!motions && !events && !bytes)
         return false;
-    m_reporter.tellInAnyCase(motions ? nc_message::kTooManyMotions : nc_message::kTooManyEvents, 1, 0,
-                             {std::to_string(m_options.maxMotions)});
+    const std::string count = std::to_string(m_options.maxMotions);
+    if (motions)
+        m_reporter.tellInAnyCase(nc_message::kTooManyMotions, 1, 0, {count});
+    else if (events)
+        m_reporter.tellInAnyCase(nc_message::kTooManyEvents, 1, 0, {count});
+    else
+        m_reporter.tellInAnyCase(nc_message::kProgramTooLarge, 1, 0,
+                                 {readableBytes(static_cast<double>(m_options.maxBytes))});
     m_cutShort = true;
     return true;
 }
@@ -164,6 +173,7 @@ Execution Interpretation::executionOf(const Block& block, FlowRequest& request) 
             m_calls.depth(),
             mainLine(),
             m_options.maxMotions,
+            m_options.maxBytes,
             m_context};
 }
 

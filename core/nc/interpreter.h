@@ -38,6 +38,8 @@ struct InterpretOptions {
     bool assumeStartAtZero = false;
     /// Of motions, and of events: the block with one more is the last one.
     std::size_t maxMotions = 50'000'000;
+    /// That motions, blocks and events may take (Program::bytes()).
+    std::uint64_t maxBytes = 4'000'000'000;
     /// The last block that moves is this one, counted from 1: for looking at the control behind it.
     std::size_t stopAfterBlocks = std::numeric_limits<std::size_t>::max();
     /// A line of the main text, 1-based, whose values are wanted (Program::lineValues): the program ends
@@ -48,7 +50,11 @@ struct InterpretOptions {
     /// What probing motions meet. Without it they are taken to reach their programmed end, and what follows
     /// is unverified.
     PartToProbe part;
-    std::uint64_t maxSteps = 100'000'000; ///< lines run through, those of loops and subprograms each time
+    /// Lines that run again, in loops and subprograms, together with the motions and events that they make;
+    /// and of those lines in a row without a motion or an event. Ten times the lines of the text where that
+    /// is more.
+    std::uint64_t maxRepeated = 2'000'000;
+    std::uint64_t maxIdle = 1'000'000;
     std::vector<std::filesystem::path> subprogramFolders; ///< of O-word subprograms in files of their own
     std::size_t maxDiagnostics =
         100; ///< errors, and others: at least 5; further ones are counted in one last message

@@ -165,10 +165,30 @@ inline constexpr Message kTooManyAgain{
     Severity::error, true, "too-many-again",
     PROVEOUT_TEXT("Core", "Lines that repeat were told about {} times; interpretation ends here."),
     PROVEOUT_TEXT("Core", "Correct what is wrong in the loop.")};
-inline constexpr Message kTooManySteps{
+inline constexpr Message kTooMuchRepeated{
     Severity::error, true, "too-many-steps",
-    PROVEOUT_TEXT("Core", "The program runs through more than {} lines; interpretation ends in line {}."),
+    PROVEOUT_TEXT("Core",
+                  "Repeated lines and their motions are more than {}; interpretation ends in line {}."),
+    PROVEOUT_TEXT("Core", "Check loops and repeat counts. What this repetition makes is not shown.")};
+inline constexpr Message kIdleLoop{
+    Severity::error, true, "loop-without-motion",
+    PROVEOUT_TEXT("Core",
+                  "More than {} repeated lines in a row make no motion; interpretation ends in line {}."),
     PROVEOUT_TEXT("Core", "Check the loop for an end.")};
+inline constexpr Message kEndlessLoop{
+    Severity::error, true, "endless-loop",
+    PROVEOUT_TEXT("Core",
+                  "This loop never ends: line {} jumps back to line {} and no variable changes from one "
+                  "round to the next."),
+    PROVEOUT_TEXT("Core", "Check the condition of the loop. Only its first rounds are shown.")};
+inline constexpr Message kTooManyRounds{
+    Severity::error, true, "too-many-rounds",
+    PROVEOUT_TEXT("Core", "{} repeats are more than the limit of {}; nothing is repeated here."),
+    PROVEOUT_TEXT("Core", "Check the number of repeats.")};
+inline constexpr Message kBlockTooLong{
+    Severity::error, true, "block-too-long",
+    PROVEOUT_TEXT("Core", "This block makes {} motions, more than the limit of {}; it is not executed."),
+    PROVEOUT_TEXT("Core", "Check the depth of the pecks, the step and the number of repeats.")};
 inline constexpr Message kBlockTarget{
     Severity::error, true, "block-target",
     PROVEOUT_TEXT("Core", "The target of the jump is no whole number from 0 to 99999999."),
@@ -312,6 +332,11 @@ inline constexpr Message kTooManyMotions{
     Severity::error, true, "too-many-motions",
     PROVEOUT_TEXT("Core", "The program has more than {} motions; interpretation ends here."),
     PROVEOUT_TEXT("Core", "Raise the limit, or split the program.")};
+inline constexpr Message kProgramTooLarge{
+    Severity::error, true, "program-too-large",
+    PROVEOUT_TEXT("Core",
+                  "The motions of the program need more than {} of memory; interpretation ends here."),
+    PROVEOUT_TEXT("Core", "Close other programs, or split the program.")};
 inline constexpr Message kTooManyEvents{
     Severity::error, true, "too-many-events",
     PROVEOUT_TEXT("Core", "The program has more than {} tool changes, stops, dwells and the like; "

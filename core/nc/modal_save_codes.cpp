@@ -50,6 +50,7 @@ void restore(Execution& execution, const MachineState& saved, const Word& word) 
                         execution.callLevel,
                         execution.line,
                         execution.maxMotions,
+                        execution.maxBytes,
                         execution.context};
         executeBlock(inner);
     }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <utility>
 
 #include "core/nc/characters.h"
@@ -259,6 +260,10 @@ bool OWordFlow::beginRepeat(const FlowWord& word) {
         m_calls.jump(*end + 1);
         return true;
     }
+    if (*rounds > static_cast<double>(kMostRounds))
+        return fail(nc_message::kTooManyRounds, word,
+                    {fmt::format("{:.0f}", *rounds), std::to_string(kMostRounds)});
+    m_calls.noteRound();
     m_calls.counts()[m_calls.at()] = static_cast<std::uint64_t>(std::llround(*rounds));
     return true;
 }
@@ -268,6 +273,7 @@ bool OWordFlow::endRepeat(const FlowWord& word) {
     if (!begin)
         return false;
     const auto rounds = m_calls.counts().find(*begin);
+    m_calls.noteRound();
     if (rounds != m_calls.counts().end() && --rounds->second > 0)
         m_calls.jump(*begin + 1);
     return true;
@@ -299,6 +305,9 @@ bool OWordFlow::run(const FlowRequest& request) {
         return fail(nc_message::kCallTooDeep, {std::to_string(m_calls.deepest()), m_calls.chain(label)});
     if (request.repeats == 0)
         return true;
+    if (request.repeats > kMostRounds)
+        return fail(nc_message::kTooManyRounds,
+                    {std::to_string(request.repeats), std::to_string(kMostRounds)});
     CallStack::Level level;
     level.entry = entry + 1;
     level.label = label;

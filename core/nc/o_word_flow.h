@@ -19,6 +19,7 @@ namespace proveout {
 class OWordFlow {
 public:
     static constexpr std::size_t kMostArguments = 30; ///< of a call
+    static constexpr int kMostRounds = 1'000'000;     ///< of a repeat, or a call
 
     OWordFlow(CallStack& calls, Parameters& parameters, const ReadContext& context, Reporter& reporter)
         : m_calls(calls), m_parameters(parameters), m_context(context), m_reporter(reporter) {}

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/parameters.h"
 
+#include <bit>
 #include <cmath>
 #include <fmt/format.h>
 #include <span>
@@ -49,9 +50,15 @@ bool isGlobal(std::string_view name) {
     return name.starts_with('_');
 }
 
+/// Counts what is another value than before; null is one.
+void change(double& stored, double value, std::uint64_t& changes) {
+    changes += std::bit_cast<std::uint64_t>(stored) == std::bit_cast<std::uint64_t>(value) ? 0U : 1U;
+    stored = value;
+}
+
 } // namespace
 
-Parameters::Parameters(MacroLanguage language) : m_language(language), m_levels{Level{noArguments(), {}}} {
+Parameters::Parameters(MacroLanguage language) : m_language(language), m_levels{Level{noArguments(), {}, 0}} {
     for (const Range& range : rangesOf(language)) {
         const auto count = static_cast<std::size_t>(range.last - range.first + 1);
         m_numbered.insert(m_numbered.end(), count, range.initial);
@@ -93,9 +100,9 @@ double Parameters::numbered(int number) const {
 
 void Parameters::setNumbered(int number, double value) {
     if (number <= localsOf(m_language))
-        m_levels.back().numbers[static_cast<std::size_t>(number - 1)] = value;
+        change(m_levels.back().numbers[static_cast<std::size_t>(number - 1)], value, m_levels.back().changes);
     else if (const std::size_t place = placeOf(number); place < m_numbered.size())
-        m_numbered[place] = value;
+        change(m_numbered[place], value, m_changes);
 }
 
 const Parameters::Names& Parameters::namesOf(std::string_view name) const {
@@ -110,13 +117,15 @@ std::optional<double> Parameters::named(std::string_view name) const {
 
 bool Parameters::setNamed(std::string_view name, double value) {
     Names& names = isGlobal(name) ? m_globals : m_levels.back().names;
+    std::uint64_t& changes = isGlobal(name) ? m_changes : m_levels.back().changes;
     if (const auto found = names.find(name); found != names.end()) {
-        found->second = value;
+        change(found->second, value, changes);
         return true;
     }
     if (m_nameCount == kMostNames)
         return false;
     ++m_nameCount;
+    ++changes;
     names.emplace(name, value);
     return true;
 }
@@ -144,7 +153,7 @@ std::vector<std::pair<std::string, double>> Parameters::listed() const {
 }
 
 void Parameters::enter(const Locals& arguments) {
-    m_levels.push_back({arguments, {}});
+    m_levels.push_back({arguments, {}, 0});
 }
 
 void Parameters::leave() {

@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
@@ -34,6 +35,11 @@ public:
     /// Whether the result of a probing motion was asked for since the last call of this.
     [[nodiscard]] bool takeProbeRead() const { return std::exchange(m_probeRead, false); }
 
+    /// An expression depends on how the machine stands.
+    void noteUse() const { m_used = true; }
+    /// Whether one did since the last call of this.
+    [[nodiscard]] bool takeUse() const { return std::exchange(m_used, false); }
+
 protected:
     /// The control asks for a number: what a probing motion leaves lies within.
     void noteProbeRead(int number, int first, int last) const {
@@ -42,6 +48,7 @@ protected:
 
 private:
     mutable bool m_probeRead = false;
+    mutable bool m_used = false;
 };
 
 /// The parameters of a program as its control keeps them. LinuxCNC: numbers up to 5601 that begin as 0, of
@@ -79,11 +86,15 @@ public:
     void enter(const Locals& arguments);
     void leave();
 
+    /// Rises with every value that is another than before, among those that can be seen at this level.
+    [[nodiscard]] std::uint64_t changes() const { return m_changes + m_levels.back().changes; }
+
 private:
     using Names = std::map<std::string, double, std::less<>>;
     struct Level {
         Locals numbers;
         Names names;
+        std::uint64_t changes = 0;
     };
 
     [[nodiscard]] const Names& namesOf(std::string_view name) const;
@@ -95,6 +106,7 @@ private:
     Names m_globals;
     std::vector<Level> m_levels;
     std::size_t m_nameCount = 0;
+    std::uint64_t m_changes = 0; ///< of what all levels share
 };
 
 } // namespace proveout

@@ -84,6 +84,8 @@ void drill(Execution& execution, const Word& word, const PlaceOf& placeOf) {
     const CannedCycle& cycle = cycleOf(execution.dialect.id, *execution.state.motion);
     const CycleOrder order = fanucOrderInForce(execution, cycle);
     CycleRun run(execution, word, cycle, order);
+    if (!run.mayDrill(pattern->holes))
+        return;
     for (int hole = 0; hole < pattern->holes && !execution.mustEnd(); ++hole)
         run.drillAt(*begin + placeOf(*pattern, hole));
 }

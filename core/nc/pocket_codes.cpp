@@ -26,6 +26,9 @@ public:
     void mill() {
         if (!readRadii() || !readRepeats())
             return;
+        const double ofPass = 2.0 * static_cast<double>(m_radii.size()) + 2;
+        if (!m_execution.mayMake(m_repeats * ofPass, m_word))
+            return;
         m_execution.reporter.tell(nc_message::kPocketWay, m_word);
         tellMissingFeed(m_execution, m_word);
         tellUnknownStart(m_execution, motionFromHere(m_execution, MotionKind::feed), m_word);

@@ -22,7 +22,7 @@ constexpr std::uint8_t kProbingFlag = 16;
 Program::Extent Program::extent() const {
     return {m_motions.size(),       m_arcs.size(),   m_states.size(),      m_blocks.size(), m_jumps.size(),
             m_compensations.size(), m_events.size(), m_diagnostics.size(), m_bounds,        m_cuttingBounds,
-            m_pendingLine,          m_blockPending,  m_linesRise};
+            m_pendingLine,          m_blockPending,  m_linesRise,          m_settled};
 }
 
 Program::Program(const Program& other, const Extent& extent)
@@ -105,8 +105,12 @@ std::vector<Program::ToolRun> Program::toolRuns() const {
     auto first = m_motions.begin();
     while (first != m_motions.end()) {
         const std::uint32_t state = first->state;
-        const auto last = std::partition_point(
-            first, m_motions.end(), [state](const PackedMotion& motion) { return motion.state == state; });
+        const auto same = [state](const PackedMotion& motion) { return motion.state == state; };
+        // Runs may be short and many: the steps double, until one leads out of the run.
+        std::ptrdiff_t step = 1;
+        while (step < m_motions.end() - first && same(first[step]))
+            step *= 2;
+        const auto last = std::partition_point(first, first + std::min(step, m_motions.end() - first), same);
         const auto end = static_cast<std::size_t>(last - m_motions.begin());
         const int tool = m_states[state].tool;
         if (!runs.empty() && runs.back().tool == tool)
@@ -211,6 +215,35 @@ void Program::moveEnds(std::size_t first, Plane plane, const Vec2& end, double s
 void Program::settle() {
     for (; m_settled < m_motions.size(); ++m_settled)
         addToBounds(motion(m_settled));
+}
+
+void Program::cutBack(const Extent& extent) {
+    const auto keep = [](auto& all, std::size_t count) {
+        all.resize(count);
+        all.shrink_to_fit();
+    };
+    keep(m_motions, extent.motions);
+    keep(m_arcs, extent.arcs);
+    keep(m_states, extent.states);
+    keep(m_blocks, extent.blocks);
+    keep(m_jumps, extent.jumps);
+    keep(m_compensations, extent.compensations);
+    keep(m_events, extent.events);
+    for (std::uint32_t& motion : m_diagnosticMotions)
+        motion = std::min(motion, static_cast<std::uint32_t>(extent.motions));
+    m_bounds = extent.bounds;
+    m_cuttingBounds = extent.cuttingBounds;
+    m_pendingLine = extent.pendingLine;
+    m_blockPending = extent.blockPending;
+    m_linesRise = extent.linesRise;
+    m_settled = extent.settled;
+    settle();
+}
+
+std::size_t Program::bytes() const {
+    const auto of = [](const auto& all) { return all.size() * sizeof(all.front()); };
+    return of(m_motions) + of(m_arcs) + of(m_states) + of(m_blocks) + of(m_jumps) + of(m_compensations) +
+           of(m_events);
 }
 
 void Program::addToBounds(const Motion& motion) {

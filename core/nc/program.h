@@ -72,6 +72,8 @@ public:
 
     static constexpr std::size_t kBytesPerMotion = 48;       ///< a straight one; an arc has an entry besides
     static constexpr std::size_t kBytesPerCompensation = 16; ///< besides, under cutter compensation
+    /// Of all motions, blocks and events; about as much again is allocated while it grows.
+    [[nodiscard]] std::size_t bytes() const;
 
     /// Blocks that move, in the order of execution: the unit of stepping, of the decimation period and of
     /// `--until N`. One block may order several motions.
@@ -146,6 +148,7 @@ public:
         std::uint32_t pendingLine = 0;
         bool blockPending = false;
         bool linesRise = true;
+        std::size_t settled = 0; ///< motions of which the bounds know
     };
 
     Program() = default;
@@ -168,6 +171,9 @@ public:
     void moveEnds(std::size_t first, Plane plane, const Vec2& end, double sweep);
     /// From now on the motions stay as they are.
     void settle();
+    /// Forgets the motions, blocks and events behind an earlier extent and frees their memory. The messages
+    /// stay.
+    void cutBack(const Extent& extent);
     /// The events from `first` on happen behind the motions that there are, none of which is settled.
     void delayEvents(std::size_t first);
     void append(EventData data, std::uint32_t line);

@@ -112,6 +112,11 @@ std::shared_ptr<const Program> ResumableInterpreter::interpret(const NcText& tex
         return keep(std::move(point));
     });
     now.program = run.run();
+    // A loop without an end takes back what it has made.
+    std::erase_if(m_points, [&](const ResumePoint& point) {
+        return point.program.motions > now.program->motionCount() ||
+               point.program.events > now.program->events().size();
+    });
     m_last = std::move(now);
     return m_last->program;
 }

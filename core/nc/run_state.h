@@ -9,6 +9,7 @@
 #include "core/nc/machine_state.h"
 #include "core/nc/modal_saves.h"
 #include "core/nc/parameters.h"
+#include "core/nc/repetition.h"
 #include "core/nc/serial_line.h"
 #include "core/nc/spline_state.h"
 #include "core/nc/tool_offsets.h"
@@ -33,6 +34,7 @@ struct RunState {
     std::size_t linesRead = 0; ///< of the main text, counted to the last one that was reached
     std::size_t linesSeen = 0; ///< of it, counted to the last one on which anything so far depends
     std::size_t steps = 0;
+    Repetition repetition;
     std::size_t toldAgain = 0; ///< lines that were told about though they had run before
     std::size_t sourceBlocks = 0;
     bool runsAgain = false; ///< a line was reached that stands before one reached earlier

@@ -11,7 +11,7 @@
 namespace proveout {
 
 /// The limit of the straight motions of one spline.
-inline constexpr std::size_t kMostSplinePoints = 200'000;
+inline constexpr std::size_t kMostSplinePoints = 100'000;
 /// The order of a spline is its degree plus one. LinuxCNC's own evaluation doubles its work with each.
 inline constexpr int kLeastSplineOrder = 3;
 inline constexpr int kMostSplineOrder = 16;

@@ -23,14 +23,17 @@ double angleOfSagitta(double radius, double sagitta) {
 
 } // namespace
 
-std::vector<Vec3> piecesOfArc(const Motion& arc, double chordError) {
+double pieceCountOfArc(const Motion& arc, double chordError) {
     constexpr double kForTheArc = 0.9;
     const PlaneAxes plane = axes(arc.plane);
     const Vec3 toEnd = arc.end - arc.centre;
     const double radius = std::max(arcRadius(arc), std::hypot(toEnd[plane.first], toEnd[plane.second]));
     const double angle = angleOfSagitta(radius, kForTheArc * chordError);
-    const auto count =
-        std::max<std::size_t>(1, static_cast<std::size_t>(std::ceil(std::abs(arc.sweep) / angle)));
+    return std::max(1.0, std::ceil(std::abs(arc.sweep) / angle));
+}
+
+std::vector<Vec3> piecesOfArc(const Motion& arc, double chordError) {
+    const auto count = static_cast<std::size_t>(pieceCountOfArc(arc, chordError));
     std::vector<Vec3> ends;
     ends.reserve(count);
     for (std::size_t i = 1; i <= count; ++i)
@@ -51,6 +54,8 @@ bool appendTurnedArc(Execution& execution, const Word& word, const Motion& motio
         return false;
     std::vector<Vec3> ends{motion.end};
     if (program.kind == MotionKind::arc) {
+        if (!execution.mayMake(pieceCountOfArc(program, kChordError), word))
+            return false;
         ends = piecesOfArc(program, kChordError);
         std::ranges::transform(ends, ends.begin(), [&](const Vec3& end) { return frame.toMachine(end); });
         ends.back() = motion.end;

@@ -11,6 +11,8 @@ namespace proveout {
 /// The ends of straight pieces within `chordError` of an arc or helix, at equal angles; the last is the end
 /// of the arc. Of the chord error a tenth is kept for ends at different distances from the centre.
 [[nodiscard]] std::vector<Vec3> piecesOfArc(const Motion& arc, double chordError);
+/// How many those are.
+[[nodiscard]] double pieceCountOfArc(const Motion& arc, double chordError);
 
 /// Whether the rotation turns the plane of a motion out of the planes of the machine.
 [[nodiscard]] bool turnsPlane(const WorkFrame& frame, Plane plane);

@@ -18,18 +18,11 @@ ToolOffsets toolOffsets(const ToolTable& tools) {
     return ToolOffsets(std::move(offsets));
 }
 
-namespace {
-
-/// Motions that the memory holds, at most as many as usual; rounded, because the memory that is free changes
-/// all the time.
-std::size_t motionsThatFit(std::size_t most) {
-    constexpr std::uint64_t kBytes = 64; // with its block
-    constexpr std::uint64_t kRounded = 1'000'000;
-    const std::uint64_t fit = std::max<std::uint64_t>(memoryLimitBytes() / kBytes / kRounded, 1) * kRounded;
-    return static_cast<std::size_t>(std::min<std::uint64_t>(fit, most));
+std::uint64_t programBytesThatFit() {
+    constexpr std::uint64_t kRounded = 64'000'000;
+    const std::uint64_t fit = std::max<std::uint64_t>(memoryLimitBytes() / 2 / kRounded, 1) * kRounded;
+    return std::min(fit, InterpretOptions().maxBytes);
 }
-
-} // namespace
 
 InterpretOptions interpretOptions(const Setup& setup, const std::filesystem::path& file) {
     InterpretOptions options;
@@ -41,7 +34,7 @@ InterpretOptions interpretOptions(const Setup& setup, const std::filesystem::pat
     options.start = setup.start;
     options.startTool = setup.startTool.value_or(0);
     options.tools = toolOffsets(setup.tools);
-    options.maxMotions = motionsThatFit(options.maxMotions);
+    options.maxBytes = programBytesThatFit();
     if (checkShape(setup.shape))
         options.part = partToProbe(setup);
     if (!file.empty())
@@ -57,8 +50,7 @@ bool interpretedAlike(const Program& program, const Setup& one, const Setup& oth
         (one.stock != other.stock || one.shape != other.shape || one.tools != other.tools))
         return false;
     return one.dialect == other.dialect && one.blockDelete == other.blockDelete && one.start == other.start &&
-           one.startTool == other.startTool &&
-           one.ignoredM == other.ignoredM &&
+           one.startTool == other.startTool && one.ignoredM == other.ignoredM &&
            (one.compensationTypeB == other.compensationTypeB || !dialect(program.dialect()).vectors.used) &&
            (!program.asksForTools() || std::ranges::equal(one.tools.tools(), other.tools.tools(), sameTool));
 }

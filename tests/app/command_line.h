@@ -15,6 +15,8 @@ struct Finished {
     int exitCode = -1; ///< -1: ended by a signal
     std::string out;
     std::string err;
+    double peakBytes = 0;  ///< resident
+    double cpuSeconds = 0; ///< of all its threads
 
     /// The one JSON object on stdout; null where it is none.
     [[nodiscard]] nlohmann::json json() const { return nlohmann::json::parse(out, nullptr, false); }
@@ -25,14 +27,21 @@ struct Finished {
 /// Runs the real binary in a folder of its own.
 class CommandLine : public testing::Test {
 protected:
-    /// `before`: commands of the shell that runs it, each ended by a semicolon.
-    Finished run(const std::string& arguments, const std::string& before = "");
+    /// `before`: what the shell does first, ended as it is to be joined, e.g. "ulimit -f 100;". `out`: in the
+    /// place of a file.
+    Finished run(const std::string& arguments, const std::string& before = {},
+                 const std::string& out = "stdout.txt");
+    /// With an address space of so many bytes.
+    Finished runWithin(std::size_t bytes, const std::string& arguments);
     /// Writes a file into the folder and returns its name.
     std::string write(const std::string& name, const std::string& text);
     std::string read(const std::string& name);
     [[nodiscard]] bool exists(const std::string& name) const;
 
     TemporaryFolder folder;
+
+private:
+    Finished shell(const std::string& command, const std::string& out);
 };
 
 inline const std::string kStock = " --stock 40x30x10 --grid 0.5 ";

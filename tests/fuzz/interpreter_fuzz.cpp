@@ -48,7 +48,7 @@ InterpretOptions optionsOf(unsigned choice) {
     // An execution has to be quick.
     options.maxDiagnostics = (choice & kFew) != 0 ? 10 : options.maxDiagnostics;
     options.maxMotions = (choice & kFew) != 0 ? 5 : 400;
-    options.maxSteps = 400;
+    options.maxRepeated = 400;
     return options;
 }
 

@@ -3,24 +3,55 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 
 namespace proveout {
 namespace {
 
 constexpr double kChordError = 0.02;
+constexpr double kCoarsest = 100; ///< mm; coarser an arc is no arc any more
 constexpr int kMostChords = 512;
+/// On either side of a block: half of what a frame may have.
+constexpr std::size_t kMostMotions = kMostPathLines / 4;
 
-int chords(const Motion& motion) {
-    if (motion.kind != MotionKind::arc)
-        return 1;
-    const double radius = std::max(arcRadius(motion), kChordError);
-    const double angle = 2 * std::acos(std::max(1 - kChordError / radius, 0.5));
-    return std::clamp(static_cast<int>(std::ceil(std::abs(motion.sweep) / angle)), 1, kMostChords);
+/// How arcs become chords.
+struct Chords {
+    double error = kChordError;
+    int most = kMostChords;
+
+    [[nodiscard]] int of(const Motion& motion) const {
+        if (motion.kind != MotionKind::arc)
+            return 1;
+        const double radius = std::max(arcRadius(motion), error);
+        const double angle = 2 * std::acos(std::max(1 - error / radius, 0.5));
+        return std::clamp(static_cast<int>(std::ceil(std::abs(motion.sweep) / angle)), 1, most);
+    }
+};
+
+/// The finest with which the motions are few enough lines.
+Chords chordsFor(const Program& program, std::size_t first, std::size_t last) {
+    Chords chords;
+    const auto fits = [&] {
+        std::size_t lines = 0;
+        for (std::size_t i = first; i < last && lines <= kMostPathLines; ++i)
+            lines += static_cast<std::size_t>(chords.of(program.motion(i)));
+        return lines <= kMostPathLines;
+    };
+    while (!fits() && chords.error < kCoarsest)
+        chords.error *= 4;
+    if (chords.error >= kCoarsest)
+        chords.most = std::clamp(static_cast<int>(kMostPathLines / std::max<std::size_t>(last - first, 1)), 1,
+                                 kMostChords);
+    return chords;
 }
 
-void append(const Motion& motion, const Vec3& origin, std::vector<PathVertex>& vertices) {
+/// The index of the first motion of a block; of all motions behind the last.
+std::size_t firstMotion(const Program& program, std::size_t block) {
+    return block < program.blockCount() ? program.blockMotions(block).first : program.motionCount();
+}
+
+void append(const Motion& motion, int count, const Vec3& origin, std::vector<PathVertex>& vertices) {
     const auto kind = static_cast<float>(motion.kind);
-    const int count = chords(motion);
     Vec3 from = motion.start;
     double along = 0;
     for (int k = 1; k <= count; ++k) {
@@ -47,15 +78,29 @@ PathLines pathLines(const Program& program, std::size_t firstBlock, std::size_t 
     lines.firstBlock = std::min(firstBlock, lastBlock);
     if (!program.bounds().empty())
         lines.origin = program.bounds().lo;
+    const Chords chords =
+        chordsFor(program, firstMotion(program, lines.firstBlock), firstMotion(program, lastBlock));
     for (std::size_t block = lines.firstBlock; block < lastBlock; ++block) {
         lines.blockFirst.push_back(lines.vertices.size());
         const Program::MotionRange motions = program.blockMotions(block);
         for (std::size_t index = motions.first; index < motions.last; ++index)
             if (const Motion motion = program.motion(index); motion.known())
-                append(motion, lines.origin, lines.vertices);
+                append(motion, chords.of(motion), lines.origin, lines.vertices);
     }
     lines.blockFirst.push_back(lines.vertices.size());
     return lines;
+}
+
+BlockRange blocksForFrame(const Program& program, std::size_t block, const BlockRange& wanted) {
+    const std::size_t at = firstMotion(program, block);
+    const std::size_t behind = at - std::min(at, kMostMotions);
+    const std::size_t ahead = at + kMostMotions;
+    BlockRange range{std::min(wanted.first, block), std::max(wanted.last, block)};
+    const auto blocks = std::views::iota(range.first, range.last);
+    const auto firstOf = [&](std::size_t index) { return firstMotion(program, index); };
+    range.first = *std::ranges::lower_bound(blocks.begin(), blocks.end(), behind, {}, firstOf);
+    range.last = *std::ranges::upper_bound(blocks.begin(), blocks.end(), ahead, {}, firstOf);
+    return range;
 }
 
 } // namespace proveout

@@ -28,8 +28,19 @@ struct PathLines {
     [[nodiscard]] std::size_t verticesBefore(std::size_t block) const;
 };
 
-/// Lines of the blocks [firstBlock, lastBlock), clamped to the program. Arcs become chords within 0.02 mm.
-/// Motions whose path is not known are left out.
+/// So many lines are made within a frame.
+inline constexpr std::size_t kMostPathLines = 400'000;
+
+/// Lines of the blocks [firstBlock, lastBlock), clamped to the program. Arcs become chords within 0.02 mm, or
+/// coarser where those are more than kMostPathLines. Motions whose path is not known are left out.
 [[nodiscard]] PathLines pathLines(const Program& program, std::size_t firstBlock, std::size_t lastBlock);
+
+/// Of the blocks [firstBlock, lastBlock) those about `block` that have few enough motions for a frame; all
+/// where the program has no more of them.
+struct BlockRange {
+    std::size_t first = 0;
+    std::size_t last = 0;
+};
+[[nodiscard]] BlockRange blocksForFrame(const Program& program, std::size_t block, const BlockRange& wanted);
 
 } // namespace proveout

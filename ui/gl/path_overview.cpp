@@ -9,7 +9,7 @@ namespace proveout {
 namespace {
 
 constexpr std::size_t kMostPassed = 32; ///< motions in a line: each new one is compared with them
-constexpr std::size_t kBlocksBetweenLooks = 512;
+constexpr std::size_t kMotionsBetweenLooks = 512;
 constexpr int kMostChords = 64;
 constexpr double kLeastSize = 1; // mm
 
@@ -37,6 +37,7 @@ bool PathOverview::setProgram(std::shared_ptr<const Program> program) {
     const bool known = m_program != nullptr && !m_program->bounds().empty();
     m_origin = known ? m_program->bounds().lo : Vec3(0);
     const double size = known ? glm::distance(m_program->bounds().lo, m_program->bounds().hi) : 0;
+    m_coarse = false;
     restart(kShareOfSize * std::max(size, kLeastSize));
     return true;
 }
@@ -44,6 +45,7 @@ bool PathOverview::setProgram(std::shared_ptr<const Program> program) {
 void PathOverview::restart(double tolerance) {
     m_tolerance = tolerance;
     m_next = 0;
+    m_nextMotion = 0;
     m_vertices.clear();
     m_blocks.clear();
     m_length = 0;
@@ -52,18 +54,27 @@ void PathOverview::restart(double tolerance) {
 
 void PathOverview::advance(const UploadBudget& budget) {
     while (!whole()) {
-        const std::size_t end = std::min(m_next + kBlocksBetweenLooks, m_program->blockCount());
-        for (; m_next < end; ++m_next) {
-            const Program::MotionRange motions = m_program->blockMotions(m_next);
-            for (std::size_t index = motions.first; index < motions.last; ++index)
-                take(m_program->motion(index), static_cast<std::uint32_t>(m_next));
-        }
+        takeSome();
         if (whole())
             finishLine();
-        if (m_blocks.size() > kMostLines)
+        if (m_blocks.size() > kMostLines) {
+            m_coarse = true;
             restart(2 * m_tolerance);
+        }
         if (budget.spent())
             return;
+    }
+}
+
+/// One block may have a hundred thousand motions.
+void PathOverview::takeSome() {
+    for (std::size_t count = 0; count < kMotionsBetweenLooks && !whole(); ++count) {
+        const Program::MotionRange motions = m_program->blockMotions(m_next);
+        m_nextMotion = std::max(m_nextMotion, motions.first);
+        if (m_nextMotion < motions.last)
+            take(m_program->motion(m_nextMotion++), static_cast<std::uint32_t>(m_next));
+        if (m_nextMotion >= motions.last)
+            ++m_next;
     }
 }
 
@@ -104,7 +115,7 @@ void PathOverview::finishLine() {
     const Vec3 to = m_passed.back();
     const double length = glm::distance(m_from, to);
     m_passed.clear();
-    if (length == 0)
+    if (length == 0 || (m_coarse && length < m_tolerance))
         return;
     const auto kind = static_cast<float>(m_kind);
     m_vertices.push_back({glm::vec3(m_from - m_origin), 0, kind});

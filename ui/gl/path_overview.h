@@ -18,7 +18,8 @@ class PathOverview {
 public:
     /// Of half a pixel and less where the whole path is in the picture.
     static constexpr double kShareOfSize = 1.0 / 4000;
-    /// A program that needs more is taken again with twice the tolerance.
+    /// A program that needs more is taken again with twice the tolerance, and without the lines that are
+    /// shorter than that.
     static constexpr std::size_t kMostLines = 150'000;
 
     /// Begins with another program; null: none. False where it is the same one.
@@ -38,14 +39,17 @@ public:
 
 private:
     void restart(double tolerance);
+    void takeSome();
     void take(const Motion& motion, std::uint32_t block);
     void lineTo(const Vec3& point, MotionKind kind, std::uint32_t block);
     void finishLine();
     [[nodiscard]] bool isNearLine(const Vec3& end) const;
 
     std::shared_ptr<const Program> m_program;
-    std::size_t m_next = 0; ///< block
+    std::size_t m_next = 0;       ///< block
+    std::size_t m_nextMotion = 0; ///< of it, or before it
     double m_tolerance = 0;
+    bool m_coarse = false; ///< taken again
     Vec3 m_origin{0};
     std::vector<PathVertex> m_vertices;
     std::vector<std::uint32_t> m_blocks; ///< of the first motion of each line

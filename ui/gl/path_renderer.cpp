@@ -25,10 +25,13 @@ void PathRenderer::setPosition(std::shared_ptr<const Program> program, std::size
 }
 
 void PathRenderer::prepare(Gl& gl, bool whole) {
-    whole = whole && m_path->blockCount() <= kMostWholeBlocks;
-    const std::size_t first = whole || m_block < kBlocksBehind ? 0 : m_block - kBlocksBehind;
-    const std::size_t last =
-        whole ? m_path->blockCount() : std::min(m_block + kBlocksAhead, m_path->blockCount());
+    whole = whole && std::max(m_path->blockCount(), m_path->motionCount()) <= kMostWholeMotions;
+    BlockRange range{0, m_path->blockCount()};
+    if (!whole)
+        range = blocksForFrame(
+            *m_path, std::min(m_block, range.last),
+            {m_block - std::min(m_block, kBlocksBehind), std::min(m_block + kBlocksAhead, range.last)});
+    const auto [first, last] = range;
     if (m_shownPath == m_path && m_shownFirst == first && m_shownLast == last)
         return;
     m_lines = pathLines(*m_path, first, last);

@@ -14,12 +14,12 @@ namespace proveout {
 /// Draws the toolpath. All methods need the same context to be current.
 class PathRenderer {
 public:
-    /// Near the cutter means: this many blocks behind and ahead of it.
+    /// Near the cutter means: at most this many blocks behind and ahead of it.
     static constexpr std::size_t kBlocksBehind = 80;
     static constexpr std::size_t kBlocksAhead = 160;
-    /// Programs with more blocks than this show the path near the cutter only: its lines are made within a
+    /// Programs with more motions than this show the path near the cutter only: its lines are made within a
     /// frame.
-    static constexpr std::size_t kMostWholeBlocks = 200'000;
+    static constexpr std::size_t kMostWholeMotions = 200'000;
 
     PathRenderer() : m_program({"line.vert", "line.geom", {"line.frag"}, {}}) {}
 

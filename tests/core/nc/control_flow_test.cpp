@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <limits>
 #include <stop_token>
 #include <string>
 #include <thread>
@@ -98,21 +99,64 @@ TEST(ControlFlow, LimitsTheDepthOfCallsAndShowsTheirChain) {
     EXPECT_EQ(told.arguments, (std::vector<std::string>{"9", "1 > 1 > 1 > 1 > 1 > 1 > 1 > 1 > 1 > 1"}));
 }
 
-TEST(ControlFlow, EndsAnEndlessLoopAtTheLimitOfSteps) {
+TEST(ControlFlow, FindsALoopThatNothingEnds) {
+    EXPECT_EQ(toldBy("o1 while [1]\no1 endwhile\nM2\n"), "1:1 endless-loop\n");
+    EXPECT_EQ(toldBy("o9 sub\n#2=7\no9 endsub\no1 while [1]\no9 call\no1 endwhile\nM2\n"),
+              "4:1 endless-loop\n");
+}
+
+TEST(ControlFlow, AnEndlessLoopIsShownForItsFirstRounds) {
     InterpretOptions options;
-    options.maxSteps = 1000;
-    EXPECT_EQ(toldBy("o1 while [1]\no1 endwhile\nM2\n", options), "1:1 too-many-steps\n");
+    options.assumeStartAtZero = true;
+    const auto program = interpret(NcText("G0 X0\no1 while [1]\nG91 G0 X1\no1 endwhile\nM2\n"), options);
+    EXPECT_GE(program->motionCount(), 2U);
+    EXPECT_LE(program->motionCount(), 4U);
+    EXPECT_EQ(program->bounds().hi.x, program->endOf(program->motionCount() - 1).x);
+    EXPECT_TRUE(program->unverified());
+}
+
+/// Each of these ends, by something else than a variable of its own level.
+TEST(ControlFlow, TakesNoLoopForEndlessThatEnds) {
+    InterpretOptions options;
+    options.assumeStartAtZero = true;
+    for (const std::string text :
+         {"o1 while [#<_x> LT 3]\nG91 G0 X1\no1 endwhile\nM2\n",
+          "o1 repeat [3]\nG91 G0 X1\no1 endrepeat\nM2\n", "M98 P2 L3\nM2\nO2\nG91 G0 X1\nM99\n",
+          "o1 sub\nG91 G0 X1\no1 endsub\no1 call\no1 call\no1 call\nM2\n",
+          "o1 sub\no2 if [#1 GT 0]\no1 call [#1-1]\no2 endif\nG91 G0 X1\no1 endsub\no1 call [3]\nM2\n",
+          "#1=0\no1 while [#1 LT 3]\n#1=[#1+1]\nG91 G0 X1\no1 endwhile\nM2\n"})
+        EXPECT_EQ(toldBy(text, options), "") << text;
+}
+
+TEST(ControlFlow, EndsALoopAtTheLimitOfWhatItRepeats) {
+    InterpretOptions options;
+    options.assumeStartAtZero = true;
+    options.maxRepeated = 1000;
+    const auto counting =
+        interpret(NcText("G0 X0\no1 while [1]\n#1=[#1+1]\nG91 G0 X1\no1 endwhile\nM2\n"), options);
+    EXPECT_STREQ(counting->diagnostics().front().id, "too-many-steps");
+    EXPECT_EQ(counting->motionCount(), 2U); // what the loop made when it ran first
+    EXPECT_EQ(counting->bounds().hi.x, 1);
+    options.maxIdle = 500;
+    EXPECT_EQ(toldBy("#1=0\no1 while [1]\n#1=[#1+1]\no1 endwhile\nM2\n", options),
+              "2:1 loop-without-motion\n");
+    const std::string lines(1000, '\n');
+    EXPECT_EQ(toldBy("#1=0\no1 while [#1 LT 3000]\n#1=[#1+1]\no1 endwhile\nM2\n" + lines, options), "");
+}
+
+TEST(ControlFlow, RefusesMoreRoundsThanAnybodyWaitsFor) {
+    InterpretOptions options;
     EXPECT_EQ(toldBy("o1 repeat [1e12]\nG91\no1 endrepeat\nM2\n", options), "1:13 operator-missing\n");
-    EXPECT_EQ(toldBy("o1 repeat [1000000000]\nG91\no1 endrepeat\nM2\n", options), "3:1 too-many-steps\n");
-    EXPECT_EQ(toldBy("M98 P5 L999999999\nM2\nO5\nG91\nM99\n", options), "5:1 too-many-steps\n");
+    EXPECT_EQ(toldBy("o1 repeat [1000000000]\nG91\no1 endrepeat\nM2\n", options), "1:1 too-many-rounds\n");
+    EXPECT_EQ(toldBy("M98 P5 L999999999\nM2\nO5\nG91\nM99\n", options), "1:5 too-many-rounds\n");
 }
 
 TEST(ControlFlow, TellsTheCallsThatLedIntoAnEndlessLoop) {
     InterpretOptions options;
-    options.maxSteps = 1000;
-    const auto program =
-        interpret(NcText("o<a> sub\no1 while [1]\no1 endwhile\no<a> endsub\no<a> call\nM2\n"), options);
-    EXPECT_EQ(program->diagnostics().front().arguments, (std::vector<std::string>{"1000", "5 (Oa) > 2"}));
+    options.maxRepeated = 1000;
+    const auto program = interpret(
+        NcText("o<a> sub\no1 while [1]\n#1=[#1+1]\no1 endwhile\no<a> endsub\no<a> call\nM2\n"), options);
+    EXPECT_EQ(program->diagnostics().front().arguments, (std::vector<std::string>{"1000", "6 (Oa) > 4"}));
 }
 
 TEST(ControlFlow, AnEndlessLoopAnswersAStop) {
@@ -123,12 +167,15 @@ TEST(ControlFlow, AnEndlessLoopAnswersAStop) {
         std::this_thread::sleep_for(std::chrono::milliseconds(50));
         stop.request_stop();
     });
+    InterpretOptions options;
+    options.maxRepeated = options.maxIdle = std::numeric_limits<std::uint64_t>::max();
     const auto program =
-        interpret(NcText("o<a> sub\no1 while [1]\no1 endwhile\no<a> endsub\no<a> call\nM2\n"), {}, context);
+        interpret(NcText("o<a> sub\no1 while [1]\n#1=[#1+1]\no1 endwhile\no<a> endsub\no<a> call\nM2\n"),
+                  options, context);
     const Diagnostic& stopped = program->diagnostics().back();
     EXPECT_STREQ(stopped.id, "interpretation-stopped");
     ASSERT_EQ(stopped.arguments.size(), 1U);
-    EXPECT_TRUE(stopped.arguments.front().starts_with("5 (Oa) > ")) << stopped.arguments.front();
+    EXPECT_TRUE(stopped.arguments.front().starts_with("6 (Oa) > ")) << stopped.arguments.front();
 }
 
 TEST(ControlFlow, LocalParametersComeBackAfterACall) {

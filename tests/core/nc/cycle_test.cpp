@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The spindle in the canned cycles of Fanuc's dialect, which the case files do not show. Source: operator's
 // manual B-64304EN-2, canned cycles for drilling, rigid tapping.
+#include <algorithm>
 #include <gtest/gtest.h>
+#include <random>
 #include <string>
 #include <vector>
 
+#include "core/nc/canned_cycle.h"
 #include "core/nc/interpreter.h"
+#include "tests/random_seed.h"
 
 namespace proveout {
 
@@ -92,6 +96,45 @@ TEST(Cycles, M5StopsTheSpindleBehindTheMotionOfItsBlock) {
     const std::string text = "G21 G90 S500 M3\nG1 X1. F100. M5\nX2.\nM30\n";
     EXPECT_EQ(turnsOf(text, 2), (std::vector<Turn>{{kFeed, 5, 500}}));
     EXPECT_EQ(turnsOf(text, 3), (std::vector<Turn>{{kFeed, 5, 0}}));
+}
+
+/// Against the pecks made one by one.
+TEST(Cycles, PecksAreCountedBeforeTheyAreMade) {
+    const std::uint32_t seed = randomSeed();
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937 random(seed);
+    const auto length = [&](double most) { return std::uniform_real_distribution<double>(0, most)(random); };
+    for (int round = 0; round < 2000; ++round) {
+        Pecks pecks{.first = length(2)};
+        pecks.least = random() % 3 == 0 ? 0.0 : pecks.first * (random() % 2 == 0 ? 1 : length(1.2));
+        pecks.less = random() % 2 == 0 ? 0.0 : length(0.5 * pecks.first);
+        const double depth = length(50);
+        double made = 0;
+        double step = pecks.first;
+        for (double at = step; step > 0 && at < depth; at += step) {
+            ++made;
+            step = std::max(step - pecks.less, pecks.least);
+        }
+        const double counted = pecks.count(depth);
+        // The last one that shrinks may count as several of the least.
+        const double shallow = pecks.least > 0 ? pecks.less / pecks.least : 0;
+        ASSERT_GE(counted, made) << pecks.first << ' ' << pecks.less << ' ' << pecks.least << ' ' << depth;
+        ASSERT_LE(counted, made + 3 + shallow)
+            << pecks.first << ' ' << pecks.less << ' ' << pecks.least << ' ' << depth;
+    }
+    EXPECT_EQ(Pecks{}.count(10), 0);
+    EXPECT_GT((Pecks{.first = 1e-300, .least = 1e-300}.count(10)), 1e300);
+}
+
+/// The longest holes and rows of holes that people drill are far below the limit of a block.
+TEST(Cycles, LongJobsOfOneBlockAreDrilled) {
+    const std::string head = "G21 G90 G0 X0 Y0 Z5. S500 M3 F500.\n";
+    for (const std::string block :
+         {"G83 X1. R2. Z-3000. Q0.5", "G91 G81 X1. R-3. Z-4. K9999", "G91 G83 X1. R-3. Z-50. Q1. K99"}) {
+        const auto program = interpret(NcText(head + block + "\nG80\nM30\n"), {.dialect = DialectId::fanuc});
+        EXPECT_FALSE(program->unverified()) << block;
+        EXPECT_GT(program->motionCount(), 9000U) << block;
+    }
 }
 
 } // namespace proveout

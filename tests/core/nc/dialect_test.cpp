@@ -84,9 +84,9 @@ TEST(Dialects, AreGuessedByThePostThatACommentNames) {
 }
 
 TEST(Dialects, AreNotGuessedByCommentsThatMentionOne) {
-    for (const char* comment : {"( Fanuc M98 requires P-word )", "; Fanuc-style: all params are changed",
-                                "(PRINT,X FANUC)", "( Note: modified for compatibility with Mach3)",
-                                "(tap.ngc of grbl)", "(postamble of Machine 3)"})
+    for (const char* comment :
+         {"( Fanuc M98 requires P-word )", "; Fanuc-style: all params are changed", "(PRINT,X FANUC)",
+          "( Note: modified for compatibility with Mach3)", "(tap.ngc of grbl)", "(postamble of Machine 3)"})
         EXPECT_TRUE(guessDialect(NcText(std::string(comment) + "\nG0 X1\nM2\n")).reasons.empty()) << comment;
     // What no other control reads outranks a name.
     EXPECT_EQ(guessed("(Post Processor: grbl_post)\no<a> sub\no<a> endsub\nM2\n"), DialectId::linuxcnc);

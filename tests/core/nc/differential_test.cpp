@@ -43,7 +43,7 @@ public:
         InterpretOptions options;
         options.assumeStartAtZero = true;
         options.lint = false;
-        options.maxSteps = kSteps;
+        options.maxRepeated = kSteps;
         options.tools = ToolOffsets(m_tools);
         const auto program = interpret(NcText(text), options);
         return outcomeOf(lines, answer, *program);

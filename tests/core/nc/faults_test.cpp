@@ -92,7 +92,7 @@ Answer answerTo(const fs::path& file) {
     InterpretOptions options;
     options.assumeStartAtZero = true;
     options.lint = false;
-    options.maxSteps = options.maxMotions = 1'000'000;
+    options.maxRepeated = options.maxMotions = 1'000'000;
     const auto program = interpret(*text, options);
     answer.motions = program->motionCount();
     tell(program->diagnostics());

@@ -184,4 +184,47 @@ TEST(Program, KnowsWhenItsStartDiffers) {
     EXPECT_EQ(interpret(text, here)->firstDifference(*interpret(text, there)), 0U);
 }
 
+TEST(Program, CutBackIsTheProgramAsItWas) {
+    const std::uint32_t seed = randomSeed();
+    SCOPED_TRACE(testing::Message() << "seed " << seed);
+    std::mt19937 random(seed);
+    for (int round = 0; round < 50; ++round) {
+        Program program;
+        Program::Extent extent;
+        const unsigned kept = random() % 40;
+        Vec3 at(0);
+        const auto grow = [&](unsigned count) {
+            for (unsigned i = 0; i < count; ++i) {
+                const Motion motion = randomMotion(random, at);
+                program.beginBlock(motion.line);
+                if (random() % 3 == 0)
+                    program.append(Dwell{1}, motion.line);
+                if (random() % 4 == 0)
+                    program.appendCompensated(motion, motion.end);
+                else
+                    program.append(motion);
+                at = motion.end;
+            }
+        };
+        grow(kept);
+        extent = program.extent();
+        const Program whole = program;
+        grow(random() % 40);
+        program.append(Diagnostic{Severity::error, true, "id", "text", {}, "", "", {1, 1, 0}});
+        program.cutBack(extent);
+        Program expected = whole;
+        expected.settle();
+        ASSERT_EQ(program.motionCount(), kept);
+        EXPECT_EQ(program.blockCount(), whole.blockCount());
+        EXPECT_EQ(program.events().size(), whole.events().size());
+        for (const auto box : {&Program::bounds, &Program::cuttingBounds}) {
+            EXPECT_EQ((program.*box)().lo, (expected.*box)().lo);
+            EXPECT_EQ((program.*box)().hi, (expected.*box)().hi);
+        }
+        EXPECT_EQ(program.firstDifference(expected), expected.blockCount());
+        EXPECT_LE(program.motionAfterDiagnostic(0), kept);
+        EXPECT_LE(program.bytes(), whole.bytes());
+    }
+}
+
 } // namespace proveout

@@ -37,7 +37,7 @@ InterpretOptions optionsFor(DialectId dialect) {
     options.dialect = dialect;
     options.assumeStartAtZero = true;
     options.lint = false;
-    options.maxSteps = kMostLines;
+    options.maxRepeated = options.maxIdle = kMostLines;
     options.maxMotions = kMostMotions;
     return options;
 }
@@ -293,15 +293,18 @@ TEST(Reliability, Fault20ArcAboutAFarCentre) {
 TEST(Reliability, Fault21PecksOfNoDepth) {
     EXPECT_THAT(told("F100 G0 X0 Y0 Z5\nG83 X1 Y1 Z-10 R1 Q0\nG80\nM2\n"), Contains(HasSubstr("cycle-peck")));
     const auto program = readAs("F100 G0 X0 Y0 Z5\nG83 X1 Y1 Z-10 R1 Q0.0000001\nG80\nM2\n");
-    EXPECT_THAT(sentence(*program, "too-many-motions"), HasSubstr(std::to_string(kMostMotions)));
+    EXPECT_THAT(sentence(*program, "block-too-long"),
+                testing::AllOf(HasSubstr("3300000"), HasSubstr("100000")));
+    EXPECT_EQ(program->motionCount(), 1U);
 }
 
 TEST(Reliability, Fault22ManyRepeats) {
     const auto cycle = readAs("F100 G0 X0 Y0 Z5\nG91 G81 X1 Z-2 R-1 L999999999\nG80\nM2\n");
-    EXPECT_THAT(sentence(*cycle, "too-many-motions"), HasSubstr(std::to_string(kMostMotions)));
+    EXPECT_THAT(sentence(*cycle, "block-too-long"), HasSubstr("3999999996"));
+    EXPECT_EQ(cycle->motionCount(), 1U);
     for (const DialectId dialect : {DialectId::linuxcnc, DialectId::mach}) {
         const auto calls = readAs("M98 P2 L999999999\nM2\nO2\n#1=1\nM99\n", dialect);
-        EXPECT_THAT(sentence(*calls, "too-many-steps"), HasSubstr(std::to_string(kMostLines)));
+        EXPECT_THAT(sentence(*calls, "too-many-rounds"), HasSubstr("1000000"));
     }
     std::stop_source stop;
     stop.request_stop();
@@ -313,18 +316,21 @@ TEST(Reliability, Fault22ManyRepeats) {
 }
 
 TEST(Reliability, Fault23LoopOfManyRounds) {
-    EXPECT_THAT(sentence("o1 repeat [1000000000000]\n#1=1\no1 endrepeat\nM2\n", "too-many-steps"),
+    EXPECT_THAT(sentence("o1 repeat [1000000000000]\n#1=1\no1 endrepeat\nM2\n", "too-many-rounds"),
+                HasSubstr("1000000000000"));
+    EXPECT_THAT(sentence("o1 repeat [1000]\no2 repeat [1000]\n#1=1\no2 endrepeat\no1 endrepeat\nM2\n",
+                         "too-many-steps"),
                 HasSubstr(std::to_string(kMostLines)));
 }
 
 TEST(Reliability, Fault24LoopsWithoutAnEnd) {
     EXPECT_THAT(
-        sentence("#1=0\nWHILE [1 EQ 1] DO 1\n#1=#1+1\nEND 1\nM30\n", "too-many-steps", DialectId::fanuc),
+        sentence("#1=0\nWHILE [1 EQ 1] DO 1\n#1=#1+1\nEND 1\nM30\n", "loop-without-motion", DialectId::fanuc),
         testing::ContainsRegex("line [234]\\."));
-    EXPECT_THAT(sentence("o1 while [1]\n#1=1\no1 endwhile\nM2\n", "too-many-steps"),
-                testing::ContainsRegex("line [123]\\."));
-    EXPECT_THAT(sentence("O1\nN1 #1=1\nGOTO 1\nM30\n", "too-many-steps", DialectId::fanuc),
-                testing::ContainsRegex("line [23]\\."));
+    EXPECT_THAT(sentence("o1 while [1]\n#1=1\no1 endwhile\nM2\n", "endless-loop"),
+                HasSubstr("line 3 jumps back to line 1"));
+    EXPECT_THAT(sentence("O1\nN1 #1=1\nGOTO 1\nM30\n", "endless-loop", DialectId::fanuc),
+                HasSubstr("line 3 jumps back to line 2"));
 }
 
 TEST(Reliability, Fault25CallsWithoutAnEnd) {

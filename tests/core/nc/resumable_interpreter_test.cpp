@@ -130,7 +130,7 @@ void checkEdits(DialectId dialect, const std::vector<std::string>& lines, unsign
     std::mt19937 random(seed);
     InterpretOptions options;
     options.dialect = dialect;
-    options.maxSteps = 2000;
+    options.maxRepeated = 2000;
     options.maxDiagnostics = random() % 2 == 0 ? 100 : 8;
     ResumableInterpreter interpreter(1 + random() % 3);
     const std::size_t whole = options.stopAfterBlocks;

@@ -404,6 +404,28 @@ private slots:
         QCOMPARE(marks.front().block, std::size_t{0});
     }
 
+    void marksOfManyToolChangesAreFew() {
+        Program program;
+        Motion motion;
+        motion.startKnown = motion.endKnown = kAllAxes;
+        constexpr std::size_t kChanges = 20'000;
+        for (std::size_t k = 0; k < kChanges; ++k) {
+            program.append(ToolChange{static_cast<int>(k)}, 1);
+            program.append(Dwell{1}, 1);
+            program.beginBlock(1);
+            motion.start = motion.end;
+            motion.end.x += 1;
+            program.append(motion);
+        }
+        const std::vector<ToolChangeMark> marks = toolChangeMarks(program);
+        QVERIFY(marks.size() <= kMostMarks && marks.size() > kMostMarks / 2);
+        QVERIFY(marks.front().block == 0 && marks.back().block > kChanges - 20);
+        QVERIFY(neighbouringToolChange(program, 7000, -1) == std::size_t{6999});
+        QVERIFY(neighbouringToolChange(program, 7000, 1) == std::size_t{7001});
+        QVERIFY(!neighbouringToolChange(program, 0, -1));
+        QVERIFY(!neighbouringToolChange(program, kChanges - 1, 1));
+    }
+
     void aNewProgramInheritsNothing() {
         QTemporaryDir folder;
         Session session;

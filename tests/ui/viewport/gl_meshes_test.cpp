@@ -33,6 +33,9 @@ private slots:
     void wallsCloseMergedRegions();
     void pathFollowsTheMotions();
     void overviewStaysNearThePath();
+    void pathIsCoarserWhereItIsManyLines();
+    void pathOfAFrameHasFewMotions();
+    void overviewOfManyMotionsEnds();
 };
 
 void GlMeshesTest::slotsNeverOverlap() {
@@ -245,6 +248,68 @@ void GlMeshesTest::overviewStaysNearThePath() {
         }
         QVERIFY2(nearest < overview.tolerance() + 1e-4, qPrintable(QString::number(nearest)));
     }
+}
+
+namespace {
+
+/// Blocks of so many motions each, up and down and on; or of arcs with many turns.
+std::shared_ptr<const Program> manyMotions(int blocks, int motionsOfBlock, bool arcs) {
+    auto program = std::make_shared<Program>();
+    Motion motion;
+    motion.startKnown = motion.endKnown = kAllAxes;
+    for (int block = 0; block < blocks; ++block) {
+        program->beginBlock(1);
+        for (int k = 0; k < motionsOfBlock; ++k) {
+            motion.start = motion.end;
+            motion.kind = k % 2 == 0 ? MotionKind::feed : MotionKind::rapid;
+            motion.end = Vec3(0.001 * (block + k), 0, k % 2 == 0 ? -5 : 5);
+            if (arcs) {
+                motion.kind = MotionKind::arc;
+                motion.end = motion.start;
+                motion.centre = motion.start + Vec3(50, 0, 0);
+                motion.sweep = 900 * std::numbers::pi;
+            }
+            program->append(motion);
+        }
+    }
+    program->settle();
+    return program;
+}
+
+} // namespace
+
+void GlMeshesTest::pathIsCoarserWhereItIsManyLines() {
+    const auto program = manyMotions(20'000, 1, true);
+    const PathLines lines = pathLines(*program, 0, program->blockCount());
+    QVERIFY2(lines.vertices.size() <= 2 * kMostPathLines, qPrintable(QString::number(lines.vertices.size())));
+    QCOMPARE(lines.verticesBefore(program->blockCount()), lines.vertices.size());
+    QVERIFY(pathLines(*program, 0, 1).vertices.size() > lines.vertices.size() / program->blockCount());
+}
+
+void GlMeshesTest::pathOfAFrameHasFewMotions() {
+    const auto deep = manyMotions(300, 10'000, false);
+    const BlockRange range = blocksForFrame(*deep, 150, {70, 300});
+    QVERIFY(range.first > 70 && range.first < 150 && range.last > 150 && range.last < 300);
+    const auto motions = 10'000 * (range.last - range.first);
+    QVERIFY2(motions <= kMostPathLines, qPrintable(QString::number(motions)));
+    const auto flat = manyMotions(300, 2, false);
+    const BlockRange all = blocksForFrame(*flat, 150, {70, 300});
+    QVERIFY(all.first == 70 && all.last == 300);
+    const BlockRange end = blocksForFrame(*flat, 300, {220, 300});
+    QVERIFY(end.first == 220 && end.last == 300);
+}
+
+/// However often the path goes up and down, which no tolerance makes one line of.
+void GlMeshesTest::overviewOfManyMotionsEnds() {
+    const auto program = manyMotions(4, 100'000, false);
+    PathOverview overview;
+    QVERIFY(overview.setProgram(program));
+    int calls = 0;
+    for (; !overview.whole() && calls < 1'000'000; ++calls)
+        overview.advance(UploadBudget(std::chrono::seconds(0)));
+    QVERIFY(overview.whole());
+    QVERIFY(calls > 100); // a block is taken in parts
+    QVERIFY(overview.vertices().size() <= 2 * PathOverview::kMostLines);
 }
 
 QTEST_APPLESS_MAIN(GlMeshesTest)

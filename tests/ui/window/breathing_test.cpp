@@ -14,6 +14,8 @@
 
 #include <QApplication>
 #include <QElapsedTimer>
+#include <QFile>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
 
@@ -96,6 +98,10 @@ private:
 class Breath {
 public:
     [[nodiscard]] bool isLong() const { return m_heart.gaps().size() >= 100; }
+    /// For how long at most the UI thread has computed without looking at its events, in ms.
+    [[nodiscard]] double longestComputed() const {
+        return m_heart.computed().empty() ? 0 : std::ranges::max(m_heart.computed());
+    }
     /// Tells the figures.
     [[nodiscard]] bool isEven() {
         m_heart.stop();
@@ -192,6 +198,67 @@ private slots:
         station.session.seek(100);
         QTRY_COMPARE_WITH_TIMEOUT(station.session.block(), std::size_t{100}, kPatience);
         QVERIFY2(breath.isEven(), "too long gaps through a cancel");
+    }
+
+    /// A few bytes that order millions of motions: the window answers while they are read, says what is wrong
+    /// with them, and shows no more of them than can be drawn.
+    void theEventLoopBreathesThroughEndlessPrograms_data() {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QByteArray>("id");
+        const QByteArray begin = "G21 G90 G17 F100\nG0 X0 Y0 Z5\n";
+        QTest::newRow("pecks") << begin + "G83 X1 Y1 Z-10 R1 Q0.0000001\nM2\n"
+                               << QByteArray("block-too-long");
+        QTest::newRow("repeats") << begin + "G91 G81 X1 Z-1 R0 L999999999\nM2\n"
+                                 << QByteArray("block-too-long");
+        QTest::newRow("calls") << begin + "M98 P2 L999999\nM2\nO2\nM98 P3 L999999\nM99\nO3\nG91 G0 X1\nM99\n"
+                               << QByteArray("too-many-steps");
+        QTest::newRow("loop") << begin + "o1 while [1]\nG91 G1 X1\no1 endwhile\nM2\n"
+                              << QByteArray("endless-loop");
+        QTest::newRow("counting loop")
+            << begin + "#1=0\no1 while [1]\n#1=[#1+1]\nG1 X[#1 MOD 90]\no1 endwhile\nM2\n"
+            << QByteArray("too-many-steps");
+        QTest::newRow("loop of tool changes")
+            << begin + "#1=0\no1 while [1]\n#1=[#1+1]\nT1 M6\nT2 M6\nG91 G0 X1\no1 endwhile\nM2\n"
+            << QByteArray("too-many-steps");
+        QTest::newRow("idle loop") << begin + "#1=0\no1 while [1]\n#1=[#1+1]\no1 endwhile\nM2\n"
+                                   << QByteArray("loop-without-motion");
+    }
+    void theEventLoopBreathesThroughEndlessPrograms() {
+        QFETCH(QByteArray, text);
+        QFETCH(QByteArray, id);
+        const auto isTold = [&](const Session& session) {
+            return std::ranges::any_of(session.problems(), [&](const Diagnostic& problem) {
+                return id == problem.id && Session::isInText(problem);
+            });
+        };
+        constexpr std::size_t kFew = 1000; // motions
+        Workstation station(true);
+        QTest::qWait(1000); // the first picture compiles shaders
+        const FramePtr before = station.session.frame();
+        {
+            Breath breath;
+            station.session.applyEdit(0, station.session.document().text.size(), text.toStdString());
+            QVERIFY(station.session.frame() == before); // until the new program is known
+            QTRY_VERIFY_WITH_TIMEOUT(isTold(station.session), kPatience);
+            QTest::qWait(1000); // it is cut and drawn
+            QVERIFY2(breath.longestComputed() <= kLongestGapMs,
+                     qPrintable(QString::number(breath.longestComputed())));
+        }
+        QVERIFY(station.session.program()->motionCount() < kFew);
+
+        QTemporaryDir folder;
+        QFile file(folder.filePath(QStringLiteral("endless.ngc")));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
+        file.close();
+        Breath breath;
+        station.session.openFile(file.fileName());
+        QTRY_VERIFY_WITH_TIMEOUT(station.session.document().path == file.fileName().toStdString() &&
+                                     isTold(station.session),
+                                 kPatience);
+        QTest::qWait(1000);
+        QVERIFY2(breath.longestComputed() <= kLongestGapMs,
+                 qPrintable(QString::number(breath.longestComputed())));
+        QCOMPARE(QByteArray::fromStdString(station.session.document().text.toString()), text);
     }
 
 private:
