@@ -1908,6 +1908,10 @@ Vorgabe: 0 mm</translation>
         <translation>Jede Seite des Rohteils {} muss über 0 und höchstens {} mm lang sein.</translation>
     </message>
     <message>
+        <source>The stock {} is too narrow: its sides in X and Y may differ by a factor of {} at most.</source>
+        <translation>Das Rohteil {} ist zu schmal: Seine Seiten in X und Y dürfen sich höchstens um den Faktor {} unterscheiden.</translation>
+    </message>
+    <message>
         <source>The origin of the stock is not three numbers from -{} to {} mm.</source>
         <translation>Der Ursprung des Rohteils besteht nicht aus drei Zahlen von -{} bis {} mm.</translation>
     </message>
@@ -4670,6 +4674,10 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>The mesh of the stock encloses no volume.</source>
         <translation>Das Netz des Rohteils schließt kein Volumen ein.</translation>
+    </message>
+    <message>
+        <source>The facets of the stock mesh lie in {} layers on average; at most {} can be read.</source>
+        <translation>Die Facetten des Rohteilnetzes liegen im Mittel in {} Lagen; höchstens {} sind lesbar.</translation>
     </message>
     <message>
         <source>The saved stock has points {} × {} mm apart, and is taken over to {} × {} mm: at none of its points lower, between them up to one spacing wider.</source>

@@ -1908,6 +1908,10 @@ Default: 0 mm</source>
         <translation>소재 {}의 각 변은 0보다 크고 {} mm 이하여야 합니다.</translation>
     </message>
     <message>
+        <source>The stock {} is too narrow: its sides in X and Y may differ by a factor of {} at most.</source>
+        <translation>소재 {}가 너무 좁습니다. X와 Y 방향 변의 길이는 최대 {}배까지만 차이날 수 있습니다.</translation>
+    </message>
+    <message>
         <source>The origin of the stock is not three numbers from -{} to {} mm.</source>
         <translation>소재 원점이 -{}에서 {} mm 사이의 숫자 세 개가 아닙니다.</translation>
     </message>
@@ -4670,6 +4674,10 @@ Default: 0 mm</source>
     <message>
         <source>The mesh of the stock encloses no volume.</source>
         <translation>소재의 메시가 둘러싼 부피가 없습니다.</translation>
+    </message>
+    <message>
+        <source>The facets of the stock mesh lie in {} layers on average; at most {} can be read.</source>
+        <translation>소재 메시의 면이 평균 {}겹입니다. 최대 {}겹까지 읽을 수 있습니다.</translation>
     </message>
     <message>
         <source>The saved stock has points {} × {} mm apart, and is taken over to {} × {} mm: at none of its points lower, between them up to one spacing wider.</source>
