@@ -5459,6 +5459,42 @@ Vorgabe: 0 mm</translation>
         <source>The record of the session is damaged.</source>
         <translation>Die Aufzeichnung der Sitzung ist beschädigt.</translation>
     </message>
+    <message>
+        <source>{} of {} facets are duplicates of another facet.</source>
+        <translation>{} von {} Facetten sind Duplikate einer anderen Facette.</translation>
+    </message>
+    <message>
+        <source>Export the part again as one closed solid.</source>
+        <translation>Exportieren Sie das Teil erneut als einen geschlossenen Körper.</translation>
+    </message>
+    <message>
+        <source>The mesh is not closed: {} edges belong to only one facet.</source>
+        <translation>Das Netz ist nicht geschlossen: {} Kanten gehören nur zu einer Facette.</translation>
+    </message>
+    <message>
+        <source>The mesh is not manifold: {} edges belong to more than two facets.</source>
+        <translation>Das Netz ist nicht mannigfaltig: {} Kanten gehören zu mehr als zwei Facetten.</translation>
+    </message>
+    <message>
+        <source>The winding of the facets is inconsistent: it changes at {} edges.</source>
+        <translation>Der Umlaufsinn der Facetten ist nicht einheitlich: Er wechselt an {} Kanten.</translation>
+    </message>
+    <message>
+        <source>The mesh is inside out: {} of {} facets face inwards; they are taken as facing outwards.</source>
+        <translation>Das Netz ist umgestülpt: {} von {} Facetten zeigen nach innen; sie gelten als nach außen gerichtet.</translation>
+    </message>
+    <message>
+        <source>The mesh is only {} mm in size; in metres it would be {} mm.</source>
+        <translation>Das Netz ist nur {} mm groß; in Metern wären es {} mm.</translation>
+    </message>
+    <message>
+        <source>The mesh is {} mm in size; in micrometres it would be {} mm.</source>
+        <translation>Das Netz ist {} mm groß; in Mikrometern wären es {} mm.</translation>
+    </message>
+    <message>
+        <source>Export the part in millimetres; STL files have no unit.</source>
+        <translation>Exportieren Sie das Teil in Millimetern; STL-Dateien haben keine Einheit.</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>

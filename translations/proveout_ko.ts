@@ -5459,6 +5459,42 @@ Default: 0 mm</source>
         <source>The record of the session is damaged.</source>
         <translation>세션 기록이 손상되었습니다.</translation>
     </message>
+    <message>
+        <source>{} of {} facets are duplicates of another facet.</source>
+        <translation>{2}개의 면 중 {1}개는 다른 면과 중복됩니다.</translation>
+    </message>
+    <message>
+        <source>Export the part again as one closed solid.</source>
+        <translation>부품을 하나의 닫힌 솔리드로 다시 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>The mesh is not closed: {} edges belong to only one facet.</source>
+        <translation>메시가 닫혀 있지 않습니다. 모서리 {}개가 면 하나에만 속합니다.</translation>
+    </message>
+    <message>
+        <source>The mesh is not manifold: {} edges belong to more than two facets.</source>
+        <translation>메시가 다양체가 아닙니다. 모서리 {}개가 면 세 개 이상에 속합니다.</translation>
+    </message>
+    <message>
+        <source>The winding of the facets is inconsistent: it changes at {} edges.</source>
+        <translation>면의 회전 방향이 일정하지 않습니다. 모서리 {}개에서 방향이 바뀝니다.</translation>
+    </message>
+    <message>
+        <source>The mesh is inside out: {} of {} facets face inwards; they are taken as facing outwards.</source>
+        <translation>메시의 안팎이 뒤집혀 있습니다. {2}개의 면 중 {1}개가 안쪽을 향하며, 바깥쪽을 향하는 것으로 간주합니다.</translation>
+    </message>
+    <message>
+        <source>The mesh is only {} mm in size; in metres it would be {} mm.</source>
+        <translation>메시 크기가 {} mm에 불과합니다. 단위가 미터라면 {} mm입니다.</translation>
+    </message>
+    <message>
+        <source>The mesh is {} mm in size; in micrometres it would be {} mm.</source>
+        <translation>메시 크기가 {} mm입니다. 단위가 마이크로미터라면 {} mm입니다.</translation>
+    </message>
+    <message>
+        <source>Export the part in millimetres; STL files have no unit.</source>
+        <translation>부품을 밀리미터 단위로 내보내십시오. STL 파일에는 단위가 없습니다.</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
