@@ -1908,6 +1908,10 @@ Vorgabe: 0 mm</translation>
         <translation>Jede Seite des Rohteils {} muss über 0 und höchstens {} mm lang sein.</translation>
     </message>
     <message>
+        <source>The stock {} is too narrow: its sides in X and Y may differ by a factor of {} at most.</source>
+        <translation>Das Rohteil {} ist zu schmal: Seine Seiten in X und Y dürfen sich höchstens um den Faktor {} unterscheiden.</translation>
+    </message>
+    <message>
         <source>The origin of the stock is not three numbers from -{} to {} mm.</source>
         <translation>Der Ursprung des Rohteils besteht nicht aus drei Zahlen von -{} bis {} mm.</translation>
     </message>
@@ -4716,6 +4720,10 @@ Vorgabe: 0 mm</translation>
         <translation>Das Netz des Rohteils schließt kein Volumen ein.</translation>
     </message>
     <message>
+        <source>The facets of the stock mesh lie in {} layers on average; at most {} can be read.</source>
+        <translation>Die Facetten des Rohteilnetzes liegen im Mittel in {} Lagen; höchstens {} sind lesbar.</translation>
+    </message>
+    <message>
         <source>The saved stock has points {} × {} mm apart, and is taken over to {} × {} mm: at none of its points lower, between them up to one spacing wider.</source>
         <translation>Das gespeicherte Rohteil hat Punkte im Abstand von {} × {} mm und wird auf {} × {} mm übernommen: an keinem seiner Punkte niedriger, dazwischen bis zu eine Rasterweite breiter.</translation>
     </message>
@@ -5494,6 +5502,42 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>The record of the session is damaged.</source>
         <translation>Die Aufzeichnung der Sitzung ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>{} of {} facets are duplicates of another facet.</source>
+        <translation>{} von {} Facetten sind Duplikate einer anderen Facette.</translation>
+    </message>
+    <message>
+        <source>Export the part again as one closed solid.</source>
+        <translation>Exportieren Sie das Teil erneut als einen geschlossenen Körper.</translation>
+    </message>
+    <message>
+        <source>The mesh is not closed: {} edges belong to only one facet.</source>
+        <translation>Das Netz ist nicht geschlossen: {} Kanten gehören nur zu einer Facette.</translation>
+    </message>
+    <message>
+        <source>The mesh is not manifold: {} edges belong to more than two facets.</source>
+        <translation>Das Netz ist nicht mannigfaltig: {} Kanten gehören zu mehr als zwei Facetten.</translation>
+    </message>
+    <message>
+        <source>The winding of the facets is inconsistent: it changes at {} edges.</source>
+        <translation>Der Umlaufsinn der Facetten ist nicht einheitlich: Er wechselt an {} Kanten.</translation>
+    </message>
+    <message>
+        <source>The mesh is inside out: {} of {} facets face inwards; they are taken as facing outwards.</source>
+        <translation>Das Netz ist umgestülpt: {} von {} Facetten zeigen nach innen; sie gelten als nach außen gerichtet.</translation>
+    </message>
+    <message>
+        <source>The mesh is only {} mm in size; in metres it would be {} mm.</source>
+        <translation>Das Netz ist nur {} mm groß; in Metern wären es {} mm.</translation>
+    </message>
+    <message>
+        <source>The mesh is {} mm in size; in micrometres it would be {} mm.</source>
+        <translation>Das Netz ist {} mm groß; in Mikrometern wären es {} mm.</translation>
+    </message>
+    <message>
+        <source>Export the part in millimetres; STL files have no unit.</source>
+        <translation>Exportieren Sie das Teil in Millimetern; STL-Dateien haben keine Einheit.</translation>
     </message>
 </context>
 <context>

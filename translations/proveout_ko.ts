@@ -1908,6 +1908,10 @@ Default: 0 mm</source>
         <translation>소재 {}의 각 변은 0보다 크고 {} mm 이하여야 합니다.</translation>
     </message>
     <message>
+        <source>The stock {} is too narrow: its sides in X and Y may differ by a factor of {} at most.</source>
+        <translation>소재 {}가 너무 좁습니다. X와 Y 방향 변의 길이는 최대 {}배까지만 차이날 수 있습니다.</translation>
+    </message>
+    <message>
         <source>The origin of the stock is not three numbers from -{} to {} mm.</source>
         <translation>소재 원점이 -{}에서 {} mm 사이의 숫자 세 개가 아닙니다.</translation>
     </message>
@@ -4716,6 +4720,10 @@ Default: 0 mm</source>
         <translation>소재의 메시가 둘러싼 부피가 없습니다.</translation>
     </message>
     <message>
+        <source>The facets of the stock mesh lie in {} layers on average; at most {} can be read.</source>
+        <translation>소재 메시의 면이 평균 {}겹입니다. 최대 {}겹까지 읽을 수 있습니다.</translation>
+    </message>
+    <message>
         <source>The saved stock has points {} × {} mm apart, and is taken over to {} × {} mm: at none of its points lower, between them up to one spacing wider.</source>
         <translation>저장된 소재의 점 간격은 {} × {} mm이고 {} × {} mm로 옮겨집니다. 어느 점에서도 더 낮아지지 않으며, 그 사이는 최대 한 간격만큼 넓어집니다.</translation>
     </message>
@@ -5494,6 +5502,42 @@ Default: 0 mm</source>
     <message>
         <source>The record of the session is damaged.</source>
         <translation>세션 기록이 손상되었습니다.</translation>
+    </message>
+    <message>
+        <source>{} of {} facets are duplicates of another facet.</source>
+        <translation>{2}개의 면 중 {1}개는 다른 면과 중복됩니다.</translation>
+    </message>
+    <message>
+        <source>Export the part again as one closed solid.</source>
+        <translation>부품을 하나의 닫힌 솔리드로 다시 내보내십시오.</translation>
+    </message>
+    <message>
+        <source>The mesh is not closed: {} edges belong to only one facet.</source>
+        <translation>메시가 닫혀 있지 않습니다. 모서리 {}개가 면 하나에만 속합니다.</translation>
+    </message>
+    <message>
+        <source>The mesh is not manifold: {} edges belong to more than two facets.</source>
+        <translation>메시가 다양체가 아닙니다. 모서리 {}개가 면 세 개 이상에 속합니다.</translation>
+    </message>
+    <message>
+        <source>The winding of the facets is inconsistent: it changes at {} edges.</source>
+        <translation>면의 회전 방향이 일정하지 않습니다. 모서리 {}개에서 방향이 바뀝니다.</translation>
+    </message>
+    <message>
+        <source>The mesh is inside out: {} of {} facets face inwards; they are taken as facing outwards.</source>
+        <translation>메시의 안팎이 뒤집혀 있습니다. {2}개의 면 중 {1}개가 안쪽을 향하며, 바깥쪽을 향하는 것으로 간주합니다.</translation>
+    </message>
+    <message>
+        <source>The mesh is only {} mm in size; in metres it would be {} mm.</source>
+        <translation>메시 크기가 {} mm에 불과합니다. 단위가 미터라면 {} mm입니다.</translation>
+    </message>
+    <message>
+        <source>The mesh is {} mm in size; in micrometres it would be {} mm.</source>
+        <translation>메시 크기가 {} mm입니다. 단위가 마이크로미터라면 {} mm입니다.</translation>
+    </message>
+    <message>
+        <source>Export the part in millimetres; STL files have no unit.</source>
+        <translation>부품을 밀리미터 단위로 내보내십시오. STL 파일에는 단위가 없습니다.</translation>
     </message>
 </context>
 <context>

@@ -8,6 +8,7 @@
 #include "core/base/diagnostic.h"
 #include "core/base/work_context.h"
 #include "core/decimation/solid.h"
+#include "core/formats/mesh_defects.h"
 #include "core/formats/mesh_files.h"
 
 namespace proveout {
@@ -30,12 +31,14 @@ struct StlContents {
     std::size_t notFinite = 0;      ///< facets left out because a coordinate is no number
     std::size_t degenerate = 0;     ///< facets left out because they have no area in float32
     std::size_t opposedNormals = 0; ///< facets whose stored normal contradicts their winding; winding wins
+    MeshDefects defects;            ///< of `mesh`
     Diagnostics warnings;           ///< the counts above and what else looks wrong, as sentences
 };
 
 /// Reads binary or ASCII STL. A file whose size fits its count is binary, whatever its header says; else it
-/// is ASCII if it begins with "solid" and has facets. More bytes than announced are a warning; a file cut off
-/// is an error with the offset or line where it ends. Errors: unreadable, not STL at all, no facets, syntax.
+/// is ASCII if it begins with "solid" and has facets; lines may end in CR, and all of it may be one line.
+/// More bytes than announced are a warning; a file cut off is an error with the offset or line where it ends.
+/// Errors: unreadable, not STL at all, no facets, syntax.
 [[nodiscard]] Result<StlContents> readStlContents(const std::filesystem::path& file);
 
 /// The mesh alone.

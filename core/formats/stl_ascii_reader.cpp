@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <limits>
@@ -8,6 +7,7 @@
 
 #include "core/base/text.h"
 #include "core/formats/stl_facets.h"
+#include "core/formats/stl_words.h"
 
 namespace proveout {
 
@@ -15,65 +15,7 @@ namespace {
 
 constexpr std::size_t kShownLength = 40; ///< of a wrong word in a message
 
-bool isSpace(char c) {
-    return c == ' ' || (c >= '\t' && c <= '\r');
-}
-
-char lower(char c) {
-    return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
-/// A word of the file and where it stands.
-struct Word {
-    std::string_view text;
-    TextRange where;
-
-    [[nodiscard]] bool is(std::string_view key) const {
-        return std::equal(text.begin(), text.end(), key.begin(), key.end(),
-                          [](char a, char b) { return lower(a) == b; });
-    }
-};
-
-/// Cuts the text into words and counts lines.
-class Words {
-public:
-    explicit Words(std::string_view text) : m_text(text) {}
-
-    /// The next word; an empty one at the end.
-    Word next() {
-        while (m_at < m_text.size() && isSpace(m_text[m_at]))
-            step();
-        Word word;
-        word.where = {m_line, static_cast<int>(m_at - m_lineStart) + 1, 0};
-        const std::size_t start = m_at;
-        while (m_at < m_text.size() && !isSpace(m_text[m_at]))
-            ++m_at;
-        word.text = m_text.substr(start, m_at - start);
-        word.where.length = static_cast<int>(std::min<std::size_t>(word.text.size(), 1'000'000));
-        return word;
-    }
-
-    /// The name behind `solid` and `endsolid` is the rest of the line, whatever it holds.
-    void skipLine() {
-        while (m_at < m_text.size() && m_text[m_at] != '\n')
-            ++m_at;
-    }
-
-private:
-    void step() {
-        if (m_text[m_at++] == '\n') {
-            ++m_line;
-            m_lineStart = m_at;
-        }
-    }
-
-    std::string_view m_text;
-    std::size_t m_at = 0;
-    std::size_t m_lineStart = 0;
-    int m_line = 1;
-};
-
-tl::unexpected<Diagnostics> unexpectedWord(const Word& word, const char* wanted) {
+tl::unexpected<Diagnostics> unexpectedWord(const StlWord& word, const char* wanted) {
     auto failed = word.text.empty()
                       ? failure("stl-cut-off",
                                 PROVEOUT_TEXT("Core", "The file ends where \"{}\" should stand."), {wanted})
@@ -97,10 +39,10 @@ public:
     explicit FacetParser(std::string_view text) : m_words(text) {}
 
     Result<StlFacets> parse() {
-        for (Word word = m_words.next(); !word.text.empty(); word = m_words.next()) {
+        for (StlWord word = m_words.next(); !word.text.empty(); word = m_words.next()) {
             if (!word.is("solid"))
                 return unexpectedWord(word, "solid");
-            m_words.skipLine();
+            static_cast<void>(m_words.skipName());
             if (auto solid = parseSolid(); !solid)
                 return tl::unexpected(std::move(solid.error()));
         }
@@ -108,12 +50,13 @@ public:
     }
 
 private:
-    /// Facets up to `endsolid`.
+    /// Facets up to `endsolid`, and those of further solids on the same line.
     Result<void> parseSolid() {
         for (;;) {
-            const Word word = m_words.next();
+            const StlWord word = m_words.next();
             if (word.is("endsolid")) {
-                m_words.skipLine();
+                if (m_words.skipName())
+                    continue;
                 return {};
             }
             if (word.text.empty()) {
@@ -152,7 +95,7 @@ private:
     }
 
     Result<void> expect(const char* key) {
-        const Word word = m_words.next();
+        const StlWord word = m_words.next();
         if (!word.is(key))
             return unexpectedWord(word, key);
         return {};
@@ -160,7 +103,7 @@ private:
 
     Result<void> parsePoint(std::array<float, 3>& point) {
         for (float& value : point) {
-            const Word word = m_words.next();
+            const StlWord word = m_words.next();
             const char* first = word.text.data();
             const char* last = first + word.text.size();
             if (first != last && *first == '+') // from_chars takes no plus
@@ -175,7 +118,7 @@ private:
         return {};
     }
 
-    void warnNoEnd(const Word& end) {
+    void warnNoEnd(const StlWord& end) {
         Diagnostic warning;
         warning.severity = Severity::warning;
         warning.id = "stl-no-endsolid";
@@ -184,7 +127,7 @@ private:
         m_out.warnings.push_back(std::move(warning));
     }
 
-    Words m_words;
+    StlWords m_words;
     StlFacets m_out;
 };
 

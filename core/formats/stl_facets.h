@@ -18,8 +18,8 @@ struct StlFacets {
     Diagnostics warnings;
 };
 
-/// Reads the text of an ASCII STL, several solids in a row included. Key words may have any case. Errors have
-/// line and column; a missing `endsolid` is a warning.
+/// Reads the text of an ASCII STL, several solids in a row included. Key words may have any case, white space
+/// is that of StlWords. Errors have line and column; a missing `endsolid` is a warning. Linear in the text.
 [[nodiscard]] Result<StlFacets> readAsciiFacets(std::string_view text);
 
 } // namespace proveout

@@ -4,8 +4,6 @@
 #include <bit>
 #include <cmath>
 #include <cstring>
-#include <fmt/format.h>
-#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -13,6 +11,8 @@
 #include "core/base/text.h"
 #include "core/formats/stl.h"
 #include "core/formats/stl_facets.h"
+#include "core/formats/stl_warnings.h"
+#include "core/formats/stl_words.h"
 #include "core/formats/vertex_welder.h"
 
 namespace proveout {
@@ -23,17 +23,6 @@ static_assert(std::endian::native == std::endian::little, "binary STL is read as
 
 constexpr std::size_t kHeaderSize = 84; ///< text and count
 constexpr std::size_t kFacetSize = 50;
-/// Coordinates with a coarser float32 step than this (mm) no longer hold the detail of a part.
-constexpr double kCoarseStep = 1e-3;
-
-Diagnostic warning(const char* id, const char* text, std::vector<std::string> arguments) {
-    Diagnostic diagnostic;
-    diagnostic.severity = Severity::warning;
-    diagnostic.id = id;
-    diagnostic.text = text;
-    diagnostic.arguments = std::move(arguments);
-    return diagnostic;
-}
 
 std::uint64_t announcedCount(std::string_view bytes) {
     std::uint32_t count = 0;
@@ -43,10 +32,7 @@ std::uint64_t announcedCount(std::string_view bytes) {
 
 bool startsWithSolid(std::string_view bytes) {
     static constexpr std::string_view kSolid = "solid";
-    const auto start = std::min(bytes.find_first_not_of(" \t\r\n\v\f"), bytes.size());
-    const auto word = bytes.substr(start, kSolid.size());
-    return std::equal(word.begin(), word.end(), kSolid.begin(), kSolid.end(),
-                      [](char a, char b) { return (a | 0x20) == b; });
+    return StlWord{withoutLeadingSpace(bytes).substr(0, kSolid.size()), {}}.is(kSolid);
 }
 
 bool isText(std::string_view bytes) {
@@ -76,7 +62,7 @@ Result<StlFacets> readBinaryFacets(std::string_view bytes) {
         from += kFacetSize;
     }
     if (const auto read = kHeaderSize + kFacetSize * announced; read < bytes.size())
-        out.warnings.push_back(warning(
+        out.warnings.push_back(stlWarning(
             "stl-trailing-bytes",
             PROVEOUT_TEXT("Core", "The {} facets announced were read; {} bytes follow them from byte {}."),
             {std::to_string(announced), std::to_string(bytes.size() - read), std::to_string(read)}));
@@ -131,43 +117,6 @@ void add(const StlFacet& facet, VertexWelder& welder, StlContents& contents) {
         {welder.index(facet[1]), welder.index(facet[2]), welder.index(facet[3])});
 }
 
-void warnOfCounts(StlContents& contents) {
-    const auto warn = [&contents](std::size_t count, const char* id, const char* text) {
-        if (count > 0)
-            contents.warnings.push_back(
-                warning(id, text, {std::to_string(count), std::to_string(contents.facets)}));
-    };
-    warn(contents.notFinite, "stl-not-finite",
-         PROVEOUT_TEXT("Core",
-                       "{} of {} facets have a coordinate that is no finite number; they were left out."));
-    warn(contents.degenerate, "stl-degenerate",
-         PROVEOUT_TEXT("Core", "{} of {} facets have no area; they were left out."));
-    warn(contents.opposedNormals, "stl-opposed-normals",
-         PROVEOUT_TEXT("Core", "{} of {} facets have a normal against their winding; the winding counts."));
-}
-
-void warnOfSize(StlContents& contents) {
-    Box3 box;
-    for (const Vec3& vertex : contents.mesh.vertices)
-        box.add(vertex);
-    if (box.empty())
-        return;
-    const Vec3 farthest = glm::max(glm::abs(box.lo), glm::abs(box.hi));
-    const double largest = std::max({farthest.x, farthest.y, farthest.z});
-    const double step = largest * static_cast<double>(std::numeric_limits<float>::epsilon());
-    if (step > kCoarseStep)
-        contents.warnings.push_back(warning(
-            "stl-far-origin",
-            PROVEOUT_TEXT("Core", "The mesh lies {} mm from the origin, where an STL file holds steps of "
-                                  "{} mm only."),
-            {fmt::format("{:.6g}", largest), fmt::format("{:.2g}", step)}));
-    const Vec3 size = box.hi - box.lo;
-    if (std::max({size.x, size.y, size.z}) < kCoarseStep)
-        contents.warnings.push_back(warning(
-            "stl-no-size", PROVEOUT_TEXT("Core", "The mesh is {} × {} × {} mm: hardly a part."),
-            {fmt::format("{:.3g}", size.x), fmt::format("{:.3g}", size.y), fmt::format("{:.3g}", size.z)}));
-}
-
 tl::unexpected<Diagnostics> about(const std::filesystem::path& file, Diagnostics&& diagnostics) {
     for (auto& diagnostic : diagnostics)
         diagnostic.file = file.string();
@@ -199,8 +148,8 @@ Result<StlContents> readStlContents(const std::filesystem::path& file) {
                        {std::to_string(contents.facets), std::to_string(contents.notFinite),
                         std::to_string(contents.degenerate)},
                        file.string());
-    warnOfCounts(contents);
-    warnOfSize(contents);
+    contents.defects = findDefects(contents.mesh);
+    warnOfStl(contents);
     for (auto& warned : contents.warnings)
         warned.file = file.string();
     return contents;

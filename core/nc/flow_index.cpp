@@ -66,9 +66,10 @@ public:
     }
 
 private:
+    /// Anew, rather than cleared: that takes as long as the largest scope before had labels.
     void beginScope() {
-        m_open.clear();
-        m_first.clear();
+        m_open = decltype(m_open)();
+        m_first = decltype(m_first)();
     }
 
     void open(const std::string& label, std::size_t row) {

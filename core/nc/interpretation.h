@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string_view>
+#include <utility>
 
 #include "core/nc/call_stack.h"
 #include "core/nc/dialect_guess.h"
@@ -83,7 +84,7 @@ private:
     void tellInputRead();
     void skipUnreadable(std::string_view text, bool first);
     void handlePercent(std::size_t index);
-    [[nodiscard]] std::size_t firstTextFrom(std::size_t index) const;
+    [[nodiscard]] std::size_t firstTextFrom(std::size_t index);
     void tellAboutTheWhole(std::size_t linesRead);
     void tellNeverKnown();
     void tellUnseen();
@@ -122,6 +123,8 @@ private:
     SerialLine m_serial{m_dialect.longestLine};
     Line m_line;
     std::size_t m_loneCr = 0;
+    /// Lines that are known to hold nothing: from the first on, before the second.
+    std::pair<std::size_t, std::size_t> m_blankLines{0, 0};
     KeepPoint m_keepPoint;
     std::size_t m_nextPoint = SIZE_MAX; ///< line
     bool m_begun = false;

@@ -188,12 +188,18 @@ void Interpretation::handlePercent(std::size_t index) {
     }
 }
 
-/// The first line from `index` on that holds anything; the number of lines where there is none.
-std::size_t Interpretation::firstTextFrom(std::size_t index) const {
+/// The first line from `index` on that holds anything; the number of lines where there is none. Each of many
+/// lines with a "%" asks, so that what was looked through is remembered.
+std::size_t Interpretation::firstTextFrom(std::size_t index) {
+    auto& [first, end] = m_blankLines;
+    if (index >= first && index < end)
+        return end;
+    first = index;
     while (index < m_text.lineCount() &&
            m_text.line(index).find_first_not_of(" \t\v\f\x1a%") == std::string_view::npos)
         ++index;
-    return index;
+    end = index;
+    return end;
 }
 
 void Interpretation::tellAboutTheWhole(std::size_t linesRead) {

@@ -189,12 +189,11 @@ bool MacroFlow::call(const FlowRequest& request, bool macro) {
     CallStack::Source* source = &m_calls.source();
     const MacroIndex::Range* program = programIn(m_calls.macroIndex(), request);
     if (program == nullptr) {
-        const std::vector<std::string> names = fileNames(request);
-        const CallStack::FileFound found = m_calls.file(names);
+        const auto& [found, name] = fileOf(request, label);
         if (found.source == nullptr && found.fault == CallStack::FileFault::unreadable)
             return refuse(nc_message::kSubUnreadable, request.word, {label, found.reason});
         if (found.source == nullptr)
-            return refuse(nc_message::kSubUnknown, request.word, {label, names.front()});
+            return refuse(nc_message::kSubUnknown, request.word, {label, name});
         source = found.source;
         const MacroIndex& index = m_calls.macroIndex(*source);
         program = programIn(index, request);
@@ -211,6 +210,17 @@ bool MacroFlow::call(const FlowRequest& request, bool macro) {
     if (request.repeats > 0)
         m_calls.enter(*source, std::move(level), request.arguments);
     return true;
+}
+
+const MacroFlow::ProgramFile& MacroFlow::fileOf(const FlowRequest& request, const std::string& label) {
+    // A number and a name may look the same.
+    const std::string key = (request.name.empty() ? "O" : "<") + label;
+    const auto [file, isNew] = m_files.try_emplace(key);
+    if (isNew) {
+        const std::vector<std::string> names = fileNames(request);
+        file->second = {m_calls.file(names), names.front()};
+    }
+    return file->second;
 }
 
 bool MacroFlow::returns(const FlowRequest& request) {

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <unordered_map>
 
 #include "core/nc/call_stack.h"
 #include "core/nc/expression.h"
@@ -46,6 +47,12 @@ private:
         std::size_t depth = 0; ///< of the macro that runs because of it; 0: it does not run
     };
 
+    /// Of a program that the texts do not hold.
+    struct ProgramFile {
+        CallStack::FileFound found;
+        std::string name; ///< that messages propose
+    };
+
     Next fail(const Message& message, const MacroStatement& statement,
               std::vector<std::string> arguments = {});
     Next fail(const ReadError& error);
@@ -57,6 +64,7 @@ private:
     [[nodiscard]] std::optional<bool> condition(const MacroStatement& statement, std::size_t& at);
     [[nodiscard]] bool jumpTo(long long block, const Word& word);
     [[nodiscard]] bool call(const FlowRequest& request, bool macro);
+    const ProgramFile& fileOf(const FlowRequest& request, const std::string& label);
     [[nodiscard]] bool returns(const FlowRequest& request);
 
     CallStack& m_calls;
@@ -64,6 +72,8 @@ private:
     Reporter& m_reporter;
     LintMemory& m_lint;
     std::optional<ModalCall> m_modal;
+    /// Of programs that the texts do not hold. Their many names are looked for once, not at each call.
+    std::unordered_map<std::string, ProgramFile> m_files;
     std::size_t m_rest = 0;
 };
 

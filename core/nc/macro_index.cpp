@@ -73,14 +73,50 @@ std::optional<long long> loopOf(std::string_view line, const MacroStatement& sta
     return wholeNumber(line, at);
 }
 
-} // namespace
+/// The loops that are open, by the numbers of their DO. Loops lie within one another: one that ends takes
+/// those within it, which never ended, along.
+class OpenLoops {
+public:
+    void clear() {
+        while (!m_open.empty())
+            close();
+    }
 
-MacroIndex::MacroIndex(const NcText& text) {
+    void begin(long long number, std::size_t row) {
+        m_places[number].push_back(m_open.size());
+        m_open.push_back({number, row});
+    }
+
+    /// The row of the last loop of that number, which is open no longer; nothing where there is none.
+    std::optional<std::size_t> end(long long number) {
+        const auto found = m_places.find(number);
+        if (found == m_places.end() || found->second.empty())
+            return {};
+        const std::size_t place = found->second.back();
+        const std::size_t row = m_open[place].row;
+        while (m_open.size() > place)
+            close();
+        return row;
+    }
+
+private:
+    void close() {
+        m_places[m_open.back().number].pop_back();
+        m_open.pop_back();
+    }
+
     struct Open {
         long long number;
         std::size_t row;
     };
-    std::vector<Open> open;
+    std::vector<Open> m_open;
+    std::unordered_map<long long, std::vector<std::size_t>> m_places; ///< in m_open, of each number
+};
+
+} // namespace
+
+MacroIndex::MacroIndex(const NcText& text) {
+    OpenLoops open;
     m_programs.push_back({});
     bool begun = false; ///< an O-word, or something that is carried out without one, was seen
     for (std::size_t line = 0; line < text.lineCount(); ++line) {
@@ -104,30 +140,30 @@ MacroIndex::MacroIndex(const NcText& text) {
             continue;
         m_loops.push_back({line, kNone});
         if (head.statement->kind != StatementKind::endLoop) {
-            open.push_back({*loop, m_loops.size() - 1});
+            open.begin(*loop, m_loops.size() - 1);
             continue;
         }
-        // Loops lie within one another: one that ends takes those within it, which never ended, along.
-        const auto begin =
-            std::find_if(open.rbegin(), open.rend(), [&](const Open& o) { return o.number == *loop; });
-        if (begin == open.rend())
-            continue;
-        m_loops.back().partner = m_loops[begin->row].line;
-        m_loops[begin->row].partner = line;
-        open.erase(std::prev(begin.base()), open.end());
+        if (const auto begin = open.end(*loop)) {
+            m_loops.back().partner = m_loops[*begin].line;
+            m_loops[*begin].partner = line;
+        }
     }
     m_programs.back().end = text.lineCount();
+    for (std::size_t row = 0; row < m_programs.size(); ++row) {
+        m_byNumber.emplace(m_programs[row].number, row);
+        m_byName.emplace(m_programs[row].name, row);
+    }
     std::ranges::sort(m_labels);
 }
 
 const MacroIndex::Range* MacroIndex::program(long long number) const {
-    const auto found = std::ranges::find(m_programs, number, &Range::number);
-    return found == m_programs.end() ? nullptr : &*found;
+    const auto found = m_byNumber.find(number);
+    return found == m_byNumber.end() ? nullptr : &m_programs[found->second];
 }
 
 const MacroIndex::Range* MacroIndex::program(std::string_view name) const {
-    const auto found = std::ranges::find(m_programs, name, &Range::name);
-    return found == m_programs.end() ? nullptr : &*found;
+    const auto found = m_byName.find(std::string(name));
+    return found == m_byName.end() ? nullptr : &m_programs[found->second];
 }
 
 const MacroIndex::Range& MacroIndex::programOf(std::size_t line) const {

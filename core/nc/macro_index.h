@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string>
 #include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "core/nc/nc_text.h"
@@ -61,6 +62,8 @@ private:
     };
 
     std::vector<Range> m_programs;
+    std::unordered_map<long long, std::size_t> m_byNumber; ///< the first of each
+    std::unordered_map<std::string, std::size_t> m_byName;
     std::vector<Label> m_labels; ///< by number and line
     std::vector<Loop> m_loops;   ///< by line
 };

@@ -6,6 +6,24 @@
 
 namespace proveout {
 
+namespace {
+
+/// Bytes of an argument: names and chains of calls may be as long as the text, and a message is not.
+constexpr std::size_t kLongestArgument = 2000;
+
+/// Cut between characters.
+void shorten(std::string& argument) {
+    if (argument.size() <= kLongestArgument)
+        return;
+    std::size_t end = kLongestArgument;
+    while (end > 0 && (static_cast<unsigned char>(argument[end]) & 0xc0) == 0x80)
+        --end;
+    argument.resize(end);
+    argument += "…";
+}
+
+} // namespace
+
 std::string nameOf(const Word& word) {
     return fmt::format("{}{:g}", writtenAs(word.letter), word.value);
 }
@@ -49,6 +67,8 @@ void Reporter::tellSuppressed() {
 
 void Reporter::append(const Message& message, bool unverified, TextRange where,
                       std::vector<std::string> arguments) {
+    for (std::string& argument : arguments)
+        shorten(argument);
     const char* const answer = m_answer == nullptr ? nullptr : m_answer(message);
     m_program.append(Diagnostic{message.severity, unverified, message.id, message.text, std::move(arguments),
                                 answer == nullptr ? message.hint : answer, m_file, where});

@@ -251,15 +251,12 @@ private:
         if (!m_pending)
             return;
         Described described = *std::exchange(m_pending, std::nullopt);
-        const auto same = [&](const Described& other) { return isSameCutter(other.tool, described.tool); };
-        if (m_withoutTool.size() < kMostTools && std::ranges::none_of(m_withoutTool, same))
+        if (m_withoutTool.size() == kMostTools)
+            return;
+        // A program may repeat its comments at every motion.
+        const auto made = makeCutter(described.tool);
+        if (!made || m_cuttersWithoutTool.insert(made->cutter.spec()).second)
             m_withoutTool.push_back(std::move(described));
-    }
-
-    static bool isSameCutter(const ToolComment& one, const ToolComment& other) {
-        const auto a = makeCutter(one);
-        const auto b = makeCutter(other);
-        return a && b && a->cutter == b->cutter;
     }
 
     void describeNumbered(Described described) {
@@ -301,6 +298,7 @@ private:
     std::optional<Described> m_pending; ///< waits for the next tool call
     std::map<int, Described> m_byTool;
     std::vector<Described> m_withoutTool;
+    std::set<std::string> m_cuttersWithoutTool; ///< their specs
     std::set<int> m_called;
     bool m_callsComputed = false;
     int m_selected = -1;    ///< the last T

@@ -18,6 +18,9 @@ namespace {
 constexpr double kMostPoints = std::numeric_limits<std::int32_t>::max();
 /// Sizes beyond this are slips of the unit or of the finger, and would eat the digits of a double.
 constexpr double kLargestStock = 1e7;
+/// So many times as long as wide, or as wide as long: on a narrower stock even cells as large as its short
+/// side are more points than a map of a usual stock has.
+constexpr double kLargestRatio = 1e5;
 /// The corner of a stock, either way; as far as a job file goes.
 constexpr double kFarthestCorner = 1e7;
 /// Neighbouring points of a grid are at least so many steps of a double apart.
@@ -95,6 +98,12 @@ Result<Grid> makeGrid(const StockBox& stock, double spacing) {
         return failure("stock-size-bad",
                        PROVEOUT_TEXT("Core", "Each side of the stock {} must be above 0 and at most {} mm."),
                        {sizeOf(stock), fmt::format("{:g}", kLargestStock)});
+    if (std::max(stock.width, stock.depth) > kLargestRatio * std::min(stock.width, stock.depth))
+        return failure("stock-size-narrow",
+                       PROVEOUT_TEXT("Core",
+                                     "The stock {} is too narrow: its sides in X and Y may differ by a "
+                                     "factor of {} at most."),
+                       {sizeOf(stock), fmt::format("{:.0f}", kLargestRatio)});
     for (int axis = 0; axis < 3; ++axis) {
         if (!(std::abs(stock.corner[axis]) <= kFarthestCorner))
             return failure(

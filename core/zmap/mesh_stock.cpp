@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A mesh as stock, triangle by triangle over the rows of the grid, one row of tiles after the other. Two
+// A mesh as stock, triangle by triangle over the rows of the grid, one band of tiles after the other. Two
 // answers per point: the upper surface with the rim included, for the map; and every crossing of the vertical
 // through the point, each edge belonging to one of its triangles alone, for what the map cannot hold.
 #include "core/zmap/mesh_stock.h"
@@ -22,6 +22,8 @@ namespace {
 /// So near to a triangle in plan, in mm, a point counts as on its rim: coordinates of a grid are rounded.
 constexpr double kOnRim = 1e-6;
 constexpr double kFarthest = 1e7;
+/// Facets over a place, on average; each costs time at every point of the grid that it covers.
+constexpr double kMostLayers = 200;
 constexpr double kAbsent = -1e30;
 /// Crossings are looked for so little beside the point, in mm, that no edge through it can be in doubt.
 constexpr double kAsideX = 0.71e-7;
@@ -69,6 +71,10 @@ public:
     /// It has no part in either surface: what bounds it does.
     [[nodiscard]] bool isUpright() const { return m_area == 0; }
     [[nodiscard]] bool looksUp() const { return m_area > 0; }
+    [[nodiscard]] double leastX() const { return std::min({m_corners[0].x, m_corners[1].x, m_corners[2].x}); }
+    [[nodiscard]] double largestX() const {
+        return std::max({m_corners[0].x, m_corners[1].x, m_corners[2].x});
+    }
     [[nodiscard]] double lowestY() const {
         return std::min({m_corners[0].y, m_corners[1].y, m_corners[2].y});
     }
@@ -127,14 +133,22 @@ struct Beneath {
     std::size_t open = 0;    ///< of these: the mesh does not close over them
 };
 
-/// The rows of one row of tiles.
+/// Tiles of one row, not so many that what is held of their points counts beside the map.
 class Band {
 public:
-    Band(const GridPart& grid, int firstRow)
-        : m_grid(grid), m_firstRow(firstRow), m_rows(std::min(Tile::kSize, grid.ny - firstRow)),
-          m_top(static_cast<std::size_t>(m_rows) * static_cast<std::size_t>(grid.nx), kAbsent) {}
+    static constexpr int kMostColumns = 128 * Tile::kSize;
+
+    Band(const GridPart& grid, int firstColumn, int firstRow)
+        : m_grid(grid), m_firstColumn(firstColumn), m_firstRow(firstRow),
+          m_columns(std::min(kMostColumns, grid.nx - firstColumn)),
+          m_rows(std::min(Tile::kSize, grid.ny - firstRow)),
+          m_top(static_cast<std::size_t>(m_rows) * static_cast<std::size_t>(m_columns), kAbsent) {}
+
+    [[nodiscard]] int columns() const { return m_columns; }
 
     void add(const Facet& facet) {
+        if (facet.largestX() + kOnRim < x(0) || facet.leastX() - kOnRim > x(m_columns - 1))
+            return;
         const auto row = [&](double y) {
             return (y - m_grid.origin.y) / m_grid.hy - m_grid.firstJ - m_firstRow;
         };
@@ -144,6 +158,7 @@ public:
             addRow(facet, j);
     }
 
+    /// Both counted from the first of the band.
     [[nodiscard]] double top(int i, int j) const { return m_top[indexOf(i, j)]; }
 
     /// `upIsOut`: the triangles are counter-clockwise seen from outside.
@@ -164,31 +179,31 @@ public:
 
 private:
     [[nodiscard]] std::size_t indexOf(int i, int j) const {
-        return static_cast<std::size_t>(j) * static_cast<std::size_t>(m_grid.nx) +
+        return static_cast<std::size_t>(j) * static_cast<std::size_t>(m_columns) +
                static_cast<std::size_t>(i);
     }
+    [[nodiscard]] double x(int i) const { return m_grid.x(m_firstColumn + i); }
 
     [[nodiscard]] int columnFrom(double x) const {
-        const double column = std::ceil((x - m_grid.origin.x) / m_grid.hx) - m_grid.firstI;
-        return static_cast<int>(std::clamp(column, 0.0, double(m_grid.nx)));
+        const double column = std::ceil((x - m_grid.origin.x) / m_grid.hx) - m_grid.firstI - m_firstColumn;
+        return static_cast<int>(std::clamp(column, 0.0, double(m_columns)));
     }
 
     void addRow(const Facet& facet, int j) {
         const double y = m_grid.y(m_firstRow + j);
         const Range covered = facet.covered(y);
         for (int i = columnFrom(covered.from - kOnRim - m_grid.hx);
-             i < m_grid.nx && m_grid.x(i) <= covered.to + kOnRim; ++i) {
-            if (m_grid.x(i) < covered.from - kOnRim)
+             i < m_columns && x(i) <= covered.to + kOnRim; ++i) {
+            if (x(i) < covered.from - kOnRim)
                 continue;
             double& top = m_top[indexOf(i, j)];
-            top = std::max(top, facet.heightAt(m_grid.x(i), y));
+            top = std::max(top, facet.heightAt(x(i), y));
         }
         const Range owned = facet.owned(y + kAsideY);
-        for (int i = columnFrom(owned.from - m_grid.hx); i < m_grid.nx && m_grid.x(i) + kAsideX < owned.to;
-             ++i)
-            if (m_grid.x(i) + kAsideX >= owned.from)
-                m_crossings.push_back({static_cast<std::uint32_t>(indexOf(i, j)), facet.looksUp(),
-                                       facet.heightAt(m_grid.x(i), y)});
+        for (int i = columnFrom(owned.from - m_grid.hx); i < m_columns && x(i) + kAsideX < owned.to; ++i)
+            if (x(i) + kAsideX >= owned.from)
+                m_crossings.push_back(
+                    {static_cast<std::uint32_t>(indexOf(i, j)), facet.looksUp(), facet.heightAt(x(i), y)});
     }
 
     /// From above down to the floor: where one is in as many shells as one has left, there is air.
@@ -197,9 +212,9 @@ private:
         if (column.empty())
             return;
         std::ranges::sort(column, [](const Crossing& a, const Crossing& b) { return a.z > b.z; });
-        const int i = static_cast<int>(column.front().point % static_cast<std::uint32_t>(m_grid.nx));
-        const int j =
-            m_firstRow + static_cast<int>(column.front().point / static_cast<std::uint32_t>(m_grid.nx));
+        const auto columns = static_cast<std::uint32_t>(m_columns);
+        const int i = m_firstColumn + static_cast<int>(column.front().point % columns);
+        const int j = m_firstRow + static_cast<int>(column.front().point / columns);
         const double weight =
             (i == 0 || i == m_grid.nx - 1 ? 0.5 : 1.0) * (j == 0 || j == m_grid.ny - 1 ? 0.5 : 1.0);
         const auto air = [&](double from, double to) {
@@ -218,7 +233,9 @@ private:
     }
 
     const GridPart& m_grid;
+    int m_firstColumn;
     int m_firstRow;
+    int m_columns;
     int m_rows;
     std::vector<double> m_top; ///< absolute
     std::vector<Crossing> m_crossings;
@@ -262,14 +279,15 @@ private:
     void fill(ZMap& zmap, GridPart grid, const Vec3& offset, const Look& look) const {
         // The mesh stays where it is, and the grid goes there.
         grid.origin -= Vec2(offset);
-        const auto bands = bandsOf(grid);
-        for (int tileRow = 0; tileRow < zmap.tilesY(); ++tileRow) {
-            Band band(grid, tileRow * Tile::kSize);
-            for (const std::uint32_t triangle : bands[static_cast<std::size_t>(tileRow)])
-                band.add(Facet(corners(triangle)));
-            put(band, tileRow, zmap);
-            look(band);
-        }
+        const auto rows = rowsOf(grid);
+        for (int tileRow = 0; tileRow < zmap.tilesY(); ++tileRow)
+            for (int column = 0; column < grid.nx; column += Band::kMostColumns) {
+                Band band(grid, column, tileRow * Tile::kSize);
+                for (const std::uint32_t triangle : rows[static_cast<std::size_t>(tileRow)])
+                    band.add(Facet(corners(triangle)));
+                put(band, column / Tile::kSize, tileRow, zmap);
+                look(band);
+            }
     }
 
     [[nodiscard]] Corners corners(std::size_t triangle) const {
@@ -278,10 +296,10 @@ private:
     }
 
     /// The triangles over each row of tiles.
-    [[nodiscard]] std::vector<std::vector<std::uint32_t>> bandsOf(const GridPart& grid) const {
+    [[nodiscard]] std::vector<std::vector<std::uint32_t>> rowsOf(const GridPart& grid) const {
         const int count = (grid.ny + Tile::kSize - 1) / Tile::kSize;
-        std::vector<std::vector<std::uint32_t>> bands(static_cast<std::size_t>(count));
-        const auto band = [&](double y) {
+        std::vector<std::vector<std::uint32_t>> rows(static_cast<std::size_t>(count));
+        const auto rowAt = [&](double y) {
             const double row = std::floor(((y - grid.origin.y) / grid.hy - grid.firstJ) / Tile::kSize);
             return static_cast<int>(std::clamp(row, 0.0, count - 1.0));
         };
@@ -289,20 +307,20 @@ private:
             const Facet facet(corners(k));
             if (facet.isUpright())
                 continue;
-            for (int b = band(facet.lowestY() - kOnRim); b <= band(facet.highestY() + kOnRim); ++b)
-                bands[static_cast<std::size_t>(b)].push_back(static_cast<std::uint32_t>(k));
+            for (int row = rowAt(facet.lowestY() - kOnRim); row <= rowAt(facet.highestY() + kOnRim); ++row)
+                rows[static_cast<std::size_t>(row)].push_back(static_cast<std::uint32_t>(k));
         }
-        return bands;
+        return rows;
     }
 
-    void put(const Band& band, int tileRow, ZMap& zmap) const {
-        for (int ti = 0; ti < zmap.tilesX(); ++ti) {
-            const auto index = static_cast<std::size_t>(tileRow * zmap.tilesX() + ti);
+    void put(const Band& band, int firstTile, int tileRow, ZMap& zmap) const {
+        for (int ti = 0; ti * Tile::kSize < band.columns(); ++ti) {
+            const auto index = static_cast<std::size_t>(tileRow * zmap.tilesX() + firstTile + ti);
             const IndexRect rect = zmap.tileRect(index);
             Tile& tile = zmap.tileForWriting(index);
             for (int j = 0; j < rect.height(); ++j)
                 for (int i = 0; i < rect.width(); ++i) {
-                    const double top = band.top(rect.i0 + i, j) - m_box.hi.z;
+                    const double top = band.top(ti * Tile::kSize + i, j) - m_box.hi.z;
                     tile.at(i, j) = std::clamp(static_cast<float>(top), zmap.floor(), 0.0F);
                 }
             tile.refreshMaximum();
@@ -331,6 +349,14 @@ private:
     bool m_upIsOut = true;
 };
 
+/// How many facets lie over a place, on average.
+double layersOf(const StockMesh& mesh, const Box3& box) {
+    double covered = 0;
+    for (const auto& t : mesh.triangles)
+        covered += std::abs(areaInPlan({mesh.vertices[t[0]], mesh.vertices[t[1]], mesh.vertices[t[2]]})) / 2;
+    return covered / ((box.hi.x - box.lo.x) * (box.hi.y - box.lo.y));
+}
+
 } // namespace
 
 Result<std::shared_ptr<const StockBody>> meshStock(StockMesh mesh, Diagnostics warnings) {
@@ -347,6 +373,12 @@ Result<std::shared_ptr<const StockBody>> meshStock(StockMesh mesh, Diagnostics w
         }
     if (box.empty() || !glm::all(glm::lessThan(box.lo, box.hi)))
         return failure("stock-mesh-flat", PROVEOUT_TEXT("Core", "The mesh of the stock encloses no volume."));
+    if (const double layers = layersOf(mesh, box); layers > kMostLayers)
+        return failure("stock-mesh-layers",
+                       PROVEOUT_TEXT("Core",
+                                     "The facets of the stock mesh lie in {} layers on average; at most "
+                                     "{} can be read."),
+                       {fmt::format("{:.0f}", layers), fmt::format("{:.0f}", kMostLayers)});
     return std::make_shared<const MeshStock>(std::move(mesh), box, std::move(warnings));
 }
 

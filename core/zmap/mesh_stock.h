@@ -19,7 +19,8 @@ struct StockMesh {
 /// What lies within a closed mesh, as high as its upper surface at each point of the grid (a point on the rim
 /// included). What is measured over the points of the grid and told as findings: the air below that surface,
 /// and where the mesh is open. `warnings`, about the file, come first among them. Errors: a mesh without
-/// height or extent in plan, coordinates that are none or beyond 10 km.
+/// height or extent in plan, or with hundreds of layers of facets over each other; coordinates that are not
+/// finite or beyond 10 km.
 [[nodiscard]] Result<std::shared_ptr<const StockBody>> meshStock(StockMesh mesh, Diagnostics warnings = {});
 
 } // namespace proveout

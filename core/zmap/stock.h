@@ -39,8 +39,8 @@ struct Grid {
 /// Refuses what is no positive and finite spacing.
 [[nodiscard]] Result<void> checkSpacing(double spacing);
 
-/// Errors: sizes or spacing that are not positive and finite, a corner beyond 10 km, a spacing that doubles
-/// of the size of its coordinates cannot hold, less than one cell, more points than an index holds.
+/// Errors: sizes or spacing not positive and finite, sides in plan of more than 1 : 100 000, a corner beyond
+/// 10 km, a spacing lost in rounding, less than one cell, more points than an index holds.
 [[nodiscard]] Result<Grid> makeGrid(const StockBox& stock, double spacing);
 
 /// The points of that grid; 0 where there can be none.

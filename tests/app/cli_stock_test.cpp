@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Stock of every shape, and from one set-up to the next.
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "core/formats/npy.h"
@@ -79,6 +80,24 @@ TEST_F(CliStock, TheNextSetupGoesOnWhereThisOneEnds) {
     const auto resampled = simulate("file:file=one.pvstock", "--grid 0.7");
     EXPECT_EQ(resampled.json()["findings"][0]["id"], "stock-resampled");
     EXPECT_EQ(resampled.exitCode, 0);
+}
+
+TEST_F(CliStock, DefectsOfAMeshAreFindingsWithTheirCounts) {
+    ASSERT_EQ(simulate("40x30x10", "--grid 0.5 --mesh full --ascii --stl c.stl", "above.nc").exitCode, 0);
+    EXPECT_TRUE(simulate("stl:file=c.stl", "--grid 0.5", "above.nc").json()["findings"].empty());
+    // Without the last facet, and with the first one twice.
+    std::string text = read("c.stl");
+    text.erase(text.rfind("facet normal"));
+    const std::size_t first = text.find("facet normal");
+    text.insert(first, text.substr(first, text.find("facet normal", first + 1) - first));
+    write("d.stl", text + "endsolid\n");
+    const auto findings = simulate("stl:file=d.stl", "--grid 0.5", "above.nc").json()["findings"];
+    std::map<std::string, std::string> told;
+    for (const auto& finding : findings)
+        told[finding["id"]] = finding["message"];
+    EXPECT_TRUE(told["stl-duplicate-facets"].starts_with("1 of "));
+    EXPECT_EQ(told["stl-not-closed"], "The mesh is not closed: 3 edges belong to only one facet.");
+    EXPECT_EQ(told["stl-not-manifold"], "The mesh is not manifold: 3 edges belong to more than two facets.");
 }
 
 TEST_F(CliStock, WrongStockIsUnusable) {

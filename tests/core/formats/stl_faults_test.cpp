@@ -36,13 +36,43 @@ std::string binaryStl(std::uint32_t announced, const std::vector<std::array<Corn
     return header;
 }
 
-const std::vector<std::array<Corner, 3>> kTetrahedron{{Corner{0, 0, 0}, Corner{0, 1, 0}, Corner{1, 0, 0}},
-                                                      {Corner{0, 0, 0}, Corner{1, 0, 0}, Corner{0, 0, 1}},
-                                                      {Corner{1, 0, 0}, Corner{0, 1, 0}, Corner{0, 0, 1}},
-                                                      {Corner{0, 1, 0}, Corner{0, 0, 0}, Corner{0, 0, 1}}};
+using Facets = std::vector<std::array<Corner, 3>>;
+
+const Facets kTetrahedron{{Corner{0, 0, 0}, Corner{0, 9, 0}, Corner{9, 0, 0}},
+                          {Corner{0, 0, 0}, Corner{9, 0, 0}, Corner{0, 0, 9}},
+                          {Corner{9, 0, 0}, Corner{0, 9, 0}, Corner{0, 0, 9}},
+                          {Corner{0, 9, 0}, Corner{0, 0, 0}, Corner{0, 0, 9}}};
+
+/// Every coordinate times `factor`.
+Facets scaled(Facets facets, float factor) {
+    for (auto& facet : facets)
+        for (Corner& corner : facet)
+            for (float& value : corner)
+                value *= factor;
+    return facets;
+}
 
 const std::string kAsciiFacet = "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\n"
                                 "endloop\nendfacet\n";
+
+/// The tetrahedron as text: facets without a solid round them.
+std::string asciiTetrahedron() {
+    std::string text;
+    for (const auto& facet : kTetrahedron) {
+        text += "facet normal 0 0 0\nouter loop\n";
+        for (const Corner& corner : facet)
+            text += "vertex " + std::to_string(corner[0]) + " " + std::to_string(corner[1]) + " " +
+                    std::to_string(corner[2]) + "\n";
+        text += "endloop\nendfacet\n";
+    }
+    return text;
+}
+
+std::string replaced(std::string text, const std::string& what, const std::string& by) {
+    for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + by.size()))
+        text.replace(at, what.size(), by);
+    return text;
+}
 
 class StlFaults : public testing::Test {
 protected:
@@ -120,11 +150,7 @@ TEST_F(StlFaults, FacetsThatAreNoFacetsAreCountedAndLeftOut) {
 
 TEST_F(StlFaults, AsciiErrorsHaveTheirPlace) {
     const std::string solid = "solid part 1 2 3\n";
-    EXPECT_EQ(told(solid + kAsciiFacet + "endsolid part\n"), "clean");
-    EXPECT_EQ(
-        told("  SOLID x\r\nFACET NORMAL 0 0 +1\r\nOUTER LOOP VERTEX 0 0 0 VERTEX 1e0 0 0\tVERTEX 0 .1E+1 0 "
-             "ENDLOOP ENDFACET ENDSOLID"),
-        "clean");
+    EXPECT_EQ(told(solid + asciiTetrahedron() + "endsolid part\n"), "clean");
     EXPECT_EQ(told(solid + kAsciiFacet),
               "warning 9:1 The file ends without \"endsolid\"; it may have been cut off. [stl-no-endsolid]");
     EXPECT_EQ(
@@ -137,6 +163,56 @@ TEST_F(StlFaults, AsciiErrorsHaveTheirPlace) {
               "error 4:9 The file ends where \"number\" should stand. [stl-cut-off]");
     EXPECT_EQ(told(solid + kAsciiFacet + "endsolid\nrubbish\n"),
               "error 10:1 \"rubbish\" stands where \"solid\" should. [stl-syntax]");
+}
+
+TEST_F(StlFaults, AsciiIsReadWhateverItsCaseAndWhiteSpace) {
+    const std::string plain = "solid part 1\n" + asciiTetrahedron() + "endsolid part 1\n";
+    std::string shouted = plain;
+    std::ranges::transform(shouted, shouted.begin(),
+                           [](char c) { return c >= 'a' ? char(c - 'a' + 'A') : c; });
+    const std::vector<std::pair<std::string, std::string>> forms{
+        {"upper case", shouted},
+        {"CR LF", replaced(plain, "\n", "\r\n")},
+        {"CR alone", replaced(plain, "\n", "\r")},
+        {"one line", replaced(plain, "\n", " ")},
+        {"one line without a name", "solid " + replaced(asciiTetrahedron(), "\n", " ") + "endsolid"},
+        {"byte order mark", "\xef\xbb\xbf" + plain},
+        {"byte order mark and CR", "\xef\xbb\xbf \r" + replaced(plain, "\n", "\r")},
+        {"tabs and feeds", replaced(replaced(plain, " ", "\t\v"), "\n", "\f\n\n")},
+        {"hard spaces", replaced(plain, " ", "\xc2\xa0")},
+        {"hard spaces of Latin-1", replaced(plain, " ", "\xa0")},
+        {"wide spaces and line separators",
+         replaced(replaced(plain, " ", "\xe3\x80\x80"), "p\n", "p\xe2\x80\xa8\n")},
+        {"plus signs and exponents", replaced(plain, "9.000000", "+.9E+1")},
+        {"a name like a key word", replaced(plain, "part 1", "facet normal outer loop")},
+        {"a name beyond ASCII", replaced(plain, "part 1", "Geh\xc3\xa4use \xe9\xa0\xa0")},
+    };
+    const auto wanted = read(plain)->mesh;
+    for (const auto& [form, text] : forms) {
+        SCOPED_TRACE(form);
+        EXPECT_EQ(told(text), "clean");
+        const auto contents = read(text);
+        ASSERT_TRUE(contents);
+        EXPECT_EQ(contents->encoding, StlEncoding::ascii);
+        EXPECT_EQ(contents->mesh.triangles, wanted.triangles);
+        EXPECT_EQ(contents->mesh.vertices, wanted.vertices);
+    }
+}
+
+TEST_F(StlFaults, SeveralSolidsMayShareALine) {
+    const std::string one = "solid a " + replaced(asciiTetrahedron(), "\n", " ") + "endsolid a ";
+    const auto contents =
+        read(one + "solid b " + replaced(asciiTetrahedron(), "9.0", "5.0") + "endsolid b\n");
+    ASSERT_TRUE(contents);
+    EXPECT_EQ(contents->mesh.triangles.size(), 8U);
+    EXPECT_TRUE(contents->warnings.empty());
+}
+
+TEST_F(StlFaults, LinesAreCountedHoweverTheyEnd) {
+    const std::string wrong = "solid a\n\nfacet normal 0 0 1\nouter loop\n vertex 0 x 0\n";
+    for (const char* end : {"\n", "\r", "\r\n"})
+        EXPECT_EQ(told(replaced(wrong, "\n", end)),
+                  "error 5:11 \"x\" stands where \"number\" should. [stl-syntax]");
 }
 
 TEST_F(StlFaults, AsciiNumbersBeyondFloatAreCounted) {
@@ -153,16 +229,48 @@ TEST_F(StlFaults, AsciiNumbersBeyondFloatAreCounted) {
 
 TEST_F(StlFaults, WarnsOfCoordinatesThatCannotBeMeant) {
     auto far = kTetrahedron;
-    auto tiny = kTetrahedron;
-    for (std::size_t f = 0; f < far.size(); ++f) {
-        for (std::size_t c = 0; c < 3; ++c) {
-            far[f][c][0] = 1e7F + far[f][c][0] * 10;
-            for (float& value : tiny[f][c])
-                value *= 1e-40F;
-        }
-    }
+    for (auto& facet : far)
+        for (Corner& corner : facet)
+            corner[0] = 1e7F + corner[0] * 10;
     EXPECT_THAT(told(binaryStl(4, far)), HasSubstr("[stl-far-origin]"));
-    EXPECT_THAT(told(binaryStl(4, tiny)), HasSubstr("[stl-no-size]"));
+    EXPECT_THAT(told(binaryStl(4, scaled(kTetrahedron, 1e-40F))), HasSubstr("[stl-no-size]"));
+}
+
+TEST_F(StlFaults, WarnsOfAPartInAnotherUnit) {
+    EXPECT_EQ(told(binaryStl(4, scaled(kTetrahedron, 1e-3F))),
+              "warning 0:0 The mesh is only 0.009 × 0.009 × 0.009 mm in size; in metres it would be "
+              "9 × 9 × 9 mm. [stl-size-suspect]");
+    EXPECT_EQ(told(binaryStl(4, scaled(kTetrahedron, 1e4F))),
+              "warning 0:0 The mesh is 90000 × 90000 × 90000 mm in size; in micrometres it would be "
+              "90 × 90 × 90 mm. [stl-size-suspect]");
+    for (const float factor : {0.3F, 1.0F, 900.0F}) // up to 8 m
+        EXPECT_EQ(told(binaryStl(4, scaled(kTetrahedron, factor))), "clean") << factor;
+}
+
+TEST_F(StlFaults, DefectsOfTheMeshAreToldWithTheirCounts) {
+    auto facets = kTetrahedron;
+    facets.pop_back();
+    EXPECT_EQ(told(binaryStl(3, facets)),
+              "warning 0:0 The mesh is not closed: 3 edges belong to only one facet. [stl-not-closed]");
+    facets = kTetrahedron;
+    std::swap(facets[2][0], facets[2][1]);
+    EXPECT_EQ(told(binaryStl(4, facets)),
+              "warning 0:0 The winding of the facets is inconsistent: it changes at 3 edges. "
+              "[stl-flipped-facets]");
+    facets = kTetrahedron;
+    for (auto& facet : facets)
+        std::swap(facet[0], facet[1]);
+    EXPECT_EQ(told(binaryStl(4, facets)),
+              "warning 0:0 The mesh is inside out: 4 of 4 facets face inwards; they are taken as facing "
+              "outwards. [stl-inside-out]");
+    facets = kTetrahedron;
+    facets.push_back(facets[1]);
+    const auto contents = read(binaryStl(5, facets));
+    ASSERT_TRUE(contents);
+    ASSERT_EQ(contents->warnings.size(), 2U);
+    EXPECT_EQ(message(contents->warnings[0]), "1 of 5 facets are duplicates of another facet.");
+    EXPECT_EQ(message(contents->warnings[1]),
+              "The mesh is not manifold: 3 edges belong to more than two facets.");
 }
 
 TEST_F(StlFaults, SurvivesDamage) {
@@ -235,6 +343,13 @@ TEST(StlCorpus, AgreesWithTheFacts) {
         EXPECT_EQ(contents->notFinite, std::stoul(facts[12]));
         if (facts[4] == "0" && facts[12] == "0") {
             EXPECT_EQ(contents->mesh.vertices.size(), std::stoul(facts[3]));
+            EXPECT_EQ(contents->defects.openEdges, std::stoul(facts[5]));
+            EXPECT_EQ(contents->defects.nonManifoldEdges, std::stoul(facts[6]));
+            EXPECT_EQ(contents->defects.flippedEdges, std::stoul(facts[7]));
+            // The sign of what is not enclosed depends on where it is measured from.
+            if (facts[5] == "0" && facts[7] == "0") {
+                EXPECT_EQ(contents->defects.insideOut, std::stod(facts[9]) < 0);
+            }
         }
         ++compared;
     }
@@ -256,6 +371,10 @@ TEST(StlCorpus, EveryFaultIsTold) {
                                                     {"zero-area.stl", "stl-degenerate"},
                                                     {"wrong-normals.stl", "stl-opposed-normals"},
                                                     {"far-origin.stl", "stl-far-origin"},
+                                                    {"hole.stl", "stl-not-closed"},
+                                                    {"t-junction.stl", "stl-not-closed"},
+                                                    {"nearly-closed.stl", "stl-not-closed"},
+                                                    {"one-flipped.stl", "stl-flipped-facets"},
                                                     {"bin-denormal.stl", "stl-no-size"}};
     for (const auto& [name, id] : wanted) {
         const auto contents = readStlContents(folder / name);

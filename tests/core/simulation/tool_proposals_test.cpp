@@ -130,6 +130,16 @@ TEST(ToolProposals, HostileTextTakesBoundedTime) {
     EXPECT_LT(std::clock() - begin, 10 * CLOCKS_PER_SEC);
 }
 
+/// Each comment once was compared with all cutters that were found before.
+TEST(ToolProposals, CommentsAtEveryMotionTakeBoundedTime) {
+    std::string text;
+    for (int k = 0; k < 99'000; ++k)
+        text += fmt::format("(D={} FLAT END MILL)\nX1\n", 1 + std::min(k, 998) * 0.01);
+    const std::clock_t start = std::clock();
+    EXPECT_EQ(proposeTools(NcText(text)).tools.tools().size(), 999U);
+    EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 20);
+}
+
 /// Programs of other people whose tools are known: what comments say must be that.
 TEST(ToolProposals, AgreeWithTheKnownToolsOfTheCorpus) {
     const std::filesystem::path corpus = std::filesystem::path(PROVEOUT_SHARED_DIR) / "corpus";

@@ -40,6 +40,16 @@ TEST(MakeGrid, RefusesStocksThatAreNone) {
         EXPECT_FALSE(makeGrid(stock, 1).has_value());
 }
 
+/// Of such a stock even the coarsest grid has millions of points: a mesh file of a kilobyte took gigabytes.
+TEST(MakeGrid, RefusesStocksThatAreTooNarrow) {
+    for (const StockBox& stock : {StockBox{{0, 0, 0}, 1e7, 1, 20}, StockBox{{0, 0, 0}, 0.01, 2000, 20}}) {
+        const auto grid = makeGrid(stock, 1);
+        ASSERT_FALSE(grid.has_value());
+        EXPECT_STREQ(grid.error()[0].id, "stock-size-narrow");
+    }
+    EXPECT_TRUE(makeGrid({{0, 0, 0}, 20'000, 0.2, 20}, 0.2).has_value());
+}
+
 TEST(MakeGrid, RefusesCornersAndSpacingsThatRoundingWouldEat) {
     const auto far = makeGrid({{2e7, 0, 0}, 100, 80, 20}, 1);
     ASSERT_FALSE(far.has_value());

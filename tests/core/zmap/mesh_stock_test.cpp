@@ -211,6 +211,38 @@ TEST(MeshStock, WarningsOfTheFileStay) {
     EXPECT_EQ(idsOf(uncut.findings), "w ");
 }
 
+/// Tiles are filled in bands of some thousand columns.
+TEST(MeshStock, AWideGridAgreesWithRays) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> radius(4, 10);
+    const StockMesh mesh = starBody({3, -7, 20}, 7, 9, [&] { return radius(random); });
+    const auto body = meshStock(mesh).value();
+    const StockBox box = body->box();
+    Grid grid = makeGrid(box, 1).value();
+    grid.nx = 9001;
+    grid.hx = box.width / (grid.nx - 1);
+    const UncutStock uncut = body->uncut(box, grid);
+    const ZMapSnapshot map = uncut.zmap.snapshot();
+    double air = 0;
+    for (int j = 0; j < grid.ny; ++j)
+        for (int i = 0; i < grid.nx; i += 7) {
+            const Cast cast = castRay(mesh, grid.x(i), grid.y(j), box.floorZ());
+            ASSERT_NEAR(map.height(i, j), std::max(cast.top, box.floorZ()) - box.topZ(), 1e-5)
+                << i << ' ' << j;
+            air += 7 * cast.air * grid.hx * grid.hy;
+        }
+    EXPECT_NEAR(std::stod(uncut.findings.front().arguments[0]), air, air * 0.01);
+}
+
+TEST(MeshStock, RefusesLayersWithoutEnd) {
+    StockMesh mesh;
+    for (int k = 0; k < 150; ++k)
+        addBox(mesh, {0, 0, 0}, {40, 30, 1.0 + k});
+    EXPECT_EQ(meshStock(mesh).error().front().id, std::string("stock-mesh-layers"));
+    mesh.triangles.resize(mesh.triangles.size() / 2);
+    EXPECT_TRUE(meshStock(mesh));
+}
+
 TEST(MeshStock, RefusesWhatHasNoVolume) {
     EXPECT_FALSE(meshStock({}));
     EXPECT_EQ(meshStock({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}).error().front().id,
