@@ -54,6 +54,10 @@ void BoxOutput::addTo(CLI::App& command) {
         ->needs(box);
 }
 
+std::vector<Output> BoxOutput::outputs() const {
+    return {{m_stl}, {m_heights, m_checked ? heightsBytes(m_part.nx, m_part.ny) : 0}};
+}
+
 Result<void> BoxOutput::check(const Setup& setup) {
     if (!wanted())
         return {};
@@ -71,6 +75,7 @@ Result<void> BoxOutput::check(const Setup& setup) {
                            std::move(part.error()));
     }
     m_part = *part;
+    m_checked = true;
     return {};
 }
 

@@ -16,10 +16,10 @@ bool Finished::tells(const std::string& start, const std::string& id) const {
     return false;
 }
 
-Finished CommandLine::run(const std::string& arguments) {
-    const std::string in = "cd '" + folder.path().string() + "' && ";
+Finished CommandLine::run(const std::string& arguments, const std::string& before, const std::string& out) {
+    const std::string in = "cd '" + folder.path().string() + "' && " + before + " ";
     const int status =
-        std::system((in + PROVEOUT_CLI + " " + arguments + " >stdout.txt 2>stderr.txt </dev/null").c_str());
+        std::system((in + PROVEOUT_CLI + " " + arguments + " 2>stderr.txt </dev/null >" + out).c_str());
     return {WIFEXITED(status) ? WEXITSTATUS(status) : -1, read("stdout.txt"), read("stderr.txt")};
 }
 

@@ -25,7 +25,9 @@ struct Finished {
 /// Runs the real binary in a folder of its own.
 class CommandLine : public testing::Test {
 protected:
-    Finished run(const std::string& arguments);
+    /// `before`: commands of the shell that come first, e.g. "ulimit -f 100;". `out`: in the place of a file.
+    Finished run(const std::string& arguments, const std::string& before = {},
+                 const std::string& out = "stdout.txt");
     /// Writes a file into the folder and returns its name.
     std::string write(const std::string& name, const std::string& text);
     std::string read(const std::string& name);
