@@ -568,6 +568,10 @@ Vorgabe: 0 mm</translation>
         <translation>Der Auftrag stammt von einem neueren Proveout (Format {}); dieses liest bis Format {}.</translation>
     </message>
     <message>
+        <source>The field &quot;{}&quot; names {}, which is outside the folder of the job; it was not read.</source>
+        <translation>Das Feld „{}“ nennt {}, außerhalb des Ordners des Auftrags; die Datei wurde nicht gelesen.</translation>
+    </message>
+    <message>
         <source>The field &quot;{}&quot; must name a file.</source>
         <translation>Das Feld „{}“ muss eine Datei nennen.</translation>
     </message>
@@ -5728,6 +5732,13 @@ Vorgabe: 0 mm</translation>
     </message>
 </context>
 <context>
+    <name>EditedElsewhereBar</name>
+    <message>
+        <source>%1 has unsaved changes in another Proveout window (process %2 on %3). Save or discard them there before you edit the file here.</source>
+        <translation>%1 hat nicht gespeicherte Änderungen in einem anderen Proveout-Fenster (Prozess %2 auf %3). Speichern oder verwerfen Sie diese dort, bevor Sie die Datei hier bearbeiten.</translation>
+    </message>
+</context>
+<context>
     <name>EditorPanel</name>
     <message>
         <source>NC program</source>
@@ -6403,6 +6414,25 @@ Vorgabe: %4 %5</translation>
     <message>
         <source>%1 is out of range: %2 to %3%4.</source>
         <translation>%1 liegt außerhalb des Bereichs: %2 bis %3%4.</translation>
+    </message>
+</context>
+<context>
+    <name>OutsideQuestion</name>
+    <message>
+        <source>%1 uses files outside its folder:</source>
+        <translation>%1 verwendet Dateien außerhalb seines Ordners:</translation>
+    </message>
+    <message>
+        <source>Files outside the folder of the job</source>
+        <translation>Dateien außerhalb des Auftragsordners</translation>
+    </message>
+    <message>
+        <source>Allow this only if you trust the job. Your answer is remembered for this job and these files.</source>
+        <translation>Erlauben Sie dies nur, wenn Sie dem Auftrag vertrauen. Ihre Antwort wird für diesen Auftrag und diese Dateien gemerkt.</translation>
+    </message>
+    <message>
+        <source>&amp;Allow and Open</source>
+        <translation>&amp;Erlauben und öffnen</translation>
     </message>
 </context>
 <context>

@@ -568,6 +568,10 @@ Default: 0 mm</source>
         <translation>더 새로운 Proveout(형식 {})에서 만든 작업입니다. 이 버전은 형식 {}까지 읽습니다.</translation>
     </message>
     <message>
+        <source>The field &quot;{}&quot; names {}, which is outside the folder of the job; it was not read.</source>
+        <translation>&quot;{}&quot; 필드가 작업 폴더 밖의 {}을(를) 가리킵니다. 이 파일은 읽지 않았습니다.</translation>
+    </message>
+    <message>
         <source>The field &quot;{}&quot; must name a file.</source>
         <translation>&quot;{}&quot; 필드에는 파일 이름이 있어야 합니다.</translation>
     </message>
@@ -5728,6 +5732,13 @@ Default: 0 mm</source>
     </message>
 </context>
 <context>
+    <name>EditedElsewhereBar</name>
+    <message>
+        <source>%1 has unsaved changes in another Proveout window (process %2 on %3). Save or discard them there before you edit the file here.</source>
+        <translation>다른 Proveout 창(%3의 프로세스 %2)에 %1의 저장하지 않은 변경이 있습니다. 여기서 파일을 편집하기 전에 그 창에서 저장하거나 버리십시오.</translation>
+    </message>
+</context>
+<context>
     <name>EditorPanel</name>
     <message>
         <source>NC program</source>
@@ -6402,6 +6413,25 @@ Default: %4 %5</source>
     <message>
         <source>%1 is out of range: %2 to %3%4.</source>
         <translation>%1은(는) 범위를 벗어납니다: %2~%3%4.</translation>
+    </message>
+</context>
+<context>
+    <name>OutsideQuestion</name>
+    <message>
+        <source>%1 uses files outside its folder:</source>
+        <translation>%1이(가) 폴더 밖의 파일을 사용합니다:</translation>
+    </message>
+    <message>
+        <source>Files outside the folder of the job</source>
+        <translation>작업 폴더 밖의 파일</translation>
+    </message>
+    <message>
+        <source>Allow this only if you trust the job. Your answer is remembered for this job and these files.</source>
+        <translation>이 작업을 신뢰하는 경우에만 허용하십시오. 응답은 이 작업과 이 파일에 대해 기억됩니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Allow and Open</source>
+        <translation>허용하고 열기(&amp;A)</translation>
     </message>
 </context>
 <context>

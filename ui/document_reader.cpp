@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "core/base/text.h"
+#include "ui/job_permissions.h"
 
 namespace proveout {
 
@@ -40,7 +41,8 @@ DocumentReader::DocumentReader(QObject* parent) : QObject(parent) {
 }
 
 void DocumentReader::open(const QString& file, Done<JobDocument> done) {
-    start<JobDocument>([file](const WorkContext& context) { return JobDocument::open(file, context); },
+    start<JobDocument>([file, allowed = allowedOutside(file)](
+                           const WorkContext& context) { return JobDocument::open(file, context, allowed); },
                        std::move(done));
 }
 

@@ -30,7 +30,8 @@ public:
 
     explicit DocumentReader(QObject* parent = nullptr);
 
-    /// As JobDocument::open(); what the reading throws is told as an error too.
+    /// As JobDocument::open(), with the files outside the folder of a job that the user has allowed
+    /// (job_permissions.h); what the reading throws is told as an error too.
     void open(const QString& file, Done<JobDocument> done);
     /// As JobDocument::restore().
     void restore(const KeptWork& kept, Done<JobDocument> done);

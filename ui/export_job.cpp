@@ -11,12 +11,14 @@
 
 #include <QMetaObject>
 
+#include "core/base/atomic_file.h"
 #include "core/base/text.h"
 #include "core/decimation/map_memory.h"
 #include "core/decimation/refined_surface.h"
 #include "core/decimation/solid.h"
 #include "core/formats/solid_export.h"
 #include "ui/file_paths.h"
+#include "ui/file_state.h"
 
 namespace proveout {
 
@@ -59,6 +61,19 @@ Result<void> checkMeshMemory(const Frame& frame, const ExportOptions& options, d
     return refused;
 }
 
+/// Who has chosen the file was asked about what it held then, which may be minutes ago.
+Result<void> checkUnchanged(const QString& file, const FileState& chosen) {
+    if (stateOf(toPath(file)) == chosen)
+        return {};
+    return failure("file-changed-on-disk",
+                   PROVEOUT_TEXT("Core", "The file has changed on disk; it was not overwritten."));
+}
+
+/// Before the work: whether the file can be written, and the disk has space for as many bytes.
+Result<void> checkTarget(const QString& file, std::uint64_t bytes) {
+    return AtomicFile(toPath(file), bytes).ready();
+}
+
 Result<ExportSummary> save(const StockFormat& format, const Frame& frame, const QString& file,
                            const StockProvenance& provenance) {
     if (auto written = format.write(toPath(file), frame.zmap, frame.setup->spacing, provenance); !written)
@@ -74,6 +89,11 @@ Result<ExportSummary> write(const Frame& frame, const QString& file, const Expor
         options.format != nullptr ? options.format : meshFormatOf(toPath(file));
     if (!format)
         return tl::unexpected(format.error());
+    const FileState chosen = stateOf(toPath(file));
+    const std::uint64_t bytes =
+        options.decimated ? 0 : fullMeshBytes(*(*format)->meshWriter(), frame.zmap.grid());
+    if (Result<void> writable = checkTarget(file, bytes); !writable)
+        return tl::unexpected(std::move(writable.error()));
     const DecimationParameters parameters = parametersOf(frame, options);
     std::vector<LatticeTriangle> triangles =
         decimatedWhole(frame.zmap, parameters, context.part(0, kDecimated)).takeTriangles();
@@ -85,6 +105,8 @@ Result<ExportSummary> write(const Frame& frame, const QString& file, const Expor
         return cancelled();
     if (solid.triangles.empty())
         return failure("nothing-left", PROVEOUT_TEXT("Core", "Nothing of the stock is left to export."));
+    if (Result<void> unchanged = checkUnchanged(file, chosen); !unchanged)
+        return tl::unexpected(std::move(unchanged.error()));
     auto exported = exportSolid(toPath(file), *(*format)->meshWriter(), solid, frame.zmap,
                                 parameters.allowance, errorLevel(parameters), context.part(kClosed, 1));
     if (!exported)

@@ -40,7 +40,8 @@ struct ExportSummary {
 /// Writes the stock of a frame: the surface, closed by walls and a floor, or its z-map for the next set-up.
 /// Any thread. Borders between regions are always the shared ones, because the paper's own leave cracks.
 /// Errors, which name the file: an ending of no mesh format, meshes that need more than `limitBytes` of
-/// memory, nothing left of the stock, an unwritable file, cancelled.
+/// memory, an unwritable file or no space for it, which is found before the work, nothing left of the stock,
+/// a file that another program has changed since the export was begun, cancelled.
 [[nodiscard]] Result<ExportSummary> exportFrame(const Frame& frame, const QString& file,
                                                 const ExportOptions& options, const WorkContext& context,
                                                 double limitBytes = static_cast<double>(memoryLimitBytes()));

@@ -16,6 +16,8 @@
 #include "core/formats/formats.h"
 #include "ui/export_dialog.h"
 #include "ui/file_paths.h"
+#include "ui/job_permissions.h"
+#include "ui/outside_question.h"
 #include "ui/resource_paths.h"
 #include "ui/run_to_end.h"
 #include "ui/save_dialog.h"
@@ -27,6 +29,8 @@ FileFlow::FileFlow(Session& session, QWidget& window)
     : QObject(&window), m_session(session), m_window(window) {
     connect(&session, &Session::troubled, this, [this] { m_closeAfterExport = false; });
     connect(&session, &Session::opened, &m_recent, &RecentFiles::add);
+    // Later: what has found out is still about to end.
+    connect(&session, &Session::outsideFilesNamed, this, &FileFlow::askAboutOutside, Qt::QueuedConnection);
     connect(&session, &Session::exported, this, [this] {
         if (std::exchange(m_closeAfterExport, false))
             emit closeWanted();
@@ -46,6 +50,13 @@ bool FileFlow::open(const QString& file) {
         return false;
     m_session.openFile(QFileInfo(file).absoluteFilePath());
     return true;
+}
+
+void FileFlow::askAboutOutside(const QString& job, const std::vector<std::filesystem::path>& files) {
+    if (!mayReadOutside(m_window, job, files))
+        return;
+    allowOutside(job, files);
+    m_session.openFile(job);
 }
 
 void FileFlow::openByDialog() {

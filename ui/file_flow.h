@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <optional>
+#include <vector>
 
 #include <QString>
 #include <QWidget>
@@ -57,6 +59,7 @@ private:
     enum class ExportAnswer { stay, wait, drop, written };
 
     ExportAnswer askAboutExport();
+    void askAboutOutside(const QString& job, const std::vector<std::filesystem::path>& files);
     /// Goes on when no file is newer than what the window has read, or the user has said what to do with it.
     bool settle(const std::function<std::optional<DiskConflict>()>& next);
     void collectChanges();

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/base/atomic_file.h"
+#include "core/base/folder_lock.h"
 #include "core/base/text.h"
 #include "core/decimation/region_decimator.h"
 #include "ui/file_paths.h"
@@ -79,10 +80,11 @@ Result<Document> JobDocument::readText(const std::filesystem::path& file, const 
     return text;
 }
 
-Result<std::filesystem::path> JobDocument::readSetup(const std::filesystem::path& file) {
+Result<std::filesystem::path> JobDocument::readSetup(const std::filesystem::path& file,
+                                                     const OutsideRule& allowed) {
     m_jobState = stateOf(file); // before: a change while it is read is one to be reported
     m_jobOnDisk = copyOf(file);
-    Result<Job> job = readJob(file);
+    Result<Job> job = readJob(file, allowed);
     if (!job)
         return tl::unexpected(std::move(job.error()));
     m_warnings = std::move(job->warnings);
@@ -95,11 +97,12 @@ Result<std::filesystem::path> JobDocument::readSetup(const std::filesystem::path
     return std::move(job->program);
 }
 
-Result<JobDocument> JobDocument::open(const QString& file, const WorkContext& context) {
+Result<JobDocument> JobDocument::open(const QString& file, const WorkContext& context,
+                                      const OutsideRule& allowed) {
     JobDocument document;
     std::filesystem::path program = toPath(file);
     if (isJobFile(file)) {
-        Result<std::filesystem::path> named = document.readSetup(program);
+        Result<std::filesystem::path> named = document.readSetup(program, allowed);
         if (!named)
             return tl::unexpected(std::move(named.error()));
         program = std::move(*named);
@@ -116,8 +119,8 @@ Result<JobDocument> JobDocument::open(const QString& file, const WorkContext& co
 Result<JobDocument> JobDocument::restore(const KeptWork& kept, const WorkContext& context) {
     JobDocument document;
     if (!kept.keptJob.empty()) {
-        // The text does not depend on it: a stock may come from a file that is away.
-        if (auto named = document.readSetup(kept.keptJob); !named)
+        // The text does not depend on it: a stock may come from a file that is away. The window had it open.
+        if (auto named = document.readSetup(kept.keptJob, anyOutside); !named)
             document.m_warnings = std::move(named.error());
     }
     Result<Document> text = readText(kept.keptText.empty() ? kept.program : kept.keptText, context);
@@ -222,6 +225,7 @@ Result<void> JobDocument::save() {
 
 Result<void> JobDocument::saveTextAs(const QString& file) {
     std::filesystem::path path = toPath(file);
+    const FolderLock turn(path.parent_path());
     if (path == m_text.path) {
         if (Result<void> may = mayReplace(FilePart::text); !may)
             return withHint(std::move(may));
@@ -239,6 +243,7 @@ Result<void> JobDocument::saveTextAs(const QString& file) {
 }
 
 Result<void> JobDocument::saveJobAs(const QString& file) {
+    const FolderLock turn(toPath(file).parent_path());
     if (file == m_jobFile) {
         if (Result<void> may = mayReplace(FilePart::job); !may)
             return withHint(std::move(may));

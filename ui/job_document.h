@@ -60,9 +60,10 @@ public:
     /// A text without a name, with nothing defined.
     JobDocument() = default;
     /// Reads an NC program or, told by its extension, a `.proveout` job and the program that it names. A
-    /// program alone comes with no tools and no stock of its own. Any thread. Errors: those of readJob() and
-    /// loadDocument().
-    [[nodiscard]] static Result<JobDocument> open(const QString& file, const WorkContext& context = {});
+    /// program alone comes with no tools and no stock of its own. Any thread. `allowed`: files that a job may
+    /// name outside its folder. Errors: those of readJob() and loadDocument().
+    [[nodiscard]] static Result<JobDocument> open(const QString& file, const WorkContext& context = {},
+                                                  const OutsideRule& allowed = {});
     /// Reads kept work in the place of the files that it belongs to, which stay as they are; what it holds
     /// counts as unsaved. Any thread. Errors: as of open(), about the kept files.
     [[nodiscard]] static Result<JobDocument> restore(const KeptWork& kept, const WorkContext& context = {});
@@ -141,7 +142,8 @@ private:
     [[nodiscard]] int standardRegionHere(DecimationMethod method) const;
 
     /// Takes setup and parameters of a job file, and gives the program that it names. Errors: of readJob().
-    [[nodiscard]] Result<std::filesystem::path> readSetup(const std::filesystem::path& file);
+    [[nodiscard]] Result<std::filesystem::path> readSetup(const std::filesystem::path& file,
+                                                          const OutsideRule& allowed);
     [[nodiscard]] std::filesystem::path pathOf(FilePart part) const;
     [[nodiscard]] Result<void> mayReplace(FilePart part) const;
     void takeSetup(std::shared_ptr<const Setup> setup);

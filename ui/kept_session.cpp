@@ -13,6 +13,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/text.h"
+#include "core/base/unfinished_files.h"
 #include "core/formats/job_file.h"
 #include "ui/file_paths.h"
 
@@ -142,7 +143,8 @@ std::vector<SessionFolder> SessionFolder::abandoned(const QString& root) {
 void SessionFolder::remove() {
     for (const QString& name : {kRecord, kText, kJob})
         QFile::remove(in(m_path, name));
-    m_lock->unlock(); // removes its file
+    removeUnfinished(toPath(m_path)); // else the folder would stay
+    m_lock->unlock();                 // removes its file
     QDir().rmdir(m_path);
 }
 

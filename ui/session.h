@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -222,6 +223,8 @@ signals:
     /// A breakpoint has stopped the run.
     void stoppedAt(const BreakpointHit& hit);
     void problemsChanged();
+    /// A job was not opened, because it names files outside its folder that the user has not allowed.
+    void outsideFilesNamed(const QString& job, const std::vector<std::filesystem::path>& files);
     /// What was asked for could not be done; why stands in problems().
     void troubled();
     void workChanged();
@@ -255,6 +258,7 @@ private:
     void textRead(Result<Document> text);
     void adoptProposals(const ToolProposals& proposals);
     void stopOpening();
+    void refuseOpening(const QString& file, const Diagnostics& errors);
     void adoptProgram(const std::shared_ptr<const Program>& program, const CuttingExtent& cutting,
                       bool whole);
     void simulate(bool more);
@@ -289,7 +293,7 @@ private:
 
     std::shared_ptr<const Program> m_program;
     CuttingExtent m_cutting;
-    ToolProposals m_proposals; ///< what the comments of the text describe
+    ToolProposals m_proposals;                   ///< what the comments of the text describe
     std::shared_ptr<const MachineTimes> m_times; ///< of m_program, or null
     std::vector<Breakpoint> m_breakpoints;
     std::optional<std::size_t> m_checkpointBudget; ///< nothing: the simulation's own

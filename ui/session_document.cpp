@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The document of the session: text, set-up and parameters.
+#include <filesystem>
 #include <memory>
+#include <string_view>
 #include <utility>
+#include <vector>
 
 #include "core/base/memory.h"
 #include "core/base/text.h"
@@ -16,11 +19,26 @@ namespace proveout {
 void Session::openFile(const QString& file) {
     m_reader.open(file, [this, file](Result<JobDocument> job) {
         if (!job)
-            return tell(job.error());
+            return refuseOpening(file, job.error());
         adopt(std::move(*job));
         tell(m_job.warnings());
         emit opened(file);
     });
+}
+
+/// Who allows the files is asked to open the job again.
+void Session::refuseOpening(const QString& file, const Diagnostics& errors) {
+    tell(errors);
+    std::vector<std::filesystem::path> outside;
+    bool otherwise = false; // it cannot be opened anyway
+    for (const Diagnostic& error : errors) {
+        if (std::string_view(error.id) == "job-outside")
+            outside.emplace_back(error.arguments.at(1));
+        else
+            otherwise = otherwise || error.severity == Severity::error; // warnings of the job follow
+    }
+    if (!otherwise)
+        emit outsideFilesNamed(file, outside);
 }
 
 void Session::newFile() {

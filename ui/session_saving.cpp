@@ -5,6 +5,7 @@
 #include <QFileInfo>
 
 #include "ui/file_paths.h"
+#include "ui/job_permissions.h"
 #include "ui/session.h"
 
 namespace proveout {
@@ -53,6 +54,7 @@ bool Session::saved(const Result<void>& written, bool text, bool job) {
     }
     if (job) {
         m_jobWatch.watch(jobFile());
+        allowOutside(jobFile(), outsideFiles(toPath(jobFile()), m_job.job())); // who has saved it trusts it
         emit jobChangedOnDisk(false);
     }
     emit documentChanged();

@@ -64,6 +64,10 @@ double BoxOutput::bytes() const {
     return boxBytes(m_part, fineParameters(m_spacing), mapOutputs());
 }
 
+std::vector<Output> BoxOutput::outputs() const {
+    return {{m_stl}, {m_heights, m_checked ? heightsBytes(m_part.nx, m_part.ny) : 0}};
+}
+
 Result<void> BoxOutput::check(const Setup& setup, double heldBytes) {
     if (!wanted())
         return {};
@@ -79,6 +83,7 @@ Result<void> BoxOutput::check(const Setup& setup, double heldBytes) {
                            std::move(part.error()));
     }
     m_part = *part;
+    m_checked = true;
     return {};
 }
 

@@ -8,6 +8,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/outputs.h"
 #include "app/cli/report.h"
 #include "core/formats/job_file.h"
 #include "core/formats/solid_export.h"
@@ -22,7 +23,8 @@ public:
     void addTo(CLI::App& command);
 
     [[nodiscard]] bool wanted() const { return !m_box.empty(); }
-    [[nodiscard]] std::vector<std::string> files() const { return {m_stl, m_heights}; }
+    /// Its files, with their sizes as far as check() has found them.
+    [[nodiscard]] std::vector<Output> outputs() const;
     /// Refuses a box that cannot be cut, or needs more memory than may be taken beside `heldBytes`, before
     /// anything is cut.
     [[nodiscard]] Result<void> check(const Setup& setup, double heldBytes);
@@ -46,6 +48,7 @@ private:
     double m_spacing = BoxOfInterest().spacing;
 
     GridPart m_part;
+    bool m_checked = false; ///< m_part is known
     FineMap m_fine;
     std::optional<ExportedSolid> m_exported;
 };

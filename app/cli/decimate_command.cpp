@@ -45,8 +45,8 @@ Result<ZMapSnapshot> prepare(const DecimateOptions& options, DecimationParameter
     const bool solid = options.meshes.wanted();
     if (auto known = options.meshes.check(); !known)
         return tl::unexpected(std::move(known.error()));
-    if (auto distinct = checkOutputs({options.zmap}, options.meshes.files()); !distinct)
-        return tl::unexpected(std::move(distinct.error()));
+    if (auto writable = checkOutputs({options.zmap}, options.meshes.outputs()); !writable)
+        return tl::unexpected(std::move(writable.error()));
     if (auto crackFree = checkExportable(parameters); solid && !crackFree)
         return tl::unexpected(std::move(crackFree.error()));
     const auto origin = parsePoint(options.origin + ",0");
@@ -59,6 +59,9 @@ Result<ZMapSnapshot> prepare(const DecimateOptions& options, DecimationParameter
                         options.decimation.apply(parameters, {}, static_cast<double>(grid.nx) * grid.ny);
                         if (solid)
                             parameters.regionCells = forExport(parameters).regionCells;
+                        const Grid* full = writesFullMesh(parameters) ? &grid : nullptr;
+                        if (auto space = checkOutputs({options.zmap}, options.meshes.outputs(full)); !space)
+                            return space;
                         return checkMapMemory(stock, grid, parameters, mapOutputs(options),
                                               static_cast<double>(memoryLimitBytes()));
                     });

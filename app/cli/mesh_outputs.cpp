@@ -29,6 +29,14 @@ std::vector<std::string> MeshOutputs::files() const {
     return files;
 }
 
+std::vector<Output> MeshOutputs::outputs(const Grid* fullMesh) const {
+    std::vector<Output> outputs;
+    for (const std::string& file : files())
+        outputs.push_back(
+            {file, fullMesh == nullptr ? 0 : fullMeshBytes(*formatOf(file).meshWriter(), *fullMesh)});
+    return outputs;
+}
+
 Result<void> MeshOutputs::check() const {
     for (const std::string& file : m_exports)
         if (auto format = meshFormatOf(file); !format)

@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include "app/cli/outputs.h"
 #include "app/cli/report.h"
 #include "core/decimation/parameters.h"
 #include "core/decimation/surface.h"
@@ -29,6 +30,8 @@ public:
 
     [[nodiscard]] bool wanted() const { return !m_stl.empty() || !m_exports.empty(); }
     [[nodiscard]] std::vector<std::string> files() const;
+    /// The files; with a grid, of a full mesh on which the sizes are known. check() was asked.
+    [[nodiscard]] std::vector<Output> outputs(const Grid* fullMesh = nullptr) const;
     /// Refuses endings that no mesh format has.
     [[nodiscard]] Result<void> check() const;
 

@@ -3,11 +3,18 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <map>
+#include <sys/stat.h>
 #include <system_error>
+
+#include "core/base/atomic_file.h"
+#include "core/base/memory.h"
 
 namespace proveout::cli {
 
-Result<void> checkOutputs(const std::vector<std::string>& inputs, const std::vector<std::string>& outputs) {
+namespace {
+
+Result<void> checkDistinct(const std::vector<std::string>& inputs, const std::vector<Output>& outputs) {
     std::vector<std::filesystem::path> taken;
     const auto resolved = [](const std::string& name) {
         std::error_code ignored;
@@ -16,7 +23,7 @@ Result<void> checkOutputs(const std::vector<std::string>& inputs, const std::vec
     for (const auto& input : inputs)
         if (!input.empty())
             taken.push_back(resolved(input));
-    for (const auto& output : outputs) {
+    for (const auto& [output, bytes] : outputs) {
         if (output.empty())
             continue;
         const auto path = resolved(output);
@@ -26,6 +33,46 @@ Result<void> checkOutputs(const std::vector<std::string>& inputs, const std::vec
         taken.push_back(path);
     }
     return {};
+}
+
+/// Each fits alone. A disk that does not tell its space has enough.
+Result<void> checkSpaceTogether(const std::vector<Output>& outputs) {
+    std::map<dev_t, std::uint64_t> needed;
+    for (const auto& [file, bytes] : outputs) {
+        if (file.empty() || bytes == 0)
+            continue;
+        std::error_code error;
+        const auto folder = std::filesystem::absolute(file, error).parent_path();
+        struct stat info {};
+        if (::stat(folder.c_str(), &info) != 0)
+            continue;
+        const std::uint64_t together = needed[info.st_dev] += bytes;
+        const auto space = std::filesystem::space(folder, error);
+        if (!error && space.capacity > 0 && together > space.available)
+            return failure("outputs-lack-space", "The outputs need {} on this disk, which has {} free.",
+                           {readableBytes(static_cast<double>(together)),
+                            readableBytes(static_cast<double>(space.available))},
+                           file);
+    }
+    return {};
+}
+
+} // namespace
+
+Result<void> checkOutputs(const std::vector<std::string>& inputs, const std::vector<Output>& outputs) {
+    if (auto distinct = checkDistinct(inputs, outputs); !distinct)
+        return distinct;
+    for (const auto& [file, bytes] : outputs) {
+        if (file.empty())
+            continue;
+        if (auto ready = AtomicFile(file, bytes).ready(); !ready)
+            return ready;
+    }
+    return checkSpaceTogether(outputs);
+}
+
+bool writesFullMesh(const DecimationParameters& parameters) {
+    return parameters.method == DecimationMethod::none || parameters.allowance <= 0;
 }
 
 Result<void> checkExportable(const DecimationParameters& parameters) {

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/run_command.h"
 
+#include <cerrno>
 #include <cstdio>
 #include <fmt/core.h>
 #include <iostream>
 #include <string>
+#include <system_error>
+
+#include "core/base/write_signals.h"
 
 namespace proveout::cli {
 
@@ -29,22 +33,48 @@ bool isUnknownCommand(const CLI::App& app, const std::string& argument) {
     return !argument.starts_with('-') && app.get_subcommands(named).empty();
 }
 
+/// An empty value is a mistake, e.g. a variable of a script that was never set, and must not count as none.
+void refuseEmptyValues(CLI::App& app) {
+    const CLI::Validator notEmpty(
+        [](const std::string& value) { return value.empty() ? "must not be empty" : std::string(); },
+        std::string());
+    for (CLI::Option* option : app.get_options())
+        if (option->get_items_expected_max() > 0)
+            option->check(notEmpty);
+    for (CLI::App* command : app.get_subcommands([](const CLI::App*) { return true; }))
+        refuseEmptyValues(*command);
+}
+
+/// `error`: 0 where the reason is not known any more.
+ExitCode unwritableOutput(const CLI::App& app, int error) {
+    const std::string reason =
+        error == 0 ? std::string() : fmt::format(": {}", std::generic_category().message(error));
+    fmt::print(stderr, "{}: error: The standard output cannot be written{}. [output-unwritable]\n",
+               app.get_name(), reason);
+    return ExitCode::unusable;
+}
+
 } // namespace
 
 ExitCode runCommand(CLI::App& app, const ExitCode& exitCode, int argc, char** argv) {
     if (argc > 1 && isUnknownCommand(app, argv[1]))
         return refuse(app, fmt::format("\"{}\" is not a command.", argv[1]));
+    reportFailedWrites();
+    refuseEmptyValues(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& wanted) { // --help, --version
         app.exit(wanted);
     } catch (const CLI::ParseError& error) {
         return refuse(app, error.what());
+    } catch (const std::system_error& error) { // of what prints
+        if (std::ferror(stdout) == 0)
+            throw;
+        return unwritableOutput(app, error.code().value());
     }
-    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout.good()) {
-        fmt::print(stderr, "{}: error: The output cannot be written. [output-unwritable]\n", app.get_name());
-        return ExitCode::unusable;
-    }
+    errno = 0;
+    if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0 || !std::cout.good())
+        return unwritableOutput(app, errno);
     return exitCode;
 }
 

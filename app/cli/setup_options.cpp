@@ -189,6 +189,8 @@ void SetupOptions::addTo(CLI::App& command) {
     command.add_option("PROG", m_program, "NC program")->type_name("");
     command.add_option("--job", m_jobFile, "Job file with program, stock, grid, tools and decimation")
         ->type_name("FILE");
+    command.add_flag("--allow-outside", m_allowOutside,
+                     "Read files outside the folder of the job where it names them");
     m_stock.addTo(command);
     command
         .add_option(
@@ -210,10 +212,20 @@ void SetupOptions::addTo(CLI::App& command) {
     m_decimation.addTo(command);
 }
 
+Result<Job> SetupOptions::readJobFile() const {
+    auto job = m_allowOutside ? readJob(m_jobFile, anyOutside) : readJob(m_jobFile);
+    if (!job)
+        for (Diagnostic& error : job.error())
+            if (std::string_view(error.id) == "job-outside")
+                error.text = "The field \"{}\" names {}, which is outside the folder of the job; use "
+                             "--allow-outside if you trust the job.";
+    return job;
+}
+
 Result<Job> SetupOptions::job() const {
     Job job;
     if (!m_jobFile.empty()) {
-        auto read = readJob(m_jobFile);
+        auto read = readJobFile();
         if (!read)
             return tl::unexpected(std::move(read.error()));
         job = std::move(*read);

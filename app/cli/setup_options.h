@@ -88,10 +88,12 @@ public:
     [[nodiscard]] const std::string& subject() const { return m_program.empty() ? m_jobFile : m_program; }
 
 private:
+    [[nodiscard]] Result<Job> readJobFile() const;
     [[nodiscard]] tl::unexpected<Diagnostics> aboutGrid(Diagnostics diagnostics) const;
 
     std::string m_program;
     std::string m_jobFile;
+    bool m_allowOutside = false;
     StockOptions m_stock;
     std::string m_grid; ///< empty: that of the job; "auto"; a number
     ToolOptions m_tools;

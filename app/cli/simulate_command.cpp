@@ -97,14 +97,7 @@ private:
             return fine(std::move(job));
         m_job = std::move(*job);
         m_report.add(m_job.warnings);
-        auto inputs = m_options.setup.inputs();
-        inputs.push_back(m_job.program.string());
-        std::vector<std::string> outputs = m_options.meshes.files();
-        outputs.insert(outputs.end(),
-                       {m_options.zmap, m_options.provenance, m_options.records, m_options.stock});
-        const std::vector<std::string> boxFiles = m_options.box.files();
-        outputs.insert(outputs.end(), boxFiles.begin(), boxFiles.end());
-        if (!fine(m_options.meshes.check()) || !fine(checkOutputs(inputs, outputs)))
+        if (!fine(m_options.meshes.check()) || !fine(checkOutputs(inputs(), outputs())))
             return false;
         if (m_options.meshes.wanted() && m_options.mesh == "decimated" &&
             !fine(checkExportable(m_job.parameters)))
@@ -114,7 +107,34 @@ private:
         if ((!automatic && !checkGrid()) || !interpretProgram())
             return false;
         SetupOptions::settleGrid(m_job, *m_program, mapOutputs());
-        return !automatic || checkGrid();
+        return (!automatic || checkGrid()) && fine(checkOutputs(inputs(), sizedOutputs()));
+    }
+
+    [[nodiscard]] std::vector<std::string> inputs() const {
+        std::vector<std::string> inputs = m_options.setup.inputs();
+        inputs.push_back(m_job.program.string());
+        return inputs;
+    }
+
+    [[nodiscard]] std::vector<Output> outputs() const { return allOutputs(m_options.meshes.outputs(), 0, 0); }
+
+    /// Once program and grid are known.
+    [[nodiscard]] std::vector<Output> sizedOutputs() const {
+        const auto grid = makeGrid(m_job.setup.stock, m_job.setup.spacing);
+        const bool full = m_options.mesh == "full" || writesFullMesh(m_job.parameters);
+        return allOutputs(m_options.meshes.outputs(full ? &*grid : nullptr), heightsBytes(grid->nx, grid->ny),
+                          kLeastRecordBytes * blocksToRun(parseStopBlock(m_options.until), *m_program));
+    }
+
+    [[nodiscard]] std::vector<Output> allOutputs(std::vector<Output> outputs, std::uint64_t mapBytes,
+                                                 std::uint64_t recordBytes) const {
+        outputs.insert(outputs.end(), {{m_options.zmap, mapBytes},
+                                       {m_options.provenance, mapBytes},
+                                       {m_options.records, recordBytes},
+                                       {m_options.stock}});
+        const std::vector<Output> box = m_options.box.outputs();
+        outputs.insert(outputs.end(), box.begin(), box.end());
+        return outputs;
     }
 
     bool checkGrid() {

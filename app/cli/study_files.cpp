@@ -9,19 +9,23 @@
 
 namespace proveout::cli {
 
+namespace {
+
+constexpr std::uint64_t kLeastBytes = 200'000; ///< of one sweep with its figures
+
+} // namespace
+
 Result<void> StudyFiles::prepare() const {
     std::error_code error;
     std::filesystem::create_directories(m_folder, error);
     if (error)
         return failure("folder-unwritable", "The folder cannot be made: {}.", {error.message()},
                        m_folder.string());
-    // Found out by writing, before hours of sweeps: permissions alone do not tell (a full disk, root).
-    const std::filesystem::path trial = m_folder / ".proveout-study";
-    auto written = writeFile(trial, "");
-    std::filesystem::remove(trial, error);
-    if (!written)
-        written.error().front().file = m_folder.string();
-    return written;
+    // Found out by opening a file, before hours of sweeps: permissions alone do not tell (a full disk, root).
+    auto ready = AtomicFile(m_folder / "runs.csv", kLeastBytes).ready();
+    if (!ready)
+        ready.error().front().file = m_folder.string();
+    return ready;
 }
 
 Result<void> StudyFiles::write(const Chart& chart) {

@@ -71,6 +71,10 @@ tl::unexpected<Diagnostics> about(const std::filesystem::path& file, Diagnostics
 
 } // namespace
 
+std::uint64_t heightsBytes(int nx, int ny) {
+    return static_cast<std::uint64_t>(nx) * static_cast<std::uint64_t>(ny) * sizeof(float);
+}
+
 Result<void> writeZMap(const std::filesystem::path& file, const ZMapSnapshot& zmap) {
     const Grid& grid = zmap.grid();
     return writeNpy(file, grid.ny, grid.nx, [&](int j, std::span<float> row) {

@@ -13,6 +13,9 @@
 
 namespace proveout::cli {
 
+/// Bytes of a file of one float or 32-bit number a point.
+[[nodiscard]] std::uint64_t heightsBytes(int nx, int ny);
+
 /// Writes absolute heights: row 0 at the least y, float32.
 [[nodiscard]] Result<void> writeZMap(const std::filesystem::path& file, const ZMapSnapshot& zmap);
 

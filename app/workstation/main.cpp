@@ -13,6 +13,7 @@
 
 #include "app/workstation/screenshot_run.h"
 #include "app/workstation/study_main.h"
+#include "core/base/write_signals.h"
 #include "ui/appearance.h"
 #include "ui/main_window.h"
 #include "ui/recovery.h"
@@ -77,6 +78,10 @@ Options readOptions(const QStringList& arguments) {
     options.theme = parser.value(theme);
     options.language = parser.value(language);
     options.actions = parser.values(action);
+    if (parser.isSet(screenshot) && options.screenshot.isEmpty()) {
+        std::fputs("proveout: --screenshot must not be empty\n", stderr);
+        std::exit(kUsage);
+    }
     const bool badSeek = parser.isSet(seek) && !isNumber && parser.value(seek) != QLatin1String("end");
     if (badSeek || (parser.isSet(size) && options.size.isEmpty())) {
         std::fputs("proveout: --seek takes a number or \"end\", --size takes WxH\n", stderr);
@@ -164,6 +169,7 @@ int run() {
 } // namespace proveout
 
 int main(int argc, char** argv) {
+    proveout::reportFailedWrites();
     // Keeps the GL objects of the view when it moves to another window.
     QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
     const bool studies = argc > 1 && std::strcmp(argv[1], "study") == 0;

@@ -8,14 +8,18 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <limits>
-#include <random>
+#include <linux/magic.h>
+#include <sys/resource.h>
 #include <sys/stat.h>
+#include <sys/statfs.h>
+#include <sys/statvfs.h>
 #include <system_error>
 #include <unistd.h>
 #include <utility>
 
 #include "core/base/memory.h"
 #include "core/base/text.h"
+#include "core/base/unfinished_files.h"
 
 namespace proveout {
 
@@ -70,11 +74,6 @@ int refusal(const std::filesystem::path& target) {
     return ::access(target.c_str(), W_OK) == 0 ? 0 : errno;
 }
 
-/// A name beside the target that does not grow with it: a target may have the full 255 bytes already.
-std::filesystem::path temporaryName(const std::filesystem::path& target, std::random_device& random) {
-    return target.parent_path() / fmt::format(".proveout-{:08x}{:08x}.part", random(), random());
-}
-
 std::filesystem::path folderOf(const std::filesystem::path& file) {
     return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
 }
@@ -93,6 +92,31 @@ int openNameless(const std::filesystem::path& folder, mode_t mode) {
         return -1;
     }
     return descriptor;
+}
+
+/// There, space that is reserved is memory that is taken, before there is anything to be put into it.
+bool isInMemory(int descriptor) {
+    struct statfs disk {};
+    return ::fstatfs(descriptor, &disk) == 0 && disk.f_type == TMPFS_MAGIC;
+}
+
+/// The error that keeps `bytes` from going into the file, as far as its file system tells; 0 where nothing
+/// does. File systems that cannot reserve say so in several ways.
+int reserveRoom(int descriptor, std::uint64_t bytes) {
+    struct rlimit limit {};
+    if (::getrlimit(RLIMIT_FSIZE, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY && bytes > limit.rlim_cur)
+        return EFBIG;
+    if (bytes > static_cast<std::uint64_t>(std::numeric_limits<off_t>::max()))
+        return EFBIG;
+    if (!isInMemory(descriptor)) {
+        if (::fallocate(descriptor, FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(bytes)) == 0)
+            return 0;
+        if (lacksRoom(errno))
+            return errno;
+    }
+    struct statvfs disk {};
+    const bool known = ::fstatvfs(descriptor, &disk) == 0 && disk.f_blocks > 0;
+    return known && bytes / disk.f_frsize >= disk.f_bavail ? ENOSPC : 0;
 }
 
 /// Makes the rename itself survive a power cut. Some file systems refuse to sync a folder: then nothing can
@@ -116,6 +140,7 @@ AtomicFile::AtomicFile(std::filesystem::path target, std::uint64_t expectedBytes
     : m_target(resolved(std::move(target))), m_expected(expectedBytes), m_error(refusal(m_target)) {
     if (failed())
         return;
+    removeUnfinished(folderOf(m_target)); // before space is asked for, which they may take
     struct stat old {};
     const bool replaces = ::stat(m_target.c_str(), &old) == 0;
     // The mode goes through open(), where the system applies the umask: asking for the umask means setting
@@ -133,21 +158,24 @@ AtomicFile::AtomicFile(std::filesystem::path target, std::uint64_t expectedBytes
 }
 
 void AtomicFile::openNamed(unsigned mode) {
-    std::random_device random;
     do {
-        m_temporary = temporaryName(m_target, random);
+        if (m_descriptor >= 0) // another process took it for one that is left, before it could be claimed
+            ::close(m_descriptor);
+        m_temporary = m_target.parent_path() / unfinishedName();
         m_descriptor = ::open(m_temporary.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, mode);
-    } while (m_descriptor < 0 && (errno == EEXIST || errno == EINTR));
-    if (m_descriptor < 0)
+    } while (m_descriptor < 0 ? errno == EEXIST || errno == EINTR : !claimUnfinished(m_descriptor));
+    if (m_descriptor < 0) {
         m_error = errno;
+        m_temporary.clear();
+    }
 }
 
 void AtomicFile::giveName() {
-    std::random_device random;
     const std::string shown = shownAs(m_descriptor);
+    static_cast<void>(claimUnfinished(m_descriptor)); // nobody else can open it yet
     int result = 0;
     do {
-        m_temporary = temporaryName(m_target, random);
+        m_temporary = m_target.parent_path() / unfinishedName();
         result = ::linkat(AT_FDCWD, shown.c_str(), AT_FDCWD, m_temporary.c_str(), AT_SYMLINK_FOLLOW);
     } while (result != 0 && errno == EEXIST);
     if (result != 0) {
@@ -156,14 +184,9 @@ void AtomicFile::giveName() {
     }
 }
 
-/// Only a lack of room is an error: file systems that cannot reserve say so in several ways.
 void AtomicFile::reserve() {
-    if (failed() || m_expected == 0 ||
-        m_expected > static_cast<std::uint64_t>(std::numeric_limits<off_t>::max()))
-        return;
-    if (::fallocate(m_descriptor, FALLOC_FL_KEEP_SIZE, 0, static_cast<off_t>(m_expected)) != 0 &&
-        lacksRoom(errno))
-        m_error = errno;
+    if (!failed() && m_expected > 0)
+        m_error = reserveRoom(m_descriptor, m_expected);
 }
 
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept
@@ -205,6 +228,22 @@ void AtomicFile::discard() {
         ::unlink(std::exchange(m_temporary, {}).c_str());
 }
 
+/// Network file systems report late errors of writing at the close, so it comes before the rename. A second
+/// descriptor holds the claim until then: else another process could remove the file in between.
+void AtomicFile::rename() {
+    const int claim = ::fcntl(m_descriptor, F_DUPFD_CLOEXEC, 0);
+    if (::close(std::exchange(m_descriptor, -1)) != 0)
+        m_error = errno;
+    if (!failed() && ::rename(m_temporary.c_str(), m_target.c_str()) != 0)
+        m_error = errno;
+    if (claim >= 0)
+        ::close(claim);
+}
+
+Result<void> AtomicFile::ready() const {
+    return failed() ? Result<void>(tl::unexpected(unwritable())) : Result<void>();
+}
+
 Result<void> AtomicFile::commit() {
     assert((m_descriptor >= 0 || failed()) && "committed twice, or moved from");
     if (!failed())
@@ -213,11 +252,8 @@ Result<void> AtomicFile::commit() {
         m_error = errno;
     if (!failed() && m_temporary.empty())
         giveName();
-    // Network file systems tell late errors of writing at the close, so it comes before the rename.
-    if (!failed() && ::close(std::exchange(m_descriptor, -1)) != 0)
-        m_error = errno;
-    if (!failed() && ::rename(m_temporary.c_str(), m_target.c_str()) != 0)
-        m_error = errno;
+    if (!failed())
+        rename();
     if (failed()) {
         discard();
         return tl::unexpected(unwritable());

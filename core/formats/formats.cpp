@@ -28,19 +28,19 @@ Result<WrittenFile> writeStlAs(const std::filesystem::path& file, const Triangle
 constexpr std::array kFormats{
     FileFormat{"stl", PROVEOUT_TEXT("Core", "STL, binary"), kStlExtensions,
                PROVEOUT_TEXT("Core", "a closed triangle mesh of the stock"),
-               MeshFormat{readStl, writeStlAs<StlEncoding::binary>, CoordinateType::float32}},
+               MeshFormat{readStl, writeStlAs<StlEncoding::binary>, CoordinateType::float32, 50}},
     FileFormat{"stl-ascii", PROVEOUT_TEXT("Core", "STL, ASCII"), kStlExtensions,
                PROVEOUT_TEXT("Core", "a closed triangle mesh of the stock"),
-               MeshFormat{readStl, writeStlAs<StlEncoding::ascii>, CoordinateType::float32}},
+               MeshFormat{readStl, writeStlAs<StlEncoding::ascii>, CoordinateType::float32, 94}},
     FileFormat{"obj", PROVEOUT_TEXT("Core", "Wavefront OBJ"), kObjExtensions,
                PROVEOUT_TEXT("Core", "a closed triangle mesh of the stock"),
-               MeshFormat{nullptr, writeObj, CoordinateType::float64}},
+               MeshFormat{nullptr, writeObj, CoordinateType::float64, 12}},
     FileFormat{"ply", PROVEOUT_TEXT("Core", "PLY, binary"), kPlyExtensions,
                PROVEOUT_TEXT("Core", "a closed triangle mesh of the stock"),
-               MeshFormat{nullptr, writePly, CoordinateType::float64}},
+               MeshFormat{nullptr, writePly, CoordinateType::float64, 25}},
     FileFormat{"3mf", PROVEOUT_TEXT("Core", "3MF"), k3mfExtensions,
                PROVEOUT_TEXT("Core", "a closed triangle mesh of the stock"),
-               MeshFormat{nullptr, write3mf, CoordinateType::float64}},
+               MeshFormat{nullptr, write3mf, CoordinateType::float64, 1}},
     FileFormat{"npy", PROVEOUT_TEXT("Core", "NumPy array"), kNpyExtensions,
                PROVEOUT_TEXT("Core", "the heights of a z-map, row 0 at the smallest y"),
                HeightsFormat{readNpy, writeNpy}},
@@ -65,6 +65,11 @@ bool FileFormat::writes() const {
 const MeshFormat* FileFormat::meshWriter() const {
     const auto* mesh = std::get_if<MeshFormat>(&handlers);
     return mesh != nullptr && mesh->write != nullptr ? mesh : nullptr;
+}
+
+std::uint64_t fullMeshBytes(const MeshFormat& format, const Grid& grid) {
+    return format.leastBytes * 2 * static_cast<std::uint64_t>(grid.nx - 1) *
+           static_cast<std::uint64_t>(grid.ny - 1);
 }
 
 const char* nameOf(CoordinateType type) {

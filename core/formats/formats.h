@@ -3,6 +3,7 @@
 // read it; adding a format is one row and its functions.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -17,6 +18,7 @@
 #include "core/formats/npy.h"
 #include "core/formats/stl.h"
 #include "core/formats/stock_file.h"
+#include "core/zmap/stock.h"
 
 namespace proveout {
 
@@ -26,6 +28,7 @@ struct MeshFormat {
     Result<WrittenFile> (*write)(const std::filesystem::path& file, const TriangleMesh& mesh,
                                  const WorkContext& context);
     CoordinateType coordinates; ///< what a written file holds them in
+    std::uint64_t leastBytes;   ///< of a written triangle, with its share of the vertices
 };
 struct HeightsFormat {
     Result<NpyArray> (*read)(const std::filesystem::path& file);
@@ -54,6 +57,10 @@ struct FileFormat {
     /// Its handler if it is a mesh format that is written, else null.
     [[nodiscard]] const MeshFormat* meshWriter() const;
 };
+
+/// Bytes that a file takes with all triangles of the top of a z-map, before there is one: a forecast, which
+/// a stock that is cut through can fall short of.
+[[nodiscard]] std::uint64_t fullMeshBytes(const MeshFormat& format, const Grid& grid);
 
 /// "float32" or "float64".
 [[nodiscard]] const char* nameOf(CoordinateType type);

@@ -8,7 +8,6 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
-#include <system_error>
 #include <type_traits>
 #include <utility>
 #include <variant>
@@ -38,17 +37,29 @@ constexpr int kDepthLimit = 32;
 constexpr JsonRange kSize{0, 1e6, true};                                        ///< mm, of a stock or a grid
 constexpr JsonRange kPosition{-setup_field::kFarthest, setup_field::kFarthest}; ///< mm
 
-fs::path absolutePath(const fs::path& path) {
-    std::error_code error;
-    auto absolute = fs::weakly_canonical(fs::absolute(path, error), error);
-    return error ? path : absolute;
-}
-
 ordered_json toJson(const Vec3& point) {
     return ordered_json::array({point.x, point.y, point.z});
 }
 
-void readStockField(JsonFields& fields, const StockField& field, const fs::path& folder, StockSpec& spec) {
+/// Where other files are that a job names.
+struct Reach {
+    fs::path folder; ///< of the job
+    const OutsideRule& allowed;
+};
+
+/// A file that the job names; empty where it may not be read, which is an error then.
+fs::path reachedFile(JsonFields& fields, const char* key, const std::string& named, const Reach& reach) {
+    const fs::path file = absolutePath(reach.folder / fs::path(named));
+    if (!isOutside(reach.folder, file) || (reach.allowed && reach.allowed(file)))
+        return file;
+    fields.fail(key,
+                PROVEOUT_TEXT("Core", "The field \"{}\" names {}, which is outside the folder of the job; it "
+                                      "was not read."),
+                {file.string()}, "job-outside");
+    return {};
+}
+
+void readStockField(JsonFields& fields, const StockField& field, const Reach& reach, StockSpec& spec) {
     if (const auto* length = std::get_if<StockLength>(&field.value)) {
         fields.require({field.name});
         double value = length->get(spec);
@@ -63,7 +74,7 @@ void readStockField(JsonFields& fields, const StockField& field, const fs::path&
         std::string file;
         fields.read(field.name, file);
         if (!file.empty()) // one that was saved before its file was chosen
-            spec.shape.file = absolutePath(folder / fs::path(file));
+            spec.shape.file = reachedFile(fields, field.name, file, reach);
     }
 }
 
@@ -99,7 +110,7 @@ std::optional<Vec3> readPosition(JsonFields& fields) {
     return corner;
 }
 
-DescribedStock readStock(JsonFields& job, const fs::path& folder) {
+DescribedStock readStock(JsonFields& job, const Reach& reach) {
     DescribedStock stock;
     job.require({"stock"});
     if (!job.has("stock"))
@@ -112,7 +123,7 @@ DescribedStock readStock(JsonFields& job, const fs::path& folder) {
     fields.read("shape", shape, shapes);
     stock.spec.shape.kind = static_cast<StockKind>(shape);
     for (const StockField& field : stockShapes()[shape].fields)
-        readStockField(fields, field, folder, stock.spec);
+        readStockField(fields, field, reach, stock.spec);
     stock.corner = readPosition(fields);
     fields.warnAboutUnknown();
     return stock;
@@ -313,7 +324,7 @@ Diagnostics told(JsonComplaints& complaints) {
     return complaints.errors.take();
 }
 
-Result<Job> parse(std::string_view text, const fs::path& file) {
+Result<Job> parse(std::string_view text, const Reach& reach) {
     const auto document = parseJson(text, kDepthLimit);
     if (!document)
         return tl::unexpected(document.error());
@@ -327,7 +338,9 @@ Result<Job> parse(std::string_view text, const fs::path& file) {
     fields.read("program", program);
     if (fields.has("program") && program.empty() && complaints.errors.empty())
         fields.fail("program", PROVEOUT_TEXT("Core", "The field \"{}\" must name a file."), {});
-    DescribedStock stock = readStock(fields, absolutePath(file).parent_path());
+    else if (!program.empty())
+        job.program = reachedFile(fields, "program", program, reach);
+    DescribedStock stock = readStock(fields, reach);
     // Its file is read where all that was said of it can be.
     const bool needsFile =
         stock.spec.shape.kind != StockKind::box && stock.spec.shape.kind != StockKind::cylinder;
@@ -355,7 +368,6 @@ Result<Job> parse(std::string_view text, const fs::path& file) {
     Diagnostics all = told(complaints);
     if (!usable)
         return tl::unexpected(std::move(all));
-    job.program = absolutePath(absolutePath(file).parent_path() / fs::path(program));
     job.warnings = std::move(all);
     return job;
 }
@@ -364,8 +376,8 @@ ordered_json toJson(const Job& job, const fs::path& file) {
     const auto& setup = job.setup;
     ordered_json out;
     out["proveout"] = kSchema;
-    out["program"] = absolutePath(job.program).lexically_proximate(absolutePath(file).parent_path()).string();
-    out["stock"] = writeStock(setup, absolutePath(file).parent_path());
+    out["program"] = absolutePath(job.program).lexically_proximate(folderOfJob(file)).string();
+    out["stock"] = writeStock(setup, folderOfJob(file));
     if (!setup.automaticGrid)
         out[setup_field::kGrid.key] = setup.spacing;
     out["tools"] = ordered_json::object();
@@ -394,15 +406,19 @@ ordered_json toJson(const Job& job, const fs::path& file) {
 
 } // namespace
 
-Result<Job> readJob(const fs::path& file) {
+Result<Job> readJob(const fs::path& file, const OutsideRule& allowed) {
     const auto text = readFile(file, kSizeLimit);
     if (!text)
         return tl::unexpected(text.error());
-    auto job = parse(*text, file);
+    auto job = parse(*text, {folderOfJob(file), allowed});
     for (auto& diagnostic : job ? job->warnings : job.error())
         if (diagnostic.file.empty()) // else it is about a file that the job names
             diagnostic.file = file.string();
     return job;
+}
+
+Result<Job> readJob(const fs::path& file) {
+    return readJob(file, {});
 }
 
 Result<std::string> jobText(const fs::path& file, const Job& job) {

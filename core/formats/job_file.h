@@ -7,6 +7,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/decimation/parameters.h"
+#include "core/formats/job_paths.h"
 #include "core/simulation/machine.h"
 #include "core/simulation/setup.h"
 
@@ -30,7 +31,10 @@ struct Job {
 /// errors. A stock that comes from a file is read with the job, and what is wrong with that file is an error
 /// that names it; one that names no file yet has no body. A job without a grid has an automatic one, whose
 /// spacing is found once the program is known. A newer schema is refused, and so are files larger or nested
-/// deeper than any job.
+/// deeper than any job. A file outside the folder of the job that the rule does not allow is not read: an
+/// error (id "job-outside"), whose second argument is that file.
+[[nodiscard]] Result<Job> readJob(const std::filesystem::path& file, const OutsideRule& allowed);
+/// The same, with no file outside its folder.
 [[nodiscard]] Result<Job> readJob(const std::filesystem::path& file);
 
 /// What writeJob() writes to this file: names of other files are relative to it. Errors: a name is not UTF-8.

@@ -33,15 +33,16 @@ const json* JsonFields::find(const char* key) {
     return found == m_object->end() ? nullptr : &*found;
 }
 
-void JsonFields::fail(std::string_view key, const char* text, std::vector<std::string> arguments) {
-    fail(key, {}, text, std::move(arguments));
+void JsonFields::fail(std::string_view key, const char* text, std::vector<std::string> arguments,
+                      const char* id) {
+    fail(key, {}, text, std::move(arguments), id);
 }
 
 void JsonFields::fail(std::string_view key, std::string_view element, const char* text,
-                      std::vector<std::string> arguments) {
+                      std::vector<std::string> arguments, const char* id) {
     arguments.insert(arguments.begin(), fmt::format("{}{}{}", m_path, key, element));
     const auto place = m_document->places.find({m_here.object, std::string(key)});
-    Diagnostic error = failure("job-field", text, std::move(arguments)).value().front();
+    Diagnostic error = failure(id, text, std::move(arguments)).value().front();
     error.where = place == m_document->places.end() ? m_here.where : place->second.where;
     m_complaints->errors.add(std::move(error));
 }

@@ -67,7 +67,8 @@ public:
     }
 
     /// Adds an error about `key`: "the field …: …".
-    void fail(std::string_view key, const char* text, std::vector<std::string> arguments);
+    void fail(std::string_view key, const char* text, std::vector<std::string> arguments,
+              const char* id = "job-field");
 
     /// Call it when everything known has been asked for: warns about every field that was not, and names the
     /// known one that was probably meant.
@@ -80,7 +81,7 @@ private:
     [[nodiscard]] bool readNumber(std::string_view key, std::string_view element, const nlohmann::json& value,
                                   double& number, const JsonRange& range);
     void fail(std::string_view key, std::string_view element, const char* text,
-              std::vector<std::string> arguments);
+              std::vector<std::string> arguments, const char* id = "job-field");
 
     const JsonDocument* m_document;
     JsonComplaints* m_complaints;

@@ -85,13 +85,23 @@ TEST_F(CliExport, UnknownEndingsAreRefusedBeforeTheWork) {
     }
 }
 
-TEST_F(CliExport, AFileThatCannotBeWrittenKeepsNoOtherBack) {
-    const auto done = simulate("--json --export none/a.obj --export b.ply");
+/// How large a decimated mesh gets is found out by writing it.
+TEST_F(CliExport, AFileThatOutgrowsTheDiskKeepsNoOtherBack) {
+    ASSERT_EQ(simulate("--export a.ply --export b.obj").exitCode, 0);
+    const std::size_t larger = read("a.ply").size();
+    const std::size_t smaller = read("b.obj").size();
+    ASSERT_GT(larger, smaller + 1024);
+    std::filesystem::remove(folder / "a.ply");
+    std::filesystem::remove(folder / "b.obj");
+    constexpr std::size_t kUnit = 512; // of ulimit
+    const auto done = run("simulate p.nc --json --export a.ply --export b.obj" + kStock + kTool,
+                          "ulimit -f " + std::to_string(smaller / kUnit + 1) + ";");
     EXPECT_EQ(done.exitCode, 3);
-    EXPECT_TRUE(done.tells("none/a.obj: error: The file cannot be written: ", "file-unwritable")) << done.err;
-    EXPECT_TRUE(exists("b.ply"));
+    EXPECT_TRUE(done.tells("a.ply: error: The file cannot be written (", "file-unwritable")) << done.err;
+    EXPECT_FALSE(exists("a.ply"));
+    EXPECT_TRUE(exists("b.obj"));
     const auto rows = done.json()["exports"];
-    EXPECT_TRUE(std::ranges::any_of(rows, [](const auto& row) { return row["file"] == "b.ply"; }));
+    EXPECT_TRUE(std::ranges::any_of(rows, [](const auto& row) { return row["file"] == "b.obj"; }));
 }
 
 TEST_F(CliExport, OutputsMustDiffer) {

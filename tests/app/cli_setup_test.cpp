@@ -128,5 +128,20 @@ TEST_F(CliSetup, AStockWhoseFileIsNotChosenIsRefused) {
     EXPECT_THAT(refused.err, HasSubstr("[stock-incomplete]"));
 }
 
+TEST_F(CliSetup, AJobReadsNoFileOutsideItsFolderUnlessAllowed) {
+    std::filesystem::create_directory(folder / "jobs");
+    write("p.nc", kSound);
+    write("jobs/j.proveout",
+          R"({"proveout": 2, "program": "../p.nc", "tools": {"1": "ball:d=4,l=20"}, "grid": 1,
+        "stock": {"width": 40, "depth": 30, "height": 10}})");
+    const auto refused = run("simulate --job jobs/j.proveout --json");
+    EXPECT_EQ(refused.exitCode, 3);
+    EXPECT_TRUE(refused.tells("jobs/j.proveout:1:17: error: The field \"program\" names ", "job-outside"))
+        << refused.err;
+    EXPECT_THAT(refused.err, testing::HasSubstr("--allow-outside"));
+    EXPECT_FALSE(refused.json().contains("removedMm3"));
+    EXPECT_EQ(run("simulate --job jobs/j.proveout --allow-outside").exitCode, 0);
+}
+
 } // namespace
 } // namespace proveout

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QDir>
 #include <QFile>
 #include <QTemporaryDir>
 #include <QTest>
@@ -6,6 +7,7 @@
 #include "core/base/atomic_file.h"
 #include "core/decimation/map_memory.h"
 #include "core/zmap/zmap.h"
+#include "tests/core/file_size_limit.h"
 #include "ui/diagnostic_text.h"
 #include "ui/export_job.h"
 #include "ui/file_paths.h"
@@ -66,6 +68,38 @@ private slots:
         QCOMPARE(unknown.error().front().id, "export-format-unknown");
         QVERIFY(exportFrame(frame, other, {true, findFormat("ply")}, {}));
         QVERIFY(readFile(toPath(other))->starts_with("ply\n"));
+    }
+
+    void whatCannotBeWrittenIsRefusedBeforeTheWork() {
+        QTemporaryDir folder;
+        const Frame frame = uncutFrame();
+        const auto refused = [&](const QString& file, bool decimated) {
+            int progress = 0;
+            ExportOptions options;
+            options.decimated = decimated;
+            const auto result =
+                exportFrame(frame, folder.filePath(file), options, {{}, [&](double) { ++progress; }});
+            return !result && progress == 0 ? QString::fromLatin1(result.error().front().id) : QString();
+        };
+        QVERIFY(QDir(folder.path()).mkdir(QStringLiteral("folder.stl")));
+        for (const bool decimated : {true, false}) {
+            QCOMPARE(refused(QStringLiteral("none/part.stl"), decimated), QStringLiteral("file-unwritable"));
+            QCOMPARE(refused(QStringLiteral("folder.stl"), decimated), QStringLiteral("file-unwritable"));
+            QCOMPARE(refused(QStringLiteral("part.stl"), decimated), QString());
+        }
+        // 40 × 20 cells of two triangles at 50 bytes each.
+        const FileSizeLimit limit(79'999);
+        QCOMPARE(refused(QStringLiteral("part.stl"), false), QStringLiteral("file-unwritable"));
+    }
+
+    void whatAnotherProgramHasWrittenMeanwhileStays() {
+        QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("part.stl"));
+        const auto writeTheirs = [&](double) { static_cast<void>(writeFile(toPath(file), "theirs")); };
+        const auto result = exportFrame(uncutFrame(), file, {}, {{}, writeTheirs});
+        QVERIFY(!result);
+        QCOMPARE(result.error().front().id, "file-changed-on-disk");
+        QCOMPARE(readFile(toPath(file)).value(), std::string("theirs"));
     }
 
     void whatFailsNamesTheFile() {

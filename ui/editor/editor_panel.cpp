@@ -13,6 +13,7 @@
 #include <QVBoxLayout>
 
 #include "core/simulation/interpretation.h"
+#include "ui/edited_elsewhere_bar.h"
 #include "ui/editor/find_bar.h"
 #include "ui/editor/nc_editor.h"
 #include "ui/file_changed_bar.h"
@@ -85,6 +86,7 @@ EditorPanel::EditorPanel(Session& session, QWidget* parent)
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);
+    layout->addWidget(new EditedElsewhereBar(session, FilePart::text, this));
     layout->addWidget(m_changed);
     layout->addWidget(m_readOnly);
     layout->addWidget(m_editor, 1);

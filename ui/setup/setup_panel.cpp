@@ -17,6 +17,7 @@
 #include "core/base/memory.h"
 #include "core/base/text.h"
 #include "ui/diagnostic_text.h"
+#include "ui/edited_elsewhere_bar.h"
 #include "ui/file_changed_bar.h"
 #include "ui/file_paths.h"
 #include "ui/panel_layout.h"
@@ -86,6 +87,7 @@ SetupPanel::SetupPanel(Session& session, QWidget* parent)
 void SetupPanel::build() {
     auto* content = new QWidget;
     auto* layout = new QVBoxLayout(content);
+    layout->addWidget(new EditedElsewhereBar(m_session, FilePart::job, content));
     layout->addWidget(new FileChangedBar(m_session, FilePart::job, content));
     m_dialectLabel->setBuddy(m_dialect);
     m_dialect->setObjectName(QStringLiteral("dialect"));

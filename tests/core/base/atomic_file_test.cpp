@@ -189,6 +189,23 @@ TEST(AtomicFile, FullDiskTellsTheBytesThatAreExpected) {
     EXPECT_EQ(folder.entries(), 0U);
 }
 
+/// Asked before hours of work: whether the file can be written, and has room.
+TEST(AtomicFile, IsReadyOnlyWhereItCanBeWritten) {
+    const TemporaryFolder folder;
+    const auto told = [](const fs::path& file, std::uint64_t bytes) {
+        const auto ready = AtomicFile(file, bytes).ready();
+        return ready ? std::string() : message(ready.error().front());
+    };
+    EXPECT_EQ(told(folder / "a", 1000), "");
+    EXPECT_THAT(told(folder / "no/such/file", 1000), HasSubstr("No such file or directory"));
+    EXPECT_THAT(told(folder.path(), 1000), HasSubstr("Is a directory"));
+    EXPECT_THAT(told(folder / "a", std::uint64_t{1} << 62), HasSubstr("(4612 PB needed)"));
+    const FileSizeLimit limit(2'000'000);
+    EXPECT_EQ(told(folder / "a", 2'000'000), "");
+    EXPECT_EQ(told(folder / "a", 2'000'001), "The file cannot be written (2.0 MB needed): File too large.");
+    EXPECT_EQ(folder.entries(), 0U);
+}
+
 /// Saves "A…A" and "B…B" in turn until it is killed.
 [[noreturn]] void saveForever(const fs::path& target) {
     for (char letter = 'A';; letter = letter == 'A' ? 'B' : 'A')

@@ -430,11 +430,11 @@ TEST_F(JobFile, AJobMovesWithItsProgram) {
     EXPECT_THAT(readFile(folder / "old/jobs/a.proveout").value(),
                 HasSubstr("\"program\": \"../nc/part.nc\""));
     fs::rename(folder / "old", folder / "new");
-    EXPECT_EQ(readJob(folder / "new/jobs/a.proveout")->program, folder / "new/nc/part.nc");
+    EXPECT_EQ(readJob(folder / "new/jobs/a.proveout", anyOutside)->program, folder / "new/nc/part.nc");
 
     job.program = "/elsewhere/part.nc";
     ASSERT_TRUE(writeJob(folder / "a.proveout", job));
-    EXPECT_EQ(readJob(folder / "a.proveout")->program, "/elsewhere/part.nc");
+    EXPECT_EQ(readJob(folder / "a.proveout", anyOutside)->program, "/elsewhere/part.nc");
 }
 
 TEST_F(JobFile, HasTheLayoutThatOthersWrite) {

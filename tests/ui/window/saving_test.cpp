@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QFile>
+#include <QLabel>
 #include <QMessageBox>
 #include <QPlainTextEdit>
 #include <QPushButton>
@@ -16,9 +17,11 @@
 
 #include "tests/ui/window/workstation.h"
 #include "ui/compare_dialog.h"
+#include "ui/edited_elsewhere_bar.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
 #include "ui/file_changed_bar.h"
+#include "ui/setup/setup_panel.h"
 
 namespace proveout {
 namespace {
@@ -365,6 +368,33 @@ private slots:
         QVERIFY(station.session.jobModified());
         QVERIFY(station.session.setSetup(saved)); // as undo does
         QVERIFY(!station.session.jobModified());
+    }
+
+    void aSecondWindowSaysThatTheFileIsEditedInTheFirst() {
+        const QString job = m_folder->filePath(QStringLiteral("bracket.proveout"));
+        Workstation first(false);
+        first.open(m_program);
+        QVERIFY(first.session.saveJobAs(job));
+        type(first, QStringLiteral("(mine)"));
+        Setup setup = first.session.setup();
+        setup.blockDelete = !setup.blockDelete;
+        QVERIFY(first.session.setSetup(setup));
+        Workstation second(false);
+        second.open(job);
+        const auto shown = [&](const QWidget& panel) {
+            const auto* bar = panel.findChild<EditedElsewhereBar*>();
+            return bar != nullptr && bar->isVisibleTo(&panel) ? bar->findChild<QLabel*>()->text() : QString();
+        };
+        const QWidget& editor = second.window.editor();
+        const QWidget& panel = *second.window.findChild<SetupPanel*>();
+        QVERIFY2(shown(editor).startsWith(QLatin1String("bracket.nc has unsaved changes")),
+                 qPrintable(shown(editor)));
+        QVERIFY(shown(editor).contains(QString::number(QCoreApplication::applicationPid())));
+        QVERIFY2(shown(panel).startsWith(QLatin1String("bracket.proveout has unsaved changes")),
+                 qPrintable(shown(panel)));
+        QVERIFY(shown(first.window.editor()).isEmpty());
+        QVERIFY(first.session.save());
+        QTRY_VERIFY_WITH_TIMEOUT(shown(editor).isEmpty() && shown(panel).isEmpty(), kPatience);
     }
 
     void aNewProgramCanBeTypedAtOnce() {

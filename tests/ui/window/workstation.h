@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QCoreApplication>
+#include <QFile>
 #include <QSettings>
 #include <QString>
 #include <QTemporaryDir>
@@ -19,12 +20,14 @@ namespace proveout {
 
 inline constexpr int kPatience = 30'000; ///< ms
 
-/// Empty settings that last as long as this object, in place of the user's.
+/// Empty settings, and an empty folder of the application's data, that last as long as this object, in place
+/// of the user's.
 class OwnSettings {
 public:
     OwnSettings() {
         QSettings::setDefaultFormat(QSettings::IniFormat);
         QSettings::setPath(QSettings::IniFormat, QSettings::UserScope, m_folder.path());
+        qputenv("XDG_DATA_HOME", QFile::encodeName(m_folder.filePath(QStringLiteral("data"))));
         QCoreApplication::setOrganizationName(QStringLiteral("Proveout"));
         QCoreApplication::setApplicationName(QStringLiteral("Proveout"));
     }

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include <QString>
+
+class QWidget;
+
+namespace proveout {
+
+/// Asks whether a job may have files outside its folder read. UI thread; returns when it is answered.
+[[nodiscard]] bool mayReadOutside(QWidget& parent, const QString& jobFile,
+                                  const std::vector<std::filesystem::path>& files);
+
+} // namespace proveout
