@@ -2472,6 +2472,18 @@ Vorgabe: 0 mm</translation>
         <translation>Hier wird es einmal ausgeführt; beenden Sie es mit M30, wenn das gemeint war.</translation>
     </message>
     <message>
+        <source>{} does not begin its block; LinuxCNC looks for it there only.</source>
+        <translation>{} steht nicht am Anfang des Satzes; LinuxCNC sucht es nur dort.</translation>
+    </message>
+    <message>
+        <source>Put it first in the block.</source>
+        <translation>Setzen Sie es an den Anfang des Satzes.</translation>
+    </message>
+    <message>
+        <source>M99 is not alone in its block; LinuxCNC stops there with an error.</source>
+        <translation>M99 steht nicht allein im Satz; LinuxCNC hält dort mit einem Fehler an.</translation>
+    </message>
+    <message>
         <source>The program runs through more than {} lines; interpretation ends in line {}.</source>
         <translation>Das Programm durchläuft mehr als {} Zeilen; die Interpretation endet in Zeile {}.</translation>
     </message>
@@ -3098,6 +3110,14 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>DO 1 needs END 1 in the same program; loops do not cross each other.</source>
         <translation>DO 1 braucht END 1 im selben Programm; Schleifen überschneiden sich nicht.</translation>
+    </message>
+    <message>
+        <source>The value of {} is kept by the machine; it is assumed to be 0.</source>
+        <translation>Den Wert von {} kennt nur die Maschine; er wird mit 0 angenommen.</translation>
+    </message>
+    <message>
+        <source>Check the program with other values where a decision depends on it.</source>
+        <translation>Prüfen Sie das Programm mit anderen Werten, wenn eine Entscheidung davon abhängt.</translation>
     </message>
     <message>
         <source>The value of {} depends on the machine that runs the program.</source>

@@ -2472,6 +2472,18 @@ Default: 0 mm</source>
         <translation>여기서는 한 번만 실행합니다. 한 번만 실행할 의도라면 M30으로 끝내십시오.</translation>
     </message>
     <message>
+        <source>{} does not begin its block; LinuxCNC looks for it there only.</source>
+        <translation>{}이(가) 블록의 처음에 있지 않습니다. LinuxCNC는 블록의 처음에서만 찾습니다.</translation>
+    </message>
+    <message>
+        <source>Put it first in the block.</source>
+        <translation>블록의 맨 앞에 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>M99 is not alone in its block; LinuxCNC stops there with an error.</source>
+        <translation>M99가 블록에 단독으로 있지 않습니다. LinuxCNC는 여기서 오류로 멈춥니다.</translation>
+    </message>
+    <message>
         <source>The program runs through more than {} lines; interpretation ends in line {}.</source>
         <translation>프로그램이 실행한 줄이 {}개를 넘어 {}번 줄에서 해석을 끝냅니다.</translation>
     </message>
@@ -3098,6 +3110,14 @@ Default: 0 mm</source>
     <message>
         <source>DO 1 needs END 1 in the same program; loops do not cross each other.</source>
         <translation>DO 1에는 같은 프로그램의 END 1이 필요하며, 반복문은 서로 엇갈릴 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>The value of {} is kept by the machine; it is assumed to be 0.</source>
+        <translation>{}의 값은 기계만 알고 있습니다. 0으로 가정합니다.</translation>
+    </message>
+    <message>
+        <source>Check the program with other values where a decision depends on it.</source>
+        <translation>판단이 이 값에 따라 달라지면 다른 값으로도 프로그램을 확인하십시오.</translation>
     </message>
     <message>
         <source>The value of {} depends on the machine that runs the program.</source>
