@@ -158,7 +158,7 @@ Vorgabe: 0 mm</translation>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Take the selected breakpoints away</source>
+        <source>Remove the selected breakpoints</source>
         <translation>Die gewählten Haltepunkte entfernen</translation>
     </message>
     <message>
@@ -2100,7 +2100,7 @@ Vorgabe: 0 mm</translation>
         <translation>Dezimierungszeit, s</translation>
     </message>
     <message>
-        <source>Faces shown in all frames</source>
+        <source>Triangles shown in all frames</source>
         <translation>Gezeigte Dreiecke aller Bilder</translation>
     </message>
     <message>
@@ -2112,11 +2112,11 @@ Vorgabe: 0 mm</translation>
         <translation>Zeit, der Reihe nach</translation>
     </message>
     <message>
-        <source>Faces, random</source>
+        <source>Triangles, random</source>
         <translation>Dreiecke, zufällig</translation>
     </message>
     <message>
-        <source>Faces, sequential</source>
+        <source>Triangles, sequential</source>
         <translation>Dreiecke, der Reihe nach</translation>
     </message>
     <message>
@@ -2128,7 +2128,7 @@ Vorgabe: 0 mm</translation>
         <translation>Verhältnis zu ε = 0</translation>
     </message>
     <message>
-        <source>Number of faces</source>
+        <source>Number of triangles</source>
         <translation>Anzahl der Dreiecke</translation>
     </message>
     <message>
@@ -2160,7 +2160,7 @@ Vorgabe: 0 mm</translation>
         <translation>Globale und lokale Dezimierung: Darstellungszeit jedes Bildes</translation>
     </message>
     <message>
-        <source>Decimation time and faces by the order of removal</source>
+        <source>Decimation time and triangles by the order of removal</source>
         <translation>Dezimierungszeit und Dreiecke nach Reihenfolge des Entfernens</translation>
     </message>
     <message>
@@ -2168,11 +2168,11 @@ Vorgabe: 0 mm</translation>
         <translation>Darstellungszeit und Regionsgröße</translation>
     </message>
     <message>
-        <source>Faces and rendering time against no decimation</source>
+        <source>Triangles and rendering time against no decimation</source>
         <translation>Dreiecke und Darstellungszeit im Verhältnis zu ohne Dezimierung</translation>
     </message>
     <message>
-        <source>Number of faces of each frame</source>
+        <source>Number of triangles of each frame</source>
         <translation>Anzahl der Dreiecke jedes Bildes</translation>
     </message>
     <message>
@@ -2180,7 +2180,7 @@ Vorgabe: 0 mm</translation>
         <translation>Darstellungszeit jedes Bildes, Mittel über 20 Schritte</translation>
     </message>
     <message>
-        <source>Number of faces and rendering time by the decimation period</source>
+        <source>Number of triangles and rendering time by the decimation period</source>
         <translation>Anzahl der Dreiecke und Darstellungszeit nach Dezimierungsperiode</translation>
     </message>
     <message>
@@ -2492,6 +2492,18 @@ Vorgabe: 0 mm</translation>
         <translation>Hier wird es einmal ausgeführt; beenden Sie es mit M30, wenn das gemeint war.</translation>
     </message>
     <message>
+        <source>{} does not begin its block; LinuxCNC looks for it there only.</source>
+        <translation>{} steht nicht am Anfang des Satzes; LinuxCNC sucht es nur dort.</translation>
+    </message>
+    <message>
+        <source>Put it first in the block.</source>
+        <translation>Setzen Sie es an den Anfang des Satzes.</translation>
+    </message>
+    <message>
+        <source>M99 is not alone in its block; LinuxCNC stops there with an error.</source>
+        <translation>M99 steht nicht allein im Satz; LinuxCNC hält dort mit einem Fehler an.</translation>
+    </message>
+    <message>
         <source>Repeated lines and their motions are more than {}; interpretation ends in line {}.</source>
         <translation>Wiederholte Zeilen und ihre Bewegungen sind mehr als {}; die Interpretation endet in Zeile {}.</translation>
     </message>
@@ -2588,8 +2600,8 @@ Vorgabe: 0 mm</translation>
         <translation>Schreiben Sie G90 davor; dieser Satz wird übersprungen.</translation>
     </message>
     <message>
-        <source>The machine&apos;s zero lies nobody knows where: {} cuts nothing, nor does what follows until the axis is positioned again.</source>
-        <translation>Wo der Maschinennullpunkt liegt, ist nicht bekannt: {} fräst nichts, auch das Folgende nicht, bis die Achse wieder positioniert ist.</translation>
+        <source>Machine zero is unknown, so {} has no position; motions are not simulated until the axis is positioned again.</source>
+        <translation>Der Maschinennullpunkt ist unbekannt, daher hat {} keine Position; Bewegungen werden nicht simuliert, bis die Achse wieder positioniert ist.</translation>
     </message>
     <message>
         <source>Motions to reference positions are taken to lead away from the part.</source>
@@ -2820,8 +2832,8 @@ Vorgabe: 0 mm</translation>
         <translation>Auf einer Fräsmaschine ist X kein Durchmesser: G97 und eine Drehzahl schreiben.</translation>
     </message>
     <message>
-        <source>With G96 and no D nobody knows how fast the spindle turns.</source>
-        <translation>Mit G96 ohne D weiß niemand, wie schnell die Spindel dreht.</translation>
+        <source>Spindle speed is unknown, because G96 has no D.</source>
+        <translation>Die Spindeldrehzahl ist unbekannt, weil G96 kein D hat.</translation>
     </message>
     <message>
         <source>Write G97 and a speed, or a limit D.</source>
@@ -3152,6 +3164,14 @@ Vorgabe: 0 mm</translation>
         <translation>DO 1 braucht END 1 im selben Programm; Schleifen überschneiden sich nicht.</translation>
     </message>
     <message>
+        <source>The value of {} is kept by the machine; it is assumed to be 0.</source>
+        <translation>Den Wert von {} kennt nur die Maschine; er wird mit 0 angenommen.</translation>
+    </message>
+    <message>
+        <source>Check the program with other values where a decision depends on it.</source>
+        <translation>Prüfen Sie das Programm mit anderen Werten, wenn eine Entscheidung davon abhängt.</translation>
+    </message>
+    <message>
         <source>The value of {} depends on the machine that runs the program.</source>
         <translation>Der Wert von {} hängt von der Maschine ab, die das Programm ausführt.</translation>
     </message>
@@ -3164,8 +3184,8 @@ Vorgabe: 0 mm</translation>
         <translation>Die Position {} ist hier nicht bekannt.</translation>
     </message>
     <message>
-        <source>Position the axis first, or state a start position in the set-up.</source>
-        <translation>Positionieren Sie die Achse zuerst, oder geben Sie in der Einrichtung eine Startposition an.</translation>
+        <source>Position the axis first, or state a start position in the setup.</source>
+        <translation>Positionieren Sie die Achse zuerst, oder geben Sie in der Aufspannung eine Startposition an.</translation>
     </message>
     <message>
         <source>The program stops itself with alarm {}.</source>
@@ -3176,8 +3196,8 @@ Vorgabe: 0 mm</translation>
         <translation>Der Kommentar daneben sagt, warum; was dahinter steht, wird nicht ausgeführt.</translation>
     </message>
     <message>
-        <source>The program is read as {} does, because of these words (and lines): {}.</source>
-        <translation>Das Programm wird wie von {} gelesen, wegen dieser Wörter (und Zeilen): {}.</translation>
+        <source>Dialect detected: {} (from {}).</source>
+        <translation>Dialekt erkannt: {} (aus {}).</translation>
     </message>
     <message>
         <source>Choose the dialect yourself if that is wrong.</source>
@@ -4496,7 +4516,7 @@ Vorgabe: 0 mm</translation>
         <translation>Proveout-Rohteil</translation>
     </message>
     <message>
-        <source>what a set-up has left of its stock</source>
+        <source>what a setup has left of its stock</source>
         <translation>was eine Aufspannung von ihrem Rohteil übrig lässt</translation>
     </message>
     <message>
@@ -4576,8 +4596,8 @@ Vorgabe: 0 mm</translation>
         <translation>Größe des Rohteils längs X.</translation>
     </message>
     <message>
-        <source>Depth Y</source>
-        <translation>Tiefe Y</translation>
+        <source>Length Y</source>
+        <translation>Länge Y</translation>
     </message>
     <message>
         <source>Size of the stock along Y.</source>
@@ -4636,7 +4656,7 @@ Vorgabe: 0 mm</translation>
         <translation>Gespeichertes Rohteil</translation>
     </message>
     <message>
-        <source>What an earlier set-up has left, as saved by File, Save Stock.</source>
+        <source>What an earlier setup has left, as saved by File, Save Stock.</source>
         <translation>Was eine frühere Aufspannung übrig ließ, wie mit Datei, Rohteil speichern gesichert.</translation>
     </message>
     <message>
@@ -4688,7 +4708,7 @@ Vorgabe: 0 mm</translation>
         <translation>Ein Guss- oder Schmiedeteil als geschlossenes Netz.</translation>
     </message>
     <message>
-        <source>What an earlier set-up has left, also flipped or turned.</source>
+        <source>What an earlier setup has left, also flipped or turned.</source>
         <translation>Was eine frühere Aufspannung übrig ließ, auch gewendet oder gedreht.</translation>
     </message>
     <message>
@@ -4852,7 +4872,7 @@ Vorgabe: 0 mm</translation>
         <translation>Vorschub, mm/min; 0 im Eilgang</translation>
     </message>
     <message>
-        <source>spindle speed, 1/min</source>
+        <source>spindle speed, rpm</source>
         <translation>Spindeldrehzahl, 1/min</translation>
     </message>
     <message>
@@ -5249,7 +5269,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>If it moves no axis (a clamp, a door, air), add it to the ignored M codes of the setup; until then, results after this block are unverified.</source>
-        <translation>Bewegt er keine Achse (eine Klemmung, eine Tür, Luft), nehmen Sie ihn in die ignorierten M-Befehle der Einrichtung auf; bis dahin sind die Ergebnisse nach diesem Satz ungeprüft.</translation>
+        <translation>Bewegt er keine Achse (eine Klemmung, eine Tür, Luft), nehmen Sie ihn in die ignorierten M-Befehle der Aufspannung auf; bis dahin sind die Ergebnisse nach diesem Satz ungeprüft.</translation>
     </message>
     <message>
         <source>{} ({}) moves no axis and is ignored ({}×, line {}).</source>
@@ -5261,7 +5281,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>{} is ignored, because the setup lists it ({}×, line {}).</source>
-        <translation>{} wird ignoriert, weil die Einrichtung es aufführt ({}×, Zeile {}).</translation>
+        <translation>{} wird ignoriert, weil die Aufspannung es aufführt ({}×, Zeile {}).</translation>
     </message>
     <message>
         <source>Remove it from the ignored M codes if it moves an axis.</source>
@@ -5269,7 +5289,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>{} ({}) is executed, although the setup lists it as ignored.</source>
-        <translation>{} ({}) wird ausgeführt, obwohl die Einrichtung es als ignoriert aufführt.</translation>
+        <translation>{} ({}) wird ausgeführt, obwohl die Aufspannung es als ignoriert aufführt.</translation>
     </message>
     <message>
         <source>Remove it from the ignored M codes: only codes without a known effect can be ignored.</source>
@@ -5344,8 +5364,8 @@ Vorgabe: 0 mm</translation>
         <translation>ein Office- oder CAD-Dokument</translation>
     </message>
     <message>
-        <source>a program of the computer</source>
-        <translation>ein Programm des Computers</translation>
+        <source>an executable file</source>
+        <translation>eine ausführbare Datei</translation>
     </message>
     <message>
         <source>This is {}, not an NC program.</source>
@@ -5358,6 +5378,10 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>Choose a finer grid, or the automatic one; look at details in a smaller stock or a detail region.</source>
         <translation>Wählen Sie ein feineres Raster oder das automatische; sehen Sie sich Einzelheiten in einem kleineren Rohteil oder einem Detailausschnitt an.</translation>
+    </message>
+    <message>
+        <source>Look at details in a smaller stock or a detail region, or enter a finer grid spacing.</source>
+        <translation>Sehen Sie sich Einzelheiten in einem kleineren Rohteil oder einem Detailausschnitt an, oder geben Sie eine kleinere Rasterweite ein.</translation>
     </message>
     <message>
         <source>Confirm the sizes of the tool in the tool table, or correct them.</source>
@@ -5376,16 +5400,16 @@ Vorgabe: 0 mm</translation>
         <translation>{} mm Rohteil treffen auf den Hals des unbestätigten Werkzeugs T{}.</translation>
     </message>
     <message>
-        <source>T{} is read from a comment ({}); it is not confirmed.</source>
-        <translation>T{} ist aus einem Kommentar gelesen ({}) und nicht bestätigt.</translation>
+        <source>T{} is read from a comment (⌀ {} mm {}); it is not confirmed.</source>
+        <translation>T{} ist aus einem Kommentar gelesen (⌀ {} mm {}) und nicht bestätigt.</translation>
     </message>
     <message>
-        <source>T{} is read from a comment ({}; defaults: {}); it is not confirmed.</source>
-        <translation>T{} ist aus einem Kommentar gelesen ({}; Vorgaben: {}) und nicht bestätigt.</translation>
+        <source>T{} is read from a comment (⌀ {} mm {}; assumed: {}); it is not confirmed.</source>
+        <translation>T{} ist aus einem Kommentar gelesen (⌀ {} mm {}; angenommen: {}) und nicht bestätigt.</translation>
     </message>
     <message>
-        <source>The sizes of T{} are assumed ({}); they are not confirmed.</source>
-        <translation>Die Maße von T{} sind angenommen ({}) und nicht bestätigt.</translation>
+        <source>The sizes of T{} are assumed (⌀ {} mm {}); they are not confirmed.</source>
+        <translation>Die Maße von T{} sind angenommen (⌀ {} mm {}) und nicht bestätigt.</translation>
     </message>
     <message>
         <source>The program cuts before it calls a tool; T{} is assumed to be in the spindle.</source>
@@ -5393,7 +5417,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Set the tool at start in the setup if this is the right one.</source>
-        <translation>Setzen Sie in der Einrichtung das Werkzeug am Anfang, falls dies das richtige ist.</translation>
+        <translation>Setzen Sie in der Aufspannung das Werkzeug am Anfang, falls dies das richtige ist.</translation>
     </message>
     <message>
         <source>T{} is not in the tool table; its moves are not simulated.</source>
@@ -5409,7 +5433,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Set the tool at start in the setup, or program T and M6 before the first cut.</source>
-        <translation>Setzen Sie in der Einrichtung das Werkzeug am Anfang, oder programmieren Sie T und M6 vor dem ersten Schnitt.</translation>
+        <translation>Setzen Sie in der Aufspannung das Werkzeug am Anfang, oder programmieren Sie T und M6 vor dem ersten Schnitt.</translation>
     </message>
     <message>
         <source>T{} leaves the spindle empty; its moves are not simulated.</source>
@@ -5543,6 +5567,38 @@ Vorgabe: 0 mm</translation>
         <source>Export the part in millimetres; STL files have no unit.</source>
         <translation>Exportieren Sie das Teil in Millimetern; STL-Dateien haben keine Einheit.</translation>
     </message>
+    <message>
+        <source>The program calls no tool; T{} is assumed to be in the spindle.</source>
+        <translation>Das Programm ruft kein Werkzeug auf; angenommen wird T{} in der Spindel.</translation>
+    </message>
+    <message>
+        <source>The program calls no tool; its moves are not simulated.</source>
+        <translation>Das Programm ruft kein Werkzeug auf; seine Bewegungen werden nicht simuliert.</translation>
+    </message>
+    <message>
+        <source>The file of the stock has changed on disk; the simulation starts from what it held before.</source>
+        <translation>Die Datei des Rohteils wurde auf dem Datenträger geändert; die Simulation geht von ihrem früheren Inhalt aus.</translation>
+    </message>
+    <message>
+        <source>Reload the stock in the setup, or keep it as it is.</source>
+        <translation>Laden Sie das Rohteil in der Aufspannung neu, oder behalten Sie es, wie es ist.</translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation>1/min</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>{} ({}) moves no axis and is ignored ({}×, lines {}).</source>
+        <translation>{} ({}) bewegt keine Achse und wird ignoriert ({}×, Zeilen {}).</translation>
+    </message>
+    <message>
+        <source>{} is ignored, because the setup lists it ({}×, lines {}).</source>
+        <translation>{} wird ignoriert, weil die Aufspannung es aufführt ({}×, Zeilen {}).</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -5582,7 +5638,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Setup</source>
-        <translation>Einrichtung</translation>
+        <translation>Aufspannung</translation>
     </message>
     <message>
         <source>Tuning</source>
@@ -5621,7 +5677,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>setup</source>
-        <translation>Einrichtung</translation>
+        <translation>Aufspannung</translation>
     </message>
 </context>
 <context>
@@ -5707,11 +5763,11 @@ Vorgabe: 0 mm</translation>
         <translation>Zum vorherigen Treffer gehen</translation>
     </message>
     <message>
-        <source>Run to Caret &amp;Line</source>
+        <source>Run to Cur&amp;sor</source>
         <translation>Bis zur &amp;Zeile der Schreibmarke</translation>
     </message>
     <message>
-        <source>Show the stock after the line that the caret is on</source>
+        <source>Show the stock after the line of the cursor</source>
         <translation>Das Rohteil nach der Zeile der Schreibmarke zeigen</translation>
     </message>
     <message>
@@ -5719,12 +5775,12 @@ Vorgabe: 0 mm</translation>
         <translation>&amp;Haltepunkt umschalten</translation>
     </message>
     <message>
-        <source>Stop the run before the line that the caret is on, or no longer</source>
-        <translation>Den Lauf vor der Zeile der Schreibmarke anhalten, oder nicht mehr</translation>
+        <source>Set or remove a breakpoint at the line of the cursor</source>
+        <translation>Einen Haltepunkt in der Zeile der Schreibmarke setzen oder entfernen</translation>
     </message>
     <message>
         <source>Undo the last change where the focus is: in the text, or in setup, tuning and machine</source>
-        <translation>Die letzte Änderung dort zurücknehmen, wo der Fokus ist: im Text oder in Einrichtung, Abstimmung und Maschine</translation>
+        <translation>Die letzte Änderung dort zurücknehmen, wo der Fokus ist: im Text oder in Aufspannung, Abstimmung und Maschine</translation>
     </message>
     <message>
         <source>Redo the change that was undone last</source>
@@ -5898,7 +5954,7 @@ Vorgabe: 0 mm</translation>
         <translation>&amp;Rohteil speichern …</translation>
     </message>
     <message>
-        <source>Save what is left of the stock, for the next set-up</source>
+        <source>Save what is left of the stock, for the next setup</source>
         <translation>Speichern, was vom Rohteil übrig ist, für die nächste Aufspannung</translation>
     </message>
 </context>
@@ -5990,7 +6046,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>. The setup has not been saved as a job.</source>
-        <translation>. Die Einrichtung ist nicht als Auftrag gespeichert.</translation>
+        <translation>. Die Aufspannung ist nicht als Auftrag gespeichert.</translation>
     </message>
     <message>
         <source>The new program has not been saved.</source>
@@ -6002,11 +6058,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The setup has not been saved as a job.</source>
-        <translation>Die Einrichtung ist nicht als Auftrag gespeichert.</translation>
+        <translation>Die Aufspannung ist nicht als Auftrag gespeichert.</translation>
     </message>
     <message>
         <source>The setup of %1 has unsaved changes.</source>
-        <translation>Die Einrichtung von %1 hat nicht gespeicherte Änderungen.</translation>
+        <translation>Die Aufspannung von %1 hat nicht gespeicherte Änderungen.</translation>
     </message>
     <message>
         <source>Save changes before closing?</source>
@@ -6092,6 +6148,17 @@ Vorgabe: 0 mm</translation>
         <source>%1 found</source>
         <comment>matches</comment>
         <translation>%1 gefunden</translation>
+    </message>
+</context>
+<context>
+    <name>ForeignNotice</name>
+    <message>
+        <source>Read As</source>
+        <translation>Lesen als</translation>
+    </message>
+    <message>
+        <source>Choose the dialect of the program</source>
+        <translation>Den Dialekt des Programms wählen</translation>
     </message>
 </context>
 <context>
@@ -6198,23 +6265,23 @@ Vorgabe: automatisch</translation>
         <translation>Oberseite Z</translation>
     </message>
     <message>
-        <source>Stock Shape</source>
+        <source>Stock shape</source>
         <translation>Form des Rohteils</translation>
     </message>
     <message>
-        <source>Grid Spacing</source>
+        <source>Grid spacing</source>
         <translation>Rasterweite</translation>
     </message>
     <message>
-        <source>Start Position</source>
+        <source>Start position</source>
         <translation>Startposition</translation>
     </message>
     <message>
-        <source>Tool at Start</source>
+        <source>Tool at start</source>
         <translation>Werkzeug am Anfang</translation>
     </message>
     <message>
-        <source>Ignored M Codes</source>
+        <source>Ignored M codes</source>
         <translation>Ignorierte M-Befehle</translation>
     </message>
     <message>
@@ -6222,11 +6289,11 @@ Vorgabe: automatisch</translation>
         <translation>Dialekt</translation>
     </message>
     <message>
-        <source>Block Delete</source>
+        <source>Block delete</source>
         <translation>Sätze ausblenden</translation>
     </message>
     <message>
-        <source>Cutter Compensation Start-Up</source>
+        <source>Cutter compensation start-up</source>
         <translation>Beginn der Fräserradiuskorrektur</translation>
     </message>
     <message>
@@ -6234,7 +6301,7 @@ Vorgabe: automatisch</translation>
         <translation>Werkzeug T%1</translation>
     </message>
     <message>
-        <source>Tool Table</source>
+        <source>Tool table</source>
         <translation>Werkzeugtabelle</translation>
     </message>
     <message>
@@ -6243,14 +6310,14 @@ Vorgabe: automatisch</translation>
     </message>
     <message>
         <source>Setup</source>
-        <translation>Einrichtung</translation>
+        <translation>Aufspannung</translation>
     </message>
     <message>
-        <source>Decimation Method</source>
+        <source>Decimation method</source>
         <translation>Dezimierungsverfahren</translation>
     </message>
     <message>
-        <source>Decimation Parameters</source>
+        <source>Decimation parameters</source>
         <translation>Dezimierungsparameter</translation>
     </message>
     <message>
@@ -6266,7 +6333,7 @@ Vorgabe: automatisch</translation>
     </message>
     <message>
         <source>Program, setup and problems in front; playback in machine time</source>
-        <translation>Programm, Einrichtung und Probleme vorn; Abspielen in Maschinenzeit</translation>
+        <translation>Programm, Aufspannung und Probleme vorn; Abspielen in Maschinenzeit</translation>
     </message>
     <message>
         <source>&amp;Research</source>
@@ -6280,8 +6347,8 @@ Vorgabe: automatisch</translation>
 <context>
     <name>MachineForm</name>
     <message>
-        <source>These values are assumed until you change one.</source>
-        <translation>Diese Werte sind angenommen, bis Sie einen ändern.</translation>
+        <source>Default machine values.</source>
+        <translation>Standardwerte der Maschine.</translation>
     </message>
     <message>
         <source>Cycle time %1: feed %2, rapid %3, dwell %4, tool changes %5</source>
@@ -6366,7 +6433,7 @@ Vorgabe: %4 %5</translation>
         <translation>&amp;Beispiel öffnen</translation>
     </message>
     <message>
-        <source>&amp;Memory to Go Back</source>
+        <source>Rewind &amp;Memory</source>
         <translation>Speicher zum &amp;Zurückgehen</translation>
     </message>
     <message>
@@ -6515,10 +6582,6 @@ Vorgabe: %4 %5</translation>
     <message>
         <source>Removed</source>
         <translation>Abgetragen</translation>
-    </message>
-    <message>
-        <source>Faces</source>
-        <translation>Dreiecke</translation>
     </message>
     <message>
         <source>Block</source>
@@ -6712,6 +6775,26 @@ Vorgabe: %4 %5</translation>
         <source>Ignore M%1: It Moves No Axis</source>
         <translation>M%1 ignorieren: bewegt keine Achse</translation>
     </message>
+    <message>
+        <source>Open a program to see its problems.</source>
+        <translation>Öffnen Sie ein Programm, um seine Probleme zu sehen.</translation>
+    </message>
+    <message>
+        <source>Reading the program; no problems so far.</source>
+        <translation>Das Programm wird gelesen; bisher keine Probleme.</translation>
+    </message>
+    <message>
+        <source>Not simulated yet; no problems in the program text.</source>
+        <translation>Noch nicht simuliert; keine Probleme im Programmtext.</translation>
+    </message>
+    <message>
+        <source>No problems up to block %1 of %2.</source>
+        <translation>Keine Probleme bis Satz %1 von %2.</translation>
+    </message>
+    <message>
+        <source>Ignore All Unknown M Codes of This Program</source>
+        <translation>Alle unbekannten M-Befehle dieses Programms ignorieren</translation>
+    </message>
 </context>
 <context>
     <name>RecentMenu</name>
@@ -6740,7 +6823,7 @@ Vorgabe: %4 %5</translation>
     </message>
     <message>
         <source>Setup</source>
-        <translation>Einrichtung</translation>
+        <translation>Aufspannung</translation>
     </message>
     <message>
         <source>Discard unsaved changes</source>
@@ -6763,7 +6846,7 @@ Vorgabe: %4 %5</translation>
     </message>
     <message>
         <source>program and setup</source>
-        <translation>Programm und Einrichtung</translation>
+        <translation>Programm und Aufspannung</translation>
     </message>
     <message>
         <source>program</source>
@@ -6771,7 +6854,7 @@ Vorgabe: %4 %5</translation>
     </message>
     <message>
         <source>setup</source>
-        <translation>Einrichtung</translation>
+        <translation>Aufspannung</translation>
     </message>
     <message>
         <source>untitled</source>
@@ -6882,6 +6965,18 @@ Keep Both saves your version as a new file beside it.</source>
         <source>&amp;Compare…</source>
         <translation>&amp;Vergleichen …</translation>
     </message>
+    <message>
+        <source>Stock in use</source>
+        <translation>Rohteil in Gebrauch</translation>
+    </message>
+    <message>
+        <source>%1 is the stock of the open job.</source>
+        <translation>%1 ist das Rohteil des geöffneten Auftrags.</translation>
+    </message>
+    <message>
+        <source>If you overwrite it, the job starts from its own result the next time it is opened.</source>
+        <translation>Wenn Sie es überschreiben, geht der Auftrag beim nächsten Öffnen von seinem eigenen Ergebnis aus.</translation>
+    </message>
 </context>
 <context>
     <name>Session</name>
@@ -6921,16 +7016,16 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>An Programm anpassen</translation>
     </message>
     <message>
-        <source>Make the stock just large enough for all cutting motions</source>
-        <translation>Das Rohteil gerade groß genug für alle Vorschubbewegungen machen</translation>
+        <source>Fit the stock to the toolpath</source>
+        <translation>Das Rohteil an den Werkzeugweg anpassen</translation>
     </message>
     <message>
         <source>Tools</source>
         <translation>Werkzeuge</translation>
     </message>
     <message>
-        <source>Skip blocks that begin with /</source>
-        <translation>Sätze überspringen, die mit / beginnen</translation>
+        <source>Block delete (/)</source>
+        <translation>Ausblendsätze (/)</translation>
     </message>
     <message>
         <source>Block delete, as the switch on the control</source>
@@ -6957,8 +7052,8 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>Dialekt des Programms</translation>
     </message>
     <message>
-        <source>Start of cutter compensation</source>
-        <translation>Beginn der Fräserradiuskorrektur</translation>
+        <source>Cutter comp start-up</source>
+        <translation>Anfahren der Fräserradiuskorrektur</translation>
     </message>
     <message>
         <source>Type A: straight to the path</source>
@@ -7043,7 +7138,7 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>Anhalten und zum ungefrästen Rohteil zurückgehen</translation>
     </message>
     <message>
-        <source>To St&amp;art</source>
+        <source>Go to St&amp;art</source>
         <translation>Zum A&amp;nfang</translation>
     </message>
     <message>
@@ -7067,7 +7162,7 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>Den nächsten Satz ausführen</translation>
     </message>
     <message>
-        <source>To &amp;End</source>
+        <source>Go to &amp;End</source>
         <translation>Zum &amp;Ende</translation>
     </message>
     <message>
@@ -7127,8 +7222,8 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>&amp;Pause</translation>
     </message>
     <message>
-        <source>Ret&amp;urn from Jump</source>
-        <translation>Vom Sprung zu&amp;rückkehren</translation>
+        <source>Back to Previo&amp;us Position</source>
+        <translation>Zu&amp;rück zur vorherigen Position</translation>
     </message>
     <message>
         <source>Go back to where you were before you went to the block that made a place</source>
@@ -7249,7 +7344,7 @@ Diese Datei ist nicht mehr da.</translation>
         <translation>Vorschub, mm/min</translation>
     </message>
     <message>
-        <source>Spindle speed, 1/min</source>
+        <source>Spindle speed, rpm</source>
         <translation>Spindeldrehzahl, 1/min</translation>
     </message>
     <message>
@@ -7269,7 +7364,7 @@ Diese Datei ist nicht mehr da.</translation>
         <translation>Satz %1 / %2</translation>
     </message>
     <message>
-        <source>Faces %1</source>
+        <source>Triangles %1</source>
         <translation>Dreiecke %1</translation>
     </message>
     <message>
@@ -7285,12 +7380,8 @@ Diese Datei ist nicht mehr da.</translation>
         <translation>Nie gefräst: bis Satz %1 ist dies unberührtes Rohteil.</translation>
     </message>
     <message>
-        <source>The program or its set-up has changed: ask again in a moment.</source>
-        <translation>Programm oder Einrichtung sind geändert: gleich noch einmal fragen.</translation>
-    </message>
-    <message>
-        <source>Cut by block %1: line %2, tool T%3.</source>
-        <translation>Gefräst von Satz %1: Zeile %2, Werkzeug T%3.</translation>
+        <source>The program or its setup has changed: ask again in a moment.</source>
+        <translation>Programm oder Aufspannung sind geändert: gleich noch einmal fragen.</translation>
     </message>
     <message>
         <source>Tool tip X in the active work offset, mm</source>
@@ -7305,9 +7396,8 @@ Diese Datei ist nicht mehr da.</translation>
         <translation>Z der Werkzeugspitze in der aktiven Nullpunktverschiebung, mm</translation>
     </message>
     <message>
-        <source>%1 (assumed)</source>
-        <comment>a tool</comment>
-        <translation>%1 (angenommen)</translation>
+        <source>Cut by block %1: line %2, tool %3.</source>
+        <translation>Gefräst von Satz %1: Zeile %2, Werkzeug %3.</translation>
     </message>
 </context>
 <context>
@@ -7435,8 +7525,8 @@ Vorgabe: %4 mm</translation>
         <translation>Unberührtes Rohteil</translation>
     </message>
     <message>
-        <source>Line %1, T%2</source>
-        <translation>Zeile %1, T%2</translation>
+        <source>Line %1, %2</source>
+        <translation>Zeile %1, %2</translation>
     </message>
 </context>
 <context>
@@ -7472,10 +7562,6 @@ Vorgabe: %4 mm</translation>
     <message>
         <source>Each block is drawn before the next one is cut</source>
         <translation>Jeder Satz wird gezeichnet, bevor der nächste gefräst wird</translation>
-    </message>
-    <message>
-        <source>Block %1 · line %2 · tool T%3</source>
-        <translation>Satz %1 · Zeile %2 · Werkzeug T%3</translation>
     </message>
     <message>
         <source>There is a problem on this line.</source>
@@ -7528,6 +7614,10 @@ Vorgabe: %4 mm</translation>
     <message>
         <source>Lags: %1×</source>
         <translation>Hinkt nach: %1×</translation>
+    </message>
+    <message>
+        <source>Block %1 · line %2 · %3</source>
+        <translation>Satz %1 · Zeile %2 · %3</translation>
     </message>
 </context>
 <context>
@@ -7606,10 +7696,6 @@ Vorgabe: %3</translation>
         <translation>Die Maße von T%1 sind angenommen: %2.</translation>
     </message>
     <message>
-        <source>Until you confirm them, results are unverified.</source>
-        <translation>Bis Sie sie bestätigen, sind die Ergebnisse ungeprüft.</translation>
-    </message>
-    <message>
         <source>Check …</source>
         <translation>Prüfen …</translation>
     </message>
@@ -7628,6 +7714,14 @@ Vorgabe: %3</translation>
     <message>
         <source>The sizes in the tool table are right</source>
         <translation>Die Maße in der Werkzeugtabelle stimmen</translation>
+    </message>
+    <message>
+        <source>The program calls no tool; its moves are not simulated.</source>
+        <translation>Das Programm ruft kein Werkzeug auf; seine Bewegungen werden nicht simuliert.</translation>
+    </message>
+    <message>
+        <source>Results are unverified until you confirm the sizes.</source>
+        <translation>Die Ergebnisse sind ungeprüft, bis Sie die Maße bestätigen.</translation>
     </message>
 </context>
 <context>
@@ -7705,6 +7799,10 @@ Vorgabe: %3</translation>
         <translation>Dort nicht angegeben, Vorgaben: %1</translation>
     </message>
     <message>
+        <source>Entered: %1</source>
+        <translation>Eingegeben: %1</translation>
+    </message>
+    <message>
         <source>Source</source>
         <translation>Herkunft</translation>
     </message>
@@ -7740,7 +7838,7 @@ Vorgabe: die nächste freie Nummer</translation>
         <translation>Öffnen Sie ein Programm, um es zu sehen.</translation>
     </message>
     <message>
-        <source>Faces shown: %1 of %2 (%3 %)</source>
+        <source>Triangles shown: %1 of %2 (%3 %)</source>
         <translation>Gezeigte Dreiecke: %1 von %2 (%3 %)</translation>
     </message>
     <message>
@@ -7768,14 +7866,14 @@ Vorgabe: die nächste freie Nummer</translation>
         <translation>Die Dezimierung wird beim Abspielen zurückgehalten: Ein Bild dauert ohne sie %1 ms und mit ihr %2 ms.</translation>
     </message>
     <message>
-        <source>Decimation is held back while playing: there are only %1 faces to draw without it.</source>
+        <source>Decimation is held back while playing: there are only %1 triangles to draw without it.</source>
         <translation>Die Dezimierung wird beim Abspielen zurückgehalten: Ohne sie sind nur %1 Dreiecke zu zeichnen.</translation>
     </message>
 </context>
 <context>
     <name>UndoCommands</name>
     <message>
-        <source>Text Change</source>
+        <source>Text change</source>
         <translation>Textänderung</translation>
     </message>
     <message>
@@ -8093,6 +8191,44 @@ Vorgabe: die nächste freie Nummer</translation>
     <message>
         <source>First of %1 executions</source>
         <translation>Erste von %1 Ausführungen</translation>
+    </message>
+</context>
+<context>
+    <name>Tools</name>
+    <message>
+        <source>%1 (assumed)</source>
+        <translation>%1 (angenommen)</translation>
+    </message>
+    <message>
+        <source>no tool</source>
+        <translation>kein Werkzeug</translation>
+    </message>
+</context>
+<context>
+    <name>StockChangedBar</name>
+    <message>
+        <source>%1 has changed on disk. The simulation starts from what it held before.</source>
+        <translation>%1 wurde auf dem Datenträger geändert. Die Simulation geht vom früheren Inhalt aus.</translation>
+    </message>
+    <message>
+        <source>%1 was deleted or renamed on disk. The simulation starts from what it held before; the job cannot be opened without it.</source>
+        <translation>%1 wurde auf dem Datenträger gelöscht oder umbenannt. Die Simulation geht vom früheren Inhalt aus; ohne die Datei lässt sich der Auftrag nicht öffnen.</translation>
+    </message>
+    <message>
+        <source>&amp;Reload</source>
+        <translation>Neu &amp;laden</translation>
+    </message>
+    <message>
+        <source>Read the stock again and simulate with it</source>
+        <translation>Das Rohteil neu lesen und damit simulieren</translation>
+    </message>
+    <message>
+        <source>&amp;Keep This Version</source>
+        <translation>Diese Version &amp;behalten</translation>
+    </message>
+    <message>
+        <source>Continue with the stock as it was read</source>
+        <translation>Mit dem Rohteil fortfahren, wie es gelesen wurde</translation>
     </message>
 </context>
 </TS>

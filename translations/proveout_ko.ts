@@ -158,7 +158,7 @@ Default: 0 mm</source>
         <translation>제거</translation>
     </message>
     <message>
-        <source>Take the selected breakpoints away</source>
+        <source>Remove the selected breakpoints</source>
         <translation>선택한 중단점을 제거합니다</translation>
     </message>
     <message>
@@ -2100,8 +2100,8 @@ Default: 0 mm</source>
         <translation>간략화 시간, s</translation>
     </message>
     <message>
-        <source>Faces shown in all frames</source>
-        <translation>모든 프레임에 표시된 면 수</translation>
+        <source>Triangles shown in all frames</source>
+        <translation>모든 프레임에 표시된 삼각형 수</translation>
     </message>
     <message>
         <source>Time, random</source>
@@ -2112,12 +2112,12 @@ Default: 0 mm</source>
         <translation>시간, 순차</translation>
     </message>
     <message>
-        <source>Faces, random</source>
-        <translation>면, 무작위</translation>
+        <source>Triangles, random</source>
+        <translation>삼각형, 무작위</translation>
     </message>
     <message>
-        <source>Faces, sequential</source>
-        <translation>면, 순차</translation>
+        <source>Triangles, sequential</source>
+        <translation>삼각형, 순차</translation>
     </message>
     <message>
         <source>Error allowance ε, mm</source>
@@ -2128,8 +2128,8 @@ Default: 0 mm</source>
         <translation>ε = 0에 대한 비율</translation>
     </message>
     <message>
-        <source>Number of faces</source>
-        <translation>면 수</translation>
+        <source>Number of triangles</source>
+        <translation>삼각형 수</translation>
     </message>
     <message>
         <source>each step</source>
@@ -2160,28 +2160,28 @@ Default: 0 mm</source>
         <translation>전체 및 국소 간략화: 프레임별 렌더링 시간</translation>
     </message>
     <message>
-        <source>Decimation time and faces by the order of removal</source>
-        <translation>제거 순서에 따른 간략화 시간과 면 수</translation>
+        <source>Decimation time and triangles by the order of removal</source>
+        <translation>제거 순서에 따른 간략화 시간과 삼각형 수</translation>
     </message>
     <message>
         <source>Rendering time and region size</source>
         <translation>렌더링 시간과 영역 크기</translation>
     </message>
     <message>
-        <source>Faces and rendering time against no decimation</source>
-        <translation>간략화하지 않은 경우 대비 면 수와 렌더링 시간</translation>
+        <source>Triangles and rendering time against no decimation</source>
+        <translation>간략화하지 않은 경우 대비 삼각형 수와 렌더링 시간</translation>
     </message>
     <message>
-        <source>Number of faces of each frame</source>
-        <translation>프레임별 면 수</translation>
+        <source>Number of triangles of each frame</source>
+        <translation>프레임별 삼각형 수</translation>
     </message>
     <message>
         <source>Rendering time of each frame, averages over 20 steps</source>
         <translation>프레임별 렌더링 시간, 20단계 평균</translation>
     </message>
     <message>
-        <source>Number of faces and rendering time by the decimation period</source>
-        <translation>간략화 주기에 따른 면 수와 렌더링 시간</translation>
+        <source>Number of triangles and rendering time by the decimation period</source>
+        <translation>간략화 주기에 따른 삼각형 수와 렌더링 시간</translation>
     </message>
     <message>
         <source>Predicted cost by region size and period</source>
@@ -2492,6 +2492,18 @@ Default: 0 mm</source>
         <translation>여기서는 한 번만 실행합니다. 한 번만 실행할 의도라면 M30으로 끝내십시오.</translation>
     </message>
     <message>
+        <source>{} does not begin its block; LinuxCNC looks for it there only.</source>
+        <translation>{}이(가) 블록의 처음에 있지 않습니다. LinuxCNC는 블록의 처음에서만 찾습니다.</translation>
+    </message>
+    <message>
+        <source>Put it first in the block.</source>
+        <translation>블록의 맨 앞에 쓰십시오.</translation>
+    </message>
+    <message>
+        <source>M99 is not alone in its block; LinuxCNC stops there with an error.</source>
+        <translation>M99가 블록에 단독으로 있지 않습니다. LinuxCNC는 여기서 오류로 멈춥니다.</translation>
+    </message>
+    <message>
         <source>Repeated lines and their motions are more than {}; interpretation ends in line {}.</source>
         <translation>반복된 줄과 그 이송이 모두 {}개를 넘어 {}번 줄에서 해석을 끝냅니다.</translation>
     </message>
@@ -2588,8 +2600,8 @@ Default: 0 mm</source>
         <translation>그 앞에 G90을 쓰십시오. 이 블록은 건너뜁니다.</translation>
     </message>
     <message>
-        <source>The machine&apos;s zero lies nobody knows where: {} cuts nothing, nor does what follows until the axis is positioned again.</source>
-        <translation>기계 원점의 위치를 알 수 없습니다. {}은(는) 아무것도 절삭하지 않으며, 그 축의 위치를 다시 정할 때까지 이어지는 이송도 절삭하지 않습니다.</translation>
+        <source>Machine zero is unknown, so {} has no position; motions are not simulated until the axis is positioned again.</source>
+        <translation>기계 원점을 알 수 없으므로 {}의 위치가 없습니다. 그 축의 위치를 다시 정할 때까지 이송을 시뮬레이션하지 않습니다.</translation>
     </message>
     <message>
         <source>Motions to reference positions are taken to lead away from the part.</source>
@@ -2820,8 +2832,8 @@ Default: 0 mm</source>
         <translation>밀링 머신에서 X는 지름이 아닙니다. G97과 회전수를 쓰십시오.</translation>
     </message>
     <message>
-        <source>With G96 and no D nobody knows how fast the spindle turns.</source>
-        <translation>D 없는 G96에서는 주축이 얼마나 빨리 도는지 알 수 없습니다.</translation>
+        <source>Spindle speed is unknown, because G96 has no D.</source>
+        <translation>G96에 D가 없으므로 주축 회전수를 알 수 없습니다.</translation>
     </message>
     <message>
         <source>Write G97 and a speed, or a limit D.</source>
@@ -3152,6 +3164,14 @@ Default: 0 mm</source>
         <translation>DO 1에는 같은 프로그램의 END 1이 필요하며, 반복문은 서로 엇갈릴 수 없습니다.</translation>
     </message>
     <message>
+        <source>The value of {} is kept by the machine; it is assumed to be 0.</source>
+        <translation>{}의 값은 기계만 알고 있습니다. 0으로 가정합니다.</translation>
+    </message>
+    <message>
+        <source>Check the program with other values where a decision depends on it.</source>
+        <translation>판단이 이 값에 따라 달라지면 다른 값으로도 프로그램을 확인하십시오.</translation>
+    </message>
+    <message>
         <source>The value of {} depends on the machine that runs the program.</source>
         <translation>{}의 값은 프로그램을 실행하는 기계에 따라 다릅니다.</translation>
     </message>
@@ -3164,8 +3184,8 @@ Default: 0 mm</source>
         <translation>여기에서는 위치 {}을(를) 알 수 없습니다.</translation>
     </message>
     <message>
-        <source>Position the axis first, or state a start position in the set-up.</source>
-        <translation>먼저 축을 이동하여 위치를 정하거나, 설정에서 시작 위치를 지정하십시오.</translation>
+        <source>Position the axis first, or state a start position in the setup.</source>
+        <translation>먼저 축을 이동하여 위치를 정하거나, 셋업에서 시작 위치를 지정하십시오.</translation>
     </message>
     <message>
         <source>The program stops itself with alarm {}.</source>
@@ -3176,8 +3196,8 @@ Default: 0 mm</source>
         <translation>이유는 옆의 주석에 있습니다. 그 뒤는 실행되지 않습니다.</translation>
     </message>
     <message>
-        <source>The program is read as {} does, because of these words (and lines): {}.</source>
-        <translation>프로그램을 {} 방식으로 읽습니다. 근거가 되는 워드(와 줄)는 다음과 같습니다: {}.</translation>
+        <source>Dialect detected: {} (from {}).</source>
+        <translation>감지된 방언: {}(근거: {}).</translation>
     </message>
     <message>
         <source>Choose the dialect yourself if that is wrong.</source>
@@ -4496,7 +4516,7 @@ Default: 0 mm</source>
         <translation>Proveout 소재</translation>
     </message>
     <message>
-        <source>what a set-up has left of its stock</source>
+        <source>what a setup has left of its stock</source>
         <translation>한 셋업이 소재에서 남긴 것</translation>
     </message>
     <message>
@@ -4576,8 +4596,8 @@ Default: 0 mm</source>
         <translation>소재의 X 방향 크기입니다.</translation>
     </message>
     <message>
-        <source>Depth Y</source>
-        <translation>깊이 Y</translation>
+        <source>Length Y</source>
+        <translation>길이 Y</translation>
     </message>
     <message>
         <source>Size of the stock along Y.</source>
@@ -4636,7 +4656,7 @@ Default: 0 mm</source>
         <translation>저장된 소재</translation>
     </message>
     <message>
-        <source>What an earlier set-up has left, as saved by File, Save Stock.</source>
+        <source>What an earlier setup has left, as saved by File, Save Stock.</source>
         <translation>이전 셋업이 남긴 것으로, 파일 메뉴의 소재 저장으로 저장한 것입니다.</translation>
     </message>
     <message>
@@ -4688,7 +4708,7 @@ Default: 0 mm</source>
         <translation>닫힌 메시로 된 주조품이나 단조품입니다.</translation>
     </message>
     <message>
-        <source>What an earlier set-up has left, also flipped or turned.</source>
+        <source>What an earlier setup has left, also flipped or turned.</source>
         <translation>이전 셋업이 남긴 것으로, 뒤집거나 돌릴 수도 있습니다.</translation>
     </message>
     <message>
@@ -4852,8 +4872,8 @@ Default: 0 mm</source>
         <translation>이송, mm/min. 급속 이송은 0</translation>
     </message>
     <message>
-        <source>spindle speed, 1/min</source>
-        <translation>주축 회전수, 1/min</translation>
+        <source>spindle speed, rpm</source>
+        <translation>주축 회전수, rpm</translation>
     </message>
     <message>
         <source>tool in the spindle</source>
@@ -5344,8 +5364,8 @@ Default: 0 mm</source>
         <translation>오피스 또는 CAD 문서</translation>
     </message>
     <message>
-        <source>a program of the computer</source>
-        <translation>컴퓨터용 실행 프로그램</translation>
+        <source>an executable file</source>
+        <translation>실행 파일</translation>
     </message>
     <message>
         <source>This is {}, not an NC program.</source>
@@ -5358,6 +5378,10 @@ Default: 0 mm</source>
     <message>
         <source>Choose a finer grid, or the automatic one; look at details in a smaller stock or a detail region.</source>
         <translation>더 작은 격자 간격이나 자동을 선택하십시오. 세부는 더 작은 소재나 세부 영역에서 확인하십시오.</translation>
+    </message>
+    <message>
+        <source>Look at details in a smaller stock or a detail region, or enter a finer grid spacing.</source>
+        <translation>세부는 더 작은 소재나 세부 영역에서 확인하거나 더 작은 격자 간격을 입력하십시오.</translation>
     </message>
     <message>
         <source>Confirm the sizes of the tool in the tool table, or correct them.</source>
@@ -5376,16 +5400,16 @@ Default: 0 mm</source>
         <translation>소재 {} mm가 확인되지 않은 공구 T{}의 목에 닿습니다.</translation>
     </message>
     <message>
-        <source>T{} is read from a comment ({}); it is not confirmed.</source>
-        <translation>T{}은(는) 주석에서 읽었으며({}) 확인되지 않았습니다.</translation>
+        <source>T{} is read from a comment (⌀ {} mm {}); it is not confirmed.</source>
+        <translation>T{}은(는) 주석에서 읽었으며(⌀ {} mm {}) 확인되지 않았습니다.</translation>
     </message>
     <message>
-        <source>T{} is read from a comment ({}; defaults: {}); it is not confirmed.</source>
-        <translation>T{}은(는) 주석에서 읽었으며({}; 기본값: {}) 확인되지 않았습니다.</translation>
+        <source>T{} is read from a comment (⌀ {} mm {}; assumed: {}); it is not confirmed.</source>
+        <translation>T{}은(는) 주석에서 읽었으며(⌀ {} mm {}; 가정한 값: {}) 확인되지 않았습니다.</translation>
     </message>
     <message>
-        <source>The sizes of T{} are assumed ({}); they are not confirmed.</source>
-        <translation>T{}의 치수는 가정한 값이며({}) 확인되지 않았습니다.</translation>
+        <source>The sizes of T{} are assumed (⌀ {} mm {}); they are not confirmed.</source>
+        <translation>T{}의 치수는 가정한 값이며(⌀ {} mm {}) 확인되지 않았습니다.</translation>
     </message>
     <message>
         <source>The program cuts before it calls a tool; T{} is assumed to be in the spindle.</source>
@@ -5543,6 +5567,38 @@ Default: 0 mm</source>
         <source>Export the part in millimetres; STL files have no unit.</source>
         <translation>부품을 밀리미터 단위로 내보내십시오. STL 파일에는 단위가 없습니다.</translation>
     </message>
+    <message>
+        <source>The program calls no tool; T{} is assumed to be in the spindle.</source>
+        <translation>프로그램이 공구를 호출하지 않습니다. T{}이(가) 주축에 있다고 가정합니다.</translation>
+    </message>
+    <message>
+        <source>The program calls no tool; its moves are not simulated.</source>
+        <translation>프로그램이 공구를 호출하지 않습니다. 이송을 시뮬레이션하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The file of the stock has changed on disk; the simulation starts from what it held before.</source>
+        <translation>디스크에서 소재 파일이 변경되었습니다. 시뮬레이션은 이전 내용에서 시작합니다.</translation>
+    </message>
+    <message>
+        <source>Reload the stock in the setup, or keep it as it is.</source>
+        <translation>셋업에서 소재를 다시 읽거나 그대로 유지하십시오.</translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation>rpm</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>형상</translation>
+    </message>
+    <message>
+        <source>{} ({}) moves no axis and is ignored ({}×, lines {}).</source>
+        <translation>{}({})은(는) 축을 움직이지 않으므로 무시합니다({}회, {}번 줄).</translation>
+    </message>
+    <message>
+        <source>{} is ignored, because the setup lists it ({}×, lines {}).</source>
+        <translation>{}은(는) 셋업의 목록에 있으므로 무시합니다({}회, {}번 줄).</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -5556,7 +5612,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The machine is assumed; describe yours in the Setup panel.</source>
-        <translation>기계 값은 가정한 것입니다. 설정 패널에서 기계를 입력하세요.</translation>
+        <translation>기계 값은 가정한 것입니다. 셋업 패널에서 기계를 입력하세요.</translation>
     </message>
     <message>
         <source>%1 motions have no feed; the largest is taken.</source>
@@ -5707,11 +5763,11 @@ Default: 0 mm</source>
         <translation>이전 일치 항목으로 이동합니다</translation>
     </message>
     <message>
-        <source>Run to Caret &amp;Line</source>
-        <translation>커서 줄까지 실행(&amp;L)</translation>
+        <source>Run to Cur&amp;sor</source>
+        <translation>커서까지 실행(&amp;S)</translation>
     </message>
     <message>
-        <source>Show the stock after the line that the caret is on</source>
+        <source>Show the stock after the line of the cursor</source>
         <translation>커서가 있는 줄까지 가공한 소재를 표시합니다</translation>
     </message>
     <message>
@@ -5719,8 +5775,8 @@ Default: 0 mm</source>
         <translation>중단점 전환(&amp;B)</translation>
     </message>
     <message>
-        <source>Stop the run before the line that the caret is on, or no longer</source>
-        <translation>커서가 있는 줄 앞에서 실행을 멈추거나 해제합니다</translation>
+        <source>Set or remove a breakpoint at the line of the cursor</source>
+        <translation>커서가 있는 줄에 중단점을 설정하거나 제거합니다</translation>
     </message>
     <message>
         <source>Undo the last change where the focus is: in the text, or in setup, tuning and machine</source>
@@ -5898,7 +5954,7 @@ Default: 0 mm</source>
         <translation>소재 저장(&amp;T)…</translation>
     </message>
     <message>
-        <source>Save what is left of the stock, for the next set-up</source>
+        <source>Save what is left of the stock, for the next setup</source>
         <translation>다음 셋업을 위해 소재에서 남은 것을 저장</translation>
     </message>
 </context>
@@ -6094,6 +6150,17 @@ Default: 0 mm</source>
     </message>
 </context>
 <context>
+    <name>ForeignNotice</name>
+    <message>
+        <source>Read As</source>
+        <translation>다음으로 읽기</translation>
+    </message>
+    <message>
+        <source>Choose the dialect of the program</source>
+        <translation>프로그램의 방언을 선택합니다</translation>
+    </message>
+</context>
+<context>
     <name>GridField</name>
     <message>
         <source> mm</source>
@@ -6197,23 +6264,23 @@ Default: automatic</source>
         <translation>윗면 Z</translation>
     </message>
     <message>
-        <source>Stock Shape</source>
+        <source>Stock shape</source>
         <translation>소재 형상</translation>
     </message>
     <message>
-        <source>Grid Spacing</source>
+        <source>Grid spacing</source>
         <translation>격자 간격</translation>
     </message>
     <message>
-        <source>Start Position</source>
+        <source>Start position</source>
         <translation>시작 위치</translation>
     </message>
     <message>
-        <source>Tool at Start</source>
+        <source>Tool at start</source>
         <translation>시작 공구</translation>
     </message>
     <message>
-        <source>Ignored M Codes</source>
+        <source>Ignored M codes</source>
         <translation>무시할 M 코드</translation>
     </message>
     <message>
@@ -6221,11 +6288,11 @@ Default: automatic</source>
         <translation>제어기 방식</translation>
     </message>
     <message>
-        <source>Block Delete</source>
+        <source>Block delete</source>
         <translation>블록 스킵</translation>
     </message>
     <message>
-        <source>Cutter Compensation Start-Up</source>
+        <source>Cutter compensation start-up</source>
         <translation>공구경 보정 시작 방식</translation>
     </message>
     <message>
@@ -6233,7 +6300,7 @@ Default: automatic</source>
         <translation>공구 T%1</translation>
     </message>
     <message>
-        <source>Tool Table</source>
+        <source>Tool table</source>
         <translation>공구 테이블</translation>
     </message>
     <message>
@@ -6245,11 +6312,11 @@ Default: automatic</source>
         <translation>셋업</translation>
     </message>
     <message>
-        <source>Decimation Method</source>
+        <source>Decimation method</source>
         <translation>간략화 방법</translation>
     </message>
     <message>
-        <source>Decimation Parameters</source>
+        <source>Decimation parameters</source>
         <translation>간략화 매개변수</translation>
     </message>
     <message>
@@ -6279,8 +6346,8 @@ Default: automatic</source>
 <context>
     <name>MachineForm</name>
     <message>
-        <source>These values are assumed until you change one.</source>
-        <translation>값을 바꾸기 전까지는 가정한 값입니다.</translation>
+        <source>Default machine values.</source>
+        <translation>기본 기계 값입니다.</translation>
     </message>
     <message>
         <source>Cycle time %1: feed %2, rapid %3, dwell %4, tool changes %5</source>
@@ -6365,8 +6432,8 @@ Default: %4 %5</source>
         <translation>예제 열기(&amp;M)</translation>
     </message>
     <message>
-        <source>&amp;Memory to Go Back</source>
-        <translation>되돌아가기 메모리(&amp;M)</translation>
+        <source>Rewind &amp;Memory</source>
+        <translation>되감기 메모리(&amp;M)</translation>
     </message>
     <message>
         <source>L&amp;ayout</source>
@@ -6514,10 +6581,6 @@ Default: %4 %5</source>
     <message>
         <source>Removed</source>
         <translation>제거됨</translation>
-    </message>
-    <message>
-        <source>Faces</source>
-        <translation>면</translation>
     </message>
     <message>
         <source>Block</source>
@@ -6711,6 +6774,26 @@ Default: %4 %5</source>
         <source>Ignore M%1: It Moves No Axis</source>
         <translation>M%1 무시: 축을 움직이지 않음</translation>
     </message>
+    <message>
+        <source>Open a program to see its problems.</source>
+        <translation>프로그램을 열면 문제가 표시됩니다.</translation>
+    </message>
+    <message>
+        <source>Reading the program; no problems so far.</source>
+        <translation>프로그램을 읽는 중입니다. 아직 문제가 없습니다.</translation>
+    </message>
+    <message>
+        <source>Not simulated yet; no problems in the program text.</source>
+        <translation>아직 시뮬레이션하지 않았습니다. 프로그램 텍스트에는 문제가 없습니다.</translation>
+    </message>
+    <message>
+        <source>No problems up to block %1 of %2.</source>
+        <translation>블록 %2개 중 %1까지 문제가 없습니다.</translation>
+    </message>
+    <message>
+        <source>Ignore All Unknown M Codes of This Program</source>
+        <translation>이 프로그램의 알 수 없는 M 코드 모두 무시</translation>
+    </message>
 </context>
 <context>
     <name>RecentMenu</name>
@@ -6881,6 +6964,18 @@ Keep Both saves your version as a new file beside it.</source>
         <source>&amp;Compare…</source>
         <translation>비교(&amp;C)…</translation>
     </message>
+    <message>
+        <source>Stock in use</source>
+        <translation>사용 중인 소재</translation>
+    </message>
+    <message>
+        <source>%1 is the stock of the open job.</source>
+        <translation>%1은(는) 열려 있는 작업의 소재입니다.</translation>
+    </message>
+    <message>
+        <source>If you overwrite it, the job starts from its own result the next time it is opened.</source>
+        <translation>덮어쓰면 다음에 작업을 열 때 자신의 결과에서 시작합니다.</translation>
+    </message>
 </context>
 <context>
     <name>Session</name>
@@ -6920,16 +7015,16 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>프로그램에 맞춤</translation>
     </message>
     <message>
-        <source>Make the stock just large enough for all cutting motions</source>
-        <translation>모든 절삭 이송에 맞는 최소 크기로 소재를 정합니다</translation>
+        <source>Fit the stock to the toolpath</source>
+        <translation>소재를 공구 경로에 맞춥니다</translation>
     </message>
     <message>
         <source>Tools</source>
         <translation>공구</translation>
     </message>
     <message>
-        <source>Skip blocks that begin with /</source>
-        <translation>/로 시작하는 블록 건너뛰기</translation>
+        <source>Block delete (/)</source>
+        <translation>블록 스킵(/)</translation>
     </message>
     <message>
         <source>Block delete, as the switch on the control</source>
@@ -6956,8 +7051,8 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>프로그램의 제어기 방식</translation>
     </message>
     <message>
-        <source>Start of cutter compensation</source>
-        <translation>공구경 보정 시작 방식</translation>
+        <source>Cutter comp start-up</source>
+        <translation>공구경 보정 스타트업</translation>
     </message>
     <message>
         <source>Type A: straight to the path</source>
@@ -7042,7 +7137,7 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>정지하고 가공 전 소재로 돌아갑니다</translation>
     </message>
     <message>
-        <source>To St&amp;art</source>
+        <source>Go to St&amp;art</source>
         <translation>처음으로(&amp;A)</translation>
     </message>
     <message>
@@ -7066,7 +7161,7 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>다음 블록을 실행합니다</translation>
     </message>
     <message>
-        <source>To &amp;End</source>
+        <source>Go to &amp;End</source>
         <translation>끝으로(&amp;E)</translation>
     </message>
     <message>
@@ -7126,8 +7221,8 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>일시 정지(&amp;P)</translation>
     </message>
     <message>
-        <source>Ret&amp;urn from Jump</source>
-        <translation>이동 전으로 돌아가기(&amp;U)</translation>
+        <source>Back to Previo&amp;us Position</source>
+        <translation>이전 위치로 돌아가기(&amp;U)</translation>
     </message>
     <message>
         <source>Go back to where you were before you went to the block that made a place</source>
@@ -7248,8 +7343,8 @@ This file is no longer there.</source>
         <translation>이송 속도, mm/min</translation>
     </message>
     <message>
-        <source>Spindle speed, 1/min</source>
-        <translation>주축 회전수, 1/min</translation>
+        <source>Spindle speed, rpm</source>
+        <translation>주축 회전수, rpm</translation>
     </message>
     <message>
         <source>Tool in the spindle</source>
@@ -7268,8 +7363,8 @@ This file is no longer there.</source>
         <translation>블록 %1 / %2</translation>
     </message>
     <message>
-        <source>Faces %1</source>
-        <translation>면 %1</translation>
+        <source>Triangles %1</source>
+        <translation>삼각형 %1</translation>
     </message>
     <message>
         <source>F rapid</source>
@@ -7284,12 +7379,8 @@ This file is no longer there.</source>
         <translation>절삭된 적 없음: 블록 %1까지 원소재 그대로입니다.</translation>
     </message>
     <message>
-        <source>The program or its set-up has changed: ask again in a moment.</source>
+        <source>The program or its setup has changed: ask again in a moment.</source>
         <translation>프로그램이나 셋업이 바뀌었습니다. 잠시 후 다시 물어보세요.</translation>
-    </message>
-    <message>
-        <source>Cut by block %1: line %2, tool T%3.</source>
-        <translation>블록 %1에서 절삭: %2행, 공구 T%3.</translation>
     </message>
     <message>
         <source>Tool tip X in the active work offset, mm</source>
@@ -7304,9 +7395,8 @@ This file is no longer there.</source>
         <translation>현재 공작물 좌표계의 공구 선단 Z, mm</translation>
     </message>
     <message>
-        <source>%1 (assumed)</source>
-        <comment>a tool</comment>
-        <translation>%1(가정)</translation>
+        <source>Cut by block %1: line %2, tool %3.</source>
+        <translation>블록 %1에서 절삭: %2행, 공구 %3.</translation>
     </message>
 </context>
 <context>
@@ -7434,8 +7524,8 @@ Default: %4 mm</source>
         <translation>원소재</translation>
     </message>
     <message>
-        <source>Line %1, T%2</source>
-        <translation>%1번 줄, T%2</translation>
+        <source>Line %1, %2</source>
+        <translation>%1번 줄, %2</translation>
     </message>
 </context>
 <context>
@@ -7471,10 +7561,6 @@ Default: %4 mm</source>
     <message>
         <source>Each block is drawn before the next one is cut</source>
         <translation>다음 블록을 절삭하기 전에 각 블록을 그립니다</translation>
-    </message>
-    <message>
-        <source>Block %1 · line %2 · tool T%3</source>
-        <translation>블록 %1 · 줄 %2 · 공구 T%3</translation>
     </message>
     <message>
         <source>There is a problem on this line.</source>
@@ -7527,6 +7613,10 @@ Default: %4 mm</source>
     <message>
         <source>Lags: %1×</source>
         <translation>지연: %1×</translation>
+    </message>
+    <message>
+        <source>Block %1 · line %2 · %3</source>
+        <translation>블록 %1 · 줄 %2 · %3</translation>
     </message>
 </context>
 <context>
@@ -7605,10 +7695,6 @@ Default: %3</source>
         <translation>T%1의 치수는 가정한 값입니다: %2.</translation>
     </message>
     <message>
-        <source>Until you confirm them, results are unverified.</source>
-        <translation>확인하기 전까지 결과는 검증되지 않습니다.</translation>
-    </message>
-    <message>
         <source>Check …</source>
         <translation>점검 …</translation>
     </message>
@@ -7627,6 +7713,14 @@ Default: %3</source>
     <message>
         <source>The sizes in the tool table are right</source>
         <translation>공구 테이블의 치수가 맞습니다</translation>
+    </message>
+    <message>
+        <source>The program calls no tool; its moves are not simulated.</source>
+        <translation>프로그램이 공구를 호출하지 않습니다. 이송을 시뮬레이션하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Results are unverified until you confirm the sizes.</source>
+        <translation>치수를 확인할 때까지 결과는 검증되지 않습니다.</translation>
     </message>
 </context>
 <context>
@@ -7704,6 +7798,10 @@ Default: %3</source>
         <translation>주석에 없어 기본값 사용: %1</translation>
     </message>
     <message>
+        <source>Entered: %1</source>
+        <translation>입력함: %1</translation>
+    </message>
+    <message>
         <source>Source</source>
         <translation>출처</translation>
     </message>
@@ -7739,8 +7837,8 @@ Default: the next free number</source>
         <translation>프로그램을 열면 표시됩니다.</translation>
     </message>
     <message>
-        <source>Faces shown: %1 of %2 (%3 %)</source>
-        <translation>표시된 면: %2개 중 %1개(%3 %)</translation>
+        <source>Triangles shown: %1 of %2 (%3 %)</source>
+        <translation>표시된 삼각형: %2개 중 %1개(%3 %)</translation>
     </message>
     <message>
         <source>Regions drawn from the z-map: %1 of %2</source>
@@ -7767,14 +7865,14 @@ Default: the next free number</source>
         <translation>재생하는 동안 간략화를 보류합니다. 한 프레임에 간략화 없이 %1 ms, 간략화하면 %2 ms가 걸립니다.</translation>
     </message>
     <message>
-        <source>Decimation is held back while playing: there are only %1 faces to draw without it.</source>
-        <translation>재생하는 동안 간략화를 보류합니다. 간략화하지 않아도 그릴 면이 %1개뿐입니다.</translation>
+        <source>Decimation is held back while playing: there are only %1 triangles to draw without it.</source>
+        <translation>재생하는 동안 간략화를 보류합니다. 간략화하지 않아도 그릴 삼각형이 %1개뿐입니다.</translation>
     </message>
 </context>
 <context>
     <name>UndoCommands</name>
     <message>
-        <source>Text Change</source>
+        <source>Text change</source>
         <translation>텍스트 변경</translation>
     </message>
     <message>
@@ -8092,6 +8190,44 @@ Default: the next free number</source>
     <message>
         <source>First of %1 executions</source>
         <translation>%1회 실행 중 첫 번째</translation>
+    </message>
+</context>
+<context>
+    <name>Tools</name>
+    <message>
+        <source>%1 (assumed)</source>
+        <translation>%1(가정)</translation>
+    </message>
+    <message>
+        <source>no tool</source>
+        <translation>공구 없음</translation>
+    </message>
+</context>
+<context>
+    <name>StockChangedBar</name>
+    <message>
+        <source>%1 has changed on disk. The simulation starts from what it held before.</source>
+        <translation>디스크에서 %1이(가) 변경되었습니다. 시뮬레이션은 이전 내용에서 시작합니다.</translation>
+    </message>
+    <message>
+        <source>%1 was deleted or renamed on disk. The simulation starts from what it held before; the job cannot be opened without it.</source>
+        <translation>디스크에서 %1이(가) 삭제되었거나 이름이 바뀌었습니다. 시뮬레이션은 이전 내용에서 시작하며, 이 파일이 없으면 작업을 열 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Reload</source>
+        <translation>다시 읽기(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Read the stock again and simulate with it</source>
+        <translation>소재를 다시 읽어 시뮬레이션합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Keep This Version</source>
+        <translation>이 버전 유지(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Continue with the stock as it was read</source>
+        <translation>읽은 소재 그대로 계속합니다</translation>
     </message>
 </context>
 </TS>

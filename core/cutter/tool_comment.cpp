@@ -20,8 +20,9 @@ constexpr double kMmPerInch = 25.4;
 constexpr double kThinnest = 0.02;
 constexpr double kThickest = 500;
 constexpr double kLongest = 1000;
-constexpr std::size_t kReach = 3;      ///< tokens from the name of a shape to its size: "20mm 390 ENDMILL"
-constexpr std::size_t kMostWords = 14; ///< a comment with more is prose
+constexpr std::size_t kReach = 3;        ///< tokens from the name of a shape to its size: "20mm 390 ENDMILL"
+constexpr std::size_t kLongestLabel = 3; ///< tokens
+constexpr std::size_t kMostWords = 14;   ///< a comment with more is prose
 
 /// Reads one comment.
 class CommentReader {
@@ -39,7 +40,7 @@ public:
     ToolComment read() {
         if (m_shape.row != nullptr && *m_shape.row->shape == '\0')
             return {};
-        readHeight();
+        readNumbers();
         readNumberInFront();
         for (std::size_t at = 0; at < m_tokens.size(); ++at)
             readLabel(at);
@@ -79,13 +80,18 @@ private:
         return !row.closely || !number.separated || number.equals ? next : m_tokens.size();
     }
 
-    /// The H register, known before D can be told from the D register.
-    void readHeight() {
-        for (std::size_t at = 0; at < m_tokens.size(); ++at)
-            if (const LabelRow* row = labelAt(m_tokens, at);
-                row != nullptr && row->field == CommentField::height)
-                if (const std::size_t next = numberOf(*row, at); next < m_tokens.size())
-                    m_height = m_tokens[next].value;
+    /// The H register and the tool number, known before D can be told from the D register.
+    void readNumbers() {
+        for (std::size_t at = 0; at < m_tokens.size(); ++at) {
+            const LabelRow* row = labelAt(m_tokens, at);
+            const std::size_t next = row == nullptr ? m_tokens.size() : numberOf(*row, at);
+            if (next == m_tokens.size())
+                continue;
+            if (row->field == CommentField::height)
+                m_height = m_tokens[next].value;
+            else if (row->field == CommentField::toolNumber && m_tokens[next].isWhole() && !m_statedNumber)
+                m_statedNumber = m_tokens[next].value;
+        }
     }
 
     /// "1 = End Mill {6 mm}"
@@ -124,10 +130,36 @@ private:
         return false;
     }
 
-    /// "H1 D1": the register of the radius, as posts list it beside that of the length.
+    /// "H1 D1": the register of the radius, as posts list it beside that of the length; and "T5 D5 12MM
+    /// ENDMILL", where another number is the size.
     [[nodiscard]] bool isRegister(const CommentToken& number) const {
-        return m_height && number.isWhole() && !number.equals &&
-               (number.value == *m_height || number.value == m_tool.number.value_or(-1));
+        if (!number.isWhole() || number.equals)
+            return false;
+        if (m_height && number.value == *m_height)
+            return true;
+        const bool ofTool = number.value == m_statedNumber.value_or(-1);
+        return ofTool && (m_height || (number.unit == CommentUnit::none && hasSizeBesideShape()));
+    }
+
+    /// A number with a unit or a point, beside the name of the shape and without a label of its own.
+    [[nodiscard]] bool hasSizeBesideShape() const {
+        for (std::size_t at = 0; at < m_tokens.size(); ++at) {
+            const CommentToken& number = m_tokens[at];
+            const bool sized =
+                number.isNumber() && (number.unit == CommentUnit::mm || number.unit == CommentUnit::inch ||
+                                      number.fraction || number.point);
+            if (sized && rankOfSize(at) > 0 && distanceToShape(at) <= kReach && !hasLabel(at))
+                return true;
+        }
+        return false;
+    }
+
+    [[nodiscard]] bool hasLabel(std::size_t at) const {
+        for (std::size_t back = 1; back <= kLongestLabel && back <= at; ++back)
+            if (const LabelRow* row = labelAt(m_tokens, at - back);
+                row != nullptr && numberOf(*row, at - back) == at)
+                return true;
+        return false;
     }
 
     void put(CommentField field, const CommentToken& number) {
@@ -297,7 +329,8 @@ private:
     bool m_inch;
     ShapePlace m_shape;
     std::optional<double> m_height;
-    std::size_t m_numberAt = 0; ///< token of the tool number
+    std::optional<double> m_statedNumber; ///< of the tool, by a label
+    std::size_t m_numberAt = 0;           ///< token of the tool number
     bool m_nonsense = false;
     ToolComment m_tool;
 };

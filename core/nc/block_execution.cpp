@@ -8,6 +8,7 @@
 #include "core/nc/execution.h"
 #include "core/nc/lint.h"
 #include "core/nc/probing.h"
+#include "core/nc/skipped_block.h"
 #include "core/nc/vector_path.h"
 
 namespace proveout {
@@ -51,6 +52,8 @@ void executeBlock(Execution& execution) {
     if (!makePlan(execution, plan)) {
         execution.state = before;
         execution.state.forget(execution.block.letters(), Forgotten::reported);
+        if (!execution.dialect.streamed)
+            keepModes(execution, true);
         return;
     }
     execution.program.beginBlock(execution.line);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "core/nc/handlers.h"
+#include "core/nc/skipped_block.h"
 
 namespace proveout {
 
@@ -58,11 +59,11 @@ private:
             m_unknownCode = true;
             return true;
         }
-        const Word*& rival = m_groups[static_cast<std::size_t>(row->group)];
+        const Word* rival = rivalOf(*row);
         const bool offTwice = row->group == ModalGroup::motionOff;
         if (rival != nullptr && !offTwice && !replaces(*row, *rival, word))
             return false;
-        rival = &word;
+        m_groups[static_cast<std::size_t>(row->group)] = &word;
         m_allWords = row->axisUse == AxisUse::allWords;
         if (row->group == ModalGroup::motion)
             m_motionRow = row;
@@ -74,6 +75,21 @@ private:
             m_plan.add(row->step, row->handler, word, row->withCompensation);
         use(*row);
         return true;
+    }
+
+    /// The code that a block may not have beside another. LinuxCNC has M70 to M73 in the group of the
+    /// spindle, and M99 in that of the stops.
+    [[nodiscard]] const Word* rivalOf(const CodeRow& row) const {
+        if (const Word* same = groupWord(row.group))
+            return same;
+        if (row.group == ModalGroup::modalSave)
+            return groupWord(ModalGroup::spindle);
+        if (row.group == ModalGroup::spindle)
+            return groupWord(ModalGroup::modalSave);
+        if (row.handler == returnFromProgram)
+            return groupWord(ModalGroup::stop);
+        const Word* end = row.group == ModalGroup::stop ? groupWord(ModalGroup::subprogram) : nullptr;
+        return end != nullptr && m_execution.codes.find(*end)->handler == returnFromProgram ? end : nullptr;
     }
 
     /// Whether a code counts instead of the earlier one of its group.
@@ -186,6 +202,8 @@ private:
         const bool named = m_block.letters().any(kAxes);
         if (m_axisWord != nullptr && !m_axesTaken && !m_unknownCode)
             return planWithoutMotion(named);
+        if (m_motionRow == nullptr && m_machineWord != nullptr && isLost(state.motion))
+            return planMotionInForce();
         if (m_machineWord != nullptr && !checkMachineMotion())
             return false;
         if (m_motionRow != nullptr && m_motionRow->handler == nullptr)

@@ -22,6 +22,7 @@ using CodeHandler = void (*)(Execution&, const Word&);
 /// Of the codes of one group, a block may hold one only.
 enum class ModalGroup : std::uint8_t {
     nonModal,
+    shiftEnd, ///< G92.1 to G92.3 of LinuxCNC, which may stand beside a non-modal code
     motion,
     motionOff, ///< G80; LinuxCNC lets it stand beside a motion code, which then wins
     plane,
@@ -88,6 +89,7 @@ enum class Step : std::uint8_t {
     scaling,
     rotation,
     nonModal, ///< G10, G28, G30, G52, G92
+    shiftEnd, ///< G92.1 to G92.3
     macroCall,
     motion,
     spindleStop, ///< M5 and M9 of Fanuc let the motion of their block end first

@@ -68,6 +68,12 @@ struct Execution {
         return word.point ? word.value : word.value * dialect.leastMm;
     }
 
+    /// Whether the tool in the spindle has this number and no sizes. The simulation reports it; that the
+    /// registers with its number are empty is part of that.
+    [[nodiscard]] bool toolLacks(int number) const {
+        return number == state.tool && number > 0 && tools.find(number) == nullptr;
+    }
+
     /// Whether a block that makes many motions has to stop in between.
     [[nodiscard]] bool mustEnd() const {
         return program.motionCount() > maxMotions || program.bytes() > maxBytes || context.stopped();

@@ -160,8 +160,9 @@ tl::expected<ParameterName, ReadError> ExpressionReader::parameterName(std::size
         return fail(nc_message::kParameterNotWhole, begin, at, m_line.substr(begin, at - begin));
     const bool small = whole >= 0 && whole <= Parameters::kLargest;
     const int index = small ? static_cast<int>(whole) : -1;
-    if (!small || !(m_parameters.exists(index) || m_system.numbered(index) || m_system.refusal(index) ||
-                    m_system.writable(index)))
+    // Asked for its value last: that counts as reading it.
+    if (!small || !(m_parameters.exists(index) || m_system.writable(index) || m_system.refusal(index) ||
+                    m_system.numbered(index)))
         return fail(nc_message::kParameterNumber, begin, at, m_line.substr(begin, at - begin));
     return ParameterName{index, {}};
 }

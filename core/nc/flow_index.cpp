@@ -54,9 +54,7 @@ public:
             return;
         case FlowKind::breaks:
         case FlowKind::continues:
-            // LinuxCNC leaves no repeat and no branch by them.
-            if (const auto found = m_open.find(word.label); found != m_open.end() && isLoop(found->second))
-                found->second.jumps.push_back(row);
+            addJump(word.label, row);
             return;
         case FlowKind::programNumber:
         case FlowKind::call:
@@ -88,6 +86,18 @@ private:
     [[nodiscard]] bool isLoop(const Open& construct) const {
         const FlowKind kind = m_rows[construct.parts.front()].kind;
         return kind == FlowKind::whileLoop || kind == FlowKind::doLoop;
+    }
+
+    /// LinuxCNC leaves no repeat and no branch by break and continue.
+    void addJump(const std::string& label, std::size_t row) {
+        const auto found = m_open.find(label);
+        if (found == m_open.end())
+            return;
+        if (isLoop(found->second))
+            found->second.jumps.push_back(row);
+        FlowLine& first = m_rows[found->second.parts.front()];
+        if (first.kind == FlowKind::repeat && first.jump == FlowLine::kNone)
+            first.jump = m_rows[row].line;
     }
 
     void chain(Open& construct, std::size_t row) {

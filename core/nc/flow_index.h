@@ -21,6 +21,7 @@ struct FlowLine {
     std::size_t next = kNone;  ///< sub, if, elseif, else, while, repeat, do: the next line of the construct
     std::size_t begin = kNone; ///< of the loop that this line is in (break, continue) or ends
     std::size_t end = kNone;   ///< of the construct
+    std::size_t jump = kNone;  ///< of a repeat: the first break or continue with its label
     std::size_t twin = kNone;  ///< the line that used this label first
     bool closesDo = false;     ///< a "while" behind its "do"
     bool nested = false;       ///< a "sub" within another one

@@ -65,6 +65,7 @@ private:
     // Blocks and assignments: interpretation_blocks.cpp.
     void runBlock(bool first);
     bool isData();
+    void checkPlaceOfCall(const FlowRequest& request);
     void endAtReturn(Execution& execution, const Word& word);
     void ignoreCodes();
     void assign();

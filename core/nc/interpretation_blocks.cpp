@@ -33,6 +33,7 @@ void Interpretation::runBlock(bool first) {
     if (m_line.blockNumber)
         m_state.blockNumber = *m_line.blockNumber;
     const bool moved = m_program->motionCount() > before;
+    checkPlaceOfCall(request);
     const bool returns = request.kind == FlowRequest::Kind::returns && request.program == 0;
     if (request.kind == FlowRequest::Kind::returns && !m_calls.inMainProgram())
         noteLeaving();
@@ -76,6 +77,19 @@ bool Interpretation::isData() {
     return true;
 }
 
+/// LinuxCNC finds M98 at the beginning of a block only, and M99 alone in it; but M99 of the main program,
+/// where it likes.
+void Interpretation::checkPlaceOfCall(const FlowRequest& request) {
+    if (m_dialect.macros != MacroLanguage::oWords)
+        return;
+    const Place& late = m_line.lateCall;
+    if (request.kind == FlowRequest::Kind::call && late.column > 0)
+        m_reporter.tell(nc_message::kCallNotFirst, late.column, late.length, {"M98"});
+    const bool alone = late.column == 0 && m_line.block.letters().empty() && m_line.block.codes().size() == 1;
+    if (request.kind == FlowRequest::Kind::returns && !m_calls.inMainProgram() && !alone)
+        m_reporter.tell(nc_message::kReturnNotAlone, request.word);
+}
+
 /// A control would start the program again; once is what there is to see.
 void Interpretation::endAtReturn(Execution& execution, const Word& word) {
     finishCompensated(execution, word);
@@ -116,8 +130,11 @@ void Interpretation::assign() {
 bool Interpretation::writeVariable(const Assignment& order) {
     const std::string shown = fmt::format("#{}", order.target.number);
     switch (m_variables.writing(order.target.number)) {
-    case MacroVariables::Writing::stored:
-        return false;
+    case MacroVariables::Writing::stored: {
+        const int number = m_variables.storedAs(order.target.number);
+        m_parameters.setNumbered(number, order.value);
+        return number != order.target.number;
+    }
     case MacroVariables::Writing::ignored:
         return true;
     case MacroVariables::Writing::offset:

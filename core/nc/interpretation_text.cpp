@@ -6,6 +6,7 @@
 #include "core/nc/characters.h"
 #include "core/nc/interpretation.h"
 #include "core/nc/motion_building.h"
+#include "core/nc/skipped_block.h"
 
 namespace proveout {
 
@@ -153,6 +154,9 @@ void Interpretation::tellAboutLine(std::string_view text) {
 void Interpretation::tellInputRead() {
     if (m_system.takeProbeRead())
         tellProbeUse(m_state, m_reporter);
+    if (const int number = m_system.takeAssumedRead();
+        number != 0 && m_run.assumedVariables.insert(number).second)
+        m_reporter.tell(nc_message::kVariableAssumed, 1, 0, {fmt::format("#{}", number)});
     if (!m_values.takeInputRead() || !m_state.inputAssumed)
         return;
     m_state.inputAssumed = false;
@@ -165,6 +169,12 @@ void Interpretation::skipUnreadable(std::string_view text, bool first) {
     m_reporter.tell(*error.message, error.column, error.length, {readable(error.argument)});
     m_run.sourceBlocks += first ? 1 : 0;
     m_state.forget(axisLetters(text), Forgotten::reported);
+    if (m_dialect.streamed) // grbl forgets a line that it refuses
+        return;
+    const ReadableWords words = readableWords(text);
+    FlowRequest request;
+    Execution execution = executionOf(words.block, request);
+    keepModes(execution, words.codesKnown);
 }
 
 /// LinuxCNC runs what is between two "%". One alone is forgiven at the end of the file.

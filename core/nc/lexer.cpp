@@ -212,6 +212,7 @@ private:
             fail(nc_message::kCommentNested, end, end + 1);
         else
             m_at = end + 1;
+        m_seenComment = true;
     }
 
     void readWord(char letter) {
@@ -231,6 +232,14 @@ private:
             readExpression(letter);
         else
             failOnNumber(number, begin);
+    }
+
+    /// M98 and M99, which LinuxCNC looks for at the beginning of a line only.
+    [[nodiscard]] bool callsOrReturns(const Word& word) const {
+        constexpr double kCall = 98;
+        constexpr double kReturn = 99;
+        return word.letter == 'M' && (word.value == kCall || word.value == kReturn) &&
+               m_context.dialect.macros == MacroLanguage::oWords;
     }
 
     [[nodiscard]] bool beginsExpression(const NumberRead& number) const {
@@ -292,6 +301,8 @@ private:
         if (isNull(value))
             return; // as if the word were not there
         const Word word{letter, value, static_cast<int>(begin + 1), static_cast<int>(end - begin), point};
+        if (callsOrReturns(word) && (m_seenComment || !m_line.block.empty() || !m_line.assignments.empty()))
+            m_line.lateCall = {word.column, word.length};
         if (m_context.dialect.lastWordCounts ? m_line.block.addOrReplace(word) : m_line.block.add(word))
             return;
         const bool code = letter == 'G' || letter == 'M';
@@ -389,6 +400,7 @@ private:
     Line& m_line;
     std::size_t m_at = 0;
     bool m_seenBlockNumber = false;
+    bool m_seenComment = false;
 };
 
 } // namespace
@@ -405,6 +417,7 @@ void clear(Line& line) {
     line.percent = false;
     line.deleteMark = false;
     line.controlCodeColumn = 0;
+    line.lateCall = {};
     line.longBlockNumber = {};
     line.error.reset();
 }

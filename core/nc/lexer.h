@@ -39,6 +39,7 @@ struct Line {
     bool percent = false;                    ///< a line with nothing but "%"
     bool deleteMark = false;                 ///< begins with "/"
     int controlCodeColumn = 0;               ///< of a control code that was skipped, 0: none
+    Place lateCall;                          ///< M98 or M99 of LinuxCNC with something before it
     Place longBlockNumber;                   ///< an N word that no control could hold
     std::optional<ReadError> error;          ///< `block` holds the words before it
 };

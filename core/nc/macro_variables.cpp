@@ -6,6 +6,7 @@
 
 #include "core/nc/active_codes.h"
 #include "core/nc/codes.h"
+#include "core/nc/haas_variables.h"
 #include "core/nc/messages.h"
 #include "core/nc/work_systems.h"
 
@@ -121,7 +122,27 @@ std::optional<double> MacroVariables::ofRegister(int number) const {
     return value ? std::optional(m_state.fromMm(*value)) : std::nullopt;
 }
 
+/// What only Haas' controls have.
+std::optional<double> MacroVariables::ofHaas(int number) const {
+    constexpr int kTool = 3026;
+    constexpr int kSpindle = 3027;
+    if (m_dialect.id != DialectId::haas)
+        return {};
+    if (number == kTool)
+        return m_state.tool;
+    if (number == kSpindle)
+        return m_state.spindleDirection == 0 ? 0 : m_state.rpm();
+    if (const auto legacy = legacyNumberOfHaas(number))
+        return m_parameters.numbered(*legacy);
+    if (!isMonitorOfHaas(number))
+        return {};
+    noteAssumedRead(number);
+    return 0;
+}
+
 std::optional<double> MacroVariables::numbered(int number) const {
+    if (const auto value = ofHaas(number))
+        return value;
     if (number >= kFirstRunning && number <= kLastRunning)
         number -= kRunningOffset;
     if (isWorkOffset(number))
@@ -158,6 +179,8 @@ const Message* MacroVariables::refusal(int number) const {
     const auto place = OffsetRegisters::place(m_dialect.id, number);
     if (place && !m_registers.certain(place->entry, place->number))
         return &nc_message::kMachineVariable;
+    if (m_dialect.id == DialectId::haas && isSettingOfHaas(number))
+        return &nc_message::kMachineVariable;
     const bool position = axisOf(number, kMachine) && !m_state.machineZeroKnown;
     const auto axis = axisOf(number, kBlockEnd) ? axisOf(number, kBlockEnd) : axisOf(number, kWork);
     if (axis && (m_state.known >> static_cast<unsigned>(*axis) & 1U) == 0)
@@ -168,11 +191,15 @@ const Message* MacroVariables::refusal(int number) const {
 bool MacroVariables::writable(int number) const {
     const Writing kind = writing(number);
     return kind == Writing::alarm || kind == Writing::stop || kind == Writing::ignored ||
-           kind == Writing::offset;
+           kind == Writing::offset || (m_dialect.id == DialectId::haas && legacyNumberOfHaas(number));
 }
 
 std::optional<double> MacroVariables::named(std::string_view /*name*/) const {
     return {};
+}
+
+int MacroVariables::storedAs(int number) const {
+    return m_dialect.id == DialectId::haas ? legacyNumberOfHaas(number).value_or(number) : number;
 }
 
 double MacroVariables::leastUnit() const {
@@ -190,6 +217,9 @@ void MacroVariables::write(int number, double value, Program& program, std::uint
 }
 
 MacroVariables::Writing MacroVariables::writing(int number) const {
+    // Of Haas' pallets some have numbers that elsewhere are those of work offsets.
+    if (m_dialect.id == DialectId::haas && (isMonitorOfHaas(number) || isSettingOfHaas(number)))
+        return Writing::ignored;
     if (isWorkOffset(number) || OffsetRegisters::place(m_dialect.id, number))
         return Writing::offset;
     if (number == kAlarm)

@@ -36,11 +36,14 @@ public:
         stop   ///< #3006: a program stop
     };
     [[nodiscard]] Writing writing(int number) const;
+    /// The number under which a variable is stored.
+    [[nodiscard]] int storedAs(int number) const;
     /// Of offsets, in the unit of the program.
     void write(int number, double value, Program& program, std::uint32_t line);
 
 private:
     [[nodiscard]] std::optional<double> ofRegister(int number) const;
+    [[nodiscard]] std::optional<double> ofHaas(int number) const;
 
     MachineState& m_state;
     Parameters& m_parameters;

@@ -161,6 +161,14 @@ inline constexpr Message kMainReturn{
     Severity::warning, false, "main-return",
     PROVEOUT_TEXT("Core", "M99 ends the main program: the control starts it again, without end."),
     PROVEOUT_TEXT("Core", "It is run once here; end it with M30 if that was meant.")};
+inline constexpr Message kCallNotFirst{
+    Severity::error, true, "call-not-first",
+    PROVEOUT_TEXT("Core", "{} does not begin its block; LinuxCNC looks for it there only."),
+    PROVEOUT_TEXT("Core", "Put it first in the block.")};
+inline constexpr Message kReturnNotAlone{
+    Severity::error, true, "return-not-alone",
+    PROVEOUT_TEXT("Core", "M99 is not alone in its block; LinuxCNC stops there with an error."),
+    PROVEOUT_TEXT("Core", "Put it on a line of its own.")};
 inline constexpr Message kTooManyAgain{
     Severity::error, true, "too-many-again",
     PROVEOUT_TEXT("Core", "Lines that repeat were told about {} times; interpretation ends here."),
@@ -218,6 +226,10 @@ inline constexpr Message kMachineVariable{
     Severity::error, true, "variable-of-machine",
     PROVEOUT_TEXT("Core", "The value of {} depends on the machine that runs the program."),
     PROVEOUT_TEXT("Core", "What follows from it cannot be verified.")};
+inline constexpr Message kVariableAssumed{
+    Severity::note, false, "variable-assumed",
+    PROVEOUT_TEXT("Core", "The value of {} is kept by the machine; it is assumed to be 0."),
+    PROVEOUT_TEXT("Core", "Check the program with other values where a decision depends on it.")};
 inline constexpr Message kPositionUnknown{
     Severity::error, true, "position-unknown", PROVEOUT_TEXT("Core", "The position {} is not known here."),
     PROVEOUT_TEXT("Core", "Position the axis first, or state a start position in the set-up.")};

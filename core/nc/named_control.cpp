@@ -24,9 +24,9 @@ struct NameRow {
 };
 
 constexpr NameRow kNames[] = {
-    {linuxcnc, "LINUXCNC"}, {linuxcnc, "EMC2"},  {fanuc, "FANUC"},    {haas, "HAAS"},
-    {grbl, "GRBL"},         {mach, "MACH2"},     {mach, "MACH3"},     {mach, "MACH4"},
-    {mach, "MACH2MILL"},    {mach, "MACH3MILL"}, {mach, "MACH4MILL"},
+    {linuxcnc, "LINUXCNC"}, {linuxcnc, "EMC2"},  {fanuc, "FANUC"},    {haas, "HAAS"},      {grbl, "GRBL"},
+    {mach, "MACH2"},        {mach, "MACH3"},     {mach, "MACH4"},     {mach, "MACH 3"},    {mach, "MACH 4"},
+    {grbl, "GRBLHAL"},      {mach, "MACH2MILL"}, {mach, "MACH3MILL"}, {mach, "MACH4MILL"},
 };
 
 /// Beside one of these a name is that of the post processor or of the control, not one in prose.

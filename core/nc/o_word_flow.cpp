@@ -258,7 +258,7 @@ bool OWordFlow::beginRepeat(const FlowWord& word) {
         return false;
     if (*rounds < 0.5) {
         m_calls.jump(*end + 1);
-        return true;
+        return leaveRepeat(m_calls.at());
     }
     if (*rounds > static_cast<double>(kMostRounds))
         return fail(nc_message::kTooManyRounds, word,
@@ -274,9 +274,23 @@ bool OWordFlow::endRepeat(const FlowWord& word) {
         return false;
     const auto rounds = m_calls.counts().find(*begin);
     m_calls.noteRound();
-    if (rounds != m_calls.counts().end() && --rounds->second > 0)
+    if (rounds != m_calls.counts().end() && --rounds->second > 0) {
         m_calls.jump(*begin + 1);
-    return true;
+        return true;
+    }
+    return leaveRepeat(*begin);
+}
+
+/// LinuxCNC looks for the end of the loop then, and refuses a break or continue with its label on the way.
+bool OWordFlow::leaveRepeat(std::size_t begin) {
+    const FlowLine* row = m_calls.flowIndex().at(begin);
+    if (row == nullptr || row->jump == FlowLine::kNone)
+        return true;
+    m_calls.standAt(row->jump);
+    const auto word = readFlowWord(m_calls.currentText());
+    return !word ||
+           fail(nc_message::kFlowPartner, *word,
+                {word->label, std::string(keyword(word->kind)), std::string(keyword(FlowKind::whileLoop))});
 }
 
 bool OWordFlow::run(const FlowRequest& request) {

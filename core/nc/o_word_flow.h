@@ -53,6 +53,7 @@ private:
     bool beginWhile(const FlowWord& word);
     bool endLoop(const FlowWord& word);
     bool beginRepeat(const FlowWord& word);
+    bool leaveRepeat(std::size_t begin);
     bool endRepeat(const FlowWord& word);
     CallStack::Source* fileOf(const std::string& label, const FlowWord& word);
 

@@ -34,6 +34,8 @@ public:
 
     /// Whether the result of a probing motion was asked for since the last call of this.
     [[nodiscard]] bool takeProbeRead() const { return std::exchange(m_probeRead, false); }
+    /// The number of a value that was read since the last call of this and is assumed to be 0; 0: none.
+    [[nodiscard]] int takeAssumedRead() const { return std::exchange(m_assumedRead, 0); }
 
     /// An expression depends on how the machine stands.
     void noteUse() const { m_used = true; }
@@ -46,9 +48,12 @@ protected:
         m_probeRead = m_probeRead || (number >= first && number <= last);
     }
 
+    void noteAssumedRead(int number) const { m_assumedRead = number; }
+
 private:
     mutable bool m_probeRead = false;
     mutable bool m_used = false;
+    mutable int m_assumedRead = 0;
 };
 
 /// The parameters of a program as its control keeps them. LinuxCNC: numbers up to 5601 that begin as 0, of

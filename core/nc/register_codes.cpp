@@ -25,6 +25,8 @@ void offsetByRegister(Execution& execution, const Word& word, int sign) {
     }
     const auto length = execution.registers.length(state.lengthRegister);
     if (!length) {
+        if (execution.toolLacks(state.lengthRegister))
+            return;
         execution.reporter.tell(nc_message::kRegisterUnknown,
                                 execution.block.has('H') ? execution.block.word('H') : word,
                                 {fmt::format("H{}", state.lengthRegister)});

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <set>
+
 #include <cstddef>
 #include <utility>
 
@@ -30,6 +32,7 @@ struct RunState {
     SerialLine::Told serial;
     Unreachable unreachable;
     IgnoredCodes ignored;
+    std::set<int> assumedVariables; ///< that were reported
 
     std::size_t linesRead = 0; ///< of the main text, counted to the last one that was reached
     std::size_t linesSeen = 0; ///< of it, counted to the last one on which anything so far depends

@@ -192,8 +192,22 @@ void addNurbsPoint(Execution& execution, const Word& word) {
     execution.splines.nurbsEndKnown = motion.endKnown;
 }
 
+namespace {
+
+/// LinuxCNC has G5.3 in the group of the non-modal codes as well.
+void tellNonModal(Execution& execution, const Word& end) {
+    for (const Word& word : execution.block.codes()) {
+        const CodeRow* row = execution.codes.find(word);
+        if (row != nullptr && row->group == ModalGroup::nonModal)
+            refuse(execution, nc_message::kModalConflict, word, {nameOf(end), nameOf(word)});
+    }
+}
+
+} // namespace
+
 void followNurbs(Execution& execution, const Word& word) {
     execution.state.motion = nullptr;
+    tellNonModal(execution, word);
     if (!isNurbs(execution.motionBefore)) {
         refuse(execution, nc_message::kNurbsNotOpen, word);
         return;

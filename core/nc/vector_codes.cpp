@@ -34,7 +34,7 @@ std::optional<double> radiusInRegister(Execution& execution, const Word& word) {
         state.radiusRegister = *number;
     }
     const auto radius = execution.registers.radius(state.radiusRegister);
-    if (!radius) {
+    if (!radius && !execution.toolLacks(state.radiusRegister)) {
         execution.reporter.tell(nc_message::kRegisterUnknown, given ? execution.block.word('D') : word,
                                 {fmt::format("D{}", state.radiusRegister)});
     }

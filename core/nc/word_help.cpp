@@ -70,6 +70,7 @@ WordHelp helpFor(char letter, const NumberRead& number, DialectId dialect) {
 // In the order of ModalGroup.
 constexpr std::array kGroups{
     PROVEOUT_TEXT("Core", "in its block only"),
+    PROVEOUT_TEXT("Core", "in its block only"),
     PROVEOUT_TEXT("Core", "motion"),
     PROVEOUT_TEXT("Core", "motion"),
     PROVEOUT_TEXT("Core", "plane"),

@@ -56,6 +56,13 @@ const CommentRow kMastercam[] = {
     {" T1 | 1/4 FLAT ENDMILL | H1 | D1 | TOOL DIA. - .25 ", 1, "flat:d=6.35", true},
     {"T2 - 3/8 BALL ENDMILL - H2 - D2 - D0.3750\" - R0.1875\"", 2, "ball:d=9.525"},
     {"T1 | 10. FLAT ENDMILL | H1 | D10.", 1, "flat:d=10"},
+    // The number of the tool is that of its register where another number is the size.
+    {"T5 D5 12MM ENDMILL", 5, "flat:d=12"},
+    {"12MM ENDMILL D5 T5", 5, "flat:d=12"},
+    {"T5 D5 1/2 ENDMILL", 5, "flat:d=12.7", true},
+    {"T5 D5 ENDMILL", 5, "flat:d=5"},
+    {"T6 D6 R0.5MM BULLNOSE ENDMILL", 6, "bull:d=6,r=0.5"},
+    {"T6 D6MM 12MM ENDMILL", 6, "flat:d=6"},
     {"T5 | 1 1/4 FACE MILL | H5", 5, "face:d=31.75,angle=90,h=3.175"},
     {" 1/16 FLAT ENDMILL TOOL - 1 DIA. OFF. - 1 LEN. - 1 DIA. - .0625", 1, "flat:d=1.5875", true},
     {"T4 | 1/4 SPOT DRILL | H4", 4, "spot:d=6.35,angle=90"},

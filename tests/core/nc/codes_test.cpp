@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/codes.h"
+#include "core/nc/interpreter.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <set>
+#include <string>
 #include <string_view>
 #include <tuple>
 
@@ -43,6 +45,31 @@ TEST(Codes, TakeEffectAtOneStepAGroup) {
             }
         }
     }
+}
+
+/// As its interpreter answers for every pair of its codes.
+TEST(Codes, ExcludeEachOtherAsLinuxCncHasThem) {
+    const auto conflicts = [](const char* block) {
+        const auto program = interpret(NcText(std::string("G21 F100 S100 M70\n") + block + "\nM2\n"));
+        return std::ranges::any_of(program->diagnostics(), [](const Diagnostic& diagnostic) {
+            return diagnostic.id == std::string("modal-conflict");
+        });
+    };
+    for (const char* block : {"M70 M5", "M3 M71", "M4 M72", "M19 R1 M73", "M0 M99", "M99 M30", "M60 M99",
+                              "G92.1 G92.2", "G4 P1 G10 L2 P1 X0"})
+        EXPECT_TRUE(conflicts(block)) << block;
+    for (const char* block : {"G92.1 G4 P1", "G92.2 G10 L2 P1 X0", "G28 G92.3", "G92 X5 G92.1",
+                              "G52 X1 G92.2", "M70 M8", "M3 M99"})
+        EXPECT_FALSE(conflicts(block)) << block;
+}
+
+/// "G92 X5 G92.1" counts from there and forgets it again.
+TEST(Codes, EndAShiftAfterWhatTheBlockDoesOtherwise) {
+    InterpretOptions options;
+    options.assumeStartAtZero = true;
+    const auto program = interpret(NcText("G21 G92 X5 G92.1\nG0 X1 Y0 Z0\nM2\n"), options);
+    ASSERT_EQ(program->motionCount(), 1U);
+    EXPECT_EQ(program->motion(0).end.x, 1);
 }
 
 TEST(Codes, SupportWhatIsListedHere) {

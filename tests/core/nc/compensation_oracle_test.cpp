@@ -70,7 +70,8 @@ std::string disagreement(const fs::path& file, int& refused) {
     options.tools = toolsOfAnswer(file);
     const auto program = interpret(*text, options);
     std::string why;
-    if (!sameSteps(answer, *program, answer.errorLine != 0, kListing, why))
+    if (!sameSteps(answer, *program, answer.errorLine != 0 ? Extent::oracleBegins : Extent::whole, kListing,
+                   why))
         return why;
     const Diagnostic* error = firstError(*program);
     const int ours = error == nullptr ? 0 : error->where.line;

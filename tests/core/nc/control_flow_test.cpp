@@ -50,6 +50,33 @@ TEST(ControlFlow, RunsSubprogramsOfTheirOwnFiles) {
     EXPECT_EQ(program->motion(2).line, 4U);
 }
 
+/// As LinuxCNC: behind words or a comment M98 is no code that it knows.
+TEST(ControlFlow, CallsByNumberAtTheBeginningOfABlockOnly) {
+    const std::string sub = "\nM2\nO102\nG1 X3\nM99\n";
+    EXPECT_EQ(toldBy("F100\nN5 M98 P102 L2" + sub), "");
+    EXPECT_EQ(toldBy("F100\n/ M98 L2 P102 (twice)" + sub), "");
+    EXPECT_EQ(toldBy("F100\nL2 M98 P102" + sub), "2:4 call-not-first\n");
+    EXPECT_EQ(toldBy("F100\n(once) M98 P102" + sub), "2:8 call-not-first\n");
+}
+
+TEST(ControlFlow, ReturnsByABlockOfItsOwnOnly) {
+    const std::string main = "F100\nM98 P102\nM2\nO102\n";
+    EXPECT_EQ(toldBy(main + "G1 X3\nN9 M99 (back)\n"), "");
+    EXPECT_EQ(toldBy(main + "G1 X3 M99\n"), "5:7 return-not-alone\n");
+    EXPECT_EQ(toldBy(main + "G1 X3\nM99 M8\n"), "6:1 return-not-alone\n");
+    EXPECT_EQ(toldBy(main + "G1 X3\n(back) M99\n"), "6:8 return-not-alone\n");
+    EXPECT_EQ(toldBy("G91 F100\nG1 X3\nG90 M99\n"), "");
+}
+
+/// LinuxCNC meets the break when it looks for the end of the loop, whether or not it was executed.
+TEST(ControlFlow, RefusesABreakOfARepeatWhereTheLoopEnds) {
+    const std::string loop = "o1 if [0]\no9 break\no1 endif\nG1 X3\no9 endrepeat\nM2\n";
+    EXPECT_EQ(toldBy("F100\no9 repeat [2]\n" + loop), "4:1 flow-partner\n");
+    EXPECT_EQ(toldBy("F100\no9 repeat [0]\n" + loop), "4:1 flow-partner\n");
+    const auto program = interpret(NcText("F100\no9 repeat [2]\n" + loop));
+    EXPECT_EQ(program->motionCount(), 2U);
+}
+
 TEST(ControlFlow, NamesTheFileOfAMessage) {
     const TemporaryFolder folder;
     folder.put("bad.ngc", "o<bad> sub\nG1 X[1/0]\no<bad> endsub\n");

@@ -17,7 +17,13 @@ struct Outcome {
     [[nodiscard]] bool differs() const { return !why.empty(); }
 };
 
+/// What we make of a program. References to programs that live longer.
+struct OurAnswer {
+    const Program& whole;
+    const Program& upToError; ///< up to the last block before the first error
+};
+
 [[nodiscard]] Outcome outcomeOf(const std::vector<std::string>& lines, const OracleAnswer& answer,
-                                const Program& program);
+                                const OurAnswer& ours);
 
 } // namespace proveout::test

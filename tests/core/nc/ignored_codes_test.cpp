@@ -143,6 +143,25 @@ TEST(LostPosition, IsNotReportedOnceMoreBehindAnError) {
     }
 }
 
+/// The simulation reports the tool; that its registers are empty is part of that.
+TEST(MissingTool, IsNotReportedOnceMoreByItsRegisters) {
+    const auto ids = [](const std::string& block) {
+        InterpretOptions options;
+        options.dialect = DialectId::fanuc;
+        options.start = Vec3(0, 0, 50);
+        options.lint = false;
+        options.tools = ToolOffsets(std::map<int, ToolOffset>{{1, {Vec3(0, 0, 100), 10}}});
+        const auto program = interpret(NcText("G21 G90 F100\nT4 M6\n" + block + "\nG40\nM30\n"), options);
+        std::string all;
+        for (const Diagnostic& diagnostic : program->diagnostics())
+            all += std::string(diagnostic.id) + " ";
+        return all;
+    };
+    EXPECT_EQ(ids("G43 H4 Z5."), "");
+    EXPECT_EQ(ids("G1 G41 D4 X10. Y0. Z5.\nY10."), "");
+    EXPECT_EQ(ids("G43 H5 Z5."), "register-unknown ");
+}
+
 TEST(LostPosition, IsReportedWhereNothingElseSaysSo) {
     InterpretOptions options;
     options.lint = false;

@@ -2,6 +2,7 @@
 // Compares a program with what LinuxCNC's stand-alone interpreter made of the same text.
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "core/nc/program.h"
@@ -20,9 +21,15 @@ const Diagnostic* firstError(const Program& program);
 
 bool toldOnLine(const Program& program, int line);
 
-/// Whether motions and events agree; else `why` says where they do not. `beginning`: the oracle's records are
-/// only those before an error.
-bool sameSteps(const OracleAnswer& answer, const Program& program, bool beginning,
+/// Which of both lists ends early, because of an error.
+enum class Extent : std::uint8_t {
+    whole,        ///< neither
+    oracleBegins, ///< the oracle's is the beginning of ours
+    oursBegins,   ///< ours is the beginning of the oracle's
+};
+
+/// Whether motions and events agree; else `why` says where they do not.
+bool sameSteps(const OracleAnswer& answer, const Program& program, Extent extent,
                const OracleTolerances& tolerances, std::string& why);
 
 } // namespace proveout::test

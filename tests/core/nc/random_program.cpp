@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <numbers>
 
+#include "tests/core/nc/random_rare_blocks.h"
 #include "tests/core/nc/random_words.h"
 
 namespace proveout::test {
@@ -15,6 +16,7 @@ using Words = std::vector<std::string>;
 
 constexpr const char* kAxisLetters = "XYZ";
 constexpr const char* kCentreLetters = "IJK";
+constexpr int kDeepest = 3; ///< O-words within O-words
 
 /// What a program has ordered so far, as far as its writer keeps it in mind.
 struct Mind {
@@ -85,6 +87,33 @@ private:
             add("G40 G1 X60 Y60 Z9");
         if (!once(25))
             add(oneOf({"M2", "M30", "%"}));
+        for (std::size_t i = 0; i < m_numbered.size(); ++i)
+            writeNumberedProgram(m_numbered[i]);
+    }
+
+    void writeRare() {
+        if (m_mind.inverseTime)
+            writeFeedPerMinute();
+        for (const std::string& line : randomRareBlocks(m_words))
+            add(line);
+        m_mind.straight = false;
+        m_mind.plane = 17;
+    }
+
+    /// Of a program behind the end of this one, in the words of other controls.
+    void writeNumberedCall() {
+        if (m_mind.depth >= kDeepest)
+            return writeStraight();
+        m_numbered.push_back(++m_mind.label);
+        add(m_words.block({"M98", fmt::format("P{}", m_mind.label), fmt::format("L{}", between(0, 3))}));
+    }
+
+    void writeNumberedProgram(int label) {
+        m_mind.depth = kDeepest; // no subprogram in it
+        m_lines.push_back(fmt::format("O{}", label));
+        for (int blocks = between(1, 3); blocks > 0; --blocks)
+            writeBlock();
+        m_lines.push_back("M99");
     }
 
     void startSpindle() {
@@ -101,7 +130,8 @@ private:
             {5, &Writer::writeLength},    {8, &Writer::writeMachine},      {6, &Writer::writeAssignment},
             {5, &Writer::writeFlow},      {5, &Writer::writeCompensation}, {4, &Writer::writeSynchronised},
             {3, &Writer::writeSpline},    {3, &Writer::writeSaved},        {3, &Writer::writeAnything},
-            {2, &Writer::writePolar},     {3, &Writer::writeFeedMode},     {2, &Writer::writeSubprogram}};
+            {2, &Writer::writePolar},     {3, &Writer::writeFeedMode},     {2, &Writer::writeSubprogram},
+            {3, &Writer::writeRare},      {1, &Writer::writeNumberedCall}};
         if (m_mind.compensated && !once(10))
             return once(4) ? writeCompensation() : writeBeside();
         int all = 0;
@@ -382,7 +412,7 @@ private:
     }
 
     void writeFlow() {
-        if (m_mind.depth > 2)
+        if (m_mind.depth >= kDeepest)
             return writeStraight();
         ++m_mind.depth;
         const int label = ++m_mind.label;
@@ -587,6 +617,7 @@ private:
     std::mt19937& m_random;
     Mind m_mind;
     std::vector<std::string> m_lines;
+    std::vector<int> m_numbered; ///< programs that are called by M98
 };
 
 } // namespace

@@ -143,7 +143,7 @@ bool Rs274Listing::readMotion(const Call& call) {
     } else if (call.name == "STRAIGHT_FEED") {
         addMotion("feed", call, pointOf(call, 0));
     } else if (call.name == "STRAIGHT_PROBE") {
-        addMotion("probe", call, pointOf(call, 0));
+        addMotion("probe", call, endOfProbe(m_program, pointOf(call, 0)));
     } else if (call.name == "ARC_FEED") {
         addArc(call);
     } else if (call.name == "RIGID_TAP") {
@@ -157,6 +157,11 @@ bool Rs274Listing::readMotion(const Call& call) {
         return false;
     }
     return true;
+}
+
+Vec3 Rs274Listing::endOfProbe(const Vec3& start, const Vec3& end) {
+    const double distance = glm::distance(start, end);
+    return distance == 0 ? end : end + (start - end) * (kProbeBackup / distance);
 }
 
 void Rs274Listing::setFrame(const WorkFrame& frame) {

@@ -13,6 +13,9 @@
 
 namespace proveout::test {
 
+/// The stand-alone interpreter takes every probe to stop this much before its programmed end, mm.
+constexpr double kProbeBackup = 0.254;
+
 /// Reads the listing line by line. It has program coordinates in the unit of the program; records have
 /// machine coordinates of the tip without tool length, in mm. A value.
 class Rs274Listing {
@@ -40,6 +43,7 @@ private:
     void addMotion(const char* kind, const Call& call, const Vec3& end);
     void addArc(const Call& call);
     void addCutting(nlohmann::json& record) const;
+    [[nodiscard]] static Vec3 endOfProbe(const Vec3& start, const Vec3& end);
     void setFrame(const WorkFrame& frame);
     [[nodiscard]] Vec3 pointOf(const Call& call, std::size_t first) const;
 

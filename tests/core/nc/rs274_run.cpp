@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cctype>
+#include <csignal>
 #include <cstdio>
 #include <cstdlib>
 #include <fmt/format.h>
@@ -23,8 +24,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double kInch = 25.4;
-constexpr int kSeconds = 5;
-constexpr int kTimedOut = 124; ///< what `timeout` ends with
+constexpr std::size_t kMostCalls = 100'000;
+constexpr int kCpuSeconds = 2; ///< of its own, so that a busy machine does not decide
 constexpr std::size_t kLongestLine = 240;
 
 std::vector<std::string> linesOf(const std::string& text) {
@@ -105,14 +106,15 @@ OracleAnswer Rs274::run(const std::string& program) const {
         in << numbered(line, ++number) << '\n';
     in.close();
     std::ofstream(m_home / "values.var").close();
-    const std::string command = fmt::format("cd '{0}' && HOME='{0}' LC_ALL=C LD_PRELOAD='{1}' exec timeout "
-                                            "{2} rs274 -g -n 2 -t tools.tbl -v values.var "
+    const std::string command = fmt::format("cd '{0}' && export HOME='{0}' LC_ALL=C LD_PRELOAD='{1}' && "
+                                            "ulimit -t {2} && exec rs274 -g -n 2 -t tools.tbl -v values.var "
                                             "-i machine.ini program.ngc 2> errors",
-                                            m_home.string(), PROVEOUT_WIDE_NUMBERS, kSeconds);
+                                            m_home.string(), PROVEOUT_WIDE_NUMBERS, kCpuSeconds);
     FILE* const pipe = popen(command.c_str(), "r");
     Rs274Listing listing;
     std::array<char, 4096> line{};
-    while (fgets(line.data(), static_cast<int>(line.size()), pipe) != nullptr) {
+    std::size_t calls = 0;
+    while (calls++ < kMostCalls && fgets(line.data(), static_cast<int>(line.size()), pipe) != nullptr) {
         std::string text(line.data());
         while (!text.empty() && (text.back() == '\n' || text.back() == '\r'))
             text.pop_back();
@@ -123,7 +125,10 @@ OracleAnswer Rs274::run(const std::string& program) const {
     OracleAnswer answer;
     answer.records = listing.takeRecords();
     answer.compensated = listing.compensated();
-    if (WIFEXITED(status) && WEXITSTATUS(status) == kTimedOut)
+    if (WIFSIGNALED(status) && WTERMSIG(status) != SIGXCPU && WTERMSIG(status) != SIGKILL &&
+        WTERMSIG(status) != SIGPIPE)
+        answer.errorClass = "crash";
+    else if (WIFSIGNALED(status))
         answer.errorClass = "timeout";
     else if (status != 0)
         readErrors(answer, program);

@@ -21,7 +21,8 @@ public:
 
     [[nodiscard]] static bool isInstalled();
 
-    /// What it makes of a program. An endless one is stopped after some seconds; its class is "timeout" then.
+    /// What it makes of a program. An endless one is stopped after some seconds or calls; its class is
+    /// "timeout" then.
     [[nodiscard]] OracleAnswer run(const std::string& program) const;
 
 private:
