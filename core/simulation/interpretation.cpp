@@ -8,6 +8,7 @@
 
 #include "core/base/memory.h"
 #include "core/simulation/probed_stock.h"
+#include "core/simulation/tool_choice.h"
 
 namespace proveout {
 
@@ -49,6 +50,40 @@ InterpretOptions interpretOptions(const Setup& setup, const std::filesystem::pat
     return options;
 }
 
+InterpretOptions interpretOptions(const Setup& setup, const std::filesystem::path& file,
+                                  const Program& program) {
+    InterpretOptions options = interpretOptions(setup, file);
+    if (!setup.startTool)
+        options.startTool = toolToInterpretWith(program, setup.tools).value_or(0);
+    return options;
+}
+
+std::optional<int> toolToInterpretWith(const Program& program, const ToolTable& tools) {
+    return program.asksForTools() ? assumedTool(program, tools) : std::nullopt;
+}
+
+std::shared_ptr<const Program> withAssumedTool(std::shared_ptr<const Program> program,
+                                               const InterpretOptions& options, const ToolTable& tools,
+                                               const InterpretAgain& again) {
+    const std::optional<int> tool = toolToInterpretWith(*program, tools);
+    if (!tool || *tool == options.startTool)
+        return program;
+    InterpretOptions assuming = options;
+    assuming.startTool = *tool;
+    auto assumed = again(assuming);
+    // What a program reads of its tool may lead it elsewhere.
+    return toolToInterpretWith(*assumed, tools) == tool ? assumed : program;
+}
+
+std::shared_ptr<const Program> interpretOn(const Setup& setup, const NcText& text,
+                                           const InterpretOptions& options) {
+    auto program = interpret(text, options);
+    if (setup.startTool)
+        return program;
+    return withAssumedTool(std::move(program), options, setup.tools,
+                           [&](const InterpretOptions& assuming) { return interpret(text, assuming); });
+}
+
 bool interpretedAlike(const Program& program, const Setup& one, const Setup& other) {
     const auto sameTool = [](const auto& a, const auto& b) {
         return a.first == b.first && a.second.radius() == b.second.radius();
@@ -57,8 +92,7 @@ bool interpretedAlike(const Program& program, const Setup& one, const Setup& oth
         (one.stock != other.stock || one.shape != other.shape || one.tools != other.tools))
         return false;
     return one.dialect == other.dialect && one.blockDelete == other.blockDelete && one.start == other.start &&
-           one.startTool == other.startTool &&
-           one.ignoredM == other.ignoredM &&
+           one.startTool == other.startTool && one.ignoredM == other.ignoredM &&
            (one.compensationTypeB == other.compensationTypeB || !dialect(program.dialect()).vectors.used) &&
            (!program.asksForTools() || std::ranges::equal(one.tools.tools(), other.tools.tools(), sameTool));
 }
