@@ -5451,6 +5451,22 @@ Vorgabe: 0 mm</translation>
         <source>The record of the session is damaged.</source>
         <translation>Die Aufzeichnung der Sitzung ist beschädigt.</translation>
     </message>
+    <message>
+        <source>The program calls no tool; T{} is assumed to be in the spindle.</source>
+        <translation>Das Programm ruft kein Werkzeug auf; angenommen wird T{} in der Spindel.</translation>
+    </message>
+    <message>
+        <source>The program calls no tool; its moves are not simulated.</source>
+        <translation>Das Programm ruft kein Werkzeug auf; seine Bewegungen werden nicht simuliert.</translation>
+    </message>
+    <message>
+        <source>The file of the stock has changed on disk; the simulation starts from what it held before.</source>
+        <translation>Die Datei des Rohteils wurde auf dem Datenträger geändert; die Simulation geht von ihrem früheren Inhalt aus.</translation>
+    </message>
+    <message>
+        <source>Reload the stock in the setup, or keep it as it is.</source>
+        <translation>Laden Sie das Rohteil in der Aufspannung neu, oder behalten Sie es, wie es ist.</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -6594,6 +6610,22 @@ Vorgabe: %4 %5</translation>
         <source>Ignore M%1: It Moves No Axis</source>
         <translation>M%1 ignorieren: bewegt keine Achse</translation>
     </message>
+    <message>
+        <source>Open a program to see its problems.</source>
+        <translation>Öffnen Sie ein Programm, um seine Probleme zu sehen.</translation>
+    </message>
+    <message>
+        <source>Reading the program; no problems so far.</source>
+        <translation>Das Programm wird gelesen; bisher keine Probleme.</translation>
+    </message>
+    <message>
+        <source>Not simulated yet; no problems in the program text.</source>
+        <translation>Noch nicht simuliert; keine Probleme im Programmtext.</translation>
+    </message>
+    <message>
+        <source>No problems up to block %1 of %2.</source>
+        <translation>Keine Probleme bis Satz %1 von %2.</translation>
+    </message>
 </context>
 <context>
     <name>RecentMenu</name>
@@ -6763,6 +6795,18 @@ Keep Both saves your version as a new file beside it.</source>
     <message>
         <source>&amp;Compare…</source>
         <translation>&amp;Vergleichen …</translation>
+    </message>
+    <message>
+        <source>Stock in use</source>
+        <translation>Rohteil in Gebrauch</translation>
+    </message>
+    <message>
+        <source>%1 is the stock of the open job.</source>
+        <translation>%1 ist das Rohteil des geöffneten Auftrags.</translation>
+    </message>
+    <message>
+        <source>If you overwrite it, the job starts from its own result the next time it is opened.</source>
+        <translation>Wenn Sie es überschreiben, geht der Auftrag beim nächsten Öffnen von seinem eigenen Ergebnis aus.</translation>
     </message>
 </context>
 <context>
@@ -7171,10 +7215,6 @@ Diese Datei ist nicht mehr da.</translation>
         <translation>Programm oder Einrichtung sind geändert: gleich noch einmal fragen.</translation>
     </message>
     <message>
-        <source>Cut by block %1: line %2, tool T%3.</source>
-        <translation>Gefräst von Satz %1: Zeile %2, Werkzeug T%3.</translation>
-    </message>
-    <message>
         <source>Tool tip X in the active work offset, mm</source>
         <translation>X der Werkzeugspitze in der aktiven Nullpunktverschiebung, mm</translation>
     </message>
@@ -7187,9 +7227,8 @@ Diese Datei ist nicht mehr da.</translation>
         <translation>Z der Werkzeugspitze in der aktiven Nullpunktverschiebung, mm</translation>
     </message>
     <message>
-        <source>%1 (assumed)</source>
-        <comment>a tool</comment>
-        <translation>%1 (angenommen)</translation>
+        <source>Cut by block %1: line %2, tool %3.</source>
+        <translation>Gefräst von Satz %1: Zeile %2, Werkzeug %3.</translation>
     </message>
 </context>
 <context>
@@ -7317,8 +7356,8 @@ Vorgabe: %4 mm</translation>
         <translation>Unberührtes Rohteil</translation>
     </message>
     <message>
-        <source>Line %1, T%2</source>
-        <translation>Zeile %1, T%2</translation>
+        <source>Line %1, %2</source>
+        <translation>Zeile %1, %2</translation>
     </message>
 </context>
 <context>
@@ -7354,10 +7393,6 @@ Vorgabe: %4 mm</translation>
     <message>
         <source>Each block is drawn before the next one is cut</source>
         <translation>Jeder Satz wird gezeichnet, bevor der nächste gefräst wird</translation>
-    </message>
-    <message>
-        <source>Block %1 · line %2 · tool T%3</source>
-        <translation>Satz %1 · Zeile %2 · Werkzeug T%3</translation>
     </message>
     <message>
         <source>There is a problem on this line.</source>
@@ -7410,6 +7445,10 @@ Vorgabe: %4 mm</translation>
     <message>
         <source>Lags: %1×</source>
         <translation>Hinkt nach: %1×</translation>
+    </message>
+    <message>
+        <source>Block %1 · line %2 · %3</source>
+        <translation>Satz %1 · Zeile %2 · %3</translation>
     </message>
 </context>
 <context>
@@ -7510,6 +7549,10 @@ Vorgabe: %3</translation>
     <message>
         <source>The sizes in the tool table are right</source>
         <translation>Die Maße in der Werkzeugtabelle stimmen</translation>
+    </message>
+    <message>
+        <source>The program calls no tool; its moves are not simulated.</source>
+        <translation>Das Programm ruft kein Werkzeug auf; seine Bewegungen werden nicht simuliert.</translation>
     </message>
 </context>
 <context>
@@ -7975,6 +8018,44 @@ Vorgabe: die nächste freie Nummer</translation>
     <message>
         <source>First of %1 executions</source>
         <translation>Erste von %1 Ausführungen</translation>
+    </message>
+</context>
+<context>
+    <name>Tools</name>
+    <message>
+        <source>%1 (assumed)</source>
+        <translation>%1 (angenommen)</translation>
+    </message>
+    <message>
+        <source>no tool</source>
+        <translation>kein Werkzeug</translation>
+    </message>
+</context>
+<context>
+    <name>StockChangedBar</name>
+    <message>
+        <source>%1 has changed on disk. The simulation starts from what it held before.</source>
+        <translation>%1 wurde auf dem Datenträger geändert. Die Simulation geht vom früheren Inhalt aus.</translation>
+    </message>
+    <message>
+        <source>%1 was deleted or renamed on disk. The simulation starts from what it held before; the job cannot be opened without it.</source>
+        <translation>%1 wurde auf dem Datenträger gelöscht oder umbenannt. Die Simulation geht vom früheren Inhalt aus; ohne die Datei lässt sich der Auftrag nicht öffnen.</translation>
+    </message>
+    <message>
+        <source>&amp;Reload</source>
+        <translation>Neu &amp;laden</translation>
+    </message>
+    <message>
+        <source>Read the stock again and simulate with it</source>
+        <translation>Das Rohteil neu lesen und damit simulieren</translation>
+    </message>
+    <message>
+        <source>&amp;Keep This Version</source>
+        <translation>Diese Version &amp;behalten</translation>
+    </message>
+    <message>
+        <source>Continue with the stock as it was read</source>
+        <translation>Mit dem Rohteil fortfahren, wie es gelesen wurde</translation>
     </message>
 </context>
 </TS>

@@ -5451,6 +5451,22 @@ Default: 0 mm</source>
         <source>The record of the session is damaged.</source>
         <translation>세션 기록이 손상되었습니다.</translation>
     </message>
+    <message>
+        <source>The program calls no tool; T{} is assumed to be in the spindle.</source>
+        <translation>프로그램이 공구를 호출하지 않습니다. T{}이(가) 주축에 있다고 가정합니다.</translation>
+    </message>
+    <message>
+        <source>The program calls no tool; its moves are not simulated.</source>
+        <translation>프로그램이 공구를 호출하지 않습니다. 이송을 시뮬레이션하지 않습니다.</translation>
+    </message>
+    <message>
+        <source>The file of the stock has changed on disk; the simulation starts from what it held before.</source>
+        <translation>디스크에서 소재 파일이 변경되었습니다. 시뮬레이션은 이전 내용에서 시작합니다.</translation>
+    </message>
+    <message>
+        <source>Reload the stock in the setup, or keep it as it is.</source>
+        <translation>셋업에서 소재를 다시 읽거나 그대로 유지하십시오.</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -6593,6 +6609,22 @@ Default: %4 %5</source>
         <source>Ignore M%1: It Moves No Axis</source>
         <translation>M%1 무시: 축을 움직이지 않음</translation>
     </message>
+    <message>
+        <source>Open a program to see its problems.</source>
+        <translation>프로그램을 열면 문제가 표시됩니다.</translation>
+    </message>
+    <message>
+        <source>Reading the program; no problems so far.</source>
+        <translation>프로그램을 읽는 중입니다. 아직 문제가 없습니다.</translation>
+    </message>
+    <message>
+        <source>Not simulated yet; no problems in the program text.</source>
+        <translation>아직 시뮬레이션하지 않았습니다. 프로그램 텍스트에는 문제가 없습니다.</translation>
+    </message>
+    <message>
+        <source>No problems up to block %1 of %2.</source>
+        <translation>블록 %2개 중 %1까지 문제가 없습니다.</translation>
+    </message>
 </context>
 <context>
     <name>RecentMenu</name>
@@ -6762,6 +6794,18 @@ Keep Both saves your version as a new file beside it.</source>
     <message>
         <source>&amp;Compare…</source>
         <translation>비교(&amp;C)…</translation>
+    </message>
+    <message>
+        <source>Stock in use</source>
+        <translation>사용 중인 소재</translation>
+    </message>
+    <message>
+        <source>%1 is the stock of the open job.</source>
+        <translation>%1은(는) 열려 있는 작업의 소재입니다.</translation>
+    </message>
+    <message>
+        <source>If you overwrite it, the job starts from its own result the next time it is opened.</source>
+        <translation>덮어쓰면 다음에 작업을 열 때 자신의 결과에서 시작합니다.</translation>
     </message>
 </context>
 <context>
@@ -7170,10 +7214,6 @@ This file is no longer there.</source>
         <translation>프로그램이나 셋업이 바뀌었습니다. 잠시 후 다시 물어보세요.</translation>
     </message>
     <message>
-        <source>Cut by block %1: line %2, tool T%3.</source>
-        <translation>블록 %1에서 절삭: %2행, 공구 T%3.</translation>
-    </message>
-    <message>
         <source>Tool tip X in the active work offset, mm</source>
         <translation>현재 공작물 좌표계의 공구 선단 X, mm</translation>
     </message>
@@ -7186,9 +7226,8 @@ This file is no longer there.</source>
         <translation>현재 공작물 좌표계의 공구 선단 Z, mm</translation>
     </message>
     <message>
-        <source>%1 (assumed)</source>
-        <comment>a tool</comment>
-        <translation>%1(가정)</translation>
+        <source>Cut by block %1: line %2, tool %3.</source>
+        <translation>블록 %1에서 절삭: %2행, 공구 %3.</translation>
     </message>
 </context>
 <context>
@@ -7316,8 +7355,8 @@ Default: %4 mm</source>
         <translation>원소재</translation>
     </message>
     <message>
-        <source>Line %1, T%2</source>
-        <translation>%1번 줄, T%2</translation>
+        <source>Line %1, %2</source>
+        <translation>%1번 줄, %2</translation>
     </message>
 </context>
 <context>
@@ -7353,10 +7392,6 @@ Default: %4 mm</source>
     <message>
         <source>Each block is drawn before the next one is cut</source>
         <translation>다음 블록을 절삭하기 전에 각 블록을 그립니다</translation>
-    </message>
-    <message>
-        <source>Block %1 · line %2 · tool T%3</source>
-        <translation>블록 %1 · 줄 %2 · 공구 T%3</translation>
     </message>
     <message>
         <source>There is a problem on this line.</source>
@@ -7409,6 +7444,10 @@ Default: %4 mm</source>
     <message>
         <source>Lags: %1×</source>
         <translation>지연: %1×</translation>
+    </message>
+    <message>
+        <source>Block %1 · line %2 · %3</source>
+        <translation>블록 %1 · 줄 %2 · %3</translation>
     </message>
 </context>
 <context>
@@ -7509,6 +7548,10 @@ Default: %3</source>
     <message>
         <source>The sizes in the tool table are right</source>
         <translation>공구 테이블의 치수가 맞습니다</translation>
+    </message>
+    <message>
+        <source>The program calls no tool; its moves are not simulated.</source>
+        <translation>프로그램이 공구를 호출하지 않습니다. 이송을 시뮬레이션하지 않습니다.</translation>
     </message>
 </context>
 <context>
@@ -7974,6 +8017,44 @@ Default: the next free number</source>
     <message>
         <source>First of %1 executions</source>
         <translation>%1회 실행 중 첫 번째</translation>
+    </message>
+</context>
+<context>
+    <name>Tools</name>
+    <message>
+        <source>%1 (assumed)</source>
+        <translation>%1(가정)</translation>
+    </message>
+    <message>
+        <source>no tool</source>
+        <translation>공구 없음</translation>
+    </message>
+</context>
+<context>
+    <name>StockChangedBar</name>
+    <message>
+        <source>%1 has changed on disk. The simulation starts from what it held before.</source>
+        <translation>디스크에서 %1이(가) 변경되었습니다. 시뮬레이션은 이전 내용에서 시작합니다.</translation>
+    </message>
+    <message>
+        <source>%1 was deleted or renamed on disk. The simulation starts from what it held before; the job cannot be opened without it.</source>
+        <translation>디스크에서 %1이(가) 삭제되었거나 이름이 바뀌었습니다. 시뮬레이션은 이전 내용에서 시작하며, 이 파일이 없으면 작업을 열 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Reload</source>
+        <translation>다시 읽기(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Read the stock again and simulate with it</source>
+        <translation>소재를 다시 읽어 시뮬레이션합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Keep This Version</source>
+        <translation>이 버전 유지(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Continue with the stock as it was read</source>
+        <translation>읽은 소재 그대로 계속합니다</translation>
     </message>
 </context>
 </TS>
