@@ -14,11 +14,12 @@ constexpr double kLeastStep = 0.02; // of progress, worth telling
 
 PlaceAnswer answerOf(const Frame& moment, const std::optional<std::size_t>& block) {
     if (!block)
-        return {PlaceAnswer::Kind::neverCut, moment.block, 0, 0};
+        return {PlaceAnswer::Kind::neverCut, moment.block};
     const Program& program = *moment.program;
     const int number = program.motion(program.blockMotions(*block).first).tool;
-    return {PlaceAnswer::Kind::cut, *block + 1, program.blockLine(*block),
-            ToolChoice(program, *moment.setup).tool(number)};
+    const ToolChoice choice(program, *moment.setup);
+    return {PlaceAnswer::Kind::cut, *block + 1, program.blockLine(*block), choice.tool(number),
+            choice.isAssumed(number)};
 }
 
 } // namespace

@@ -33,9 +33,10 @@ struct PlaceAnswer {
         cut,      ///< by block `block`
     };
     Kind kind = Kind::noStock;
-    std::size_t block = 0;  ///< that many are executed at that moment; of a cut, with the one that made it
-    std::uint32_t line = 0; ///< of a cut: its source line, from 1
-    int tool = 0;           ///< of a cut
+    std::size_t block = 0;    ///< that many are executed at that moment; of a cut, with the one that made it
+    std::uint32_t line = 0;   ///< of a cut: its source line, from 1
+    int tool = 0;             ///< of a cut
+    bool toolAssumed = false; ///< ToolChoice::isAssumed()
 
     friend bool operator==(const PlaceAnswer&, const PlaceAnswer&) = default;
 };

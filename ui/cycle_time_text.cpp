@@ -7,6 +7,8 @@
 #include <QLocale>
 #include <QStringList>
 
+#include "ui/tool_actions.h"
+
 namespace proveout {
 
 namespace {
@@ -30,14 +32,15 @@ QString clockText(double seconds) {
         .arg(whole % 60, 2, 10, QLatin1Char('0'));
 }
 
-QString timeTip(const MachineTimes& times, bool assumed) {
+QString timeTip(const MachineTimes& times, bool assumed, const ToolChoice& choice, const ToolTable& tools) {
     QStringList lines{text(QT_TRANSLATE_NOOP("CycleTime", "Cycle time up to this block / of the program")),
                       text(QT_TRANSLATE_NOOP("CycleTime", "Feed %1, rapid %2, dwell %3, tool changes %4"))
                           .arg(clockText(times.parts.feed), clockText(times.parts.rapid),
                                clockText(times.parts.dwell), clockText(times.parts.toolChange))};
     if (times.tools.size() > 1 && times.tools.size() <= kMostTools) {
         for (const MachineTimes::OfTool& tool : times.tools)
-            lines << QStringLiteral("T%1: %2").arg(tool.tool).arg(clockText(tool.parts.total()));
+            lines << toolText(tool.tool, choice, tools) + QStringLiteral(": ") +
+                         clockText(tool.parts.total());
     }
     if (assumed)
         lines << text(

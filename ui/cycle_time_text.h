@@ -5,12 +5,14 @@
 #include <QString>
 
 #include "core/simulation/machine_time.h"
+#include "core/simulation/tool_choice.h"
 
 namespace proveout {
 
 /// "1:02:03"; "> 999999:59:59" beyond a million hours.
 [[nodiscard]] QString clockText(double seconds);
 /// Where the time goes, by parts and tools, and what was assumed for it. Several lines.
-[[nodiscard]] QString timeTip(const MachineTimes& times, bool assumed);
+[[nodiscard]] QString timeTip(const MachineTimes& times, bool assumed, const ToolChoice& choice,
+                              const ToolTable& tools);
 
 } // namespace proveout

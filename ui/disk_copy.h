@@ -7,8 +7,8 @@
 #include <string>
 
 #include "core/base/diagnostic.h"
+#include "core/base/file_state.h"
 #include "core/nc/nc_text.h"
-#include "ui/file_state.h"
 
 namespace proveout {
 

@@ -6,9 +6,9 @@
 #include <string>
 
 #include "core/base/diagnostic.h"
+#include "core/base/file_state.h"
 #include "core/base/work_context.h"
 #include "core/nc/nc_text.h"
-#include "ui/file_state.h"
 
 namespace proveout {
 

@@ -207,7 +207,7 @@ void FileFlow::saveStock() {
     const QString file = askWhereToSave(m_window, titled(tr("Save Stock")),
                                         QDir(startFolder()).filePath(stem + QStringLiteral(".pvstock")),
                                         tr("Proveout stock (*.pvstock)"), QStringLiteral("pvstock"));
-    if (!file.isEmpty())
+    if (!file.isEmpty() && mayReplaceStock(m_window, m_session.setup().shape, file))
         m_session.saveStock(file);
 }
 
@@ -219,7 +219,7 @@ void FileFlow::exportByDialog(bool decimated) {
     const auto target = askForExport(
         m_window, titled(decimated ? tr("Export Decimated Mesh") : tr("Export Full-Resolution Mesh")),
         QDir(startFolder()).filePath(stem));
-    if (target)
+    if (target && mayReplaceStock(m_window, m_session.setup().shape, target->file))
         m_session.exportMesh(target->file, {decimated, target->format});
 }
 

@@ -6,7 +6,7 @@
 #include <QString>
 #include <QTimer>
 
-#include "ui/file_state.h"
+#include "core/base/file_state.h"
 
 namespace proveout {
 

@@ -81,20 +81,30 @@ std::vector<Breakpoint> KeptBreakpoints::read(const QStringList& texts) {
 }
 
 KeptBreakpoints::KeptBreakpoints(Session& session, QObject* parent) : QObject(parent), m_session(session) {
-    connect(&session, &Session::documentChanged, this, &KeptBreakpoints::fileChanged);
+    connect(&session, &Session::textReplaced, this, &KeptBreakpoints::textReplaced);
+    connect(&session, &Session::documentChanged, this, &KeptBreakpoints::takeAlong);
     connect(&session, &Session::breakpointsChanged, this, &KeptBreakpoints::keep);
-    fileChanged();
+    textReplaced();
 }
 
-/// Another file brings its own; the same text under another name takes its breakpoints along.
-void KeptBreakpoints::fileChanged() {
+/// Another file brings its own; one that was read again keeps those that there are.
+void KeptBreakpoints::textReplaced() {
     const QString file = toQString(m_session.document().path);
-    if (file == m_file)
+    if (!file.isEmpty() && file == m_file)
         return;
     m_file = file;
     const std::vector<OfFile> all = readAll();
     const auto known = std::ranges::find(all, file, &OfFile::file);
     m_session.setBreakpoints(known == all.end() ? std::vector<Breakpoint>() : read(known->texts));
+}
+
+/// The same text under another name takes its breakpoints along.
+void KeptBreakpoints::takeAlong() {
+    const QString file = toQString(m_session.document().path);
+    if (file == m_file)
+        return;
+    m_file = file;
+    keep();
 }
 
 void KeptBreakpoints::keep() {

@@ -23,7 +23,8 @@ public:
     [[nodiscard]] static std::vector<Breakpoint> read(const QStringList& texts);
 
 private:
-    void fileChanged();
+    void textReplaced();
+    void takeAlong();
     void keep();
 
     Session& m_session;

@@ -3,6 +3,8 @@
 
 #include <QCoreApplication>
 
+#include "ui/tool_actions.h"
+
 namespace proveout {
 namespace {
 
@@ -11,6 +13,11 @@ QString text(const char* source) {
 }
 
 } // namespace
+
+QString toolText(const PlaceAnswer& answer) {
+    const QString tool = QStringLiteral("T%1").arg(answer.tool);
+    return answer.toolAssumed ? assumedText(tool) : tool;
+}
 
 QString positionText(const SurfaceProbe& probe, const QLocale& locale) {
     if (!probe.place())
@@ -29,8 +36,8 @@ QString cutText(const SurfaceProbe& probe) {
         return text(QT_TRANSLATE_NOOP("SurfaceProbe", "Raw stock"));
     if (answer.kind != PlaceAnswer::Kind::cut)
         return {};
-    return text(QT_TRANSLATE_NOOP("SurfaceProbe", "Line %1, T%2"))
-        .arg(QString::number(answer.line), QString::number(answer.tool));
+    return text(QT_TRANSLATE_NOOP("SurfaceProbe", "Line %1, %2"))
+        .arg(QString::number(answer.line), toolText(answer));
 }
 
 } // namespace proveout

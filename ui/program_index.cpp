@@ -8,8 +8,6 @@
 #include <utility>
 #include <variant>
 
-#include "core/simulation/tool_choice.h"
-
 namespace proveout {
 
 namespace {
@@ -22,10 +20,10 @@ bool isToolChange(const Event& event) {
     return std::holds_alternative<ToolChange>(event.data);
 }
 
-double largestRadius(const std::vector<int>& numbers, const ToolTable& tools) {
+double largestRadius(const std::vector<int>& numbers, const ToolChoice& choice, const ToolTable& tools) {
     double radius = 0;
     for (const int number : numbers) {
-        if (const Cutter* cutter = tools.find(number))
+        if (const Cutter* cutter = tools.find(choice.tool(number)))
             radius = std::max(radius, cutter->radius());
     }
     return radius;
@@ -78,13 +76,11 @@ CuttingExtent cuttingExtent(const Program& program) {
     std::set<int> tools;
     Box3 box;
     int newest = -1; // a tool cuts many motions in a row
-    const std::size_t firstCalled = firstMotionWithCalledTool(program);
     for (std::size_t i = 0; i < program.motionCount(); ++i) {
         const Motion motion = program.motion(i);
         if (motion.kind == MotionKind::rapid)
             continue;
-        const bool called = motion.tool > 0 || i >= firstCalled;
-        if (called && std::exchange(newest, motion.tool) != motion.tool)
+        if (std::exchange(newest, motion.tool) != motion.tool)
             tools.insert(motion.tool);
         if (motion.known() && !motion.probing)
             box.add(bounds(motion));
@@ -92,11 +88,11 @@ CuttingExtent cuttingExtent(const Program& program) {
     return {{tools.begin(), tools.end()}, box};
 }
 
-StockBox fittedStock(const CuttingExtent& cutting, const Setup& present) {
+StockBox fittedStock(const CuttingExtent& cutting, const Setup& present, const ToolChoice& choice) {
     const Box3& box = cutting.box;
     if (box.empty())
         return present.stock;
-    const double radius = largestRadius(cutting.tools, present.tools);
+    const double radius = largestRadius(cutting.tools, choice, present.tools);
     const double margin = radius > 0 ? radius : kSideWithoutTool;
     const double top = box.lo.z < 0 ? 0 : std::ceil(box.hi.z);
     StockBox stock;

@@ -9,6 +9,7 @@
 #include "core/base/geometry.h"
 #include "core/nc/program.h"
 #include "core/simulation/setup.h"
+#include "core/simulation/tool_choice.h"
 
 namespace proveout {
 
@@ -32,7 +33,7 @@ inline constexpr std::size_t kMostMarks = 4096;
 
 /// What all motions that cut by intention (feeds and arcs, no rapids) reach together. Value type.
 struct CuttingExtent {
-    /// Their numbers, ascending, each once; 0 where the program calls T0 and cuts with it.
+    /// The numbers that they name, ascending, each once; 0: T0, or none (ToolChoice::tool()).
     std::vector<int> tools;
     Box3 box; ///< of the motions that are wholly known; mm
 };
@@ -43,6 +44,7 @@ struct CuttingExtent {
 /// The stock that holds the cutting motions of a program: the cutter's radius wider than they are, 5 mm
 /// deeper than the deepest of them, its top at Z0 where something is cut below it, else at the highest of
 /// them. Rounded outwards to whole mm. `present` where nothing is cut.
-[[nodiscard]] StockBox fittedStock(const CuttingExtent& cutting, const Setup& present);
+[[nodiscard]] StockBox fittedStock(const CuttingExtent& cutting, const Setup& present,
+                                   const ToolChoice& choice);
 
 } // namespace proveout

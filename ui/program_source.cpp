@@ -23,7 +23,8 @@ ProgramSource::Interpret resuming() {
 } // namespace
 
 ProgramSource::ProgramSource(QObject* parent, Interpret interpret)
-    : QObject(parent), m_interpret(interpret ? std::move(interpret) : resuming()) {}
+    : QObject(parent), m_interpret(interpret ? interpret : resuming()),
+      m_interpretAssuming(interpret ? std::move(interpret) : resuming()) {}
 
 void ProgramSource::request(NcText text, InterpretOptions options, bool beginning,
                             std::optional<KnownTools> known) {
@@ -38,33 +39,42 @@ void ProgramSource::request(NcText text, InterpretOptions options, bool beginnin
     });
 }
 
-InterpretOptions ProgramSource::optionsOf(const Request& request, const Reply& reply) {
-    InterpretOptions options = request.options;
-    if (!request.known)
-        return options;
+ToolTable ProgramSource::toolsOf(const Request& request, const Reply& reply) {
     const ToolProposals proposals = proposeTools(request.text);
     reply.post([this, proposals] { emit proposed(proposals); });
     ToolTable tools = request.known->tools;
     addProposals(tools, proposals, request.known->proposed);
+    return tools;
+}
+
+std::shared_ptr<const Program> ProgramSource::interpret(const Request& request, const Reply& reply) {
+    WorkContext context;
+    context.stop = reply.stop;
+    context.progress = [this, &reply](double done) {
+        if (done > 0 && done < 1)
+            reply.post([this, done] { emit progressed(done); });
+    };
+    ResumableInterpreter::Publish publish;
+    if (request.beginning)
+        publish = [this, &reply](const std::shared_ptr<const Program>& program) {
+            reply.post([this, program, cutting = cuttingExtent(*program)] { emit begun(program, cutting); });
+        };
+    if (!request.known)
+        return m_interpret(request.text, request.options, context, publish);
+    const ToolTable tools = toolsOf(request, reply);
+    InterpretOptions options = request.options;
     options.tools = toolOffsets(tools);
-    return options;
+    auto program = m_interpret(request.text, options, context, publish);
+    if (request.known->startToolKnown || context.stopped())
+        return program;
+    return withAssumedTool(std::move(program), options, tools, [&](const InterpretOptions& assuming) {
+        return m_interpretAssuming(request.text, assuming, context, {});
+    });
 }
 
 Result<ProgramSource::Interpreted> ProgramSource::carryOut(const Request& request, const Reply& reply) {
     try {
-        WorkContext context;
-        context.stop = reply.stop;
-        context.progress = [this, &reply](double done) {
-            if (done > 0 && done < 1)
-                reply.post([this, done] { emit progressed(done); });
-        };
-        ResumableInterpreter::Publish publish;
-        if (request.beginning)
-            publish = [this, &reply](const std::shared_ptr<const Program>& program) {
-                reply.post(
-                    [this, program, cutting = cuttingExtent(*program)] { emit begun(program, cutting); });
-            };
-        const auto program = m_interpret(request.text, optionsOf(request, reply), context, publish);
+        const auto program = interpret(request, reply);
         const bool watching = request.options.watchedLine > 0;
         return Interpreted{program, watching ? CuttingExtent() : cuttingExtent(*program)};
     } catch (const std::bad_alloc&) {

@@ -23,7 +23,8 @@ namespace proveout {
 /// The tools of a setup, to which the comments of the program add. Value type.
 struct KnownTools {
     ToolTable tools;
-    ToolProposals proposed; ///< that were found before
+    ToolProposals proposed;      ///< that were found before
+    bool startToolKnown = false; ///< else one may be assumed to be in the spindle
 };
 
 /// Interprets texts on its own thread, each from where it differs from the one before; the newest request
@@ -71,11 +72,15 @@ private:
         CuttingExtent cutting;
     };
     [[nodiscard]] Result<Interpreted> carryOut(const Request& request, const Reply& reply);
-    /// The options with the tools that the comments add.
-    [[nodiscard]] InterpretOptions optionsOf(const Request& request, const Reply& reply);
+    [[nodiscard]] std::shared_ptr<const Program> interpret(const Request& request, const Reply& reply);
+    /// Those of the request with what the comments add.
+    [[nodiscard]] ToolTable toolsOf(const Request& request, const Reply& reply);
 
-    Interpret m_interpret; ///< used on the thread of the task only
-    NewestTask m_task;     ///< last: its thread ends before what it uses
+    // Used on the thread of the task only. The second one is for the assumed tool, so that each of them finds
+    // what it read before.
+    Interpret m_interpret;
+    Interpret m_interpretAssuming;
+    NewestTask m_task; ///< last: its thread ends before what it uses
 };
 
 } // namespace proveout

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/save_question.h"
 
+#include <filesystem>
+#include <system_error>
+
 #include <QCoreApplication>
 #include <QDateTime>
 #include <QFileInfo>
@@ -50,6 +53,25 @@ SaveAnswer askBeforeSave(QWidget& parent, const DiskConflict& conflict) {
     if (question.clickedButton() == overwrite)
         return SaveAnswer::overwrite;
     return question.clickedButton() == keepBoth ? SaveAnswer::keepBoth : SaveAnswer::cancel;
+}
+
+bool mayReplaceStock(QWidget& parent, const StockShape& stock, const QString& file) {
+    std::error_code error; // a file that is not there yet is none in use
+    if (stock.file.empty() || !std::filesystem::equivalent(stock.file, toPath(file), error))
+        return true;
+    QMessageBox question(QMessageBox::Warning, text(QT_TRANSLATE_NOOP("SaveQuestion", "Stock in use")),
+                         text(QT_TRANSLATE_NOOP("SaveQuestion", "%1 is the stock of the open job."))
+                             .arg(QFileInfo(file).fileName()),
+                         QMessageBox::Cancel, &parent);
+    question.setTextFormat(Qt::PlainText); // the name is the user's
+    question.setInformativeText(text(QT_TRANSLATE_NOOP(
+        "SaveQuestion",
+        "If you overwrite it, the job starts from its own result the next time it is opened.")));
+    const QPushButton* overwrite = question.addButton(text(QT_TRANSLATE_NOOP("SaveQuestion", "&Overwrite")),
+                                                      QMessageBox::DestructiveRole);
+    question.setDefaultButton(QMessageBox::Cancel);
+    question.exec();
+    return question.clickedButton() == overwrite;
 }
 
 } // namespace proveout

@@ -15,4 +15,8 @@ enum class SaveAnswer : std::uint8_t { cancel, overwrite, keepBoth };
 /// be looked at before an answer. UI thread; returns when the question is answered.
 [[nodiscard]] SaveAnswer askBeforeSave(QWidget& parent, const DiskConflict& conflict);
 
+/// Whether a part may be written to `file`: asks where that is the file of the stock in use. UI thread;
+/// returns when the question is answered.
+[[nodiscard]] bool mayReplaceStock(QWidget& parent, const StockShape& stock, const QString& file);
+
 } // namespace proveout

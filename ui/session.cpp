@@ -32,6 +32,8 @@ Session::Session(QObject* parent)
     connect(&m_editPause, &QTimer::timeout, this, &Session::interpret);
     connect(&m_watch, &FileWatch::changed, this, &Session::watchedFileChanged);
     connect(&m_jobWatch, &FileWatch::changed, this, &Session::watchedJobChanged);
+    connect(&m_stockWatch, &FileWatch::changed, this, &Session::watchedStockChanged);
+    connect(this, &Session::setupChanged, this, &Session::watchStock);
     connect(&m_tick, &RepaintTick::fired, this, &Session::onTick);
     connect(&m_source, &ProgramSource::proposed, this, &Session::adoptProposals);
     connect(&m_source, &ProgramSource::begun, this,
@@ -96,7 +98,7 @@ void Session::interpret() {
     m_interpreted.reset();
     showWork();
     m_source.request(document().text, std::move(options), !m_program,
-                     KnownTools{setup().tools, m_proposals});
+                     KnownTools{setup().tools, m_proposals, setup().startTool.has_value()});
 }
 
 /// `whole`: else its rest is still being read, and may leave the stock.
@@ -338,6 +340,7 @@ void Session::tell(const Diagnostics& messages) {
 
 void Session::refreshProblems() {
     m_problems = m_messages;
+    m_problems.insert(m_problems.end(), m_stockFile.begin(), m_stockFile.end());
     m_problems.insert(m_problems.end(), m_simulationErrors.begin(), m_simulationErrors.end());
     if (m_program)
         m_problems.insert(m_problems.end(), m_program->diagnostics().begin(), m_program->diagnostics().end());

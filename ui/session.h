@@ -149,6 +149,9 @@ public:
     /// The same of setup and parameters, for the job file.
     void reloadJob();
     void keepMyJob();
+    /// The same of the file that the stock was read from: its body stays what it was until it is read again.
+    void reloadStock();
+    void keepStock();
 
     /// The user replaced the bytes [offset, offset + removed) of the text. Interprets anew in the background.
     void applyEdit(std::size_t offset, std::size_t removed, std::string_view inserted);
@@ -173,6 +176,8 @@ public:
     void setPlayBy(PlayBy by); ///< at the same multiple of its unit speed
     void setMachine(const Machine& machine);
     void setBreakpoints(std::vector<Breakpoint> breakpoints);
+    /// Where there is the same already, it is switched on.
+    void addBreakpoint(const Breakpoint& added);
     /// Sets one at a line, or takes it away.
     void toggleBreakpoint(std::uint32_t line);
     /// An edit has added (or taken away) lines behind a place in `line`: breakpoints behind it move along.
@@ -235,6 +240,8 @@ signals:
     void fileWritten();
     /// The job file is no longer what was read or written; false: it is again.
     void jobChangedOnDisk(bool changed);
+    /// The same of the file of the stock.
+    void stockChangedOnDisk(bool changed);
     /// Someone asks to see a source line (1-based): the editor goes there.
     void lineRequested(std::uint32_t line, int column);
     /// Someone asks to see a tool of the table, or to define the one with this number.
@@ -248,10 +255,15 @@ signals:
 private:
     void adopt(JobDocument job);
     void change(const JobValues& from, const JobValues& to);
+    [[nodiscard]] Result<void> checkMap(const Setup& setup) const;
     void runOn(const Setup& before);
     bool saved(const Result<void>& written, bool text, bool job);
     void watchFiles();
     void watchedJobChanged();
+    void watchStock();
+    void watchedStockChanged();
+    void tellStockFile(bool changed);
+    void takeStock(const Setup& read);
     bool told(const Result<void>& result);
     void watchedFileChanged();
     void interpret();
@@ -307,6 +319,7 @@ private:
     QTimer m_paperWatchdog; ///< lets paper mode go on while nobody draws (a minimised window)
 
     Diagnostics m_messages;         ///< about files and jobs
+    Diagnostics m_stockFile;        ///< about the file of the stock, as long as it holds
     Diagnostics m_simulationErrors; ///< of the last load
     Diagnostics m_problems;
     bool m_begun = false;  ///< the program is only its beginning
@@ -320,12 +333,15 @@ private:
 
     FileWatch m_watch;
     FileWatch m_jobWatch;
+    FileWatch m_stockWatch;
+    std::shared_ptr<const StockBody> m_watchedStock; ///< that was read from the file of m_stockWatch
     RepaintTick m_tick;
     QTimer m_editPause; ///< typing is interpreted after a short rest
     DocumentReader m_reader;
     ExportJob m_export;
     ProgramSource m_source;
     NewestTask m_timing;
+    NewestTask m_stockReading;
     BlockSearch m_search;
     std::vector<std::size_t> m_leftBlocks;          ///< where goToBlockThatMade() has led away from
     std::unique_ptr<SimulationThread> m_simulation; ///< last: its thread ends before what it posts to

@@ -123,12 +123,7 @@ Result<void> Session::setSetup(const Setup& wanted) {
         setup.spacing = gridSpacing(setup, *m_program, gridLimits(m_job.parameters()));
     if (setup == *before.setup)
         return {};
-    const Result<Grid> grid = makeGrid(setup.stock, setup.spacing);
-    if (!grid)
-        return tl::unexpected(grid.error());
-    Result<void> fits =
-        checkMapMemory(setup.stock, *grid, m_job.parameters(), {}, static_cast<double>(memoryLimitBytes()));
-    if (!fits)
+    if (Result<void> fits = checkMap(setup); !fits)
         return fits;
     stopOpening();
     m_job.setSetup(std::make_shared<const Setup>(setup));
@@ -137,6 +132,15 @@ Result<void> Session::setSetup(const Setup& wanted) {
     emit documentChanged();
     m_history.record(before, m_job.values());
     return {};
+}
+
+/// Whether its z-map can be made.
+Result<void> Session::checkMap(const Setup& setup) const {
+    const Result<Grid> grid = makeGrid(setup.stock, setup.spacing);
+    if (!grid)
+        return tl::unexpected(grid.error());
+    return checkMapMemory(setup.stock, *grid, m_job.parameters(), {},
+                          static_cast<double>(memoryLimitBytes()));
 }
 
 /// The setup is another than `before`.
@@ -198,12 +202,12 @@ void Session::adoptProposals(const ToolProposals& proposals) {
 }
 
 StockBox Session::stockFittedToProgram() const {
-    return m_program ? fittedStock(m_cutting, setup()) : setup().stock;
+    return m_program ? fittedStock(m_cutting, setup(), ToolChoice(*m_program, setup())) : setup().stock;
 }
 
 void Session::fitStock(bool forNow) {
     Setup fitted = setup();
-    fitted.stock = fittedStock(m_cutting, fitted);
+    fitted.stock = fittedStock(m_cutting, fitted, ToolChoice(*m_program, fitted));
     fitted.spacing = gridSpacing(fitted, *m_program, gridLimits(parameters()));
     const DecimationParameters before = parameters();
     // The same again is no reason to simulate anew.

@@ -191,6 +191,19 @@ void Session::setBreakpoints(std::vector<Breakpoint> breakpoints) {
     emit breakpointsChanged();
 }
 
+void Session::addBreakpoint(const Breakpoint& added) {
+    std::vector<Breakpoint> changed = m_breakpoints;
+    const auto known = std::ranges::find_if(changed, [&added](Breakpoint each) {
+        each.enabled = added.enabled;
+        return each == added;
+    });
+    if (known == changed.end())
+        changed.push_back(added);
+    else
+        known->enabled = true;
+    setBreakpoints(std::move(changed));
+}
+
 void Session::toggleBreakpoint(std::uint32_t line) {
     std::vector<Breakpoint> changed = m_breakpoints;
     const auto removed = std::erase_if(changed, [line](const Breakpoint& breakpoint) {

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The files of the session: saved, read again, watched, and work that was kept without them.
+#include <memory>
+#include <new>
 #include <utility>
 
 #include <QFileInfo>
 
+#include "core/base/text.h"
+#include "core/formats/stock_shapes.h"
+#include "core/simulation/automatic_grid.h"
 #include "ui/file_paths.h"
 #include "ui/job_permissions.h"
 #include "ui/session.h"
@@ -151,6 +156,82 @@ void Session::watchedJobChanged() {
         m_job.keepMyJob(); // the window holds the last copy
     emit jobChangedOnDisk(!state || *state != DiskState::same);
     emit documentChanged();
+}
+
+// The file of the stock.
+
+void Session::watchStock() {
+    const StockShape& shape = setup().shape;
+    if (m_watchedStock == shape.body)
+        return;
+    m_watchedStock = shape.body;
+    m_stockReading.cancel();
+    const bool fromFile = shape.body != nullptr && !shape.file.empty();
+    m_stockWatch.watch(fromFile ? toQString(shape.file) : QString(), shape.fileState);
+    tellStockFile(false);
+}
+
+/// It may be again what was read.
+void Session::watchedStockChanged() {
+    tellStockFile(stateOf(setup().shape.file) != setup().shape.fileState);
+}
+
+void Session::tellStockFile(bool changed) {
+    m_stockFile.clear();
+    if (changed) {
+        Diagnostic warning;
+        warning.severity = Severity::warning;
+        warning.unverified = true;
+        warning.id = "stock-changed-on-disk";
+        warning.text = PROVEOUT_TEXT("Core", "The file of the stock has changed on disk; the simulation "
+                                             "starts from what it held before.");
+        warning.hint = PROVEOUT_TEXT("Core", "Reload the stock in the setup, or keep it as it is.");
+        warning.file = setup().shape.file.string();
+        m_stockFile = {warning};
+    }
+    refreshProblems();
+    emit stockChangedOnDisk(changed);
+}
+
+void Session::reloadStock() {
+    m_stockReading.start([this, before = m_job.setup()](const NewestTask::Reply& reply) {
+        StockSpec spec{before->stock, before->shape};
+        Result<void> done;
+        try {
+            done = makeStock(spec, before->stock.corner);
+        } catch (const std::bad_alloc&) {
+            done = failure("stock-out-of-memory",
+                           PROVEOUT_TEXT("Core", "The stock needs more memory than there is."));
+        }
+        reply.post([this, spec, done] {
+            if (!done)
+                return tell(done.error());
+            Setup read = setup();
+            const Vec3 corner = read.stock.corner; // it may have been moved in the meantime
+            read.stock = spec.box;
+            read.stock.corner = corner;
+            read.shape = spec.shape;
+            takeStock(read);
+        });
+    });
+}
+
+/// No change of the job, which names the same file.
+void Session::takeStock(const Setup& read) {
+    const JobValues before = m_job.values();
+    Setup fitted = read;
+    if (m_program)
+        fitted.spacing = gridSpacing(fitted, *m_program, gridLimits(parameters()));
+    if (const Result<void> fits = checkMap(fitted); !fits)
+        return tell(fits.error());
+    m_job.fitSetup(std::make_shared<const Setup>(std::move(fitted)));
+    runOn(*before.setup);
+    tellSetup(before.parameters);
+    emit documentChanged();
+}
+
+void Session::keepStock() {
+    tellStockFile(false);
 }
 
 // Kept work.

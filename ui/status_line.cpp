@@ -16,6 +16,7 @@
 #include "ui/export_text.h"
 #include "ui/probe_text.h"
 #include "ui/surface_probe.h"
+#include "ui/tool_actions.h"
 
 namespace proveout {
 
@@ -128,8 +129,8 @@ void StatusLine::tellPlace(const PlaceAnswer& answer) {
         case PlaceAnswer::Kind::outdated:
             return tr("The program or its set-up has changed: ask again in a moment.");
         case PlaceAnswer::Kind::cut:
-            return tr("Cut by block %1: line %2, tool T%3.")
-                .arg(block, QString::number(answer.line), QString::number(answer.tool));
+            return tr("Cut by block %1: line %2, tool %3.")
+                .arg(block, QString::number(answer.line), proveout::toolText(answer));
         }
         return {};
     }();
@@ -210,7 +211,7 @@ void StatusLine::fitFields() {
     fit(kFeed, {QStringLiteral("F ") + kWideWord, tr("F rapid")});
     fit(kSpindle, {QStringLiteral("S ") + kWideWord});
     const QString tool = QStringLiteral("T ") + kWideTool;
-    fit(kTool, {m_toolAssumed ? assumed(tool) : tool});
+    fit(kTool, {m_toolAssumed ? assumedText(tool) : tool});
     const QString last = locale.toString(static_cast<qulonglong>(m_session.blockCount()));
     fit(kBlock, {tr("Block %1 / %2").arg(last, last)});
     fit(kFaces, {tr("Faces %1").arg(locale.toString(static_cast<qulonglong>(m_facesFull)))});
@@ -264,11 +265,7 @@ void StatusLine::showFrame(const FramePtr& frame) {
 QString StatusLine::toolText(const Frame& frame) const {
     const bool present = frame.tool != 0 || frame.setup->tools.find(0) != nullptr;
     const QString text = QStringLiteral("T ") + (present ? QString::number(frame.tool) : QStringLiteral("–"));
-    return frame.toolAssumed ? assumed(text) : text;
-}
-
-QString StatusLine::assumed(const QString& tool) {
-    return tr("%1 (assumed)", "a tool").arg(tool);
+    return frame.toolAssumed ? assumedText(text) : text;
 }
 
 void StatusLine::showWork() {

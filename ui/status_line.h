@@ -36,7 +36,6 @@ private:
 
     void onTick(const FramePtr& frame);
     void showFrame(const FramePtr& frame);
-    [[nodiscard]] static QString assumed(const QString& tool);
     [[nodiscard]] QString toolText(const Frame& frame) const;
     void showWork();
     void tellStop(const BreakpointHit& hit);

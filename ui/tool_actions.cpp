@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <string_view>
 
+#include <QCoreApplication>
 #include <QStringList>
 
 #include "core/cutter/shapes.h"
@@ -17,6 +18,10 @@ namespace {
 
 constexpr const char* kDefaultCutter = "flat:d=10";
 constexpr std::size_t kListed = 5;
+
+QString text(const char* source) {
+    return QCoreApplication::translate("Tools", source);
+}
 
 /// The number under which a missing tool is found. A program that calls none runs with the only tool there
 /// is.
@@ -58,6 +63,18 @@ QString toolList(const std::vector<int>& numbers) {
     for (std::size_t i = 0; i < std::min(numbers.size(), kListed); ++i)
         names << QStringLiteral("T%1").arg(numbers[i]);
     return names.join(QStringLiteral(", ")) + (numbers.size() > kListed ? QStringLiteral(", …") : QString());
+}
+
+QString assumedText(const QString& tool) {
+    return text(QT_TRANSLATE_NOOP("Tools", "%1 (assumed)")).arg(tool);
+}
+
+QString toolText(int number, const ToolChoice& choice, const ToolTable& tools) {
+    const int tool = choice.tool(number);
+    if (tool == 0 && tools.find(0) == nullptr)
+        return text(QT_TRANSLATE_NOOP("Tools", "no tool"));
+    const QString name = QStringLiteral("T%1").arg(tool);
+    return choice.isAssumed(number) ? assumedText(name) : name;
 }
 
 QString cutterText(const Cutter& cutter, const QLocale& locale) {

@@ -28,6 +28,12 @@ void confirmTools(Session& session);
 /// "T1, T2, T3", the first few of them.
 [[nodiscard]] QString toolList(const std::vector<int>& numbers);
 
+/// "%1 (assumed)", of a tool.
+[[nodiscard]] QString assumedText(const QString& tool);
+
+/// "T3", "T3 (assumed)": the tool of a motion that names tool `number`; "no tool" where it has none.
+[[nodiscard]] QString toolText(int number, const ToolChoice& choice, const ToolTable& tools);
+
 /// "⌀ 6 mm Flat end mill": the size first, because a narrow column cuts off what follows.
 [[nodiscard]] QString cutterText(const Cutter& cutter, const QLocale& locale);
 

@@ -71,7 +71,7 @@ ExitCode run(const InterpretCommandOptions& options) {
                          findDialect(options.compared.back())->id);
         return report.exitCode();
     }
-    const auto program = interpret(*text, interpreting);
+    const auto program = interpretOn(setup, *text, interpreting);
     if (program->foreignKind() != nullptr)
         return fail(program->diagnostics());
     NcMotionMeta meta;

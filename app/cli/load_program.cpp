@@ -14,7 +14,8 @@ Result<std::shared_ptr<const Program>> loadProgram(Job& job, Report& report) {
     if (!text)
         return tl::unexpected(std::move(text.error()));
     addProposals(job.setup.tools, proposeTools(*text));
-    std::shared_ptr<const Program> program = interpret(*text, interpretOptions(job.setup, job.program));
+    std::shared_ptr<const Program> program =
+        interpretOn(job.setup, *text, interpretOptions(job.setup, job.program));
     if (program->foreignKind() != nullptr)
         return tl::unexpected(program->diagnostics());
     report.add(program->diagnostics());

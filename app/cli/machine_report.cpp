@@ -18,12 +18,13 @@ nlohmann::ordered_json toJson(const TimeParts& parts) {
 
 } // namespace
 
-nlohmann::ordered_json machineSeconds(const MachineTimes& times, std::size_t blocks, bool assumed) {
+nlohmann::ordered_json machineSeconds(const MachineTimes& times, std::size_t blocks, bool assumed,
+                                      const ToolChoice& tools) {
     nlohmann::ordered_json out = toJson(times.parts);
     out["executed"] = times.secondsAfter[blocks];
     out["tools"] = nlohmann::ordered_json::array();
     for (const MachineTimes::OfTool& tool : times.tools) {
-        nlohmann::ordered_json row{{"tool", tool.tool}};
+        nlohmann::ordered_json row{{"tool", tools.tool(tool.tool)}, {"assumed", tools.isAssumed(tool.tool)}};
         row.update(toJson(tool.parts));
         row["feedLengthMm"] = tool.feedLength;
         out["tools"].push_back(std::move(row));

@@ -6,13 +6,14 @@
 #include <string>
 
 #include "core/simulation/machine_time.h"
+#include "core/simulation/tool_choice.h"
 
 namespace proveout::cli {
 
 /// `machineSeconds` of the report: the whole program by parts and tools, and what `blocks` of it take.
-/// `assumed`: nobody has described the machine.
+/// `assumed`: nobody has described the machine. `tools`: of the program.
 [[nodiscard]] nlohmann::ordered_json machineSeconds(const MachineTimes& times, std::size_t blocks,
-                                                    bool assumed);
+                                                    bool assumed, const ToolChoice& tools);
 
 /// "1:02:03".
 [[nodiscard]] std::string clockText(double seconds);

@@ -147,6 +147,7 @@ const StockShapeRow& rowOf(StockKind kind) {
 Result<void> makeStock(StockSpec& spec, const std::optional<Vec3>& corner) {
     const StockShapeRow& row = rowOf(spec.shape.kind);
     spec.shape.body.reset();
+    spec.shape.fileState = stateOf(spec.shape.file);
     if (row.make != nullptr) {
         auto body = row.make(spec);
         if (!body) {

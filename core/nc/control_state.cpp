@@ -8,6 +8,7 @@
 #include "core/base/text.h"
 #include "core/nc/active_codes.h"
 #include "core/nc/call_stack.h"
+#include "core/nc/control_names.h"
 #include "core/nc/machine_state.h"
 #include "core/nc/word_help.h"
 
@@ -63,7 +64,7 @@ std::vector<ControlState::Quantity> quantitiesOf(const MachineState& state) {
         {PROVEOUT_TEXT("Core", "Feed rate"), state.feed,
          kFeedUnits[static_cast<std::size_t>(state.feedMode)]},
         {PROVEOUT_TEXT("Core", "Spindle speed"), state.spindleRpm, "1/min"},
-        {PROVEOUT_TEXT("Core", "Tool in the spindle"), static_cast<double>(state.tool), ""},
+        {control_name::kSpindleTool, static_cast<double>(state.tool), ""},
         {PROVEOUT_TEXT("Core", "Tool selected next"), static_cast<double>(std::max(state.selectedTool, 0)),
          ""},
     };

@@ -62,7 +62,7 @@ bool goesBelow(const ArmedBreakpoint& armed, const Program& program, std::size_t
     return false;
 }
 
-ConditionValues valuesOf(const Motion& motion, std::size_t block, std::uint32_t line) {
+ConditionValues valuesOf(const Motion& motion, int tool, std::size_t block, std::uint32_t line) {
     const auto axis = [&](int index, AxisBits bit) {
         return (motion.endKnown & bit) != 0 ? motion.end[index] : kUnknown;
     };
@@ -71,14 +71,16 @@ ConditionValues valuesOf(const Motion& motion, std::size_t block, std::uint32_t 
             axis(2, kAxisZ),
             motion.feedMmPerMin,
             std::abs(motion.spindleRpm),
-            static_cast<double>(motion.tool),
+            static_cast<double>(tool),
             static_cast<double>(block + 1),
             static_cast<double>(line)};
 }
 
 bool beginsToHold(const ArmedBreakpoint& armed, const Program& program, std::size_t block) {
     const auto holdsAt = [&](std::size_t motion, std::size_t ofBlock) {
-        return armed.condition.holds(valuesOf(program.motion(motion), ofBlock, program.blockLine(ofBlock)));
+        const Motion at = program.motion(motion);
+        const int tool = at.tool == 0 ? armed.toolOfNone : at.tool;
+        return armed.condition.holds(valuesOf(at, tool, ofBlock, program.blockLine(ofBlock)));
     };
     const auto motions = program.blockMotions(block);
     bool held = block > 0 && holdsAt(motions.first - 1, block - 1);
@@ -162,12 +164,13 @@ std::string valueText(const Breakpoint& breakpoint) {
     return {};
 }
 
-void Breakpoints::set(const std::vector<Breakpoint>& breakpoints, const Program& program) {
+void Breakpoints::set(const std::vector<Breakpoint>& breakpoints, const Program& program,
+                      const ToolChoice& tools) {
     m_armed.clear();
     for (const Breakpoint& breakpoint : breakpoints) {
         if (!breakpoint.enabled || m_armed.size() == kMost)
             continue;
-        ArmedBreakpoint armed{breakpoint, {}, std::nullopt};
+        ArmedBreakpoint armed{breakpoint, {}, std::nullopt, 0};
         if (breakpoint.kind == BreakpointKind::condition) {
             auto condition = Condition::parse(breakpoint.condition);
             if (!condition)
@@ -176,11 +179,12 @@ void Breakpoints::set(const std::vector<Breakpoint>& breakpoints, const Program&
         }
         m_armed.push_back(std::move(armed));
     }
-    follow(program);
+    follow(program, tools);
 }
 
-void Breakpoints::follow(const Program& program) {
+void Breakpoints::follow(const Program& program, const ToolChoice& tools) {
     for (ArmedBreakpoint& armed : m_armed) {
+        armed.toolOfNone = tools.tool(0);
         armed.insteadOfLine.reset();
         if (armed.breakpoint.kind != BreakpointKind::line)
             continue;

@@ -14,6 +14,7 @@
 #include "core/nc/program.h"
 #include "core/simulation/condition.h"
 #include "core/simulation/statistics.h"
+#include "core/simulation/tool_choice.h"
 
 namespace proveout {
 
@@ -52,6 +53,7 @@ struct ArmedBreakpoint {
     Breakpoint breakpoint;
     Condition condition;
     std::optional<std::size_t> insteadOfLine; ///< the block behind a line that no block has
+    int toolOfNone = 0;                       ///< of motions that name none (ToolChoice)
 };
 
 /// One row a kind, in their order. Texts are marked with PROVEOUT_TEXT.
@@ -85,9 +87,9 @@ public:
     /// More than this many are ignored: each is asked at each block.
     static constexpr std::size_t kMost = 1000;
 
-    void set(const std::vector<Breakpoint>& breakpoints, const Program& program);
+    void set(const std::vector<Breakpoint>& breakpoints, const Program& program, const ToolChoice& tools);
     /// The program is another one.
-    void follow(const Program& program);
+    void follow(const Program& program, const ToolChoice& tools);
     [[nodiscard]] bool empty() const { return m_armed.empty(); }
     /// The first that stops the run before block `block` is executed; null: none.
     [[nodiscard]] const Breakpoint* before(const Program& program, std::size_t block) const;

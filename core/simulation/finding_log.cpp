@@ -89,10 +89,16 @@ constexpr FindingRow kToolFromVagueComment{
 constexpr FindingRow kToolSizesAssumed{
     Severity::warning, true, "tool-unconfirmed",
     PROVEOUT_TEXT("Core", "The sizes of T{} are assumed ({}); they are not confirmed."), kConfirmTool};
+constexpr const char* kSetToolAtStart =
+    PROVEOUT_TEXT("Core", "Set the tool at start in the setup if this is the right one.");
 constexpr FindingRow kToolAssumed{
     Severity::warning, true, "tool-assumed",
     PROVEOUT_TEXT("Core", "The program cuts before it calls a tool; T{} is assumed to be in the spindle."),
-    PROVEOUT_TEXT("Core", "Set the tool at start in the setup if this is the right one.")};
+    kSetToolAtStart};
+constexpr FindingRow kOnlyToolAssumed{
+    Severity::warning, true, "tool-assumed",
+    PROVEOUT_TEXT("Core", "The program calls no tool; T{} is assumed to be in the spindle."),
+    kSetToolAtStart};
 constexpr FindingRow kToolUndefined{
     Severity::error, true, "tool-undefined",
     PROVEOUT_TEXT("Core", "T{} is not in the tool table; its moves are not simulated."),
@@ -101,15 +107,21 @@ constexpr FindingRow kNoTool{
     Severity::error, true, "no-tool",
     PROVEOUT_TEXT("Core", "The program cuts before it calls a tool; moves are not simulated until it does."),
     PROVEOUT_TEXT("Core", "Set the tool at start in the setup, or program T and M6 before the first cut.")};
+constexpr FindingRow kNoToolEver{
+    Severity::error, true, "no-tool",
+    PROVEOUT_TEXT("Core", "The program calls no tool; its moves are not simulated."),
+    PROVEOUT_TEXT("Core", "Set the tool at start in the setup, or program T and M6 before the first cut.")};
 constexpr FindingRow kSpindleEmpty{
     Severity::error, true, "no-tool",
     PROVEOUT_TEXT("Core", "T{} leaves the spindle empty; its moves are not simulated."),
     PROVEOUT_TEXT("Core", "Define T0 in the tool table if it is a cutter.")};
 
-const FindingRow& rowOf(const MissingTool& missing) {
+const FindingRow& rowOf(const MissingTool& missing, bool callsTool) {
     if (missing.number != 0)
         return kToolUndefined;
-    return missing.called ? kSpindleEmpty : kNoTool;
+    if (missing.called)
+        return kSpindleEmpty;
+    return callsTool ? kNoTool : kNoToolEver;
 }
 
 void tell(BoundedDiagnostics& out, const FindingRow& row, std::vector<std::string> values,
@@ -136,9 +148,10 @@ void tellUnconfirmed(BoundedDiagnostics& out, const UnconfirmedTool& tool) {
 
 void tellAboutTools(const Program& program, const ToolChoice& tools, BoundedDiagnostics& out) {
     if (tools.assumed() && program.blockCount() > 0)
-        tell(out, kToolAssumed, {std::to_string(*tools.assumed())}, program.blockLine(0));
+        tell(out, tools.callsTool() ? kToolAssumed : kOnlyToolAssumed, {std::to_string(*tools.assumed())},
+             program.blockLine(0));
     for (const MissingTool& missing : tools.missing())
-        tell(out, rowOf(missing), {std::to_string(missing.number)}, missing.line);
+        tell(out, rowOf(missing, tools.callsTool()), {std::to_string(missing.number)}, missing.line);
     for (const UnconfirmedTool& tool : tools.unconfirmed())
         tellUnconfirmed(out, tool);
 }

@@ -8,6 +8,7 @@
 
 #include "core/base/memory.h"
 #include "core/simulation/probed_stock.h"
+#include "core/simulation/tool_choice.h"
 
 namespace proveout {
 
@@ -40,6 +41,40 @@ InterpretOptions interpretOptions(const Setup& setup, const std::filesystem::pat
     if (!file.empty())
         options.subprogramFolders = {file.parent_path()};
     return options;
+}
+
+InterpretOptions interpretOptions(const Setup& setup, const std::filesystem::path& file,
+                                  const Program& program) {
+    InterpretOptions options = interpretOptions(setup, file);
+    if (!setup.startTool)
+        options.startTool = toolToInterpretWith(program, setup.tools).value_or(0);
+    return options;
+}
+
+std::optional<int> toolToInterpretWith(const Program& program, const ToolTable& tools) {
+    return program.asksForTools() ? assumedTool(program, tools) : std::nullopt;
+}
+
+std::shared_ptr<const Program> withAssumedTool(std::shared_ptr<const Program> program,
+                                               const InterpretOptions& options, const ToolTable& tools,
+                                               const InterpretAgain& again) {
+    const std::optional<int> tool = toolToInterpretWith(*program, tools);
+    if (!tool || *tool == options.startTool)
+        return program;
+    InterpretOptions assuming = options;
+    assuming.startTool = *tool;
+    auto assumed = again(assuming);
+    // What a program reads of its tool may lead it elsewhere.
+    return toolToInterpretWith(*assumed, tools) == tool ? assumed : program;
+}
+
+std::shared_ptr<const Program> interpretOn(const Setup& setup, const NcText& text,
+                                           const InterpretOptions& options) {
+    auto program = interpret(text, options);
+    if (setup.startTool)
+        return program;
+    return withAssumedTool(std::move(program), options, setup.tools,
+                           [&](const InterpretOptions& assuming) { return interpret(text, assuming); });
 }
 
 bool interpretedAlike(const Program& program, const Setup& one, const Setup& other) {

@@ -137,6 +137,10 @@ ZMapSnapshot Simulation::zmap() const {
     return m_state->stock.zmap.snapshot();
 }
 
+const ToolChoice& Simulation::tools() const {
+    return m_state->tools;
+}
+
 Simulation::Effort Simulation::effort() const {
     return m_state->effort;
 }

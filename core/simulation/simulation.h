@@ -7,6 +7,7 @@
 
 #include "core/base/work_context.h"
 #include "core/simulation/frame.h"
+#include "core/simulation/tool_choice.h"
 
 namespace proveout {
 
@@ -64,6 +65,8 @@ public:
     /// not change the simulation.
     [[nodiscard]] SurfaceSnapshot decimatedNow(const WorkContext& context = {}) const;
     [[nodiscard]] ZMapSnapshot zmap() const;
+    /// Which tools its program cuts with.
+    [[nodiscard]] const ToolChoice& tools() const;
     /// Wall time spent so far, replays included.
     struct Effort {
         double allocateSeconds = 0;

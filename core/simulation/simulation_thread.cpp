@@ -151,9 +151,9 @@ struct SimulationThread::State {
 
     void take(EditCommand&& edit) {
         generation = edit.generation;
-        breakpoints.follow(*edit.program);
         // What has to be cut anew is work that can be stopped: here the stock only goes back.
         const std::size_t wanted = simulation->replaceProgram(std::move(edit.program), {stopped(), {}});
+        breakpoints.follow(simulation->program(), simulation->tools());
         if (simulation->position() == wanted)
             publish();
         else if (!goal)
@@ -177,7 +177,9 @@ struct SimulationThread::State {
         clock.start(from, play.unitsPerSecond, Clock::now());
     }
 
-    void take(BreakpointsCommand&& command) { breakpoints.set(command.breakpoints, simulation->program()); }
+    void take(BreakpointsCommand&& command) {
+        breakpoints.set(command.breakpoints, simulation->program(), simulation->tools());
+    }
 
     void take(BudgetCommand&& command) { simulation->setCheckpointBudget(command.bytes); }
 

@@ -52,18 +52,25 @@ std::size_t firstMotionWithCalledTool(const Program& program) {
     return change == program.events().end() ? program.motionCount() : change->beforeMotion;
 }
 
-std::optional<int> assumedTool(const Program& program, const Setup& setup) {
-    const auto& tools = setup.tools.tools();
-    if (setup.startTool)
-        return {};
-    if (tools.size() == 1 && std::ranges::none_of(program.events(), isToolChange))
+bool callsTool(const Program& program) {
+    return std::ranges::any_of(program.events(), isToolChange);
+}
+
+std::optional<int> assumedTool(const Program& program, const ToolTable& table) {
+    const auto& tools = table.tools();
+    if (tools.size() == 1 && !callsTool(program))
         return tools.begin()->first;
     if (tools.contains(0) && cutsBefore(program, firstMotionWithCalledTool(program)))
         return 0;
     return {};
 }
 
-ToolChoice::ToolChoice(const Program& program, const Setup& setup) : m_assumed(assumedTool(program, setup)) {
+std::optional<int> assumedTool(const Program& program, const Setup& setup) {
+    return setup.startTool ? std::nullopt : assumedTool(program, setup.tools);
+}
+
+ToolChoice::ToolChoice(const Program& program, const Setup& setup)
+    : m_assumed(assumedTool(program, setup)), m_callsTool(proveout::callsTool(program)) {
     const std::size_t firstCalled = firstMotionWithCalledTool(program);
     std::set<int> told;
     for (const Program::ToolRun& run : program.toolRuns()) {

@@ -30,10 +30,15 @@ struct UnconfirmedTool {
 /// The index of the first motion after the first tool change; motionCount() where no tool is changed.
 [[nodiscard]] std::size_t firstMotionWithCalledTool(const Program& program);
 
+/// Whether the program ever changes tools.
+[[nodiscard]] bool callsTool(const Program& program);
+
 /// The tool that is taken to be in the spindle at the start of a program that cuts before it calls one,
 /// where the setup does not say: the only one of the table if the program never changes tools, else T0 if
 /// the table has it, for that is the number a control has before any tool is called.
 [[nodiscard]] std::optional<int> assumedTool(const Program& program, const Setup& setup);
+/// The same for a setup that does not say which tool is in the spindle.
+[[nodiscard]] std::optional<int> assumedTool(const Program& program, const ToolTable& tools);
 
 /// Which cutter a motion has, and which tools have none: a pure function of program and setup, known before
 /// anything is cut. Value type.
@@ -44,8 +49,13 @@ public:
 
     /// The number of the tool assumed to be in the spindle, if one is: nobody has said so.
     [[nodiscard]] std::optional<int> assumed() const { return m_assumed; }
-    /// Whether a motion that names tool `number` is taken to be cut with the assumed one.
-    [[nodiscard]] bool isAssumed(int number) const { return number == 0 && m_assumed.has_value(); }
+    /// Whether a motion that names tool `number` is taken to be cut with the assumed one. It may name that
+    /// itself: of a program that was interpreted with it (withAssumedTool()).
+    [[nodiscard]] bool isAssumed(int number) const {
+        return m_assumed && (number == 0 || number == *m_assumed);
+    }
+    /// Whether the program ever calls a tool.
+    [[nodiscard]] bool callsTool() const { return m_callsTool; }
     /// The tool of a motion that names tool `number` (0: none, or T0 where the table has it).
     [[nodiscard]] int tool(int number) const { return number == 0 ? m_assumed.value_or(0) : number; }
     /// Each once, in the order in which the program misses them. A rapid misses its tool too, for it may cut;
@@ -56,6 +66,7 @@ public:
 
 private:
     std::optional<int> m_assumed;
+    bool m_callsTool = false;
     std::vector<MissingTool> m_missing;
     std::vector<UnconfirmedTool> m_unconfirmed;
 };

@@ -131,6 +131,7 @@ private:
         frame->cutterPosition = last.end;
         frame->cutterKnown = last.endKnown == kAllAxes;
         frame->tool = m_tools.tool(last.tool);
+        frame->toolAssumed = m_tools.isAssumed(last.tool);
         const auto faces = static_cast<double>(frame->surface.faces);
         const auto regions = static_cast<double>(frame->surface.meshes.size());
         const DrawCost::Seconds seconds = m_drawing.draw(std::move(frame));

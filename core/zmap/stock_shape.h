@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "core/base/diagnostic.h"
+#include "core/base/file_state.h"
 #include "core/base/geometry.h"
 #include "core/zmap/stock.h"
 #include "core/zmap/zmap.h"
@@ -70,6 +71,7 @@ struct StockShape {
     StockTurn turn = StockTurn::none;
     StockFlip flip = StockFlip::none;
     std::shared_ptr<const StockBody> body; ///< none of a box
+    FileState fileState;                   ///< of the file, from before it was read
 
     /// A body that was made anew is another one.
     friend bool operator==(const StockShape&, const StockShape&) = default;

@@ -31,6 +31,10 @@ TEST_F(CliSetup, TheToolAtStartIsSetOrAssumedAndShownAsAssumed) {
     EXPECT_TRUE(has(assumed.json()["unverified"], "tool-assumed"));
     EXPECT_EQ(assumed.json()["startTool"], (nlohmann::json{{"number", 1}, {"assumed", true}}));
     EXPECT_GT(assumed.json()["removedMm3"], 0);
+    const auto timed = assumed.json()["machineSeconds"]["tools"];
+    ASSERT_EQ(timed.size(), 1);
+    EXPECT_EQ(timed[0]["tool"], 1);
+    EXPECT_EQ(timed[0]["assumed"], true);
 
     const auto set = simulate("uncalled.nc", "--grid 0.5 --start-tool 1" + kTool);
     EXPECT_EQ(set.exitCode, 0) << set.err;

@@ -187,10 +187,7 @@ void BreakpointsPanel::add() {
         m_condition->setFocus();
         return;
     }
-    std::vector<Breakpoint> all = m_session.breakpoints();
-    if (std::ranges::find(all, breakpoint) == all.end())
-        all.push_back(std::move(breakpoint));
-    m_session.setBreakpoints(std::move(all));
+    m_session.addBreakpoint(breakpoint);
 }
 
 void BreakpointsPanel::removeSelected() {

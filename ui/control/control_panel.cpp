@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/control/control_panel.h"
 
+#include <string_view>
+
 #include <QEvent>
 #include <QHeaderView>
 #include <QLabel>
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
+#include "core/nc/control_names.h"
 #include "core/simulation/interpretation.h"
 #include "ui/diagnostic_text.h"
 #include "ui/panel_layout.h"
+#include "ui/tool_actions.h"
 
 namespace proveout {
 
@@ -57,6 +61,10 @@ ControlPanel::ControlPanel(Session& session, QWidget* parent)
     connect(&m_source, &ProgramSource::ready, this, &ControlPanel::adopt);
     connect(&session, &Session::tick, this, [this] { m_rest.start(); });
     connect(&session, &Session::programChanged, this, [this] { m_rest.start(); });
+    connect(&session, &Session::setupChanged, this, [this] {
+        if (m_shown)
+            fill(m_shown->controlState()); // another tool may be assumed
+    });
     connect(m_tree, &QTreeWidget::itemActivated, this, [this](const QTreeWidgetItem* item) {
         if (const int line = item->data(0, Qt::UserRole).toInt(); line > 0)
             emit m_session.lineRequested(static_cast<std::uint32_t>(line), 1);
@@ -86,7 +94,7 @@ void ControlPanel::ask() {
         return;
     m_askedOf = program;
     m_askedBlock = block;
-    InterpretOptions options = interpretOptions(m_session.setup(), m_session.document().path);
+    InterpretOptions options = interpretOptions(m_session.setup(), m_session.document().path, *program);
     options.stopAfterBlocks = block;
     m_source.request(m_session.document().text, std::move(options));
 }
@@ -116,6 +124,14 @@ QTreeWidgetItem& ControlPanel::addRow(QTreeWidgetItem& parent, const QString& na
     return *row;
 }
 
+/// A tool that is assumed to be in the spindle is there for the control too.
+QString ControlPanel::valueText(const ControlState::Quantity& quantity) const {
+    if (quantity.name == std::string_view(control_name::kSpindleTool))
+        return toolText(static_cast<int>(quantity.value), toolChoice(m_session), m_session.setup().tools);
+    return QStringLiteral("%1 %2").arg(locale().toString(quantity.value, 'g', 7),
+                                       QLatin1String(quantity.unit));
+}
+
 void ControlPanel::fill(const ControlState& state) {
     m_tree->setUpdatesEnabled(false);
     m_tree->clear();
@@ -140,9 +156,7 @@ void ControlPanel::fill(const ControlState& state) {
             addRow(row, QString(QChar(u'X' + axis)), coordinate(locale(), place, axis));
     }
     for (const ControlState::Quantity& quantity : state.quantities)
-        addRow(*places, coreText(quantity.name),
-               QStringLiteral("%1 %2").arg(locale().toString(quantity.value, 'g', 7),
-                                           QLatin1String(quantity.unit)));
+        addRow(*places, coreText(quantity.name), valueText(quantity));
     if (!state.variables.empty()) {
         QTreeWidgetItem* variables = section(tr("Variables"));
         for (const ControlState::Variable& variable : state.variables)

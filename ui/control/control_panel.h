@@ -32,6 +32,7 @@ private:
     void ask();
     void adopt(const std::shared_ptr<const Program>& program);
     void fill(const ControlState& state);
+    [[nodiscard]] QString valueText(const ControlState::Quantity& quantity) const;
     QTreeWidgetItem* section(const QString& title);
     QTreeWidgetItem& addRow(QTreeWidgetItem& parent, const QString& name, const QString& value,
                             const QString& meaning = {});

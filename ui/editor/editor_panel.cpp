@@ -234,7 +234,8 @@ void EditorPanel::updateActions() {
 void EditorPanel::askForValues(std::uint32_t line, bool toEnd) {
     if (!m_session.program())
         return;
-    InterpretOptions options = interpretOptions(m_session.setup(), m_session.document().path);
+    InterpretOptions options =
+        interpretOptions(m_session.setup(), m_session.document().path, *m_session.program());
     options.watchedLine = line;
     options.watchToEnd = m_counts = toEnd;
     m_values.request(m_session.document().text, std::move(options));

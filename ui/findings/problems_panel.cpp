@@ -38,6 +38,8 @@ ProblemsPanel::ProblemsPanel(Session& session, QWidget* parent)
     layout->addWidget(m_view, 1);
     layout->addWidget(m_empty, 1);
     m_empty->setAlignment(Qt::AlignCenter);
+    m_empty->setWordWrap(true);
+    m_empty->setObjectName(QStringLiteral("nothing-found"));
     m_empty->setForegroundRole(QPalette::PlaceholderText);
     m_view->setModel(m_model);
     m_view->setRootIsDecorated(false);
@@ -54,6 +56,8 @@ ProblemsPanel::ProblemsPanel(Session& session, QWidget* parent)
     m_view->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(m_view, &QTreeView::customContextMenuRequested, this, &ProblemsPanel::showMenu);
     connect(&session, &Session::problemsChanged, this, &ProblemsPanel::showProblems);
+    connect(&session, &Session::documentChanged, this, &ProblemsPanel::showNothingFound);
+    connect(&session, &Session::tick, this, &ProblemsPanel::showNothingFound);
     retranslate();
     showProblems();
 }
@@ -63,12 +67,36 @@ void ProblemsPanel::showProblems() {
     const int scrolled = m_view->verticalScrollBar()->value();
     m_model->setProblems(m_session.problems());
     const bool any = m_model->rowCount() > 0;
+    showNothingFound();
     m_view->setVisible(any);
     m_empty->setVisible(!any);
     if (row >= 0 && row < m_model->rowCount())
         m_view->setCurrentIndex(m_model->index(row, 0));
     m_view->doItemsLayout();                         // the range of the bar
     m_view->verticalScrollBar()->setValue(scrolled); // what is being read stays where it is
+}
+
+/// Nothing found means something only as far as was looked.
+QString ProblemsPanel::nothingFound() const {
+    const auto& program = m_session.program();
+    if (!m_session.hasDocument())
+        return tr("Open a program to see its problems.");
+    if (!program || m_session.isReading())
+        return tr("Reading the program; no problems so far.");
+    const FramePtr& frame = m_session.frame();
+    const std::size_t simulated = frame && frame->program == program ? frame->statistics.size() : 0;
+    if (simulated == 0 && program->blockCount() > 0)
+        return tr("Not simulated yet; no problems in the program text.");
+    if (simulated < program->blockCount())
+        return tr("No problems up to block %1 of %2.")
+            .arg(locale().toString(static_cast<qulonglong>(simulated)),
+                 locale().toString(static_cast<qulonglong>(program->blockCount())));
+    return tr("No problems found.");
+}
+
+void ProblemsPanel::showNothingFound() {
+    if (const QString text = nothingFound(); text != m_empty->text())
+        m_empty->setText(text);
 }
 
 void ProblemsPanel::goTo(const Diagnostic& problem) {
@@ -120,7 +148,7 @@ void ProblemsPanel::goToNeighbour(int direction) {
 void ProblemsPanel::retranslate() {
     m_commands.retranslate();
     m_view->setAccessibleName(tr("Problems"));
-    m_empty->setText(tr("No problems found."));
+    showNothingFound();
 }
 
 void ProblemsPanel::changeEvent(QEvent* event) {

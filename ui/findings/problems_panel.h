@@ -32,6 +32,8 @@ private:
     static const std::array<Command<ProblemsPanel>, 2> kCommands;
 
     void showProblems();
+    [[nodiscard]] QString nothingFound() const;
+    void showNothingFound();
     void goTo(const Diagnostic& problem);
     void showMenu(const QPoint& position);
     void ignoreMCode(int code);

@@ -24,6 +24,7 @@
 #include "ui/setup/ignored_codes_field.h"
 #include "ui/setup/machine_form.h"
 #include "ui/setup/start_form.h"
+#include "ui/setup/stock_changed_bar.h"
 #include "ui/setup/stock_form.h"
 #include "ui/setup/tool_table_editor.h"
 #include "ui/tool_actions.h"
@@ -89,6 +90,7 @@ void SetupPanel::build() {
     auto* layout = new QVBoxLayout(content);
     layout->addWidget(new EditedElsewhereBar(m_session, FilePart::job, content));
     layout->addWidget(new FileChangedBar(m_session, FilePart::job, content));
+    layout->addWidget(new StockChangedBar(m_session, content));
     m_dialectLabel->setBuddy(m_dialect);
     m_dialect->setObjectName(QStringLiteral("dialect"));
     m_compensationLabel->setBuddy(m_compensation);

@@ -205,8 +205,11 @@ StockSpec StockForm::spec(const Setup& setup) const {
         }
     }
     spec.shape.body = before.shape.body;
-    if (!(spec == before))
+    spec.shape.fileState = before.shape.fileState;
+    if (!(spec == before)) {
         spec.shape.body.reset();
+        spec.shape.fileState = {};
+    }
     return spec;
 }
 

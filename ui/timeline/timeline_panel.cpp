@@ -18,6 +18,7 @@
 #include "ui/theme.h"
 #include "ui/timeline/activity_text.h"
 #include "ui/timeline/timeline_scale.h"
+#include "ui/tool_actions.h"
 
 namespace proveout {
 
@@ -89,6 +90,7 @@ TimelinePanel::TimelinePanel(Session& session, const PlaybackCommands& commands,
     connect(&session, &Session::playbackChanged, this, &TimelinePanel::showSpeed);
     connect(&session, &Session::breakpointsChanged, this, &TimelinePanel::showProgram);
     connect(&session, &Session::timesChanged, this, &TimelinePanel::showTimes);
+    connect(&session, &Session::setupChanged, this, &TimelinePanel::showTimes); // names the tools
     connect(&session, &Session::programChanged, this, &TimelinePanel::showProgram);
     connect(&session, &Session::problemsChanged, this, &TimelinePanel::showProgram);
     connect(&session, &Session::tick, this, &TimelinePanel::showFrame);
@@ -248,7 +250,7 @@ void TimelinePanel::showTimes() {
         return;
     const QString last = clockText(times->parts.total());
     m_time->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("%1 / %1").arg(last)) + 8);
-    m_timeTip = timeTip(*times, !m_session.machine());
+    m_timeTip = timeTip(*times, !m_session.machine(), toolChoice(m_session), m_session.setup().tools);
     tellShares();
     showTime(m_session.block());
 }
@@ -287,10 +289,10 @@ void TimelinePanel::showTip(std::size_t block, QPoint globalPlace) {
         return;
     const std::size_t executed = std::max<std::size_t>(block, 1) - 1;
     const Motion motion = program->motion(program->blockMotions(executed).first);
-    QStringList tip{tr("Block %1 · line %2 · tool T%3")
+    QStringList tip{tr("Block %1 · line %2 · %3")
                         .arg(locale().toString(static_cast<qulonglong>(block)))
                         .arg(program->blockLine(executed))
-                        .arg(motion.tool)
+                        .arg(toolText(motion.tool, toolChoice(m_session), m_session.setup().tools))
                         .toHtmlEscaped()};
     const auto line = static_cast<int>(program->blockLine(executed));
     if (std::ranges::any_of(m_session.problems(), [line](const Diagnostic& problem) {

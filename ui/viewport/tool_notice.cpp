@@ -91,10 +91,13 @@ void ToolNotice::showState() {
 
 void ToolNotice::showMissing(const std::vector<int>& missing) {
     m_tool = missing.front();
-    const MissingTool first = toolChoice(m_session).missing().front();
+    const ToolChoice choice = toolChoice(m_session);
+    const MissingTool& first = choice.missing().front();
     const bool before = first.number == 0 && !first.called;
     QString sentence;
-    if (before)
+    if (before && !choice.callsTool())
+        sentence = tr("The program calls no tool; its moves are not simulated.");
+    else if (before)
         sentence = tr("The program cuts before it calls a tool; those moves are not simulated.");
     else if (missing.size() == 1)
         sentence = tr("T%1 is not in the tool table; its moves are not simulated.").arg(m_tool);

@@ -33,11 +33,12 @@ std::shared_ptr<const Setup> twoTools() {
 }
 
 /// Where a run stops: blocks executed, stop by stop.
-std::vector<std::size_t> stops(const Breakpoint& breakpoint, const std::string& text = kText) {
+std::vector<std::size_t> stops(const Breakpoint& breakpoint, const std::string& text = kText,
+                               const std::shared_ptr<const Setup>& setup = twoTools()) {
     const auto program = programOf(text);
-    const auto simulation = startedSimulation(program, twoTools(), {});
+    const auto simulation = startedSimulation(program, setup, {});
     Breakpoints breakpoints;
-    breakpoints.set({breakpoint}, *program);
+    breakpoints.set({breakpoint}, *program, simulation->tools());
     std::vector<std::size_t> found;
     while (!simulation->atEnd()) {
         const std::size_t block = simulation->position();
@@ -113,6 +114,15 @@ TEST(Breakpoints, StopWhereAConditionBeginsToHold) {
     EXPECT_EQ(stopsAt("N == 5 || L == 13"), (Blocks{4, 8}));
     EXPECT_EQ(stopsAt("X >= 0"), Blocks{0});
     EXPECT_EQ(stopsAt("no condition"), Blocks{});
+}
+
+/// With the tool that is assumed to be in the spindle too.
+TEST(Breakpoints, KnowTheToolOfAProgramThatCallsNone) {
+    Breakpoint breakpoint = of(BreakpointKind::condition);
+    breakpoint.condition = "T == 1 && Z < 0";
+    const char* const uncalled = "G0 X5 Y5 Z5\nG1 Z-1 F300\nX20\n";
+    EXPECT_EQ(stops(breakpoint, uncalled, smallSetup()), Blocks{1});
+    EXPECT_EQ(stops(breakpoint, uncalled, twoTools()), Blocks{}) << "it could be either";
 }
 
 TEST(Breakpoints, ThatAreOffNeverStop) {

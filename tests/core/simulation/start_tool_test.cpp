@@ -19,6 +19,8 @@ const std::string kCut = "G0 X5 Y5 Z5\nG1 Z-2 F100\nX30\n";
 struct Outcome {
     Frame frame;
     std::vector<std::string> ids;
+
+    [[nodiscard]] std::string firstMessage() const { return message(frame.findings.front()); }
 };
 
 std::shared_ptr<Setup> setupOf(std::vector<int> tools, std::optional<int> start,
@@ -34,7 +36,7 @@ std::shared_ptr<Setup> setupOf(std::vector<int> tools, std::optional<int> start,
 
 /// Interpreted as the setup says, and run to the end.
 Outcome run(const std::string& text, const std::shared_ptr<const Setup>& setup) {
-    const auto program = interpret(NcText(text), interpretOptions(*setup, {}));
+    const auto program = interpretOn(*setup, NcText(text), interpretOptions(*setup, {}));
     const auto simulation = startedSimulation(program, setup, {});
     simulation->seek(simulation->blockCount());
     Outcome done{simulation->frame(), {}};
@@ -92,6 +94,51 @@ TEST(StartTool, IsThatOfCutterCompensation) {
     EXPECT_NEAR(end({}), 0, 1e-9);
     const auto program = programOf(text);
     EXPECT_FALSE(interpretedAlike(*program, *setupOf({1, 2}, 2), *setupOf({1, 2}, {})));
+}
+
+const std::string kCompensated = "G0 X5 Y5 Z5\nG1 Z-1 F100\nG41 G1 X20 Y10\nY20\nY25\nG40 X25\n";
+
+/// What is cut on an assumption is cut on the path of the assumed tool: 2 mm left of the programmed one.
+TEST(StartTool, ThatIsAssumedIsThatOfCutterCompensation) {
+    const auto read = [](const std::vector<int>& tools, std::optional<int> start, const std::string& text) {
+        const auto setup = setupOf(tools, start);
+        return interpretOn(*setup, NcText(text), interpretOptions(*setup, {}));
+    };
+    const auto assumed = read({5}, {}, kCompensated);
+    EXPECT_NEAR(assumed->motion(3).end.x, 18, 1e-9);
+    EXPECT_THAT(assumed->diagnostics(), IsEmpty());
+    EXPECT_EQ(assumed->firstDifference(*read({5}, 5, kCompensated)), assumed->blockCount());
+    EXPECT_NEAR(read({5, 6}, {}, kCompensated)->motion(3).end.x, 20, 1e-9) << "nothing is assumed";
+    EXPECT_NEAR(read({5}, 0, kCompensated)->motion(3).end.x, 20, 1e-9) << "said to be empty";
+    EXPECT_NEAR(read({5}, {}, kCompensated + "T5 M6\n")->motion(3).end.x, 20, 1e-9)
+        << "what it calls later need not be what was in it before";
+    const Outcome done = run(kCompensated, setupOf({5}, {}));
+    EXPECT_TRUE(done.frame.toolAssumed);
+    EXPECT_EQ(done.frame.tool, 5);
+    EXPECT_THAT(done.ids, ElementsAre("tool-assumed"));
+}
+
+/// A program that is read again for a look at one of its blocks is the same program.
+TEST(StartTool, ThatIsAssumedIsTheSameInALookBack) {
+    const auto setup = setupOf({5}, {});
+    const auto program = interpretOn(*setup, NcText(kCompensated), interpretOptions(*setup, {}));
+    InterpretOptions options = interpretOptions(*setup, {}, *program);
+    EXPECT_EQ(options.startTool, 5);
+    options.stopAfterBlocks = 4;
+    EXPECT_NEAR(interpret(NcText(kCompensated), options)->motion(3).end.x, 18, 1e-9);
+    const auto plain = interpretOn(*setup, NcText(kCut), interpretOptions(*setup, {}));
+    EXPECT_EQ(interpretOptions(*setup, {}, *plain).startTool, 0) << "it asks for no tool";
+}
+
+TEST(StartTool, IsSpokenOfByWhatTheProgramCalls) {
+    EXPECT_THAT(run(kCut, setupOf({5}, {})).firstMessage(),
+                testing::HasSubstr("calls no tool; T5 is assumed"));
+    EXPECT_THAT(run(kCut, setupOf({5, 6}, {})).firstMessage(),
+                testing::HasSubstr("calls no tool; its moves"));
+    EXPECT_THAT(run(kCut + "T5 M6\nG1 X5\n", setupOf({5}, {})).firstMessage(),
+                testing::HasSubstr("cuts before it calls a tool; moves"));
+    EXPECT_THAT(run(kCut + "T1 M6\nG1 X5\n", setupOf({0, 1}, {})).firstMessage(),
+                testing::HasSubstr("cuts before it calls a tool; T0 is assumed"));
 }
 
 /// "T0 M6" returns the tool to the magazine: on LinuxCNC (its manual, "tool table": T0 is no tool, unless the

@@ -191,6 +191,65 @@ private slots:
         QVERIFY(session.breakpoints().empty());
     }
 
+    /// The same text under another name keeps its breakpoints, and has them under that name from then on.
+    void savingUnderAnotherNameTakesThemAlong() {
+        const QString first = m_folder->filePath(QStringLiteral("first.nc"));
+        const QString second = m_folder->filePath(QStringLiteral("second.nc"));
+        const QString third = m_folder->filePath(QStringLiteral("third.nc"));
+        {
+            Session session;
+            const KeptBreakpoints kept(session, nullptr);
+            session.newFile();
+            session.applyEdit(0, 0, "G21 G90\nG0 X0\nX5\n");
+            session.setBreakpoints({atLine(2)});
+            QVERIFY(session.saveAs(first)); // it had no name
+            QCOMPARE(linesOf(session), (std::vector<std::uint32_t>{2}));
+            session.setBreakpoints({atLine(2), atLine(3, false)});
+            QVERIFY(session.saveAs(second));
+            QCOMPARE(linesOf(session), (std::vector<std::uint32_t>{2, 3}));
+            session.setBreakpoints({atLine(3)});
+            QVERIFY(session.saveBeside(FilePart::text)); // "Keep Both"
+            QCOMPARE(linesOf(session), (std::vector<std::uint32_t>{3}));
+            QVERIFY(session.saveAs(third));
+            session.newFile();
+            QVERIFY(session.breakpoints().empty());
+            session.setBreakpoints({atLine(1)});
+            session.newFile(); // another one, although it has no name either
+            QVERIFY(session.breakpoints().empty());
+        }
+        Session session;
+        const KeptBreakpoints kept(session, nullptr);
+        QVERIFY(opened(session, first));
+        QCOMPARE(linesOf(session), (std::vector<std::uint32_t>{2, 3}));
+        QVERIFY(opened(session, second));
+        QCOMPARE(linesOf(session), (std::vector<std::uint32_t>{3}));
+        QVERIFY(opened(session, third));
+        QCOMPARE(linesOf(session), (std::vector<std::uint32_t>{3}));
+        session.reload();
+        QVERIFY(openingIsOver(session));
+        QCOMPARE(linesOf(session), (std::vector<std::uint32_t>{3}));
+    }
+
+    void addingOneThatIsSwitchedOffSwitchesItOn() {
+        Session session;
+        BreakpointsPanel panel(session);
+        panel.show();
+        auto* kind = panel.findChild<QComboBox*>("breakpoint-kind");
+        auto* add = panel.findChild<QPushButton*>("breakpoint-add");
+        auto* list = panel.findChild<QTreeWidget*>();
+        for (const BreakpointKind each : {BreakpointKind::line, BreakpointKind::toolChange}) {
+            session.setBreakpoints({});
+            kind->setCurrentIndex(static_cast<int>(each));
+            add->click();
+            list->topLevelItem(0)->setCheckState(0, Qt::Unchecked);
+            QVERIFY(!session.breakpoints().front().enabled);
+            add->click();
+            QCOMPARE(list->topLevelItemCount(), 1);
+            QCOMPARE(list->topLevelItem(0)->checkState(0), Qt::Checked);
+            QVERIFY(session.breakpoints().front().enabled);
+        }
+    }
+
 private:
     std::unique_ptr<QTemporaryDir> m_folder;
 };

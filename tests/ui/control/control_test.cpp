@@ -47,6 +47,29 @@ private slots:
         QCOMPARE(asked.front().front().value<std::uint32_t>(), 6U);
     }
 
+    void theToolInTheSpindleIsTheOneThatIsAssumed() {
+        QTemporaryDir folder;
+        QFile file(folder.filePath(QStringLiteral("p.nc")));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("(T7 D=6. FLAT)\nG21 G90\nG0 X1 Y2 Z3\nG1 Z-1 F100\nM2\n");
+        file.close();
+        Session session;
+        ControlPanel panel(session);
+        panel.show();
+        auto* tree = panel.findChild<QTreeWidget*>();
+        const QString name = QStringLiteral("Tool in the spindle");
+        QVERIFY(opened(session, file.fileName()));
+        QTRY_COMPARE(value(*tree, name), QStringLiteral("T7 (assumed)"));
+        Setup setup = session.setup();
+        setup.tools.remove(7);
+        QVERIFY(session.setSetup(setup).has_value());
+        QTRY_COMPARE(value(*tree, name), QStringLiteral("no tool"));
+        setup.tools.set(7, parseCutter("flat:d=6").value());
+        setup.startTool = 7;
+        QVERIFY(session.setSetup(setup).has_value());
+        QTRY_COMPARE(value(*tree, name), QStringLiteral("T7"));
+    }
+
 private:
     static QTreeWidgetItem* found(const QTreeWidget& tree, const QString& name) {
         const auto items = tree.findItems(name, Qt::MatchExactly | Qt::MatchRecursive);

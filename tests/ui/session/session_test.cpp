@@ -54,6 +54,8 @@ QByteArray bytesOf(const QString& path) {
 const QByteArray kSquare =
     "G21 G90 G17 T1 M6\nS1000 M3\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX10\nY10\nX0\nY0\nG0 Z5\nM30\n";
 
+const QByteArray kUncalled = "G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX10\nY10\nX0\nY0\nG0 Z5\nM30\n";
+
 QByteArray longProgram(int lines) {
     QByteArray text = "G21 G90 G17 T1 M6\nS1000 M3\nG0 X0 Y0 Z5\nG1 Z-1 F100\n";
     for (int i = 0; i < lines; ++i)
@@ -424,6 +426,42 @@ private slots:
         QVERIFY(neighbouringToolChange(program, 7000, 1) == std::size_t{7001});
         QVERIFY(!neighbouringToolChange(program, 0, -1));
         QVERIFY(!neighbouringToolChange(program, kChanges - 1, 1));
+    }
+
+    /// A tool that the program does not call is as wide as one that it does.
+    void fitsTheStockToTheToolThatIsAssumed() {
+        QTemporaryDir folder;
+        Session session;
+        QVERIFY(opened(session, write(folder, "square.nc", "(T1 D=50. FLAT)\n" + kUncalled)));
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
+        QCOMPARE(session.setup().tools.find(1)->radius(), 25.0);
+        QVERIFY(session.frame()->toolAssumed);
+        QCOMPARE(session.setup().stock.corner, Vec3(-25, -25, 0));
+        QCOMPARE(session.setup().stock.width, 60.0);
+        QCOMPARE(session.stockFittedToProgram().width, 60.0);
+    }
+
+    /// G41 without D takes the tool in the spindle, which is the assumed one.
+    void compensatesForTheToolThatIsAssumed() {
+        QTemporaryDir folder;
+        Session session;
+        QVERIFY(opened(session, write(folder, "comp.nc",
+                                      "(T1 D=4. FLAT)\nG21 G90\nG0 X0 Y-20 Z5\nG1 Z-1 F100\n"
+                                      "G41 G1 X0 Y0\nY20\nY40\nG40 X20\nM2\n")));
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
+        QCOMPARE(session.program()->motion(3).end.x, -2.0);
+        QVERIFY(!hasProblem(session, "compensation-diameter-unknown"));
+        QVERIFY(hasProblem(session, "tool-assumed"));
+        QSignalSpy read(&session, &Session::programChanged);
+        session.applyEdit(0, 0, "(edited)\n");
+        QTRY_VERIFY_WITH_TIMEOUT(!read.isEmpty(), kPatience);
+        QCOMPARE(session.program()->motion(3).end.x, -2.0);
+        Setup empty = session.setup();
+        empty.startTool = 0;
+        read.clear();
+        QVERIFY(session.setSetup(empty).has_value());
+        QTRY_VERIFY_WITH_TIMEOUT(!read.isEmpty(), kPatience);
+        QCOMPARE(session.program()->motion(3).end.x, 0.0);
     }
 
     void aNewProgramInheritsNothing() {

@@ -12,6 +12,7 @@
 
 #include "core/nc/interpreter.h"
 #include "core/simulation/simulation.h"
+#include "ui/probe_text.h"
 
 namespace proveout {
 namespace {
@@ -73,6 +74,18 @@ private slots:
         QVERIFY(probe.answer() && probe.answer()->kind == PlaceAnswer::Kind::neverCut);
         probe.point(std::nullopt);
         QVERIFY(!probe.place() && !probe.answer());
+    }
+
+    /// Cut on an assumption, and named as that.
+    void namesTheToolThatIsAssumed() {
+        const auto program = interpret(NcText("G21 G90\nG0 X-5 Y5 Z5\nG0 Z-1\nG1 X25 F500\nM2\n"));
+        const auto simulation = std::move(Simulation::create(program, m_setup, {}).value());
+        simulation->seek(program->blockCount());
+        SurfaceProbe probe;
+        probe.point(
+            SurfacePlace{{frameAfter(*simulation, program, m_setup), MapPoint{10, 5}}, Vec3(10, 5, -1)});
+        QTRY_VERIFY_WITH_TIMEOUT(probe.answer().has_value(), kPatience);
+        QCOMPARE(cutText(probe), QStringLiteral("Line 4, T1 (assumed)"));
     }
 
     void asksOnlyWhereItRests() {

@@ -4,13 +4,16 @@
 #include <utility>
 
 #include <QApplication>
+#include <QFile>
 #include <QHelpEvent>
 #include <QLabel>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QToolTip>
 #include <QWheelEvent>
 
+#include "core/nc/interpreter.h"
 #include "tests/ui/opened.h"
 #include "ui/cycle_time_text.h"
 #include "ui/theme.h"
@@ -118,6 +121,59 @@ private slots:
         QApplication::sendEvent(&scale, &help);
         QVERIFY2(QToolTip::text().contains(QStringLiteral("Block 60: Cutting")),
                  qPrintable(QToolTip::text()));
+    }
+
+    /// The tool of a program that calls none.
+    void theTipNamesTheToolThatIsAssumed() {
+        QTemporaryDir folder;
+        QFile file(folder.filePath(QStringLiteral("p.nc")));
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write("(T1 D=6. FLAT)\nG21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX20\nM30\n");
+        file.close();
+        Session session;
+        const PlaybackCommands commands(session);
+        TimelinePanel panel(session, commands);
+        panel.resize(1400, panel.sizeHint().height());
+        panel.show();
+        QVERIFY(opened(session, file.fileName()));
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kOpeningPatience);
+        const auto tip = [&] {
+            TimelineScale& scale = panel.scale();
+            const QPoint place(static_cast<int>(scale.positionOf(2)), 12);
+            QHelpEvent help(QEvent::ToolTip, place, scale.mapToGlobal(place));
+            QApplication::sendEvent(&scale, &help);
+            return QToolTip::text();
+        };
+        QVERIFY2(tip().contains(QStringLiteral("line 4 · T1 (assumed)")), qPrintable(tip()));
+        Setup setup = session.setup();
+        setup.startTool = 1;
+        QSignalSpy read(&session, &Session::programChanged);
+        QVERIFY(session.setSetup(setup).has_value());
+        QTRY_VERIFY_WITH_TIMEOUT(!read.isEmpty(), kOpeningPatience);
+        QVERIFY2(tip().contains(QStringLiteral("line 4 · T1<")) || tip().contains(QStringLiteral("T1</p>")),
+                 qPrintable(tip()));
+        setup.startTool = 0;
+        read.clear();
+        QVERIFY(session.setSetup(setup).has_value());
+        QTRY_VERIFY_WITH_TIMEOUT(!read.isEmpty(), kOpeningPatience);
+        QVERIFY2(tip().contains(QStringLiteral("line 4 · no tool")), qPrintable(tip()));
+    }
+
+    /// Where the time goes by tool.
+    void theTimeNamesTheToolThatIsAssumed() {
+        MachineTimes times;
+        times.tools = {{0, {}, 0}, {1, {}, 0}};
+        Setup setup;
+        setup.tools.set(0, parseCutter("flat:d=3").value());
+        setup.tools.set(1, parseCutter("flat:d=4").value());
+        const auto program = interpret(NcText("G21 G90\nG0 X0 Y0 Z5\nG1 Z-1 F100\nT1 M6\nG1 X5\n"));
+        const auto lines = [&] {
+            return timeTip(times, false, ToolChoice(*program, setup), setup.tools).split(u'\n').mid(2);
+        };
+        QCOMPARE(lines(),
+                 QStringList({QStringLiteral("T0 (assumed): 0:00:00"), QStringLiteral("T1: 0:00:00")}));
+        setup.tools.remove(0);
+        QCOMPARE(lines().front(), QStringLiteral("no tool: 0:00:00"));
     }
 
     void aLagIsToldInPlainNumbersAndMovesNothing() {

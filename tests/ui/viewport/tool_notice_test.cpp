@@ -89,6 +89,16 @@ private slots:
         QVERIFY(bench.has(Severity::warning));
     }
 
+    void aProgramThatCallsNoToolIsToldSo() {
+        Bench bench;
+        QVERIFY(bench.open("G21 G90\nG0 X0 Y0 Z5\nG1 Z-2 F100\nX20\nM30\n"));
+        QTRY_VERIFY(bench.isShown());
+        QCOMPARE(bench.text(),
+                 QStringLiteral("Nothing is cut. The program calls no tool; its moves are not simulated."));
+        QVERIFY(bench.open("G21 G90\nG0 X0 Y0 Z5\nG1 Z-2 F100\nT3 M6\nX20\nM30\n"));
+        QTRY_VERIFY(bench.text().contains(QStringLiteral("cuts before it calls a tool")));
+    }
+
     void aToolOfACommentIsUsedAtOnceAndConfirmed() {
         Bench bench;
         QVERIFY(bench.open(kCommented));

@@ -9,10 +9,13 @@
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <QTreeView>
+#include <QWheelEvent>
 
 #include "tests/ui/window/workstation.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
+#include "ui/findings/problems_panel.h"
 
 namespace proveout {
 namespace {
@@ -59,6 +62,24 @@ struct Playing {
         return QTest::qWaitFor([&] { return current() > from + 2 * shown; }, kPatience);
     }
     [[nodiscard]] QAction& follow() const { return *station.window.action(QStringLiteral("follow-program")); }
+    void turnWheel() const {
+        const QPointF at(90, 60);
+        QWheelEvent event(at, editor.viewport()->mapToGlobal(at), {}, {0, -120}, Qt::NoButton, Qt::NoModifier,
+                          Qt::NoScrollPhase, false);
+        QApplication::sendEvent(editor.viewport(), &event);
+    }
+    /// T1 is not in the table: the list has a problem from the first block on.
+    void doubleClickProblem() {
+        auto* panel = station.window.findChild<ProblemsPanel*>();
+        for (QWidget* each = panel; each != nullptr; each = each->parentWidget())
+            each->raise();
+        auto* list = panel->findChild<QTreeView*>();
+        if (!QTest::qWaitFor([&] { return list->isVisible(); }, kPatience))
+            qFatal("no problem is shown");
+        const QPoint at = list->visualRect(list->model()->index(0, 1)).center();
+        QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, at);
+        QTest::mouseDClick(list->viewport(), Qt::LeftButton, {}, at);
+    }
     void click(int line) {
         const long at =
             editor.SendScintilla(NcEditor::SCI_POSITIONFROMLINE, static_cast<unsigned long>(line));
@@ -85,9 +106,10 @@ private slots:
 
     void workInTheTextStopsFollowing_data() {
         QTest::addColumn<int>("work");
-        const char* const names[] = {"typing",    "clicking a line", "moving the caret",
-                                     "scrolling", "a problem",       "a match"};
-        for (int work = 0; work < 6; ++work)
+        const char* const names[] = {
+            "typing",    "clicking a line", "moving the caret", "scrolling",
+            "a problem", "a match",         "the wheel",        "a double click on a problem"};
+        for (int work = 0; work < 8; ++work)
             QTest::newRow(names[work]) << work;
     }
     void workInTheTextStopsFollowing() {
@@ -101,7 +123,9 @@ private slots:
             {2, [&] { QTest::keyClick(&editor, Qt::Key_Down); }},
             {3, [&] { editor.verticalScrollBar()->triggerAction(QAbstractSlider::SliderPageStepAdd); }},
             {4, [&] { emit playing.station.session.lineRequested(12, 1); }},
-            {5, [&] { editor.selectBytes(30, 34); }}};
+            {5, [&] { editor.selectBytes(30, 34); }},
+            {6, [&] { playing.turnWheel(); }},
+            {7, [&] { playing.doubleClickProblem(); }}};
         works.at(work)();
         QVERIFY(playing.station.session.playback().playing);
         QTest::qWait(300); // a click goes to its line first

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/file_state.h"
+#include "core/base/file_state.h"
 
 #include <system_error>
 

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFrame>
+
+#include "ui/session.h"
+
+class QLabel;
+class QPushButton;
+
+namespace proveout {
+
+/// "blank.pvstock has changed on disk: Reload, Keep This Version". Comes and goes by itself with the signals
+/// of the session.
+class StockChangedBar final : public QFrame {
+    Q_OBJECT
+
+public:
+    /// The session outlives the bar.
+    StockChangedBar(Session& session, QWidget* parent);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void retranslate();
+    void writeSentence();
+
+    Session& m_session;
+    QLabel* m_text;
+    QPushButton* m_reload;
+    QPushButton* m_keep;
+};
+
+} // namespace proveout
