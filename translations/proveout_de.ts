@@ -5304,6 +5304,10 @@ Vorgabe: 0 mm</translation>
         <translation>Wählen Sie ein feineres Raster oder das automatische; sehen Sie sich Einzelheiten in einem kleineren Rohteil oder einem Detailausschnitt an.</translation>
     </message>
     <message>
+        <source>Look at details in a smaller stock or a detail region, or enter a finer grid spacing.</source>
+        <translation>Sehen Sie sich Einzelheiten in einem kleineren Rohteil oder einem Detailausschnitt an, oder geben Sie eine kleinere Rasterweite ein.</translation>
+    </message>
+    <message>
         <source>Confirm the sizes of the tool in the tool table, or correct them.</source>
         <translation>Bestätigen Sie die Maße des Werkzeugs in der Werkzeugtabelle, oder berichtigen Sie sie.</translation>
     </message>
@@ -6099,23 +6103,23 @@ Vorgabe: automatisch</translation>
         <translation>Oberseite Z</translation>
     </message>
     <message>
-        <source>Stock Shape</source>
+        <source>Stock shape</source>
         <translation>Form des Rohteils</translation>
     </message>
     <message>
-        <source>Grid Spacing</source>
+        <source>Grid spacing</source>
         <translation>Rasterweite</translation>
     </message>
     <message>
-        <source>Start Position</source>
+        <source>Start position</source>
         <translation>Startposition</translation>
     </message>
     <message>
-        <source>Tool at Start</source>
+        <source>Tool at start</source>
         <translation>Werkzeug am Anfang</translation>
     </message>
     <message>
-        <source>Ignored M Codes</source>
+        <source>Ignored M codes</source>
         <translation>Ignorierte M-Befehle</translation>
     </message>
     <message>
@@ -6123,11 +6127,11 @@ Vorgabe: automatisch</translation>
         <translation>Dialekt</translation>
     </message>
     <message>
-        <source>Block Delete</source>
+        <source>Block delete</source>
         <translation>Sätze ausblenden</translation>
     </message>
     <message>
-        <source>Cutter Compensation Start-Up</source>
+        <source>Cutter compensation start-up</source>
         <translation>Beginn der Fräserradiuskorrektur</translation>
     </message>
     <message>
@@ -6135,7 +6139,7 @@ Vorgabe: automatisch</translation>
         <translation>Werkzeug T%1</translation>
     </message>
     <message>
-        <source>Tool Table</source>
+        <source>Tool table</source>
         <translation>Werkzeugtabelle</translation>
     </message>
     <message>
@@ -6147,11 +6151,11 @@ Vorgabe: automatisch</translation>
         <translation>Einrichtung</translation>
     </message>
     <message>
-        <source>Decimation Method</source>
+        <source>Decimation method</source>
         <translation>Dezimierungsverfahren</translation>
     </message>
     <message>
-        <source>Decimation Parameters</source>
+        <source>Decimation parameters</source>
         <translation>Dezimierungsparameter</translation>
     </message>
     <message>
@@ -7587,6 +7591,10 @@ Vorgabe: %3</translation>
         <translation>Dort nicht angegeben, Vorgaben: %1</translation>
     </message>
     <message>
+        <source>Entered: %1</source>
+        <translation>Eingegeben: %1</translation>
+    </message>
+    <message>
         <source>Source</source>
         <translation>Herkunft</translation>
     </message>
@@ -7657,7 +7665,7 @@ Vorgabe: die nächste freie Nummer</translation>
 <context>
     <name>UndoCommands</name>
     <message>
-        <source>Text Change</source>
+        <source>Text change</source>
         <translation>Textänderung</translation>
     </message>
     <message>

@@ -5304,6 +5304,10 @@ Default: 0 mm</source>
         <translation>더 작은 격자 간격이나 자동을 선택하십시오. 세부는 더 작은 소재나 세부 영역에서 확인하십시오.</translation>
     </message>
     <message>
+        <source>Look at details in a smaller stock or a detail region, or enter a finer grid spacing.</source>
+        <translation>세부는 더 작은 소재나 세부 영역에서 확인하거나 더 작은 격자 간격을 입력하십시오.</translation>
+    </message>
+    <message>
         <source>Confirm the sizes of the tool in the tool table, or correct them.</source>
         <translation>공구 테이블에서 공구의 치수를 확인하거나 고치십시오.</translation>
     </message>
@@ -6098,23 +6102,23 @@ Default: automatic</source>
         <translation>윗면 Z</translation>
     </message>
     <message>
-        <source>Stock Shape</source>
+        <source>Stock shape</source>
         <translation>소재 형상</translation>
     </message>
     <message>
-        <source>Grid Spacing</source>
+        <source>Grid spacing</source>
         <translation>격자 간격</translation>
     </message>
     <message>
-        <source>Start Position</source>
+        <source>Start position</source>
         <translation>시작 위치</translation>
     </message>
     <message>
-        <source>Tool at Start</source>
+        <source>Tool at start</source>
         <translation>시작 공구</translation>
     </message>
     <message>
-        <source>Ignored M Codes</source>
+        <source>Ignored M codes</source>
         <translation>무시할 M 코드</translation>
     </message>
     <message>
@@ -6122,11 +6126,11 @@ Default: automatic</source>
         <translation>제어기 방식</translation>
     </message>
     <message>
-        <source>Block Delete</source>
+        <source>Block delete</source>
         <translation>블록 스킵</translation>
     </message>
     <message>
-        <source>Cutter Compensation Start-Up</source>
+        <source>Cutter compensation start-up</source>
         <translation>공구경 보정 시작 방식</translation>
     </message>
     <message>
@@ -6134,7 +6138,7 @@ Default: automatic</source>
         <translation>공구 T%1</translation>
     </message>
     <message>
-        <source>Tool Table</source>
+        <source>Tool table</source>
         <translation>공구 테이블</translation>
     </message>
     <message>
@@ -6146,11 +6150,11 @@ Default: automatic</source>
         <translation>셋업</translation>
     </message>
     <message>
-        <source>Decimation Method</source>
+        <source>Decimation method</source>
         <translation>간략화 방법</translation>
     </message>
     <message>
-        <source>Decimation Parameters</source>
+        <source>Decimation parameters</source>
         <translation>간략화 매개변수</translation>
     </message>
     <message>
@@ -7586,6 +7590,10 @@ Default: %3</source>
         <translation>주석에 없어 기본값 사용: %1</translation>
     </message>
     <message>
+        <source>Entered: %1</source>
+        <translation>입력함: %1</translation>
+    </message>
+    <message>
         <source>Source</source>
         <translation>출처</translation>
     </message>
@@ -7656,7 +7664,7 @@ Default: the next free number</source>
 <context>
     <name>UndoCommands</name>
     <message>
-        <source>Text Change</source>
+        <source>Text change</source>
         <translation>텍스트 변경</translation>
     </message>
     <message>
