@@ -3,7 +3,6 @@
 
 #include <utility>
 
-#include <QAbstractSpinBox>
 #include <QApplication>
 #include <QDir>
 #include <QFileDialog>
@@ -22,6 +21,7 @@
 #include "ui/run_to_end.h"
 #include "ui/save_dialog.h"
 #include "ui/save_question.h"
+#include "ui/typed_text.h"
 
 namespace proveout {
 
@@ -123,8 +123,8 @@ void FileFlow::tellSaved(bool text, bool job) {
 
 /// What is typed in a field counts too, although the field still has the focus.
 void FileFlow::collectChanges() {
-    if (auto* field = qobject_cast<QAbstractSpinBox*>(QApplication::focusWidget()))
-        field->interpretText();
+    if (QWidget* field = QApplication::focusWidget())
+        finishTyping(*field);
     m_session.collectChanges();
 }
 

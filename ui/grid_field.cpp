@@ -16,9 +16,9 @@ namespace proveout {
 
 namespace {
 
-constexpr int kDecimals = 3;
+constexpr int kDecimals = 4; ///< an automatic spacing has two digits, and may be a few micrometres
 constexpr int kBoxWidth = 90;
-constexpr double kShown = 0.0005; ///< what the box cannot show exactly stays until it is edited
+constexpr double kShown = 0.00005; ///< what the box cannot show exactly stays until it is edited
 
 } // namespace
 

@@ -8,6 +8,7 @@
 #include "core/base/folder_lock.h"
 #include "core/base/text.h"
 #include "core/decimation/region_decimator.h"
+#include "ui/carried_values.h"
 #include "ui/file_paths.h"
 #include "ui/new_file_beside.h"
 
@@ -46,26 +47,13 @@ Result<void> withHint(Result<void> result) {
     return result;
 }
 
-/// What differs between `from` and `to` comes into `now`; with `whereSame` only where `now` is like `from`.
-std::shared_ptr<const Setup> carried(Setup now, const Setup& from, const Setup& to, bool whereSame) {
-    const auto carry = [&](auto Setup::*field) {
-        if (!(from.*field == to.*field) && (!whereSame || now.*field == from.*field))
-            now.*field = to.*field;
-    };
-    // Every field: a new one does not compile until it is counted here, and carried below.
-    [[maybe_unused]] const auto& [f1, f2, f3, f4, f5, f6, f7, f8, f9, f10, f11] = now;
-    carry(&Setup::stock);
-    carry(&Setup::shape);
-    carry(&Setup::spacing);
-    carry(&Setup::automaticGrid);
-    carry(&Setup::tools);
-    carry(&Setup::start);
-    carry(&Setup::startTool);
-    carry(&Setup::dialect);
-    carry(&Setup::blockDelete);
-    carry(&Setup::compensationTypeB);
-    carry(&Setup::ignoredM);
-    return std::make_shared<const Setup>(std::move(now));
+/// The spacing of an automatic grid is found again for every program and is no change of the user's.
+bool isSameSetup(const Setup& a, const Setup& b) {
+    if (!a.automaticGrid || !b.automaticGrid || a.spacing == b.spacing)
+        return a == b;
+    Setup other = b;
+    other.spacing = a.spacing;
+    return a == other;
 }
 
 } // namespace
@@ -152,7 +140,7 @@ Job JobDocument::job() const {
 
 /// Parameters alone are no reason to ask for a job file.
 bool JobDocument::jobModified() const {
-    return m_jobOutdated || !(*m_setup == *m_saved.setup) || m_machine != m_saved.machine ||
+    return m_jobOutdated || !isSameSetup(*m_setup, *m_saved.setup) || m_machine != m_saved.machine ||
            (!m_jobFile.isEmpty() && !(m_parameters == m_saved.parameters));
 }
 
@@ -170,24 +158,34 @@ std::filesystem::path JobDocument::pathOf(FilePart part) const {
     return part == FilePart::text ? m_text.path : toPath(m_jobFile);
 }
 
+DiskCopy JobDocument::mine(FilePart part) const {
+    if (part == FilePart::text)
+        return copyOf(m_text);
+    return {NcText(jobText(toPath(m_jobFile), job()).value_or(std::string())), false};
+}
+
+Result<DiskState> JobDocument::diskState(FilePart part) const {
+    const std::filesystem::path file = pathOf(part);
+    Result<DiskState> state = (part == FilePart::text ? m_textOnDisk : m_jobOnDisk).compare(file);
+    if (state && *state == DiskState::changed)
+        state = mine(part).compare(file);
+    return state;
+}
+
 std::optional<DiskConflict> JobDocument::conflict(FilePart part) const {
     const std::filesystem::path file = pathOf(part);
     if (file.empty())
         return std::nullopt;
-    const DiskCopy& known = part == FilePart::text ? m_textOnDisk : m_jobOnDisk;
-    const Result<DiskState> state = known.compare(file);
+    const Result<DiskState> state = diskState(part);
     if (!state || *state != DiskState::changed)
         return std::nullopt;                 // what cannot be read is reported by the save
     const FileState present = stateOf(file); // before: a change while it is read is seen by the save
-    DiskConflict conflict{part, file, m_text.text, copyOf(file), present};
-    if (part == FilePart::job)
-        conflict.mine = NcText(jobText(file, job()).value_or(std::string()));
-    return conflict;
+    return DiskConflict{part, file, mine(part).text(), copyOf(file), present};
 }
 
 Result<void> JobDocument::mayReplace(FilePart part) const {
     const std::filesystem::path file = pathOf(part);
-    const Result<DiskState> state = (part == FilePart::text ? m_textOnDisk : m_jobOnDisk).compare(file);
+    const Result<DiskState> state = diskState(part);
     if (!state)
         return tl::unexpected(state.error());
     if (*state == DiskState::changed)
@@ -321,8 +319,10 @@ void JobDocument::fitSetup(std::shared_ptr<const Setup> setup, bool forNow) {
     takeSetup(std::move(setup));
     m_wantsStock = m_wantsStock && forNow;
     // What the user has changed stays unsaved.
-    const bool saved = *before == *m_saved.setup;
-    m_saved.setup = saved ? m_setup : carried(*m_saved.setup, *before, *m_setup, true);
+    const bool saved = isSameSetup(*before, *m_saved.setup);
+    m_saved.setup =
+        saved ? m_setup
+              : std::make_shared<const Setup>(carried(*m_saved.setup, *before, *m_setup, Carry::whereSame));
 }
 
 void JobDocument::takeSetup(std::shared_ptr<const Setup> setup) {
@@ -346,7 +346,9 @@ void JobDocument::setMachine(const Machine& machine) {
 void JobDocument::change(const JobValues& from, const JobValues& to) {
     ++m_revision;
     if (from.setup != to.setup) {
-        m_setup = m_setup == from.setup ? to.setup : carried(*m_setup, *from.setup, *to.setup, false);
+        m_setup = m_setup == from.setup
+                      ? to.setup
+                      : std::make_shared<const Setup>(carried(*m_setup, *from.setup, *to.setup));
         m_wantsStock = to.wantsStock;
     }
     if (from.parameters != to.parameters) {

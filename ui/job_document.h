@@ -145,6 +145,11 @@ private:
     [[nodiscard]] Result<std::filesystem::path> readSetup(const std::filesystem::path& file,
                                                           const OutsideRule& allowed);
     [[nodiscard]] std::filesystem::path pathOf(FilePart part) const;
+    /// What a save of this part would write.
+    [[nodiscard]] DiskCopy mine(FilePart part) const;
+    /// What its file holds compared with what is known of it. A file that others have changed into just what
+    /// a save would write is the same.
+    [[nodiscard]] Result<DiskState> diskState(FilePart part) const;
     [[nodiscard]] Result<void> mayReplace(FilePart part) const;
     void takeSetup(std::shared_ptr<const Setup> setup);
     void jobSaved();

@@ -45,26 +45,26 @@ constexpr std::array<SetupField, 11> kSetup{{
      [](const Setup& a, const Setup& b) { return a.stock.corner.y == b.stock.corner.y; }},
     {QT_TRANSLATE_NOOP("JobSteps", "Top Z"), true,
      [](const Setup& a, const Setup& b) { return a.stock.corner.z == b.stock.corner.z; }},
-    {QT_TRANSLATE_NOOP("JobSteps", "Stock Shape"), true,
+    {QT_TRANSLATE_NOOP("JobSteps", "Stock shape"), true,
      [](const Setup& a, const Setup& b) {
          return a.shape.kind == b.shape.kind && a.shape.file == b.shape.file;
      }},
-    {QT_TRANSLATE_NOOP("JobSteps", "Grid Spacing"), true,
+    {QT_TRANSLATE_NOOP("JobSteps", "Grid spacing"), true,
      [](const Setup& a, const Setup& b) {
          // An automatic one follows other fields by itself.
          return a.automaticGrid == b.automaticGrid && (a.automaticGrid || a.spacing == b.spacing);
      }},
-    {QT_TRANSLATE_NOOP("JobSteps", "Start Position"), false,
+    {QT_TRANSLATE_NOOP("JobSteps", "Start position"), false,
      [](const Setup& a, const Setup& b) { return a.start == b.start; }},
-    {QT_TRANSLATE_NOOP("JobSteps", "Tool at Start"), false,
+    {QT_TRANSLATE_NOOP("JobSteps", "Tool at start"), false,
      [](const Setup& a, const Setup& b) { return a.startTool == b.startTool; }},
-    {QT_TRANSLATE_NOOP("JobSteps", "Ignored M Codes"), false,
+    {QT_TRANSLATE_NOOP("JobSteps", "Ignored M codes"), false,
      [](const Setup& a, const Setup& b) { return a.ignoredM == b.ignoredM; }},
     {QT_TRANSLATE_NOOP("JobSteps", "Dialect"), false,
      [](const Setup& a, const Setup& b) { return a.dialect == b.dialect; }},
-    {QT_TRANSLATE_NOOP("JobSteps", "Block Delete"), false,
+    {QT_TRANSLATE_NOOP("JobSteps", "Block delete"), false,
      [](const Setup& a, const Setup& b) { return a.blockDelete == b.blockDelete; }},
-    {QT_TRANSLATE_NOOP("JobSteps", "Cutter Compensation Start-Up"), false,
+    {QT_TRANSLATE_NOOP("JobSteps", "Cutter compensation start-up"), false,
      [](const Setup& a, const Setup& b) { return a.compensationTypeB == b.compensationTypeB; }},
 }};
 
@@ -113,7 +113,7 @@ void addTools(const ToolTable& before, const ToolTable& after, Differences& foun
         found.add(translated(QT_TRANSLATE_NOOP("JobSteps", "Tool T%1")).arg(*numbers.begin()),
                   kTools + *numbers.begin(), false);
     else if (!numbers.empty())
-        found.add(translated(QT_TRANSLATE_NOOP("JobSteps", "Tool Table")), -1, false);
+        found.add(translated(QT_TRANSLATE_NOOP("JobSteps", "Tool table")), -1, false);
 }
 
 JobStepName setupName(const Setup& before, const Setup& after) {
@@ -155,9 +155,9 @@ JobStepName jobStepName(const JobValues& before, const JobValues& after) {
     if (!(before.parameters == after.parameters)) {
         // Another method brings its own standards along.
         if (before.parameters.method != after.parameters.method)
-            return {translated(QT_TRANSLATE_NOOP("JobSteps", "Decimation Method")), kParameterFields};
+            return {translated(QT_TRANSLATE_NOOP("JobSteps", "Decimation method")), kParameterFields};
         return fieldName(before.parameters, after.parameters, kParameterFields,
-                         QT_TRANSLATE_NOOP("JobSteps", "Decimation Parameters"));
+                         QT_TRANSLATE_NOOP("JobSteps", "Decimation parameters"));
     }
     return fieldName(before.machine.value_or(Machine()), after.machine.value_or(Machine()), kMachineFields,
                      QT_TRANSLATE_NOOP("JobSteps", "Machine"));

@@ -107,7 +107,8 @@ std::span<const Command<MainWindow>> MainWindow::meshCommands() {
          [](MainWindow& window) { window.showTuning(); }},
         {"default-parameters", QT_TRANSLATE_NOOP("MeshCommands", "&Default Parameters"),
          QT_TRANSLATE_NOOP("MeshCommands", "Bring all parameters of decimation back to their defaults"), "",
-         "", Reach::window, [](MainWindow& window) { window.session().setParameters({}); }},
+         "", Reach::window,
+         [](MainWindow& window) { window.session().asOneStep([&] { window.session().setParameters({}); }); }},
     }};
     return kCommands;
 }

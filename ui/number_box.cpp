@@ -5,8 +5,11 @@
 #include <optional>
 
 #include <QCoreApplication>
+#include <QLineEdit>
 #include <QSignalBlocker>
 #include <QToolTip>
+
+#include "ui/typed_text.h"
 
 namespace proveout {
 
@@ -30,19 +33,21 @@ std::optional<double> typedNumber(const Box& box, const QString& text) {
     return read ? std::optional(value) : std::nullopt;
 }
 
+/// What the box shows already may stay, wherever it came from.
 template<class Box>
 bool isOutOfRange(const Box& box, double value) {
-    return value < box.minimum() || value > box.maximum();
+    const bool outside = value < box.range().minimum || value > box.range().maximum;
+    return outside && value != static_cast<double>(box.value());
 }
 
 /// A number that is not allowed may be on its way to one that is; and without its sign it would be another.
 template<class Box>
 QValidator::State stateOf(const Box& box, QValidator::State state, const QString& text) {
-    if (state != QValidator::Invalid)
-        return state;
     const auto typed = typedNumber(box, text);
+    if (typed && isOutOfRange(box, *typed))
+        return QValidator::Intermediate;
     const bool begun = typedText(box, text) == box.locale().negativeSign();
-    return begun || (typed && isOutOfRange(box, *typed)) ? QValidator::Intermediate : state;
+    return begun && state == QValidator::Invalid ? QValidator::Intermediate : state;
 }
 
 /// The sentence of a refusal; empty where the text is no number out of range.
@@ -53,7 +58,7 @@ QString refusal(const Box& box, const QString& text) {
         return {};
     const auto shown = [&](double value) { return box.locale().toString(value, 'g', 9); };
     return QCoreApplication::translate("NumberBox", "%1 is out of range: %2 to %3%4.")
-        .arg(shown(*typed), shown(box.minimum()), shown(box.maximum()), box.suffix());
+        .arg(shown(*typed), shown(box.range().minimum), shown(box.range().maximum), box.suffix());
 }
 
 template<class Box>
@@ -66,16 +71,44 @@ void refuse(const Box& box, const QString& text) {
     emit box.refused(sentence);
 }
 
+bool isShown(const NumberBox& box, double value) {
+    return box.textFromValue(value) == box.textFromValue(box.value());
+}
+
+bool isShown(const CountBox& box, int value) {
+    return value == box.value();
+}
+
+/// `Base` is Qt's own box, whose range has to take in the value. `line` is the editor of the box.
+template<class Base, class Box, class T>
+void showIn(Box& box, QLineEdit& line, T value) {
+    const QSignalBlocker quiet(&box);
+    const bool typing = isBeingTyped(box);
+    if (typing && isShown(box, value))
+        return; // the text keeps its own undo
+    const QString typed = line.text();
+    const int cursor = line.cursorPosition();
+    box.Base::setRange(std::min<T>(box.range().minimum, value), std::max<T>(box.range().maximum, value));
+    box.setValue(value);
+    if (!typing)
+        return;
+    line.setText(typed);
+    line.setCursorPosition(cursor);
+}
+
 } // namespace
 
-NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent) {
+NumberBox::NumberBox(QWidget* parent) : QDoubleSpinBox(parent), m_range{minimum(), maximum()} {
     setKeyboardTracking(false);
 }
 
+void NumberBox::setRange(double minimum, double maximum) {
+    m_range = {minimum, maximum};
+    QDoubleSpinBox::setRange(minimum, maximum);
+}
+
 void NumberBox::showValue(double value) {
-    const QSignalBlocker quiet(this);
-    setRange(std::min(minimum(), value), std::max(maximum(), value));
-    setValue(value);
+    showIn<QDoubleSpinBox>(*this, *lineEdit(), value);
 }
 
 QValidator::State NumberBox::validate(QString& text, int& position) const {
@@ -87,14 +120,17 @@ void NumberBox::fixup(QString& text) const {
     QDoubleSpinBox::fixup(text);
 }
 
-CountBox::CountBox(QWidget* parent) : QSpinBox(parent) {
+CountBox::CountBox(QWidget* parent) : QSpinBox(parent), m_range{minimum(), maximum()} {
     setKeyboardTracking(false);
 }
 
+void CountBox::setRange(int minimum, int maximum) {
+    m_range = {minimum, maximum};
+    QSpinBox::setRange(minimum, maximum);
+}
+
 void CountBox::showValue(int value) {
-    const QSignalBlocker quiet(this);
-    setRange(std::min(minimum(), value), std::max(maximum(), value));
-    setValue(value);
+    showIn<QSpinBox>(*this, *lineEdit(), value);
 }
 
 QValidator::State CountBox::validate(QString& text, int& position) const {

@@ -121,9 +121,8 @@ public:
     /// the document while the file is read stops the opening, so that none is lost. The newest file wins.
     void openFile(const QString& file);
     void newFile();
-    /// Panels that wait for a rest in typing hand over what they have now (changesWanted()), e.g. to be
-    /// saved.
-    void collectChanges() { emit changesWanted(); }
+    /// Panels that wait for a rest in typing hand over what they have now (inputWanted()), e.g. to be saved.
+    void collectChanges() { emit inputWanted(); }
     /// Opens kept work as openFile() opens a file; `done` is called when it is there.
     void restore(const KeptWork& kept, std::function<void()> done);
     /// Writes text and job to where they came from. False where that failed, where there is no path yet, and
@@ -195,6 +194,9 @@ public:
 
     /// The user's steps in setup, parameters and machine since the document was opened.
     [[nodiscard]] JobHistory& history() { return m_history; }
+    /// Carries out a command that changes setup, parameters or machine: a step of its own in the history,
+    /// after what panels still hold back.
+    void asOneStep(const std::function<void()>& command);
     /// With what panels still hold back.
     void undoStep();
     void redoStep();
@@ -211,7 +213,8 @@ public:
 signals:
     /// Another document, or the same one under another name or with another modified state.
     void documentChanged();
-    void changesWanted();
+    /// Setup, parameters and machine are those of another file: what panels hold back is void.
+    void jobReplaced();
     /// The text was replaced as a whole (opened, reloaded): views load it anew.
     void textReplaced();
     /// openFile() is through: the document is that of the file.
@@ -256,6 +259,7 @@ private:
     void adopt(JobDocument job);
     void change(const JobValues& from, const JobValues& to);
     [[nodiscard]] Result<void> checkMap(const Setup& setup) const;
+    void fitUndone();
     void runOn(const Setup& before);
     bool saved(const Result<void>& written, bool text, bool job);
     void watchFiles();

@@ -67,6 +67,7 @@ void Session::adopt(JobDocument job) {
     m_simulation->post(PauseCommand{});
     watchFiles();
     interpret();
+    emit jobReplaced();
     emit textReplaced();
     emit documentChanged();
     emit setupChanged();
@@ -151,11 +152,12 @@ void Session::runOn(const Setup& before) {
         load();
 }
 
-/// A step is undone or redone.
+/// A step is undone or redone. What we have found out by ourselves since it was made counts on.
 void Session::change(const JobValues& from, const JobValues& to) {
     const JobValues before = m_job.values();
     stopOpening();
     m_job.change(from, to);
+    fitUndone();
     if (before.setup != m_job.setup()) {
         runOn(*before.setup);
         emit setupChanged();
@@ -170,6 +172,23 @@ void Session::change(const JobValues& from, const JobValues& to) {
         emit machineChanged();
     }
     emit documentChanged();
+}
+
+/// Tools of comments as the comments are now, and the automatic grid for them.
+void Session::fitUndone() {
+    Setup fitted = setup();
+    addProposals(fitted.tools, m_proposals, m_proposals);
+    if (m_program)
+        fitted.spacing = gridSpacing(fitted, *m_program, gridLimits(parameters()));
+    if (!(fitted == setup()))
+        m_job.fitSetup(std::make_shared<const Setup>(std::move(fitted)), true);
+}
+
+void Session::asOneStep(const std::function<void()>& command) {
+    emit inputWanted();
+    m_history.closeStep();
+    command();
+    m_history.closeStep();
 }
 
 void Session::undoStep() {

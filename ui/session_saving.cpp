@@ -128,6 +128,7 @@ void Session::reloadJob() {
             const DecimationParameters before = parameters();
             m_job.replaceJob(*read);
             m_history.clear();
+            emit jobReplaced();
             if (!sameProgram)
                 m_job.keepMyJob(); // it must name the program of the window
             m_jobWatch.watch(file, m_job.jobState());

@@ -45,17 +45,21 @@ std::vector<int> missingTools(const Session& session) {
 }
 
 void assumeMissingTools(Session& session) {
-    const Result<Cutter> cutter = parseCutter(kDefaultCutter);
-    Setup setup = session.setup();
-    for (const int number : missingTools(session))
-        setup.tools.set(number, cutter.value(), {ToolSource::assumed});
-    static_cast<void>(session.setSetup(setup)); // other tools need no other memory
+    session.asOneStep([&session] {
+        const Result<Cutter> cutter = parseCutter(kDefaultCutter);
+        Setup setup = session.setup();
+        for (const int number : missingTools(session))
+            setup.tools.set(number, cutter.value(), {ToolSource::assumed});
+        static_cast<void>(session.setSetup(setup)); // other tools need no other memory
+    });
 }
 
 void confirmTools(Session& session) {
-    Setup setup = session.setup();
-    setup.tools.confirmAll();
-    static_cast<void>(session.setSetup(setup));
+    session.asOneStep([&session] {
+        Setup setup = session.setup();
+        setup.tools.confirmAll();
+        static_cast<void>(session.setSetup(setup));
+    });
 }
 
 QString toolList(const std::vector<int>& numbers) {

@@ -13,6 +13,7 @@
 
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
+#include "ui/typed_text.h"
 
 namespace proveout {
 
@@ -34,9 +35,9 @@ const std::array<Command<UndoCommands>, 3> kCommands{{
 /// Whether the focus is on text that is being typed and is no value yet: such text has an undo of its own.
 bool isTyping(const QWidget& focus) {
     if (const auto* box = qobject_cast<const QSpinBox*>(&focus))
-        return box->locale().toInt(box->cleanText()) != box->value();
+        return isBeingTyped(*box);
     if (const auto* box = qobject_cast<const QDoubleSpinBox*>(&focus))
-        return box->locale().toDouble(box->cleanText()) != box->value();
+        return isBeingTyped(*box);
     const auto* line = qobject_cast<const QLineEdit*>(&focus);
     return line != nullptr && line->isModified() && (line->isUndoAvailable() || line->isRedoAvailable());
 }
@@ -117,7 +118,7 @@ void UndoCommands::update() {
     const NcEditor& text = m_editor.editor();
     const JobHistory& steps = m_session.history();
     const bool writable = !text.isReadOnly();
-    const QString change = tr("Text Change");
+    const QString change = tr("Text change");
     QAction& undo = *m_actions.find("edit-undo");
     QAction& redo = *m_actions.find("edit-redo");
     undo.setEnabled(m_ofText ? writable && text.isUndoAvailable() : steps.canUndo());

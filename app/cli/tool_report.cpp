@@ -25,6 +25,8 @@ nlohmann::ordered_json toolsAsJson(const ToolTable& table) {
         if (origin != nullptr && origin->line > 0)
             row.update(
                 {{"line", origin->line}, {"comment", origin->comment}, {"defaults", origin->defaults}});
+        if (origin != nullptr && !origin->entered.empty())
+            row["entered"] = origin->entered;
         list.push_back(std::move(row));
     }
     return list;

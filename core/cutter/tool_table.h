@@ -30,6 +30,8 @@ struct ToolOrigin {
     std::string comment = {}; ///< its text
     /// What the comment does not state and is a default: keys of the cutter's spec, or "shape".
     std::vector<std::string> defaults = {};
+    /// What the user has entered since, without confirming the tool: keys as of `defaults`.
+    std::vector<std::string> entered = {};
 
     friend bool operator==(const ToolOrigin&, const ToolOrigin&) = default;
 };

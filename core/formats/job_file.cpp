@@ -177,6 +177,17 @@ constexpr const char* kUnconfirmed = "unconfirmedTools";
 constexpr Choice kUnconfirmedSources[] = {{"comment", ""}, {"assumed", ""}};
 constexpr JsonRange kLines{0, std::numeric_limits<int>::max()};
 
+/// Keys of a cutter's spec, with commas between them.
+void readKeys(JsonFields& fields, const char* name, std::vector<std::string>& keys) {
+    std::string text;
+    fields.read(name, text);
+    for (std::size_t at = 0; at < text.size();) {
+        const std::size_t end = std::min(text.find(',', at), text.size());
+        keys.push_back(text.substr(at, end - at));
+        at = end + 1;
+    }
+}
+
 void readOrigin(JsonFields fields, ToolOrigin& origin) {
     std::size_t source = 1;
     fields.require({"source"});
@@ -186,13 +197,8 @@ void readOrigin(JsonFields fields, ToolOrigin& origin) {
     fields.read("line", line, kLines);
     origin.line = static_cast<std::uint32_t>(line);
     fields.read("comment", origin.comment);
-    std::string defaults;
-    fields.read("defaults", defaults);
-    for (std::size_t at = 0; at < defaults.size();) {
-        const std::size_t end = std::min(defaults.find(',', at), defaults.size());
-        origin.defaults.push_back(defaults.substr(at, end - at));
-        at = end + 1;
-    }
+    readKeys(fields, "defaults", origin.defaults);
+    readKeys(fields, "entered", origin.entered);
     fields.warnAboutUnknown();
 }
 
@@ -218,6 +224,8 @@ ordered_json toJson(const ToolOrigin& origin) {
     }
     if (!origin.defaults.empty())
         out["defaults"] = fmt::format("{}", fmt::join(origin.defaults, ","));
+    if (!origin.entered.empty())
+        out["entered"] = fmt::format("{}", fmt::join(origin.entered, ","));
     return out;
 }
 

@@ -107,7 +107,7 @@ double gridSpacing(const Setup& setup, const Program& program, const GridLimits&
     return automaticSpacing(setup.stock, smallestCutter(program, setup, ToolChoice(program, setup)), limits);
 }
 
-Diagnostics coarseGrid(const Grid& grid, const std::optional<CutterInUse>& smallest) {
+Diagnostics coarseGrid(const Grid& grid, const std::optional<CutterInUse>& smallest, bool automatic) {
     constexpr double kSlack = 1 + 1e-9;
     const double spacing = std::max(grid.hx, grid.hy);
     if (!smallest || spacing * kFewPointsAcross <= smallest->diameter * kSlack)
@@ -120,8 +120,11 @@ Diagnostics coarseGrid(const Grid& grid, const std::optional<CutterInUse>& small
     warning.arguments = {fmt::format("{:.4g}", spacing), std::to_string(smallest->tool),
                          fmt::format("{:.4g}", smallest->diameter),
                          fmt::format("{:.1f}", smallest->diameter / spacing)};
-    warning.hint = PROVEOUT_TEXT("Core", "Choose a finer grid, or the automatic one; look at details in a "
-                                         "smaller stock or a detail region.");
+    warning.hint = automatic
+                       ? PROVEOUT_TEXT("Core", "Look at details in a smaller stock or a detail region, or "
+                                               "enter a finer grid spacing.")
+                       : PROVEOUT_TEXT("Core", "Choose a finer grid, or the automatic one; look at details "
+                                               "in a smaller stock or a detail region.");
     return {warning};
 }
 

@@ -44,6 +44,8 @@ struct CutterInUse {
 [[nodiscard]] double gridSpacing(const Setup& setup, const Program& program, const GridLimits& limits);
 
 /// A warning where the grid has fewer than five points across the smallest cutter.
-[[nodiscard]] Diagnostics coarseGrid(const Grid& grid, const std::optional<CutterInUse>& smallest);
+/// `automatic`: nobody has chosen the spacing; it is as fine as the limits are.
+[[nodiscard]] Diagnostics coarseGrid(const Grid& grid, const std::optional<CutterInUse>& smallest,
+                                     bool automatic);
 
 } // namespace proveout

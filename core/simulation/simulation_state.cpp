@@ -31,8 +31,9 @@ void Simulation::State::useProgram(std::shared_ptr<const Program> wanted) {
     program = std::move(wanted);
     tools = ToolChoice(*program, *setup);
     setupFindings = misplacedStock(*program, *setup, tools);
-    std::ranges::move(coarseGrid(stock.zmap.grid(), smallestCutter(*program, *setup, tools)),
-                      std::back_inserter(setupFindings));
+    std::ranges::move(
+        coarseGrid(stock.zmap.grid(), smallestCutter(*program, *setup, tools), setup->automaticGrid),
+        std::back_inserter(setupFindings));
 }
 
 // --- one block

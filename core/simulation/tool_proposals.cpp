@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/tool_number.h"
+#include "core/cutter/entered_sizes.h"
 #include "core/cutter/tool_comment.h"
 #include "core/nc/characters.h"
 
@@ -345,8 +346,12 @@ void addProposals(ToolTable& tools, const ToolProposals& proposals, const ToolPr
         const bool follows = present != nullptr && present->source == ToolSource::comment;
         const bool wanted = tools.find(number) == nullptr && isOffered(proposals, number) &&
                             !isOffered(before, number) && (empty || !callsNone);
-        if (follows || wanted)
-            tools.set(number, cutter, *proposals.tools.unconfirmedOrigin(number));
+        if (!follows && !wanted)
+            continue;
+        SourcedCutter proposed{cutter, *proposals.tools.unconfirmedOrigin(number)};
+        if (follows)
+            proposed = withEntered(proposed, {*tools.find(number), *present});
+        tools.set(number, std::move(proposed.cutter), std::move(proposed.origin));
     }
 }
 

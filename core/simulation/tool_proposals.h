@@ -28,7 +28,7 @@ struct ToolProposals {
 
 /// Adds to `tools` what it has not: of the proposals, those that the program calls; where it calls none and
 /// the table is empty, all. What was offered `before`, and is no longer in the table, was removed and stays
-/// away. Proposals that are in the table and unconfirmed follow their comment.
+/// away. Proposals that are in the table and unconfirmed follow their comment, but for what was entered.
 void addProposals(ToolTable& tools, const ToolProposals& proposals, const ToolProposals& before = {});
 
 } // namespace proveout

@@ -129,10 +129,12 @@ void ProblemsPanel::showMenu(const QPoint& position) {
 }
 
 void ProblemsPanel::ignoreMCode(int code) {
-    Setup setup = m_session.setup();
-    setup.ignoredM.insert(code);
-    if (const auto done = m_session.setSetup(setup); !done)
-        m_session.tell(done.error());
+    m_session.asOneStep([this, code] {
+        Setup setup = m_session.setup();
+        setup.ignoredM.insert(code);
+        if (const auto done = m_session.setSetup(setup); !done)
+            m_session.tell(done.error());
+    });
 }
 
 void ProblemsPanel::goToNeighbour(int direction) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/setup/ignored_codes_field.h"
 
+#include <utility>
+
 #include <QEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -10,6 +12,7 @@
 
 #include "ui/diagnostic_text.h"
 #include "ui/panel_layout.h"
+#include "ui/typed_text.h"
 
 namespace proveout {
 
@@ -31,8 +34,17 @@ IgnoredCodesField::IgnoredCodesField(QWidget* parent)
     retranslate();
 }
 
+/// A wrong text waits for its correction, unless others have changed the codes.
 void IgnoredCodesField::show(const Setup& setup) {
+    const bool another = std::exchange(m_shown, setup.ignoredM) != setup.ignoredM;
+    if (isBeingTyped(*m_list) || (!m_problem->isHidden() && !another))
+        return;
     m_list->setText(QString::fromStdString(formatMCodes(setup.ignoredM)));
+    m_problem->hide();
+}
+
+void IgnoredCodesField::dropText() {
+    m_list->setText(QString::fromStdString(formatMCodes(m_shown)));
     m_problem->hide();
 }
 
@@ -58,6 +70,7 @@ void IgnoredCodesField::put(Setup& setup) const {
 void IgnoredCodesField::finish() {
     const auto codes = parseMCodes(m_list->text().toStdString());
     m_problem->setVisible(!codes);
+    m_list->setModified(!codes);
     if (codes)
         emit edited();
     else

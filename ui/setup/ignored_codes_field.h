@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <set>
+
 #include <QWidget>
 
 #include "core/nc/program.h"
@@ -20,6 +22,8 @@ public:
     explicit IgnoredCodesField(QWidget* parent = nullptr);
 
     void show(const Setup& setup);
+    /// Another document: a text that is not finished, or wrong, belongs to none.
+    void dropText();
     /// What `program` ignores; null: nothing yet.
     void showProgram(const Program* program);
     /// A list that cannot be read changes nothing.
@@ -39,6 +43,7 @@ private:
     QLineEdit* m_list;
     QLabel* m_problem;
     QLabel* m_found;
+    std::set<int> m_shown;
     IgnoredCodes m_ignored; ///< of the program
 };
 

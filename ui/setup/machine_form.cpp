@@ -61,6 +61,7 @@ MachineForm::MachineForm(Session& session, QWidget* parent)
         if (m_rest.isActive())
             apply();
     });
+    connect(&session, &Session::jobReplaced, &m_rest, &QTimer::stop);
     connect(&session, &Session::machineChanged, this, &MachineForm::showMachine);
     connect(&session, &Session::timesChanged, this, &MachineForm::showTimes);
     retranslate();

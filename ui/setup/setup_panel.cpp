@@ -16,6 +16,7 @@
 
 #include "core/base/memory.h"
 #include "core/base/text.h"
+#include "ui/carried_values.h"
 #include "ui/diagnostic_text.h"
 #include "ui/edited_elsewhere_bar.h"
 #include "ui/file_changed_bar.h"
@@ -57,32 +58,27 @@ SetupPanel::SetupPanel(Session& session, QWidget* parent)
     connect(m_ignored, &IgnoredCodesField::edited, &m_rest, qOverload<>(&QTimer::start));
     connect(m_dialect, &QComboBox::activated, &m_rest, qOverload<>(&QTimer::start));
     connect(m_compensation, &QComboBox::activated, &m_rest, qOverload<>(&QTimer::start));
-    connect(&session, &Session::changesWanted, this, [this] {
-        if (!m_rest.isActive())
-            return;
-        m_rest.stop();
-        apply();
-    });
     connect(m_fit, &QPushButton::clicked, this, &SetupPanel::fitToProgram);
     connect(m_tools, &ToolTableEditor::lineWanted, this,
             [this](std::uint32_t line) { emit m_session.lineRequested(line, 1); });
     // The window brings the panel forward first: what is hidden takes no focus.
     connect(&session, &Session::toolRequested, this, &SetupPanel::showTool, Qt::QueuedConnection);
-    connect(m_define, &QPushButton::clicked, this, &SetupPanel::defineMissingTools);
+    connect(m_define, &QPushButton::clicked, this, [this] { assumeMissingTools(m_session); });
     connect(&session, &Session::inputWanted, this, [this] {
         if (m_rest.isActive())
             apply();
     });
+    connect(&session, &Session::jobReplaced, this, &SetupPanel::dropInput);
     connect(&session, &Session::setupChanged, this, &SetupPanel::showSetup);
     connect(&session, &Session::documentChanged, this, &SetupPanel::titleTools);
     connect(&session, &Session::programChanged, this, &SetupPanel::showMissingTools);
     connect(&session, &Session::programChanged, this, &SetupPanel::showStart);
-    connect(&session, &Session::programChanged, this, &SetupPanel::showDialect);
+    connect(&session, &Session::programChanged, this, &SetupPanel::nameAutomaticDialect);
     connect(&session, &Session::programChanged, this, &SetupPanel::showCompensation);
     connect(&session, &Session::programChanged, this,
             [this] { m_ignored->showProgram(m_session.program().get()); });
     retranslate();
-    showSetup();
+    dropInput();
 }
 
 void SetupPanel::build() {
@@ -124,19 +120,43 @@ void SetupPanel::build() {
     m_problem->hide();
 }
 
-void SetupPanel::showSetup() {
+/// The document is another one, and what was edited in the one before is void.
+void SetupPanel::dropInput() {
     m_rest.stop();
     m_making.cancel();
-    m_stock->show(m_session.setup());
-    m_tools->show(m_session.setup().tools);
+    m_shown = m_session.setup();
+    show(m_shown);
+    m_ignored->dropText();
+}
+
+/// Others may change the setup at any time: the stock is fitted, tools are found in comments. What the user
+/// has changed meanwhile, and is not applied yet, stays in the form.
+void SetupPanel::showSetup() {
+    Setup form = edited(m_shown);
+    if (m_rest.isActive() || m_session.setup().shape == m_shown.shape) {
+        const StockSpec spec = m_stock->spec(form);
+        form.stock = spec.box;
+        form.shape = spec.shape;
+    } else { // a shape whose file is still being read is void, for example after an undone step
+        m_making.cancel();
+    }
+    const Setup held = carried(m_session.setup(), m_shown, form);
+    m_shown = m_session.setup();
+    show(held);
+}
+
+void SetupPanel::show(const Setup& setup) {
+    m_stock->show(setup);
+    m_tools->show(setup.tools);
     const QSignalBlocker quiet(m_blockDelete);
-    m_blockDelete->setChecked(m_session.setup().blockDelete);
+    m_blockDelete->setChecked(setup.blockDelete);
     showStockProblem();
-    showStart();
-    m_ignored->show(m_session.setup());
+    m_start->show(setup, m_session.program().get());
+    m_ignored->show(setup);
     m_ignored->showProgram(m_session.program().get());
-    showDialect();
-    m_compensation->setCurrentIndex(m_session.setup().compensationTypeB ? 1 : 0);
+    m_dialect->setCurrentIndex(setup.dialect ? static_cast<int>(*setup.dialect) + 1 : 0);
+    nameAutomaticDialect();
+    m_compensation->setCurrentIndex(setup.compensationTypeB ? 1 : 0);
     showCompensation();
     showMemory(m_session.setup());
     showMissingTools();
@@ -152,11 +172,8 @@ QString SetupPanel::automaticDialect() const {
     return tr("Automatic: %1").arg(QString::fromUtf8(dialect(program->dialect()).name));
 }
 
-void SetupPanel::showDialect() {
-    const auto& chosen = m_session.setup().dialect;
-    const QSignalBlocker quiet(m_dialect);
+void SetupPanel::nameAutomaticDialect() {
     m_dialect->setItemText(0, automaticDialect());
-    m_dialect->setCurrentIndex(chosen ? static_cast<int>(*chosen) + 1 : 0);
 }
 
 /// Only for the controls that have this setting.
@@ -177,10 +194,9 @@ void SetupPanel::showMissingTools() {
     m_fit->setEnabled(m_session.blockCount() > 0 && box);
 }
 
-/// What is being edited stays as it is.
+/// Which tool is assumed depends on the program.
 void SetupPanel::showStart() {
-    if (!m_rest.isActive())
-        m_start->show(m_session.setup(), m_session.program().get());
+    m_start->show(edited(m_session.setup()), m_session.program().get());
 }
 
 void SetupPanel::showStockProblem() {
@@ -202,10 +218,10 @@ void SetupPanel::showMemory(const Setup& setup) {
                                QString::fromStdString(readableBytes(zmapBytes(*grid)))));
 }
 
-void SetupPanel::apply() {
-    m_rest.stop();
-    Setup setup = m_session.setup();
+/// `setup` with what the form has, but for shape and size of the stock, whose body may have to be made.
+Setup SetupPanel::edited(Setup setup) const {
     setup.tools = m_tools->tools();
+    m_stock->put(setup);
     m_start->put(setup);
     setup.blockDelete = m_blockDelete->isChecked();
     setup.compensationTypeB = m_compensation->currentIndex() == 1;
@@ -213,7 +229,13 @@ void SetupPanel::apply() {
     setup.dialect.reset();
     if (const int index = m_dialect->currentIndex(); index > 0)
         setup.dialect = static_cast<DialectId>(index - 1);
-    applyStock(std::move(setup));
+    return setup;
+}
+
+void SetupPanel::apply() {
+    m_rest.stop();
+    m_making.cancel();
+    applyStock(edited(m_session.setup()));
 }
 
 /// A body is made anew where it is described otherwise: at once where no file is needed.
@@ -222,7 +244,6 @@ void SetupPanel::applyStock(Setup setup) {
     const StockShape& before = setup.shape;
     const bool box = spec.shape.kind == StockKind::box;
     const bool another = spec.shape.kind != before.kind || spec.shape.file != before.file;
-    m_stock->put(setup);
     if (box || spec.shape.body != nullptr) {
         setup.stock.width = spec.box.width;
         setup.stock.depth = spec.box.depth;
@@ -235,15 +256,15 @@ void SetupPanel::applyStock(Setup setup) {
     if (fromFile && spec.shape.file.empty())
         return takeNoStock(spec, setup);
     // Something from another file lies where it lies by itself.
-    makeStock(spec, another && fromFile ? std::nullopt : std::optional(setup.stock.corner), setup);
+    makeStock(spec, another && fromFile ? std::nullopt : std::optional(setup.stock.corner));
 }
 
-/// In the background; then `setup` is used with it, unless the session has another one by then.
-void SetupPanel::makeStock(const StockSpec& spec, const std::optional<Vec3>& corner, const Setup& setup) {
+/// In the background; then it is used with what the form has by then.
+void SetupPanel::makeStock(const StockSpec& spec, const std::optional<Vec3>& corner) {
     m_problem->hide();
     if (!spec.shape.file.empty())
         m_memory->setText(tr("Reading %1 …").arg(QFileInfo(toQString(spec.shape.file)).fileName()));
-    m_making.start([this, spec, corner, setup](const NewestTask::Reply& reply) {
+    m_making.start([this, spec, corner](const NewestTask::Reply& reply) {
         StockSpec made = spec;
         Result<void> done;
         try {
@@ -252,11 +273,11 @@ void SetupPanel::makeStock(const StockSpec& spec, const std::optional<Vec3>& cor
             done = failure("stock-out-of-memory",
                            PROVEOUT_TEXT("Core", "The stock needs more memory than there is."));
         }
-        reply.post([this, made, done, setup] {
+        reply.post([this, made, done] {
             if (done)
-                takeStock(made, setup);
+                takeStock(made, edited(m_session.setup()));
             else {
-                takeNoStock(made, setup);
+                takeNoStock(made, edited(m_session.setup()));
                 showProblem(done.error());
             }
         });
@@ -279,13 +300,20 @@ void SetupPanel::takeNoStock(const StockSpec& spec, Setup setup) {
     use(setup);
 }
 
-void SetupPanel::use(const Setup& setup) {
+/// A stock or a grid that is refused leaves the form, and all else is used without it.
+void SetupPanel::use(Setup setup) {
     showMemory(setup);
     const Result<void> done = m_session.setSetup(setup);
     if (done)
-        showStockProblem();
-    else
-        showProblem(done.error());
+        return showStockProblem();
+    const Setup& present = m_session.setup();
+    m_stock->show(present);
+    setup.stock = present.stock;
+    setup.shape = present.shape;
+    setup.spacing = present.spacing;
+    setup.automaticGrid = present.automaticGrid;
+    static_cast<void>(m_session.setSetup(setup)); // the first error is the one to be told
+    showProblem(done.error());
 }
 
 void SetupPanel::showProblem(const Diagnostics& errors) {
@@ -295,16 +323,14 @@ void SetupPanel::showProblem(const Diagnostics& errors) {
 }
 
 void SetupPanel::fitToProgram() {
-    Setup setup = m_session.setup();
-    setup.stock = m_session.stockFittedToProgram();
-    setup.shape = {};
-    m_stock->show(setup);
-    apply();
-}
-
-void SetupPanel::defineMissingTools() {
-    apply(); // what is being typed
-    assumeMissingTools(m_session);
+    m_session.asOneStep([this] {
+        Setup setup = edited(m_session.setup());
+        setup.stock = m_session.stockFittedToProgram();
+        setup.shape = {};
+        m_making.cancel();
+        m_stock->show(setup);
+        use(setup);
+    });
 }
 
 /// Marked while the tools are in no job file as they are.
@@ -341,7 +367,7 @@ void SetupPanel::retranslate() {
     m_define->setToolTip(tr("Add these tools; then enter the sizes of your cutters"));
     m_blockDelete->setText(tr("Skip blocks that begin with /"));
     m_blockDelete->setToolTip(tr("Block delete, as the switch on the control"));
-    showDialect();
+    nameAutomaticDialect();
     showMissingTools();
     showMemory(m_session.setup());
 }

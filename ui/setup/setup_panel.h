@@ -37,23 +37,25 @@ private:
     void build();
     void retranslate();
     void titleTools();
+    void dropInput();
     void showSetup();
-    void showDialect();
+    void show(const Setup& setup);
+    void nameAutomaticDialect();
     [[nodiscard]] QString automaticDialect() const;
     void showCompensation();
     void showMissingTools();
     void showStart();
     void showStockProblem();
     void showMemory(const Setup& setup);
+    [[nodiscard]] Setup edited(Setup setup) const;
     void apply();
     void applyStock(Setup setup);
-    void makeStock(const StockSpec& spec, const std::optional<Vec3>& corner, const Setup& setup);
+    void makeStock(const StockSpec& spec, const std::optional<Vec3>& corner);
     void takeStock(const StockSpec& spec, Setup setup);
     void takeNoStock(const StockSpec& spec, Setup setup);
-    void use(const Setup& setup);
+    void use(Setup setup);
     void showProblem(const Diagnostics& errors);
     void fitToProgram();
-    void defineMissingTools();
     void showTool(int number);
 
     Session& m_session;
@@ -76,6 +78,7 @@ private:
     MachineForm* m_machine;
     QCheckBox* m_blockDelete;
     IgnoredCodesField* m_ignored;
+    Setup m_shown; ///< of the session, when it was shown last: what the form has otherwise was edited since
     QTimer m_rest;
     NewestTask m_making; ///< a stock from its file
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/setup/start_form.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -95,19 +96,34 @@ void StartForm::put(Setup& setup) const {
 }
 
 /// Not set, the empty spindle, the tools of the table; and the one that is set, if it is none of these.
+std::vector<StartForm::Item> StartForm::toolItems() const {
+    std::vector<Item> items{
+        {m_assumed ? tr("Not set: %1 is assumed").arg(nameOf(*m_assumed)) : tr("Not set"), {}}};
+    if (m_setup.tools.find(0) == nullptr)
+        items.emplace_back(tr("Empty spindle"), 0);
+    for (const auto& row : m_setup.tools.tools())
+        items.emplace_back(nameOf(row.first), row.first);
+    const auto isSet = [this](const Item& item) { return item.second == QVariant(*m_setup.startTool); };
+    if (m_setup.startTool && std::ranges::none_of(items, isSet))
+        items.emplace_back(tr("%1, not in the tool table").arg(nameOf(*m_setup.startTool)),
+                           *m_setup.startTool);
+    return items;
+}
+
+/// In place, because the list may be open.
 void StartForm::fillTools() {
     const QSignalBlocker quiet(m_tool);
-    m_tool->clear();
-    m_tool->addItem(m_assumed ? tr("Not set: %1 is assumed").arg(nameOf(*m_assumed)) : tr("Not set"));
-    if (m_setup.tools.find(0) == nullptr)
-        m_tool->addItem(tr("Empty spindle"), 0);
-    for (const auto& row : m_setup.tools.tools())
-        m_tool->addItem(nameOf(row.first), row.first);
-    if (!m_setup.startTool)
-        return;
-    if (m_tool->findData(*m_setup.startTool) < 0)
-        m_tool->addItem(tr("%1, not in the tool table").arg(nameOf(*m_setup.startTool)), *m_setup.startTool);
-    m_tool->setCurrentIndex(m_tool->findData(*m_setup.startTool));
+    const std::vector<Item> items = toolItems();
+    const auto count = static_cast<int>(items.size());
+    while (m_tool->count() > count)
+        m_tool->removeItem(m_tool->count() - 1);
+    while (m_tool->count() < count)
+        m_tool->addItem(QString());
+    for (int i = 0; i < count; ++i) {
+        m_tool->setItemText(i, items[static_cast<std::size_t>(i)].first);
+        m_tool->setItemData(i, items[static_cast<std::size_t>(i)].second);
+    }
+    m_tool->setCurrentIndex(m_setup.startTool ? m_tool->findData(*m_setup.startTool) : 0);
 }
 
 void StartForm::showPosition() {

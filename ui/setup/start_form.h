@@ -3,7 +3,11 @@
 
 #include <array>
 #include <optional>
+#include <utility>
+#include <vector>
 
+#include <QString>
+#include <QVariant>
 #include <QWidget>
 
 #include "core/nc/program.h"
@@ -35,6 +39,9 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    using Item = std::pair<QString, QVariant>; ///< text and tool number
+
+    [[nodiscard]] std::vector<Item> toolItems() const;
     void fillTools();
     void showPosition();
     void retranslate();

@@ -20,6 +20,7 @@
 #include "ui/file_paths.h"
 #include "ui/grid_field.h"
 #include "ui/number_box.h"
+#include "ui/typed_text.h"
 
 namespace proveout {
 
@@ -120,7 +121,10 @@ QWidget* StockForm::fileEditor(ShapeField& row) {
     layout->addWidget(row.file, 1);
     layout->addWidget(row.browse);
     editor->setFocusProxy(row.file);
-    connect(row.file, &QLineEdit::editingFinished, this, &StockForm::edited);
+    connect(row.file, &QLineEdit::editingFinished, this, [this, file = row.file] {
+        file->setModified(false);
+        emit edited();
+    });
     connect(row.browse, &QToolButton::clicked, this, [this, row] { chooseFile(row); });
     return editor;
 }
@@ -173,7 +177,7 @@ void StockForm::show(const Setup& setup) {
             const QSignalBlocker quietBox(row.choice);
             row.choice->setCurrentIndex(static_cast<int>(std::get<StockChoice>(row.field->value).get(spec)));
         } else if (row.kind == setup.shape.kind) {
-            row.file->setText(QDir::toNativeSeparators(toQString(setup.shape.file)));
+            showText(*row.file, QDir::toNativeSeparators(toQString(setup.shape.file)));
         }
     }
     showFieldsOfShape();
@@ -215,7 +219,7 @@ StockSpec StockForm::spec(const Setup& setup) const {
 
 QString StockForm::rangeTip(const QString& help, const NumberBox& box, double standard) const {
     return tr("%1\nRange: %2 to %3 mm\nDefault: %4 mm")
-        .arg(help, locale().toString(box.minimum()), locale().toString(box.maximum()),
+        .arg(help, locale().toString(box.range().minimum), locale().toString(box.range().maximum),
              locale().toString(standard));
 }
 

@@ -8,11 +8,11 @@
 #include <QEvent>
 #include <QFormLayout>
 #include <QLineEdit>
-#include <QSignalBlocker>
 
 #include "ui/choice_box.h"
 #include "ui/diagnostic_text.h"
 #include "ui/number_box.h"
+#include "ui/typed_text.h"
 
 namespace proveout {
 
@@ -74,11 +74,8 @@ void ToolForm::showNumber(const std::string& key, double value) {
 
 void ToolForm::showText(const std::string& key, const std::string& text) {
     auto* box = findChild<QLineEdit*>(nameOf(key));
-    // What is being typed keeps its cursor.
-    if (box != nullptr && box->text() != QString::fromStdString(text)) {
-        const QSignalBlocker quiet(box);
-        box->setText(QString::fromStdString(text));
-    }
+    if (box != nullptr)
+        proveout::showText(*box, QString::fromStdString(text));
 }
 
 void ToolForm::chooseShape(int index) {
@@ -137,6 +134,7 @@ QWidget* ToolForm::textBox(const ShapeKey& key) {
            "zero is a hollow.\nDefault: %3")
             .arg(QStringLiteral("4/1@3/1"), QStringLiteral("4/1@1"), QLatin1String(key.standardText)));
     connect(box, &QLineEdit::editingFinished, this, [this, box, name = std::string(key.key)] {
+        box->setModified(false);
         if (box->text().toStdString() == m_spec.texts[name])
             return;
         m_spec.texts[name] = box->text().toStdString();

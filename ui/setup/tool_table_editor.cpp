@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/setup/tool_table_editor.h"
 
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -15,6 +20,7 @@
 #include "ui/icons.h"
 #include "ui/number_box.h"
 #include "ui/panel_layout.h"
+#include "ui/setup/edited_origin.h"
 #include "ui/setup/tool_form.h"
 #include "ui/tool_actions.h"
 
@@ -24,10 +30,10 @@ namespace {
 
 constexpr int kRowsShown = 5;
 
-/// The labels of the keys that a comment does not state.
-QString defaultsText(const Cutter& cutter, const ToolOrigin& origin) {
+/// The labels of some keys of a cutter, as of ToolOrigin::defaults.
+QString labelsOf(const Cutter& cutter, const std::vector<std::string>& keys) {
     QStringList names;
-    for (const std::string& key : origin.defaults) {
+    for (const std::string& key : keys) {
         if (key == "shape")
             names << ToolTableEditor::tr("Shape");
         for (const ShapeKey& row : keysOf(readSpec(cutter.spec()).shape))
@@ -188,16 +194,21 @@ void ToolTableEditor::showOrigin() {
     m_origin->setVisible(origin != nullptr);
     if (origin == nullptr)
         return;
-    if (origin->source == ToolSource::assumed) {
-        m_origin->setText(tr("These sizes are assumed. Enter those of your cutter, or confirm them."));
-        return;
-    }
+    m_origin->setText(originText(*m_tools.find(number), *origin));
+}
+
+QString ToolTableEditor::originText(const Cutter& cutter, const ToolOrigin& origin) {
+    const QString line = QStringLiteral("<br>");
     QString text =
-        tr("From the comment in <a href=\"%1\">line %1</a>: <i>%2</i>")
-            .arg(QString::number(origin->line), QString::fromStdString(origin->comment).toHtmlEscaped());
-    if (const QString defaults = defaultsText(*m_tools.find(number), *origin); !defaults.isEmpty())
-        text += QStringLiteral("<br>") + tr("Not stated there, defaults: %1").arg(defaults.toHtmlEscaped());
-    m_origin->setText(text);
+        origin.source == ToolSource::assumed
+            ? tr("These sizes are assumed. Enter those of your cutter, or confirm them.")
+            : tr("From the comment in <a href=\"%1\">line %1</a>: <i>%2</i>")
+                  .arg(QString::number(origin.line), QString::fromStdString(origin.comment).toHtmlEscaped());
+    if (const QString defaults = labelsOf(cutter, origin.defaults); !defaults.isEmpty())
+        text += line + tr("Not stated there, defaults: %1").arg(defaults.toHtmlEscaped());
+    if (const QString entered = labelsOf(cutter, origin.entered); !entered.isEmpty())
+        text += line + tr("Entered: %1").arg(entered.toHtmlEscaped());
+    return text;
 }
 
 void ToolTableEditor::confirmSelected() {
@@ -220,8 +231,7 @@ void ToolTableEditor::select() {
     m_problem->hide();
     if (cutter == nullptr)
         return;
-    const QSignalBlocker quiet(m_number);
-    m_number->setValue(selectedNumber());
+    m_number->showValue(selectedNumber());
     m_form->show(readSpec(cutter->spec()));
 }
 
@@ -233,7 +243,11 @@ void ToolTableEditor::applyForm() {
         m_problem->setText(sentence(cutter.error().front()));
         return;
     }
-    m_tools.set(number, std::move(*cutter)); // who edits its sizes knows them
+    const ToolOrigin* origin = m_tools.unconfirmedOrigin(number);
+    std::optional<ToolOrigin> unconfirmed;
+    if (origin != nullptr)
+        unconfirmed = editedOrigin(*origin, readSpec(m_tools.find(number)->spec()), m_form->spec());
+    m_tools.set(number, std::move(*cutter), unconfirmed.value_or(ToolOrigin()));
     showTool(*m_list->currentItem(), number);
     showOrigin();
     emit edited();

@@ -49,6 +49,7 @@ private:
     void confirmSelected();
     void confirmAll();
     void showOrigin();
+    [[nodiscard]] static QString originText(const Cutter& cutter, const ToolOrigin& origin);
     void showTool(QTreeWidgetItem& item, int number) const;
     void retranslate();
     [[nodiscard]] int selectedNumber() const; ///< -1: none

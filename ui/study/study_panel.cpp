@@ -178,8 +178,10 @@ void StudyPanel::tell(const QString& text) {
 }
 
 void StudyPanel::useChoice() {
-    if (m_rehearsal)
-        m_session.setParameters(withSchedule(m_session.parameters(), cheapest(*m_rehearsal)));
+    if (!m_rehearsal)
+        return;
+    m_session.asOneStep(
+        [this] { m_session.setParameters(withSchedule(m_session.parameters(), cheapest(*m_rehearsal))); });
 }
 
 bool StudyPanel::exportTo(const QString& file) {

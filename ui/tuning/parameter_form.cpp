@@ -22,6 +22,7 @@
 #include "ui/diagnostic_text.h"
 #include "ui/icons.h"
 #include "ui/number_box.h"
+#include "ui/typed_text.h"
 
 namespace proveout {
 
@@ -36,6 +37,13 @@ constexpr int kBoxWidth = 90; // a box's own wish is room for the largest number
 
 QString suffix(const Field& field) {
     return *field.unit == '\0' ? QString() : u' ' + coreText(field.unit);
+}
+
+/// A suffix that is set anew, be it the same, brings back the value in the place of what is being typed.
+template<class Box>
+void showSuffix(Box& box, const QString& text) {
+    if (box.suffix() != text)
+        box.setSuffix(text);
 }
 
 } // namespace
@@ -151,7 +159,15 @@ void ParameterForm::place(std::size_t index) {
     row.label = new QLabel(this);
     row.editor->setObjectName(QLatin1String(row.field.key));
     row.reset = addRow(row.label, row.editor);
-    connect(row.reset, &QToolButton::clicked, this, [this, index] { change(index, m_rows[index].standard); });
+    connect(row.reset, &QToolButton::clicked, this, [this, index] { reset(index); });
+}
+
+/// A click on the button moves no focus: what was typed is finished first, and can be undone to.
+void ParameterForm::reset(std::size_t row) {
+    finishTyping(*m_rows[row].editor);
+    emit stepEnded();
+    change(row, m_rows[row].standard);
+    emit stepEnded();
 }
 
 void ParameterForm::setValues(const DecimationParameters& values) {
@@ -227,9 +243,9 @@ void ParameterForm::retranslate() {
                 box->setItemText(i, coreText(row.field.choices[static_cast<std::size_t>(i)].label));
         }
         if (auto* integer = qobject_cast<QSpinBox*>(row.editor))
-            integer->setSuffix(suffix(row.field));
+            showSuffix(*integer, suffix(row.field));
         if (auto* number = qobject_cast<QDoubleSpinBox*>(row.editor))
-            number->setSuffix(suffix(row.field));
+            showSuffix(*number, suffix(row.field));
         showRow(row);
     }
 }

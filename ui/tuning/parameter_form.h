@@ -34,6 +34,8 @@ public:
 
 signals:
     void edited(const DecimationParameters& values);
+    /// What was edited before and what comes next are two steps of the user, in the same field too.
+    void stepEnded();
 
 protected:
     void changeEvent(QEvent* event) override;
@@ -61,6 +63,7 @@ private:
     QWidget* makeInteger(Row& row);
     QWidget* makeNumber(Row& row);
     void place(std::size_t row);
+    void reset(std::size_t row);
     void change(std::size_t row, double value);
     /// Standards and all rows, for the method of m_values.
     void showMethod();

@@ -8,6 +8,7 @@
 #include <QVBoxLayout>
 
 #include "core/simulation/setup_fields.h"
+#include "ui/carried_values.h"
 #include "ui/diagnostic_text.h"
 #include "ui/grid_field.h"
 #include "ui/icons.h"
@@ -52,19 +53,42 @@ TuningPanel::TuningPanel(Session& session, QWidget* parent)
             apply();
     });
     connect(m_form, &ParameterForm::edited, &m_rest, qOverload<>(&QTimer::start));
+    connect(m_form, &ParameterForm::stepEnded, this, [this] {
+        if (m_rest.isActive())
+            apply();
+        m_session.history().closeStep();
+    });
     connect(m_grid, &GridField::edited, &m_rest, qOverload<>(&QTimer::start));
-    const auto showParameters = [this] { m_form->setValues(m_session.parameters()); };
-    const auto showSetup = [this] {
-        showGrid();
-        showProblem({});
-        m_form->setPoints(gridPoints(m_session.setup().stock, m_session.setup().spacing));
-    };
-    connect(&session, &Session::parametersChanged, this, showParameters);
-    connect(&session, &Session::setupChanged, this, showSetup);
+    connect(&session, &Session::jobReplaced, this, &TuningPanel::dropInput);
+    connect(&session, &Session::parametersChanged, this, &TuningPanel::showParameters);
+    connect(&session, &Session::setupChanged, this, &TuningPanel::showSetup);
     connect(&session, &Session::tick, this, &TuningPanel::showEffect);
     retranslate();
-    showParameters();
+    dropInput();
     showSetup();
+}
+
+void TuningPanel::dropInput() {
+    m_rest.stop();
+    m_shownParameters = m_session.parameters();
+    m_form->setValues(m_shownParameters);
+    m_shownSetup = m_session.setup();
+    m_grid->show(m_shownSetup);
+}
+
+/// With what the user has changed and is not applied yet.
+void TuningPanel::showParameters() {
+    m_form->setValues(carried(m_session.parameters(), m_shownParameters, m_form->values()));
+    m_shownParameters = m_session.parameters();
+}
+
+void TuningPanel::showSetup() {
+    Setup edited = m_shownSetup;
+    m_grid->put(edited);
+    m_grid->show(carried(m_session.setup(), m_shownSetup, edited));
+    m_shownSetup = m_session.setup();
+    showProblem({});
+    m_form->setPoints(gridPoints(m_shownSetup.stock, m_shownSetup.spacing));
 }
 
 void TuningPanel::apply() {
@@ -79,11 +103,7 @@ void TuningPanel::applyGrid() {
     const Result<void> done = m_session.setSetup(setup);
     showProblem(done ? QString() : sentence(done.error().front()));
     if (!done)
-        showGrid(); // the spacing that the stock has, as all other panels tell it
-}
-
-void TuningPanel::showGrid() {
-    m_grid->show(m_session.setup());
+        m_grid->show(m_session.setup()); // the spacing that the stock has, as all other panels tell it
 }
 
 void TuningPanel::showProblem(const QString& text) {

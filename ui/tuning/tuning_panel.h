@@ -28,7 +28,10 @@ private:
     void retranslate();
     void apply();
     void applyGrid();
-    void showGrid();
+    /// Of another document now.
+    void dropInput();
+    void showParameters();
+    void showSetup();
     /// An empty one hides the line.
     void showProblem(const QString& text);
     void colourProblem();
@@ -46,6 +49,9 @@ private:
     QLabel* m_error;
     QLabel* m_regions;
     QLabel* m_heldBack;
+    // As they were shown last: what the form has otherwise was edited since.
+    DecimationParameters m_shownParameters;
+    Setup m_shownSetup;
     QTimer m_rest; ///< changes are applied after a short rest
 };
 

@@ -81,7 +81,7 @@ TEST_F(JobFile, KeepsWhereTheSizesOfAToolComeFrom) {
     auto job = read(kWhole);
     ASSERT_TRUE(job);
     EXPECT_TRUE(job->setup.tools.unconfirmed().empty()) << "old jobs give their tools";
-    const ToolOrigin comment{ToolSource::comment, 3, "T1 D=11 \"BALL\"", {"shape", "l"}};
+    const ToolOrigin comment{ToolSource::comment, 3, "T1 D=11 \"BALL\"", {"shape", "l"}, {"sd", "sl"}};
     job->setup.tools.set(1, *job->setup.tools.find(1), comment);
     job->setup.tools.set(5, parseCutter("flat:d=10").value(), {ToolSource::assumed});
     ASSERT_TRUE(writeJob(m_folder / "again.proveout", *job));

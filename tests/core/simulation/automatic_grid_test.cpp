@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/automatic_grid.h"
 
+#include <string_view>
+
 #include <gtest/gtest.h>
 
 #include "tests/core/simulation/moments.h"
@@ -88,8 +90,9 @@ TEST(AutomaticGrid, TheLimitsOfThisComputerAreSane) {
 }
 
 TEST(AutomaticGrid, FewerThanFivePointsAcrossACutterAreAWarning) {
-    const auto warned = [](double spacing) {
+    const auto warned = [](double spacing, bool automatic = false) {
         auto setup = std::make_shared<proveout::Setup>(*smallSetup(spacing));
+        setup->automaticGrid = automatic;
         const auto simulation =
             startedSimulation(programOf("T1 M6\nG0 X5 Y5 Z5\nG1 Z-1 F100\nX30\nM2\n"), setup, {});
         return simulation->frame().findings;
@@ -102,6 +105,13 @@ TEST(AutomaticGrid, FewerThanFivePointsAcrossACutterAreAWarning) {
     EXPECT_FALSE(coarse[0].unverified);
     EXPECT_EQ(message(coarse[0]),
               "The grid spacing of 1 mm is too coarse for T1 (⌀4 mm): it has only 4.0 points across it.");
+    const auto advisesAutomatic = [](const Diagnostic& warning) {
+        return std::string_view(warning.hint).find("automatic") != std::string_view::npos;
+    };
+    EXPECT_TRUE(advisesAutomatic(coarse[0]));
+    const auto chosen = warned(1, true);
+    ASSERT_EQ(chosen.size(), 1U);
+    EXPECT_FALSE(advisesAutomatic(chosen[0])) << "the grid is automatic already";
 }
 
 } // namespace

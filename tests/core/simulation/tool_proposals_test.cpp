@@ -114,6 +114,22 @@ TEST(ToolProposals, FillTheTableWhereTheProgramCallsWhatItLacks) {
     EXPECT_EQ(followed.unconfirmedOrigin(2)->line, 2U);
 }
 
+TEST(ToolProposals, WhatWasEnteredStaysWhenTheTextIsReadAgain) {
+    const ToolProposals proposals = proposeTools(NcText("(T2 D=8 FLAT)\nT2 M6\n"));
+    ToolTable tools;
+    addProposals(tools, proposals);
+    ToolOrigin origin = *tools.unconfirmedOrigin(2);
+    ASSERT_EQ(origin.defaults, std::vector<std::string>{"l"});
+    origin.defaults.clear();
+    origin.entered = {"l"};
+    tools.set(2, parseCutter("flat:d=8,l=20").value(), origin);
+    addProposals(tools, proposals, proposals);
+    EXPECT_EQ(tools.find(2)->spec(), "flat:d=8,l=20");
+    EXPECT_EQ(*tools.unconfirmedOrigin(2), origin);
+    addProposals(tools, proposeTools(NcText("(T2 D=9 FLAT)\nT2 M6\n")), proposals);
+    EXPECT_EQ(tools.find(2)->spec(), "flat:d=9,l=20");
+}
+
 TEST(ToolProposals, AToolOfAnotherProgramIsNotAddedBesideGivenOnes) {
     ToolTable tools = tableOf("ball:d=4");
     addProposals(tools, proposeTools(NcText("(Tool: D = 3.0 mm type END)\nG1 X1\n")));

@@ -239,6 +239,41 @@ private slots:
 
     void take(const QString& sentence) { m_refused = sentence; }
 
+    void aGridThatIsRefusedLeavesTheFormAndBlocksNothing() {
+        Opened at;
+        QVERIFY(at.open());
+        Setup wide = at.session.setup();
+        wide.stock = {Vec3(0), 5000, 5000, 10}; // 25e12 points at 0.001 mm
+        wide.spacing = 5;
+        QVERIFY(at.session.setSetup(wide).has_value());
+        auto& spacing = at.find<QDoubleSpinBox>("spacing");
+        auto& blockDelete = *at.panel.findChildren<QCheckBox*>().front();
+        QVERIFY(!at.session.setup().blockDelete);
+        type(spacing, QStringLiteral("0.001"));
+        blockDelete.setFocus();
+        QTest::keyClick(&blockDelete, Qt::Key_Space); // together with what is refused
+        QTRY_COMPARE_WITH_TIMEOUT(spacing.value(), 5.0, kPatience);
+        QCOMPARE(at.session.setup().spacing, 5.0);
+        QVERIFY(at.session.setup().blockDelete);
+        QVERIFY(at.shows(QStringLiteral("memory")) || at.shows(QStringLiteral("points")));
+        QVERIFY(at.settled());
+        auto& z = at.find<QDoubleSpinBox>("corner-z");
+        type(z, QStringLiteral("3"));
+        QTRY_COMPARE_WITH_TIMEOUT(at.session.setup().stock.corner.z, 3.0, kPatience);
+    }
+
+    void aFineSpacingIsReadToItsLastDigit() {
+        Opened at;
+        QVERIFY(at.open());
+        Setup tiny = at.session.setup();
+        tiny.stock = {Vec3(0), 2, 2, 1};
+        tiny.spacing = 0.0052;
+        QVERIFY(at.session.setSetup(tiny).has_value());
+        QCOMPARE(at.find<QDoubleSpinBox>("spacing").cleanText(), QStringLiteral("0.0052"));
+        type(at.find<QDoubleSpinBox>("spacing"), QStringLiteral("0.0054"));
+        QTRY_COMPARE_WITH_TIMEOUT(at.session.setup().spacing, 0.0054, kPatience);
+    }
+
     /// The forms reach as far as job files do; what is beyond is shown, not bent.
     void aValueFromAFileIsNotBent() {
         Opened at;

@@ -1,8 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/setup/tool_table_editor.h"
 
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include <QComboBox>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QLineEdit>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTest>
@@ -22,6 +28,12 @@ ToolTable mixed() {
 /// The text of the column that says where the sizes come from.
 QString sourceOf(const ToolTableEditor& editor, int row) {
     return editor.findChild<QTreeWidget*>()->topLevelItem(row)->text(2);
+}
+
+void choose(const ToolTableEditor& editor, const char* shape) {
+    auto* shapes = editor.findChild<QComboBox*>();
+    shapes->setCurrentIndex(shapes->findData(QLatin1String(shape)));
+    emit shapes->activated(shapes->currentIndex());
 }
 
 QPushButton& button(const ToolTableEditor& editor, const char* name) {
@@ -72,6 +84,57 @@ private slots:
         QCOMPARE(editor.tools().find(1)->spec(), std::string("flat:d=8"));
         QVERIFY(editor.tools().unconfirmedOrigin(1) == nullptr);
         QCOMPARE(sourceOf(editor, 0), QStringLiteral("Given"));
+    }
+
+    void otherSizesThanTheDiameterConfirmNothing() {
+        ToolTableEditor editor;
+        editor.show(mixed());
+        const auto setLength = [&editor](double length) {
+            editor.findChild<QDoubleSpinBox*>(QStringLiteral("tool-l"))->setValue(length);
+        };
+        setLength(20);
+        setLength(21); // once more, as the arrow keys do
+        QCOMPARE(editor.tools().find(1)->spec(), std::string("flat:d=6,l=21"));
+        const ToolOrigin* comment = editor.tools().unconfirmedOrigin(1);
+        QVERIFY(comment != nullptr && comment->defaults.empty());
+        QCOMPARE(comment->entered, std::vector<std::string>{"l"});
+        QCOMPARE(sourceOf(editor, 0), QStringLiteral("Comment, line 3"));
+        const auto* origin = editor.findChild<QLabel*>(QStringLiteral("tool-origin"));
+        QVERIFY2(origin->text().contains(QStringLiteral("Entered: Flute length")),
+                 qPrintable(origin->text()));
+        QVERIFY(!origin->text().contains(QStringLiteral("defaults")));
+
+        auto* list = editor.findChild<QTreeWidget*>();
+        list->setCurrentItem(list->topLevelItem(1)); // the assumed one
+        setLength(30);
+        choose(editor, "ball");
+        QCOMPARE(editor.tools().find(2)->spec(), std::string("ball:d=10,l=30"));
+        QCOMPARE(editor.tools().unconfirmedOrigin(2)->source, ToolSource::assumed);
+        QCOMPARE(sourceOf(editor, 1), QStringLiteral("Assumed"));
+        editor.findChild<QDoubleSpinBox*>(QStringLiteral("tool-d"))->setValue(6);
+        QVERIFY(editor.tools().unconfirmedOrigin(2) == nullptr);
+
+        list->setCurrentItem(list->topLevelItem(2)); // given: nothing takes that away
+        setLength(30);
+        QVERIFY(editor.tools().unconfirmedOrigin(3) == nullptr);
+    }
+
+    void theSizesOfAnotherShapeAreDefaults() {
+        ToolTableEditor editor;
+        editor.show(mixed());
+        choose(editor, "cone");
+        const ToolOrigin* origin = editor.tools().unconfirmedOrigin(1);
+        QVERIFY(origin != nullptr);
+        QVERIFY(std::ranges::count(origin->defaults, "angle") == 1);
+        QVERIFY(std::ranges::count(origin->defaults, "l") == 1);
+        QCOMPARE(origin->entered, std::vector<std::string>{"shape"});
+        // The profile of a form cutter is what its diameter is of others.
+        choose(editor, "form");
+        QVERIFY(editor.tools().unconfirmedOrigin(1) != nullptr);
+        auto* profile = editor.findChild<QLineEdit*>(QStringLiteral("tool-p"));
+        profile->setText(QStringLiteral("0/0:3/0:3/9"));
+        emit profile->editingFinished();
+        QVERIFY(editor.tools().unconfirmedOrigin(1) == nullptr);
     }
 
     void anAddedToolIsAssumedUntilItsSizesAreEntered() {

@@ -293,6 +293,26 @@ private slots:
         QCOMPARE(read(m_program), "(mine)" + kProgram);
     }
 
+    void aFileThatHoldsWhatWouldBeWrittenIsNotAskedAbout() {
+        Workstation station(false);
+        station.open(m_program);
+        const QString job = m_folder->filePath(QStringLiteral("bracket.proveout"));
+        QVERIFY(station.session.saveJobAs(job));
+        type(station, QStringLiteral("(mine)"));
+        write(m_program, "(mine)" + kProgram);
+        const QByteArray before = read(job);
+        Setup setup = station.session.setup();
+        setup.blockDelete = true;
+        QVERIFY(station.session.setSetup(setup).has_value());
+        write(job, QByteArray(before).replace("\"blockDelete\": false", "\"blockDelete\": true"));
+        QVERIFY(read(job) != before);
+        Answers answers({});
+        pressSave(station);
+        QCOMPARE(answers.questions(), QStringList());
+        QVERIFY(!station.session.modified());
+        QCOMPARE(read(m_program), "(mine)" + kProgram);
+    }
+
     void aDeletedFileIsWrittenAgain() {
         Workstation station(false);
         station.open(m_program);

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Undo and redo in the window: of the text, and of setup, tuning and machine, as the focus is.
 #include <memory>
+#include <string>
 
 #include <QComboBox>
 #include <QDockWidget>
 #include <QDoubleSpinBox>
 #include <QFile>
+#include <QPushButton>
 #include <QSpinBox>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QToolButton>
 
 #include "core/cutter/shapes.h"
 #include "tests/ui/window/workstation.h"
@@ -44,9 +47,32 @@ struct Bench {
     [[nodiscard]] QString undoText() const { return action("edit-undo").text().remove(u'&'); }
     [[nodiscard]] QString redoText() const { return action("edit-redo").text().remove(u'&'); }
     [[nodiscard]] QAction& action(const char* id) const { return *station.window.action(QLatin1String(id)); }
+    void open(const QTemporaryDir& folder, const std::string& program) {
+        QFile file(folder.filePath(QStringLiteral("p.nc")));
+        if (!file.open(QIODevice::WriteOnly) ||
+            file.write(program.data(), static_cast<qint64>(program.size())) < 0)
+            qFatal("the program cannot be written");
+        file.close();
+        station.open(file.fileName());
+    }
     Session& session() { return station.session; }
     double topZ() { return session().setup().stock.corner.z; }
 };
+
+/// Cuts with tools that its comments describe.
+std::string commented(const std::string& second, const std::string& third) {
+    return "(T1 D10 FLAT)\n(T2 " + second + " FLAT)\n" + third +
+           "G21 G90\nT1 M6\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX30\nT2 M6\nG1 Y30\n" +
+           (third.empty() ? "" : "T3 M6\nG1 X0\n") + "G0 Z5\nM30\n";
+}
+
+/// The button that brings the default of the error allowance back.
+QToolButton* resetOf(const Bench& bench) {
+    for (QToolButton* button : bench.station.window.findChildren<QToolButton*>())
+        if (button->accessibleName() == QStringLiteral("Reset Error allowance"))
+            return button;
+    qFatal("no button");
+}
 
 } // namespace
 
@@ -132,7 +158,7 @@ private slots:
         const DecimationParameters withMethod = bench.session().parameters();
         QTest::keyClick(&method, Qt::Key_Down);
         QTRY_COMPARE_WITH_TIMEOUT(bench.session().parameters().method, DecimationMethod::lee, kPatience);
-        QCOMPARE(bench.undoText(), QStringLiteral("Undo Decimation Method"));
+        QCOMPARE(bench.undoText(), QStringLiteral("Undo Decimation method"));
         auto& rapid = bench.box("dock-setup", "rapidZ");
         const auto machine = bench.session().machine();
         Bench::type(rapid, QStringLiteral("9000"));
@@ -159,7 +185,7 @@ private slots:
         const QByteArray text(editor.textBytes().data(), static_cast<int>(editor.textBytes().size()));
         QVERIFY(!bench.action("edit-undo").isEnabled()); // in the text there is nothing to undo
         QTest::keyClicks(&editor, QStringLiteral("G4"));
-        QCOMPARE(bench.undoText(), QStringLiteral("Undo Text Change"));
+        QCOMPARE(bench.undoText(), QStringLiteral("Undo Text change"));
         Bench::pressUndo(editor);
         QTRY_COMPARE_WITH_TIMEOUT(
             QByteArray(editor.textBytes().data(), static_cast<int>(editor.textBytes().size())), text,
@@ -192,7 +218,7 @@ private slots:
         parameters.allowance = 0.4;
         parameters.period = 7;
         bench.session().setParameters(parameters);
-        QCOMPARE(bench.undoText(), QStringLiteral("Undo Decimation Parameters"));
+        QCOMPARE(bench.undoText(), QStringLiteral("Undo Decimation parameters"));
         Setup setup = bench.session().setup();
         setup.tools.set(41, parseCutter("ball:d=10,l=30").value());
         QVERIFY(bench.session().setSetup(setup).has_value());
@@ -209,6 +235,130 @@ private slots:
         QVERIFY(!bench.session().history().canRedo());
         QVERIFY(!bench.action("edit-undo").isEnabled() && !bench.action("edit-redo").isEnabled());
         QVERIFY(!bench.session().modified());
+    }
+
+    void aDefaultThatIsBroughtBackIsAStepOfItsOwn() {
+        Bench bench;
+        Session& session = bench.session();
+        auto& allowance = bench.box("dock-tuning", "allowance");
+        const double standard = session.parameters().allowance;
+        const auto setAllowance = [&](const char* text) {
+            Bench::type(allowance, QLatin1String(text));
+            QTRY_COMPARE_WITH_TIMEOUT(session.parameters().allowance, QString(text).toDouble(), kPatience);
+        };
+        setAllowance("0.2");
+        QToolButton* reset = resetOf(bench);
+        QTest::mouseClick(reset, Qt::LeftButton);
+        QTRY_COMPARE_WITH_TIMEOUT(session.parameters().allowance, standard, kPatience);
+        QVERIFY(allowance.hasFocus()); // so no other place closes the step
+        Bench::pressUndo(allowance);
+        QCOMPARE(session.parameters().allowance, 0.2);
+        Bench::pressRedo(allowance);
+        QCOMPARE(session.parameters().allowance, standard);
+        Bench::pressUndo(allowance);
+        QTRY_VERIFY_WITH_TIMEOUT(reset->isVisible(), kPatience);
+        // Typed, and never entered: it is a step all the same.
+        allowance.selectAll();
+        QTest::keyClicks(&allowance, QStringLiteral("0.3"));
+        QTest::mouseClick(reset, Qt::LeftButton);
+        QCOMPARE(session.parameters().allowance, standard);
+        QCOMPARE(allowance.value(), standard);
+        Bench::pressUndo(allowance);
+        QCOMPARE(session.parameters().allowance, 0.3);
+    }
+
+    void theDefaultsOfTheMenuAreAStepOfTheirOwn() {
+        Bench bench;
+        Session& session = bench.session();
+        auto& allowance = bench.box("dock-tuning", "allowance");
+        bench.action("default-parameters").trigger(); // so that all else is a default already
+        const double standard = session.parameters().allowance;
+        Bench::type(allowance, QStringLiteral("0.2"));
+        bench.action("default-parameters").trigger(); // before the value is applied by itself
+        QCOMPARE(session.parameters().allowance, standard);
+        QTest::qWait(400);
+        QCOMPARE(session.parameters().allowance, standard);
+        QCOMPARE(allowance.value(), standard);
+        Bench::pressUndo(allowance);
+        QCOMPARE(session.parameters().allowance, 0.2);
+    }
+
+    void assumingAToolAndConfirmingItAreTwoSteps() {
+        QTemporaryDir folder;
+        Bench bench;
+        bench.open(folder, "G21 G90\nT7 M6\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX9\nM30\n");
+        Session& session = bench.session();
+        auto* mend = bench.station.window.findChild<QPushButton*>(QStringLiteral("toolNoticeMend"));
+        QTRY_VERIFY_WITH_TIMEOUT(mend->isVisible(), kPatience);
+        QTest::mouseClick(mend, Qt::LeftButton);
+        QVERIFY(session.setup().tools.unconfirmedOrigin(7) != nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(mend->isVisible(), kPatience);
+        QTest::mouseClick(mend, Qt::LeftButton);
+        QVERIFY(session.setup().tools.find(7) != nullptr && session.setup().tools.unconfirmed().empty());
+        session.undoStep();
+        QVERIFY(session.setup().tools.unconfirmedOrigin(7) != nullptr);
+        session.undoStep();
+        QVERIFY(session.setup().tools.find(7) == nullptr);
+    }
+
+    void undoKeepsWhatCommentsHaveChangedSince() {
+        QTemporaryDir folder;
+        Bench bench;
+        bench.open(folder, commented("D6", ""));
+        Session& session = bench.session();
+        const auto spec = [&](int number) {
+            const Cutter* cutter = session.setup().tools.find(number);
+            return cutter == nullptr ? std::string() : std::string(cutter->spec());
+        };
+        QCOMPARE(spec(2), std::string("flat:d=6"));
+        Setup setup = session.setup();
+        setup.tools.set(1, parseCutter("flat:d=12").value());
+        QVERIFY(session.setSetup(setup).has_value());
+        session.applyEdit(0, session.document().text.size(), commented("D5", "(T3 D3 FLAT)\n"));
+        QTRY_COMPARE_WITH_TIMEOUT(spec(3), std::string("flat:d=3"), kPatience);
+        QCOMPARE(spec(2), std::string("flat:d=5"));
+        session.undoStep();
+        QCOMPARE(spec(1), std::string("flat:d=10"));
+        QCOMPARE(spec(2), std::string("flat:d=5"));
+        QCOMPARE(spec(3), std::string("flat:d=3"));
+        QVERIFY(!session.jobModified());
+        session.redoStep();
+        QCOMPARE(spec(1), std::string("flat:d=12"));
+        QCOMPARE(spec(3), std::string("flat:d=3"));
+    }
+
+    void undoneToolsFollowTheirCommentAsItIsNow() {
+        QTemporaryDir folder;
+        Bench bench;
+        bench.open(folder, commented("D6", ""));
+        Session& session = bench.session();
+        Setup setup = session.setup();
+        setup.tools.set(2, parseCutter("flat:d=12").value());
+        QVERIFY(session.setSetup(setup).has_value());
+        session.applyEdit(0, session.document().text.size(), commented("D5", "(T3 D3 FLAT)\n"));
+        QTRY_VERIFY_WITH_TIMEOUT(session.setup().tools.find(3) != nullptr, kPatience);
+        session.undoStep();
+        QCOMPARE(std::string(session.setup().tools.find(2)->spec()), std::string("flat:d=5"));
+    }
+
+    void undoLeavesTheAutomaticGridAsFineAsTheCutters() {
+        QTemporaryDir folder;
+        Bench bench;
+        bench.open(folder, commented("D6", ""));
+        Session& session = bench.session();
+        QVERIFY(session.setup().automaticGrid);
+        Setup setup = session.setup();
+        setup.stock.corner.x -= 1; // so that the stock is the user's, and is not fitted again
+        QVERIFY(session.setSetup(setup).has_value());
+        setup.stock.width += 20;
+        QVERIFY(session.setSetup(setup).has_value());
+        session.applyEdit(0, session.document().text.size(), commented("D0.5", ""));
+        QTRY_VERIFY_WITH_TIMEOUT(session.setup().spacing <= 0.05 && session.program(), kPatience);
+        session.undoStep();
+        QCOMPARE(session.setup().stock.width, setup.stock.width - 20);
+        QVERIFY2(session.setup().spacing <= 0.05, qPrintable(QString::number(session.setup().spacing)));
+        QTRY_VERIFY_WITH_TIMEOUT(
+            session.frame() && session.frame()->setup->spacing == session.setup().spacing, kPatience);
     }
 
     void whatIsSavedIsNotModifiedWhereverUndoLeads() {
