@@ -5996,6 +5996,17 @@ Vorgabe: 0 mm</translation>
     </message>
 </context>
 <context>
+    <name>ForeignNotice</name>
+    <message>
+        <source>Read As</source>
+        <translation>Lesen als</translation>
+    </message>
+    <message>
+        <source>Choose the dialect of the program</source>
+        <translation>Den Dialekt des Programms wählen</translation>
+    </message>
+</context>
+<context>
     <name>GridField</name>
     <message>
         <source> mm</source>

@@ -5995,6 +5995,17 @@ Default: 0 mm</source>
     </message>
 </context>
 <context>
+    <name>ForeignNotice</name>
+    <message>
+        <source>Read As</source>
+        <translation>다음으로 읽기</translation>
+    </message>
+    <message>
+        <source>Choose the dialect of the program</source>
+        <translation>프로그램의 방언을 선택합니다</translation>
+    </message>
+</context>
+<context>
     <name>GridField</name>
     <message>
         <source> mm</source>

@@ -83,6 +83,8 @@ public:
     [[nodiscard]] const std::vector<Breakpoint>& breakpoints() const { return m_breakpoints; }
     /// What program() cuts.
     [[nodiscard]] const CuttingExtent& cutting() const { return m_cutting; }
+    /// Whether the text is known to be no program of ours: there is no frame of it.
+    [[nodiscard]] bool isForeign() const { return m_program && m_program->foreignKind() != nullptr; }
     /// Whether program() is only the beginning of one whose rest is still being read.
     [[nodiscard]] bool isReading() const { return m_begun; }
     /// The newest frame; null before the first one of a document.
@@ -261,6 +263,8 @@ private:
     void fitStock(bool forNow);
     void fitGrid();
     void refuseStock(const Diagnostics& errors);
+    void showNoStock();
+    void dropFrame();
     void continueWithEdit();
     void continueWithMore();
     void load();
@@ -289,7 +293,7 @@ private:
 
     std::shared_ptr<const Program> m_program;
     CuttingExtent m_cutting;
-    ToolProposals m_proposals; ///< what the comments of the text describe
+    ToolProposals m_proposals;                   ///< what the comments of the text describe
     std::shared_ptr<const MachineTimes> m_times; ///< of m_program, or null
     std::vector<Breakpoint> m_breakpoints;
     std::optional<std::size_t> m_checkpointBudget; ///< nothing: the simulation's own
