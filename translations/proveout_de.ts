@@ -6605,6 +6605,10 @@ Vorgabe: %4 %5</translation>
         <source>Ignore M%1: It Moves No Axis</source>
         <translation>M%1 ignorieren: bewegt keine Achse</translation>
     </message>
+    <message>
+        <source>Ignore All Unknown M Codes of This Program</source>
+        <translation>Alle unbekannten M-Befehle dieses Programms ignorieren</translation>
+    </message>
 </context>
 <context>
     <name>RecentMenu</name>

@@ -6604,6 +6604,10 @@ Default: %4 %5</source>
         <source>Ignore M%1: It Moves No Axis</source>
         <translation>M%1 무시: 축을 움직이지 않음</translation>
     </message>
+    <message>
+        <source>Ignore All Unknown M Codes of This Program</source>
+        <translation>이 프로그램의 알 수 없는 M 코드 모두 무시</translation>
+    </message>
 </context>
 <context>
     <name>RecentMenu</name>
