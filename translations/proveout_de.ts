@@ -5320,16 +5320,16 @@ Vorgabe: 0 mm</translation>
         <translation>{} mm Rohteil treffen auf den Hals des unbestätigten Werkzeugs T{}.</translation>
     </message>
     <message>
-        <source>T{} is read from a comment ({}); it is not confirmed.</source>
-        <translation>T{} ist aus einem Kommentar gelesen ({}) und nicht bestätigt.</translation>
+        <source>T{} is read from a comment (⌀ {} mm {}); it is not confirmed.</source>
+        <translation>T{} ist aus einem Kommentar gelesen (⌀ {} mm {}) und nicht bestätigt.</translation>
     </message>
     <message>
-        <source>T{} is read from a comment ({}; defaults: {}); it is not confirmed.</source>
-        <translation>T{} ist aus einem Kommentar gelesen ({}; Vorgaben: {}) und nicht bestätigt.</translation>
+        <source>T{} is read from a comment (⌀ {} mm {}; assumed: {}); it is not confirmed.</source>
+        <translation>T{} ist aus einem Kommentar gelesen (⌀ {} mm {}; angenommen: {}) und nicht bestätigt.</translation>
     </message>
     <message>
-        <source>The sizes of T{} are assumed ({}); they are not confirmed.</source>
-        <translation>Die Maße von T{} sind angenommen ({}) und nicht bestätigt.</translation>
+        <source>The sizes of T{} are assumed (⌀ {} mm {}); they are not confirmed.</source>
+        <translation>Die Maße von T{} sind angenommen (⌀ {} mm {}) und nicht bestätigt.</translation>
     </message>
     <message>
         <source>The program cuts before it calls a tool; T{} is assumed to be in the spindle.</source>
@@ -5450,6 +5450,22 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>The record of the session is damaged.</source>
         <translation>Die Aufzeichnung der Sitzung ist beschädigt.</translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation>1/min</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>{} ({}) moves no axis and is ignored ({}×, lines {}).</source>
+        <translation>{} ({}) bewegt keine Achse und wird ignoriert ({}×, Zeilen {}).</translation>
+    </message>
+    <message>
+        <source>{} is ignored, because the setup lists it ({}×, lines {}).</source>
+        <translation>{} wird ignoriert, weil die Aufspannung es aufführt ({}×, Zeilen {}).</translation>
     </message>
 </context>
 <context>

@@ -5320,16 +5320,16 @@ Default: 0 mm</source>
         <translation>소재 {} mm가 확인되지 않은 공구 T{}의 목에 닿습니다.</translation>
     </message>
     <message>
-        <source>T{} is read from a comment ({}); it is not confirmed.</source>
-        <translation>T{}은(는) 주석에서 읽었으며({}) 확인되지 않았습니다.</translation>
+        <source>T{} is read from a comment (⌀ {} mm {}); it is not confirmed.</source>
+        <translation>T{}은(는) 주석에서 읽었으며(⌀ {} mm {}) 확인되지 않았습니다.</translation>
     </message>
     <message>
-        <source>T{} is read from a comment ({}; defaults: {}); it is not confirmed.</source>
-        <translation>T{}은(는) 주석에서 읽었으며({}; 기본값: {}) 확인되지 않았습니다.</translation>
+        <source>T{} is read from a comment (⌀ {} mm {}; assumed: {}); it is not confirmed.</source>
+        <translation>T{}은(는) 주석에서 읽었으며(⌀ {} mm {}; 가정한 값: {}) 확인되지 않았습니다.</translation>
     </message>
     <message>
-        <source>The sizes of T{} are assumed ({}); they are not confirmed.</source>
-        <translation>T{}의 치수는 가정한 값이며({}) 확인되지 않았습니다.</translation>
+        <source>The sizes of T{} are assumed (⌀ {} mm {}); they are not confirmed.</source>
+        <translation>T{}의 치수는 가정한 값이며(⌀ {} mm {}) 확인되지 않았습니다.</translation>
     </message>
     <message>
         <source>The program cuts before it calls a tool; T{} is assumed to be in the spindle.</source>
@@ -5450,6 +5450,22 @@ Default: 0 mm</source>
     <message>
         <source>The record of the session is damaged.</source>
         <translation>세션 기록이 손상되었습니다.</translation>
+    </message>
+    <message>
+        <source>rpm</source>
+        <translation>rpm</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>형상</translation>
+    </message>
+    <message>
+        <source>{} ({}) moves no axis and is ignored ({}×, lines {}).</source>
+        <translation>{}({})은(는) 축을 움직이지 않으므로 무시합니다({}회, {}번 줄).</translation>
+    </message>
+    <message>
+        <source>{} is ignored, because the setup lists it ({}×, lines {}).</source>
+        <translation>{}은(는) 셋업의 목록에 있으므로 무시합니다({}회, {}번 줄).</translation>
     </message>
 </context>
 <context>

@@ -342,6 +342,13 @@ inline constexpr Message kCodeIgnoredByList{
     Severity::note, false, "code-ignored",
     PROVEOUT_TEXT("Core", "{} is ignored, because the setup lists it ({}×, line {})."),
     PROVEOUT_TEXT("Core", "Remove it from the ignored M codes if it moves an axis.")};
+inline constexpr Message kCodeIgnoredInLines{
+    Severity::note, false, kCodeIgnored.id,
+    PROVEOUT_TEXT("Core", "{} ({}) moves no axis and is ignored ({}×, lines {})."), kCodeIgnored.hint};
+inline constexpr Message kCodeIgnoredByListInLines{
+    Severity::note, false, kCodeIgnoredByList.id,
+    PROVEOUT_TEXT("Core", "{} is ignored, because the setup lists it ({}×, lines {})."),
+    kCodeIgnoredByList.hint};
 inline constexpr Message kIgnoredExecuted{
     Severity::warning, false, "ignored-code-executed",
     PROVEOUT_TEXT("Core", "{} ({}) is executed, although the setup lists it as ignored."),

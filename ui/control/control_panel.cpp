@@ -140,9 +140,9 @@ void ControlPanel::fill(const ControlState& state) {
             addRow(row, QString(QChar(u'X' + axis)), coordinate(locale(), place, axis));
     }
     for (const ControlState::Quantity& quantity : state.quantities)
-        addRow(*places, coreText(quantity.name),
-               QStringLiteral("%1 %2").arg(locale().toString(quantity.value, 'g', 7),
-                                           QLatin1String(quantity.unit)));
+        addRow(
+            *places, coreText(quantity.name),
+            QStringLiteral("%1 %2").arg(locale().toString(quantity.value, 'g', 7), coreText(quantity.unit)));
     if (!state.variables.empty()) {
         QTreeWidgetItem* variables = section(tr("Variables"));
         for (const ControlState::Variable& variable : state.variables)
