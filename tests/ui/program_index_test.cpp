@@ -26,7 +26,8 @@ private slots:
         QTest::newRow("no offset") << QByteArray() << 0.0;
         QTest::newRow("G10 L2") << QByteArray("G10 L2 P1 X-269.39 Y-254.65 Z-689.\n") << -689.0;
         QTest::newRow("G10 L2, not whole") << QByteArray("G10 L2 P1 Z-688.75\n") << -688.75;
-        QTest::newRow("G54 by its variable") << QByteArray("#5223=-120\nG54\n") << -120.0;
+        QTest::newRow("G54 after G10") << QByteArray("G10 L2 P1 Z-30\nG54\n") << -30.0;
+        QTest::newRow("G55 by its variable") << QByteArray("#5243=-120\nG55\n") << -120.0;
         QTest::newRow("G55") << QByteArray("G10 L2 P2 Z40\nG55\n") << 40.0;
         QTest::newRow("G92") << QByteArray("G0 Z100\nG92 Z10\n") << 90.0;
     }
