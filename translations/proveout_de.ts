@@ -158,7 +158,7 @@ Vorgabe: 0 mm</translation>
         <translation>Entfernen</translation>
     </message>
     <message>
-        <source>Take the selected breakpoints away</source>
+        <source>Remove the selected breakpoints</source>
         <translation>Die gewählten Haltepunkte entfernen</translation>
     </message>
     <message>
@@ -2088,7 +2088,7 @@ Vorgabe: 0 mm</translation>
         <translation>Dezimierungszeit, s</translation>
     </message>
     <message>
-        <source>Faces shown in all frames</source>
+        <source>Triangles shown in all frames</source>
         <translation>Gezeigte Dreiecke aller Bilder</translation>
     </message>
     <message>
@@ -2100,11 +2100,11 @@ Vorgabe: 0 mm</translation>
         <translation>Zeit, der Reihe nach</translation>
     </message>
     <message>
-        <source>Faces, random</source>
+        <source>Triangles, random</source>
         <translation>Dreiecke, zufällig</translation>
     </message>
     <message>
-        <source>Faces, sequential</source>
+        <source>Triangles, sequential</source>
         <translation>Dreiecke, der Reihe nach</translation>
     </message>
     <message>
@@ -2116,7 +2116,7 @@ Vorgabe: 0 mm</translation>
         <translation>Verhältnis zu ε = 0</translation>
     </message>
     <message>
-        <source>Number of faces</source>
+        <source>Number of triangles</source>
         <translation>Anzahl der Dreiecke</translation>
     </message>
     <message>
@@ -2148,7 +2148,7 @@ Vorgabe: 0 mm</translation>
         <translation>Globale und lokale Dezimierung: Darstellungszeit jedes Bildes</translation>
     </message>
     <message>
-        <source>Decimation time and faces by the order of removal</source>
+        <source>Decimation time and triangles by the order of removal</source>
         <translation>Dezimierungszeit und Dreiecke nach Reihenfolge des Entfernens</translation>
     </message>
     <message>
@@ -2156,11 +2156,11 @@ Vorgabe: 0 mm</translation>
         <translation>Darstellungszeit und Regionsgröße</translation>
     </message>
     <message>
-        <source>Faces and rendering time against no decimation</source>
+        <source>Triangles and rendering time against no decimation</source>
         <translation>Dreiecke und Darstellungszeit im Verhältnis zu ohne Dezimierung</translation>
     </message>
     <message>
-        <source>Number of faces of each frame</source>
+        <source>Number of triangles of each frame</source>
         <translation>Anzahl der Dreiecke jedes Bildes</translation>
     </message>
     <message>
@@ -2168,7 +2168,7 @@ Vorgabe: 0 mm</translation>
         <translation>Darstellungszeit jedes Bildes, Mittel über 20 Schritte</translation>
     </message>
     <message>
-        <source>Number of faces and rendering time by the decimation period</source>
+        <source>Number of triangles and rendering time by the decimation period</source>
         <translation>Anzahl der Dreiecke und Darstellungszeit nach Dezimierungsperiode</translation>
     </message>
     <message>
@@ -2536,8 +2536,8 @@ Vorgabe: 0 mm</translation>
         <translation>Schreiben Sie G90 davor; dieser Satz wird übersprungen.</translation>
     </message>
     <message>
-        <source>The machine&apos;s zero lies nobody knows where: {} cuts nothing, nor does what follows until the axis is positioned again.</source>
-        <translation>Wo der Maschinennullpunkt liegt, ist nicht bekannt: {} fräst nichts, auch das Folgende nicht, bis die Achse wieder positioniert ist.</translation>
+        <source>Machine zero is unknown, so {} has no position; motions are not simulated until the axis is positioned again.</source>
+        <translation>Der Maschinennullpunkt ist unbekannt, daher hat {} keine Position; Bewegungen werden nicht simuliert, bis die Achse wieder positioniert ist.</translation>
     </message>
     <message>
         <source>Motions to reference positions are taken to lead away from the part.</source>
@@ -2768,8 +2768,8 @@ Vorgabe: 0 mm</translation>
         <translation>Auf einer Fräsmaschine ist X kein Durchmesser: G97 und eine Drehzahl schreiben.</translation>
     </message>
     <message>
-        <source>With G96 and no D nobody knows how fast the spindle turns.</source>
-        <translation>Mit G96 ohne D weiß niemand, wie schnell die Spindel dreht.</translation>
+        <source>Spindle speed is unknown, because G96 has no D.</source>
+        <translation>Die Spindeldrehzahl ist unbekannt, weil G96 kein D hat.</translation>
     </message>
     <message>
         <source>Write G97 and a speed, or a limit D.</source>
@@ -3112,8 +3112,8 @@ Vorgabe: 0 mm</translation>
         <translation>Die Position {} ist hier nicht bekannt.</translation>
     </message>
     <message>
-        <source>Position the axis first, or state a start position in the set-up.</source>
-        <translation>Positionieren Sie die Achse zuerst, oder geben Sie in der Einrichtung eine Startposition an.</translation>
+        <source>Position the axis first, or state a start position in the setup.</source>
+        <translation>Positionieren Sie die Achse zuerst, oder geben Sie in der Aufspannung eine Startposition an.</translation>
     </message>
     <message>
         <source>The program stops itself with alarm {}.</source>
@@ -3124,8 +3124,8 @@ Vorgabe: 0 mm</translation>
         <translation>Der Kommentar daneben sagt, warum; was dahinter steht, wird nicht ausgeführt.</translation>
     </message>
     <message>
-        <source>The program is read as {} does, because of these words (and lines): {}.</source>
-        <translation>Das Programm wird wie von {} gelesen, wegen dieser Wörter (und Zeilen): {}.</translation>
+        <source>Dialect detected: {} (from {}).</source>
+        <translation>Dialekt erkannt: {} (aus {}).</translation>
     </message>
     <message>
         <source>Choose the dialect yourself if that is wrong.</source>
@@ -4444,7 +4444,7 @@ Vorgabe: 0 mm</translation>
         <translation>Proveout-Rohteil</translation>
     </message>
     <message>
-        <source>what a set-up has left of its stock</source>
+        <source>what a setup has left of its stock</source>
         <translation>was eine Aufspannung von ihrem Rohteil übrig lässt</translation>
     </message>
     <message>
@@ -4524,8 +4524,8 @@ Vorgabe: 0 mm</translation>
         <translation>Größe des Rohteils längs X.</translation>
     </message>
     <message>
-        <source>Depth Y</source>
-        <translation>Tiefe Y</translation>
+        <source>Length Y</source>
+        <translation>Länge Y</translation>
     </message>
     <message>
         <source>Size of the stock along Y.</source>
@@ -4584,7 +4584,7 @@ Vorgabe: 0 mm</translation>
         <translation>Gespeichertes Rohteil</translation>
     </message>
     <message>
-        <source>What an earlier set-up has left, as saved by File, Save Stock.</source>
+        <source>What an earlier setup has left, as saved by File, Save Stock.</source>
         <translation>Was eine frühere Aufspannung übrig ließ, wie mit Datei, Rohteil speichern gesichert.</translation>
     </message>
     <message>
@@ -4636,7 +4636,7 @@ Vorgabe: 0 mm</translation>
         <translation>Ein Guss- oder Schmiedeteil als geschlossenes Netz.</translation>
     </message>
     <message>
-        <source>What an earlier set-up has left, also flipped or turned.</source>
+        <source>What an earlier setup has left, also flipped or turned.</source>
         <translation>Was eine frühere Aufspannung übrig ließ, auch gewendet oder gedreht.</translation>
     </message>
     <message>
@@ -4796,7 +4796,7 @@ Vorgabe: 0 mm</translation>
         <translation>Vorschub, mm/min; 0 im Eilgang</translation>
     </message>
     <message>
-        <source>spindle speed, 1/min</source>
+        <source>spindle speed, rpm</source>
         <translation>Spindeldrehzahl, 1/min</translation>
     </message>
     <message>
@@ -5193,7 +5193,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>If it moves no axis (a clamp, a door, air), add it to the ignored M codes of the setup; until then, results after this block are unverified.</source>
-        <translation>Bewegt er keine Achse (eine Klemmung, eine Tür, Luft), nehmen Sie ihn in die ignorierten M-Befehle der Einrichtung auf; bis dahin sind die Ergebnisse nach diesem Satz ungeprüft.</translation>
+        <translation>Bewegt er keine Achse (eine Klemmung, eine Tür, Luft), nehmen Sie ihn in die ignorierten M-Befehle der Aufspannung auf; bis dahin sind die Ergebnisse nach diesem Satz ungeprüft.</translation>
     </message>
     <message>
         <source>{} ({}) moves no axis and is ignored ({}×, line {}).</source>
@@ -5205,7 +5205,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>{} is ignored, because the setup lists it ({}×, line {}).</source>
-        <translation>{} wird ignoriert, weil die Einrichtung es aufführt ({}×, Zeile {}).</translation>
+        <translation>{} wird ignoriert, weil die Aufspannung es aufführt ({}×, Zeile {}).</translation>
     </message>
     <message>
         <source>Remove it from the ignored M codes if it moves an axis.</source>
@@ -5213,7 +5213,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>{} ({}) is executed, although the setup lists it as ignored.</source>
-        <translation>{} ({}) wird ausgeführt, obwohl die Einrichtung es als ignoriert aufführt.</translation>
+        <translation>{} ({}) wird ausgeführt, obwohl die Aufspannung es als ignoriert aufführt.</translation>
     </message>
     <message>
         <source>Remove it from the ignored M codes: only codes without a known effect can be ignored.</source>
@@ -5288,8 +5288,8 @@ Vorgabe: 0 mm</translation>
         <translation>ein Office- oder CAD-Dokument</translation>
     </message>
     <message>
-        <source>a program of the computer</source>
-        <translation>ein Programm des Computers</translation>
+        <source>an executable file</source>
+        <translation>eine ausführbare Datei</translation>
     </message>
     <message>
         <source>This is {}, not an NC program.</source>
@@ -5337,7 +5337,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Set the tool at start in the setup if this is the right one.</source>
-        <translation>Setzen Sie in der Einrichtung das Werkzeug am Anfang, falls dies das richtige ist.</translation>
+        <translation>Setzen Sie in der Aufspannung das Werkzeug am Anfang, falls dies das richtige ist.</translation>
     </message>
     <message>
         <source>T{} is not in the tool table; its moves are not simulated.</source>
@@ -5353,7 +5353,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Set the tool at start in the setup, or program T and M6 before the first cut.</source>
-        <translation>Setzen Sie in der Einrichtung das Werkzeug am Anfang, oder programmieren Sie T und M6 vor dem ersten Schnitt.</translation>
+        <translation>Setzen Sie in der Aufspannung das Werkzeug am Anfang, oder programmieren Sie T und M6 vor dem ersten Schnitt.</translation>
     </message>
     <message>
         <source>T{} leaves the spindle empty; its moves are not simulated.</source>
@@ -5506,7 +5506,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Setup</source>
-        <translation>Einrichtung</translation>
+        <translation>Aufspannung</translation>
     </message>
     <message>
         <source>Tuning</source>
@@ -5545,7 +5545,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>setup</source>
-        <translation>Einrichtung</translation>
+        <translation>Aufspannung</translation>
     </message>
 </context>
 <context>
@@ -5631,11 +5631,11 @@ Vorgabe: 0 mm</translation>
         <translation>Zum vorherigen Treffer gehen</translation>
     </message>
     <message>
-        <source>Run to Caret &amp;Line</source>
+        <source>Run to Cur&amp;sor</source>
         <translation>Bis zur &amp;Zeile der Schreibmarke</translation>
     </message>
     <message>
-        <source>Show the stock after the line that the caret is on</source>
+        <source>Show the stock after the line of the cursor</source>
         <translation>Das Rohteil nach der Zeile der Schreibmarke zeigen</translation>
     </message>
     <message>
@@ -5643,12 +5643,12 @@ Vorgabe: 0 mm</translation>
         <translation>&amp;Haltepunkt umschalten</translation>
     </message>
     <message>
-        <source>Stop the run before the line that the caret is on, or no longer</source>
-        <translation>Den Lauf vor der Zeile der Schreibmarke anhalten, oder nicht mehr</translation>
+        <source>Set or remove a breakpoint at the line of the cursor</source>
+        <translation>Einen Haltepunkt in der Zeile der Schreibmarke setzen oder entfernen</translation>
     </message>
     <message>
         <source>Undo the last change where the focus is: in the text, or in setup, tuning and machine</source>
-        <translation>Die letzte Änderung dort zurücknehmen, wo der Fokus ist: im Text oder in Einrichtung, Abstimmung und Maschine</translation>
+        <translation>Die letzte Änderung dort zurücknehmen, wo der Fokus ist: im Text oder in Aufspannung, Abstimmung und Maschine</translation>
     </message>
     <message>
         <source>Redo the change that was undone last</source>
@@ -5815,7 +5815,7 @@ Vorgabe: 0 mm</translation>
         <translation>&amp;Rohteil speichern …</translation>
     </message>
     <message>
-        <source>Save what is left of the stock, for the next set-up</source>
+        <source>Save what is left of the stock, for the next setup</source>
         <translation>Speichern, was vom Rohteil übrig ist, für die nächste Aufspannung</translation>
     </message>
 </context>
@@ -5907,7 +5907,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>. The setup has not been saved as a job.</source>
-        <translation>. Die Einrichtung ist nicht als Auftrag gespeichert.</translation>
+        <translation>. Die Aufspannung ist nicht als Auftrag gespeichert.</translation>
     </message>
     <message>
         <source>The new program has not been saved.</source>
@@ -5919,11 +5919,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The setup has not been saved as a job.</source>
-        <translation>Die Einrichtung ist nicht als Auftrag gespeichert.</translation>
+        <translation>Die Aufspannung ist nicht als Auftrag gespeichert.</translation>
     </message>
     <message>
         <source>The setup of %1 has unsaved changes.</source>
-        <translation>Die Einrichtung von %1 hat nicht gespeicherte Änderungen.</translation>
+        <translation>Die Aufspannung von %1 hat nicht gespeicherte Änderungen.</translation>
     </message>
     <message>
         <source>Save changes before closing?</source>
@@ -6171,7 +6171,7 @@ Vorgabe: automatisch</translation>
     </message>
     <message>
         <source>Setup</source>
-        <translation>Einrichtung</translation>
+        <translation>Aufspannung</translation>
     </message>
     <message>
         <source>Decimation Method</source>
@@ -6194,7 +6194,7 @@ Vorgabe: automatisch</translation>
     </message>
     <message>
         <source>Program, setup and problems in front; playback in machine time</source>
-        <translation>Programm, Einrichtung und Probleme vorn; Abspielen in Maschinenzeit</translation>
+        <translation>Programm, Aufspannung und Probleme vorn; Abspielen in Maschinenzeit</translation>
     </message>
     <message>
         <source>&amp;Research</source>
@@ -6208,8 +6208,8 @@ Vorgabe: automatisch</translation>
 <context>
     <name>MachineForm</name>
     <message>
-        <source>These values are assumed until you change one.</source>
-        <translation>Diese Werte sind angenommen, bis Sie einen ändern.</translation>
+        <source>Default machine values.</source>
+        <translation>Standardwerte der Maschine.</translation>
     </message>
     <message>
         <source>Cycle time %1: feed %2, rapid %3, dwell %4, tool changes %5</source>
@@ -6294,7 +6294,7 @@ Vorgabe: %4 %5</translation>
         <translation>&amp;Beispiel öffnen</translation>
     </message>
     <message>
-        <source>&amp;Memory to Go Back</source>
+        <source>Rewind &amp;Memory</source>
         <translation>Speicher zum &amp;Zurückgehen</translation>
     </message>
     <message>
@@ -6424,10 +6424,6 @@ Vorgabe: %4 %5</translation>
     <message>
         <source>Removed</source>
         <translation>Abgetragen</translation>
-    </message>
-    <message>
-        <source>Faces</source>
-        <translation>Dreiecke</translation>
     </message>
     <message>
         <source>Block</source>
@@ -6653,7 +6649,7 @@ Vorgabe: %4 %5</translation>
     </message>
     <message>
         <source>Setup</source>
-        <translation>Einrichtung</translation>
+        <translation>Aufspannung</translation>
     </message>
     <message>
         <source>Discard unsaved changes</source>
@@ -6676,7 +6672,7 @@ Vorgabe: %4 %5</translation>
     </message>
     <message>
         <source>program and setup</source>
-        <translation>Programm und Einrichtung</translation>
+        <translation>Programm und Aufspannung</translation>
     </message>
     <message>
         <source>program</source>
@@ -6684,7 +6680,7 @@ Vorgabe: %4 %5</translation>
     </message>
     <message>
         <source>setup</source>
-        <translation>Einrichtung</translation>
+        <translation>Aufspannung</translation>
     </message>
     <message>
         <source>untitled</source>
@@ -6834,16 +6830,16 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>An Programm anpassen</translation>
     </message>
     <message>
-        <source>Make the stock just large enough for all cutting motions</source>
-        <translation>Das Rohteil gerade groß genug für alle Vorschubbewegungen machen</translation>
+        <source>Fit the stock to the toolpath</source>
+        <translation>Das Rohteil an den Werkzeugweg anpassen</translation>
     </message>
     <message>
         <source>Tools</source>
         <translation>Werkzeuge</translation>
     </message>
     <message>
-        <source>Skip blocks that begin with /</source>
-        <translation>Sätze überspringen, die mit / beginnen</translation>
+        <source>Block delete (/)</source>
+        <translation>Ausblendsätze (/)</translation>
     </message>
     <message>
         <source>Block delete, as the switch on the control</source>
@@ -6870,8 +6866,8 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>Dialekt des Programms</translation>
     </message>
     <message>
-        <source>Start of cutter compensation</source>
-        <translation>Beginn der Fräserradiuskorrektur</translation>
+        <source>Cutter comp start-up</source>
+        <translation>Anfahren der Fräserradiuskorrektur</translation>
     </message>
     <message>
         <source>Type A: straight to the path</source>
@@ -6956,7 +6952,7 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>Anhalten und zum ungefrästen Rohteil zurückgehen</translation>
     </message>
     <message>
-        <source>To St&amp;art</source>
+        <source>Go to St&amp;art</source>
         <translation>Zum A&amp;nfang</translation>
     </message>
     <message>
@@ -6980,7 +6976,7 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>Den nächsten Satz ausführen</translation>
     </message>
     <message>
-        <source>To &amp;End</source>
+        <source>Go to &amp;End</source>
         <translation>Zum &amp;Ende</translation>
     </message>
     <message>
@@ -7040,8 +7036,8 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>&amp;Pause</translation>
     </message>
     <message>
-        <source>Ret&amp;urn from Jump</source>
-        <translation>Vom Sprung zu&amp;rückkehren</translation>
+        <source>Back to Previo&amp;us Position</source>
+        <translation>Zu&amp;rück zur vorherigen Position</translation>
     </message>
     <message>
         <source>Go back to where you were before you went to the block that made a place</source>
@@ -7162,7 +7158,7 @@ Diese Datei ist nicht mehr da.</translation>
         <translation>Vorschub, mm/min</translation>
     </message>
     <message>
-        <source>Spindle speed, 1/min</source>
+        <source>Spindle speed, rpm</source>
         <translation>Spindeldrehzahl, 1/min</translation>
     </message>
     <message>
@@ -7182,7 +7178,7 @@ Diese Datei ist nicht mehr da.</translation>
         <translation>Satz %1 / %2</translation>
     </message>
     <message>
-        <source>Faces %1</source>
+        <source>Triangles %1</source>
         <translation>Dreiecke %1</translation>
     </message>
     <message>
@@ -7198,8 +7194,8 @@ Diese Datei ist nicht mehr da.</translation>
         <translation>Nie gefräst: bis Satz %1 ist dies unberührtes Rohteil.</translation>
     </message>
     <message>
-        <source>The program or its set-up has changed: ask again in a moment.</source>
-        <translation>Programm oder Einrichtung sind geändert: gleich noch einmal fragen.</translation>
+        <source>The program or its setup has changed: ask again in a moment.</source>
+        <translation>Programm oder Aufspannung sind geändert: gleich noch einmal fragen.</translation>
     </message>
     <message>
         <source>Cut by block %1: line %2, tool T%3.</source>
@@ -7653,7 +7649,7 @@ Vorgabe: die nächste freie Nummer</translation>
         <translation>Öffnen Sie ein Programm, um es zu sehen.</translation>
     </message>
     <message>
-        <source>Faces shown: %1 of %2 (%3 %)</source>
+        <source>Triangles shown: %1 of %2 (%3 %)</source>
         <translation>Gezeigte Dreiecke: %1 von %2 (%3 %)</translation>
     </message>
     <message>
@@ -7681,7 +7677,7 @@ Vorgabe: die nächste freie Nummer</translation>
         <translation>Die Dezimierung wird beim Abspielen zurückgehalten: Ein Bild dauert ohne sie %1 ms und mit ihr %2 ms.</translation>
     </message>
     <message>
-        <source>Decimation is held back while playing: there are only %1 faces to draw without it.</source>
+        <source>Decimation is held back while playing: there are only %1 triangles to draw without it.</source>
         <translation>Die Dezimierung wird beim Abspielen zurückgehalten: Ohne sie sind nur %1 Dreiecke zu zeichnen.</translation>
     </message>
 </context>

@@ -158,7 +158,7 @@ Default: 0 mm</source>
         <translation>제거</translation>
     </message>
     <message>
-        <source>Take the selected breakpoints away</source>
+        <source>Remove the selected breakpoints</source>
         <translation>선택한 중단점을 제거합니다</translation>
     </message>
     <message>
@@ -2088,8 +2088,8 @@ Default: 0 mm</source>
         <translation>간략화 시간, s</translation>
     </message>
     <message>
-        <source>Faces shown in all frames</source>
-        <translation>모든 프레임에 표시된 면 수</translation>
+        <source>Triangles shown in all frames</source>
+        <translation>모든 프레임에 표시된 삼각형 수</translation>
     </message>
     <message>
         <source>Time, random</source>
@@ -2100,12 +2100,12 @@ Default: 0 mm</source>
         <translation>시간, 순차</translation>
     </message>
     <message>
-        <source>Faces, random</source>
-        <translation>면, 무작위</translation>
+        <source>Triangles, random</source>
+        <translation>삼각형, 무작위</translation>
     </message>
     <message>
-        <source>Faces, sequential</source>
-        <translation>면, 순차</translation>
+        <source>Triangles, sequential</source>
+        <translation>삼각형, 순차</translation>
     </message>
     <message>
         <source>Error allowance ε, mm</source>
@@ -2116,8 +2116,8 @@ Default: 0 mm</source>
         <translation>ε = 0에 대한 비율</translation>
     </message>
     <message>
-        <source>Number of faces</source>
-        <translation>면 수</translation>
+        <source>Number of triangles</source>
+        <translation>삼각형 수</translation>
     </message>
     <message>
         <source>each step</source>
@@ -2148,28 +2148,28 @@ Default: 0 mm</source>
         <translation>전체 및 국소 간략화: 프레임별 렌더링 시간</translation>
     </message>
     <message>
-        <source>Decimation time and faces by the order of removal</source>
-        <translation>제거 순서에 따른 간략화 시간과 면 수</translation>
+        <source>Decimation time and triangles by the order of removal</source>
+        <translation>제거 순서에 따른 간략화 시간과 삼각형 수</translation>
     </message>
     <message>
         <source>Rendering time and region size</source>
         <translation>렌더링 시간과 영역 크기</translation>
     </message>
     <message>
-        <source>Faces and rendering time against no decimation</source>
-        <translation>간략화하지 않은 경우 대비 면 수와 렌더링 시간</translation>
+        <source>Triangles and rendering time against no decimation</source>
+        <translation>간략화하지 않은 경우 대비 삼각형 수와 렌더링 시간</translation>
     </message>
     <message>
-        <source>Number of faces of each frame</source>
-        <translation>프레임별 면 수</translation>
+        <source>Number of triangles of each frame</source>
+        <translation>프레임별 삼각형 수</translation>
     </message>
     <message>
         <source>Rendering time of each frame, averages over 20 steps</source>
         <translation>프레임별 렌더링 시간, 20단계 평균</translation>
     </message>
     <message>
-        <source>Number of faces and rendering time by the decimation period</source>
-        <translation>간략화 주기에 따른 면 수와 렌더링 시간</translation>
+        <source>Number of triangles and rendering time by the decimation period</source>
+        <translation>간략화 주기에 따른 삼각형 수와 렌더링 시간</translation>
     </message>
     <message>
         <source>Predicted cost by region size and period</source>
@@ -2536,8 +2536,8 @@ Default: 0 mm</source>
         <translation>그 앞에 G90을 쓰십시오. 이 블록은 건너뜁니다.</translation>
     </message>
     <message>
-        <source>The machine&apos;s zero lies nobody knows where: {} cuts nothing, nor does what follows until the axis is positioned again.</source>
-        <translation>기계 원점의 위치를 알 수 없습니다. {}은(는) 아무것도 절삭하지 않으며, 그 축의 위치를 다시 정할 때까지 이어지는 이송도 절삭하지 않습니다.</translation>
+        <source>Machine zero is unknown, so {} has no position; motions are not simulated until the axis is positioned again.</source>
+        <translation>기계 원점을 알 수 없으므로 {}의 위치가 없습니다. 그 축의 위치를 다시 정할 때까지 이송을 시뮬레이션하지 않습니다.</translation>
     </message>
     <message>
         <source>Motions to reference positions are taken to lead away from the part.</source>
@@ -2768,8 +2768,8 @@ Default: 0 mm</source>
         <translation>밀링 머신에서 X는 지름이 아닙니다. G97과 회전수를 쓰십시오.</translation>
     </message>
     <message>
-        <source>With G96 and no D nobody knows how fast the spindle turns.</source>
-        <translation>D 없는 G96에서는 주축이 얼마나 빨리 도는지 알 수 없습니다.</translation>
+        <source>Spindle speed is unknown, because G96 has no D.</source>
+        <translation>G96에 D가 없으므로 주축 회전수를 알 수 없습니다.</translation>
     </message>
     <message>
         <source>Write G97 and a speed, or a limit D.</source>
@@ -3112,8 +3112,8 @@ Default: 0 mm</source>
         <translation>여기에서는 위치 {}을(를) 알 수 없습니다.</translation>
     </message>
     <message>
-        <source>Position the axis first, or state a start position in the set-up.</source>
-        <translation>먼저 축을 이동하여 위치를 정하거나, 설정에서 시작 위치를 지정하십시오.</translation>
+        <source>Position the axis first, or state a start position in the setup.</source>
+        <translation>먼저 축을 이동하여 위치를 정하거나, 셋업에서 시작 위치를 지정하십시오.</translation>
     </message>
     <message>
         <source>The program stops itself with alarm {}.</source>
@@ -3124,8 +3124,8 @@ Default: 0 mm</source>
         <translation>이유는 옆의 주석에 있습니다. 그 뒤는 실행되지 않습니다.</translation>
     </message>
     <message>
-        <source>The program is read as {} does, because of these words (and lines): {}.</source>
-        <translation>프로그램을 {} 방식으로 읽습니다. 근거가 되는 워드(와 줄)는 다음과 같습니다: {}.</translation>
+        <source>Dialect detected: {} (from {}).</source>
+        <translation>감지된 방언: {}(근거: {}).</translation>
     </message>
     <message>
         <source>Choose the dialect yourself if that is wrong.</source>
@@ -4444,7 +4444,7 @@ Default: 0 mm</source>
         <translation>Proveout 소재</translation>
     </message>
     <message>
-        <source>what a set-up has left of its stock</source>
+        <source>what a setup has left of its stock</source>
         <translation>한 셋업이 소재에서 남긴 것</translation>
     </message>
     <message>
@@ -4524,8 +4524,8 @@ Default: 0 mm</source>
         <translation>소재의 X 방향 크기입니다.</translation>
     </message>
     <message>
-        <source>Depth Y</source>
-        <translation>깊이 Y</translation>
+        <source>Length Y</source>
+        <translation>길이 Y</translation>
     </message>
     <message>
         <source>Size of the stock along Y.</source>
@@ -4584,7 +4584,7 @@ Default: 0 mm</source>
         <translation>저장된 소재</translation>
     </message>
     <message>
-        <source>What an earlier set-up has left, as saved by File, Save Stock.</source>
+        <source>What an earlier setup has left, as saved by File, Save Stock.</source>
         <translation>이전 셋업이 남긴 것으로, 파일 메뉴의 소재 저장으로 저장한 것입니다.</translation>
     </message>
     <message>
@@ -4636,7 +4636,7 @@ Default: 0 mm</source>
         <translation>닫힌 메시로 된 주조품이나 단조품입니다.</translation>
     </message>
     <message>
-        <source>What an earlier set-up has left, also flipped or turned.</source>
+        <source>What an earlier setup has left, also flipped or turned.</source>
         <translation>이전 셋업이 남긴 것으로, 뒤집거나 돌릴 수도 있습니다.</translation>
     </message>
     <message>
@@ -4796,8 +4796,8 @@ Default: 0 mm</source>
         <translation>이송, mm/min. 급속 이송은 0</translation>
     </message>
     <message>
-        <source>spindle speed, 1/min</source>
-        <translation>주축 회전수, 1/min</translation>
+        <source>spindle speed, rpm</source>
+        <translation>주축 회전수, rpm</translation>
     </message>
     <message>
         <source>tool in the spindle</source>
@@ -5288,8 +5288,8 @@ Default: 0 mm</source>
         <translation>오피스 또는 CAD 문서</translation>
     </message>
     <message>
-        <source>a program of the computer</source>
-        <translation>컴퓨터용 실행 프로그램</translation>
+        <source>an executable file</source>
+        <translation>실행 파일</translation>
     </message>
     <message>
         <source>This is {}, not an NC program.</source>
@@ -5480,7 +5480,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The machine is assumed; describe yours in the Setup panel.</source>
-        <translation>기계 값은 가정한 것입니다. 설정 패널에서 기계를 입력하세요.</translation>
+        <translation>기계 값은 가정한 것입니다. 셋업 패널에서 기계를 입력하세요.</translation>
     </message>
     <message>
         <source>%1 motions have no feed; the largest is taken.</source>
@@ -5631,11 +5631,11 @@ Default: 0 mm</source>
         <translation>이전 일치 항목으로 이동합니다</translation>
     </message>
     <message>
-        <source>Run to Caret &amp;Line</source>
-        <translation>커서 줄까지 실행(&amp;L)</translation>
+        <source>Run to Cur&amp;sor</source>
+        <translation>커서까지 실행(&amp;S)</translation>
     </message>
     <message>
-        <source>Show the stock after the line that the caret is on</source>
+        <source>Show the stock after the line of the cursor</source>
         <translation>커서가 있는 줄까지 가공한 소재를 표시합니다</translation>
     </message>
     <message>
@@ -5643,8 +5643,8 @@ Default: 0 mm</source>
         <translation>중단점 전환(&amp;B)</translation>
     </message>
     <message>
-        <source>Stop the run before the line that the caret is on, or no longer</source>
-        <translation>커서가 있는 줄 앞에서 실행을 멈추거나 해제합니다</translation>
+        <source>Set or remove a breakpoint at the line of the cursor</source>
+        <translation>커서가 있는 줄에 중단점을 설정하거나 제거합니다</translation>
     </message>
     <message>
         <source>Undo the last change where the focus is: in the text, or in setup, tuning and machine</source>
@@ -5815,7 +5815,7 @@ Default: 0 mm</source>
         <translation>소재 저장(&amp;T)…</translation>
     </message>
     <message>
-        <source>Save what is left of the stock, for the next set-up</source>
+        <source>Save what is left of the stock, for the next setup</source>
         <translation>다음 셋업을 위해 소재에서 남은 것을 저장</translation>
     </message>
 </context>
@@ -6207,8 +6207,8 @@ Default: automatic</source>
 <context>
     <name>MachineForm</name>
     <message>
-        <source>These values are assumed until you change one.</source>
-        <translation>값을 바꾸기 전까지는 가정한 값입니다.</translation>
+        <source>Default machine values.</source>
+        <translation>기본 기계 값입니다.</translation>
     </message>
     <message>
         <source>Cycle time %1: feed %2, rapid %3, dwell %4, tool changes %5</source>
@@ -6293,8 +6293,8 @@ Default: %4 %5</source>
         <translation>예제 열기(&amp;M)</translation>
     </message>
     <message>
-        <source>&amp;Memory to Go Back</source>
-        <translation>되돌아가기 메모리(&amp;M)</translation>
+        <source>Rewind &amp;Memory</source>
+        <translation>되감기 메모리(&amp;M)</translation>
     </message>
     <message>
         <source>L&amp;ayout</source>
@@ -6423,10 +6423,6 @@ Default: %4 %5</source>
     <message>
         <source>Removed</source>
         <translation>제거됨</translation>
-    </message>
-    <message>
-        <source>Faces</source>
-        <translation>면</translation>
     </message>
     <message>
         <source>Block</source>
@@ -6833,16 +6829,16 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>프로그램에 맞춤</translation>
     </message>
     <message>
-        <source>Make the stock just large enough for all cutting motions</source>
-        <translation>모든 절삭 이송에 맞는 최소 크기로 소재를 정합니다</translation>
+        <source>Fit the stock to the toolpath</source>
+        <translation>소재를 공구 경로에 맞춥니다</translation>
     </message>
     <message>
         <source>Tools</source>
         <translation>공구</translation>
     </message>
     <message>
-        <source>Skip blocks that begin with /</source>
-        <translation>/로 시작하는 블록 건너뛰기</translation>
+        <source>Block delete (/)</source>
+        <translation>블록 스킵(/)</translation>
     </message>
     <message>
         <source>Block delete, as the switch on the control</source>
@@ -6869,8 +6865,8 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>프로그램의 제어기 방식</translation>
     </message>
     <message>
-        <source>Start of cutter compensation</source>
-        <translation>공구경 보정 시작 방식</translation>
+        <source>Cutter comp start-up</source>
+        <translation>공구경 보정 스타트업</translation>
     </message>
     <message>
         <source>Type A: straight to the path</source>
@@ -6955,7 +6951,7 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>정지하고 가공 전 소재로 돌아갑니다</translation>
     </message>
     <message>
-        <source>To St&amp;art</source>
+        <source>Go to St&amp;art</source>
         <translation>처음으로(&amp;A)</translation>
     </message>
     <message>
@@ -6979,7 +6975,7 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>다음 블록을 실행합니다</translation>
     </message>
     <message>
-        <source>To &amp;End</source>
+        <source>Go to &amp;End</source>
         <translation>끝으로(&amp;E)</translation>
     </message>
     <message>
@@ -7039,8 +7035,8 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>일시 정지(&amp;P)</translation>
     </message>
     <message>
-        <source>Ret&amp;urn from Jump</source>
-        <translation>이동 전으로 돌아가기(&amp;U)</translation>
+        <source>Back to Previo&amp;us Position</source>
+        <translation>이전 위치로 돌아가기(&amp;U)</translation>
     </message>
     <message>
         <source>Go back to where you were before you went to the block that made a place</source>
@@ -7161,8 +7157,8 @@ This file is no longer there.</source>
         <translation>이송 속도, mm/min</translation>
     </message>
     <message>
-        <source>Spindle speed, 1/min</source>
-        <translation>주축 회전수, 1/min</translation>
+        <source>Spindle speed, rpm</source>
+        <translation>주축 회전수, rpm</translation>
     </message>
     <message>
         <source>Tool in the spindle</source>
@@ -7181,8 +7177,8 @@ This file is no longer there.</source>
         <translation>블록 %1 / %2</translation>
     </message>
     <message>
-        <source>Faces %1</source>
-        <translation>면 %1</translation>
+        <source>Triangles %1</source>
+        <translation>삼각형 %1</translation>
     </message>
     <message>
         <source>F rapid</source>
@@ -7197,7 +7193,7 @@ This file is no longer there.</source>
         <translation>절삭된 적 없음: 블록 %1까지 원소재 그대로입니다.</translation>
     </message>
     <message>
-        <source>The program or its set-up has changed: ask again in a moment.</source>
+        <source>The program or its setup has changed: ask again in a moment.</source>
         <translation>프로그램이나 셋업이 바뀌었습니다. 잠시 후 다시 물어보세요.</translation>
     </message>
     <message>
@@ -7652,8 +7648,8 @@ Default: the next free number</source>
         <translation>프로그램을 열면 표시됩니다.</translation>
     </message>
     <message>
-        <source>Faces shown: %1 of %2 (%3 %)</source>
-        <translation>표시된 면: %2개 중 %1개(%3 %)</translation>
+        <source>Triangles shown: %1 of %2 (%3 %)</source>
+        <translation>표시된 삼각형: %2개 중 %1개(%3 %)</translation>
     </message>
     <message>
         <source>Regions drawn from the z-map: %1 of %2</source>
@@ -7680,8 +7676,8 @@ Default: the next free number</source>
         <translation>재생하는 동안 간략화를 보류합니다. 한 프레임에 간략화 없이 %1 ms, 간략화하면 %2 ms가 걸립니다.</translation>
     </message>
     <message>
-        <source>Decimation is held back while playing: there are only %1 faces to draw without it.</source>
-        <translation>재생하는 동안 간략화를 보류합니다. 간략화하지 않아도 그릴 면이 %1개뿐입니다.</translation>
+        <source>Decimation is held back while playing: there are only %1 triangles to draw without it.</source>
+        <translation>재생하는 동안 간략화를 보류합니다. 간략화하지 않아도 그릴 삼각형이 %1개뿐입니다.</translation>
     </message>
 </context>
 <context>

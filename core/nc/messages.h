@@ -200,13 +200,12 @@ inline constexpr Message kMachineVariable{
     PROVEOUT_TEXT("Core", "What follows from it cannot be verified.")};
 inline constexpr Message kPositionUnknown{
     Severity::error, true, "position-unknown", PROVEOUT_TEXT("Core", "The position {} is not known here."),
-    PROVEOUT_TEXT("Core", "Position the axis first, or state a start position in the set-up.")};
+    PROVEOUT_TEXT("Core", "Position the axis first, or state a start position in the setup.")};
 inline constexpr Message kAlarm{
     Severity::error, true, "program-alarm", PROVEOUT_TEXT("Core", "The program stops itself with alarm {}."),
     PROVEOUT_TEXT("Core", "The comment beside it says why; nothing behind it is run.")};
 inline constexpr Message kDialectGuessed{
-    Severity::note, false, "dialect-guessed",
-    PROVEOUT_TEXT("Core", "The program is read as {} does, because of these words (and lines): {}."),
+    Severity::note, false, "dialect-guessed", PROVEOUT_TEXT("Core", "Dialect detected: {} (from {})."),
     PROVEOUT_TEXT("Core", "Choose the dialect yourself if that is wrong.")};
 inline constexpr Message kDialectForeign{
     Severity::error, true, "dialect-foreign",
@@ -424,9 +423,8 @@ inline constexpr Message kMachineIncremental{
     PROVEOUT_TEXT("Core", "Write G90 before it; this block is skipped.")};
 inline constexpr Message kReferenceUnknown{
     Severity::note, false, "reference-unknown",
-    PROVEOUT_TEXT("Core",
-                  "The machine's zero lies nobody knows where: {} cuts nothing, nor does what follows "
-                  "until the axis is positioned again."),
+    PROVEOUT_TEXT("Core", "Machine zero is unknown, so {} has no position; motions are not simulated until "
+                          "the axis is positioned again."),
     PROVEOUT_TEXT("Core", "Motions to reference positions are taken to lead away from the part.")};
 inline constexpr Message kArcTurned{
     Severity::error, true, "arc-turned",
@@ -607,7 +605,7 @@ inline constexpr Message kSurfaceSpeedLimited{
     PROVEOUT_TEXT("Core", "X is no diameter on a mill: write G97 and a speed.")};
 inline constexpr Message kSurfaceSpeedUnknown{
     Severity::warning, false, "surface-speed-unknown",
-    PROVEOUT_TEXT("Core", "With G96 and no D nobody knows how fast the spindle turns."),
+    PROVEOUT_TEXT("Core", "Spindle speed is unknown, because G96 has no D."),
     PROVEOUT_TEXT("Core", "Write G97 and a speed, or a limit D.")};
 inline constexpr Message kInputTwice{Severity::error, true, "input-twice",
                                      PROVEOUT_TEXT("Core", "M66 has P and E: a digital and an analog input."),

@@ -60,14 +60,14 @@ const std::array<Command<EditorPanel>, 12> EditorPanel::kCommands{{
      QT_TRANSLATE_NOOP("EditCommands", "Go to the previous match"), "", "Shift+F3", Reach::window,
      [](EditorPanel& panel) { panel.m_find->find(false); }},
     {"toggle-breakpoint", QT_TRANSLATE_NOOP("EditCommands", "Toggle &Breakpoint"),
-     QT_TRANSLATE_NOOP("EditCommands", "Stop the run before the line that the caret is on, or no longer"), "",
-     "F9", Reach::window,
+     QT_TRANSLATE_NOOP("EditCommands", "Set or remove a breakpoint at the line of the cursor"), "", "F9",
+     Reach::window,
      [](EditorPanel& panel) {
          panel.m_session.toggleBreakpoint(static_cast<std::uint32_t>(panel.m_editor->caretLine()));
      }},
-    {"edit-run-to-caret", QT_TRANSLATE_NOOP("EditCommands", "Run to Caret &Line"),
-     QT_TRANSLATE_NOOP("EditCommands", "Show the stock after the line that the caret is on"), "",
-     "Ctrl+Return", Reach::focus,
+    {"edit-run-to-caret", QT_TRANSLATE_NOOP("EditCommands", "Run to Cur&sor"),
+     QT_TRANSLATE_NOOP("EditCommands", "Show the stock after the line of the cursor"), "", "Ctrl+Return",
+     Reach::focus,
      [](EditorPanel& panel) {
          panel.m_session.seekToLine(static_cast<std::uint32_t>(panel.m_editor->caretLine()));
      }},
