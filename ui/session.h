@@ -185,7 +185,7 @@ public:
     /// Errors (stock, grid, memory) are told by the result and change nothing.
     /// The spacing of an automatic grid is found here, whatever `wanted` has.
     Result<void> setSetup(const Setup& wanted);
-    /// The stock that holds the program's motions, its top at their highest cut; the present one where there
+    /// The stock that holds the program's cutting motions (fittedStock()); the present one where there
     /// is no motion.
     [[nodiscard]] StockBox stockFittedToProgram() const;
 

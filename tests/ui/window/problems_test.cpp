@@ -148,11 +148,11 @@ private slots:
     void allUnknownMCodesAreIgnoredAtOnce() {
         Workstation station(false);
         open(station,
-             "%\nO1\nG21 G90\nT1 M6\nG0 X0. Y0. Z5.\nM16\nM61\nG1 Z-1. F100 S500 M3\nM71\nX10.\nM30\n%\n");
+             "%\nO1\nG21 G90\nT1 M6\nG0 X0. Y0. Z5.\nM16\nM161\nG1 Z-1. F100 S500 M3\nM171\nX10.\nM30\n%\n");
         QTRY_VERIFY_WITH_TIMEOUT(rowOf(station.session, "code-unknown") >= 0, kPatience);
         QTreeView& list = listOf(station);
         QVERIFY(choose(list, rowOf(station.session, "code-unknown"), "ignore-all-m-codes"));
-        QCOMPARE(station.session.setup().ignoredM, (std::set<int>{16, 61, 71}));
+        QCOMPARE(station.session.setup().ignoredM, (std::set<int>{16, 161, 171}));
         QTRY_VERIFY_WITH_TIMEOUT(rowOf(station.session, "code-ignored") >= 0, kPatience);
         QCOMPARE(rowOf(station.session, "code-unknown"), -1);
         // One step back.
