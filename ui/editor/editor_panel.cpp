@@ -26,7 +26,8 @@ constexpr const char* kContext = "EditCommands";
 constexpr int kFollowMargin = 8; // px
 // For the width of the panel.
 constexpr std::size_t kMeasuredLines = 2000;
-constexpr double kUsualLines = 0.95; ///< the share of them that fits
+constexpr double kUsualLines = 0.95;  ///< the share of them that fits …
+constexpr std::size_t kFarLonger = 2; ///< … and all, unless one is more than so many times as long
 
 } // namespace
 
@@ -144,7 +145,9 @@ QSize EditorPanel::sizeHint() const {
     const auto usual =
         lengths.begin() + static_cast<std::ptrdiff_t>(static_cast<double>(lengths.size() - 1) * kUsualLines);
     std::nth_element(lengths.begin(), usual, lengths.end());
-    return {m_editor->widthOf(*usual), QWidget::sizeHint().height()};
+    const std::size_t longest = *std::max_element(usual, lengths.end());
+    return {m_editor->widthOf(longest <= kFarLonger * *usual ? longest : *usual),
+            QWidget::sizeHint().height()};
 }
 
 void EditorPanel::makeFollowing() {

@@ -199,6 +199,23 @@ private slots:
         QCOMPARE(widthWith("G1 X1 F100"), chosen);
     }
 
+    void editorShowsItsFewLongLinesButNoComment() {
+        Workstation station(false);
+        station.window.resize(2560, 1000);
+        const auto wantedWith = [&](const QByteArray& line) {
+            QTemporaryFile program(QDir::tempPath() + QStringLiteral("/XXXXXX.nc"));
+            if (!program.open())
+                return 0;
+            program.write(QByteArray("N20 G1 X-269.39 Y-254.65 Z-68.5 F200\n").repeated(100) + line + '\n');
+            program.close();
+            station.open(program.fileName());
+            return station.window.editor().sizeHint().width();
+        };
+        const int usual = wantedWith("G1 X1");
+        QVERIFY(wantedWith("N40 IF [ #5405 GE 6000 ] THEN #3000= 15 ( TOOL LIFE EXPIRED )") > usual);
+        QCOMPARE(wantedWith("(" + QByteArray("A NOTE OF THE SHOP ").repeated(20) + ")"), usual);
+    }
+
     void editorStaysAsWideAsItsLinesInEveryWindow() {
         const auto write = [](QTemporaryFile& program) {
             if (!program.open())
