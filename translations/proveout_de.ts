@@ -7515,10 +7515,6 @@ Vorgabe: %3</translation>
         <translation>Die Maße von T%1 sind angenommen: %2.</translation>
     </message>
     <message>
-        <source>Until you confirm them, results are unverified.</source>
-        <translation>Bis Sie sie bestätigen, sind die Ergebnisse ungeprüft.</translation>
-    </message>
-    <message>
         <source>Check …</source>
         <translation>Prüfen …</translation>
     </message>
@@ -7537,6 +7533,10 @@ Vorgabe: %3</translation>
     <message>
         <source>The sizes in the tool table are right</source>
         <translation>Die Maße in der Werkzeugtabelle stimmen</translation>
+    </message>
+    <message>
+        <source>Results are unverified until you confirm the sizes.</source>
+        <translation>Die Ergebnisse sind ungeprüft, bis Sie die Maße bestätigen.</translation>
     </message>
 </context>
 <context>

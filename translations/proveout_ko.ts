@@ -7514,10 +7514,6 @@ Default: %3</source>
         <translation>T%1의 치수는 가정한 값입니다: %2.</translation>
     </message>
     <message>
-        <source>Until you confirm them, results are unverified.</source>
-        <translation>확인하기 전까지 결과는 검증되지 않습니다.</translation>
-    </message>
-    <message>
         <source>Check …</source>
         <translation>점검 …</translation>
     </message>
@@ -7536,6 +7532,10 @@ Default: %3</source>
     <message>
         <source>The sizes in the tool table are right</source>
         <translation>공구 테이블의 치수가 맞습니다</translation>
+    </message>
+    <message>
+        <source>Results are unverified until you confirm the sizes.</source>
+        <translation>치수를 확인할 때까지 결과는 검증되지 않습니다.</translation>
     </message>
 </context>
 <context>
