@@ -2,10 +2,13 @@
 #include "ui/diagnostic_text.h"
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include <QCoreApplication>
 #include <QFileInfo>
+
+#include "core/base/list_argument.h"
 
 namespace proveout {
 
@@ -17,7 +20,9 @@ QString filled(const char* text, const Diagnostic& diagnostic) {
     std::vector<std::string> arguments = diagnostic.arguments;
     for (std::string& argument : arguments) {
         if (argument.find('\0') == std::string::npos)
-            argument = coreText(argument.c_str()).toStdString();
+            argument = changedList(argument, kListSeparator, [](std::string_view part) {
+                return coreText(std::string(part).c_str()).toStdString();
+            });
     }
     return QString::fromStdString(fillIn(coreText(text).toStdString(), arguments));
 }

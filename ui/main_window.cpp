@@ -2,7 +2,6 @@
 #include "ui/main_window.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <utility>
 
 #include <QAbstractButton>
@@ -28,6 +27,7 @@
 #include "ui/editor/editor_panel.h"
 #include "ui/findings/problems_panel.h"
 #include "ui/first_geometry.h"
+#include "ui/fitted_dock.h"
 #include "ui/kept_breakpoints.h"
 #include "ui/kept_switches.h"
 #include "ui/layout_menu.h"
@@ -49,11 +49,11 @@ namespace {
 constexpr int kLayoutVersion = 5; // raise it when docks change: older layouts are then left alone
 const QString kGeometryKey = QStringLiteral("window/geometry");
 const QString kStateKey = QStringLiteral("window/state");
+const QString kEditorChosenKey = QStringLiteral("window/editor-width-chosen");
 const QString kPlayByKey = QStringLiteral("playback/by");
 const QString kSpeedKey = QStringLiteral("playback/speed");
 const QString kViewGroup = QStringLiteral("view");
 constexpr int kToolBarIcon = 20;
-constexpr int kSameWidth = 3;      // px; splitters round
 constexpr int kMessageTime = 8000; // ms
 // In the order of docks().
 constexpr std::size_t kProgramDock = 0;
@@ -91,7 +91,7 @@ MainWindow::MainWindow(Session& session, Appearance& appearance)
         titleDocks();
     });
     connect(&session, &Session::textReplaced, this, &MainWindow::showDocument);
-    connect(&session, &Session::textReplaced, this, &MainWindow::fitEditor);
+    connect(&session, &Session::textReplaced, m_editorDock, &FittedDock::fit);
     connect(m_layoutMenu, &LayoutMenu::chosen, this, &MainWindow::arrange);
     connect(&session, &Session::problemsChanged, this, &MainWindow::titleDocks);
     connect(&session, &Session::troubled, this, &MainWindow::showProblems);
@@ -167,23 +167,15 @@ void MainWindow::makeDocks() {
             titled.push_back(m_docks[i]);
     }
     new DockTitles(*this, std::move(titled));
+    m_editorDock = new FittedDock(*this, *m_docks[kProgramDock]);
 }
 
 void MainWindow::arrange() {
     const DockLayout& layout = m_layoutMenu->present();
     arrangeDocks(*this, layout);
-    m_fittedWidth = m_docks[kProgramDock]->width();
+    m_editorDock->adopt();
     m_session.setPlayBy(layout.playBy);
     m_session.setSpeed(layout.speed * unitSpeed(layout.playBy));
-}
-
-/// The editor is as wide as the lines of its text where there is room; a width that the user gave it stays.
-void MainWindow::fitEditor() {
-    QDockWidget* dock = m_docks[kProgramDock];
-    if (dock->isFloating() || std::abs(dock->width() - m_fittedWidth) > kSameWidth)
-        return;
-    m_fittedWidth = leftDockWidth(width(), dock->widget()->sizeHint().width());
-    resizeDocks({dock}, {m_fittedWidth}, Qt::Horizontal);
 }
 
 void MainWindow::makeToolBar() {
@@ -244,8 +236,10 @@ void MainWindow::restore() {
         applyFirstGeometry(*this);
     arrange();
     m_layoutKept = restoreState(settings.value(kStateKey).toByteArray(), kLayoutVersion);
-    if (m_layoutKept)
-        restorePlayback();
+    if (!m_layoutKept)
+        return;
+    m_editorDock->setChosen(settings.value(kEditorChosenKey, true).toBool());
+    restorePlayback();
 }
 
 void MainWindow::restorePlayback() {
@@ -278,7 +272,7 @@ void MainWindow::raiseFloatingDocks() {
 QByteArray MainWindow::layout() const {
     QByteArray bytes;
     QDataStream stream(&bytes, QIODevice::WriteOnly);
-    stream << saveGeometry() << saveState(kLayoutVersion);
+    stream << saveGeometry() << saveState(kLayoutVersion) << m_editorDock->isChosen();
     return bytes;
 }
 
@@ -286,9 +280,11 @@ void MainWindow::setLayout(const QByteArray& layout) {
     QByteArray geometry;
     QByteArray state;
     QDataStream stream(layout);
-    stream >> geometry >> state;
+    bool editorChosen = true;
+    stream >> geometry >> state >> editorChosen;
     if (restoreState(state, kLayoutVersion)) {
         restoreGeometry(geometry);
+        m_editorDock->setChosen(editorChosen);
         m_layoutKept = true;
     }
 }
@@ -354,6 +350,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     QSettings settings;
     settings.setValue(kGeometryKey, saveGeometry());
     settings.setValue(kStateKey, saveState(kLayoutVersion));
+    settings.setValue(kEditorChosenKey, m_editorDock->isChosen());
     settings.setValue(kPlayByKey, static_cast<int>(m_session.playback().by));
     settings.setValue(kSpeedKey, m_session.playback().unitsPerSecond);
     event->accept();

@@ -16,6 +16,7 @@ class QStackedWidget;
 namespace proveout {
 
 class EditorPanel;
+class FittedDock;
 class KeptSwitches;
 class LayoutMenu;
 class PanelFocus;
@@ -76,7 +77,6 @@ private:
     void makePanels();
     void makeDocks();
     void arrange();
-    void fitEditor();
     void restorePlayback();
     void raiseFloatingDocks();
     void makeMenus();
@@ -107,6 +107,7 @@ private:
     TimelinePanel* m_timeline = nullptr;
     UndoCommands* m_undo = nullptr;
     PanelFocus* m_focus = nullptr;
+    FittedDock* m_editorDock = nullptr;
     std::vector<QDockWidget*> m_docks;                   ///< in the order of docks()
     std::vector<std::pair<QMenu*, const char*>> m_menus; ///< with their untranslated titles
     QMenu* m_samplesMenu = nullptr;
@@ -116,7 +117,6 @@ private:
     QToolBar* m_toolBar = nullptr;
     KeptSwitches* m_viewOptions = nullptr;
     bool m_layoutKept = false; ///< the docks are where the settings have them
-    int m_fittedWidth = 0;     ///< of the editor's dock, as long as the user leaves it
 
     CommandActions<MainWindow> m_fileCommands;
     CommandActions<MainWindow> m_meshCommands;

@@ -62,7 +62,7 @@ void MainWindow::makeMenus() {
     simulate->addAction(&m_editor->followAction());
     auto* checkpoints = new CheckpointMenu(m_session, this);
     simulate->addMenu(checkpoints);
-    m_menus.emplace_back(checkpoints, QT_TRANSLATE_NOOP("Menus", "&Memory to Go Back"));
+    m_menus.emplace_back(checkpoints, QT_TRANSLATE_NOOP("Menus", "Rewind &Memory"));
     addMenu(QT_TRANSLATE_NOOP("Menus", "&Mesh"), listOf(m_meshCommands.all()));
 
     QMenu* window = addMenu(QT_TRANSLATE_NOOP("Menus", "&Window"), {});

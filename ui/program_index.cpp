@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <map>
 #include <set>
 #include <utility>
 #include <variant>
@@ -27,6 +28,34 @@ double largestRadius(const std::vector<int>& numbers, const ToolChoice& choice, 
             radius = std::max(radius, cutter->radius());
     }
     return radius;
+}
+
+/// The Z of the work offset in force, for motions asked about in their order.
+class WorkZero {
+public:
+    explicit WorkZero(const Program& program) : m_events(&program.events()) {}
+    double at(std::size_t motion) {
+        for (; m_next < m_events->size() && (*m_events)[m_next].beforeMotion <= motion; ++m_next) {
+            if (const auto* offset = std::get_if<WorkOffset>(&(*m_events)[m_next].data))
+                m_z = offset->offset.z;
+        }
+        return m_z;
+    }
+
+private:
+    const std::vector<Event>* m_events;
+    std::size_t m_next = 0;
+    double m_z = 0;
+};
+
+/// `cuts`: what is cut, by the Z of the work offset.
+double topOf(const std::map<double, Box3>& cuts) {
+    std::optional<double> highest;
+    for (const auto& [zero, box] : cuts) {
+        const double top = box.lo.z < zero ? zero : std::ceil(box.hi.z);
+        highest = std::max(highest.value_or(top), top);
+    }
+    return highest.value_or(0);
 }
 
 } // namespace
@@ -75,6 +104,8 @@ std::optional<std::size_t> neighbouringToolChange(const Program& program, std::s
 CuttingExtent cuttingExtent(const Program& program) {
     std::set<int> tools;
     Box3 box;
+    WorkZero zero(program);
+    std::map<double, Box3> cuts;
     int newest = -1; // a tool cuts many motions in a row
     for (std::size_t i = 0; i < program.motionCount(); ++i) {
         const Motion motion = program.motion(i);
@@ -82,10 +113,13 @@ CuttingExtent cuttingExtent(const Program& program) {
             continue;
         if (std::exchange(newest, motion.tool) != motion.tool)
             tools.insert(motion.tool);
-        if (motion.known() && !motion.probing)
-            box.add(bounds(motion));
+        if (motion.known() && !motion.probing) {
+            const Box3 reach = bounds(motion);
+            box.add(reach);
+            cuts[zero.at(i)].add(reach);
+        }
     }
-    return {{tools.begin(), tools.end()}, box};
+    return {{tools.begin(), tools.end()}, box, topOf(cuts)};
 }
 
 StockBox fittedStock(const CuttingExtent& cutting, const Setup& present, const ToolChoice& choice) {
@@ -94,12 +128,11 @@ StockBox fittedStock(const CuttingExtent& cutting, const Setup& present, const T
         return present.stock;
     const double radius = largestRadius(cutting.tools, choice, present.tools);
     const double margin = radius > 0 ? radius : kSideWithoutTool;
-    const double top = box.lo.z < 0 ? 0 : std::ceil(box.hi.z);
     StockBox stock;
-    stock.corner = {std::floor(box.lo.x - margin), std::floor(box.lo.y - margin), top};
+    stock.corner = {std::floor(box.lo.x - margin), std::floor(box.lo.y - margin), cutting.top};
     stock.width = std::max(kSmallestSide, std::ceil(box.hi.x + margin) - stock.corner.x);
     stock.depth = std::max(kSmallestSide, std::ceil(box.hi.y + margin) - stock.corner.y);
-    stock.height = std::max(1.0, std::ceil(top - box.lo.z + kFloorBelowCut));
+    stock.height = std::max(1.0, std::ceil(cutting.top - box.lo.z + kFloorBelowCut));
     return stock;
 }
 

@@ -36,14 +36,16 @@ struct CuttingExtent {
     /// The numbers that they name, ascending, each once; 0: T0, or none (ToolChoice::tool()).
     std::vector<int> tools;
     Box3 box; ///< of the motions that are wholly known; mm
+    /// Where the stock has its top, program coordinates, mm: at the Z0 of the work offset where something is
+    /// cut below it, else at the highest of the motions, rounded up. Of several work offsets, the highest.
+    double top = 0;
 };
 
 /// Goes through all motions: not for the UI thread.
 [[nodiscard]] CuttingExtent cuttingExtent(const Program& program);
 
 /// The stock that holds the cutting motions of a program: the cutter's radius wider than they are, 5 mm
-/// deeper than the deepest of them, its top at Z0 where something is cut below it, else at the highest of
-/// them. Rounded outwards to whole mm. `present` where nothing is cut.
+/// deeper than the deepest of them. Rounded outwards to whole mm. `present` where nothing is cut.
 [[nodiscard]] StockBox fittedStock(const CuttingExtent& cutting, const Setup& present,
                                    const ToolChoice& choice);
 

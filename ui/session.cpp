@@ -126,7 +126,9 @@ void Session::adoptProgram(const std::shared_ptr<const Program>& program, const 
 
 /// `more`: the program before was the beginning of this one.
 void Session::simulate(bool more) {
-    if (m_loadedSetup != m_job.setup() || !m_frame)
+    if (isForeign())
+        showNoStock();
+    else if (m_loadedSetup != m_job.setup() || !m_frame)
         load();
     else if (more)
         continueWithMore();
@@ -151,7 +153,7 @@ void Session::continueWithMore() {
 }
 
 void Session::load() {
-    if (!m_program)
+    if (!m_program || isForeign())
         return;
     if (const Result<void> whole = checkShape(setup().shape); !whole)
         return refuseStock(whole.error());
@@ -171,11 +173,23 @@ void Session::load() {
 
 /// The stock is not what it is called: nothing is shown in its place.
 void Session::refuseStock(const Diagnostics& errors) {
+    dropFrame();
+    simulationFailed(errors, m_generation);
+}
+
+/// Nothing of the text is understood: an uncut stock would look like its result.
+void Session::showNoStock() {
+    m_simulationErrors.clear();
+    m_loadedSetup.reset();
+    dropFrame();
+    stopPlaying();
+}
+
+void Session::dropFrame() {
     m_simulation->post(PauseCommand{});
-    m_loadGeneration = ++m_generation; // frames under way are of another stock
+    m_loadGeneration = ++m_generation; // frames under way are of what was before
     m_frame.reset();
     m_frameLog.clear();
-    simulationFailed(errors, m_generation);
     requestTick();
 }
 

@@ -84,6 +84,8 @@ public:
     [[nodiscard]] const std::vector<Breakpoint>& breakpoints() const { return m_breakpoints; }
     /// What program() cuts.
     [[nodiscard]] const CuttingExtent& cutting() const { return m_cutting; }
+    /// Whether the text is known to be no program of ours: there is no frame of it.
+    [[nodiscard]] bool isForeign() const { return m_program && m_program->foreignKind() != nullptr; }
     /// Whether program() is only the beginning of one whose rest is still being read.
     [[nodiscard]] bool isReading() const { return m_begun; }
     /// The newest frame; null before the first one of a document.
@@ -188,7 +190,7 @@ public:
     /// Errors (stock, grid, memory) are told by the result and change nothing.
     /// The spacing of an automatic grid is found here, whatever `wanted` has.
     Result<void> setSetup(const Setup& wanted);
-    /// The stock that holds the program's motions, its top at their highest cut; the present one where there
+    /// The stock that holds the program's cutting motions (fittedStock()); the present one where there
     /// is no motion.
     [[nodiscard]] StockBox stockFittedToProgram() const;
 
@@ -281,6 +283,8 @@ private:
     void fitStock(bool forNow);
     void fitGrid();
     void refuseStock(const Diagnostics& errors);
+    void showNoStock();
+    void dropFrame();
     void continueWithEdit();
     void continueWithMore();
     void load();

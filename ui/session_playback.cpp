@@ -11,7 +11,7 @@
 namespace proveout {
 
 void Session::play() {
-    if (!m_program || m_playback.playing)
+    if (!m_program || isForeign() || m_playback.playing)
         return;
     if (!m_loadedSetup)
         load(); // it failed; where it does so again the reason is told again

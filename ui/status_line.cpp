@@ -127,7 +127,7 @@ void StatusLine::tellPlace(const PlaceAnswer& answer) {
         case PlaceAnswer::Kind::neverCut:
             return tr("Never cut: up to block %1 this is raw stock.").arg(block);
         case PlaceAnswer::Kind::outdated:
-            return tr("The program or its set-up has changed: ask again in a moment.");
+            return tr("The program or its setup has changed: ask again in a moment.");
         case PlaceAnswer::Kind::cut:
             return tr("Cut by block %1: line %2, tool %3.")
                 .arg(block, QString::number(answer.line), proveout::toolText(answer));
@@ -185,7 +185,7 @@ void StatusLine::retranslate() {
                                                 tr("Tool tip Y in the active work offset, mm"),
                                                 tr("Tool tip Z in the active work offset, mm"),
                                                 tr("Feed, mm/min"),
-                                                tr("Spindle speed, 1/min"),
+                                                tr("Spindle speed, rpm"),
                                                 tr("Tool in the spindle"),
                                                 tr("Blocks executed of those that move"),
                                                 tr("Triangles shown")};
@@ -214,7 +214,7 @@ void StatusLine::fitFields() {
     fit(kTool, {m_toolAssumed ? assumedText(tool) : tool});
     const QString last = locale.toString(static_cast<qulonglong>(m_session.blockCount()));
     fit(kBlock, {tr("Block %1 / %2").arg(last, last)});
-    fit(kFaces, {tr("Faces %1").arg(locale.toString(static_cast<qulonglong>(m_facesFull)))});
+    fit(kFaces, {tr("Triangles %1").arg(locale.toString(static_cast<qulonglong>(m_facesFull)))});
 }
 
 void StatusLine::onTick(const FramePtr& frame) {
@@ -259,7 +259,7 @@ void StatusLine::showFrame(const FramePtr& frame) {
     set(kSpindle, QStringLiteral("S ") + (executed ? wordValue(locale, motion.spindleRpm) : none));
     set(kTool, frame ? toolText(*frame) : QStringLiteral("T ") + none);
     set(kBlock, tr("Block %1 / %2").arg(number(frame ? frame->block : 0), number(m_session.blockCount())));
-    set(kFaces, tr("Faces %1").arg(frame ? number(frame->surface.faces) : QStringLiteral("–")));
+    set(kFaces, tr("Triangles %1").arg(frame ? number(frame->surface.faces) : QStringLiteral("–")));
 }
 
 QString StatusLine::toolText(const Frame& frame) const {

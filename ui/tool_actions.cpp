@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <string_view>
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -82,13 +81,10 @@ QString toolText(int number, const ToolChoice& choice, const ToolTable& tools) {
 }
 
 QString cutterText(const Cutter& cutter, const QLocale& locale) {
-    const std::string_view spec = cutter.spec();
-    const std::string_view shape = spec.substr(0, spec.find(':'));
-    const auto rows = cutterShapes();
-    const auto row = std::ranges::find_if(rows, [&](const CutterShape& other) { return shape == other.key; });
+    const CutterShape* shape = shapeOf(cutter.spec());
     return QStringLiteral("⌀ %1 mm %2")
         .arg(locale.toString(2 * cutter.radius(), 'g', 6),
-             row == rows.end() ? QString() : coreText(row->label));
+             shape == nullptr ? QString() : coreText(shape->label));
 }
 
 } // namespace proveout

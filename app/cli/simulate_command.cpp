@@ -406,7 +406,7 @@ void addSimulateCommand(CLI::App& app, ExitCode& exitCode) {
         ->type_name("F.csv");
     command
         ->add_option("--save-stock", options->stock,
-                     "Write what is left of the stock, for the next set-up (--stock file:file=…)")
+                     "Write what is left of the stock, for the next setup (--stock file:file=…)")
         ->type_name("F.pvstock");
     command->add_flag("--json", options->json, "Print one JSON object");
     command->callback([options, &exitCode] {

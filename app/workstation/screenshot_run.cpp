@@ -33,6 +33,8 @@ ScreenshotRun::ScreenshotRun(MainWindow& window, const QString& picture, std::op
 
 void ScreenshotRun::look(const FramePtr& frame) {
     Session& session = m_window.session();
+    if (session.isForeign())
+        m_settle.start(); // there is no frame of it
     if (!frame || session.isReading())
         return;
     const std::size_t wanted = std::min(m_block.value_or(session.blockCount()), session.blockCount());

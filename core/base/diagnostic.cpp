@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <iterator>
 
+#include "core/base/list_argument.h"
 #include "core/base/utf8.h"
 
 namespace proveout {
@@ -51,6 +52,10 @@ std::size_t numberedArgument(std::string_view text) {
     return found ? static_cast<std::size_t>(text[1] - '0') : 0;
 }
 
+std::string shownArgument(std::string_view argument) {
+    return changedList(argument, ", ", [](std::string_view text) { return text; });
+}
+
 } // namespace
 
 std::string fillIn(std::string_view text, const std::vector<std::string>& arguments) {
@@ -59,10 +64,10 @@ std::string fillIn(std::string_view text, const std::vector<std::string>& argume
     for (std::size_t i = 0; i < text.size(); ++i) {
         const std::size_t numbered = numberedArgument(text.substr(i));
         if (text.substr(i, 2) == "{}" && next < arguments.size()) {
-            out += arguments[next++];
+            out += shownArgument(arguments[next++]);
             ++i;
         } else if (numbered > 0 && numbered <= arguments.size()) {
-            out += arguments[numbered - 1];
+            out += shownArgument(arguments[numbered - 1]);
             i += 2;
         } else {
             out.push_back(text[i]);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/cutter/shapes.h"
 
+#include <algorithm>
 #include <array>
 
 #include "core/base/text.h"
@@ -149,8 +150,27 @@ std::span<const CutterShape> cutterShapes() {
     return kShapes;
 }
 
+const CutterShape* shapeOf(std::string_view spec) {
+    const std::string_view key = spec.substr(0, spec.find(':'));
+    const auto* const row =
+        std::ranges::find_if(kShapes, [&](const CutterShape& shape) { return key == shape.key; });
+    return row == kShapes.end() ? nullptr : row;
+}
+
 std::span<const ShapeKey> commonShapeKeys() {
     return kCommonKeys;
+}
+
+const char* labelOfDefault(std::string_view spec, std::string_view key) {
+    if (key == "shape")
+        return PROVEOUT_TEXT("Core", "Shape");
+    const CutterShape* shape = shapeOf(spec);
+    const std::span<const ShapeKey> own = shape == nullptr ? std::span<const ShapeKey>() : shape->keys;
+    for (const std::span<const ShapeKey> keys : {own, commonShapeKeys()})
+        for (const ShapeKey& row : keys)
+            if (key == row.key)
+                return row.label;
+    return nullptr;
 }
 
 } // namespace proveout

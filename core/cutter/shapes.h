@@ -43,8 +43,13 @@ struct CutterShape {
 };
 
 [[nodiscard]] std::span<const CutterShape> cutterShapes();
+/// The row of the shape that a spec names; null where there is none of that name.
+[[nodiscard]] const CutterShape* shapeOf(std::string_view spec);
 
 /// Keys that every shape takes: flute length `l`, shank diameter `sd`, shank length `sl`.
 [[nodiscard]] std::span<const ShapeKey> commonShapeKeys();
+/// What a key of ToolOrigin::defaults stands for, for people: its label in the shape of the spec, or that of
+/// the shape itself; null where there is no such key. Marked with PROVEOUT_TEXT.
+[[nodiscard]] const char* labelOfDefault(std::string_view spec, std::string_view key);
 
 } // namespace proveout

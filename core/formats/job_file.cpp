@@ -18,6 +18,7 @@
 #include "core/base/tool_number.h"
 #include "core/decimation/region_decimator.h"
 #include "core/formats/job_json.h"
+#include "core/formats/stock_position_json.h"
 #include "core/formats/stock_shapes.h"
 #include "core/nc/ignored_codes.h"
 #include "core/simulation/setup_fields.h"
@@ -34,8 +35,7 @@ constexpr int kSchema = 2;
 constexpr std::uint64_t kSizeLimit = 16'000'000; ///< bytes; a job has a few hundred
 constexpr int kDepthLimit = 32;
 
-constexpr JsonRange kSize{0, 1e6, true};                                        ///< mm, of a stock or a grid
-constexpr JsonRange kPosition{-setup_field::kFarthest, setup_field::kFarthest}; ///< mm
+constexpr JsonRange kSize{0, 1e6, true}; ///< mm, of a stock or a grid
 
 ordered_json toJson(const Vec3& point) {
     return ordered_json::array({point.x, point.y, point.z});
@@ -85,31 +85,6 @@ struct DescribedStock {
     std::optional<Vec3> corner;
 };
 
-/// Jobs of format 1 have it as one point, "corner", whose Z is the top too.
-std::optional<Vec3> readPosition(JsonFields& fields) {
-    constexpr std::array kNames{&setup_field::kMinX, &setup_field::kMinY, &setup_field::kTopZ};
-    const bool named =
-        std::ranges::any_of(kNames, [&](const Field* field) { return fields.has(field->key); });
-    Vec3 corner(0);
-    if (fields.has("corner")) {
-        if (named)
-            fields.fail("corner",
-                        PROVEOUT_TEXT("Core", "The field \"{}\" and the fields minX, minY, topZ exclude each "
-                                              "other; they are the same position."),
-                        {});
-        fields.read("corner", corner, kPosition);
-        return corner;
-    }
-    if (!named)
-        return {};
-    for (int axis = 0; axis < 3; ++axis) {
-        const char* key = kNames[static_cast<std::size_t>(axis)]->key;
-        fields.require({key});
-        fields.read(key, corner[axis], kPosition);
-    }
-    return corner;
-}
-
 DescribedStock readStock(JsonFields& job, const Reach& reach) {
     DescribedStock stock;
     job.require({"stock"});
@@ -124,7 +99,7 @@ DescribedStock readStock(JsonFields& job, const Reach& reach) {
     stock.spec.shape.kind = static_cast<StockKind>(shape);
     for (const StockField& field : stockShapes()[shape].fields)
         readStockField(fields, field, reach, stock.spec);
-    stock.corner = readPosition(fields);
+    stock.corner = readStockPosition(fields);
     fields.warnAboutUnknown();
     return stock;
 }
@@ -135,9 +110,7 @@ ordered_json writeStock(const Setup& setup, const fs::path& folder) {
     ordered_json out = ordered_json::object();
     if (row.kind != StockKind::box) // a box is what jobs knew before there were shapes
         out["shape"] = row.key;
-    out[setup_field::kMinX.key] = spec.box.corner.x;
-    out[setup_field::kMinY.key] = spec.box.corner.y;
-    out[setup_field::kTopZ.key] = spec.box.topZ();
+    writeStockPosition(out, spec.box);
     for (const StockField& field : row.fields) {
         if (const auto* length = std::get_if<StockLength>(&field.value))
             out[field.name] = length->get(spec);

@@ -13,6 +13,7 @@
 #include "core/base/text.h"
 #include "core/formats/job_json.h"
 #include "core/formats/npy_header.h"
+#include "core/formats/stock_position_json.h"
 #include "core/formats/zip_file.h"
 #include "core/formats/zip_reader.h"
 
@@ -22,7 +23,8 @@ namespace {
 
 static_assert(std::endian::native == std::endian::little, "heights are written as they lie in memory");
 
-constexpr int kSchema = 1;
+/// 2: the position has fields of its own names.
+constexpr int kSchema = 2;
 constexpr const char* kDescription = "stock.json";
 constexpr const char* kHeights = "heights.npy";
 constexpr std::string_view kHeightType = "<f4";
@@ -31,7 +33,6 @@ constexpr int kDepthLimit = 8;
 constexpr double kZip64From = 4e9; ///< bytes of an entry
 
 constexpr JsonRange kSize{0, 1e7, true};    ///< mm
-constexpr JsonRange kPosition{-1e7, 1e7};   ///< mm
 constexpr JsonRange kPoints{2, 2147483647}; ///< along a side
 
 struct Description {
@@ -45,7 +46,7 @@ struct Description {
 std::string textOf(const Description& d) {
     nlohmann::ordered_json out;
     out["proveoutStock"] = kSchema;
-    out["corner"] = {d.stock.corner.x, d.stock.corner.y, d.stock.corner.z};
+    writeStockPosition(out, d.stock);
     out["width"] = d.stock.width;
     out["depth"] = d.stock.depth;
     out["height"] = d.stock.height;
@@ -87,14 +88,17 @@ Result<Description> parse(std::string_view text) {
     JsonFields fields(*document, complaints);
     Description d;
     int schema = 0;
-    fields.require({"proveoutStock", "corner", "width", "depth", "height", "spacing", "nx", "ny"});
+    fields.require({"proveoutStock", "width", "depth", "height", "spacing", "nx", "ny"});
     fields.read("proveoutStock", schema, {1, 1e9});
     if (schema > kSchema)
         return failure("stock-newer",
                        PROVEOUT_TEXT("Core", "The stock was saved by a newer Proveout (format {}); this one "
                                              "reads up to format {}."),
                        {std::to_string(schema), std::to_string(kSchema)});
-    fields.read("corner", d.stock.corner, kPosition);
+    if (const auto position = readStockPosition(fields))
+        d.stock.corner = *position;
+    else
+        fields.require({setup_field::kMinX.key, setup_field::kMinY.key, setup_field::kTopZ.key});
     fields.read("width", d.stock.width, kSize);
     fields.read("depth", d.stock.depth, kSize);
     fields.read("height", d.stock.height, kSize);

@@ -28,7 +28,7 @@ constexpr std::array kBoxFields{
                PROVEOUT_TEXT("Core", "Size of the stock along X."),
                StockLength{[](const StockSpec& spec) { return spec.box.width; },
                            [](StockSpec& spec, double length) { spec.box.width = length; }}},
-    StockField{"d", "depth", PROVEOUT_TEXT("Core", "Depth Y"),
+    StockField{"d", "depth", PROVEOUT_TEXT("Core", "Length Y"),
                PROVEOUT_TEXT("Core", "Size of the stock along Y."),
                StockLength{[](const StockSpec& spec) { return spec.box.depth; },
                            [](StockSpec& spec, double length) { spec.box.depth = length; }}},
@@ -67,7 +67,7 @@ constexpr std::array<Choice, 3> kFlips{{{"none", PROVEOUT_TEXT("Core", "Not flip
 
 constexpr std::array kSavedFields{
     StockField{"file", "file", PROVEOUT_TEXT("Core", "Saved stock"),
-               PROVEOUT_TEXT("Core", "What an earlier set-up has left, as saved by File, Save Stock."),
+               PROVEOUT_TEXT("Core", "What an earlier setup has left, as saved by File, Save Stock."),
                StockFile{"*.pvstock"}},
     StockField{"flip", "flip", PROVEOUT_TEXT("Core", "Flipped"),
                PROVEOUT_TEXT("Core", "By half a turn, so that the underside is on top; before it is turned."),
@@ -124,7 +124,7 @@ constexpr std::array kShapes{
                   PROVEOUT_TEXT("Core", "A casting or a forging, as a closed mesh."), "stl:file=casting.stl",
                   kMeshFields, makeMesh},
     StockShapeRow{StockKind::saved, "file", PROVEOUT_TEXT("Core", "Saved stock"),
-                  PROVEOUT_TEXT("Core", "What an earlier set-up has left, also flipped or turned."),
+                  PROVEOUT_TEXT("Core", "What an earlier setup has left, also flipped or turned."),
                   "file:file=side1.pvstock,flip=x,turn=90", kSavedFields, makeSaved},
 };
 

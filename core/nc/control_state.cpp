@@ -63,7 +63,7 @@ std::vector<ControlState::Quantity> quantitiesOf(const MachineState& state) {
     return {
         {PROVEOUT_TEXT("Core", "Feed rate"), state.feed,
          kFeedUnits[static_cast<std::size_t>(state.feedMode)]},
-        {PROVEOUT_TEXT("Core", "Spindle speed"), state.spindleRpm, "1/min"},
+        {PROVEOUT_TEXT("Core", "Spindle speed"), state.spindleRpm, PROVEOUT_TEXT("Core", "rpm")},
         {control_name::kSpindleTool, static_cast<double>(state.tool), ""},
         {PROVEOUT_TEXT("Core", "Tool selected next"), static_cast<double>(std::max(state.selectedTool, 0)),
          ""},

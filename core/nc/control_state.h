@@ -31,7 +31,7 @@ struct ControlState {
     struct Quantity {
         const char* name;
         double value = 0;
-        const char* unit; ///< "mm/min"; the same in all languages
+        const char* unit; ///< "mm/min", or marked with PROVEOUT_TEXT: "rpm"
     };
     struct Variable {
         std::string name; ///< "#100", "#<depth>"

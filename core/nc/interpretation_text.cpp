@@ -30,6 +30,12 @@ std::string readable(std::string_view text) {
     return std::string(text.substr(0, end));
 }
 
+const Message& ignoredMessage(bool known, bool manyLines) {
+    if (known)
+        return manyLines ? nc_message::kCodeIgnoredInLines : nc_message::kCodeIgnored;
+    return manyLines ? nc_message::kCodeIgnoredByListInLines : nc_message::kCodeIgnoredByList;
+}
+
 } // namespace
 
 const SystemValues& Interpretation::systemValues() const {
@@ -76,8 +82,8 @@ void Interpretation::tellIgnored() {
         arguments.push_back(std::to_string(code.count));
         arguments.push_back(linesOf(code));
         m_reporter.beginLine(code.lines.front());
-        m_reporter.tell(known ? nc_message::kCodeIgnored : nc_message::kCodeIgnoredByList, code.column,
-                        code.length, std::move(arguments));
+        m_reporter.tell(ignoredMessage(known, code.lines.size() > 1), code.column, code.length,
+                        std::move(arguments));
     }
 }
 

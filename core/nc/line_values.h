@@ -18,7 +18,7 @@ struct LineValues {
         std::size_t begin = 0; ///< as an index into the line
         double value = 0;      ///< in the unit of the program; a length without decimal point is counted out
         Quantity quantity = Quantity::number;
-        const char* unit = ""; ///< "mm", "in/min"; the same in all languages
+        const char* unit = ""; ///< "mm", or marked with PROVEOUT_TEXT: "rpm"
     };
     struct Parameter {
         std::size_t begin = 0;        ///< of its "#"

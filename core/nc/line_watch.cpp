@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 
+#include "core/base/text.h"
 #include "core/nc/codes.h"
 #include "core/nc/expression_rules.h"
 
@@ -22,7 +23,7 @@ const char* unitOf(Quantity quantity, const MachineState& state) {
     case Quantity::feed:
         return (state.inch ? kInchFeeds : kFeeds)[static_cast<std::size_t>(state.feedMode)];
     case Quantity::speed:
-        return "1/min";
+        return PROVEOUT_TEXT("Core", "rpm");
     case Quantity::number:
         break;
     }

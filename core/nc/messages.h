@@ -232,13 +232,12 @@ inline constexpr Message kVariableAssumed{
     PROVEOUT_TEXT("Core", "Check the program with other values where a decision depends on it.")};
 inline constexpr Message kPositionUnknown{
     Severity::error, true, "position-unknown", PROVEOUT_TEXT("Core", "The position {} is not known here."),
-    PROVEOUT_TEXT("Core", "Position the axis first, or state a start position in the set-up.")};
+    PROVEOUT_TEXT("Core", "Position the axis first, or state a start position in the setup.")};
 inline constexpr Message kAlarm{
     Severity::error, true, "program-alarm", PROVEOUT_TEXT("Core", "The program stops itself with alarm {}."),
     PROVEOUT_TEXT("Core", "The comment beside it says why; nothing behind it is run.")};
 inline constexpr Message kDialectGuessed{
-    Severity::note, false, "dialect-guessed",
-    PROVEOUT_TEXT("Core", "The program is read as {} does, because of these words (and lines): {}."),
+    Severity::note, false, "dialect-guessed", PROVEOUT_TEXT("Core", "Dialect detected: {} (from {})."),
     PROVEOUT_TEXT("Core", "Choose the dialect yourself if that is wrong.")};
 inline constexpr Message kDialectForeign{
     Severity::error, true, "dialect-foreign",
@@ -379,6 +378,13 @@ inline constexpr Message kCodeIgnoredByList{
     Severity::note, false, "code-ignored",
     PROVEOUT_TEXT("Core", "{} is ignored, because the setup lists it ({}×, line {})."),
     PROVEOUT_TEXT("Core", "Remove it from the ignored M codes if it moves an axis.")};
+inline constexpr Message kCodeIgnoredInLines{
+    Severity::note, false, kCodeIgnored.id,
+    PROVEOUT_TEXT("Core", "{} ({}) moves no axis and is ignored ({}×, lines {})."), kCodeIgnored.hint};
+inline constexpr Message kCodeIgnoredByListInLines{
+    Severity::note, false, kCodeIgnoredByList.id,
+    PROVEOUT_TEXT("Core", "{} is ignored, because the setup lists it ({}×, lines {})."),
+    kCodeIgnoredByList.hint};
 inline constexpr Message kIgnoredExecuted{
     Severity::warning, false, "ignored-code-executed",
     PROVEOUT_TEXT("Core", "{} ({}) is executed, although the setup lists it as ignored."),
@@ -454,9 +460,8 @@ inline constexpr Message kMachineIncremental{
     PROVEOUT_TEXT("Core", "Write G90 before it; this block is skipped.")};
 inline constexpr Message kReferenceUnknown{
     Severity::note, false, "reference-unknown",
-    PROVEOUT_TEXT("Core",
-                  "The machine's zero lies nobody knows where: {} cuts nothing, nor does what follows "
-                  "until the axis is positioned again."),
+    PROVEOUT_TEXT("Core", "Machine zero is unknown, so {} has no position; motions are not simulated until "
+                          "the axis is positioned again."),
     PROVEOUT_TEXT("Core", "Motions to reference positions are taken to lead away from the part.")};
 inline constexpr Message kArcTurned{
     Severity::error, true, "arc-turned",
@@ -637,7 +642,7 @@ inline constexpr Message kSurfaceSpeedLimited{
     PROVEOUT_TEXT("Core", "X is no diameter on a mill: write G97 and a speed.")};
 inline constexpr Message kSurfaceSpeedUnknown{
     Severity::warning, false, "surface-speed-unknown",
-    PROVEOUT_TEXT("Core", "With G96 and no D nobody knows how fast the spindle turns."),
+    PROVEOUT_TEXT("Core", "Spindle speed is unknown, because G96 has no D."),
     PROVEOUT_TEXT("Core", "Write G97 and a speed, or a limit D.")};
 inline constexpr Message kInputTwice{Severity::error, true, "input-twice",
                                      PROVEOUT_TEXT("Core", "M66 has P and E: a digital and an analog input."),

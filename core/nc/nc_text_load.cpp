@@ -70,7 +70,7 @@ constexpr BinaryKind kBinaryKinds[] = {
     {"AutoCAD Binary DXF", PROVEOUT_TEXT("Core", "a DXF drawing")},
     {"\x7f"
      "ELF",
-     PROVEOUT_TEXT("Core", "a program of the computer")},
+     PROVEOUT_TEXT("Core", "an executable file")},
 };
 
 /// Of a file that is no text; null where it is not known.

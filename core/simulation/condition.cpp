@@ -19,7 +19,7 @@ constexpr std::array<ConditionVariable, kConditionVariables> kVariables{{
     {'Y', PROVEOUT_TEXT("Core", "position Y at the end of the motion, mm")},
     {'Z', PROVEOUT_TEXT("Core", "position Z at the end of the motion, mm")},
     {'F', PROVEOUT_TEXT("Core", "feed, mm/min; 0 at rapid")},
-    {'S', PROVEOUT_TEXT("Core", "spindle speed, 1/min")},
+    {'S', PROVEOUT_TEXT("Core", "spindle speed, rpm")},
     {'T', PROVEOUT_TEXT("Core", "tool in the spindle")},
     {'N', PROVEOUT_TEXT("Core", "number of the block, as the timeline counts")},
     {'L', PROVEOUT_TEXT("Core", "line of the program")},

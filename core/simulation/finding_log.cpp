@@ -10,7 +10,9 @@
 #include <utility>
 
 #include "core/base/bounded_diagnostics.h"
+#include "core/base/list_argument.h"
 #include "core/base/text.h"
+#include "core/cutter/shapes.h"
 
 namespace proveout {
 
@@ -81,14 +83,16 @@ const FindingRow& rowOf(FindingKind kind, bool unconfirmed) {
 // About the tools.
 constexpr FindingRow kToolFromComment{
     Severity::warning, true, "tool-unconfirmed",
-    PROVEOUT_TEXT("Core", "T{} is read from a comment ({}); it is not confirmed."), kConfirmTool};
+    PROVEOUT_TEXT("Core", "T{} is read from a comment (⌀ {} mm {}); it is not confirmed."), kConfirmTool};
 constexpr FindingRow kToolFromVagueComment{
     Severity::warning, true, "tool-unconfirmed",
-    PROVEOUT_TEXT("Core", "T{} is read from a comment ({}; defaults: {}); it is not confirmed."),
+    PROVEOUT_TEXT("Core", "T{} is read from a comment (⌀ {} mm {}; assumed: {}); it is not "
+                          "confirmed."),
     kConfirmTool};
 constexpr FindingRow kToolSizesAssumed{
     Severity::warning, true, "tool-unconfirmed",
-    PROVEOUT_TEXT("Core", "The sizes of T{} are assumed ({}); they are not confirmed."), kConfirmTool};
+    PROVEOUT_TEXT("Core", "The sizes of T{} are assumed (⌀ {} mm {}); they are not confirmed."),
+    kConfirmTool};
 constexpr const char* kSetToolAtStart =
     PROVEOUT_TEXT("Core", "Set the tool at start in the setup if this is the right one.");
 constexpr FindingRow kToolAssumed{
@@ -136,13 +140,29 @@ void tell(BoundedDiagnostics& out, const FindingRow& row, std::vector<std::strin
              {static_cast<int>(line), 1, 0}});
 }
 
+std::string diameterOf(const std::string& spec) {
+    const Result<Cutter> cutter = parseCutter(spec);
+    return cutter ? fmt::format("{:.6g}", 2 * cutter->radius()) : std::string();
+}
+
+std::string assumedOf(const UnconfirmedTool& tool) {
+    std::vector<std::string> labels;
+    for (const std::string& key : tool.origin.defaults)
+        if (const char* label = labelOfDefault(tool.cutter, key))
+            labels.emplace_back(label);
+    return listArgument(labels);
+}
+
 void tellUnconfirmed(BoundedDiagnostics& out, const UnconfirmedTool& tool) {
-    std::vector<std::string> values{std::to_string(tool.number), tool.cutter};
+    const CutterShape* shape = shapeOf(tool.cutter);
+    std::vector<std::string> values{std::to_string(tool.number), diameterOf(tool.cutter),
+                                    shape == nullptr ? "" : shape->label};
     if (tool.origin.source == ToolSource::assumed)
         return tell(out, kToolSizesAssumed, std::move(values), tool.line);
-    if (tool.origin.defaults.empty())
+    std::string assumed = assumedOf(tool);
+    if (assumed.empty())
         return tell(out, kToolFromComment, std::move(values), tool.origin.line);
-    values.push_back(fmt::format("{}", fmt::join(tool.origin.defaults, ", ")));
+    values.push_back(std::move(assumed));
     tell(out, kToolFromVagueComment, std::move(values), tool.origin.line);
 }
 

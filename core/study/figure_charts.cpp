@@ -181,7 +181,7 @@ Chart orderChart(const StudySubject& subject, std::span<const StudyRun> runs) {
                      allowanceText(subject, subject.base.allowance);
     chart.xLabel = subject.words(PROVEOUT_TEXT("Core", "Region size, cells"));
     chart.yLabel = subject.words(PROVEOUT_TEXT("Core", "Decimation time, s"));
-    chart.rightLabel = subject.words(PROVEOUT_TEXT("Core", "Faces shown in all frames"));
+    chart.rightLabel = subject.words(PROVEOUT_TEXT("Core", "Triangles shown in all frames"));
     const std::vector<int> regions = studiedRegions(subject.job);
     for (const RemovalOrder order : {RemovalOrder::random, RemovalOrder::sequential}) {
         const auto pointAt = [&](int region) { return orderPoint(subject, order, region); };
@@ -192,8 +192,8 @@ Chart orderChart(const StudySubject& subject, std::span<const StudyRun> runs) {
                                 CurveLook::marked, colour, false,
                                 overRuns<int>(runs, regions, pointAt,
                                               [](const StudyRun& run) { return run.seconds.decimate; })});
-        chart.curves.push_back({subject.words(random ? PROVEOUT_TEXT("Core", "Faces, random")
-                                                     : PROVEOUT_TEXT("Core", "Faces, sequential")),
+        chart.curves.push_back({subject.words(random ? PROVEOUT_TEXT("Core", "Triangles, random")
+                                                     : PROVEOUT_TEXT("Core", "Triangles, sequential")),
                                 CurveLook::marked, colour + 2, true,
                                 overRuns<int>(runs, regions, pointAt, faces)});
     }
@@ -231,7 +231,7 @@ Chart allowanceChart(const StudySubject& subject, std::span<const StudyRun> runs
         return overRuns<double>(runs, studiedAllowances(), pointAt,
                                 [&](const StudyRun& run) { return measure(run) / measure(*reference); });
     };
-    chart.curves.push_back({subject.words(PROVEOUT_TEXT("Core", "Number of faces")), CurveLook::marked, 0,
+    chart.curves.push_back({subject.words(PROVEOUT_TEXT("Core", "Number of triangles")), CurveLook::marked, 0,
                             false, ratios(faces)});
     chart.curves.push_back({subject.timeLabel, CurveLook::marked, 1, false, ratios(seconds)});
     return chart;
@@ -241,7 +241,7 @@ Chart facesChart(const StudySubject& subject, std::span<const StudyRun> runs) {
     Chart chart;
     chart.subtitle = fixedText(subject) + ", " + periodText(subject.base.period);
     chart.xLabel = subject.words(PROVEOUT_TEXT("Core", "Step (block)"));
-    chart.yLabel = subject.words(PROVEOUT_TEXT("Core", "Number of faces"));
+    chart.yLabel = subject.words(PROVEOUT_TEXT("Core", "Number of triangles"));
     int colour = 0;
     for (const double allowance : kDrawnAllowances) {
         if (const StudyRun* run = find(runs, allowancePoint(subject, allowance)))
@@ -281,7 +281,7 @@ Chart periodChart(const StudySubject& subject, std::span<const StudyRun> runs) {
     chart.subtitle = fixedText(subject) + ", " + allowanceText(subject, subject.base.allowance);
     chart.xLabel = subject.words(PROVEOUT_TEXT("Core", "Decimation period s, blocks"));
     chart.yLabel = subject.timeLabel + ", s";
-    chart.rightLabel = subject.words(PROVEOUT_TEXT("Core", "Faces shown in all frames"));
+    chart.rightLabel = subject.words(PROVEOUT_TEXT("Core", "Triangles shown in all frames"));
     chart.logarithmicX = true;
     const auto pointAt = [&](int period) { return periodPoint(subject, period); };
     chart.curves.push_back({subject.timeLabel, CurveLook::marked, 1, false,
@@ -290,7 +290,7 @@ Chart periodChart(const StudySubject& subject, std::span<const StudyRun> runs) {
              1);
     addLevel(chart, find(runs, undecimated(subject)), seconds,
              subject.words(PROVEOUT_TEXT("Core", "Time, no decimation")), 5);
-    chart.curves.push_back({subject.words(PROVEOUT_TEXT("Core", "Number of faces")), CurveLook::marked, 0,
+    chart.curves.push_back({subject.words(PROVEOUT_TEXT("Core", "Number of triangles")), CurveLook::marked, 0,
                             true, overRuns<int>(runs, studiedPeriods(), pointAt, faces)});
     return chart;
 }

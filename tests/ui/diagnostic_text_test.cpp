@@ -5,6 +5,7 @@
 #include <QTest>
 
 #include "core/base/field.h"
+#include "core/base/list_argument.h"
 #include "core/decimation/parameters.h"
 #include "core/nc/codes.h"
 #include "core/nc/interpreter.h"
@@ -47,6 +48,8 @@ private slots:
         problem.text = "{} {} {}";
         problem.arguments = {"G68", "rotation", std::string("scaling\0x", 9)};
         QVERIFY(sentence(problem).startsWith(QLatin1String("G68 rotation scaling")));
+        problem.arguments = {listArgument({"Shape", "Flute length"}), "Shape, Flute length", "l"};
+        QCOMPARE(sentence(problem), QStringLiteral("Form, Schneidenlänge Shape, Flute length l"));
         DecimationParameters parameters;
         describe(parameters, [](const auto&, const Field& field) {
             QCOMPARE(coreText(field.key), QLatin1String(field.key));

@@ -233,7 +233,7 @@ void BreakpointsPanel::retranslate() {
     m_add->setText(tr("Add"));
     m_add->setToolTip(tr("Add this breakpoint; a click beside a line of the program adds one there"));
     m_remove->setText(tr("Remove"));
-    m_remove->setToolTip(tr("Take the selected breakpoints away"));
+    m_remove->setToolTip(tr("Remove the selected breakpoints"));
     m_list->setAccessibleName(tr("Breakpoints"));
     m_list->setHeaderLabels({tr("Stop at"), tr("Value")});
     showKind();

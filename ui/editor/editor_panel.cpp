@@ -27,7 +27,8 @@ constexpr const char* kContext = "EditCommands";
 constexpr int kFollowMargin = 8; // px
 // For the width of the panel.
 constexpr std::size_t kMeasuredLines = 2000;
-constexpr double kUsualLines = 0.95; ///< the share of them that fits
+constexpr double kUsualLines = 0.95;  ///< the share of them that fits …
+constexpr std::size_t kFarLonger = 2; ///< … and all, unless one is more than so many times as long
 
 } // namespace
 
@@ -61,14 +62,14 @@ const std::array<Command<EditorPanel>, 12> EditorPanel::kCommands{{
      QT_TRANSLATE_NOOP("EditCommands", "Go to the previous match"), "", "Shift+F3", Reach::window,
      [](EditorPanel& panel) { panel.m_find->find(false); }},
     {"toggle-breakpoint", QT_TRANSLATE_NOOP("EditCommands", "Toggle &Breakpoint"),
-     QT_TRANSLATE_NOOP("EditCommands", "Stop the run before the line that the caret is on, or no longer"), "",
-     "F9", Reach::window,
+     QT_TRANSLATE_NOOP("EditCommands", "Set or remove a breakpoint at the line of the cursor"), "", "F9",
+     Reach::window,
      [](EditorPanel& panel) {
          panel.m_session.toggleBreakpoint(static_cast<std::uint32_t>(panel.m_editor->caretLine()));
      }},
-    {"edit-run-to-caret", QT_TRANSLATE_NOOP("EditCommands", "Run to Caret &Line"),
-     QT_TRANSLATE_NOOP("EditCommands", "Show the stock after the line that the caret is on"), "",
-     "Ctrl+Return", Reach::focus,
+    {"edit-run-to-caret", QT_TRANSLATE_NOOP("EditCommands", "Run to Cur&sor"),
+     QT_TRANSLATE_NOOP("EditCommands", "Show the stock after the line of the cursor"), "", "Ctrl+Return",
+     Reach::focus,
      [](EditorPanel& panel) {
          panel.m_session.seekToLine(static_cast<std::uint32_t>(panel.m_editor->caretLine()));
      }},
@@ -146,7 +147,9 @@ QSize EditorPanel::sizeHint() const {
     const auto usual =
         lengths.begin() + static_cast<std::ptrdiff_t>(static_cast<double>(lengths.size() - 1) * kUsualLines);
     std::nth_element(lengths.begin(), usual, lengths.end());
-    return {m_editor->widthOf(*usual), QWidget::sizeHint().height()};
+    const std::size_t longest = *std::max_element(usual, lengths.end());
+    return {m_editor->widthOf(longest <= kFarLonger * *usual ? longest : *usual),
+            QWidget::sizeHint().height()};
 }
 
 void EditorPanel::makeFollowing() {

@@ -40,7 +40,7 @@ QString valueText(const WordHelp& help, const LineValues& values) {
     if (value == values.words.end())
         return {};
     QString text = shown(value->value);
-    if (const QString unit = QString::fromUtf8(value->unit); !unit.isEmpty())
+    if (const QString unit = coreText(value->unit); !unit.isEmpty())
         text += QStringLiteral(" ") + unit;
     constexpr double kMmPerInch = 25.4;
     if (std::strcmp(value->unit, "in") == 0)

@@ -43,10 +43,21 @@ QString ProblemsModel::text(const Diagnostic& problem, int column) {
     }
 }
 
+/// A row, with what its columns have no room for; wrapped, as rich text is.
+QString ProblemsModel::wholeText(const Diagnostic& problem) {
+    QString whole;
+    for (const QString& part : {sentence(problem), hint(problem), QString(QLatin1String(problem.id))})
+        if (!part.isEmpty())
+            whole += QStringLiteral("<p>%1</p>").arg(part.toHtmlEscaped());
+    return whole;
+}
+
 QVariant ProblemsModel::data(const QModelIndex& index, int role) const {
     const Diagnostic& shown = problem(index.row());
-    if (role == Qt::DisplayRole || role == Qt::ToolTipRole)
+    if (role == Qt::DisplayRole)
         return text(shown, index.column());
+    if (role == Qt::ToolTipRole)
+        return wholeText(shown);
     if (role == Qt::DecorationRole && index.column() == kSeverity)
         return m_icons[static_cast<std::size_t>(shown.severity)];
     if (role == Qt::TextAlignmentRole && index.column() == kLine)

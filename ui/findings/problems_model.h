@@ -30,6 +30,8 @@ public:
 
 private:
     [[nodiscard]] static QString text(const Diagnostic& problem, int column);
+    [[nodiscard]] static QString wholeText(const Diagnostic& problem);
+
     Diagnostics m_problems;
     std::array<QIcon, 4> m_icons; ///< per severity
 };

@@ -4,7 +4,6 @@
 #include <QClipboard>
 #include <QEvent>
 #include <QGuiApplication>
-#include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
 #include <QScrollBar>
@@ -13,13 +12,24 @@
 
 #include "core/nc/ignored_codes.h"
 #include "ui/diagnostic_text.h"
+#include "ui/findings/problem_columns.h"
 #include "ui/findings/problems_model.h"
 
 namespace proveout {
 
 namespace {
+
 constexpr const char* kContext = "ProblemCommands";
+
+std::set<int> unknownMCodes(const Diagnostics& problems) {
+    std::set<int> codes;
+    for (const Diagnostic& problem : problems)
+        if (const auto code = unknownMCode(problem))
+            codes.insert(*code);
+    return codes;
 }
+
+} // namespace
 
 const std::array<Command<ProblemsPanel>, 2> ProblemsPanel::kCommands{{
     {"next-problem", QT_TRANSLATE_NOOP("ProblemCommands", "&Next Problem"),
@@ -32,7 +42,8 @@ const std::array<Command<ProblemsPanel>, 2> ProblemsPanel::kCommands{{
 
 ProblemsPanel::ProblemsPanel(Session& session, QWidget* parent)
     : QWidget(parent), m_session(session), m_model(new ProblemsModel(this)), m_view(new QTreeView(this)),
-      m_empty(new QLabel(this)), m_commands(*this, kContext, kCommands, this) {
+      m_columns(new ProblemColumns(*m_view)), m_empty(new QLabel(this)),
+      m_commands(*this, kContext, kCommands, this) {
     auto* layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_view, 1);
@@ -46,9 +57,6 @@ ProblemsPanel::ProblemsPanel(Session& session, QWidget* parent)
     m_view->setUniformRowHeights(true);
     m_view->setAlternatingRowColors(true);
     m_view->setFrameShape(QFrame::NoFrame);
-    m_view->header()->setStretchLastSection(false);
-    m_view->header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_view->header()->setSectionResizeMode(ProblemsModel::kSentence, QHeaderView::Stretch);
     for (QAction* action : m_commands.all())
         addAction(action);
     connect(m_view, &QTreeView::activated, this,
@@ -72,6 +80,7 @@ void ProblemsPanel::showProblems() {
     m_empty->setVisible(!any);
     if (row >= 0 && row < m_model->rowCount())
         m_view->setCurrentIndex(m_model->index(row, 0));
+    m_columns->measure();
     m_view->doItemsLayout();                         // the range of the bar
     m_view->verticalScrollBar()->setValue(scrolled); // what is being read stays where it is
 }
@@ -122,16 +131,20 @@ void ProblemsPanel::showMenu(const QPoint& position) {
     });
     if (const auto code = unknownMCode(problem)) {
         QAction* ignore = menu->addAction(tr("Ignore M%1: It Moves No Axis").arg(*code), this,
-                                          [this, code] { ignoreMCode(*code); });
+                                          [this, code] { ignoreMCodes({*code}); });
         ignore->setObjectName(QStringLiteral("ignore-m-code"));
+        QAction* all = menu->addAction(tr("Ignore All Unknown M Codes of This Program"), this,
+                                       [this] { ignoreMCodes(unknownMCodes(m_session.problems())); });
+        all->setObjectName(QStringLiteral("ignore-all-m-codes"));
+        all->setEnabled(unknownMCodes(m_session.problems()).size() > 1);
     }
     menu->popup(m_view->viewport()->mapToGlobal(position));
 }
 
-void ProblemsPanel::ignoreMCode(int code) {
-    m_session.asOneStep([this, code] {
+void ProblemsPanel::ignoreMCodes(const std::set<int>& codes) {
+    m_session.asOneStep([this, &codes] {
         Setup setup = m_session.setup();
-        setup.ignoredM.insert(code);
+        setup.ignoredM.insert(codes.begin(), codes.end());
         if (const auto done = m_session.setSetup(setup); !done)
             m_session.tell(done.error());
     });

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <set>
 
 #include <QWidget>
 
@@ -13,6 +14,7 @@ class QTreeView;
 
 namespace proveout {
 
+class ProblemColumns;
 class ProblemsModel;
 
 /// All messages about files, program and simulation; a double click goes to the line.
@@ -36,12 +38,13 @@ private:
     void showNothingFound();
     void goTo(const Diagnostic& problem);
     void showMenu(const QPoint& position);
-    void ignoreMCode(int code);
+    void ignoreMCodes(const std::set<int>& codes);
     void retranslate();
 
     Session& m_session;
     ProblemsModel* m_model;
     QTreeView* m_view;
+    ProblemColumns* m_columns;
     QLabel* m_empty;
     CommandActions<ProblemsPanel> m_commands;
 };

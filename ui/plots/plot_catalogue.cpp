@@ -100,7 +100,7 @@ double timed(const PlotInput& input, std::size_t row, std::size_t) {
 }
 
 const std::array<PlotSpec, 7> kPlots{{
-    {"faces", QT_TRANSLATE_NOOP("Plots", "Faces"), QT_TRANSLATE_NOOP("Plots", "Block"),
+    {"faces", QT_TRANSLATE_NOOP("Plots", "Triangles"), QT_TRANSLATE_NOOP("Plots", "Block"),
      QT_TRANSLATE_NOOP("Plots", "Triangles"), false, false, true, kFaces, faces},
     {"block-time", QT_TRANSLATE_NOOP("Plots", "Time per Block"), QT_TRANSLATE_NOOP("Plots", "Block"),
      QT_TRANSLATE_NOOP("Plots", "Time (ms)"), true, false, false, kTimes, milliseconds, pictureBlocks},

@@ -78,7 +78,7 @@ void MachineForm::showMachine() {
 
 void MachineForm::showTimes() {
     const auto& times = m_session.times();
-    QString text = m_session.machine() ? QString() : tr("These values are assumed until you change one.");
+    QString text = m_session.machine() ? QString() : tr("Default machine values.");
     if (times && times->parts.total() > 0) {
         text += (text.isEmpty() ? QString() : QStringLiteral("\n")) +
                 tr("Cycle time %1: feed %2, rapid %3, dwell %4, tool changes %5")

@@ -352,7 +352,7 @@ void SetupPanel::retranslate() {
     m_dialectLabel->setText(tr("Dialect of the program"));
     m_dialect->setToolTip(
         tr("How the program is read: arcs, cycles, offsets and numbers differ from control to control"));
-    m_compensationLabel->setText(tr("Start of cutter compensation"));
+    m_compensationLabel->setText(tr("Cutter comp start-up"));
     m_compensation->setItemText(0, tr("Type A: straight to the path"));
     m_compensation->setItemText(1, tr("Type B: round outside corners"));
     m_compensation->setToolTip(
@@ -360,12 +360,12 @@ void SetupPanel::retranslate() {
            "SUP in parameter 5003 of Fanuc, setting 43 of Haas"));
     m_stockTitle->setText(tr("Stock and grid"));
     m_fit->setText(tr("Fit to program"));
-    m_fit->setToolTip(tr("Make the stock just large enough for all cutting motions"));
+    m_fit->setToolTip(tr("Fit the stock to the toolpath"));
     titleTools();
     m_machineTitle->setText(tr("Machine"));
     m_define->setText(tr("Add missing tools (⌀ 10 mm assumed)"));
     m_define->setToolTip(tr("Add these tools; then enter the sizes of your cutters"));
-    m_blockDelete->setText(tr("Skip blocks that begin with /"));
+    m_blockDelete->setText(tr("Block delete (/)"));
     m_blockDelete->setToolTip(tr("Block delete, as the switch on the control"));
     nameAutomaticDialect();
     showMissingTools();

@@ -133,7 +133,7 @@ void TuningPanel::showEffect(const FramePtr& frame) {
     const double share = surface.facesFull == 0 ? 0
                                                 : 100.0 * static_cast<double>(surface.faces) /
                                                       static_cast<double>(surface.facesFull);
-    m_faces->setText(tr("Faces shown: %1 of %2 (%3 %)")
+    m_faces->setText(tr("Triangles shown: %1 of %2 (%3 %)")
                          .arg(locale().toString(static_cast<qulonglong>(surface.faces)),
                               locale().toString(static_cast<qulonglong>(surface.facesFull)),
                               locale().toString(share, 'f', 1)));
@@ -163,7 +163,7 @@ QString TuningPanel::heldBackText(const Frame& frame) const {
     if (with && without)
         return tr("Decimation is held back while playing: a frame takes %1 ms without it and %2 ms with it.")
             .arg(milliseconds(*without), milliseconds(*with));
-    return tr("Decimation is held back while playing: there are only %1 faces to draw without it.")
+    return tr("Decimation is held back while playing: there are only %1 triangles to draw without it.")
         .arg(locale().toString(static_cast<qulonglong>(frame.surface.facesFull)));
 }
 

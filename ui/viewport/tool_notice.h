@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QFrame>
+#include <vector>
 
-class QLabel;
+#include "ui/viewport/view_notice.h"
+
 class QPushButton;
 class QToolButton;
 
@@ -12,9 +13,8 @@ namespace proveout {
 class Session;
 
 /// Says over the view that moves are not simulated because their tools are missing, or that sizes of tools
-/// are not confirmed, and offers what mends it. Hidden where there is nothing to say. It keeps itself at the
-/// lower edge of its parent, in the middle.
-class ToolNotice final : public QFrame {
+/// are not confirmed, and offers what mends it. Hidden where there is nothing to say.
+class ToolNotice final : public ViewNotice {
     Q_OBJECT
 
 public:
@@ -22,17 +22,13 @@ public:
 
 protected:
     void changeEvent(QEvent* event) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void showState();
-    void showMissing(const std::vector<int>& missing);
-    void showUnconfirmed();
-    void place();
+    [[nodiscard]] QString missingText(const std::vector<int>& missing);
+    [[nodiscard]] QString unconfirmedText();
 
     Session& m_session;
-    QLabel* m_icon;
-    QLabel* m_text;
     QPushButton* m_define;
     QPushButton* m_mend; ///< assume the missing tools, or confirm those that are there
     QToolButton* m_close;

@@ -15,6 +15,7 @@
 #include "ui/surface_probe.h"
 #include "ui/theme.h"
 #include "ui/viewport/closer_look_form.h"
+#include "ui/viewport/foreign_notice.h"
 #include "ui/viewport/hud.h"
 #include "ui/viewport/place_label.h"
 #include "ui/viewport/surface_pick.h"
@@ -79,6 +80,7 @@ Viewport::Viewport(Session& session, const GlSupport& support, QWidget* parent)
     connect(&session, &Session::tick, this, &Viewport::onTick);
     connect(m_probe, &SurfaceProbe::answered, &session, &Session::requestTick);
     new ToolNotice(session, this);
+    new ForeignNotice(session, this);
     followPalette();
     followOptions();
     setFrame(session.frame());

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QLabel>
 
+#include "ui/viewport/foreign_notice.h"
 #include "ui/viewport/tool_notice.h"
 #include "ui/viewport/viewport.h"
 
@@ -21,6 +22,7 @@ public:
                 session.reportDrawn(frame->sequence, 0, 0);
         });
         new ToolNotice(session, this);
+        new ForeignNotice(session, this);
     }
 };
 

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/list_argument.h"
+
 namespace proveout {
 namespace {
 
@@ -15,6 +17,13 @@ TEST(Diagnostic, FillsItsArgumentsInOrder) {
     EXPECT_EQ(fillIn("{}", {"{}"}), "{}") << "an argument is text, not a place for the next";
     EXPECT_EQ(fillIn("{", {"1"}), "{");
     EXPECT_EQ(fillIn("", {}), "");
+}
+
+TEST(Diagnostic, ShowsAListWithCommas) {
+    EXPECT_EQ(fillIn("assumed: {}", {listArgument({"Shape", "Flute length"})}),
+              "assumed: Shape, Flute length");
+    EXPECT_EQ(fillIn("assumed: {}", {listArgument({"Shape"})}), "assumed: Shape");
+    EXPECT_EQ(fillIn("assumed: {1}", {listArgument({})}), "assumed: ");
 }
 
 Diagnostic unknownWord() {

@@ -13,6 +13,7 @@
 #include "core/base/atomic_file.h"
 #include "core/formats/npy_header.h"
 #include "core/formats/zip_file.h"
+#include "core/formats/zip_reader.h"
 #include "tests/core/temporary_folder.h"
 
 namespace proveout {
@@ -66,8 +67,9 @@ protected:
     void put(const std::string& bytes) const { std::ofstream(file, std::ios::binary) << bytes; }
     static std::string description(const std::string& size = "\"width\":4,\"depth\":3,\"height\":2",
                                    const std::string& points = "\"nx\":5,\"ny\":4",
-                                   const std::string& head = "\"proveoutStock\":1") {
-        return "{" + head + ",\"corner\":[0,0,0]," + size + ",\"spacing\":1," + points + "}";
+                                   const std::string& head = "\"proveoutStock\":2",
+                                   const std::string& position = "\"minX\":0,\"minY\":0,\"topZ\":0") {
+        return "{" + head + "," + position + "," + size + ",\"spacing\":1," + points + "}";
     }
     static std::string heights(int nx, int ny, float value) {
         std::string bytes = npyHeader(ny, nx, "<f4");
@@ -99,6 +101,35 @@ TEST_F(StockFile, ComesBackToTheLastBit) {
         const std::string bytes = readFile(file).value();
         ASSERT_TRUE(writeStock(file, read->zmap, read->spacing, read->provenance));
         EXPECT_EQ(readFile(file).value(), bytes);
+    }
+}
+
+TEST_F(StockFile, ThePositionHasFieldsOfItsOwnNames) {
+    const ZMapSnapshot map = randomMap(3, {{-7, 4.5, 12}, 20, 10, 5}, 1);
+    ASSERT_TRUE(writeStock(file, map, 1, {}));
+    ZipReader zip;
+    ASSERT_TRUE(zip.open(file));
+    ASSERT_EQ(zip.nextEntry(), "stock.json");
+    std::string text(1000, '\0');
+    text.resize(zip.read(text.data(), text.size()));
+    for (const char* field : {"\"minX\": -7.0", "\"minY\": 4.5", "\"topZ\": 12.0"})
+        EXPECT_NE(text.find(field), std::string::npos) << text;
+    EXPECT_EQ(text.find("corner"), std::string::npos) << text;
+}
+
+TEST_F(StockFile, FilesOfFormat1HaveThePositionAsACorner) {
+    const auto described = [&](const std::string& position) {
+        writeZip({{"stock.json", description("\"width\":4,\"depth\":3,\"height\":2", "\"nx\":5,\"ny\":4",
+                                             "\"proveoutStock\":1", position)},
+                  {"heights.npy", heights(5, 4, -1)}});
+    };
+    described("\"corner\":[-7,4.5,12]");
+    const auto read = readStock(file);
+    ASSERT_TRUE(read) << message(read.error().front());
+    EXPECT_EQ(read->zmap.stock().corner, Vec3(-7, 4.5, 12));
+    for (const char* wrong : {"\"corner\":[0,0,0],\"topZ\":0", "\"minX\":0,\"minY\":0", "\"comment\":0"}) {
+        described(wrong);
+        EXPECT_EQ(idOf(file), "job-field") << wrong;
     }
 }
 
@@ -164,7 +195,7 @@ TEST_F(StockFile, WhatDoesNotFitIsRefused) {
               {"heights.npy", good}});
     EXPECT_EQ(idOf(file), "stock-grid-differs");
     writeZip({{"stock.json", description("\"width\":4,\"depth\":3,\"height\":2", "\"nx\":5,\"ny\":4",
-                                         "\"proveoutStock\":2")},
+                                         "\"proveoutStock\":3")},
               {"heights.npy", good}});
     EXPECT_EQ(idOf(file), "stock-newer");
     for (const char* size :

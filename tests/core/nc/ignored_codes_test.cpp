@@ -45,9 +45,9 @@ TEST(IgnoredCodes, OfTheControlAreListedAndLeaveTheRestVerified) {
     EXPECT_EQ(told(*program),
               (std::vector<std::string>{
                   "4:1 code-ignored M10 (clamp of a rotary axis or pallet on) moves no axis and is ignored "
-                  "(2×, line 4, 7).",
+                  "(2×, lines 4, 7).",
                   "2:1 code-ignored M11 (clamp of a rotary axis or pallet off) moves no axis and is ignored "
-                  "(2×, line 2, 6)."}));
+                  "(2×, lines 2, 6)."}));
     for (const Diagnostic& d : program->diagnostics())
         EXPECT_EQ(d.severity, Severity::note);
     ASSERT_EQ(program->ignoredCodes().size(), 2U);
@@ -112,7 +112,7 @@ TEST(IgnoredCodes, CountWhatIsRepeatedOnce) {
         text += "M10\n";
     const auto program = read(text + "G0 X1.\nM30\n", DialectId::fanuc);
     ASSERT_EQ(program->diagnostics().size(), 1U);
-    EXPECT_NE(message(program->diagnostics().front()).find("(12×, line 1, 2, 3, 4, 5, 6, 7, 8 …)"),
+    EXPECT_NE(message(program->diagnostics().front()).find("(12×, lines 1, 2, 3, 4, 5, 6, 7, 8 …)"),
               std::string::npos)
         << message(program->diagnostics().front());
 }

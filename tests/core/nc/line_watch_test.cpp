@@ -46,7 +46,7 @@ TEST(LineWatch, KnowsTheValuesOfWords) {
     EXPECT_EQ(valueAt(values, 3), "12.5 mm");
     EXPECT_EQ(valueAt(values, 11), "-3. mm");
     EXPECT_EQ(valueAt(values, 15), "21. mm/min");
-    EXPECT_EQ(valueAt(values, 23), "5. 1/min");
+    EXPECT_EQ(valueAt(values, 23), "5. rpm");
     EXPECT_EQ(valueAt(values, 26), "7. °");
 }
 

@@ -122,6 +122,21 @@ TEST(Findings, OfAToolThatIsNotConfirmedAreNoFaults) {
     EXPECT_EQ(find(given, "tool-unconfirmed"), nullptr);
 }
 
+TEST(Findings, AToolThatIsNotConfirmedIsDescribedInWords) {
+    const auto told = [](const ToolOrigin& origin) {
+        const auto findings = faultsWith(origin);
+        const auto* finding = find(findings, "tool-unconfirmed");
+        return finding == nullptr ? "" : message(*finding);
+    };
+    EXPECT_EQ(told({ToolSource::comment, 3, "T7 D4", {}}),
+              "T7 is read from a comment (⌀ 4 mm Flat end mill); it is not confirmed.");
+    EXPECT_EQ(told({ToolSource::comment, 3, "T7 D4", {"shape", "l"}}),
+              "T7 is read from a comment (⌀ 4 mm Flat end mill; assumed: Shape, Flute length); it is not "
+              "confirmed.");
+    EXPECT_EQ(told({ToolSource::assumed}),
+              "The sizes of T7 are assumed (⌀ 4 mm Flat end mill); they are not confirmed.");
+}
+
 TEST(Findings, AFaultIsNotHiddenByOneOfAnUnconfirmedTool) {
     FindingLog log;
     const auto program = programOf("T1 M6\nG0 X5 Y5 Z5\nM98 P1\n");

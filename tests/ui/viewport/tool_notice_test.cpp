@@ -40,7 +40,7 @@ struct Bench {
                                kPatience);
     }
     [[nodiscard]] QString text() const {
-        return notice.findChild<QLabel*>(QStringLiteral("toolNoticeText"))->text();
+        return notice.findChild<QLabel*>(QStringLiteral("noticeText"))->text();
     }
     void click(const char* name) {
         QTest::mouseClick(notice.findChild<QPushButton*>(QLatin1String(name)), Qt::LeftButton);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What the user has arranged comes back after a restart.
+#include <cstdlib>
 #include <memory>
 
 #include <QApplication>
@@ -7,12 +8,17 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QMenuBar>
+#include <QScrollBar>
 #include <QTemporaryFile>
 #include <QTest>
 #include <QToolButton>
+#include <QTreeView>
 
 #include "tests/ui/window/workstation.h"
 #include "ui/dock_layouts.h"
+#include "ui/editor/editor_panel.h"
+#include "ui/editor/nc_editor.h"
+#include "ui/findings/problems_model.h"
 #include "ui/first_geometry.h"
 #include "ui/languages.h"
 #include "ui/theme.h"
@@ -30,6 +36,14 @@ QString leastSizes(const QMainWindow& window) {
         text += QStringLiteral("%1 %2 × %3\n").arg(dock->objectName()).arg(least.width()).arg(least.height());
     }
     return text;
+}
+
+/// Whether the sentence of a problem that can be seen is wider than its column; the other columns yield to
+/// it.
+bool isSentenceClipped(const QTreeView& list) {
+    const QAbstractItemView& view = list; // hides sizeHintForColumn()
+    return list.isVisible() && !list.visibleRegion().isEmpty() &&
+           view.sizeHintForColumn(ProblemsModel::kSentence) > list.columnWidth(ProblemsModel::kSentence);
 }
 
 /// Whether a text that can be seen is wider than its place.
@@ -135,6 +149,11 @@ private slots:
 
     void noTextIsClippedInAnyLanguage() {
         Workstation station(true);
+        Setup setup = station.session.setup(); // so that there are problems, with long sentences
+        for (const auto& [number, cutter] : station.session.setup().tools.tools())
+            setup.tools.set(number, cutter, {ToolSource::assumed});
+        QVERIFY(station.session.setSetup(setup));
+        QTRY_VERIFY_WITH_TIMEOUT(!station.session.problems().empty(), kPatience);
         station.session.seek(station.session.blockCount());
         for (const Language& language : languages()) {
             station.appearance.setLanguage(language.code);
@@ -145,6 +164,9 @@ private slots:
                     QVERIFY2(QTest::qWaitFor([label] { return !isClipped(*label); }, 2000),
                              qPrintable(language.code + u' ' + dock->objectName() + QStringLiteral(": ") +
                                         label->text()));
+                const auto* problems = dockOf(station, "dock-problems")->findChild<QTreeView*>();
+                QVERIFY2(QTest::qWaitFor([&] { return !isSentenceClipped(*problems); }, 2000),
+                         qPrintable(language.code));
             }
         }
     }
@@ -193,6 +215,88 @@ private slots:
         QTest::qWait(100);
         const int chosen = dockOf(station, "dock-program")->width();
         QCOMPARE(widthWith("G1 X1 F100"), chosen);
+    }
+
+    void editorShowsItsFewLongLinesButNoComment() {
+        Workstation station(false);
+        station.window.resize(2560, 1000);
+        const auto wantedWith = [&](const QByteArray& line) {
+            QTemporaryFile program(QDir::tempPath() + QStringLiteral("/XXXXXX.nc"));
+            if (!program.open())
+                return 0;
+            program.write(QByteArray("N20 G1 X-269.39 Y-254.65 Z-68.5 F200\n").repeated(100) + line + '\n');
+            program.close();
+            station.open(program.fileName());
+            return station.window.editor().sizeHint().width();
+        };
+        const int usual = wantedWith("G1 X1");
+        QVERIFY(wantedWith("N40 IF [ #5405 GE 6000 ] THEN #3000= 15 ( TOOL LIFE EXPIRED )") > usual);
+        QCOMPARE(wantedWith("(" + QByteArray("A NOTE OF THE SHOP ").repeated(20) + ")"), usual);
+    }
+
+    void editorStaysAsWideAsItsLinesInEveryWindow() {
+        const auto write = [](QTemporaryFile& program) {
+            if (!program.open())
+                qFatal("cannot write the test's own file");
+            program.write(QByteArray("N100 G1 X100.1234 Y200.1234 Z-30.1234 F1000 (finishing the long side "
+                                     "of the pocket, the second time)\n")
+                              .repeated(100));
+            program.close();
+        };
+        QTemporaryFile program(QDir::tempPath() + QStringLiteral("/XXXXXX.nc"));
+        write(program);
+        const auto wanted = [](const Workstation& station) {
+            return leftDockWidth(station.window.width(),
+                                 dockOf(station, "dock-program")->widget()->sizeHint().width());
+        };
+        const auto isFitted = [&](const Workstation& station) {
+            return QTest::qWaitFor(
+                [&] { return std::abs(dockOf(station, "dock-program")->width() - wanted(station)) <= 3; },
+                3000);
+        };
+        {
+            Workstation station(false);
+            station.window.resize(1280, 800);
+            station.open(program.fileName());
+            QVERIFY(isFitted(station));
+            const int narrow = wanted(station);
+            for (const int width : {2560, 1400, 1280, 2000}) {
+                station.window.resize(width, 1000);
+                QVERIFY2(isFitted(station), qPrintable(QString::number(width)));
+            }
+            QVERIFY(wanted(station) > narrow);
+            const auto* bar = station.window.editor().findChild<NcEditor*>()->horizontalScrollBar();
+            QTRY_VERIFY2(!bar->isVisible() || bar->maximum() <= 0, "lines are cut");
+            station.window.close();
+        }
+        { // also after a restart
+            Workstation station(false);
+            station.open(program.fileName());
+            QVERIFY(isFitted(station));
+            // Until the user drags the border.
+            QTest::qWait(200);
+            const QDockWidget* dock = dockOf(station, "dock-program");
+            const QPoint border(dock->geometry().right() + 3, dock->geometry().center().y());
+            QTest::mouseMove(&station.window, border);
+            QTest::mousePress(&station.window, Qt::LeftButton, Qt::NoModifier, border);
+            QTest::mouseMove(&station.window, border - QPoint(30, 0), 20);
+            QTest::mouseMove(&station.window, border - QPoint(60, 0), 20);
+            QTest::mouseRelease(&station.window, Qt::LeftButton, Qt::NoModifier, border - QPoint(60, 0));
+            QTest::qWait(200);
+            const int chosen = dock->width();
+            QVERIFY(chosen < wanted(station) - 20);
+            for (const int width : {1900, 1300, 2200}) {
+                station.window.resize(width, 800);
+                QTest::qWait(200);
+                QCOMPARE(dock->width(), chosen);
+            }
+            station.window.close();
+        }
+        Workstation station(false);
+        const int kept = dockOf(station, "dock-program")->width();
+        station.open(program.fileName());
+        QTest::qWait(300);
+        QCOMPARE(dockOf(station, "dock-program")->width(), kept);
     }
 
     void dockHasOneTitle() {

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The list of problems, read and worked as a user does.
+#include <algorithm>
+#include <memory>
+#include <set>
+#include <string_view>
+
+#include <QApplication>
+#include <QContextMenuEvent>
+#include <QDir>
+#include <QDockWidget>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMenu>
+#include <QPushButton>
+#include <QTemporaryFile>
+#include <QTest>
+#include <QTimer>
+#include <QTreeView>
+
+#include "core/nc/dialect.h"
+#include "tests/ui/window/workstation.h"
+#include "ui/findings/problems_model.h"
+#include "ui/languages.h"
+
+namespace proveout {
+namespace {
+
+QTreeView& listOf(const Workstation& station) {
+    auto* dock = station.window.findChild<QDockWidget*>(QStringLiteral("dock-problems"));
+    dock->show();
+    dock->raise();
+    return *dock->findChild<QTreeView*>();
+}
+
+/// Opens it, without waiting for a frame.
+void open(Workstation& station, const QByteArray& text) {
+    QTemporaryFile file(QDir::tempPath() + QStringLiteral("/XXXXXX.nc"));
+    if (!file.open() || file.write(text) != text.size())
+        qFatal("cannot write the test's own file");
+    file.close();
+    station.window.files().open(file.fileName());
+    if (!openingIsOver(station.session))
+        qFatal("the file was not opened");
+}
+
+int rowOf(const Session& session, const char* id) {
+    const Diagnostics& all = session.problems();
+    const auto found = std::ranges::find_if(
+        all, [&](const Diagnostic& problem) { return std::string_view(problem.id) == id; });
+    return found == all.end() ? -1 : static_cast<int>(found - all.begin());
+}
+
+/// Whether the cell shows the whole text.
+bool isWhole(const QTreeView& list, const QModelIndex& cell) {
+    const QAbstractItemView& view = list; // sizeHintForColumn() is hidden in QTreeView
+    return list.columnWidth(cell.column()) >= view.sizeHintForIndex(cell).width();
+}
+
+/// Chooses an action of the menu of a row by the mouse.
+bool choose(QTreeView& list, int row, const char* action) {
+    const QModelIndex index = list.model()->index(row, ProblemsModel::kSentence);
+    list.scrollTo(index);
+    const QPoint at = QPoint(list.visualRect(index).left() + 20, list.visualRect(index).center().y());
+    QContextMenuEvent event(QContextMenuEvent::Mouse, at, list.viewport()->mapToGlobal(at));
+    QApplication::sendEvent(list.viewport(), &event);
+    if (!QTest::qWaitFor([] { return QApplication::activePopupWidget() != nullptr; }, kPatience))
+        return false;
+    auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+    auto* wanted = menu->findChild<QAction*>(QLatin1String(action));
+    if (wanted == nullptr || !wanted->isEnabled())
+        return false;
+    QTest::mouseClick(menu, Qt::LeftButton, Qt::NoModifier, menu->actionGeometry(wanted).center());
+    return true;
+}
+
+/// A clamp that is switched in many lines: its note lists them.
+QByteArray clamps() {
+    QByteArray text = "%\nO0001 (CLAMPS)\nG21 G90 G17\nT1 M6\nG0 X0. Y0. Z5.\nG1 Z-1. F100 S500 M3\n";
+    for (int i = 0; i < 24; ++i)
+        text += "M10\nX" + QByteArray::number(i) + ".\nM11\n";
+    return text + "M30\n%\n";
+}
+
+const char* const kSiemens = "%_N_SINUMERIK840D_POCKET_MPF\n;$PATH=/_N_WKS_DIR/_N_TEST_WPD\n"
+                             "N10 T=\"MILL10\" M6\nN20 CYCLE832(0.05,1)\nN30 G0 X0 Y0 Z5\nN40 M30\n";
+
+} // namespace
+
+class ProblemsTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { m_settings = std::make_unique<OwnSettings>(); }
+
+    void everySentenceIsWhole_data() {
+        QTest::addColumn<QByteArray>("text");
+        QTest::addColumn<QByteArray>("id");
+        QTest::newRow("a note with many lines") << clamps() << QByteArray("code-ignored");
+        QTest::newRow("another control") << QByteArray(kSiemens) << QByteArray("dialect-foreign");
+    }
+    void everySentenceIsWhole() {
+        QFETCH(QByteArray, text);
+        QFETCH(QByteArray, id);
+        Workstation station(false);
+        open(station, text);
+        QTRY_VERIFY_WITH_TIMEOUT(rowOf(station.session, id) >= 0, kPatience);
+        QTreeView& list = listOf(station);
+        for (const int width : {1280, 2560, 1280}) {
+            station.window.resize(width, 800);
+            for (const Language& language : languages()) {
+                station.appearance.setLanguage(language.code);
+                QTest::qWait(50);
+                for (int row = 0; row < list.model()->rowCount(); ++row) {
+                    const QModelIndex sentence = list.model()->index(row, ProblemsModel::kSentence);
+                    QVERIFY2(isWhole(list, sentence),
+                             qPrintable(language.code + u' ' + sentence.data().toString()));
+                    // Whatever else is elided is whole in the tip.
+                    const QString tip = sentence.data(Qt::ToolTipRole).toString();
+                    for (int column : {ProblemsModel::kSentence, ProblemsModel::kHint, ProblemsModel::kId})
+                        QVERIFY(
+                            tip.contains(sentence.siblingAtColumn(column).data().toString().toHtmlEscaped()));
+                }
+            }
+        }
+    }
+
+    void idIsShownWhereThereIsRoom() {
+        Workstation station(false);
+        open(station, clamps());
+        QTRY_VERIFY_WITH_TIMEOUT(rowOf(station.session, "code-ignored") >= 0, kPatience);
+        const QTreeView& list = listOf(station);
+        const QAbstractItemView& view = list; // sizeHintForColumn() is hidden in QTreeView
+        bool shown = false;
+        bool hidden = false;
+        for (const int width : {2560, 1280, 1000}) {
+            station.window.resize(width, 800);
+            QTest::qWait(100);
+            int wanted = 0;
+            for (int column = 0; column < ProblemsModel::kColumnCount; ++column)
+                wanted += std::max(view.sizeHintForColumn(column), list.header()->sectionSizeHint(column));
+            QCOMPARE(list.isColumnHidden(ProblemsModel::kId), wanted > list.viewport()->width());
+            (list.isColumnHidden(ProblemsModel::kId) ? hidden : shown) = true;
+        }
+        QVERIFY(shown && hidden);
+    }
+
+    void allUnknownMCodesAreIgnoredAtOnce() {
+        Workstation station(false);
+        open(station,
+             "%\nO1\nG21 G90\nT1 M6\nG0 X0. Y0. Z5.\nM16\nM161\nG1 Z-1. F100 S500 M3\nM171\nX10.\nM30\n%\n");
+        QTRY_VERIFY_WITH_TIMEOUT(rowOf(station.session, "code-unknown") >= 0, kPatience);
+        QTreeView& list = listOf(station);
+        QVERIFY(choose(list, rowOf(station.session, "code-unknown"), "ignore-all-m-codes"));
+        QCOMPARE(station.session.setup().ignoredM, (std::set<int>{16, 161, 171}));
+        QTRY_VERIFY_WITH_TIMEOUT(rowOf(station.session, "code-ignored") >= 0, kPatience);
+        QCOMPARE(rowOf(station.session, "code-unknown"), -1);
+        // One step back.
+        station.session.undoStep();
+        QVERIFY(station.session.setup().ignoredM.empty());
+    }
+
+    void aTextOfAnotherControlIsNamedInTheView() {
+        Workstation station(true);
+        QTRY_VERIFY_WITH_TIMEOUT(station.session.frame() != nullptr, kPatience);
+        open(station, kSiemens);
+        QTRY_VERIFY_WITH_TIMEOUT(rowOf(station.session, "dialect-foreign") >= 0, kPatience);
+        auto* notice = station.window.viewport().findChild<QWidget*>(QStringLiteral("foreignNotice"));
+        QVERIFY(notice != nullptr && notice->isVisible());
+        const QString said = notice->findChild<QLabel*>(QStringLiteral("noticeText"))->text();
+        QVERIFY2(said.contains(QLatin1String("Siemens Sinumerik")), qPrintable(said));
+        // No stock of which nothing is known, neither now nor when something is tried with it.
+        station.window.action(QStringLiteral("play"))->trigger();
+        station.window.action(QStringLiteral("to-end"))->trigger();
+        QTest::qWait(500);
+        QVERIFY(station.session.frame() == nullptr);
+        QVERIFY(!station.session.playback().playing);
+        QCOMPARE(station.session.problems().size(), std::size_t{1});
+
+        // Read in a dialect that the user chooses.
+        auto* readAs = notice->findChild<QPushButton*>(QStringLiteral("foreignNoticeReadAs"));
+        QTimer::singleShot(200, this, [] {
+            auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
+            if (menu != nullptr)
+                QTest::mouseClick(
+                    menu, Qt::LeftButton, Qt::NoModifier,
+                    menu->actionGeometry(menu->actions().at(static_cast<int>(DialectId::fanuc))).center());
+        });
+        QTest::mouseClick(readAs, Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(station.session.frame() != nullptr, kPatience);
+        QVERIFY(station.session.setup().dialect == DialectId::fanuc);
+        QVERIFY(!notice->isVisible());
+    }
+
+private:
+    std::unique_ptr<OwnSettings> m_settings;
+};
+
+} // namespace proveout
+
+int main(int argc, char** argv) {
+    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    QApplication application(argc, argv);
+    proveout::ProblemsTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "problems_test.moc"

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/viewport/foreign_notice.h"
+
+#include <QEvent>
+#include <QHBoxLayout>
+#include <QMenu>
+#include <QPushButton>
+
+#include "core/nc/dialect.h"
+#include "ui/diagnostic_text.h"
+#include "ui/session.h"
+
+namespace proveout {
+
+ForeignNotice::ForeignNotice(Session& session, QWidget* parent)
+    : ViewNotice(parent), m_session(session), m_readAs(new QPushButton(this)), m_dialects(new QMenu(this)) {
+    setObjectName(QStringLiteral("foreignNotice"));
+    m_readAs->setObjectName(QStringLiteral("foreignNoticeReadAs"));
+    for (const Dialect& row : dialects())
+        m_dialects->addAction(QString::fromUtf8(row.name), this, [this, id = row.id] {
+            Setup setup = m_session.setup();
+            setup.dialect = id;
+            if (const auto done = m_session.setSetup(setup); !done)
+                m_session.tell(done.error());
+        });
+    m_readAs->setMenu(m_dialects);
+    buttonRow().addWidget(m_readAs);
+    connect(&session, &Session::programChanged, this, &ForeignNotice::showState);
+    showState();
+}
+
+void ForeignNotice::showState() {
+    setVisible(m_session.isForeign());
+    if (!m_session.isForeign())
+        return;
+    m_readAs->setText(tr("Read As"));
+    m_readAs->setToolTip(tr("Choose the dialect of the program"));
+    const Diagnostic& problem = m_session.program()->diagnostics().front(); // its only one
+    showText(QStringLiteral("error"), sentence(problem) + u' ' + hint(problem));
+}
+
+void ForeignNotice::changeEvent(QEvent* event) {
+    ViewNotice::changeEvent(event);
+    if (event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange)
+        showState();
+}
+
+} // namespace proveout

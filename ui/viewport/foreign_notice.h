@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "ui/viewport/view_notice.h"
+
+class QMenu;
+class QPushButton;
+
+namespace proveout {
+
+class Session;
+
+/// Says over the view why nothing is shown of a text that is no program of ours, and offers to read it in a
+/// dialect that the user chooses. Hidden else.
+class ForeignNotice final : public ViewNotice {
+    Q_OBJECT
+
+public:
+    ForeignNotice(Session& session, QWidget* parent);
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    void showState();
+
+    Session& m_session;
+    QPushButton* m_readAs;
+    QMenu* m_dialects;
+};
+
+} // namespace proveout

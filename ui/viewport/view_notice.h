@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFrame>
+
+class QHBoxLayout;
+class QLabel;
+
+namespace proveout {
+
+/// A message over the view, with the buttons that mend what it is about. It keeps itself at the lower edge of
+/// its parent, in the middle.
+class ViewNotice : public QFrame {
+    Q_OBJECT
+
+public:
+    explicit ViewNotice(QWidget* parent);
+
+protected:
+    /// The row of the sentence: icon, text, and what else is added.
+    [[nodiscard]] QHBoxLayout& sentenceRow() { return *m_sentence; }
+    [[nodiscard]] QHBoxLayout& buttonRow() { return *m_buttons; }
+    void showText(const QString& iconName, const QString& text);
+    void place();
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    QLabel* m_icon;
+    QLabel* m_text; ///< "noticeText"
+    QHBoxLayout* m_sentence;
+    QHBoxLayout* m_buttons;
+};
+
+} // namespace proveout
