@@ -30,6 +30,8 @@ if [ -z "${XDG_RUNTIME_DIR:-}" ]; then
 fi
 display=()
 if [ -z "${DISPLAY:-}" ]; then
-    display=(xvfb-run --auto-servernum --server-args "-screen 0 1600x1000x24")
+    # Without a window manager, no window has the keyboard again once a dialog over it was closed.
+    display=(xvfb-run --auto-servernum --server-args "-screen 0 1600x1000x24"
+        bash -c 'openbox >/dev/null 2>&1 & sleep 1; "$@"' with-window-manager)
 fi
 "${display[@]}" ctest --test-dir build/release --parallel "$jobs" --output-on-failure "$@"

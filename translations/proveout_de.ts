@@ -7263,9 +7263,11 @@ Keep Both saves your version as a new file beside it.</source>
     </message>
     <message>
         <source>%1
-Range: %2 to %3 mm</source>
+Range: %2 to %3 mm
+Default: 0 mm</source>
         <translation>%1
-Bereich: %2 bis %3 mm</translation>
+Bereich: %2 bis %3 mm
+Vorgabe: 0 mm</translation>
     </message>
 </context>
 <context>

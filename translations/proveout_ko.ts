@@ -7262,9 +7262,11 @@ Keep Both saves your version as a new file beside it.</source>
     </message>
     <message>
         <source>%1
-Range: %2 to %3 mm</source>
+Range: %2 to %3 mm
+Default: 0 mm</source>
         <translation>%1
-범위: %2~%3 mm</translation>
+범위: %2~%3 mm
+기본값: 0 mm</translation>
     </message>
 </context>
 <context>

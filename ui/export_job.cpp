@@ -12,13 +12,13 @@
 #include <QMetaObject>
 
 #include "core/base/atomic_file.h"
+#include "core/base/file_state.h"
 #include "core/base/text.h"
 #include "core/decimation/map_memory.h"
 #include "core/decimation/refined_surface.h"
 #include "core/decimation/solid.h"
 #include "core/formats/solid_export.h"
 #include "ui/file_paths.h"
-#include "ui/file_state.h"
 
 namespace proveout {
 

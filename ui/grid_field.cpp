@@ -17,7 +17,7 @@ namespace proveout {
 namespace {
 
 constexpr int kDecimals = 4; ///< an automatic spacing has two digits, and may be a few micrometres
-constexpr int kBoxWidth = 90;
+constexpr int kBoxWidth = 93;
 constexpr double kShown = 0.00005; ///< what the box cannot show exactly stays until it is edited
 
 } // namespace

@@ -20,8 +20,8 @@ namespace {
 constexpr CodeRow kLostMotion{'G', -1, ModalGroup::motion, PROVEOUT_TEXT("Core", "motion")};
 
 /// The groups whose codes need no other word of their block, in the order in which they take effect.
-constexpr std::array kModes{ModalGroup::feedMode, ModalGroup::toolChange,  ModalGroup::spindle,
-                            ModalGroup::plane,    ModalGroup::units,       ModalGroup::workOffset,
+constexpr std::array kModes{ModalGroup::units,    ModalGroup::feedMode,    ModalGroup::toolChange,
+                            ModalGroup::spindle,  ModalGroup::plane,       ModalGroup::workOffset,
                             ModalGroup::distance, ModalGroup::arcDistance, ModalGroup::retract};
 
 constexpr std::size_t kShortestKeyword = 3; ///< GOTO is no G
@@ -36,6 +36,8 @@ std::size_t lettersFrom(std::string_view line, std::size_t at) {
 
 /// What ends a number; anything else after it makes the number doubtful.
 bool endsNumber(std::string_view line, std::size_t at) {
+    while (at < line.size() && (line[at] == ' ' || line[at] == '\t'))
+        ++at;
     if (at >= line.size())
         return true;
     const char c = upperCase(line[at]);
@@ -71,11 +73,12 @@ const CodeRow* motionAfter(const Execution& execution, bool codesKnown) {
         const CodeRow* row = execution.codes.find(*motion);
         return isPlainMotion(*row) ? row : &kLostMotion;
     }
+    if (before == nullptr || isPlainMotion(*before))
+        return before;
+    // The words of a hole stay in force for the next one, unless the block ends the cycle.
     onlyCode(execution, ModalGroup::motionOff, count);
-    if (count > 0)
-        return execution.dialect.rapidAfterG80 ? execution.codes.find('G', 0) : nullptr;
-    // The words of a hole stay in force for the next one.
-    return before == nullptr || isPlainMotion(*before) ? before : &kLostMotion;
+    const CodeRow* ended = execution.dialect.rapidAfterG80 ? execution.codes.find('G', 0) : nullptr;
+    return count > 0 ? ended : &kLostMotion;
 }
 
 /// G65 and its like: the letters are arguments of a macro.
@@ -125,9 +128,10 @@ void keepModes(Execution& execution, bool codesKnown) {
         // A tool is selected before it is changed; what waits for the end of compensation is not changed.
         if (group == ModalGroup::toolChange)
             keepLetter(execution, 'T', selectTool);
-        const bool refused = execution.state.compensation.on &&
-                             (group == ModalGroup::plane || group == ModalGroup::workOffset ||
-                              group == ModalGroup::retract || group == ModalGroup::toolChange);
+        const bool waits = execution.state.compensation.on &&
+                           (group == ModalGroup::plane || group == ModalGroup::workOffset ||
+                            group == ModalGroup::retract || group == ModalGroup::toolChange);
+        const bool refused = waits || (group == ModalGroup::toolChange && execution.state.selectedTool < 0);
         int count = 0;
         const Word* word = refused ? nullptr : onlyCode(execution, group, count);
         const CodeRow* row = word == nullptr ? nullptr : execution.codes.find(*word);

@@ -40,7 +40,7 @@ struct Grid {
 [[nodiscard]] Result<void> checkSpacing(double spacing);
 
 /// Errors: sizes or spacing not positive and finite, sides in plan of more than 1 : 100 000, a corner beyond
-/// 10 km, a spacing lost in rounding, less than one cell, more points than an index holds.
+/// 10 km, a spacing lost in the doubles of its coordinates, less than one cell, too many points to index.
 [[nodiscard]] Result<Grid> makeGrid(const StockBox& stock, double spacing);
 
 /// The points of that grid; 0 where there can be none.

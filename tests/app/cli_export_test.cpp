@@ -87,21 +87,21 @@ TEST_F(CliExport, UnknownEndingsAreRefusedBeforeTheWork) {
 
 /// How large a decimated mesh gets is found out by writing it.
 TEST_F(CliExport, AFileThatOutgrowsTheDiskKeepsNoOtherBack) {
-    ASSERT_EQ(simulate("--export a.ply --export b.obj").exitCode, 0);
-    const std::size_t larger = read("a.ply").size();
-    const std::size_t smaller = read("b.obj").size();
-    ASSERT_GT(larger, smaller + 1024);
-    std::filesystem::remove(folder / "a.ply");
-    std::filesystem::remove(folder / "b.obj");
+    ASSERT_EQ(simulate("--export a.obj --export b.3mf").exitCode, 0);
+    const std::size_t larger = read("a.obj").size();
+    const std::size_t smaller = read("b.3mf").size();
     constexpr std::size_t kUnit = 512; // of ulimit
-    const auto done = run("simulate p.nc --json --export a.ply --export b.obj" + kStock + kTool,
+    ASSERT_GT(larger, smaller + 2 * kUnit);
+    std::filesystem::remove(folder / "a.obj");
+    std::filesystem::remove(folder / "b.3mf");
+    const auto done = run("simulate p.nc --json --export a.obj --export b.3mf" + kStock + kTool,
                           "ulimit -f " + std::to_string(smaller / kUnit + 1) + ";");
     EXPECT_EQ(done.exitCode, 3);
-    EXPECT_TRUE(done.tells("a.ply: error: The file cannot be written (", "file-unwritable")) << done.err;
-    EXPECT_FALSE(exists("a.ply"));
-    EXPECT_TRUE(exists("b.obj"));
+    EXPECT_TRUE(done.tells("a.obj: error: The file cannot be written (", "file-unwritable")) << done.err;
+    EXPECT_FALSE(exists("a.obj"));
+    EXPECT_TRUE(exists("b.3mf"));
     const auto rows = done.json()["exports"];
-    EXPECT_TRUE(std::ranges::any_of(rows, [](const auto& row) { return row["file"] == "b.obj"; }));
+    EXPECT_TRUE(std::ranges::any_of(rows, [](const auto& row) { return row["file"] == "b.3mf"; }));
 }
 
 TEST_F(CliExport, OutputsMustDiffer) {

@@ -154,11 +154,11 @@ TEST_F(CliInput, RapidThatCutsIsAFaultAndOutranksUnverified) {
     EXPECT_FALSE(json["unverified"].empty());
 }
 
-TEST_F(CliInput, UnwritableOutputOutranksAFault) {
+TEST_F(CliInput, UnwritableOutputIsToldBeforeTheRun) {
     const auto done = simulate("T1 M6\nG0 X5 Y5 Z5\nZ-3\nM30\n", "--stl none/a.stl --json");
     EXPECT_EQ(done.exitCode, 3);
     EXPECT_TRUE(done.tells("none/a.stl: error: ", "file-unwritable")) << done.err;
-    EXPECT_THAT(done.err, HasSubstr("[rapid-cuts]"));
+    EXPECT_THAT(done.err, testing::Not(HasSubstr("[rapid-cuts]")));
     for (const char* output : {"--zmap none/a.npy", "--records none/a.csv", "--stl ."})
         EXPECT_EQ(simulate(kSound, output).exitCode, 3) << output;
 }

@@ -69,7 +69,7 @@ TEST_F(CliInterpret, DialectIsChosenOrGuessed) {
     EXPECT_EQ(lines("G90 G0 X1000\nM30\n", "--dialect fanuc")[1]["e"], (nlohmann::json{1, 0, 0}));
     lines("O1 (HOLES)\nG65 P2 X5.\nM30\nO2\nG0 X#24\nM99\n");
     EXPECT_EQ(finished.exitCode, 0) << finished.err;
-    EXPECT_THAT(finished.err, testing::HasSubstr("read as Fanuc does"));
+    EXPECT_THAT(finished.err, testing::HasSubstr("Dialect detected: Fanuc"));
     EXPECT_THAT(finished.err, testing::HasSubstr("G65P2X5. (2)"));
     EXPECT_EQ(lines("G21 G0 X5\nG12 I2 F100\nM30\n", "--dialect mach").size(), 7U);
     EXPECT_EQ(lines("X10\nM30\n", "--dialect grbl")[1]["e"], (nlohmann::json{10, 0, 0}));

@@ -124,6 +124,7 @@ TEST_F(CliMemory, UnderAnAddressLimitTheFigureIsToldAndWhatWouldFit) {
             << refused.err;
         const auto fits = run(job + spacing[1].str(), limit);
         EXPECT_LT(fits.exitCode, 3) << rest << ", " << spacing[1] << ": " << fits.err;
+        std::filesystem::remove(folder / "s.stl");
     }
 }
 

@@ -165,8 +165,9 @@ TEST_F(CliOutputs, AStandardOutputThatCannotBeWrittenIsAMessage) {
             EXPECT_TRUE(
                 done.tells("proveout-cli: error: The standard output cannot be written", "output-unwritable"))
                 << arguments << " >" << out << done.err;
-            if (!arguments.starts_with("interpret")) // which finds out too late why
+            if (!arguments.starts_with("interpret")) { // which finds out too late why
                 EXPECT_THAT(done.err, HasSubstr(why)) << arguments << " >" << out;
+            }
         }
     }
     ::close(kShellCanName);

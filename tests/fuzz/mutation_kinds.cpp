@@ -32,9 +32,6 @@ using Words = std::vector<std::string>;
 /// Points of the grids of these runs: few, because there are many runs. How long finer ones take follows
 /// from their points, which the program asks for before.
 constexpr GridLimits kGrid{1e4, 4e4};
-/// Motions and lines of a program. Those that the program allows by itself take longer than a run may.
-constexpr std::size_t kMotions = 200'000;
-constexpr std::uint64_t kSteps = 1'000'000;
 
 std::string bytesOf(const fs::path& file) {
     std::ifstream in(file, std::ios::binary);
@@ -63,8 +60,6 @@ bool runProgram(const fs::path& file) {
     options.file = file.string();
     options.dialect = dialectFor(*text);
     options.subprogramFolders = {file.parent_path()};
-    options.maxMotions = kMotions;
-    options.maxSteps = kSteps;
     const auto program = interpret(*text, options);
     Nowhere nowhere;
     std::ostream out(&nowhere);

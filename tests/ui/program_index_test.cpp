@@ -11,7 +11,7 @@ namespace proveout {
 namespace {
 
 StockBox stockOf(const std::string& text) {
-    return fittedStock(cuttingExtent(*interpret(NcText(text))), {});
+    return fittedStock(cuttingExtent(*interpret(NcText(text))), {}, {});
 }
 
 } // namespace

@@ -128,8 +128,7 @@ QTreeWidgetItem& ControlPanel::addRow(QTreeWidgetItem& parent, const QString& na
 QString ControlPanel::valueText(const ControlState::Quantity& quantity) const {
     if (quantity.name == std::string_view(control_name::kSpindleTool))
         return toolText(static_cast<int>(quantity.value), toolChoice(m_session), m_session.setup().tools);
-    return QStringLiteral("%1 %2").arg(locale().toString(quantity.value, 'g', 7),
-                                       coreText(quantity.unit));
+    return QStringLiteral("%1 %2").arg(locale().toString(quantity.value, 'g', 7), coreText(quantity.unit));
 }
 
 void ControlPanel::fill(const ControlState& state) {

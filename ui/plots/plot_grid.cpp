@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include <QScrollBar>
+
 namespace proveout {
 
 PlotGrid::PlotGrid(QWidget* parent) : QScrollArea(parent), m_inner(new QWidget) {
@@ -48,7 +50,7 @@ void PlotGrid::arrange() {
         const int left = area.width() * (k % columns) / inRow;
         const int right = area.width() * (k % columns + 1) / inRow;
         shown[static_cast<std::size_t>(k)]->setGeometry(left, row * height, right - left, height);
-        shown[static_cast<std::size_t>(k)]->setWheelScrolls(scrolls);
+        shown[static_cast<std::size_t>(k)]->setScrollBar(scrolls ? verticalScrollBar() : nullptr);
     }
 }
 

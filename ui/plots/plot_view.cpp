@@ -7,6 +7,7 @@
 
 #include <QApplication>
 #include <QBuffer>
+#include <QScrollBar>
 #include <QSvgGenerator>
 #include <QToolTip>
 
@@ -397,8 +398,10 @@ void PlotView::mouseDoubleClickEvent(QMouseEvent*) {
 }
 
 void PlotView::wheelEvent(QWheelEvent* event) {
-    if (m_wheelScrolls && !event->modifiers().testFlag(Qt::ControlModifier))
-        return event->ignore();
+    if (m_scrollBar != nullptr && !event->modifiers().testFlag(Qt::ControlModifier)) {
+        QCoreApplication::sendEvent(m_scrollBar, event);
+        return event->accept();
+    }
     const double steps = event->angleDelta().y() / double{QWheelEvent::DefaultDeltasPerStep};
     const double whole = std::max(1.0, static_cast<double>(m_blockCount));
     xAxis->scaleRange(std::pow(kZoomPerStep, steps), xAxis->pixelToCoord(event->position().x()));

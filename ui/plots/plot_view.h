@@ -10,6 +10,8 @@
 #include "ui/plots/plot_header.h"
 #include "ui/plots/plot_ticks.h"
 
+class QScrollBar;
+
 namespace proveout {
 
 /// One plot of the catalogue. Thread: UI. Data is appended row by row; setBlock() repaints at the next
@@ -38,8 +40,9 @@ public:
     /// The value of one curve at a row, as drawn (stacked plots: without those below).
     [[nodiscard]] double value(std::size_t series, std::size_t row) const;
     [[nodiscard]] std::size_t rows() const { return rows(0); }
-    /// Where it stands in an area that scrolls, the wheel scrolls that, and zooms with Ctrl held down.
-    void setWheelScrolls(bool scrolls) { m_wheelScrolls = scrolls; }
+    /// Where it stands in an area that scrolls, the wheel moves its bar, and zooms with Ctrl held down; null
+    /// elsewhere. (The base class keeps mouse events from its parents.)
+    void setScrollBar(QScrollBar* bar) { m_scrollBar = bar; }
 
     [[nodiscard]] QByteArray png(double scale);
     [[nodiscard]] QByteArray svg();
@@ -92,7 +95,7 @@ private:
     bool m_following = true;
     double m_span = 0; ///< blocks shown; 0: all
     bool m_dragged = false;
-    bool m_wheelScrolls = false;
+    QScrollBar* m_scrollBar = nullptr; ///< not owned
     QPointF m_pressed;
 };
 

@@ -125,7 +125,7 @@ void SetupPanel::dropInput() {
     m_rest.stop();
     m_making.cancel();
     m_shown = m_session.setup();
-    show(m_shown);
+    fill(m_shown);
     m_ignored->dropText();
 }
 
@@ -142,10 +142,10 @@ void SetupPanel::showSetup() {
     }
     const Setup held = carried(m_session.setup(), m_shown, form);
     m_shown = m_session.setup();
-    show(held);
+    fill(held);
 }
 
-void SetupPanel::show(const Setup& setup) {
+void SetupPanel::fill(const Setup& setup) {
     m_stock->show(setup);
     m_tools->show(setup.tools);
     const QSignalBlocker quiet(m_blockDelete);

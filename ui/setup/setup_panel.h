@@ -39,7 +39,7 @@ private:
     void titleTools();
     void dropInput();
     void showSetup();
-    void show(const Setup& setup);
+    void fill(const Setup& setup);
     void nameAutomaticDialect();
     [[nodiscard]] QString automaticDialect() const;
     void showCompensation();

@@ -144,7 +144,7 @@ void StartForm::retranslate() {
         m_axisLabels[axis]->setText(name);
         m_position[axis]->setAccessibleName(name);
         m_position[axis]->setSuffix(tr(" mm"));
-        m_position[axis]->setToolTip(tr("%1\nRange: %2 to %3 mm")
+        m_position[axis]->setToolTip(tr("%1\nRange: %2 to %3 mm\nDefault: 0 mm")
                                          .arg(coreText(setup_field::kStart.help),
                                               locale().toString(setup_field::kStart.minimum),
                                               locale().toString(setup_field::kStart.maximum)));

@@ -55,7 +55,7 @@ private:
     QComboBox* m_by;
     QLabel* m_speedLabel;
     QComboBox* m_speed;
-    QString m_timeTip;                   ///< of the machine, without what was simulated
+    QString m_timeTip;                  ///< of the machine, without what was simulated
     PlayBy m_namedFor = PlayBy::blocks; ///< what the speeds are named for
 };
 

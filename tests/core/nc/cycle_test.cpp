@@ -129,9 +129,11 @@ TEST(Cycles, PecksAreCountedBeforeTheyAreMade) {
 /// The longest holes and rows of holes that people drill are far below the limit of a block.
 TEST(Cycles, LongJobsOfOneBlockAreDrilled) {
     const std::string head = "G21 G90 G0 X0 Y0 Z5. S500 M3 F500.\n";
+    InterpretOptions options;
+    options.dialect = DialectId::fanuc;
     for (const std::string block :
          {"G83 X1. R2. Z-3000. Q0.5", "G91 G81 X1. R-3. Z-4. K9999", "G91 G83 X1. R-3. Z-50. Q1. K99"}) {
-        const auto program = interpret(NcText(head + block + "\nG80\nM30\n"), {.dialect = DialectId::fanuc});
+        const auto program = interpret(NcText(head + block + "\nG80\nM30\n"), options);
         EXPECT_FALSE(program->unverified()) << block;
         EXPECT_GT(program->motionCount(), 9000U) << block;
     }

@@ -191,7 +191,7 @@ TEST(Program, CutBackIsTheProgramAsItWas) {
     for (int round = 0; round < 50; ++round) {
         Program program;
         Program::Extent extent;
-        const unsigned kept = random() % 40;
+        const auto kept = static_cast<unsigned>(random() % 40);
         Vec3 at(0);
         const auto grow = [&](unsigned count) {
             for (unsigned i = 0; i < count; ++i) {
@@ -209,7 +209,7 @@ TEST(Program, CutBackIsTheProgramAsItWas) {
         grow(kept);
         extent = program.extent();
         const Program whole = program;
-        grow(random() % 40);
+        grow(static_cast<unsigned>(random() % 40));
         program.append(Diagnostic{Severity::error, true, "id", "text", {}, "", "", {1, 1, 0}});
         program.cutBack(extent);
         Program expected = whole;

@@ -150,7 +150,7 @@ TEST(ToolProposals, HostileTextTakesBoundedTime) {
 TEST(ToolProposals, CommentsAtEveryMotionTakeBoundedTime) {
     std::string text;
     for (int k = 0; k < 99'000; ++k)
-        text += fmt::format("(D={} FLAT END MILL)\nX1\n", 1 + std::min(k, 998) * 0.01);
+        text += fmt::format("(D={:.2f} FLAT END MILL)\nX1\n", 1 + std::min(k, 998) * 0.01);
     const std::clock_t start = std::clock();
     EXPECT_EQ(proposeTools(NcText(text)).tools.tools().size(), 999U);
     EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 20);

@@ -450,7 +450,7 @@ private slots:
                                       "G41 G1 X0 Y0\nY20\nY40\nG40 X20\nM2\n")));
         QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
         QCOMPARE(session.program()->motion(3).end.x, -2.0);
-        QVERIFY(!hasProblem(session, "compensation-diameter-unknown"));
+        QVERIFY(!hasProblem(session, "compensation-without-diameter"));
         QVERIFY(hasProblem(session, "tool-assumed"));
         QSignalSpy read(&session, &Session::programChanged);
         session.applyEdit(0, 0, "(edited)\n");

@@ -210,7 +210,7 @@ private slots:
                                << QByteArray("block-too-long");
         QTest::newRow("repeats") << begin + "G91 G81 X1 Z-1 R0 L999999999\nM2\n"
                                  << QByteArray("block-too-long");
-        QTest::newRow("calls") << begin + "M98 P2 L999999\nM2\nO2\nM98 P3 L999999\nM99\nO3\nG91 G0 X1\nM99\n"
+        QTest::newRow("calls") << begin + "M98 P2 L9999\nM2\nO2\nM98 P3 L9999\nM99\nO3\nG91 G0 X1\nM99\n"
                                << QByteArray("too-many-steps");
         QTest::newRow("loop") << begin + "o1 while [1]\nG91 G1 X1\no1 endwhile\nM2\n"
                               << QByteArray("endless-loop");
@@ -219,7 +219,7 @@ private slots:
             << QByteArray("too-many-steps");
         QTest::newRow("loop of tool changes")
             << begin + "#1=0\no1 while [1]\n#1=[#1+1]\nT1 M6\nT2 M6\nG91 G0 X1\no1 endwhile\nM2\n"
-            << QByteArray("too-many-steps");
+            << QByteArray("too-many-again");
         QTest::newRow("idle loop") << begin + "#1=0\no1 while [1]\n#1=[#1+1]\no1 endwhile\nM2\n"
                                    << QByteArray("loop-without-motion");
     }
