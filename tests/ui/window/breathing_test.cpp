@@ -231,7 +231,7 @@ private slots:
                 return id == problem.id && Session::isInText(problem);
             });
         };
-        constexpr std::size_t kFew = 1000; // motions
+        constexpr std::size_t kFew = 10'000; // motions; an end by repeated messages leaves some thousand
         Workstation station(true);
         QTest::qWait(1000); // the first picture compiles shaders
         const FramePtr before = station.session.frame();
