@@ -105,7 +105,8 @@ Result<KeptSession> readKeptSession(const QString& folder) {
     kept.work.jobDigest = text("jobDigest").toStdString();
     kept.work.jobModified = QFile::exists(in(folder, kJob));
     kept.work.keptJob = toPath(kept.work.jobModified ? in(folder, kJob) : kept.work.jobFile);
-    for (const QJsonValue& each : record.value(QLatin1String("breakpoints")).toArray())
+    const QJsonArray breakpoints = record.value(QLatin1String("breakpoints")).toArray();
+    for (const auto each : breakpoints)
         kept.state.breakpoints << each.toString();
     kept.state.layout = QByteArray::fromBase64(text("layout").toLatin1());
     kept.time = QDateTime::fromString(text("time"), Qt::ISODate);

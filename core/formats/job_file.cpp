@@ -49,7 +49,7 @@ struct Reach {
 
 /// A file that the job names; empty where it may not be read, which is an error then.
 fs::path reachedFile(JsonFields& fields, const char* key, const std::string& named, const Reach& reach) {
-    const fs::path file = absolutePath(reach.folder / fs::path(named));
+    fs::path file = absolutePath(reach.folder / fs::path(named));
     if (!isOutside(reach.folder, file) || (reach.allowed && reach.allowed(file)))
         return file;
     fields.fail(key,

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 namespace proveout {
 namespace {
@@ -48,6 +47,18 @@ Chords chordsFor(const Program& program, std::size_t first, std::size_t last) {
 /// The index of the first motion of a block; of all motions behind the last.
 std::size_t firstMotion(const Program& program, std::size_t block) {
     return block < program.blockCount() ? program.blockMotions(block).first : program.motionCount();
+}
+
+/// The first block of a range whose motions begin at a motion or behind it; the end of the range where there is none.
+std::size_t blockFromMotion(const Program& program, BlockRange range, std::size_t motion) {
+    while (range.first < range.last) {
+        const std::size_t middle = range.first + (range.last - range.first) / 2;
+        if (firstMotion(program, middle) < motion)
+            range.first = middle + 1;
+        else
+            range.last = middle;
+    }
+    return range.last;
 }
 
 void append(const Motion& motion, int count, const Vec3& origin, std::vector<PathVertex>& vertices) {
@@ -95,12 +106,8 @@ BlockRange blocksForFrame(const Program& program, std::size_t block, const Block
     const std::size_t at = firstMotion(program, block);
     const std::size_t behind = at - std::min(at, kMostMotions);
     const std::size_t ahead = at + kMostMotions;
-    BlockRange range{std::min(wanted.first, block), std::max(wanted.last, block)};
-    const auto blocks = std::views::iota(range.first, range.last);
-    const auto firstOf = [&](std::size_t index) { return firstMotion(program, index); };
-    range.first = *std::ranges::lower_bound(blocks.begin(), blocks.end(), behind, {}, firstOf);
-    range.last = *std::ranges::upper_bound(blocks.begin(), blocks.end(), ahead, {}, firstOf);
-    return range;
+    const BlockRange range{std::min(wanted.first, block), std::max(wanted.last, block)};
+    return {blockFromMotion(program, range, behind), blockFromMotion(program, range, ahead + 1)};
 }
 
 } // namespace proveout

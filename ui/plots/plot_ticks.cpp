@@ -50,10 +50,10 @@ QString PlotTicks::getTickLabel(double tick, const QLocale& locale, QChar, int) 
 QVector<double> PlotTicks::createTickVector(double tickStep, const QCPRange& range) {
     constexpr qsizetype kFewest = 2;
     if (m_logarithmic && range.lower > 0) {
-        const QVector<double> all = logarithmicTicks(range, {1, 2, 5});
+        QVector<double> all = logarithmicTicks(range, {1, 2, 5});
         if (all.size() >= kFewest && all.size() <= tickCount() + 1)
             return all;
-        if (const QVector<double> powers = logarithmicTicks(range, {1}); powers.size() >= kFewest)
+        if (QVector<double> powers = logarithmicTicks(range, {1}); powers.size() >= kFewest)
             return powers;
         if (all.size() >= kFewest)
             return {all.front(), all.back()};

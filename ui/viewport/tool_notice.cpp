@@ -93,6 +93,7 @@ QString ToolNotice::unconfirmedText() {
     const UnconfirmedTool& first = tools.front();
     m_tool = first.number;
     std::vector<int> numbers;
+    numbers.reserve(tools.size());
     for (const UnconfirmedTool& tool : tools)
         numbers.push_back(tool.number);
     const QString cutter = cutterText(*m_session.setup().tools.find(m_tool), locale());
