@@ -13,7 +13,7 @@ bash "$root/app/install-packages.sh" build
 cd "$root"
 if [ ! -f build/release/build.ninja ]; then
     # The tests need packages of their own; tests/run.sh switches them on.
-    cmake --preset release -DPROVEOUT_TESTS=OFF -DPROVEOUT_BENCH=OFF
+    cmake --preset release -DPROVEOUT_TESTS=OFF -DPROVEOUT_BENCH=OFF -DPROVEOUT_TOGETHER=ON
 fi
 cmake --build build/release --parallel "$(nproc)" --target proveout proveout-cli
 

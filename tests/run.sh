@@ -9,7 +9,7 @@ bash "$root/app/install-packages.sh" build test
 
 cd "$root"
 jobs="$(nproc)"
-cmake --preset release -DPROVEOUT_TESTS=ON -DPROVEOUT_BENCH=ON -DPROVEOUT_TESTS_TOGETHER=ON
+cmake --preset release -DPROVEOUT_TESTS=ON -DPROVEOUT_BENCH=ON -DPROVEOUT_TOGETHER=ON
 cmake --build build/release --parallel "$jobs"
 for preset in asan tsan; do
     cmake --preset "$preset"

@@ -2,16 +2,17 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """clang_tidy.py BUILD [SOURCE…]: runs clang-tidy over the sources of core, ui, app and resources that BUILD compiles.
 
-A source is checked again only when it, a header of ours that it includes, or the rules have changed: the dependencies
-are those Ninja has recorded, so BUILD must have been built. What was found clean is remembered beside the compiler's
-cache, not in BUILD, so that a fresh clone on the same machine checks what is new only.
+A source is checked again only when it, a header of ours that it includes, or the rules have changed. BUILD must have
+been built, for the sources that are generated. What was found clean is remembered beside the compiler's cache, not in
+BUILD, so that a fresh clone on the same machine checks what is new only.
 
-Most of the time goes into the headers of libraries, so sources that are compiled alike are checked together, as one
-translation unit. That may only acquit: where something is found, or sources do not stand together because names
-clash, they are checked apart, and that counts. Sources that are named are checked apart at once.
+Most of the time goes into the headers of libraries, so the sources of a room are checked together, as few translation
+units. That may only acquit: where something is found, sources are checked apart, and that counts. Where names clash,
+the later source goes into another unit. Sources that are named are checked apart at once.
 """
 import collections
 import concurrent.futures
+import functools
 import hashlib
 import json
 import os
@@ -28,43 +29,54 @@ NAMED = {str(pathlib.Path(source).resolve().relative_to(ROOT)) for source in sys
 REMEMBERED = pathlib.Path(os.environ.get("XDG_CACHE_HOME", pathlib.Path.home() / ".cache")) / "proveout/clang-tidy"
 UNITS = BUILD / "clang-tidy"
 ROOMS = ("core/", "ui/", "app/", "resources/")
-FEWEST_TOGETHER = 3
-MOST_TOGETHER = 20  # about 1 GB of memory with Qt's headers
+FEWEST_TOGETHER = 2
+MOST_TOGETHER = 60  # about 2 GB of memory with Qt's headers
 KEPT_DAYS = 30
 
 
+INCLUDED = re.compile(r'^\s*#\s*include\s*"([^"]+)"', re.MULTILINE)
+
+
+def sources_of(file):
+    """The source itself, or those that CMake has put together in it."""
+    if "/Unity/unity_" not in file:
+        return [file]
+    return INCLUDED.findall(pathlib.Path(file).read_text())
+
+
 def commands():
-    """Source → (compiler's arguments without source and output, object's folder)."""
+    """Source → the compiler's arguments without its name, source and output."""
     found = {}
     for entry in json.loads((BUILD / "compile_commands.json").read_text()):
-        source = os.path.relpath(entry["file"], ROOT)
-        if not source.startswith(ROOMS):
-            continue
-        arguments = shlex.split(entry["command"])
+        arguments = shlex.split(entry["command"].replace("-isystem ", "-isystem"))
         output = arguments.index("-o")
-        folder = os.path.dirname(arguments[output + 1])
         del arguments[output:output + 2]
-        found[source] = ([a for a in arguments if a not in ("-c", entry["file"])], folder)
+        arguments = [a for a in arguments[1:] if a not in ("-c", entry["file"])]
+        for file in sources_of(entry["file"]):
+            source = os.path.relpath(file, ROOT)
+            if source.startswith(ROOMS):
+                found[source] = arguments
     return found
 
 
-def dependencies():
-    """Source → itself and the headers below this repository, outside of the build tree."""
-    found = {}
-    listing = subprocess.run(["ninja", "-C", BUILD, "-t", "deps"], check=True, capture_output=True, text=True).stdout
-    for entry in listing.split("\n\n"):
-        paths = [os.path.normpath(BUILD / line.strip()) for line in entry.split("\n")[1:] if line.strip()]
-        ours = [os.path.relpath(path, ROOT) for path in paths
-                if path.startswith(f"{ROOT}/") and not path.startswith(f"{BUILD}/")]
-        if ours and ours[0].startswith(ROOMS) and ours[0].endswith(".cpp"):
-            found[ours[0]] = ours
+@functools.cache
+def included(file):
+    """The files of this repository that a file of it includes."""
+    return [name for name in INCLUDED.findall((ROOT / file).read_text()) if (ROOT / name).is_file()]
+
+
+def dependencies(source):
+    """The source and the headers of this repository that it sees."""
+    found = [source]
+    for file in found:
+        found += [name for name in dict.fromkeys(included(file)) if name not in found]
     return found
 
 
 def rules(compiled):
     """What besides the sources decides what is found. Where the clone lies does not."""
     version = subprocess.run(["clang-tidy", "--version"], check=True, capture_output=True, text=True).stdout
-    options = {a.replace(f"{ROOT}/", "") for arguments, _ in compiled.values() for a in arguments
+    options = {a.replace(f"{ROOT}/", "") for arguments in compiled.values() for a in arguments
                if re.match(r"-([DfmOW]|std)", a)}
     return (ROOT / ".clang-tidy").read_text() + version + "\n".join(sorted(options))
 
@@ -90,9 +102,8 @@ def tidy(*arguments):
 class Check:
     def __init__(self):
         self.compiled = commands()
-        self.files = dependencies()
         ruling = rules(self.compiled)
-        self.keys = {source: key(ruling, files) for source, files in self.files.items() if source in self.compiled}
+        self.keys = {source: key(ruling, dependencies(source)) for source in self.compiled}
         self.units = 0
         self.failed = 0
         self.pool = concurrent.futures.ThreadPoolExecutor(os.cpu_count())
@@ -108,71 +119,80 @@ class Check:
             else:
                 yield source
 
-    def batches(self):
-        groups = collections.defaultdict(list)
-        for source in self.pending():
-            arguments, folder = self.compiled[source]
-            groups[(folder if not NAMED else source, *arguments)].append(source)
-        for sources in groups.values():
-            count = -(-len(sources) // MOST_TOGETHER)
-            for i in range(count):
-                yield sources[i::count]
-
     def start(self, sources):
+        """Starts units of as many sources as stand together well."""
+        rooms = collections.defaultdict(list)
+        for source in sorted(sources):
+            rooms[source if NAMED else source.partition("/")[0]].append(source)
+        for room in rooms.values():
+            count = -(-len(room) // MOST_TOGETHER)
+            for i in range(count):
+                self.start_unit(room[len(room) * i // count:len(room) * (i + 1) // count])
+
+    def start_unit(self, sources):
         if len(sources) < FEWEST_TOGETHER:
             for source in sources:
                 self.running.add(self.pool.submit(self.apart, source))
-        elif sources:
+        else:
             self.units += 1
-            self.running.add(self.pool.submit(self.together, sources, UNITS / f"unit{self.units}"))
+            self.running.add(self.pool.submit(self.together, sources, UNITS / f"unit{self.units}.cpp"))
 
-    def together(self, sources, folder):
-        """Remembers the sources if nothing is found; else says which ones to check again in what company."""
-        folder.mkdir(parents=True, exist_ok=True)
-        unit = folder / "unit.cpp"
+    def together(self, sources, unit):
+        """Remembers the sources if nothing is found; else answers which to check apart, and which in other company."""
+        arguments = list(dict.fromkeys(a for source in sources for a in self.compiled[source]))
+        standing, clashing = sources, ["the first time"]
+        while clashing and standing:
+            clashing = self.named(standing, self.unit(standing, unit, arguments, "--checks=-*,modernize-use-nullptr")[1],
+                                  "clang-diagnostic-error")
+            standing = [source for source in standing if source not in clashing]
+        elsewhere = [source for source in sources if source not in standing]
+        if len(standing) < FEWEST_TOGETHER:
+            return sources, []
+        clean, output = self.unit(standing, unit, arguments)
+        if not clean:
+            apart = self.named(standing, output) or standing
+            return apart, elsewhere + [source for source in standing if source not in apart]
+        for source in standing:
+            self.keys[source].touch()
+        return [], elsewhere
+
+    def unit(self, sources, unit, arguments, *options):
         unit.write_text("".join(f'#include "{ROOT / source}" // NOLINT\n' for source in sources))
-        arguments = [*self.compiled[sources[0]][0], "-c", str(unit)]
-        (folder / "compile_commands.json").write_text(
-            json.dumps([{"directory": str(BUILD), "arguments": arguments, "file": str(unit)}]))
-        clean, output = tidy("-p", folder, f"--header-filter=^{quoted(ROOT)}/({'|'.join(ROOMS)})",
-                             "--extra-arg=-ferror-limit=0", unit)
-        if clean:
-            for source in sources:
-                self.keys[source].touch()
-            return []
-        findings = re.findall(r"^([^:\n]+):\d+:\d+: error: .*\[([\w.-]+)", output, re.MULTILINE)
-        clashes = [finding for finding in findings if finding[1] == "clang-diagnostic-error"]
-        named = {os.path.relpath(path, ROOT) for path, _ in clashes or findings}
-        rest = [source for source in sources if source not in named]
-        accused = [source for source in sources if source in named]
-        if not rest or not accused:
-            return [[source] for source in sources]
-        return [rest, accused] if clashes else [rest, *([source] for source in accused)]
+        return tidy(f"--header-filter=^{quoted(ROOT)}/({'|'.join(ROOMS)})", *options, unit, "--", *arguments, "-ferror-limit=0")
+
+    def named(self, sources, output, check=r"[\w.-]+"):
+        places = re.findall(rf"^([^:\n]+):\d+:\d+: error: .*\[{check}[\],]", output, re.MULTILINE)
+        files = {os.path.relpath(path, ROOT) for path in places}
+        return [source for source in sources if source in files]
 
     def apart(self, source):
-        clean, output = tidy("-p", BUILD, source)
+        clean, output = tidy(ROOT / source, "--", *self.compiled[source])
         if clean:
             self.keys[source].touch()
         else:
             print(f"clang-tidy {source}\n{output}", flush=True)
             self.failed += 1
-        return []
+        return [], []
 
     def run(self):
-        batches = sorted(self.batches(), key=len, reverse=True)
-        print(f"clang-tidy: {len(self.keys)} sources, {sum(map(len, batches))} to check", flush=True)
-        for batch in batches:
-            self.start(batch)
-        while self.running:
-            done, self.running = concurrent.futures.wait(self.running, return_when="FIRST_COMPLETED")
-            for again in done:
-                for batch in again.result():
-                    self.start(batch)
+        rest = list(self.pending())
+        print(f"clang-tidy: {len(self.keys)} sources, {len(rest)} to check", flush=True)
+        while rest:
+            self.start(rest)
+            rest = []
+            while self.running:
+                done, self.running = concurrent.futures.wait(self.running, return_when="FIRST_COMPLETED")
+                for unit in done:
+                    apart, elsewhere = unit.result()
+                    rest += elsewhere
+                    for source in apart:
+                        self.running.add(self.pool.submit(self.apart, source))
         return 1 if self.failed else 0
 
 
 if __name__ == "__main__":
     REMEMBERED.mkdir(parents=True, exist_ok=True)
+    UNITS.mkdir(exist_ok=True)
     for old in REMEMBERED.iterdir():
         if old.stat().st_mtime < time.time() - KEPT_DAYS * 86400:
             old.unlink()
