@@ -142,8 +142,8 @@ private:
 
     /// "in" is a unit, and a word of English: apart from its number it is a unit at the end of a phrase only.
     [[nodiscard]] CommentUnit unitAt(std::string_view word) const {
-        const bool phraseGoesOn = m_rest.size() > 1 && m_rest[0] == ' ' &&
-                                  foldedLetter(static_cast<unsigned char>(m_rest[1])) != 0;
+        const bool phraseGoesOn =
+            m_rest.size() > 1 && m_rest[0] == ' ' && foldedLetter(static_cast<unsigned char>(m_rest[1])) != 0;
         return word == "IN" && m_separated && phraseGoesOn ? CommentUnit::none : unitNamed(word);
     }
 

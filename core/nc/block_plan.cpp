@@ -235,8 +235,8 @@ private:
         if (m_motionRow == nullptr)
             return true;
         const Word& motion = *groupWord(ModalGroup::motion);
-        // "G0 G28 Z0": where the last of two codes counts, the motion code is for the blocks to come. Elsewhere G28
-        // and its kind tolerate no motion code, with or without axis words.
+        // "G0 G28 Z0": where the last of two codes counts, the motion code is for the blocks to come.
+        // Elsewhere G28 and its kind tolerate no motion code, with or without axis words.
         const bool both = named || m_execution.codes.find(*m_axisWord)->step == Step::nonModal;
         if (both && !m_execution.dialect.lastWordCounts)
             return refuse(nc_message::kAxesTwice, motion, {nameOf(*m_axisWord), nameOf(motion)});

@@ -49,7 +49,8 @@ std::size_t firstMotion(const Program& program, std::size_t block) {
     return block < program.blockCount() ? program.blockMotions(block).first : program.motionCount();
 }
 
-/// The first block of a range whose motions begin at a motion or behind it; the end of the range where there is none.
+/// The first block of a range whose motions begin at a motion or behind it; the end of the range where there
+/// is none.
 std::size_t blockFromMotion(const Program& program, BlockRange range, std::size_t motion) {
     while (range.first < range.last) {
         const std::size_t middle = range.first + (range.last - range.first) / 2;
