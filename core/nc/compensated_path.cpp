@@ -68,7 +68,7 @@ private:
 
     void tellGouge(const Message& message) {
         const Motion motion = m_execution.program.motion(m_compensation.firstHeld);
-        tell(message, {shown(radius()), std::to_string(motion.line)});
+        tellOfRadius(m_execution, message, m_word, {shown(radius()), std::to_string(motion.line)});
     }
 
     [[nodiscard]] double radius() const { return std::abs(m_compensation.offset); }
@@ -85,7 +85,7 @@ private:
     }
 
     void refuse(const Message& message, std::vector<std::string> arguments) {
-        tell(message, std::move(arguments));
+        tellOfRadius(m_execution, message, m_word, std::move(arguments));
         leaveOut(m_execution, m_motion);
     }
 
@@ -188,6 +188,14 @@ private:
 };
 
 } // namespace
+
+void tellOfRadius(Execution& execution, const Message& message, const Word& word,
+                  std::vector<std::string> arguments) {
+    if (execution.state.compensation.assumed)
+        execution.reporter.tellAsWarning(message, word, std::move(arguments));
+    else
+        execution.reporter.tell(message, word, std::move(arguments));
+}
 
 void appendCompensated(Execution& execution, const Word& word, const Motion& motion) {
     if (execution.machineCoordinates) {

@@ -3,6 +3,8 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
+#include <vector>
 
 #include "core/base/geometry.h"
 #include "core/nc/block.h"
@@ -12,6 +14,7 @@
 namespace proveout {
 
 struct Execution;
+struct Message;
 
 /// What compensation by vectors knows besides.
 struct VectorState {
@@ -29,6 +32,7 @@ struct CutterCompensation {
     bool on = false;
     double side = 0;      ///< as the code says: 1 left, -1 right
     double offset = 0;    ///< the tool's radius in mm, positive where it goes on the left of the path
+    bool assumed = false; ///< that radius
     bool entered = false; ///< the motion into compensation is done
 
     bool held = false;         ///< whether the end of the last motion in the plane may still move
@@ -50,6 +54,10 @@ struct CutterCompensation {
     /// On the way from the compensated to the programmed path.
     [[nodiscard]] bool leaving() const { return !entered && displacement != Vec3(0); }
 };
+
+/// Tells what is due to the radius of the tool: a warning only where that is assumed.
+void tellOfRadius(Execution& execution, const Message& message, const Word& word,
+                  std::vector<std::string> arguments);
 
 /// Appends the path beside a programmed motion and what joins it to the motion before; the machine arrives at
 /// the programmed end. Where the tool does not fit, that is told at `word`.

@@ -30,11 +30,12 @@ bool mayBegin(Execution& execution, const Word& word) {
     return false;
 }
 
-void begin(Execution& execution, const Word& word, double offset) {
+void begin(Execution& execution, const Word& word, double offset, bool assumed = false) {
     CutterCompensation& compensation = execution.state.compensation;
     compensation.on = true;
     compensation.side = std::signbit(offset) ? kRight : kLeft;
     compensation.offset = offset;
+    compensation.assumed = assumed;
     if (offset == 0) {
         execution.reporter.tell(execution.tools.given() || execution.block.has('D')
                                     ? nc_message::kCompensationNoDiameter
@@ -43,28 +44,28 @@ void begin(Execution& execution, const Word& word, double offset) {
     }
 }
 
-/// The diameter of the tool that the D word names, or of the one in the spindle.
-std::optional<double> diameterOfTool(Execution& execution, const Word& word) {
+/// The tool that the D word names, or the one in the spindle; null where there is none, which is told.
+const ToolOffset* toolAsked(Execution& execution, const Word& word) {
     double number = execution.state.tool;
     if (execution.block.has('D') && execution.block.value('D') != 0)
         number = execution.block.value('D');
     const Word& where = execution.block.has('D') ? execution.block.word('D') : word;
     if (number < 0 || number != std::round(number) || number > kLargestNumber) {
         execution.reporter.tell(nc_message::kNotInteger, where, {"D", "0", std::to_string(kLargestNumber)});
-        return {};
+        return nullptr;
     }
     const ToolOffset* tool = execution.tools.find(static_cast<int>(number));
-    if (tool != nullptr)
-        return tool->diameter;
-    execution.reporter.tell(nc_message::kOffsetUnknown, where, {std::to_string(static_cast<int>(number))});
-    return {};
+    if (tool == nullptr)
+        execution.reporter.tell(nc_message::kOffsetUnknown, where,
+                                {std::to_string(static_cast<int>(number))});
+    return tool;
 }
 
 void compensateForTool(Execution& execution, const Word& word, double side) {
     if (!mayBegin(execution, word))
         return;
-    if (const auto diameter = diameterOfTool(execution, word))
-        begin(execution, word, side * *diameter / 2);
+    if (const ToolOffset* tool = toolAsked(execution, word))
+        begin(execution, word, side * tool->diameter / 2, tool->assumed);
 }
 
 void compensateForDiameter(Execution& execution, const Word& word, double side) {

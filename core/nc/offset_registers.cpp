@@ -72,6 +72,13 @@ bool OffsetRegisters::certain(Entry entry, int number) const {
            (m_tools.given() && m_tools.find(number) != nullptr);
 }
 
+bool OffsetRegisters::assumedRadius(int number) const {
+    if (number == 0 || written(Entry::radius, number) != nullptr)
+        return false;
+    const ToolOffset* tool = m_tools.find(number);
+    return tool != nullptr && tool->assumed;
+}
+
 std::optional<OffsetRegisters::Place> OffsetRegisters::place(DialectId dialect, int variable) {
     for (const Variables& row : dialect == DialectId::haas ? std::span<const Variables>(kHaas)
                                                            : std::span<const Variables>(kFanuc)) {

@@ -37,6 +37,9 @@ public:
     /// assumed to be 0.
     [[nodiscard]] bool certain(Entry entry, int number) const;
 
+    /// Whether the radius is that of a tool whose diameter is assumed.
+    [[nodiscard]] bool assumedRadius(int number) const;
+
     /// What the program wrote, by number; by entry.
     using Contents = std::map<int, std::array<std::optional<double>, 4>>;
     [[nodiscard]] const Contents& contents() const { return m_written; }

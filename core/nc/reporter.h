@@ -37,6 +37,11 @@ public:
     void tell(const Message& message, const Word& word, std::vector<std::string> arguments = {}) {
         tell(message, word.column, word.length, std::move(arguments));
     }
+    /// What would be more if it did not rest on something assumed.
+    void tellAsWarning(Message message, const Word& word, std::vector<std::string> arguments) {
+        message.severity = Severity::warning;
+        tell(message, word, std::move(arguments));
+    }
     /// For what is told about the whole program, once: is shown whatever the limit.
     void tellInAnyCase(const Message& message, int column, int length,
                        std::vector<std::string> arguments = {});

@@ -12,6 +12,7 @@ namespace proveout {
 struct ToolOffset {
     Vec3 offset{0}; ///< of its tip; Z is its length
     double diameter = 0;
+    bool assumed = false; ///< nobody has given the diameter; what it leads to is no fault of the program
 
     bool operator==(const ToolOffset&) const = default;
 };

@@ -48,6 +48,7 @@ void useRadius(Execution& execution, double radius) {
     const double side =
         state.frame.transformation.flips(state.plane) ? -compensation.side : compensation.side;
     compensation.offset = side * radius;
+    compensation.assumed = execution.registers.assumedRadius(state.radiusRegister);
     compensation.entered = compensation.entered && radius != 0;
 }
 

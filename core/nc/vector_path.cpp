@@ -51,7 +51,7 @@ private:
         m_execution.reporter.tell(message, m_word, std::move(arguments));
     }
     void refuse(const Message& message, std::vector<std::string> arguments = {}) {
-        tell(message, std::move(arguments));
+        tellOfRadius(m_execution, message, m_word, std::move(arguments));
         leaveOut(m_execution, m_motion);
     }
 
@@ -169,8 +169,9 @@ private:
         const Vec2& from = m_compensation.from;
         if (!m_compensation.entry && !changesSide() && goesBackward(path, from, end)) {
             const Motion motion = m_execution.program.motion(m_compensation.firstHeld);
-            tell(m_held.cornered ? nc_message::kCompensationErased : nc_message::kCompensationGouge,
-                 {shown(std::abs(m_held.offset)), std::to_string(motion.line)});
+            tellOfRadius(m_execution,
+                         m_held.cornered ? nc_message::kCompensationErased : nc_message::kCompensationGouge,
+                         m_word, {shown(std::abs(m_held.offset)), std::to_string(motion.line)});
             m_execution.program.settle();
             return false;
         }

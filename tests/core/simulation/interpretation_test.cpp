@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/interpretation.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 
 #include "tests/core/temporary_folder.h"
@@ -28,6 +29,28 @@ TEST(Interpretation, CompensatesForTheCuttersOfTheSetUp) {
     ASSERT_GE(program->motionCount(), 3U);
     // Left of a path along Y, by the radius.
     EXPECT_NEAR(program->motion(2).end.x, -4, 1e-9);
+}
+
+TEST(Interpretation, WarnsOnlyWhereTheToolThatDoesNotFitIsAssumed) {
+    const NcText text("T3 M6\nF100\nG0 X0 Y-20 Z0\nG41 G1 X0 Y0\nG2 X2 Y0 I1 J0\nG1 Y-20\nG40\nM2\n");
+    // The outside arc has a radius of 1 mm on the inside of the left: no cutter of 8 mm fits.
+    const NcText tight("T3 M6\nF100\nG0 X0 Y-20 Z0\nG41 G1 X0 Y0\nG3 X-2 Y0 I-1 J0\nG1 Y-20\nG40\nM2\n");
+    proveout::Setup setup = withBall(8);
+    const Cutter cutter = *setup.tools.find(3);
+    const auto worst = [&](const ToolOrigin& origin) {
+        setup.tools.set(3, cutter, origin);
+        const auto program = interpret(tight, interpretOptions(setup, {}));
+        EXPECT_TRUE(program->unverified());
+        EXPECT_FALSE(program->diagnostics().empty());
+        return std::ranges::max(program->diagnostics(), {}, &Diagnostic::severity).severity;
+    };
+    EXPECT_FALSE(interpret(text, interpretOptions(setup, {}))->unverified());
+    EXPECT_EQ(worst({}), Severity::error);
+    EXPECT_EQ(worst({.source = ToolSource::assumed}), Severity::warning);
+    EXPECT_EQ(worst({.source = ToolSource::assumed, .entered = {"d"}}), Severity::error);
+    EXPECT_EQ(worst({.source = ToolSource::comment, .line = 1, .comment = "FLAT D8"}), Severity::error);
+    EXPECT_EQ(worst({.source = ToolSource::comment, .line = 1, .comment = "FLAT", .defaults = {"d"}}),
+              Severity::warning);
 }
 
 TEST(Interpretation, LooksForSubprogramsBesideTheProgram) {
