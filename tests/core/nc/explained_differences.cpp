@@ -40,6 +40,9 @@ const std::set<std::string> kEndless{"too-many-steps", "too-many-again", "main-r
 /// Codes of LinuxCNC that are known and not supported.
 const std::set<std::string> kNotOfMills{"G17.1", "G18.1", "G19.1", "G70", "G71", "G72", "G76"};
 
+/// Motions in step with the spindle.
+const std::set<std::string> kInStep{"G33", "G33.1"};
+
 /// What LinuxCNC refuses and we run, by its message, each with the reason.
 struct Milder {
     const char* text;
@@ -98,12 +101,39 @@ Outcome outcomeOfEndless(const OracleAnswer& answer, const OurAnswer& ours) {
     return {"endless in both", ""};
 }
 
+Outcome compared(const OracleAnswer& beginning, const Program& ours, const char* reason) {
+    std::string why;
+    if (!sameSteps(beginning, ours, Extent::oracleBegins, kListing, why))
+        return {"differs", why};
+    return {reason, ""};
+}
+
+Outcome outcomeOfLost(const OracleAnswer& answer, const OurAnswer& ours) {
+    return compared(
+        upToError(answer), ours.whole,
+        "the stand-alone machine changes tools and forgets the length that no motion has used yet");
+}
+
+/// LinuxCNC runs G33 and its like in compensation, without the spindle; the motion before depends on theirs.
+Outcome outcomeOfForbidden(const OracleAnswer& answer, const OurAnswer& ours) {
+    OracleAnswer beginning = upToError(answer);
+    const std::size_t known = ours.upToError.motionCount();
+    beginning.records.resize(std::min(beginning.records.size(), known - std::min<std::size_t>(known, 1)));
+    return compared(beginning, ours.whole,
+                    "LinuxCNC compensates motions in step with the spindle, without it");
+}
+
 } // namespace
 
 Outcome outcomeOf(const std::vector<std::string>& lines, const OracleAnswer& answer, const OurAnswer& ours) {
     if (answer.errorClass == "timeout")
         return outcomeOfEndless(answer, ours);
     const Diagnostic* error = firstError(ours.whole);
+    if (answer.lost)
+        return outcomeOfLost(answer, ours);
+    if (error != nullptr && error->id == std::string("compensation-forbids") &&
+        kInStep.contains(error->arguments.front()))
+        return outcomeOfForbidden(answer, ours);
     const int theirLine = answer.errorClass == "no-program-end" ? 0 : answer.errorLine;
     const int ourLine = error == nullptr ? 0 : error->where.line;
     const Reason reason = ourLine == theirLine ? Reason() : reasonFor(lines, answer, error);

@@ -83,7 +83,7 @@ bool Rs274Listing::parse(std::string_view text, Call& call) {
 
 void Rs274Listing::readLine(std::string_view line) {
     Call call;
-    if (parse(line, call))
+    if (!m_lost && parse(line, call))
         read(call);
 }
 
@@ -107,6 +107,7 @@ void Rs274Listing::addCutting(json& record) const {
 void Rs274Listing::addMotion(const char* kind, const Call& call, const Vec3& end) {
     m_program = end;
     m_machine = m_frame.toMachine(end);
+    m_lengthUnused = false;
     json record{{"k", kind}, {"l", call.line}, {"e", listed(m_machine)}};
     if (record["k"] != "rapid")
         addCutting(record);
@@ -183,6 +184,7 @@ bool Rs274Listing::readFrame(const Call& call) {
         frame.rotation = call.numbers.at(0);
     } else if (call.name == "USE_TOOL_LENGTH_OFFSET") {
         const Vec3 length = pointOf(call, 0); // the tip moves, the spindle does not
+        m_lengthUnused = m_lengthUnused || length != m_length;
         m_machine += m_length - length;
         m_length = length;
     } else {
@@ -221,6 +223,7 @@ void Rs274Listing::readEvent(const Call& call) {
         m_selected = static_cast<int>(call.numbers.at(0));
     } else if (call.name == "CHANGE_TOOL") {
         m_tool = m_selected;
+        m_lost = m_lengthUnused; // its position is read back
         m_records.push_back({{"k", "tool"}, {"l", call.line}, {"t", m_tool}});
     } else if (call.name == "CHANGE_TOOL_NUMBER") {
         m_tool = static_cast<int>(call.numbers.at(0));

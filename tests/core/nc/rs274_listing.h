@@ -25,6 +25,8 @@ public:
     [[nodiscard]] std::vector<nlohmann::json> takeRecords() { return std::move(m_records); }
     /// Whether the radius of a cutter was compensated anywhere.
     [[nodiscard]] bool compensated() const { return m_compensated; }
+    /// Whether the machine has lost its place at a tool change; nothing after that is read.
+    [[nodiscard]] bool lost() const { return m_lost; }
 
 private:
     struct Call {
@@ -63,6 +65,8 @@ private:
     int m_selected = 0;
     int m_tool = 0;
     bool m_compensated = false;
+    bool m_lengthUnused = false; ///< no motion since it was changed
+    bool m_lost = false;
 };
 
 } // namespace proveout::test

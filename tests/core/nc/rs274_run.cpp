@@ -125,6 +125,7 @@ OracleAnswer Rs274::run(const std::string& program) const {
     OracleAnswer answer;
     answer.records = listing.takeRecords();
     answer.compensated = listing.compensated();
+    answer.lost = listing.lost();
     if (WIFSIGNALED(status) && WTERMSIG(status) != SIGXCPU && WTERMSIG(status) != SIGKILL &&
         WTERMSIG(status) != SIGPIPE)
         answer.errorClass = "crash";
