@@ -8,7 +8,10 @@
 #include <QDockWidget>
 #include <QLabel>
 #include <QMenuBar>
+#include <QMouseEvent>
 #include <QScrollBar>
+#include <QStyle>
+#include <QTemporaryDir>
 #include <QTemporaryFile>
 #include <QTest>
 #include <QToolButton>
@@ -55,6 +58,23 @@ bool isClipped(const QLabel& label) {
 
 QDockWidget* dockOf(const Workstation& station, const char* id) {
     return station.window.findChild<QDockWidget*>(QLatin1String(id));
+}
+
+void sendMouse(QMainWindow& window, QEvent::Type type, QPoint place, Qt::MouseButtons buttons) {
+    const Qt::MouseButton button = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
+    QMouseEvent event(type, place, window.mapToGlobal(place), button, buttons, Qt::NoModifier);
+    QCoreApplication::sendEvent(&window, &event);
+}
+
+/// Drags the border at the right of a dock. The layout carries out moves a moment later.
+void dragBorder(QMainWindow& window, const QDockWidget& dock, int by) {
+    const int border = window.style()->pixelMetric(QStyle::PM_DockWidgetSeparatorExtent, nullptr, &window);
+    const QPoint from(dock.geometry().right() + 1 + border / 2, dock.geometry().center().y());
+    const QPoint to = from + QPoint(by, 0);
+    sendMouse(window, QEvent::MouseButtonPress, from, Qt::LeftButton);
+    sendMouse(window, QEvent::MouseMove, to, Qt::LeftButton);
+    QTest::qWait(100);
+    sendMouse(window, QEvent::MouseButtonRelease, to, Qt::NoButton);
 }
 
 } // namespace
@@ -274,6 +294,40 @@ private slots:
             station.open(program.fileName());
             QVERIFY(isFitted(station));
         }
+    }
+
+    void widthThatTheUserDragsStays() {
+        const QTemporaryDir folder; // a program that is gone would be asked about at the end
+        const auto openProgram = [&](Workstation& station, const QByteArray& line) {
+            QFile program(folder.filePath(QStringLiteral("%1.nc").arg(line.size())));
+            if (!program.open(QIODevice::WriteOnly))
+                qFatal("cannot write the test's own file");
+            program.write((line + '\n').repeated(100));
+            program.close();
+            station.open(program.fileName());
+            QTest::qWait(200);
+        };
+        constexpr int kDragged = 130;
+        int dragged = 0;
+        {
+            Workstation station(false);
+            station.window.resize(1600, 900);
+            openProgram(station, "G1 X1 F100");
+            QDockWidget* dock = dockOf(station, "dock-program");
+            const int before = dock->width();
+            dragBorder(station.window, *dock, kDragged);
+            QTRY_COMPARE(dock->width(), before + kDragged);
+            dragged = dock->width();
+            openProgram(station, "G1 X100.1234 Y200.1234 Z-30.1234 F1000 (finishing)");
+            QCOMPARE(dock->width(), dragged);
+            station.window.resize(1700, 900);
+            QTest::qWait(200);
+            QCOMPARE(dock->width(), dragged);
+            station.window.close();
+        }
+        Workstation station(false);
+        openProgram(station, "G1 X1 F100");
+        QCOMPARE(dockOf(station, "dock-program")->width(), dragged);
     }
 
     void dockHasOneTitle() {
