@@ -23,6 +23,7 @@
 #include "ui/file_paths.h"
 #include "ui/panel_layout.h"
 #include "ui/setup/ignored_codes_field.h"
+#include "ui/setup/kept_in_view.h"
 #include "ui/setup/machine_form.h"
 #include "ui/setup/start_form.h"
 #include "ui/setup/stock_changed_bar.h"
@@ -117,6 +118,7 @@ void SetupPanel::build() {
     layout->addWidget(m_machine);
     layout->addStretch(1);
     fillScrolled(*this, content);
+    m_toolInView = new KeptInView(*findChild<QScrollArea*>(), *m_tools);
     m_problem->hide();
 }
 
@@ -340,11 +342,7 @@ void SetupPanel::titleTools() {
 
 void SetupPanel::showTool(int number) {
     m_tools->edit(number);
-    auto* area = findChild<QScrollArea*>();
-    layout()->activate(); // a tool that was just added has its form only now
-    area->ensureWidgetVisible(m_tools);
-    if (QWidget* size = m_tools->focusWidget())
-        area->ensureWidgetVisible(size);
+    m_toolInView->keep();
 }
 
 void SetupPanel::retranslate() {

@@ -18,6 +18,7 @@ class QPushButton;
 namespace proveout {
 
 class IgnoredCodesField;
+class KeptInView;
 class MachineForm;
 class StartForm;
 class StockForm;
@@ -72,6 +73,7 @@ private:
     QLabel* m_problem;
     QLabel* m_toolsTitle;
     ToolTableEditor* m_tools;
+    KeptInView* m_toolInView = nullptr; ///< owned by the scroll area
     QLabel* m_missing;
     QPushButton* m_define;
     QLabel* m_machineTitle;

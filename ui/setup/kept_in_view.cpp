@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/setup/kept_in_view.h"
+
+#include <QEvent>
+#include <QLayout>
+#include <QScrollArea>
+#include <QScrollBar>
+
+namespace proveout {
+
+KeptInView::KeptInView(QScrollArea& area, QWidget& form) : QObject(&area), m_area(area), m_form(form) {
+    area.widget()->installEventFilter(this);
+    form.installEventFilter(this);
+    connect(area.verticalScrollBar(), &QScrollBar::actionTriggered, this, [this] { m_keeps = false; });
+}
+
+void KeptInView::keep() {
+    m_keeps = true;
+    bring();
+}
+
+void KeptInView::bring() const {
+    if (!m_keeps)
+        return;
+    m_area.widget()->layout()->activate(); // a tool that was just added has its form only now
+    m_area.ensureWidgetVisible(&m_form);
+    if (QWidget* field = m_form.focusWidget())
+        m_area.ensureWidgetVisible(field);
+}
+
+bool KeptInView::eventFilter(QObject* watched, QEvent* event) {
+    const QEvent::Type type = event->type();
+    // Queued: the layouts are not through yet.
+    if (m_keeps && (type == QEvent::Resize || type == QEvent::Move || type == QEvent::LayoutRequest))
+        QMetaObject::invokeMethod(this, &KeptInView::bring, Qt::QueuedConnection);
+    return QObject::eventFilter(watched, event);
+}
+
+} // namespace proveout
