@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/cutter/tool_table.h"
 
+#include <algorithm>
+
 namespace proveout {
 
 const char* name(ToolSource source) {
@@ -13,6 +15,13 @@ const char* name(ToolSource source) {
         return "assumed";
     }
     return "";
+}
+
+bool ToolOrigin::states(const std::string& key) const {
+    const auto isIn = [&](const std::vector<std::string>& keys) {
+        return std::find(keys.begin(), keys.end(), key) != keys.end();
+    };
+    return isIn(entered) || (source != ToolSource::assumed && !isIn(defaults));
 }
 
 void ToolTable::set(int number, Cutter cutter, ToolOrigin origin) {

@@ -33,6 +33,9 @@ struct ToolOrigin {
     /// What the user has entered since, without confirming the tool: keys as of `defaults`.
     std::vector<std::string> entered = {};
 
+    /// Whether a size, by the key of the cutter's spec, is one that somebody has stated.
+    [[nodiscard]] bool states(const std::string& key) const;
+
     friend bool operator==(const ToolOrigin&, const ToolOrigin&) = default;
 };
 

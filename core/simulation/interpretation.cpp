@@ -4,9 +4,7 @@
 #include <algorithm>
 #include <cstdint>
 #include <map>
-#include <string>
 #include <utility>
-#include <vector>
 
 #include "core/base/memory.h"
 #include "core/simulation/probed_stock.h"
@@ -14,26 +12,13 @@
 
 namespace proveout {
 
-namespace {
-
-bool has(const std::vector<std::string>& keys, const char* key) {
-    return std::find(keys.begin(), keys.end(), key) != keys.end();
-}
-
-/// Whether nobody has said how wide a tool is.
-bool assumedDiameter(const ToolOrigin* origin) {
-    constexpr const char* kDiameter = "d"; // the key of the specs of cutters
-    if (origin == nullptr || has(origin->entered, kDiameter))
-        return false;
-    return origin->source == ToolSource::assumed || has(origin->defaults, kDiameter);
-}
-
-} // namespace
-
 ToolOffsets toolOffsets(const ToolTable& tools) {
     std::map<int, ToolOffset> offsets;
-    for (const auto& [number, cutter] : tools.tools())
-        offsets[number] = {Vec3(0), 2 * cutter.radius(), assumedDiameter(tools.unconfirmedOrigin(number))};
+    for (const auto& [number, cutter] : tools.tools()) {
+        const ToolOrigin* origin = tools.unconfirmedOrigin(number);
+        const bool assumed = origin != nullptr && !origin->states("d"); // the diameter, in specs
+        offsets[number] = {Vec3(0), 2 * cutter.radius(), assumed};
+    }
     return ToolOffsets(std::move(offsets));
 }
 

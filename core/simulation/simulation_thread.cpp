@@ -146,7 +146,9 @@ struct SimulationThread::State {
             return;
         }
         simulation = std::move(*created);
-        publish();
+        // An uncut stock is decimated in no time, and drawing all its points may take longer.
+        if (simulation->settled())
+            publish();
     }
 
     void take(EditCommand&& edit) {

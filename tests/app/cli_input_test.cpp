@@ -116,7 +116,8 @@ TEST_F(CliInput, AToolOfACommentIsUsedAndWhatItFindsIsUnverified) {
     EXPECT_TRUE(done.tells("p.nc:1:1: warning: ", "tool-unconfirmed")) << done.err;
     EXPECT_TRUE(done.tells("p.nc:5:1: warning: ", "rapid-cuts")) << done.err;
     EXPECT_GT(done.json()["removedMm3"], 0);
-    for (const auto& tool : done.json()["tools"])
+    const auto tools = done.json()["tools"];
+    for (const auto& tool : tools)
         if (tool["number"] == 7) {
             EXPECT_EQ(tool["cutter"], "flat:d=4");
             EXPECT_EQ(tool["source"], "comment");

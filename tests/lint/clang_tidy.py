@@ -140,11 +140,7 @@ class Check:
     def together(self, sources, unit):
         """Remembers the sources if nothing is found; else answers which to check apart, and which in other company."""
         arguments = list(dict.fromkeys(a for source in sources for a in self.compiled[source]))
-        standing, clashing = sources, ["the first time"]
-        while clashing and standing:
-            clashing = self.named(standing, self.unit(standing, unit, arguments, "--checks=-*,modernize-use-nullptr")[1],
-                                  "clang-diagnostic-error")
-            standing = [source for source in standing if source not in clashing]
+        standing = self.without_clashes(sources, unit, arguments)
         elsewhere = [source for source in sources if source not in standing]
         if len(standing) < FEWEST_TOGETHER:
             return sources, []
@@ -155,6 +151,16 @@ class Check:
         for source in standing:
             self.keys[source].touch()
         return [], elsewhere
+
+    def without_clashes(self, sources, unit, arguments):
+        """What compiles as one unit: one check only, as most of the time goes into the others."""
+        while sources:
+            _, output = self.unit(sources, unit, arguments, "--checks=-*,modernize-use-nullptr")
+            clashing = self.named(sources, output, "clang-diagnostic-error")
+            if not clashing:
+                break
+            sources = [source for source in sources if source not in clashing]
+        return sources
 
     def unit(self, sources, unit, arguments, *options):
         unit.write_text("".join(f'#include "{ROOT / source}" // NOLINT\n' for source in sources))

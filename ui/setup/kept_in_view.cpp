@@ -19,12 +19,15 @@ void KeptInView::keep() {
     bring();
 }
 
-void KeptInView::bring() const {
+void KeptInView::bring() {
+    // Who types elsewhere by now must not lose that field instead.
+    QWidget* field = m_form.window()->focusWidget();
+    m_keeps = m_keeps && (field == nullptr || m_form.isAncestorOf(field));
     if (!m_keeps)
         return;
     m_area.widget()->layout()->activate(); // a tool that was just added has its form only now
     m_area.ensureWidgetVisible(&m_form);
-    if (QWidget* field = m_form.focusWidget())
+    if (field != nullptr)
         m_area.ensureWidgetVisible(field);
 }
 

@@ -8,7 +8,7 @@ class QScrollArea;
 namespace proveout {
 
 /// Keeps the field of a form that is being typed in inside the view of its scroll area, while what stands
-/// around it comes and goes, until the user scrolls. Thread: UI.
+/// around it comes and goes, until the user scrolls or types elsewhere. Thread: UI.
 class KeptInView final : public QObject {
     Q_OBJECT
 
@@ -22,7 +22,7 @@ protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    void bring() const;
+    void bring();
 
     QScrollArea& m_area;
     QWidget& m_form;

@@ -101,7 +101,7 @@ Outcome outcomeOfEndless(const OracleAnswer& answer, const OurAnswer& ours) {
     return {"endless in both", ""};
 }
 
-Outcome compared(const OracleAnswer& beginning, const Program& ours, const char* reason) {
+Outcome outcomeOfBeginning(const OracleAnswer& beginning, const Program& ours, const char* reason) {
     std::string why;
     if (!sameSteps(beginning, ours, Extent::oracleBegins, kListing, why))
         return {"differs", why};
@@ -109,7 +109,7 @@ Outcome compared(const OracleAnswer& beginning, const Program& ours, const char*
 }
 
 Outcome outcomeOfLost(const OracleAnswer& answer, const OurAnswer& ours) {
-    return compared(
+    return outcomeOfBeginning(
         upToError(answer), ours.whole,
         "the stand-alone machine changes tools and forgets the length that no motion has used yet");
 }
@@ -119,8 +119,8 @@ Outcome outcomeOfForbidden(const OracleAnswer& answer, const OurAnswer& ours) {
     OracleAnswer beginning = upToError(answer);
     const std::size_t known = ours.upToError.motionCount();
     beginning.records.resize(std::min(beginning.records.size(), known - std::min<std::size_t>(known, 1)));
-    return compared(beginning, ours.whole,
-                    "LinuxCNC compensates motions in step with the spindle, without it");
+    return outcomeOfBeginning(beginning, ours.whole,
+                              "LinuxCNC compensates motions in step with the spindle, without it");
 }
 
 } // namespace

@@ -75,16 +75,17 @@ std::vector<Setup> setupsOfAllKinds(std::mt19937& random) {
     return setups;
 }
 
+/// As wide as the fine grid's spacing at least: a narrower box is refused.
 BoxOfInterest randomBox(const StockBox& stock, std::mt19937& random) {
     std::uniform_real_distribution<double> part(0, 1);
     const auto range = [&](double from, double length) {
-        const double a = from + length * part(random);
-        const double b = from + length * part(random);
-        return Vec2(std::min(a, b), std::max(a, b));
+        const double a = from + (length - kFine) * part(random);
+        const double b = from + (length - kFine) * part(random);
+        return Vec2(std::min(a, b), std::max(a, b) + kFine);
     };
     const Vec2 x = range(stock.corner.x, stock.width);
     const Vec2 y = range(stock.corner.y, stock.depth);
-    return {{{x.x, y.x}, {x.y + 1e-9, y.y + 1e-9}}, kFine};
+    return {{{x.x, y.x}, {x.y, y.y}}, kFine};
 }
 
 ZMapSnapshot wholeStock(const std::shared_ptr<const Program>& program, Setup setup, std::size_t blocks) {

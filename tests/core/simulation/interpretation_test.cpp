@@ -32,25 +32,27 @@ TEST(Interpretation, CompensatesForTheCuttersOfTheSetUp) {
 }
 
 TEST(Interpretation, WarnsOnlyWhereTheToolThatDoesNotFitIsAssumed) {
-    const NcText text("T3 M6\nF100\nG0 X0 Y-20 Z0\nG41 G1 X0 Y0\nG2 X2 Y0 I1 J0\nG1 Y-20\nG40\nM2\n");
-    // The outside arc has a radius of 1 mm on the inside of the left: no cutter of 8 mm fits.
-    const NcText tight("T3 M6\nF100\nG0 X0 Y-20 Z0\nG41 G1 X0 Y0\nG3 X-2 Y0 I-1 J0\nG1 Y-20\nG40\nM2\n");
-    proveout::Setup setup = withBall(8);
-    const Cutter cutter = *setup.tools.find(3);
-    const auto worst = [&](const ToolOrigin& origin) {
-        setup.tools.set(3, cutter, origin);
-        const auto program = interpret(tight, interpretOptions(setup, {}));
-        EXPECT_TRUE(program->unverified());
-        EXPECT_FALSE(program->diagnostics().empty());
-        return std::ranges::max(program->diagnostics(), {}, &Diagnostic::severity).severity;
-    };
-    EXPECT_FALSE(interpret(text, interpretOptions(setup, {}))->unverified());
-    EXPECT_EQ(worst({}), Severity::error);
-    EXPECT_EQ(worst({.source = ToolSource::assumed}), Severity::warning);
-    EXPECT_EQ(worst({.source = ToolSource::assumed, .entered = {"d"}}), Severity::error);
-    EXPECT_EQ(worst({.source = ToolSource::comment, .line = 1, .comment = "FLAT D8"}), Severity::error);
-    EXPECT_EQ(worst({.source = ToolSource::comment, .line = 1, .comment = "FLAT", .defaults = {"d"}}),
-              Severity::warning);
+    // The left of a counter-clockwise arc is its inside: a cutter of 8 mm does not fit into a radius of 1 mm.
+    const std::string tight = "G21 G0 X0. Y-20. Z0.\nG41 D3 G1 X0. Y0. F100.\nG3 X-2. Y0. I-1. J0.\n"
+                              "G1 Y-20.\nG40 X-9.\nM2\n";
+    for (const DialectId dialect : {DialectId::linuxcnc, DialectId::fanuc}) {
+        proveout::Setup setup = withBall(8);
+        setup.dialect = dialect;
+        const Cutter cutter = *setup.tools.find(3);
+        const auto worst = [&](const ToolOrigin& origin) {
+            setup.tools.set(3, cutter, origin);
+            const auto program = interpret(NcText("T3 M6\n" + tight), interpretOptions(setup, {}));
+            EXPECT_TRUE(program->unverified());
+            EXPECT_FALSE(program->diagnostics().empty());
+            return std::ranges::max(program->diagnostics(), {}, &Diagnostic::severity).severity;
+        };
+        EXPECT_EQ(worst({}), Severity::error);
+        EXPECT_EQ(worst({.source = ToolSource::assumed}), Severity::warning);
+        EXPECT_EQ(worst({.source = ToolSource::assumed, .entered = {"d"}}), Severity::error);
+        EXPECT_EQ(worst({.source = ToolSource::comment, .line = 1, .comment = "FLAT D8"}), Severity::error);
+        EXPECT_EQ(worst({.source = ToolSource::comment, .line = 1, .comment = "FLAT", .defaults = {"d"}}),
+                  Severity::warning);
+    }
 }
 
 TEST(Interpretation, LooksForSubprogramsBesideTheProgram) {

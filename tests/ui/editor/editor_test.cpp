@@ -332,17 +332,21 @@ private slots:
         EditorPanel panel(session);
         panel.resize(400, 300);
         panel.show();
+        QVERIFY(QTest::qWaitForWindowActive(&panel));
         QVERIFY(opened(session, path));
         QTRY_VERIFY(session.program() != nullptr);
         NcEditor& editor = panel.editor();
-        const auto point = [&](const char* word, int from = 0) {
-            const long position = text.indexOf(word, from);
+        const auto point = [&](const char* word) {
+            const long position = text.indexOf(word);
             const auto at = [&](unsigned message) {
                 return static_cast<int>(editor.SendScintilla(message, 0UL, position));
             };
             const QPoint inside(at(QsciScintilla::SCI_POINTXFROMPOSITION) + 2,
                                 at(QsciScintilla::SCI_POINTYFROMPOSITION) + 5);
             const QPoint place = editor.viewport()->mapTo(&editor, inside);
+            // The pointer is there, or a tip goes with the first motion that the system reports.
+            QCursor::setPos(editor.mapToGlobal(place));
+            QTest::qWait(50);
             QHelpEvent event(QEvent::ToolTip, place, editor.mapToGlobal(place));
             QApplication::sendEvent(&editor, &event);
         };
