@@ -81,16 +81,13 @@ std::shared_ptr<const Program> interpretOn(const Setup& setup, const NcText& tex
 }
 
 bool interpretedAlike(const Program& program, const Setup& one, const Setup& other) {
-    const auto sameTool = [](const auto& a, const auto& b) {
-        return a.first == b.first && a.second.radius() == b.second.radius();
-    };
     if (program.asksForStock() &&
         (one.stock != other.stock || one.shape != other.shape || one.tools != other.tools))
         return false;
     return one.dialect == other.dialect && one.blockDelete == other.blockDelete && one.start == other.start &&
            one.startTool == other.startTool && one.ignoredM == other.ignoredM &&
            (one.compensationTypeB == other.compensationTypeB || !dialect(program.dialect()).vectors.used) &&
-           (!program.asksForTools() || std::ranges::equal(one.tools.tools(), other.tools.tools(), sameTool));
+           (!program.asksForTools() || toolOffsets(one.tools) == toolOffsets(other.tools));
 }
 
 } // namespace proveout

@@ -65,7 +65,7 @@ TEST(Interpretation, LooksForSubprogramsBesideTheProgram) {
     EXPECT_TRUE(interpret(NcText("o<step> call\nM2\n"), interpretOptions(kNothing, {}))->unverified());
 }
 
-TEST(Interpretation, IsTheSameWhereRadiiStartAndBlockDeleteAre) {
+TEST(Interpretation, IsTheSameWhereOffsetsStartAndBlockDeleteAre) {
     const auto plain = interpret(NcText("T3 M6\nG0 X1\nM2\n"));
     const auto compensated = interpret(NcText("T3 M6\nF100\nG0 X0 Y-20 Z0\nG41 G1 X0 Y0\nG40\nM2\n"));
     proveout::Setup other = withBall(8);
@@ -74,6 +74,9 @@ TEST(Interpretation, IsTheSameWhereRadiiStartAndBlockDeleteAre) {
     EXPECT_FALSE(interpretedAlike(*compensated, withBall(8), withBall(6)));
     EXPECT_FALSE(interpretedAlike(*compensated, withBall(8), kNothing));
     EXPECT_TRUE(interpretedAlike(*plain, withBall(8), withBall(6)));
+    other.tools.set(3, *other.tools.find(3), {.source = ToolSource::assumed});
+    EXPECT_FALSE(interpretedAlike(*compensated, withBall(8), other)) << "confirmed";
+    EXPECT_TRUE(interpretedAlike(*plain, withBall(8), other));
     other.blockDelete = true;
     EXPECT_FALSE(interpretedAlike(*plain, withBall(8), other));
 }
