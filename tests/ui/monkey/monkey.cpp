@@ -29,6 +29,7 @@ namespace {
 
 constexpr int kLook = 30;            // ms between looks at what stands on top
 constexpr int kWheelStep = 120;      // eighths of a degree
+constexpr int kLongestDrag = 300;    // ms
 constexpr int kMostOnTop = 12;       // actions on a dialog or menu before it is closed
 constexpr int kSmallestWindow = 300; // px
 constexpr QSize kLargestWindow{1500, 950};
@@ -238,14 +239,21 @@ void Monkey::drag() {
     const Qt::MouseButton button = oneOf(kButtons, below(kButtons.size()));
     if (window == nullptr)
         return;
+    // Dragged text or tabs have an event loop of their own, which lasts until the button is let go.
+    const auto release = [&] {
+        if (window != nullptr)
+            QTest::mouseRelease(window, button, {}, at);
+    };
+    QTimer drop;
+    QObject::connect(&drop, &QTimer::timeout, release);
+    drop.start(kLongestDrag);
     QTest::mousePress(window, button, {}, at);
     for (int step = below(8); step >= 0 && window != nullptr; --step) {
         at += QPoint(below(121) - 60, below(121) - 60);
         QTest::mouseMove(window, at);
         QCoreApplication::processEvents();
     }
-    if (window != nullptr)
-        QTest::mouseRelease(window, button, {}, at);
+    release();
 }
 
 void Monkey::wheel() {
