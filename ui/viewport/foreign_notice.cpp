@@ -6,7 +6,6 @@
 #include <QMenu>
 #include <QPushButton>
 
-#include "core/nc/dialect.h"
 #include "ui/diagnostic_text.h"
 #include "ui/session.h"
 
@@ -18,15 +17,19 @@ ForeignNotice::ForeignNotice(Session& session, QWidget* parent)
     m_readAs->setObjectName(QStringLiteral("foreignNoticeReadAs"));
     for (const Dialect& row : dialects())
         m_dialects->addAction(QString::fromUtf8(row.name), this, [this, id = row.id] {
-            Setup setup = m_session.setup();
-            setup.dialect = id;
-            if (const auto done = m_session.setSetup(setup); !done)
-                m_session.tell(done.error());
+            m_session.asOneStep([this, id] { readAs(id); });
         });
     m_readAs->setMenu(m_dialects);
     buttonRow().addWidget(m_readAs);
     connect(&session, &Session::programChanged, this, &ForeignNotice::showState);
     showState();
+}
+
+void ForeignNotice::readAs(DialectId dialect) {
+    Setup setup = m_session.setup();
+    setup.dialect = dialect;
+    if (const auto done = m_session.setSetup(setup); !done)
+        m_session.tell(done.error());
 }
 
 void ForeignNotice::showState() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/nc/dialect.h"
 #include "ui/viewport/view_notice.h"
 
 class QMenu;
@@ -22,6 +23,7 @@ protected:
     void changeEvent(QEvent* event) override;
 
 private:
+    void readAs(DialectId dialect);
     void showState();
 
     Session& m_session;

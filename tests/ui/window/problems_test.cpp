@@ -177,7 +177,10 @@ private slots:
         QVERIFY(!station.session.playback().playing);
         QCOMPARE(station.session.problems().size(), std::size_t{1});
 
-        // Read in a dialect that the user chooses.
+        // Read in a dialect that the user chooses, which is a step of its own.
+        Setup setup = station.session.setup();
+        setup.blockDelete = true;
+        QVERIFY(station.session.setSetup(setup).has_value());
         auto* readAs = notice->findChild<QPushButton*>(QStringLiteral("foreignNoticeReadAs"));
         QTimer::singleShot(200, this, [] {
             auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
@@ -190,6 +193,9 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(station.session.frame() != nullptr, kPatience);
         QVERIFY(station.session.setup().dialect == DialectId::fanuc);
         QVERIFY(!notice->isVisible());
+        station.session.undoStep();
+        QVERIFY(!station.session.setup().dialect.has_value());
+        QVERIFY(station.session.setup().blockDelete);
     }
 
 private:
