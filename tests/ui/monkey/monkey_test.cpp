@@ -109,6 +109,8 @@ int main(int argc, char** argv) {
     QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
     QApplication application(argc, argv);
     QApplication::setQuitOnLastWindowClosed(false); // the monkey closes windows
+    // Qt Test ends a function after five minutes, whether the window answers or not.
+    qputenv("QTEST_FUNCTION_TIMEOUT", QByteArray::number(1000 * (proveout::secondsOfMonkey() + 600)));
     proveout::MonkeyTest test;
     return QTest::qExec(&test, argc, argv);
 }
