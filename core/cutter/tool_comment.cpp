@@ -54,7 +54,7 @@ public:
             readSizeAfterNumber();
         if (!m_tool.diameter && !ofSomethingElse)
             readBareSize();
-        m_tool.aboutTool = m_tool.aboutTool || namesAnyTool();
+        m_tool.aboutTool = m_tool.aboutTool || namesAnyTool() || isDiameterAlone();
         return m_nonsense ? ToolComment{} : m_tool;
     }
 
@@ -62,6 +62,9 @@ private:
     [[nodiscard]] bool namesAnyTool() const {
         return std::ranges::any_of(m_tokens, [](const CommentToken& token) { return namesTool(token.word); });
     }
+
+    /// "D10"
+    [[nodiscard]] bool isDiameterAlone() const { return m_tokens.size() == 2 && m_tool.diameter; }
 
     [[nodiscard]] double millimetres(const CommentToken& number) const {
         const bool inch = number.fraction || number.unit == CommentUnit::inch ||
@@ -277,7 +280,7 @@ private:
         if (!number.isNumber() || m_used[at] || number.glued || number.term ||
             number.unit == CommentUnit::degree || isLabelledOtherwise(at))
             return 0;
-        const bool sized = number.unit != CommentUnit::none || number.fraction;
+        const bool sized = number.unit != CommentUnit::none || number.fraction || isBeforeDiameter(at);
         const std::size_t shape = distanceToShape(at);
         if (sized && shape <= kReach)
             return 10 - static_cast<double>(shape);
@@ -288,6 +291,13 @@ private:
         if (shape == 1 && (m_tool.number || number.point) && !isThreading())
             return 2;
         return 0;
+    }
+
+    /// "10. DIA FLAT ENDMILL"
+    [[nodiscard]] bool isBeforeDiameter(std::size_t at) const {
+        const LabelRow* row = at + 1 < m_tokens.size() ? labelAt(m_tokens, at + 1) : nullptr;
+        return row != nullptr && row->field == CommentField::diameter &&
+               numberOf(*row, at + 1) == m_tokens.size();
     }
 
     /// The number belongs to the word before it, as in "length: 5 mm".

@@ -15,9 +15,10 @@ namespace {
 
 /// Coordinates with a coarser float32 step than this (mm) no longer hold the detail of a part.
 constexpr double kCoarseStep = 1e-3;
-/// Sizes of parts, mm: smaller ones are likely to be in metres, larger ones in micrometres.
+/// Sizes of parts, mm: smaller ones are likely to be in metres, larger ones in micrometres. No three-axis
+/// mill moves farther than some metres.
 constexpr double kLeastPart = 2;
-constexpr double kLargestPart = 20'000;
+constexpr double kLargestPart = 5'000;
 
 /// A count of an STL that is a warning where it is not 0.
 struct CountRow {

@@ -91,6 +91,10 @@ const CommentRow kOtherSystems[] = {
 };
 const CommentRow kByHand[] = {
     {"FREZA D10", -1, "flat:d=10"},
+    {"D10", -1, "flat:d=10"},
+    {"TOOL 1 - 10. DIA FLAT ENDMILL", 1, "flat:d=10"},
+    {"T3 .5 DIA BALL ENDMILL 2 FLUTES", 3, "ball:d=0.5"},
+    {"Werkzeug T1: Schaftfraeser 12mm", 1, "flat:d=12"},
     {" 20mm 390 ENDMILL ", -1, "flat:d=20"},
     {"ball-end mill D20", -1, "ball:d=20"},
     {" and Cutter is assumed to be a 10mm ball nose ", -1, "ball:d=10"},

@@ -47,6 +47,8 @@ TEST(ToolProposals, AreInTheUnitOfTheProgram) {
 
 TEST(ToolProposals, ACommentWithoutANumberIsOfTheToolCalledBesideIt) {
     EXPECT_THAT(proposalsOf("T5 M6 (FREZA D10)\nG0 X1\n"), ElementsAre("T5 flat:d=10 @1"));
+    EXPECT_THAT(proposalsOf("T5 M6 (D10)\nG0 X1\n"), ElementsAre("T5 flat:d=10 @1"));
+    EXPECT_THAT(proposalsOf("(D10)\nT5 M6\nG0 X1\n"), ElementsAre("T5 flat:d=10 @1"));
     EXPECT_THAT(proposalsOf("(20mm ENDMILL)\nN110 T3 M06\nG0 X1\n"), ElementsAre("T3 flat:d=20 @1"));
     EXPECT_THAT(proposalsOf("T1\nM5\n(MSG, Change tool bit to drill size 0.6mm)\nM6\nG0 X1\n"
                             "T2\n(MSG, Change tool bit to drill size 0.8mm)\nM6\nX1\n"),
