@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A case by the real command line, measured by the system.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "tests/bench/faults/fault_cases.h"
+
+namespace proveout {
+
+struct FaultRun {
+    int exitCode = 0; ///< below 0: the signal that ended it
+    double seconds = 0;
+    double cpuSeconds = 0; ///< of all its threads
+    double peakBytes = 0;  ///< resident
+    std::vector<std::string> messages;
+};
+
+class FaultRunner {
+public:
+    /// Runs are in `folder`, with paths within it.
+    FaultRunner(std::filesystem::path program, std::filesystem::path folder)
+        : m_program(std::move(program)), m_folder(std::move(folder)) {}
+
+    /// Simulates and exports. What takes a minute is ended.
+    [[nodiscard]] FaultRun run(const FaultCase& fault) const;
+    [[nodiscard]] const std::filesystem::path& folder() const { return m_folder; }
+
+private:
+    [[nodiscard]] std::vector<std::string> commandLine(const FaultCase& fault) const;
+
+    std::filesystem::path m_program;
+    std::filesystem::path m_folder;
+};
+
+} // namespace proveout

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cases of which the corpus has no file.
+#pragma once
+
+#include <string>
+
+#include "tests/bench/faults/fault_cases.h"
+
+namespace proveout {
+
+/// Writes cases into a folder and collects them.
+class FaultWriter {
+public:
+    FaultWriter(std::filesystem::path folder, std::vector<FaultCase>& cases)
+        : m_folder(std::move(folder)), m_cases(cases) {}
+
+    /// A file with these bytes; `name` without its ending.
+    FaultCase& put(int number, const std::string& name, const std::string& ending, const std::string& bytes);
+    /// A job that has this body (an STL, say) as its stock. `body` lies in the folder already.
+    FaultCase& putStock(int number, const std::string& name, const std::string& shape,
+                        const std::string& body, double grid = 0.5);
+    FaultCase& add(FaultCase fault);
+
+    [[nodiscard]] const std::filesystem::path& folder() const { return m_folder; }
+    void write(const std::string& file, const std::string& bytes) const;
+    /// Makes a file as long as this; what is not written takes no place on the disk.
+    void lengthen(const std::string& file, std::uintmax_t bytes) const;
+
+private:
+    std::filesystem::path m_folder;
+    std::vector<FaultCase>& m_cases;
+};
+
+void writeTextFaults(FaultWriter& writer);    ///< 2 to 17
+void writeProgramFaults(FaultWriter& writer); ///< 18 to 36
+void writeFileFaults(FaultWriter& writer);    ///< 36 to 38
+void writeMeshFaults(FaultWriter& writer);    ///< 39 to 48
+void writeJobFaults(FaultWriter& writer);     ///< 49 to 63
+void writeBigFaults(FaultWriter& writer);     ///< 35, 48, 63, of hundreds of megabytes
+
+} // namespace proveout

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/ui/window/fault_visit.h"
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+
+#include <QApplication>
+#include <QElapsedTimer>
+#include <QMessageBox>
+#include <QTimer>
+
+#include "core/base/memory.h"
+#include "tests/ui/window/heartbeat.h"
+#include "ui/file_paths.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr qint64 kRestMs = 300;
+constexpr int kLongestMs = 300'000;
+
+/// Linux begins the peak anew where 5 is written there.
+void resetPeak() {
+    std::ofstream("/proc/self/clear_refs") << 5;
+}
+
+/// Closes dialogs, which would hold up everything, and keeps what they say.
+class DialogCloser {
+public:
+    DialogCloser() {
+        QObject::connect(&m_look, &QTimer::timeout, [this] {
+            QWidget* dialog = QApplication::activeModalWidget();
+            if (dialog == nullptr)
+                return;
+            const auto* box = qobject_cast<QMessageBox*>(dialog);
+            m_text = (box != nullptr ? box->text() : dialog->windowTitle()).toStdString();
+            dialog->close();
+        });
+        m_look.start(50);
+    }
+    [[nodiscard]] const std::string& text() const { return m_text; }
+
+private:
+    QTimer m_look;
+    std::string m_text;
+};
+
+/// Whether what was opened is refused or shown, and nothing is under way.
+class Opening {
+public:
+    explicit Opening(Session& session) : m_session(session) {
+        QObject::connect(&session, &Session::opened, &m_context, [this] { m_opened = true; });
+        QObject::connect(&session, &Session::troubled, &m_context, [this] { m_troubled = true; });
+    }
+    [[nodiscard]] bool isOver() const {
+        if (m_session.isOpening() || m_session.work())
+            return false;
+        if (!m_opened)
+            return m_troubled;
+        return m_session.program() && !m_session.isReading() &&
+               (m_session.frame() || m_session.isForeign() || m_troubled);
+    }
+
+private:
+    Session& m_session;
+    QObject m_context;
+    bool m_opened = false;
+    bool m_troubled = false;
+};
+
+/// Waits until it has been so for a while; the seconds until then, below 0 where it never is.
+double secondsUntil(const std::function<bool()>& done) {
+    QElapsedTimer clock;
+    clock.start();
+    qint64 since = -1;
+    const auto rests = [&] {
+        if (!done())
+            since = -1;
+        else if (since < 0)
+            since = clock.elapsed();
+        return since >= 0 && clock.elapsed() - since >= kRestMs;
+    };
+    return QTest::qWaitFor(rests, kLongestMs) ? 1e-3 * static_cast<double>(since) : -1;
+}
+
+bool goesTo(Session& session, std::size_t block) {
+    if (!session.frame())
+        return true;
+    session.seek(block);
+    return secondsUntil([&] { return !session.work() && (!session.frame() || session.block() == block); }) >=
+           0;
+}
+
+/// Whether the session has noticed.
+bool disturb(const Session& session, const FaultCase& fault) {
+    if (fault.whileOpen == WhileOpen::nothing)
+        return true;
+    QObject context;
+    bool noticed = false;
+    QObject::connect(&session, &Session::fileChangedOnDisk, &context, [&noticed] { noticed = true; });
+    if (fault.whileOpen == WhileOpen::removed)
+        std::filesystem::remove(fault.file);
+    else if (fault.whileOpen == WhileOpen::shrunk)
+        std::filesystem::resize_file(fault.file, 5);
+    else
+        std::ofstream(fault.file, std::ios::app) << "G0 X1\n";
+    return QTest::qWaitFor([&noticed] { return noticed; }, kPatience);
+}
+
+/// A program without a tool cuts nothing: it gets one, as from the button that adds what is missing.
+void giveTool(Session& session) {
+    if (!session.jobFile().isEmpty() || !session.frame())
+        return;
+    Setup setup = session.setup();
+    setup.tools.set(1, parseCutter("flat:d=4,l=20").value());
+    if (!session.setup().startTool)
+        setup.startTool = 1;
+    if (!session.setSetup(setup))
+        return; // the stock is too large
+    const auto isCut = [&] {
+        return session.frame() && session.frame()->program == session.program() &&
+               session.frame()->setup->tools == session.setup().tools;
+    };
+    static_cast<void>(secondsUntil([&] { return !session.work() && (isCut() || session.isForeign()); }));
+}
+
+/// Whatever has become of the file of the case: without the question that the window would ask.
+void goBack(Session& session) {
+    const Opening opening(session);
+    session.openFile(sampleJobs().front().file);
+    if (secondsUntil([&] { return opening.isOver(); }) < 0)
+        qFatal("the sample does not come back");
+}
+
+std::vector<std::string> messagesOf(const Session& session) {
+    std::vector<std::string> messages;
+    for (Diagnostic problem : session.problems()) {
+        if (Session::isInText(problem))
+            problem.file = session.document().path.filename().string();
+        messages.push_back(oneLine(problem));
+    }
+    return messages;
+}
+
+} // namespace
+
+FaultVisit visitFault(Workstation& station, const FaultCase& fault) {
+    Session& session = station.session;
+    FaultVisit visit;
+    resetPeak();
+    visit.startBytes = static_cast<double>(peakMemoryBytes());
+    {
+        const DialogCloser closer;
+        const Opening opening(session);
+        Heartbeat heart;
+        session.openFile(toQString(fault.file));
+        visit.seconds = secondsUntil([&] { return opening.isOver(); });
+        visit.messages = messagesOf(session);
+        visit.blocks = session.blockCount();
+        giveTool(session);
+        visit.settled = visit.seconds >= 0 && goesTo(session, session.blockCount());
+        visit.cutMessages = messagesOf(session);
+        visit.noticed = disturb(session, fault);
+        visit.settled = goesTo(session, 0) && visit.settled;
+        heart.stop();
+        visit.longestMs = heart.longestMs();
+        visit.computedMs = heart.mostComputedMs();
+        visit.dialog = closer.text();
+    }
+    visit.peakBytes = static_cast<double>(peakMemoryBytes());
+    goBack(session);
+    return visit;
+}
+
+} // namespace proveout
