@@ -42,7 +42,10 @@ QString FileFlow::startFolder() const {
         m_session.jobFile().isEmpty() ? toQString(m_session.document().path) : m_session.jobFile();
     if (!file.isEmpty() && !isSample(file))
         return QFileInfo(file).absolutePath();
-    return m_recent.files().isEmpty() ? QDir::homePath() : QFileInfo(m_recent.files().front()).absolutePath();
+    for (const QString& recent : m_recent.files())
+        if (!isSample(recent))
+            return QFileInfo(recent).absolutePath();
+    return QDir::homePath();
 }
 
 bool FileFlow::open(const QString& file) {

@@ -126,17 +126,18 @@ private slots:
         station.session.setParameters(parameters);
         QVERIFY(station.session.modified());
 
-        int asked = 0;
+        QString proposed; // the folder
         QTimer refusal;
-        connect(&refusal, &QTimer::timeout, this, [&asked] {
-            if (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
-                ++asked;
+        connect(&refusal, &QTimer::timeout, this, [&proposed] {
+            if (auto* dialog = qobject_cast<QFileDialog*>(QApplication::activeModalWidget())) {
+                proposed = dialog->directory().canonicalPath();
                 dialog->reject();
             }
         });
         refusal.start(50);
         QVERIFY(!station.window.files().save());
-        QVERIFY(asked > 0);
+        QVERIFY(!proposed.isEmpty());
+        QVERIFY2(proposed != QFileInfo(sampleJobs().front().file).canonicalPath(), qPrintable(proposed));
         QVERIFY(!before.isEmpty());
         QCOMPARE(contents(), before);
         QVERIFY(station.session.modified());
