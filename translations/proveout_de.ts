@@ -2584,6 +2584,14 @@ Vorgabe: 0 mm</translation>
         <translation>Behalten Sie nur eine Art; dieser Satz wird übersprungen.</translation>
     </message>
     <message>
+        <source>{} counts from the present angle, and there is no angle at X0 Y0.</source>
+        <translation>{} zählt vom jetzigen Winkel aus, und bei X0 Y0 gibt es keinen Winkel.</translation>
+    </message>
+    <message>
+        <source>Give both @ and ^ in G90; this motion is skipped.</source>
+        <translation>Geben Sie @ und ^ in G90 an; diese Bewegung wird übersprungen.</translation>
+    </message>
+    <message>
         <source>G53 cannot be used with polar words.</source>
         <translation>G53 lässt sich nicht mit Polarkoordinaten (@ ^) verwenden.</translation>
     </message>

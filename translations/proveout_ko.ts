@@ -2584,6 +2584,14 @@ Default: 0 mm</source>
         <translation>한 가지만 남기십시오. 이 블록은 건너뜁니다.</translation>
     </message>
     <message>
+        <source>{} counts from the present angle, and there is no angle at X0 Y0.</source>
+        <translation>{}은(는) 현재 각도를 기준으로 하지만 X0 Y0에는 각도가 없습니다.</translation>
+    </message>
+    <message>
+        <source>Give both @ and ^ in G90; this motion is skipped.</source>
+        <translation>G90에서 @와 ^를 모두 지정하십시오. 이 이동은 건너뜁니다.</translation>
+    </message>
+    <message>
         <source>G53 cannot be used with polar words.</source>
         <translation>G53은 극좌표 워드와 함께 쓸 수 없습니다.</translation>
     </message>

@@ -146,7 +146,9 @@ private:
             m_plan.add(Step::cutterCompensation, changeRadiusRegister, m_block.word('D'));
             m_used.add(LetterSet("D"));
         }
-        if (m_execution.state.lengthSign == 0 || !m_block.has('H') || m_used.has('H') ||
+        // LinuxCNC refuses it.
+        if (m_execution.dialect.macros == MacroLanguage::oWords || m_execution.state.lengthSign == 0 ||
+            !m_block.has('H') || m_used.has('H') ||
             m_groups[static_cast<std::size_t>(ModalGroup::toolLength)] != nullptr)
             return;
         m_plan.add(Step::toolLength, changeRegister, m_block.word('H'));
@@ -245,14 +247,20 @@ private:
     }
 
     bool checkMachineMotion() {
-        const CodeRow* row = m_motionRow != nullptr ? m_motionRow : m_execution.state.motion;
+        const bool named = m_block.letters().any(kAxes);
+        // LinuxCNC counts the code in force only where there are axis words for it.
+        const bool inForce = named || !m_execution.dialect.refusesIdleG53;
+        const CodeRow* row = m_motionRow != nullptr ? m_motionRow
+                             : inForce              ? m_execution.state.motion
+                                                    : nullptr;
         const bool straight = row != nullptr && (row->handler == moveRapid || row->handler == moveFeed);
         if (!straight)
             return refuse(nc_message::kMachineMotion, *m_machineWord);
         if (m_block.letters().any(kPolar))
             return refuse(nc_message::kMachinePolar, *m_machineWord);
-        const bool incremental =
-            m_execution.state.incremental || groupIs(ModalGroup::distance, kIncrementalTenths);
+        const bool incremental = groupWord(ModalGroup::distance) != nullptr
+                                     ? groupIs(ModalGroup::distance, kIncrementalTenths)
+                                     : m_execution.state.incremental;
         if (incremental && !m_execution.dialect.machineIsAbsolute)
             return refuse(nc_message::kMachineIncremental, *m_machineWord);
         return true;

@@ -65,7 +65,9 @@ void CallStack::enter(Source& source, Level level, const Parameters::Locals& arg
     level.counts = std::exchange(m_counts, {});
     m_source = &source;
     m_line = level.entry;
-    if (level.ownLocals)
+    if (level.sharesNumbers)
+        m_parameters.enterSharing();
+    else if (level.ownLocals)
         m_parameters.enter(arguments);
     m_levels.push_back(std::move(level));
     m_reporter.setFile(m_source->file);
@@ -88,7 +90,9 @@ void CallStack::leave() {
     m_source = level.source;
     m_line = level.line;
     m_counts = std::move(level.counts);
-    if (level.ownLocals)
+    if (level.sharesNumbers)
+        m_parameters.leaveSharing();
+    else if (level.ownLocals)
         m_parameters.leave();
     m_levels.pop_back();
     m_lowestDepth = std::min(m_lowestDepth, m_levels.size());

@@ -54,6 +54,7 @@ public:
         std::string label;
         std::optional<int> repeats;     ///< further runs, of M98 and its like; nothing for O-words
         bool ownLocals = true;          ///< the subprogram has local parameters of its own
+        bool sharesNumbers = false;     ///< but its numbers are those of the caller, names its own
         Parameters::Locals arguments{}; ///< of its own locals
         Counts counts;                  ///< rounds left of "repeat", of the caller
     };

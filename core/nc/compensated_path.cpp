@@ -156,7 +156,8 @@ private:
 
     void emit(const PlanePath& path, const Vec2& from) {
         Motion motion = m_motion;
-        motion.start = withPlane(m_motion.start, from, m_plane);
+        motion.start = withPlane(m_motion.start, from, m_plane) + m_execution.state.strayed;
+        m_execution.state.strayed = Vec3(0);
         motion.end = withPlane(m_motion.end, path.end, m_plane);
         motion.centre = withPlane(m_motion.centre, path.centre, m_plane);
         motion.sweep = from == path.start ? path.sweep : sweepBetween(path, from, path.end);

@@ -57,6 +57,25 @@ std::optional<Vec2> onLine(const Vec2& point, const Vec2& heading, const PlanePa
     return point + heading * (foot + (farther ? half : -half));
 }
 
+/// Where an arc ends and a line begins. LinuxCNC takes the centre to be as far from the programmed corner as
+/// the radius of the programmed arc; for a motion into compensation with its centre beyond the end it is not,
+/// and the line begins elsewhere than beside itself.
+std::optional<Vec2> arcMeetsLine(const PlanePath& before, const PlanePath& after, double offset) {
+    const bool outside = roundOutside(before, offset);
+    const double radius = arcRadius(before);
+    const Vec2 heading = headingAtStart(after);
+    const Vec2 left = leftOf(heading);
+    const Vec2 spoke = before.centre - (after.start - left * offset);
+    const double length = glm::length(spoke);
+    const double assumed = radius + (outside ? -1 : 1) * std::abs(offset);
+    const Vec2 direction = length > 0 ? spoke / length : Vec2(1, 0);
+    const double distance = assumed * glm::dot(left, direction) - offset;
+    if (std::abs(distance) > radius)
+        return {};
+    const double half = std::sqrt((radius - distance) * (radius + distance));
+    return before.centre - left * distance + heading * (outside ? half : -half);
+}
+
 std::optional<Vec2> lineMeetsLine(const PlanePath& before, const PlanePath& after) {
     const Vec2 first = headingAtEnd(before);
     const Vec2 second = headingAtStart(after);
@@ -148,7 +167,7 @@ std::optional<Vec2> meetingPoint(const PlanePath& before, const PlanePath& after
     if (after.arc())
         return onLine(before.end - slip(after), headingAtEnd(before), after, !roundOutside(after, offset));
     if (before.arc())
-        return onLine(after.start, headingAtStart(after), before, roundOutside(before, offset));
+        return arcMeetsLine(before, after, offset);
     return lineMeetsLine(before, after);
 }
 

@@ -81,7 +81,10 @@ void compensateForDiameter(Execution& execution, const Word& word, double side) 
 
 void endCompensation(Execution& execution, const Word& word) {
     finishCompensated(execution, word);
-    const Vec3 displacement = execution.state.compensation.displacement;
+    const CutterCompensation& ended = execution.state.compensation;
+    const Vec3 displacement = ended.displacement;
+    execution.state.straightDue =
+        execution.state.straightDue || (execution.dialect.straightFirst && ended.moves() && ended.entered);
     execution.state.compensation = {};
     execution.state.compensation.displacement = displacement;
 }

@@ -12,6 +12,8 @@ namespace proveout {
 
 namespace {
 
+constexpr double kSameLevel = 1e-9; ///< mm; of converting units and offsets
+
 /// Which way the spindle turns in a hole.
 int turnIn(SpindleNeed need, int before) {
     switch (need) {
@@ -101,7 +103,7 @@ void CycleRun::take(CycleStep step) {
     case CycleStep::none:
         return;
     case CycleStep::rapidToR:
-        if (!m_depthKnown || m_at[m_plane.normal] != m_order.retract)
+        if (!m_depthKnown || std::abs(m_at[m_plane.normal] - m_order.retract) > kSameLevel)
             depthTo(MotionKind::rapid, m_order.retract);
         return;
     case CycleStep::feedToBottom:

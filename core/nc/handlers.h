@@ -27,7 +27,9 @@ void probe(Execution& execution, const Word& word);      ///< G38.2 to G38.5
 void skipMotion(Execution& execution, const Word& word); ///< G31 of Fanuc
 
 // input_codes.cpp
-void waitForInput(Execution& execution, const Word& word); ///< M66
+void waitForInput(Execution& execution, const Word& word);        ///< M66
+void switchDigitalOutput(Execution& execution, const Word& word); ///< M62 to M65
+void setAnalogOutput(Execution& execution, const Word& word);     ///< M67, M68
 
 // modal_codes.cpp
 void refuseDiameters(Execution& execution, const Word& word);         ///< G7

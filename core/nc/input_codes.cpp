@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// M66: waiting for an input, which only the machine has.
+// M62 to M68: outputs and inputs, which only the machine has.
 #include <cmath>
 #include <fmt/format.h>
 
@@ -51,6 +51,16 @@ void waitForInput(Execution& execution, const Word& word) {
     execution.parameters.setNumbered(kInputParameter, value);
     execution.state.inputAssumed = true;
     execution.reporter.tell(nc_message::kInputAssumed, word, {fmt::format("{:g}", value)});
+}
+
+void switchDigitalOutput(Execution& execution, const Word& word) {
+    if (!execution.block.has('P'))
+        execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "P"});
+}
+
+void setAnalogOutput(Execution& execution, const Word& word) {
+    if (!given(execution.block, 'E'))
+        execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "E"});
 }
 
 } // namespace proveout

@@ -356,7 +356,9 @@ private:
         }
         m_seenBlockNumber = true;
         const NumberRead number = readNumber(m_text, begin + 1);
-        if (number.status == NumberStatus::good && number.value < 0) {
+        const std::size_t first = proveout::skipBlanks(m_text, begin + 1);
+        const bool negative = number.value < 0 || (first < m_text.size() && m_text[first] == '-'); // N-0
+        if (number.status == NumberStatus::good && negative) {
             fail(nc_message::kBlockNumberNegative, begin, number.end);
             return;
         }

@@ -40,10 +40,18 @@ constexpr CodeRow kOwn[] = {
 
 std::vector<CodeRow> allRows() {
     std::vector<CodeRow> rows(std::begin(kOwn), std::end(kOwn));
-    const auto g =
+    auto g =
         sameRows(rs274Codes(), 'G', {40,  100, 280, 300, 400, 410, 420, 490, 520, 530, 610, 730, 810, 820,
                                      830, 840, 850, 860, 870, 880, 890, 901, 911, 920, 921, 922, 923});
-    const auto m = sameRows(rs274Codes(), 'M', {480, 490, 990});
+    auto m = sameRows(rs274Codes(), 'M', {480, 490, 990});
+    for (CodeRow& row : m) { // as in RS274/NGC; LinuxCNC is stricter
+        row.withCompensation = WithCompensation::allowed;
+        row.letters = row.tenths == 990 ? LetterSet() : LetterSet("P");
+    }
+    for (CodeRow& row : g) {
+        if (row.group == ModalGroup::cutterCompensation && row.tenths != 400)
+            row.letters = LetterSet("D");
+    }
     rows.insert(rows.end(), g.begin(), g.end());
     rows.insert(rows.end(), m.begin(), m.end());
     return rows;

@@ -7,6 +7,7 @@
 #include "core/base/tool_number.h"
 #include "core/nc/execution.h"
 #include "core/nc/handlers.h"
+#include "core/nc/motion_building.h"
 
 namespace proveout {
 
@@ -27,9 +28,10 @@ void switchCoolant(Execution& execution, Coolant coolant, bool on) {
     execution.program.append(CoolantSwitch{coolant, on}, execution.line);
 }
 
-/// A feed of one mode means nothing in another.
+/// A feed of one mode means nothing in another. To LinuxCNC, G94 without F asks for a new one in any case.
 void setFeedMode(Execution& execution, FeedMode mode) {
-    if (execution.state.feedMode == mode)
+    const bool again = execution.dialect.feedModeEndsFeed && mode != FeedMode::inverseTime;
+    if (execution.state.feedMode == mode && !again)
         return;
     execution.state.feedMode = mode;
     execution.state.feed = 0;
@@ -165,6 +167,8 @@ void changeTool(Execution& execution, const Word& word) {
         return;
     }
     execution.state.tool = execution.state.selectedTool;
+    if (execution.dialect.readsBackAtToolChange)
+        goOnFromTip(execution);
     // A tool is changed with the spindle at rest; M3 or M4 must follow.
     execution.state.spindleDirection = 0;
     execution.program.append(ToolChange{execution.state.tool}, execution.line);

@@ -63,9 +63,10 @@ struct MachineState {
 
     bool machineZeroKnown = false; ///< whether machine coordinates can be told from program coordinates
     WorkFrame frame;
-    Vec3 toolOffset{0}; ///< in force, by G43 and its like
-    int lengthSign = 0; ///< 1 for G43, -1 for G44, 0 without
-    int workOffset = 1; ///< 1 for G54 to 9 for G59.3
+    bool shifted = false; ///< G92, G52 or G92.3 counts, whatever its amount
+    Vec3 toolOffset{0};   ///< in force, by G43 and its like
+    int lengthSign = 0;   ///< 1 for G43, -1 for G44, 0 without
+    int workOffset = 1;   ///< 1 for G54 to 9 for G59.3
     /// What the program wrote into #5220 since then: LinuxCNC tells it instead, and nothing else comes of it.
     std::optional<double> writtenOffset;
 
@@ -85,7 +86,8 @@ struct MachineState {
     bool dataInput = false; ///< from G10 L50 to G11
 
     CutterCompensation compensation;
-    OrderedCorner corner; ///< of Fanuc's dialect
+    bool straightDue = false; ///< since G40, before the next arc
+    OrderedCorner corner;     ///< of Fanuc's dialect
 
     /// Of the tip of the cutter, in machine coordinates; where the text says that it is, even if cutter
     /// compensation displaces it.

@@ -56,7 +56,7 @@ constexpr NamedValue kNamed[] = {
     {"_motion_mode", codeOf<ModalGroup::motion>},
     {"_plane", codeOf<ModalGroup::plane>},
     {"_rpm", [](const MachineState& s) { return s.spindleRpm; }},
-    {"_selected_tool", [](const MachineState& s) { return static_cast<double>(s.selectedTool); }},
+    {"_selected_tool", [](const MachineState& s) { return std::max(s.selectedTool, 0) * 1.0; }},
     {"_spindle_cw", [](const MachineState& s) { return truth(s.spindleDirection > 0); }},
     {"_spindle_on", [](const MachineState& s) { return truth(s.spindleDirection != 0); }},
     {"_task", [](const MachineState&) { return 0.0; }},

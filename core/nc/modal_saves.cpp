@@ -57,6 +57,7 @@ constexpr Mode kModes[] = {
     {'G', [](const MachineState& s) { return s.incremental ? 91.0 : 90.0; }},
     {'G', [](const MachineState& s) { return s.arcCentreAbsolute ? 90.1 : 91.1; }},
     {'G', [](const MachineState& s) { return s.retractToR ? 99.0 : 98.0; }},
+    {'G', [](const MachineState& s) { return s.shifted ? 92.3 : 92.2; }},
 };
 
 Block blockOf(const Word& place, char letter, double value) {

@@ -59,6 +59,12 @@ Vec3 tipAt(const Execution& execution, const Vec3& programmed) {
     return glm::distance(tip, last) < kRounding ? last : tip;
 }
 
+void goOnFromTip(Execution& execution) {
+    MachineState& state = execution.state;
+    state.position = tipAt(execution, state.position);
+    state.compensation.displacement = state.strayed = Vec3(0);
+}
+
 Motion motionFromHere(const Execution& execution, MotionKind kind) {
     const MachineState& state = execution.state;
     Motion motion;
@@ -103,6 +109,13 @@ std::optional<Vec2> polarTarget(Execution& execution, const Vec3& program, std::
     if ((incremental || !block.has('@') || !block.has('^')) && (known & kBoth) != kBoth) {
         const Word& word = block.word(block.has('@') ? '@' : '^');
         execution.reporter.tell(nc_message::kIncrementalUnknown, word, {std::string(1, word.letter)});
+        return {};
+    }
+    // Only LinuxCNC has these words.
+    if ((incremental || !block.has('^')) && program.x == 0 && program.y == 0 &&
+        execution.dialect.macros == MacroLanguage::oWords) {
+        const Word& word = block.word(block.has('@') ? '@' : '^');
+        execution.reporter.tell(nc_message::kPolarOrigin, word, {std::string(1, word.letter)});
         return {};
     }
     double radius = std::hypot(program.x, program.y);
@@ -267,9 +280,11 @@ void setInverseTimeFeed(const Execution& execution, Motion& motion) {
 }
 
 void appendMotion(Execution& execution, Motion motion) {
-    motion.start += execution.state.compensation.displacement;
+    // After G40, LinuxCNC counts the programmed length, others that of the way.
+    const Vec3 ahead = execution.dialect.straightFirst ? Vec3(0) : execution.state.compensation.displacement;
+    motion.start += ahead;
     setInverseTimeFeed(execution, motion);
-    motion.start -= execution.state.compensation.displacement;
+    motion.start -= ahead;
     appendWithFeed(execution, motion);
 }
 

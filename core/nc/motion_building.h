@@ -16,6 +16,8 @@ namespace proveout {
 
 /// Where the tip stands when the machine is to stand at `programmed`: elsewhere under cutter compensation.
 [[nodiscard]] Vec3 tipAt(const Execution& execution, const Vec3& programmed);
+/// The control asks its machine where the tip stands, and goes on from there.
+void goOnFromTip(Execution& execution);
 
 /// A motion that begins and ends where the machine stands.
 [[nodiscard]] Motion motionFromHere(const Execution& execution, MotionKind kind);

@@ -48,12 +48,13 @@ void moveArc(Execution& execution, const Word& word, bool clockwise) {
         execution.reporter.tell(nc_message::kPolarArc, word, {clockwise ? "G2" : "G3"});
     tellMissingFeed(execution, word);
     tellUnknownStart(execution, motion, word);
-    if (execution.state.compensation.leaving()) {
+    const bool leaving = execution.state.compensation.leaving();
+    if (execution.dialect.straightFirst ? execution.state.straightDue : leaving) {
         execution.reporter.tell(nc_message::kCompensationExitArc, word);
         leaveOut(execution, motion);
         return;
     }
-    if (execution.state.strayed != Vec3(0)) {
+    if (leaving || execution.state.strayed != Vec3(0)) {
         execution.reporter.tell(nc_message::kArcFromElsewhere, word);
         leaveOut(execution, motion);
         return;
@@ -78,13 +79,16 @@ void moveArc(Execution& execution, const Word& word, bool clockwise) {
 } // namespace
 
 void moveRapid(Execution& execution, const Word& word) {
-    if (!onlySelectsMode(execution))
-        appendWithCorner(execution, word, motionToTarget(execution, MotionKind::rapid));
+    if (onlySelectsMode(execution))
+        return;
+    execution.state.straightDue = false;
+    appendWithCorner(execution, word, motionToTarget(execution, MotionKind::rapid));
 }
 
 void moveFeed(Execution& execution, const Word& word) {
     if (onlySelectsMode(execution))
         return;
+    execution.state.straightDue = false;
     const Motion motion = motionToTarget(execution, MotionKind::feed);
     tellMissingFeed(execution, word);
     tellUnknownStart(execution, motion, word);

@@ -64,7 +64,7 @@ bool OWordFlow::run(const FlowWord& word) {
         const auto end = partner(word, &FlowLine::end, keyword(FlowKind::endIf));
         if (end)
             m_calls.jump(*end + 1);
-        return end.has_value();
+        return end.has_value() && conditionsReadable();
     }
     case FlowKind::endIf:
         return partner(word, &FlowLine::begin, keyword(FlowKind::ifs)).has_value();
@@ -222,6 +222,21 @@ bool OWordFlow::branch(const FlowWord& word) {
     return taken.has_value();
 }
 
+/// LinuxCNC computes the conditions that it passes over as well, and stops where it cannot.
+bool OWordFlow::conditionsReadable() {
+    const FlowLine* row = m_calls.flowIndex().at(m_calls.at());
+    while (row != nullptr) {
+        if (row->kind == FlowKind::elseIf) {
+            m_calls.standAt(row->line);
+            const auto word = readFlowWord(m_calls.currentText());
+            if (!word || !condition(*word))
+                return false;
+        }
+        row = row->kind == FlowKind::endIf ? nullptr : m_calls.flowIndex().at(row->next);
+    }
+    return true;
+}
+
 bool OWordFlow::beginWhile(const FlowWord& word) {
     const FlowLine* row = m_calls.flowIndex().at(m_calls.at());
     const bool closesDo = row != nullptr && row->closesDo;
@@ -326,6 +341,7 @@ bool OWordFlow::run(const FlowRequest& request) {
     level.entry = entry + 1;
     level.label = label;
     level.repeats = request.repeats;
+    level.sharesNumbers = true;
     m_calls.enter(m_calls.source(), std::move(level), m_parameters.noArguments());
     return true;
 }

@@ -42,6 +42,7 @@ private:
     [[nodiscard]] std::optional<double> bracket(const FlowWord& word, std::size_t& at);
     [[nodiscard]] bool nothingBehind(std::size_t at);
     [[nodiscard]] std::optional<bool> condition(const FlowWord& word);
+    [[nodiscard]] bool conditionsReadable();
     [[nodiscard]] std::optional<std::size_t> partner(const FlowWord& word, std::size_t FlowLine::*which,
                                                      std::string_view missing);
 

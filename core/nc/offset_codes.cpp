@@ -138,7 +138,10 @@ void setTool(Execution& execution, int kind) {
     execution.tools.set(*number, tool);
 }
 
-void setShift(Execution& execution, const Vec3& shift) {
+void setShift(Execution& execution, const Vec3& shift, bool on) {
+    execution.state.shifted = on;
+    if (execution.dialect.macros == MacroLanguage::oWords)
+        execution.parameters.setNumbered(kShiftOnParameter, on ? 1 : 0);
     WorkFrame frame = execution.state.frame;
     frame.shift = shift;
     setFrame(execution, frame);
@@ -220,7 +223,7 @@ void shiftCoordinates(Execution& execution, const Word& word) {
             shift[axis] += program[axis] - wanted[axis];
     }
     setVectorAt(execution.parameters, kShiftParameter, shift);
-    setShift(execution, shift);
+    setShift(execution, shift, true);
 }
 
 void shiftLocally(Execution& execution, const Word& word) {
@@ -232,20 +235,20 @@ void shiftLocally(Execution& execution, const Word& word) {
             shift[axis] = execution.length(axisLetter(axis));
     }
     setVectorAt(execution.parameters, kShiftParameter, shift);
-    setShift(execution, shift);
+    setShift(execution, shift, true);
 }
 
 void clearShift(Execution& execution, const Word& /*word*/) {
     setVectorAt(execution.parameters, kShiftParameter, Vec3(0));
-    setShift(execution, Vec3(0));
+    setShift(execution, Vec3(0), false);
 }
 
 void suspendShift(Execution& execution, const Word& /*word*/) {
-    setShift(execution, Vec3(0));
+    setShift(execution, Vec3(0), false);
 }
 
 void restoreShift(Execution& execution, const Word& /*word*/) {
-    setShift(execution, vectorAt(execution.parameters, kShiftParameter));
+    setShift(execution, vectorAt(execution.parameters, kShiftParameter), true);
 }
 
 } // namespace proveout

@@ -156,6 +156,18 @@ void Parameters::enter(const Locals& arguments) {
     m_levels.push_back({arguments, {}, 0});
 }
 
+void Parameters::enterSharing() {
+    enter(Locals(m_levels.back().numbers));
+}
+
+void Parameters::leaveSharing() {
+    const Locals numbers = m_levels.back().numbers;
+    const std::uint64_t changes = m_levels.back().changes;
+    leave();
+    m_levels.back().numbers = numbers;
+    m_levels.back().changes += changes;
+}
+
 void Parameters::leave() {
     m_nameCount -= m_levels.back().names.size();
     m_levels.pop_back();

@@ -90,6 +90,9 @@ public:
     /// A call begins with these local numbers and no local names; leave() gives back those of the caller.
     void enter(const Locals& arguments);
     void leave();
+    /// The same for a subprogram that reads and writes the local numbers of its caller; names are its own.
+    void enterSharing();
+    void leaveSharing();
 
     /// Rises with every value that is another than before, among those that can be seen at this level.
     [[nodiscard]] std::uint64_t changes() const { return m_changes + m_levels.back().changes; }

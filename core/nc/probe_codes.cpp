@@ -40,7 +40,9 @@ ProbeTarget::Answer ask(Execution& execution, const Motion& motion, Seek seek) {
     execution.state.probed.asked = true;
     if (execution.target == nullptr || !motion.known())
         return {};
-    return execution.target->probe(execution.program, motion, seek, execution.context);
+    Motion seen = motion;
+    seen.start = tipAt(execution, motion.start);
+    return execution.target->probe(execution.program, seen, seek, execution.context);
 }
 
 std::vector<std::string> coordinates(const Vec3& place) {

@@ -177,6 +177,8 @@ void addNurbsPoint(Execution& execution, const Word& word) {
     }
     if (!pointFits(execution, word))
         return;
+    if (execution.state.feedMode == FeedMode::perMinute)
+        tellMissingFeed(execution, word);
     const bool named = block.letters().any(kAxes);
     const WorkFrame& frame = execution.state.frame;
     if (nurbs.points.empty()) {

@@ -20,6 +20,7 @@ bool refuse(Execution& execution, const Message& message, const Word& word,
 }
 
 bool wordsFit(Execution& execution, const Word& word) {
+    execution.state.straightDue = false;
     const Block& block = execution.block;
     if (!block.letters().any(LetterSet("XYZ@^")))
         return refuse(execution, nc_message::kWordMissing, word, {nameOf(word), "X / Y / Z"});
@@ -58,6 +59,7 @@ void tapRigidly(Execution& execution, const Word& word) {
         return;
     const Motion motion = motionInStep(execution, word);
     const Vec3 strayed = execution.state.strayed;
+    const Vec3 displacement = execution.state.compensation.displacement;
     const Vec3 start = tipAt(execution, motion.start);
     appendWithFeed(execution, motion);
     // The spindle turns backwards on the way out, faster by the factor I.
@@ -73,6 +75,7 @@ void tapRigidly(Execution& execution, const Word& word) {
     appendWithFeed(execution, back);
     execution.state.position = motion.start;
     execution.state.strayed = strayed;
+    execution.state.compensation.displacement = displacement;
 }
 
 } // namespace proveout
