@@ -7,6 +7,7 @@
 #include "core/nc/corner_insertion.h"
 #include "core/nc/execution.h"
 #include "core/nc/lint.h"
+#include "core/nc/motion_building.h"
 #include "core/nc/probing.h"
 #include "core/nc/skipped_block.h"
 #include "core/nc/vector_path.h"
@@ -43,6 +44,17 @@ void remember(Execution& execution) {
         execution.state.lastB = execution.block.value('B');
 }
 
+/// Only after its block LinuxCNC asks the machine where a tool change has left the tip.
+void readBackAfterToolChange(Execution& execution) {
+    constexpr double kToolChange = 6;
+    if (!execution.dialect.readsBackAtToolChange)
+        return;
+    for (const Word& word : execution.block.codes()) {
+        if (word.letter == 'M' && word.value == kToolChange && !execution.state.compensation.on)
+            goOnFromTip(execution);
+    }
+}
+
 } // namespace
 
 void executeBlock(Execution& execution) {
@@ -59,6 +71,7 @@ void executeBlock(Execution& execution) {
     execution.program.beginBlock(execution.line);
     const std::size_t first = execution.program.motionCount();
     plan.run(execution);
+    readBackAfterToolChange(execution);
     if (execution.dialect.vectors.used) {
         countBlock(execution);
         checkOrderedCorner(execution);

@@ -7,7 +7,6 @@
 #include "core/base/tool_number.h"
 #include "core/nc/execution.h"
 #include "core/nc/handlers.h"
-#include "core/nc/motion_building.h"
 
 namespace proveout {
 
@@ -167,8 +166,6 @@ void changeTool(Execution& execution, const Word& word) {
         return;
     }
     execution.state.tool = execution.state.selectedTool;
-    if (execution.dialect.readsBackAtToolChange)
-        goOnFromTip(execution);
     // A tool is changed with the spindle at rest; M3 or M4 must follow.
     execution.state.spindleDirection = 0;
     execution.program.append(ToolChange{execution.state.tool}, execution.line);
