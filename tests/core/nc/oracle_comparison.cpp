@@ -55,12 +55,25 @@ double distance(const json& point, const Vec3& ours) {
     return glm::length(Vec3(number(point[0]), number(point[1]), number(point[2])) - ours);
 }
 
+/// With G93, LinuxCNC counts an arc with the radius of its start; where that at its end differs by the
+/// rounding of its words, so does the feed.
+double feedSlack(const Motion& motion) {
+    if (motion.kind != MotionKind::arc)
+        return 0;
+    const PlaneAxes plane = axes(motion.plane);
+    const auto radius = [&](const Vec3& point) {
+        return std::hypot(point[plane.first] - motion.centre[plane.first],
+                          point[plane.second] - motion.centre[plane.second]);
+    };
+    return std::abs(radius(motion.start) - radius(motion.end)) / std::max(radius(motion.start), 1e-9);
+}
+
 std::string cuttingDifference(const json& record, const Motion& motion, bool withSpindle) {
     const bool perRevolution = record["fm"] == "rev";
     const double feed = number(record["f"]) * (perRevolution ? std::abs(motion.spindleRpm) : 1.0);
     if (perRevolution != motion.perRevolution)
         return "feed mode";
-    if (std::abs(feed - motion.feedMmPerMin) > 1e-6 + 1e-6 * feed)
+    if (std::abs(feed - motion.feedMmPerMin) > 1e-6 + (1e-6 + feedSlack(motion)) * feed)
         return fmt::format("feed {} / {}", feed, motion.feedMmPerMin);
     if (record["t"].get<int>() != motion.tool)
         return fmt::format("tool {} / {}", record["t"].dump(), motion.tool);

@@ -19,9 +19,9 @@ struct OracleAnswer {
     std::string errorText;
     bool compensated = false; ///< by the radius of a cutter, anywhere
     bool cut = false;         ///< not all records are kept
-    /// The stand-alone machine was asked where it is before a motion had used a new tool length, and answered
-    /// without it. Records end there.
-    bool lost = false;
+    /// Why the stand-alone machine is from there on not where LinuxCNC's would be; empty: it is. Records end
+    /// there.
+    std::string lost;
 };
 
 /// Programs below `root` that have an answer, plain or packed by gzip.

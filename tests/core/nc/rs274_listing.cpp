@@ -83,7 +83,7 @@ bool Rs274Listing::parse(std::string_view text, Call& call) {
 
 void Rs274Listing::readLine(std::string_view line) {
     Call call;
-    if (!m_lost && parse(line, call))
+    if (m_lost.empty() && parse(line, call))
         read(call);
 }
 
@@ -138,13 +138,21 @@ void Rs274Listing::addArc(const Call& call) {
     record["r"] = glm::distance(start, centre);
 }
 
+void Rs274Listing::addProbe(const Call& call) {
+    if (m_lengthUnused)
+        m_lost =
+            "the stand-alone machine probes from where it was before a length that no motion has used yet";
+    else
+        addMotion("probe", call, endOfProbe(m_program, pointOf(call, 0)));
+}
+
 bool Rs274Listing::readMotion(const Call& call) {
     if (call.name == "STRAIGHT_TRAVERSE") {
         addMotion("rapid", call, pointOf(call, 0));
     } else if (call.name == "STRAIGHT_FEED") {
         addMotion("feed", call, pointOf(call, 0));
     } else if (call.name == "STRAIGHT_PROBE") {
-        addMotion("probe", call, endOfProbe(m_program, pointOf(call, 0)));
+        addProbe(call);
     } else if (call.name == "ARC_FEED") {
         addArc(call);
     } else if (call.name == "RIGID_TAP") {
@@ -170,10 +178,16 @@ void Rs274Listing::setFrame(const WorkFrame& frame) {
     m_program = frame.toProgram(m_machine);
 }
 
+void Rs274Listing::setUnit(double unit) {
+    if (unit != m_unit && m_length != Vec3(0))
+        m_lost = "the stand-alone machine does not convert the tool length when the unit changes";
+    m_unit = unit;
+}
+
 bool Rs274Listing::readFrame(const Call& call) {
     WorkFrame frame = m_frame;
     if (call.name == "USE_LENGTH_UNITS") {
-        m_unit = call.words.find("INCHES") != std::string_view::npos ? kInch : 1;
+        setUnit(call.words.find("INCHES") != std::string_view::npos ? kInch : 1);
     } else if (call.name == "SELECT_PLANE") {
         m_plane = call.words.ends_with("XY") ? Plane::xy : call.words.ends_with("YZ") ? Plane::yz : Plane::zx;
     } else if (call.name == "SET_G5X_OFFSET") {
@@ -223,11 +237,18 @@ void Rs274Listing::readEvent(const Call& call) {
         m_selected = static_cast<int>(call.numbers.at(0));
     } else if (call.name == "CHANGE_TOOL") {
         m_tool = m_selected;
-        m_lost = m_lengthUnused; // its position is read back
+        m_toolChanged = true;
+        if (m_lengthUnused) // its position is read back
+            m_lost =
+                "the stand-alone machine changes tools and forgets the length that no motion has used yet";
         m_records.push_back({{"k", "tool"}, {"l", call.line}, {"t", m_tool}});
     } else if (call.name == "CHANGE_TOOL_NUMBER") {
+        m_beforeRename = m_beforeRename.value_or(m_records.size());
         m_tool = static_cast<int>(call.numbers.at(0));
         m_records.push_back({{"k", "tool"}, {"l", call.line}, {"t", m_tool}});
+    } else if (call.name == "SET_TOOL_TABLE_ENTRY") {
+        if (!m_toolChanged && call.numbers.at(0) == 0)
+            m_lost = "the stand-alone machine begins with the first tool in its spindle";
     } else if (call.name == "DWELL") {
         m_records.push_back({{"k", "dwell"}, {"l", call.line}, {"sec", call.numbers.at(0)}});
     } else if (call.name == "PROGRAM_END") {

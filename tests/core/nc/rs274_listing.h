@@ -2,6 +2,8 @@
 // The listing of LinuxCNC's stand-alone interpreter as records that can be compared.
 #pragma once
 
+#include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -25,8 +27,11 @@ public:
     [[nodiscard]] std::vector<nlohmann::json> takeRecords() { return std::move(m_records); }
     /// Whether the radius of a cutter was compensated anywhere.
     [[nodiscard]] bool compensated() const { return m_compensated; }
-    /// Whether the machine has lost its place at a tool change; nothing after that is read.
-    [[nodiscard]] bool lost() const { return m_lost; }
+    /// Why the stand-alone machine is not where LinuxCNC's would be, after which nothing is read; empty: it
+    /// is.
+    [[nodiscard]] const std::string& lost() const { return m_lost; }
+    /// How many records are before the first M61.
+    [[nodiscard]] std::optional<std::size_t> beforeRename() const { return m_beforeRename; }
 
 private:
     struct Call {
@@ -44,9 +49,11 @@ private:
     void readEvent(const Call& call);
     void addMotion(const char* kind, const Call& call, const Vec3& end);
     void addArc(const Call& call);
+    void addProbe(const Call& call);
     void addCutting(nlohmann::json& record) const;
     [[nodiscard]] static Vec3 endOfProbe(const Vec3& start, const Vec3& end);
     void setFrame(const WorkFrame& frame);
+    void setUnit(double unit);
     [[nodiscard]] Vec3 pointOf(const Call& call, std::size_t first) const;
 
     std::vector<nlohmann::json> m_records;
@@ -66,7 +73,9 @@ private:
     int m_tool = 0;
     bool m_compensated = false;
     bool m_lengthUnused = false; ///< no motion since it was changed
-    bool m_lost = false;
+    bool m_toolChanged = false;  ///< by M6, at least once
+    std::string m_lost;
+    std::optional<std::size_t> m_beforeRename;
 };
 
 } // namespace proveout::test
