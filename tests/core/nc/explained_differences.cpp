@@ -217,10 +217,11 @@ Outcome outcomeOf(const std::vector<std::string>& lines, const OracleAnswer& ans
     const Extent extent = reason.text != nullptr ? reason.extent
                           : refused              ? Extent::oracleBegins
                                                  : Extent::whole;
-    if (extent == Extent::oursBegins && answer.compensated)
+    std::string why;
+    if (extent == Extent::oursBegins && answer.compensated &&
+        !sameSteps(answer, ours.upToError, extent, kListing, why))
         return outcomeUpToWaiting(answer, ours, reason.text);
     const Program& compared = extent == Extent::oursBegins ? ours.upToError : ours.whole;
-    std::string why;
     if (!sameSteps(upToError(answer), compared, extent, kListing, why))
         return {"differs", why};
     if (reason.text != nullptr)
