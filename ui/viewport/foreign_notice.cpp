@@ -16,9 +16,8 @@ ForeignNotice::ForeignNotice(Session& session, QWidget* parent)
     setObjectName(QStringLiteral("foreignNotice"));
     m_readAs->setObjectName(QStringLiteral("foreignNoticeReadAs"));
     for (const Dialect& row : dialects())
-        m_dialects->addAction(QString::fromUtf8(row.name), this, [this, id = row.id] {
-            m_session.asOneStep([this, id] { readAs(id); });
-        });
+        m_dialects->addAction(QString::fromUtf8(row.name), this,
+                              [this, id = row.id] { m_session.asOneStep([this, id] { readAs(id); }); });
     m_readAs->setMenu(m_dialects);
     buttonRow().addWidget(m_readAs);
     connect(&session, &Session::programChanged, this, &ForeignNotice::showState);
