@@ -2584,7 +2584,7 @@ Vorgabe: 0 mm</translation>
         <translation>Behalten Sie nur eine Art; dieser Satz wird übersprungen.</translation>
     </message>
     <message>
-        <source>{} counts from the present angle, and there is no angle at X0 Y0.</source>
+        <source>{} counts from the current angle, and there is no angle at X0 Y0.</source>
         <translation>{} zählt vom jetzigen Winkel aus, und bei X0 Y0 gibt es keinen Winkel.</translation>
     </message>
     <message>

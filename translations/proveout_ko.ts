@@ -2584,7 +2584,7 @@ Default: 0 mm</source>
         <translation>한 가지만 남기십시오. 이 블록은 건너뜁니다.</translation>
     </message>
     <message>
-        <source>{} counts from the present angle, and there is no angle at X0 Y0.</source>
+        <source>{} counts from the current angle, and there is no angle at X0 Y0.</source>
         <translation>{}은(는) 현재 각도를 기준으로 하지만 X0 Y0에는 각도가 없습니다.</translation>
     </message>
     <message>

@@ -46,6 +46,7 @@ constexpr Dialect kDialects[] = {
      .risesOnTheWay = true,
      .readsBackAtToolChange = true,
      .straightFirst = true,
+     .inverseTimeAsProgrammed = true,
      .refusesIdleG53 = true,
      .feedModeEndsFeed = true,
      .leastInverseFeed = 0.1},

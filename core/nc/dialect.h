@@ -89,9 +89,9 @@ struct Dialect {
     bool risesOnTheWay =
         false; ///< to the first hole under G98: up to the initial level, otherwise at its own level
     bool readsBackAtToolChange = false; ///< M6 ends what G40 and canned cycles leave between program and tip
-    bool straightFirst =
-        false; ///< G2 and G3 after G40 need a straight motion before them, whatever else moved
-    bool refusesIdleG53 = false;   ///< without axis words and a motion code of its own
+    bool straightFirst = false; ///< after G40 an arc needs a straight motion before it, whatever else moved
+    bool inverseTimeAsProgrammed = false; ///< G93 after G40 counts the programmed length, not that of the way
+    bool refusesIdleG53 = false;          ///< without axis words and a motion code of its own
     bool feedModeEndsFeed = false; ///< G94 and G95 end the feed in force even where they are in force already
     double leastInverseFeed = 0;   ///< to which G93 raises a lower feed, in units of the program a minute
     bool noReferenceInCycle = false;      ///< G27 to G30 while a canned cycle is in force are an alarm

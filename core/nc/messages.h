@@ -453,7 +453,7 @@ inline constexpr Message kPolarMixed{Severity::error, true, "polar-mixed",
                                      PROVEOUT_TEXT("Core", "Keep one kind; this block is skipped.")};
 inline constexpr Message kPolarOrigin{
     Severity::error, true, "polar-origin",
-    PROVEOUT_TEXT("Core", "{} counts from the present angle, and there is no angle at X0 Y0."),
+    PROVEOUT_TEXT("Core", "{} counts from the current angle, and there is no angle at X0 Y0."),
     PROVEOUT_TEXT("Core", "Give both @ and ^ in G90; this motion is skipped.")};
 inline constexpr Message kMachinePolar{Severity::error, true, "machine-coordinates-polar",
                                        PROVEOUT_TEXT("Core", "G53 cannot be used with polar words."),

@@ -280,8 +280,8 @@ void setInverseTimeFeed(const Execution& execution, Motion& motion) {
 }
 
 void appendMotion(Execution& execution, Motion motion) {
-    // After G40, LinuxCNC counts the programmed length, others that of the way.
-    const Vec3 ahead = execution.dialect.straightFirst ? Vec3(0) : execution.state.compensation.displacement;
+    const Vec3 ahead =
+        execution.dialect.inverseTimeAsProgrammed ? Vec3(0) : execution.state.compensation.displacement;
     motion.start += ahead;
     setInverseTimeFeed(execution, motion);
     motion.start -= ahead;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/memory_cases.h"
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <fstream>
 #include <functional>
@@ -9,13 +8,10 @@
 #include <nlohmann/json.hpp>
 #include <random>
 #include <sstream>
-#include <stdexcept>
-#include <sys/resource.h>
-#include <sys/wait.h>
-#include <unistd.h>
+#include <utility>
 
-#include "core/base/stop_watch.h"
 #include "core/formats/npy.h"
+#include "tests/app/measured_run.h"
 
 namespace proveout {
 
@@ -141,16 +137,6 @@ std::string textOf(const std::filesystem::path& file) {
     return text.str();
 }
 
-/// In the child: replaces it by the program. Nothing is allocated between fork and here.
-[[noreturn]] void become(const std::filesystem::path& folder, const std::vector<char*>& arguments) {
-    const bool ready = ::chdir(folder.c_str()) == 0 &&
-                       ::dup2(::open("out.json", O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO) >= 0 &&
-                       ::dup2(::open("err.txt", O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO) >= 0;
-    if (ready)
-        ::execv(arguments.front(), arguments.data());
-    ::_exit(127);
-}
-
 } // namespace
 
 const std::vector<MemoryCase>& memoryCases() {
@@ -189,22 +175,11 @@ MemoryRun runForMemory(const std::filesystem::path& program, const std::filesyst
                        const std::string& arguments) {
     std::istringstream words(program.string() + " " + arguments);
     std::vector<std::string> texts{std::istream_iterator<std::string>(words), {}};
-    std::vector<char*> pointers;
-    for (std::string& text : texts)
-        pointers.push_back(text.data());
-    pointers.push_back(nullptr);
-    const StopWatch watch;
-    const pid_t child = ::fork();
-    if (child == 0)
-        become(folder, pointers);
-    int status = 0;
-    rusage usage{};
-    if (child < 0 || ::wait4(child, &status, 0, &usage) != child)
-        throw std::runtime_error("cannot run " + program.string());
+    const MeasuredRun measured = runMeasured(std::move(texts), folder);
     MemoryRun run;
-    run.seconds = watch.seconds();
-    run.exitCode = WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-    run.peakBytes = static_cast<double>(usage.ru_maxrss) * 1024;
+    run.seconds = measured.seconds;
+    run.exitCode = measured.exitCode;
+    run.peakBytes = measured.peakBytes;
     run.errors = textOf(folder / "err.txt");
     const auto json = nlohmann::json::parse(textOf(folder / "out.json"), nullptr, false);
     if (json.is_object())

@@ -6,15 +6,12 @@
 #include <string>
 #include <vector>
 
+#include "tests/app/measured_run.h"
 #include "tests/bench/faults/fault_cases.h"
 
 namespace proveout {
 
-struct FaultRun {
-    int exitCode = 0; ///< below 0: the signal that ended it
-    double seconds = 0;
-    double cpuSeconds = 0; ///< of all its threads
-    double peakBytes = 0;  ///< resident
+struct FaultRun : MeasuredRun {
     std::vector<std::string> messages;
 };
 

@@ -5,7 +5,6 @@
 // held up in the same seconds.
 #include <algorithm>
 #include <atomic>
-#include <ctime>
 #include <memory>
 #include <random>
 #include <stop_token>
@@ -19,6 +18,7 @@
 #include <QTest>
 #include <QTimer>
 
+#include "tests/ui/window/heartbeat.h"
 #include "tests/ui/window/workstation.h"
 
 namespace proveout {
@@ -26,46 +26,11 @@ namespace {
 
 constexpr double kLongestGapMs = 250; // with OpenGL in software; of 99 % of the gaps
 
-double threadCpuMs() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
-}
-
 /// 99 % of the values are not above it.
 double percentile99(std::vector<double> values) {
     std::ranges::sort(values);
     return values.empty() ? 0 : values[values.size() * 99 / 100];
 }
-
-/// The gaps between the beats of a timer: how long each took, and how much of it the thread computed.
-class Heartbeat {
-public:
-    Heartbeat() {
-        QObject::connect(&m_timer, &QTimer::timeout, [this] {
-            m_gaps.push_back(1e-6 * static_cast<double>(m_clock.nsecsElapsed()));
-            m_computed.push_back(threadCpuMs() - m_cpu);
-            begin();
-        });
-        begin();
-        m_timer.start(5);
-    }
-    void stop() { m_timer.stop(); }
-    [[nodiscard]] const std::vector<double>& gaps() const { return m_gaps; }
-    [[nodiscard]] const std::vector<double>& computed() const { return m_computed; }
-
-private:
-    void begin() {
-        m_clock.start();
-        m_cpu = threadCpuMs();
-    }
-
-    QTimer m_timer;
-    QElapsedTimer m_clock;
-    double m_cpu = 0;
-    std::vector<double> m_gaps;
-    std::vector<double> m_computed;
-};
 
 /// A thread that computes a little now and then, and tells how many times longer that takes than it would
 /// alone.

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/ui/window/heartbeat.h"
 
-#include <algorithm>
 #include <ctime>
 
 namespace proveout {
@@ -10,13 +9,13 @@ namespace {
 
 constexpr int kBeatMs = 5;
 
+} // namespace
+
 double threadCpuMs() {
     timespec now{};
     clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
     return 1e3 * static_cast<double>(now.tv_sec) + 1e-6 * static_cast<double>(now.tv_nsec);
 }
-
-} // namespace
 
 Heartbeat::Heartbeat() {
     QObject::connect(&m_timer, &QTimer::timeout, [this] { beat(); });
@@ -30,8 +29,8 @@ void Heartbeat::stop() {
 }
 
 void Heartbeat::beat() {
-    m_longestMs = std::max(m_longestMs, 1e-6 * static_cast<double>(m_clock.nsecsElapsed()));
-    m_mostComputedMs = std::max(m_mostComputedMs, threadCpuMs() - m_cpuMs);
+    m_gaps.push_back(1e-6 * static_cast<double>(m_clock.nsecsElapsed()));
+    m_computed.push_back(threadCpuMs() - m_cpuMs);
     begin();
 }
 

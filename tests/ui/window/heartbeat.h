@@ -2,19 +2,21 @@
 // How long the event loop of this thread does not go round.
 #pragma once
 
+#include <vector>
+
 #include <QElapsedTimer>
 #include <QTimer>
 
 namespace proveout {
 
-/// The longest gap between two beats of a timer, and the most that the thread itself computed between two:
-/// what other processes take of the machine stretches the first only. From its construction to stop().
+/// The gaps between the beats of a timer: how long each took, and how much of it the thread itself computed;
+/// what other processes take of the machine stretches the first only. From its construction to stop(). ms.
 class Heartbeat {
 public:
     Heartbeat();
     void stop();
-    [[nodiscard]] double longestMs() const { return m_longestMs; }
-    [[nodiscard]] double mostComputedMs() const { return m_mostComputedMs; }
+    [[nodiscard]] const std::vector<double>& gaps() const { return m_gaps; }
+    [[nodiscard]] const std::vector<double>& computed() const { return m_computed; }
 
 private:
     void beat();
@@ -23,8 +25,11 @@ private:
     QTimer m_timer;
     QElapsedTimer m_clock;
     double m_cpuMs = 0;
-    double m_longestMs = 0;
-    double m_mostComputedMs = 0;
+    std::vector<double> m_gaps;
+    std::vector<double> m_computed;
 };
+
+/// Of the processor, of this thread.
+[[nodiscard]] double threadCpuMs();
 
 } // namespace proveout
