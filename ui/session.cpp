@@ -138,11 +138,11 @@ void Session::simulate(bool more) {
 
 void Session::continueWithEdit() {
     // Who looks at the end wants to see the new end; else the block on the screen stays, cut anew.
-    const bool atEnd = m_frame->block == m_frame->program->blockCount();
-    const std::size_t block = atEnd ? m_program->blockCount() : std::min(m_frame->block, blockCount());
+    const bool atEnd = target() == m_frame->program->blockCount();
+    const std::size_t block = atEnd ? blockCount() : target();
     m_simulation->post(EditCommand{m_program, ++m_generation});
     if (!m_playback.playing)
-        m_simulation->post(SeekCommand{block});
+        m_simulation->post(seekTo(block));
 }
 
 /// The program goes on behind what is there: nobody is led elsewhere.
@@ -165,8 +165,8 @@ void Session::load() {
     m_played.loaded(parameters());
     m_simulation->post(LoadCommand{m_program, m_job.setup(), parameters(), m_generation});
     postStops();
-    if (block() > 0)
-        m_simulation->post(SeekCommand{std::min(block(), blockCount())});
+    if (target() > 0)
+        m_simulation->post(seekTo(target()));
     if (m_playback.playing)
         postPlay();
 }
@@ -189,6 +189,7 @@ void Session::dropFrame() {
     m_simulation->post(PauseCommand{});
     m_loadGeneration = ++m_generation; // frames under way are of what was before
     m_frame.reset();
+    m_sought.reset();
     m_frameLog.clear();
     requestTick();
 }
@@ -203,6 +204,7 @@ void Session::simulationFailed(const Diagnostics& errors, std::uint64_t generati
         return;
     m_simulationErrors = errors;
     m_loadedSetup.reset();
+    m_sought.reset();
     stopPlaying();
     refreshProblems();
     emit troubled();
@@ -213,6 +215,8 @@ void Session::takeFrame() {
     if (!frame || frame->generation != m_generation)
         return;
     const FramePtr before = std::exchange(m_frame, std::move(frame));
+    if (m_sought && m_frame->seekOver >= m_sought->ticket)
+        m_sought.reset();
     if (m_frame->block == m_frame->program->blockCount() && !m_frame->playing && !m_begun)
         stopPlaying();
     if (!before || before->findings != m_frame->findings)
@@ -324,6 +328,7 @@ void Session::cancelWork() {
     if (m_search.done())
         return m_search.cancel();
     m_simulation->cancel();
+    m_sought.reset();
     stopPlaying();
 }
 

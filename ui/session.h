@@ -298,6 +298,8 @@ private:
     void goTo(const PlaceAnswer& answer);
     [[nodiscard]] bool isPresent(const Frame& moment) const;
     void forgetJumps();
+    [[nodiscard]] std::size_t target() const;
+    SeekCommand seekTo(std::size_t block);
     void postPlay();
     void postStops();
     void askForTimes();
@@ -321,6 +323,13 @@ private:
     std::uint64_t m_generation = 0;
     std::uint64_t m_loadGeneration = 0; ///< of the newest load; failures of older ones are nobody's concern
     FramePtr m_frame;
+    /// Where the play head is on its way to, and the ticket of the command that sends it there.
+    struct Sought {
+        std::size_t block = 0;
+        std::uint64_t ticket = 0;
+    };
+    std::optional<Sought> m_sought;
+    std::uint64_t m_ticket = 0;
 
     FrameLog m_frameLog;
     PlayedParameters m_played;

@@ -61,6 +61,7 @@ void Session::adopt(JobDocument job) {
     m_loadedSetup.reset();
     ++m_generation;
     m_frame.reset();
+    m_sought.reset();
     m_frameLog.clear();
     m_messages.clear();
     m_simulationErrors.clear();

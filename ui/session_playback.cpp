@@ -17,8 +17,8 @@ void Session::play() {
         load(); // it failed; where it does so again the reason is told again
     m_search.cancel();
     takeFrame(); // an older frame must not look like the end of what starts now
-    if (block() == blockCount())
-        m_simulation->post(SeekCommand{0});
+    if (target() == blockCount())
+        m_simulation->post(seekTo(0));
     m_playback.playing = true;
     if (!m_played.isWeighing())
         restartHoldBack();
@@ -28,6 +28,7 @@ void Session::play() {
 }
 
 void Session::pause() {
+    m_sought.reset();
     m_simulation->post(PauseCommand{});
     stopPlaying();
 }
@@ -41,23 +42,38 @@ void Session::togglePlay() {
 
 void Session::step(std::ptrdiff_t blocks) {
     m_search.cancel();
+    const auto last = static_cast<std::ptrdiff_t>(blockCount());
+    const auto from = std::min(static_cast<std::ptrdiff_t>(target()), last);
+    m_sought = {static_cast<std::size_t>(from + std::clamp(blocks, -from, last - from)), ++m_ticket};
     // The command pauses by itself; a PauseCommand before it would drop the steps that are still under way.
-    m_simulation->post(StepCommand{blocks});
+    m_simulation->post(StepCommand{blocks, m_ticket});
     stopPlaying();
 }
 
 void Session::seek(std::size_t block) {
     m_search.cancel();
-    m_simulation->post(SeekCommand{std::min(block, blockCount())});
+    m_simulation->post(seekTo(block));
     if (m_playback.playing)
         postPlay();
+}
+
+/// Where the play head stands or is on its way to.
+std::size_t Session::target() const {
+    return m_sought ? m_sought->block : block();
+}
+
+/// A load forgets where the simulation was on its way to, so it is kept here until it is there.
+SeekCommand Session::seekTo(std::size_t block) {
+    m_sought = {std::min(block, blockCount()), ++m_ticket};
+    return {m_sought->block, m_ticket};
 }
 
 void Session::stepToToolChange(int direction) {
     if (!m_program)
         return;
+    const std::size_t from = target();
     pause();
-    if (const auto block = neighbouringToolChange(*m_program, this->block(), direction))
+    if (const auto block = neighbouringToolChange(*m_program, from, direction))
         seek(*block);
 }
 

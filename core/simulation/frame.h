@@ -22,6 +22,7 @@ struct BreakpointHit;
 struct Frame {
     std::uint64_t generation = 0; ///< of the load or edit command this frame belongs to
     std::uint64_t sequence = 0;   ///< rises by one with each frame published
+    std::uint64_t seekOver = 0;   ///< ticket of the newest seek or step that has arrived, or was given up
     std::size_t block = 0;        ///< blocks executed so far: 0 … program->blockCount()
     std::shared_ptr<const Program> program;
     std::shared_ptr<const Setup> setup;

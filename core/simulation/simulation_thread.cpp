@@ -56,6 +56,8 @@ struct SimulationThread::State {
     // From here on: the simulation thread alone.
     std::unique_ptr<Simulation> simulation;
     std::optional<std::size_t> goal; ///< a block that was asked for and is not reached yet
+    std::uint64_t seekTaken = 0;     ///< ticket of the newest seek or step
+    std::uint64_t seekOver = 0;
     PlaybackClock clock;
     bool playing = false;
     bool everyBlock = false;
@@ -110,6 +112,9 @@ struct SimulationThread::State {
         auto frame = std::make_shared<Frame>(simulation->frame());
         frame->generation = generation;
         frame->sequence = ++sequence;
+        if (!goal)
+            seekOver = seekTaken;
+        frame->seekOver = seekOver;
         frame->playing = playing;
         frame->keptSpeed = playing && !everyBlock ? clock.keptPart() : 1;
         frame->stoppedBy = stoppedBy;
@@ -193,12 +198,14 @@ struct SimulationThread::State {
 
     void take(SeekCommand&& seek) {
         stoppedBy.reset();
+        seekTaken = seek.ticket;
         goal = std::min(seek.block, simulation->blockCount());
     }
 
     void take(StepCommand&& step) {
         stoppedBy.reset();
         playing = false;
+        seekTaken = step.ticket;
         const auto from = static_cast<std::ptrdiff_t>(goal.value_or(simulation->position()));
         const auto last = static_cast<std::ptrdiff_t>(simulation->blockCount());
         goal = static_cast<std::size_t>(std::clamp(step.blocks, -from, last - from) +

@@ -46,11 +46,13 @@ struct BudgetCommand {
 struct PauseCommand {};
 struct SeekCommand {
     std::size_t block = 0;
+    std::uint64_t ticket = 0; ///< rising; Frame::seekOver tells of it
 };
 /// Relative to where the simulation stands or is on its way to when the command is executed, so that quick
 /// key presses add up.
 struct StepCommand {
     std::ptrdiff_t blocks = 1;
+    std::uint64_t ticket = 0; ///< as that of a seek
 };
 using SimulationCommand = std::variant<LoadCommand, EditCommand, ParametersCommand, PlayCommand, PauseCommand,
                                        SeekCommand, StepCommand, BreakpointsCommand, BudgetCommand>;

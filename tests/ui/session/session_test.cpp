@@ -110,6 +110,76 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(session.block() < session.blockCount(), kPatience);
     }
 
+    /// What was asked for and has not come yet counts, not the block on the screen.
+    void aSeekUnderWayIsNotLost() {
+        Session session;
+        QVERIFY(opened(session, kSample));
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
+        Setup setup = session.setup();
+        setup.automaticGrid = false;
+        const auto loadAnew = [&] {
+            setup.spacing *= 1.5;
+            return session.setSetup(setup).has_value();
+        };
+        session.seek(100);
+        QVERIFY(loadAnew());
+        QVERIFY(loadAnew());
+        QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{100}, kPatience);
+        session.step(std::numeric_limits<std::ptrdiff_t>::max());
+        session.step(-5);
+        QVERIFY(loadAnew());
+        QTRY_COMPARE_WITH_TIMEOUT(session.block(), session.blockCount() - 5, kPatience);
+
+        session.seek(session.blockCount());
+        QTRY_COMPARE_WITH_TIMEOUT(session.block(), session.blockCount(), kPatience);
+        session.seek(40);
+        session.setSpeed(1e-3); // one block in a quarter of an hour
+        session.play();
+        QTRY_VERIFY_WITH_TIMEOUT(session.block() < session.blockCount(), kPatience);
+        QCOMPARE(session.block(), std::size_t{40});
+    }
+
+    void aSeekThatWasGivenUpIsNotTakenUpAgain() {
+        Session session;
+        QVERIFY(opened(session, kSample));
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
+        Setup setup = session.setup();
+        setup.automaticGrid = false;
+        setup.spacing = 0.05;
+        QVERIFY(session.setSetup(setup).has_value());
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame()->setup->spacing == 0.05, kPatience);
+        session.seek(session.blockCount()); // some seconds of work
+        session.pause();
+        setup.spacing = 1;
+        QVERIFY(session.setSetup(setup).has_value());
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame()->setup->spacing == 1, kPatience);
+        QTest::qWait(200);
+        QVERIFY(session.block() < session.blockCount());
+    }
+
+    void toolChangesAreSteppedThroughWithoutWaiting() {
+        QTemporaryDir folder;
+        Session session;
+        QByteArray text = "G21 G90 G17\n";
+        for (int tool = 1; tool <= 4; ++tool)
+            text += "T" + QByteArray::number(tool) + " M6\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX9\nG0 Z5\n";
+        QVERIFY(opened(session, write(folder, "tools.nc", text + "M30\n")));
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
+        for (int presses = 0; presses < 3; ++presses)
+            session.stepToToolChange(1);
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame()->block > 0, kPatience);
+        QTest::qWait(100);
+        const std::size_t there = session.block();
+        session.seek(0);
+        QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{0}, kPatience);
+        for (int presses = 0; presses < 3; ++presses) {
+            const std::size_t from = session.block();
+            session.stepToToolChange(1);
+            QTRY_VERIFY_WITH_TIMEOUT(session.block() > from, kPatience);
+        }
+        QCOMPARE(there, session.block());
+    }
+
     void paperModeDrawsEveryBlock() {
         Session session;
         QVERIFY(opened(session, kSample));

@@ -88,7 +88,7 @@ void type(Workstation& station, const QString& text) {
 }
 
 void pressSave(Workstation& station) {
-    QTest::keyClick(&station.window, Qt::Key_S, Qt::ControlModifier);
+    station.press(Qt::Key_S, Qt::ControlModifier);
 }
 
 FileChangedBar* bar(Workstation& station, FilePart part) {

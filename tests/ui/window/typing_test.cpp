@@ -291,7 +291,7 @@ private slots:
             QCOMPARE(answer.asked(), 1);
         }
         QVERIFY(bench.station.window.isVisible());
-        QTest::keyClick(&bench.station.window, Qt::Key_S, Qt::ControlModifier);
+        bench.station.press(Qt::Key_S, Qt::ControlModifier);
         QFile job(bench.session().jobFile());
         QVERIFY(job.open(QIODevice::ReadOnly));
         QVERIFY2(job.readAll().contains(saved), saved.constData());

@@ -45,9 +45,7 @@ struct Workstation {
     explicit Workstation(bool sample) {
         window.resize(1280, 800);
         window.show();
-        window.activateWindow();
-        if (!QTest::qWaitForWindowActive(&window))
-            qWarning("the window did not become active");
+        activate();
         if (sample)
             open(sampleJobs().front().file);
     }
@@ -57,6 +55,17 @@ struct Workstation {
         if (!openingIsOver(session) ||
             !QTest::qWaitFor([this] { return session.frame() != nullptr; }, kPatience))
             qFatal("no frame of %s", qPrintable(file));
+    }
+    /// A shortcut of the window. It reaches an active window only, and after a question the window manager
+    /// takes its time to make it active again.
+    void press(Qt::Key key, Qt::KeyboardModifiers modifiers) {
+        activate();
+        QTest::keyClick(&window, key, modifiers);
+    }
+    void activate() {
+        window.activateWindow();
+        if (!QTest::qWaitForWindowActive(&window))
+            qWarning("the window did not become active");
     }
     TimelineScale& scale() { return *window.findChild<TimelineScale*>(); }
 };
