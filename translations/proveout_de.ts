@@ -2412,6 +2412,14 @@ Vorgabe: 0 mm</translation>
         <translation>Geben Sie jeder Verzweigung und jeder Schleife eine eigene Marke.</translation>
     </message>
     <message>
+        <source>After continue in a do loop, LinuxCNC may run a repeat loop twice as often as it says.</source>
+        <translation>Nach continue in einer do-Schleife durchläuft LinuxCNC eine repeat-Schleife unter Umständen doppelt so oft, wie sie angibt.</translation>
+    </message>
+    <message>
+        <source>Leave out the rest of the round with if and endif in place of continue.</source>
+        <translation>Lassen Sie den Rest des Durchlaufs mit if und endif statt mit continue aus.</translation>
+    </message>
+    <message>
         <source>O{} sub stands within another subprogram.</source>
         <translation>O{} sub steht innerhalb eines anderen Unterprogramms.</translation>
     </message>
@@ -5336,8 +5344,16 @@ Vorgabe: 0 mm</translation>
         <translation>Bohren Sie das Gewinde in G17, oder verwenden Sie G33.1.</translation>
     </message>
     <message>
-        <source>The canned cycle before this arc leaves the tool elsewhere than the control takes it to be.</source>
-        <translation>Nach dem Festzyklus vor diesem Bogen steht das Werkzeug anderswo, als die Steuerung annimmt.</translation>
+        <source>{} turns the work offset while G92 or G52 is in force: LinuxCNC then takes the tool to be at another place than it is.</source>
+        <translation>{} dreht die Nullpunktverschiebung, während G92 oder G52 wirkt: LinuxCNC nimmt das Werkzeug danach an einem anderen Ort an, als es steht.</translation>
+    </message>
+    <message>
+        <source>Cancel the shift with G92.1 first, and set it again afterwards.</source>
+        <translation>Heben Sie die Verschiebung vorher mit G92.1 auf, und setzen Sie sie danach neu.</translation>
+    </message>
+    <message>
+        <source>The control takes the tool to be elsewhere than it is at the beginning of this arc.</source>
+        <translation>Am Anfang dieses Bogens steht das Werkzeug anderswo, als die Steuerung annimmt.</translation>
     </message>
     <message>
         <source>Program a straight move before the arc; the arc is skipped.</source>
@@ -5807,6 +5823,10 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>NC program</source>
         <translation>NC-Programm</translation>
+    </message>
+    <message>
+        <source>Shown read-only and with its lines cut off, because line %1 has more than %2 characters.</source>
+        <translation>Nur zum Lesen und mit abgeschnittenen Zeilen gezeigt, da Zeile %1 mehr als %2 Zeichen hat.</translation>
     </message>
     <message>
         <source>Shown read-only, because the file is larger than 10 MB.</source>

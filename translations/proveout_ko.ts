@@ -2412,6 +2412,14 @@ Default: 0 mm</source>
         <translation>분기와 반복마다 서로 다른 레이블을 쓰십시오.</translation>
     </message>
     <message>
+        <source>After continue in a do loop, LinuxCNC may run a repeat loop twice as often as it says.</source>
+        <translation>do 루프 안의 continue 다음에, LinuxCNC는 repeat 루프를 지정된 횟수의 두 배로 실행할 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Leave out the rest of the round with if and endif in place of continue.</source>
+        <translation>continue 대신 if와 endif로 나머지 블록을 건너뛰십시오.</translation>
+    </message>
+    <message>
         <source>O{} sub stands within another subprogram.</source>
         <translation>O{} sub이(가) 다른 부프로그램 안에 있습니다.</translation>
     </message>
@@ -5336,8 +5344,16 @@ Default: 0 mm</source>
         <translation>G17에서 탭핑하거나 G33.1을 쓰십시오.</translation>
     </message>
     <message>
-        <source>The canned cycle before this arc leaves the tool elsewhere than the control takes it to be.</source>
-        <translation>이 원호 앞의 고정 사이클이 끝난 뒤 실제 공구 위치가 제어기가 인식하는 위치와 다릅니다.</translation>
+        <source>{} turns the work offset while G92 or G52 is in force: LinuxCNC then takes the tool to be at another place than it is.</source>
+        <translation>G92 또는 G52가 유효한 상태에서 {}이(가) 공작물 좌표계를 회전시킵니다. 그 뒤 LinuxCNC가 인식하는 공구 위치는 실제 위치와 다릅니다.</translation>
+    </message>
+    <message>
+        <source>Cancel the shift with G92.1 first, and set it again afterwards.</source>
+        <translation>먼저 G92.1로 시프트를 취소하고, 그 뒤에 다시 설정하십시오.</translation>
+    </message>
+    <message>
+        <source>The control takes the tool to be elsewhere than it is at the beginning of this arc.</source>
+        <translation>이 원호의 시작점에서 실제 공구 위치가 제어기가 인식하는 위치와 다릅니다.</translation>
     </message>
     <message>
         <source>Program a straight move before the arc; the arc is skipped.</source>
@@ -5807,6 +5823,10 @@ Default: 0 mm</source>
     <message>
         <source>NC program</source>
         <translation>NC 프로그램</translation>
+    </message>
+    <message>
+        <source>Shown read-only and with its lines cut off, because line %1 has more than %2 characters.</source>
+        <translation>%1번째 줄이 %2자를 넘으므로 읽기 전용으로, 줄을 잘라서 표시합니다.</translation>
     </message>
     <message>
         <source>Shown read-only, because the file is larger than 10 MB.</source>

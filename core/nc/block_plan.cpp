@@ -146,10 +146,8 @@ private:
             m_plan.add(Step::cutterCompensation, changeRadiusRegister, m_block.word('D'));
             m_used.add(LetterSet("D"));
         }
-        // LinuxCNC refuses it.
-        if (m_execution.dialect.macros == MacroLanguage::oWords || m_execution.state.lengthSign == 0 ||
-            !m_block.has('H') || m_used.has('H') ||
-            m_groups[static_cast<std::size_t>(ModalGroup::toolLength)] != nullptr)
+        if (m_execution.dialect.registersNeedCode || m_execution.state.lengthSign == 0 || !m_block.has('H') ||
+            m_used.has('H') || m_groups[static_cast<std::size_t>(ModalGroup::toolLength)] != nullptr)
             return;
         m_plan.add(Step::toolLength, changeRegister, m_block.word('H'));
         m_used.add(LetterSet("H"));

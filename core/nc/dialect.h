@@ -92,6 +92,10 @@ struct Dialect {
     bool straightFirst = false; ///< after G40 an arc needs a straight motion before it, whatever else moved
     bool inverseTimeAsProgrammed = false; ///< G93 after G40 counts the programmed length, not that of the way
     bool refusesIdleG53 = false;          ///< without axis words and a motion code of its own
+    bool hasPolarWords = false;           ///< @ and ^
+    bool registersNeedCode = false; ///< H without G43 is an error, where others change the offset in force
+    bool shiftHasParameter = false; ///< #5210 tells whether G92 or G52 counts
+    bool shiftIsNotTurned = false;  ///< by G10 L2 R: the control then takes the tool to be where it is not
     bool feedModeEndsFeed = false; ///< G94 and G95 end the feed in force even where they are in force already
     double leastInverseFeed = 0;   ///< to which G93 raises a lower feed, in units of the program a minute
     bool noReferenceInCycle = false;      ///< G27 to G30 while a canned cycle is in force are an alarm

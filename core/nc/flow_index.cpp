@@ -162,6 +162,7 @@ FlowIndex::FlowIndex(const NcText& text) {
         if (!word)
             continue;
         m_rows.push_back({word->kind, line});
+        m_repeats = m_repeats || word->kind == FlowKind::repeat;
         if (word->kind == FlowKind::sub)
             m_subs.emplace(word->label, line);
         if (word->kind == FlowKind::programNumber)

@@ -35,6 +35,7 @@ public:
 
     /// Whether the text has no O-words.
     [[nodiscard]] bool empty() const { return m_rows.empty(); }
+    [[nodiscard]] bool repeats() const { return m_repeats; } ///< whether it has a "repeat"
     /// The row of a line with an O-word; null for other lines and for those that could not be read.
     [[nodiscard]] const FlowLine* at(std::size_t line) const;
     /// The line "O… sub" of a label; kNone where there is none.
@@ -46,6 +47,7 @@ private:
     std::vector<FlowLine> m_rows; ///< by line
     std::unordered_map<std::string, std::size_t> m_subs;
     std::unordered_map<std::string, std::size_t> m_programs;
+    bool m_repeats = false;
 };
 
 } // namespace proveout

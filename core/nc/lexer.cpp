@@ -19,12 +19,6 @@ bool isControlCode(char c) {
     return (c >= 0x11 && c <= 0x14) || c == 0x1a;
 }
 
-/// What stands in front of the number of a word.
-bool beginsWord(char c) {
-    const char u = upperCase(c);
-    return (u >= '@' && u <= 'Z') || u == '^';
-}
-
 bool isLetter(char c) {
     const char u = upperCase(c);
     return u >= 'A' && u <= 'Z';
@@ -98,7 +92,7 @@ private:
         const char c = m_text[m_at];
         if (m_macroB && readMacroItem(c))
             return;
-        if (beginsWord(c))
+        if (isLetter(c) || (m_context.dialect.hasPolarWords && (c == '@' || c == '^')))
             readWord(upperCase(c));
         else if (c == '$' && m_context.dialect.macros == MacroLanguage::oWords)
             readWord(kSpindleLetter);

@@ -126,6 +126,11 @@ inline constexpr Message kLabelTwice{
     Severity::error, true, "label-twice",
     PROVEOUT_TEXT("Core", "The label O{} is used already in line {} of this subprogram or main program."),
     PROVEOUT_TEXT("Core", "Give each branch and each loop a label of its own.")};
+inline constexpr Message kContinueInDo{
+    Severity::warning, true, "continue-in-do",
+    PROVEOUT_TEXT("Core",
+                  "After continue in a do loop, LinuxCNC may run a repeat loop twice as often as it says."),
+    PROVEOUT_TEXT("Core", "Leave out the rest of the round with if and endif in place of continue.")};
 inline constexpr Message kSubNested{Severity::error, true, "sub-nested",
                                     PROVEOUT_TEXT("Core", "O{} sub stands within another subprogram."),
                                     PROVEOUT_TEXT("Core", "Close the other one with endsub before it.")};
@@ -567,11 +572,16 @@ inline constexpr Message kTapAxesMixed{
                   "LinuxCNC 2.9 mixes up the axes of a tapping cycle in {}: the tool feeds to another place "
                   "than the hole bottom."),
     PROVEOUT_TEXT("Core", "Tap in G17, or use G33.1.")};
+inline constexpr Message kShiftNotTurned{
+    Severity::fault, false, "shift-not-turned",
+    PROVEOUT_TEXT("Core",
+                  "{} turns the work offset while G92 or G52 is in force: LinuxCNC then takes the tool to be "
+                  "at another place than it is."),
+    PROVEOUT_TEXT("Core", "Cancel the shift with G92.1 first, and set it again afterwards.")};
 inline constexpr Message kArcFromElsewhere{
     Severity::error, true, "arc-from-elsewhere",
-    PROVEOUT_TEXT(
-        "Core",
-        "The canned cycle before this arc leaves the tool elsewhere than the control takes it to be."),
+    PROVEOUT_TEXT("Core",
+                  "The control takes the tool to be elsewhere than it is at the beginning of this arc."),
     PROVEOUT_TEXT("Core", "Program a straight move before the arc; the arc is skipped.")};
 inline constexpr Message kFineBore{
     Severity::warning, true, "fine-bore",

@@ -111,9 +111,7 @@ std::optional<Vec2> polarTarget(Execution& execution, const Vec3& program, std::
         execution.reporter.tell(nc_message::kIncrementalUnknown, word, {std::string(1, word.letter)});
         return {};
     }
-    // Only LinuxCNC has these words.
-    if ((incremental || !block.has('^')) && program.x == 0 && program.y == 0 &&
-        execution.dialect.macros == MacroLanguage::oWords) {
+    if ((incremental || !block.has('^')) && program.x == 0 && program.y == 0) {
         const Word& word = block.word(block.has('@') ? '@' : '^');
         execution.reporter.tell(nc_message::kPolarOrigin, word, {std::string(1, word.letter)});
         return {};

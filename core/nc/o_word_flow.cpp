@@ -261,8 +261,16 @@ bool OWordFlow::endLoop(const FlowWord& word) {
     else if (word.kind == FlowKind::endWhile || loop.kind == FlowKind::whileLoop)
         m_calls.jump(loop.line);
     else
-        m_calls.jump(loop.end);
+        continueDo(word, loop);
     return true;
+}
+
+/// LinuxCNC then goes twice through a "repeat" that it comes to, but not through every one.
+void OWordFlow::continueDo(const FlowWord& word, const FlowLine& loop) {
+    const bool mayRepeat = m_calls.flowIndex().repeats() || !m_calls.inMainText();
+    if (mayRepeat && !m_calls.isAgain())
+        fail(nc_message::kContinueInDo, word);
+    m_calls.jump(loop.end);
 }
 
 bool OWordFlow::beginRepeat(const FlowWord& word) {

@@ -53,6 +53,7 @@ private:
     bool branch(const FlowWord& word);
     bool beginWhile(const FlowWord& word);
     bool endLoop(const FlowWord& word);
+    void continueDo(const FlowWord& word, const FlowLine& loop);
     bool beginRepeat(const FlowWord& word);
     bool leaveRepeat(std::size_t begin);
     bool endRepeat(const FlowWord& word);

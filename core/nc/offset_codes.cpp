@@ -72,6 +72,21 @@ Vec3 offsetsHere(const Execution& execution, const WorkFrame& frame) {
     return execution.state.position - without.toMachine(program);
 }
 
+/// LinuxCNC counts where the tool is anew with the shift of G92 as it was turned before.
+void leaveShiftAsTurned(Execution& execution, double rotationBefore) {
+    MachineState& state = execution.state;
+    const WorkFrame& frame = state.frame;
+    if (!execution.dialect.shiftIsNotTurned || frame.rotation == rotationBefore ||
+        (frame.shift.x == 0 && frame.shift.y == 0))
+        return;
+    WorkFrame by;
+    by.rotation = rotationBefore - frame.rotation;
+    const Vec3 tip = state.position;
+    state.position = frame.toMachine(frame.toProgram(tip) + frame.shift - by.turned(frame.shift));
+    state.strayed += tip - state.position;
+    execution.reporter.tell(nc_message::kShiftNotTurned, execution.block.word('L'), {"G10"});
+}
+
 void setWorkOffset(Execution& execution, bool here) {
     if (!execution.block.has('P')) {
         execution.reporter.tell(nc_message::kWordMissing, execution.block.word('L'), {"G10", "P"});
@@ -96,8 +111,11 @@ void setWorkOffset(Execution& execution, bool here) {
     frame.offset = here ? offsetsHere(execution, frame) : offsetsGiven(execution, frame);
     setVectorAt(execution.parameters, offsetParameter(system), frame.offset);
     execution.parameters.setNumbered(offsetParameter(system) + kRotationParameter, frame.rotation);
-    if (system == execution.state.workOffset)
-        setFrame(execution, frame);
+    if (system != execution.state.workOffset)
+        return;
+    const double rotationBefore = execution.state.frame.rotation;
+    setFrame(execution, frame);
+    leaveShiftAsTurned(execution, rotationBefore);
 }
 
 /// Where the machine stands in the coordinates of a work offset, as if no tool length were in force.
@@ -140,7 +158,7 @@ void setTool(Execution& execution, int kind) {
 
 void setShift(Execution& execution, const Vec3& shift, bool on) {
     execution.state.shifted = on;
-    if (execution.dialect.macros == MacroLanguage::oWords)
+    if (execution.dialect.shiftHasParameter)
         execution.parameters.setNumbered(kShiftOnParameter, on ? 1 : 0);
     WorkFrame frame = execution.state.frame;
     frame.shift = shift;

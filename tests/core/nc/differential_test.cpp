@@ -43,17 +43,26 @@ std::string joined(const std::vector<std::string>& lines) {
     return text;
 }
 
-/// The program up to the last block before its first error: what both must agree on if only one refuses it.
-std::shared_ptr<const Program> upToFirstError(const NcText& text, InterpretOptions options,
-                                              const Program& whole) {
+/// The program up to the last block before its first error, or before what LinuxCNC is told to run otherwise:
+/// what both must agree on.
+std::shared_ptr<const Program> upToParting(const NcText& text, InterpretOptions options,
+                                           const Program& whole) {
     std::size_t without = 0;
     std::size_t with = whole.blockCount() + 1;
     while (with - without > 1) {
         options.stopAfterBlocks = (without + with) / 2;
-        (firstError(*interpret(text, options)) == nullptr ? without : with) = options.stopAfterBlocks;
+        (firstParting(*interpret(text, options)) == nullptr ? without : with) = options.stopAfterBlocks;
     }
     options.stopAfterBlocks = without;
     return interpret(text, options);
+}
+
+/// Where and why either stops.
+std::string refusals(const OracleAnswer& answer, const Program& ours) {
+    const Diagnostic* error = firstError(ours);
+    return fmt::format("LinuxCNC stops at line {} ({}), we at line {} ({})", answer.errorLine,
+                       answer.errorText, error == nullptr ? 0 : error->where.line,
+                       error == nullptr ? "" : error->id);
 }
 
 /// What the stand-alone interpreter takes a probe to meet.
@@ -87,8 +96,11 @@ public:
         options.tools = ToolOffsets(m_tools);
         options.part = m_part;
         const auto program = interpret(NcText(text), options);
-        const auto beginning = upToFirstError(NcText(text), options, *program);
-        return outcomeOf(lines, answer, {*program, *beginning});
+        const auto beginning = upToParting(NcText(text), options, *program);
+        Outcome outcome = outcomeOf(lines, answer, {*program, *beginning});
+        if (!outcome.why.empty())
+            outcome.why += fmt::format("; {}", refusals(answer, *program));
+        return outcome;
     }
 
 private:

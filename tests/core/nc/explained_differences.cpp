@@ -28,6 +28,7 @@ constexpr const char* kNoNumber =
 constexpr const char* kSelfAssigned = "a name that the block of its first assignment reads is 0 in LinuxCNC";
 constexpr const char* kPolarTwice = "of two polar words with one sign LinuxCNC takes the last";
 constexpr const char* kSplineFeed = "LinuxCNC asks for a feed before a spline with G94 only";
+constexpr const char* kEndlessDo = "a do without its while runs once in LinuxCNC";
 constexpr const char* kLatheCycle = "lathe cycles, and the planes of axes that there are not";
 constexpr Stricter kStricter[] = {
     {"number-double-sign", "", "X--1 is refused as a slip; within expressions signs may repeat"},
@@ -51,6 +52,7 @@ constexpr Stricter kStricter[] = {
     {"parameter-unset", "#<_shared> =", kSelfAssigned},
     {"parameter-unset", "#<own>=", kSelfAssigned},
     {"parameter-unset", "#<own> =", kSelfAssigned},
+    {"flow-partner", " do", kEndlessDo},
     {"word-twice", "@", kPolarTwice},
     {"word-twice", "^", kPolarTwice},
     {"feed-missing", "g5", kSplineFeed},
@@ -115,7 +117,7 @@ std::string inLowerCase(std::string text) {
 /// Whether a line has a text; the last line where there is no such line.
 bool has(const std::vector<std::string>& lines, int line, const char* text) {
     const auto index = line > 0 ? static_cast<std::size_t>(line) : lines.size();
-    return inLowerCase(lines.at(index - 1)).find(text) != std::string::npos;
+    return inLowerCase(lines.at(std::min(index, lines.size()) - 1)).find(text) != std::string::npos;
 }
 
 Reason stricterAt(const std::vector<std::string>& lines, const Diagnostic& error) {
@@ -141,13 +143,6 @@ Reason milderAt(const std::vector<std::string>& lines, const OracleAnswer& answe
             return {row.reason, Extent::oracleBegins};
     }
     return {};
-}
-
-Reason reasonFor(const std::vector<std::string>& lines, const OracleAnswer& answer, const Diagnostic* error) {
-    const int theirs = answer.errorLine;
-    const bool first = error != nullptr && (theirs <= 0 || error->where.line < theirs);
-    const Reason stricter = first ? stricterAt(lines, *error) : Reason();
-    return stricter.text != nullptr ? stricter : milderAt(lines, answer);
 }
 
 /// LinuxCNC refuses some blocks only when they are half done; what they did until then is not compared.
@@ -197,35 +192,38 @@ Outcome outcomeOfForbidden(const OracleAnswer& answer, const OurAnswer& ours) {
         answer, ours, "LinuxCNC forgets the spindle of G33 and the compensation of NURBS where both meet");
 }
 
-} // namespace
+/// Of one of both, or of either: which line is reached first depends on calls and loops.
+std::vector<Reason> reasonsFor(const std::vector<std::string>& lines, const OracleAnswer& answer,
+                               const Diagnostic* error) {
+    std::vector<Reason> reasons;
+    if (error != nullptr)
+        reasons.push_back(stricterAt(lines, *error));
+    if (answer.errorLine != 0)
+        reasons.push_back(milderAt(lines, answer));
+    std::erase_if(reasons, [](const Reason& reason) { return reason.text == nullptr; });
+    return reasons;
+}
 
-Outcome outcomeOf(const std::vector<std::string>& lines, const OracleAnswer& answer, const OurAnswer& ours) {
-    if (answer.errorClass == "timeout")
-        return outcomeOfEndless(answer, ours);
+/// Whether what one of both shows is the beginning of what the other one shows.
+bool isBeginning(const OracleAnswer& answer, const OurAnswer& ours, Extent extent) {
+    std::string why;
+    const Program& compared = extent == Extent::oursBegins ? ours.upToError : ours.whole;
+    return sameSteps(upToError(answer), compared, extent, kListing, why) ||
+           (extent == Extent::oursBegins && answer.compensated &&
+            outcomeUpToWaiting(answer, ours, "").why.empty());
+}
+
+Outcome outcomeWithoutReason(const OracleAnswer& answer, const OurAnswer& ours) {
     const Diagnostic* error = firstError(ours.whole);
-    if (!answer.lost.empty())
-        return outcomeOfLost(answer, ours);
-    if (error != nullptr && error->id == std::string("compensation-forbids") &&
-        kInStep.contains(error->arguments.front()))
-        return outcomeOfForbidden(answer, ours);
     const int theirLine = answer.errorClass == "no-program-end" ? 0 : answer.errorLine;
     const int ourLine = error == nullptr ? 0 : error->where.line;
-    const Reason reason = ourLine == theirLine ? Reason() : reasonFor(lines, answer, error);
     // A motion that waits for the next one is lost where the program does not end.
     const bool waits = answer.errorClass == "no-program-end" && answer.compensated;
     const bool refused = answer.errorLine != 0 || ourLine != 0 || waits;
-    const Extent extent = reason.text != nullptr ? reason.extent
-                          : refused              ? Extent::oracleBegins
-                                                 : Extent::whole;
     std::string why;
-    if (extent == Extent::oursBegins && answer.compensated &&
-        !sameSteps(answer, ours.upToError, extent, kListing, why))
-        return outcomeUpToWaiting(answer, ours, reason.text);
-    const Program& compared = extent == Extent::oursBegins ? ours.upToError : ours.whole;
-    if (!sameSteps(upToError(answer), compared, extent, kListing, why))
+    if (!sameSteps(upToError(answer), ours.whole, refused ? Extent::oracleBegins : Extent::whole, kListing,
+                   why))
         return {"differs", why};
-    if (reason.text != nullptr)
-        return {reason.text, ""};
     if (ourLine != theirLine) {
         return {"differs", fmt::format("refused at line {} ({}) / {} ({})", theirLine, answer.errorText,
                                        ourLine, error == nullptr ? "" : error->id)};
@@ -233,6 +231,32 @@ Outcome outcomeOf(const std::vector<std::string>& lines, const OracleAnswer& ans
     if (ourLine == 0)
         return {"agrees", ""};
     return {"refused by both: " + answer.errorText.substr(0, 60), ""};
+}
+
+/// What is told to run otherwise than shown must agree until then.
+Outcome outcomeOfUnlike(const OracleAnswer& answer, const OurAnswer& ours, const Diagnostic& parting) {
+    if (!isBeginning(answer, ours, Extent::oursBegins))
+        return {"differs", fmt::format("before {}", parting.id)};
+    return {fmt::format("told as {}", parting.id), ""};
+}
+
+} // namespace
+
+Outcome outcomeOf(const std::vector<std::string>& lines, const OracleAnswer& answer, const OurAnswer& ours) {
+    if (answer.errorClass == "timeout")
+        return outcomeOfEndless(answer, ours);
+    const Diagnostic* parting = firstParting(ours.whole);
+    if (parting != nullptr && isUnlikeControl(*parting))
+        return outcomeOfUnlike(answer, ours, *parting);
+    const Diagnostic* error = firstError(ours.whole);
+    if (error != nullptr && error->id == std::string("compensation-forbids") &&
+        kInStep.contains(error->arguments.front()))
+        return outcomeOfForbidden(answer, ours);
+    for (const Reason& reason : reasonsFor(lines, answer, error)) {
+        if (isBeginning(answer, ours, reason.extent))
+            return {reason.text, ""};
+    }
+    return answer.lost.empty() ? outcomeWithoutReason(answer, ours) : outcomeOfLost(answer, ours);
 }
 
 } // namespace proveout::test

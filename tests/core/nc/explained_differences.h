@@ -20,7 +20,7 @@ struct Outcome {
 /// What we make of a program. References to programs that live longer.
 struct OurAnswer {
     const Program& whole;
-    const Program& upToError; ///< up to the last block before the first error
+    const Program& upToError; ///< up to the last block before the first error, or isUnlikeControl()
 };
 
 [[nodiscard]] Outcome outcomeOf(const std::vector<std::string>& lines, const OracleAnswer& answer,

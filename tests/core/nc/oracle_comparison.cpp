@@ -164,11 +164,30 @@ bool returns(const std::vector<Step>& steps, std::size_t at) {
            steps[at].motion.end == steps[at - 1].motion.start;
 }
 
+/// Whether a record is a rapid of no length. The tool table of the stand-alone machine is in inches, so that
+/// a level that is reached already may lie a rounding error above the tool.
+bool isStill(const std::vector<json>& records, std::size_t at) {
+    return at > 0 && records[at]["k"] == "rapid" && records[at - 1].contains("e") &&
+           distance(records[at - 1]["e"], pointOf(records[at]["e"])) < 1e-9;
+}
+
 } // namespace
 
 const Diagnostic* firstError(const Program& program) {
     for (const Diagnostic& diagnostic : program.diagnostics()) {
         if (diagnostic.severity == Severity::error)
+            return &diagnostic;
+    }
+    return nullptr;
+}
+
+bool isUnlikeControl(const Diagnostic& diagnostic) {
+    return diagnostic.id == std::string("continue-in-do");
+}
+
+const Diagnostic* firstParting(const Program& program) {
+    for (const Diagnostic& diagnostic : program.diagnostics()) {
+        if (diagnostic.severity == Severity::error || isUnlikeControl(diagnostic))
             return &diagnostic;
     }
     return nullptr;
@@ -208,6 +227,8 @@ bool sameSteps(const OracleAnswer& answer, const Program& program, Extent extent
             continue;
         }
         why = difference(answer, record, steps[at], tolerances);
+        if (!why.empty() && isStill(answer.records, i))
+            continue;
         if (why.empty() && record["k"] == "tap" && !returns(steps, ++at))
             why = "the tap stays in its hole";
         if (!why.empty()) {

@@ -18,6 +18,10 @@ struct OracleTolerances {
 
 /// The first error of a program; null where there is none.
 const Diagnostic* firstError(const Program& program);
+/// Whether it tells that the control runs what follows otherwise than we do.
+bool isUnlikeControl(const Diagnostic& diagnostic);
+/// The first of either.
+const Diagnostic* firstParting(const Program& program);
 
 bool toldOnLine(const Program& program, int line);
 
