@@ -2420,6 +2420,14 @@ Vorgabe: 0 mm</translation>
         <translation>Lassen Sie den Rest des Durchlaufs mit if und endif statt mit continue aus.</translation>
     </message>
     <message>
+        <source>M98 with L0 runs nothing, but LinuxCNC then loses the named parameters of this program and refuses the next subprogram.</source>
+        <translation>M98 mit L0 führt nichts aus, aber LinuxCNC verliert danach die benannten Parameter dieses Programms und lehnt das nächste Unterprogramm ab.</translation>
+    </message>
+    <message>
+        <source>Leave out the call.</source>
+        <translation>Lassen Sie den Aufruf weg.</translation>
+    </message>
+    <message>
         <source>O{} sub stands within another subprogram.</source>
         <translation>O{} sub steht innerhalb eines anderen Unterprogramms.</translation>
     </message>

@@ -2420,6 +2420,14 @@ Default: 0 mm</source>
         <translation>continue 대신 if와 endif로 나머지 블록을 건너뛰십시오.</translation>
     </message>
     <message>
+        <source>M98 with L0 runs nothing, but LinuxCNC then loses the named parameters of this program and refuses the next subprogram.</source>
+        <translation>L0인 M98은 아무것도 실행하지 않지만, 그 뒤 LinuxCNC는 이 프로그램의 이름 있는 파라미터를 잃고 다음 서브프로그램을 거부합니다.</translation>
+    </message>
+    <message>
+        <source>Leave out the call.</source>
+        <translation>호출을 빼십시오.</translation>
+    </message>
+    <message>
         <source>O{} sub stands within another subprogram.</source>
         <translation>O{} sub이(가) 다른 부프로그램 안에 있습니다.</translation>
     </message>

@@ -69,6 +69,19 @@ LineEnd mostFrequentLineEnd(std::string_view text) {
     return cr > lf ? LineEnd::cr : LineEnd::lf;
 }
 
+namespace {
+
+/// The first line, 1-based, that is longer than the editor shows; 0 where there is none.
+std::size_t firstTooLong(const NcText& text) {
+    for (std::size_t line = 0; line < text.lineCount(); ++line) {
+        if (text.line(line).size() > kEditableLine)
+            return line + 1;
+    }
+    return 0;
+}
+
+} // namespace
+
 Result<Document> loadDocument(const std::filesystem::path& file, const WorkContext& context) {
     const FileState onDisk = stateOf(file); // before: a change while it is read is one to be told
     Result<NcText> text = NcText::load(file, context);
@@ -79,7 +92,8 @@ Result<Document> loadDocument(const std::filesystem::path& file, const WorkConte
     document.onDisk = onDisk;
     document.text = std::move(*text);
     document.byteOrderMark = startsWithByteOrderMark(file);
-    document.readOnly = document.text.size() > kEditableBytes;
+    document.tooLongLine = firstTooLong(document.text);
+    document.readOnly = document.text.size() > kEditableBytes || document.tooLongLine > 0;
     const std::vector<std::string_view> runs = document.text.runs();
     const std::string_view bytes = runs.empty() ? std::string_view() : runs.front(); // read in one piece
     document.utf8 = isUtf8(bytes);

@@ -17,6 +17,10 @@ enum class LineEnd : std::uint8_t { lf, crLf, cr };
 /// Texts above this size are shown read-only: an insertion in the middle of them would hold up the window.
 inline constexpr std::size_t kEditableBytes = 10'000'000;
 
+/// Texts with a longer line are shown read-only, and their lines cut off: the editor lays out a whole line
+/// whenever it paints a part of it.
+inline constexpr std::size_t kEditableLine = 20'000;
+
 /// An NC text with what a save must bring back as it was. The text is bytes: offsets of edits are byte
 /// offsets, and bytes that are not UTF-8 survive. Value type.
 struct Document {
@@ -27,7 +31,8 @@ struct Document {
     LineEnd lineEnd = LineEnd::lf; ///< of most lines; a new line gets it
     bool modified = false;
     bool readOnly = false;
-    FileState onDisk; ///< of the file, from before it was read
+    std::size_t tooLongLine = 0; ///< 1-based, the first one beyond kEditableLine; 0 where there is none
+    FileState onDisk;            ///< of the file, from before it was read
 };
 
 /// Any thread. Errors: those of NcText::load.

@@ -216,12 +216,24 @@ void EditorPanel::retranslate() {
     m_follow->setText(tr("F&ollow Program"));
     m_follow->setToolTip(tr("Keep the current line in sight while the program plays; typing, clicking or "
                             "scrolling in the text turns this off until playback is started again"));
-    m_readOnly->setText(tr("Shown read-only, because the file is larger than 10 MB."));
+    tellReadOnly();
+}
+
+void EditorPanel::tellReadOnly() {
+    const Document& document = m_session.document();
+    m_readOnly->setVisible(document.readOnly);
+    m_readOnly->setText(
+        document.tooLongLine > 0
+            ? tr("Shown read-only and with its lines cut off, because line %1 has more than %2 "
+                 "characters.")
+                  .arg(locale().toString(static_cast<qulonglong>(document.tooLongLine)),
+                       locale().toString(static_cast<qulonglong>(kEditableLine)))
+            : tr("Shown read-only, because the file is larger than 10 MB."));
 }
 
 void EditorPanel::loadText() {
     m_editor->load(m_session.document());
-    m_readOnly->setVisible(m_session.document().readOnly);
+    tellReadOnly();
 }
 
 void EditorPanel::updateActions() {

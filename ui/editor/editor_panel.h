@@ -41,6 +41,7 @@ private:
 
     void retranslate();
     void loadText();
+    void tellReadOnly();
     void showFrame(const FramePtr& frame);
     void makeFollowing();
     void pauseFollowing();

@@ -59,6 +59,10 @@ int scintillaLineEnd(LineEnd lineEnd) {
     return QsciScintilla::SC_EOL_LF;
 }
 
+bool fill(ScintillaDocument& shown, const Document& document, const std::stop_token& stop) {
+    return document.tooLongLine > 0 ? shown.fillCutOff(document.text, stop) : shown.fill(document.text, stop);
+}
+
 } // namespace
 
 NcEditor::NcEditor(QWidget* parent)
@@ -158,7 +162,7 @@ void NcEditor::load(const Document& document) {
     auto before = std::exchange(m_document, nullptr); // that may be much to free: not on this thread
     auto next = std::make_shared<ScintillaDocument>(*this);
     if (document.text.size() <= kBytesAtOnce) {
-        next->fill(document.text);
+        fill(*next, document, {});
         showDocument(std::move(next), document, document.readOnly);
         m_filling.start([before = std::move(before)](const NewestTask::Reply&) mutable { before.reset(); });
         return;
@@ -168,7 +172,7 @@ void NcEditor::load(const Document& document) {
     m_filling.start(
         [this, before = std::move(before), next, document](const NewestTask::Reply& reply) mutable {
             before.reset();
-            const bool whole = next->fill(document.text, reply.stop);
+            const bool whole = fill(*next, document, reply.stop);
             reply.post([this, next, document, whole] {
                 showDocument(next, document,
                              document.readOnly || !whole); // an edit counts on all bytes being there

@@ -28,6 +28,17 @@ namespace {
 /// As much as is added between two looks whether to stop. Scintilla's buffer grows by a sixth each time at
 /// least.
 constexpr std::size_t kSlice = std::size_t{16} << 20;
+constexpr std::size_t kShownOfALine = 2000;
+
+/// What is shown of a line; no character of UTF-8 is cut in two.
+std::string_view beginning(std::string_view line) {
+    if (line.size() <= kShownOfALine)
+        return line;
+    std::size_t end = kShownOfALine;
+    while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xc0U) == 0x80U)
+        --end;
+    return line.substr(0, end);
+}
 
 } // namespace
 
@@ -40,19 +51,35 @@ PROVEOUT_OF_SCINTILLA ScintillaDocument::~ScintillaDocument() {
     m_loader->Release();
 }
 
-PROVEOUT_OF_SCINTILLA bool ScintillaDocument::fill(const NcText& text, const std::stop_token& stop) {
+bool ScintillaDocument::fill(const NcText& text, const std::stop_token& stop) {
     for (std::string_view run : text.runs()) {
         while (!run.empty()) {
             if (stop.stop_requested())
                 return false;
             const std::string_view slice = run.substr(0, std::min(kSlice, run.size()));
-            if (m_loader->AddData(slice.data(), static_cast<std::ptrdiff_t>(slice.size())) !=
-                QsciScintillaBase::SC_STATUS_OK)
+            if (!add(slice))
                 return false;
             run.remove_prefix(slice.size());
         }
     }
     return true;
+}
+
+bool ScintillaDocument::fillCutOff(const NcText& text, const std::stop_token& stop) {
+    for (std::size_t line = 0; line < text.lineCount(); ++line) {
+        const std::string_view bytes = text.line(line);
+        const std::string_view shown = beginning(bytes);
+        const bool added = add(shown) && (shown.size() == bytes.size() || add(" ...")) &&
+                           (line + 1 == text.lineCount() || add("\n"));
+        if (!added || stop.stop_requested())
+            return false;
+    }
+    return true;
+}
+
+PROVEOUT_OF_SCINTILLA bool ScintillaDocument::add(std::string_view bytes) {
+    return m_loader->AddData(bytes.data(), static_cast<std::ptrdiff_t>(bytes.size())) ==
+           QsciScintillaBase::SC_STATUS_OK;
 }
 
 PROVEOUT_OF_SCINTILLA void ScintillaDocument::showIn(const QsciScintillaBase& view) const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <stop_token>
+#include <string_view>
 
 #include "core/nc/nc_text.h"
 
@@ -25,10 +26,14 @@ public:
 
     /// Appends a text. False where memory was short, or where it was to stop: then its rest is missing.
     bool fill(const NcText& text, const std::stop_token& stop = {});
+    /// The same of a text with lines that are too long to be laid out: where a line is cut off, dots follow.
+    bool fillCutOff(const NcText& text, const std::stop_token& stop = {});
     /// In place of the one that the view shows.
     void showIn(const QsciScintillaBase& view) const;
 
 private:
+    bool add(std::string_view bytes);
+
     ScintillaLoader* m_loader; ///< one of the owners that the document counts
 };
 

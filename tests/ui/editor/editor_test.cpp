@@ -398,6 +398,34 @@ private slots:
         QVERIFY(!QToolTip::isVisible());
     }
 
+    /// Laying out such a line takes more than a second, at each paint.
+    void longLinesAreCutOff() {
+        QTemporaryDir folder;
+        const QString path = folder.filePath("digits.nc");
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        const QByteArray umlauts = QByteArray("\xc3\xa4").repeated(30'000); // 2 bytes each
+        file.write("G21 G90\r\nG1 X" + QByteArray(1'000'000, '1') + "\r\n(" + umlauts + ")\r\nG0 Z5\r\n");
+        file.close();
+        Session session;
+        EditorPanel panel(session);
+        QVERIFY(opened(session, path));
+        NcEditor& editor = panel.editor();
+        QVERIFY(editor.isReadOnly());
+        QCOMPARE(editor.lines(), 5);
+        QVERIFY(editor.text(1).startsWith(QLatin1String("G1 X1111")));
+        QVERIFY(editor.text(1).size() < 2100);
+        QVERIFY(editor.text(2).startsWith(QString::fromUtf8("(\xc3\xa4\xc3\xa4")));
+        QVERIFY(editor.text(2).endsWith(QString::fromUtf8("\xc3\xa4 ...\n")));
+        QCOMPARE(editor.text(3), QStringLiteral("G0 Z5\n"));
+        bool told = false;
+        for (const QLabel* label : panel.findChildren<QLabel*>())
+            told = told || label->text().contains(QLatin1String("line 2 has more than 20,000 characters"));
+        QVERIFY(told);
+        // The text itself is whole.
+        QVERIFY(session.document().text.size() > 1'060'000);
+    }
+
     void largeTextsAreReadOnly() {
         QTemporaryDir folder;
         const QString path = folder.filePath("large.nc");

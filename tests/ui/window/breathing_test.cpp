@@ -242,7 +242,8 @@ private:
         station.open(sampleJobs().back().file);
         if (station.session.blockCount() != 10'273)
             qFatal("this is another sample");
-        // By blocks: by time the program would be through before a busy machine has changed the grid four times.
+        // By blocks: by time the program would be through before a busy machine has changed the grid four
+        // times.
         station.session.setPlayBy(PlayBy::blocks);
         station.session.setSpeed(1000);
         QTest::qWait(1000); // the first picture compiles shaders
