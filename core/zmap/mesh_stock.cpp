@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <limits>
 #include <span>
 #include <utility>
@@ -359,7 +360,10 @@ double layersOf(const StockMesh& mesh, const Box3& box) {
 
 } // namespace
 
-Result<std::shared_ptr<const StockBody>> meshStock(StockMesh mesh, Diagnostics warnings) {
+namespace {
+
+/// The place of a mesh, or why it cannot be a stock.
+Result<Box3> boxOf(const StockMesh& mesh) {
     Box3 box;
     for (const auto& triangle : mesh.triangles)
         for (const std::uint32_t vertex : triangle) {
@@ -379,7 +383,18 @@ Result<std::shared_ptr<const StockBody>> meshStock(StockMesh mesh, Diagnostics w
                                      "The facets of the stock mesh lie in {} layers on average; at most "
                                      "{} can be read."),
                        {fmt::format("{:.0f}", layers), fmt::format("{:.0f}", kMostLayers)});
-    return std::make_shared<const MeshStock>(std::move(mesh), box, std::move(warnings));
+    return box;
+}
+
+} // namespace
+
+Result<std::shared_ptr<const StockBody>> meshStock(StockMesh mesh, Diagnostics warnings) {
+    Result<Box3> box = boxOf(mesh);
+    if (box)
+        return std::make_shared<const MeshStock>(std::move(mesh), *box, std::move(warnings));
+    // They may say why: a part in metres is flat, or has a thousand layers.
+    std::ranges::move(warnings, std::back_inserter(box.error()));
+    return tl::unexpected(std::move(box.error()));
 }
 
 } // namespace proveout

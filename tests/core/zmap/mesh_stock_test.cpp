@@ -251,5 +251,14 @@ TEST(MeshStock, RefusesWhatHasNoVolume) {
               std::string("stock-mesh-far"));
 }
 
+/// They may be the reason: a part in metres has no volume on any grid.
+TEST(MeshStock, KeepsTheWarningsOfAMeshThatItRefuses) {
+    Diagnostic suspect;
+    suspect.id = "stl-size-suspect";
+    const auto refused = meshStock({{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{0, 1, 2}}}, {suspect});
+    ASSERT_EQ(refused.error().size(), 2U);
+    EXPECT_EQ(refused.error().back().id, std::string("stl-size-suspect"));
+}
+
 } // namespace
 } // namespace proveout
