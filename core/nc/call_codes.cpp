@@ -41,6 +41,8 @@ void callProgram(Execution& execution, const Word& word) {
         execution.reporter.tell(nc_message::kWordIgnored, block.word('Q'), {"Q"});
     request.program = static_cast<int>(block.value('P'));
     request.repeats = block.has(repeats) ? static_cast<int>(block.value(repeats)) : 1;
+    if (request.repeats == 0 && execution.dialect.entersUncalled)
+        execution.reporter.tell(nc_message::kCalledNever, block.word(repeats));
     execution.request = request;
 }
 

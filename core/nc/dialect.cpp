@@ -48,6 +48,7 @@ constexpr Dialect kDialects[] = {
      .straightFirst = true,
      .inverseTimeAsProgrammed = true,
      .refusesIdleG53 = true,
+     .entersUncalled = true,
      .hasPolarWords = true,
      .registersNeedCode = true,
      .shiftHasParameter = true,

@@ -92,6 +92,7 @@ struct Dialect {
     bool straightFirst = false; ///< after G40 an arc needs a straight motion before it, whatever else moved
     bool inverseTimeAsProgrammed = false; ///< G93 after G40 counts the programmed length, not that of the way
     bool refusesIdleG53 = false;          ///< without axis words and a motion code of its own
+    bool entersUncalled = false;          ///< M98 with L0 begins the subprogram, and never ends it
     bool hasPolarWords = false;           ///< @ and ^
     bool registersNeedCode = false; ///< H without G43 is an error, where others change the offset in force
     bool shiftHasParameter = false; ///< #5210 tells whether G92 or G52 counts

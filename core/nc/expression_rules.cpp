@@ -13,12 +13,15 @@ constexpr double kAlike = 1e-9;      ///< custom macro B: more than its eight di
 constexpr double kFullTurn = 360;    ///< degrees
 constexpr double kLargestWord = 2e9; ///< of operations on bits
 
+// As LinuxCNC rounds: MOD makes much of the last bit of a large number.
+constexpr long double kPi = std::numbers::pi_v<long double>;
+
 double radians(double degrees) {
-    return degrees * std::numbers::pi / 180;
+    return static_cast<double>(static_cast<long double>(degrees) * kPi / 180);
 }
 
 double degrees(double radians) {
-    return radians * 180 / std::numbers::pi;
+    return static_cast<double>(static_cast<long double>(radians * 180) / kPi);
 }
 
 double truth(bool value) {

@@ -166,6 +166,11 @@ inline constexpr Message kMainReturn{
     Severity::warning, false, "main-return",
     PROVEOUT_TEXT("Core", "M99 ends the main program: the control starts it again, without end."),
     PROVEOUT_TEXT("Core", "It is run once here; end it with M30 if that was meant.")};
+inline constexpr Message kCalledNever{
+    Severity::warning, true, "called-never",
+    PROVEOUT_TEXT("Core", "M98 with L0 runs nothing, but LinuxCNC then loses the named parameters of this "
+                          "program and refuses the next subprogram."),
+    PROVEOUT_TEXT("Core", "Leave out the call.")};
 inline constexpr Message kCallNotFirst{
     Severity::error, true, "call-not-first",
     PROVEOUT_TEXT("Core", "{} does not begin its block; LinuxCNC looks for it there only."),

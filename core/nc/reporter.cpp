@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/reporter.h"
 
+#include <algorithm>
+
 #include <fmt/format.h>
 #include <utility>
 
@@ -42,7 +44,12 @@ std::string writtenAs(char letter) {
 }
 
 void Reporter::tell(const Message& message, int column, int length, std::vector<std::string> arguments) {
+    std::ranges::for_each(arguments, shorten);
     m_memory.unverified = m_memory.unverified || message.unverified;
+    if (isKnown(message, column, arguments)) {
+        ++m_memory.repeated;
+        return;
+    }
     std::size_t& told = message.severity == Severity::error ? m_memory.errorsTold : m_memory.told;
     if (told == m_limit) {
         ++m_memory.suppressed;
@@ -53,8 +60,17 @@ void Reporter::tell(const Message& message, int column, int length, std::vector<
     append(message, message.unverified, {m_line, column, length}, std::move(arguments));
 }
 
+/// A loop tells of its lines in each round.
+bool Reporter::isKnown(const Message& message, int column, const std::vector<std::string>& arguments) const {
+    return std::ranges::any_of(m_program.diagnostics(), [&](const Diagnostic& known) {
+        return known.where.line == m_line && known.where.column == column && known.id == message.id &&
+               known.file == m_file && known.arguments == arguments;
+    });
+}
+
 void Reporter::tellInAnyCase(const Message& message, int column, int length,
                              std::vector<std::string> arguments) {
+    std::ranges::for_each(arguments, shorten);
     m_memory.unverified = m_memory.unverified || message.unverified;
     append(message, message.unverified, {m_line, column, length}, std::move(arguments));
 }
@@ -67,8 +83,6 @@ void Reporter::tellSuppressed() {
 
 void Reporter::append(const Message& message, bool unverified, TextRange where,
                       std::vector<std::string> arguments) {
-    for (std::string& argument : arguments)
-        shorten(argument);
     const char* const answer = m_answer == nullptr ? nullptr : m_answer(message);
     m_program.append(Diagnostic{message.severity, unverified, message.id, message.text, std::move(arguments),
                                 answer == nullptr ? message.hint : answer, m_file, where});

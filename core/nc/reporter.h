@@ -19,7 +19,8 @@ namespace proveout {
 
 /// Hands messages to the program that is being built: the first `limit` errors and as many others, so that
 /// those never hide an error, then a count. Keeps a
-/// reference to the program. Knows whether anything was told that leaves the rest unverified.
+/// reference to the program. The same message about the same place is handed on once. Knows whether anything
+/// was told that leaves the rest unverified.
 class Reporter {
 public:
     using Answer = const char* (*)(const Message&);
@@ -53,6 +54,7 @@ public:
         std::size_t told = 0; ///< but for errors
         std::size_t errorsTold = 0;
         std::size_t suppressed = 0;
+        std::size_t repeated = 0; ///< that were handed on before
         bool unverified = false;
         bool suppressedUnverified = false;
     };
@@ -61,11 +63,13 @@ public:
 
     /// All messages, shown or not.
     [[nodiscard]] std::size_t count() const {
-        return m_memory.told + m_memory.errorsTold + m_memory.suppressed;
+        return m_memory.told + m_memory.errorsTold + m_memory.suppressed + m_memory.repeated;
     }
     [[nodiscard]] bool unverified() const { return m_memory.unverified; }
 
 private:
+    [[nodiscard]] bool isKnown(const Message& message, int column,
+                               const std::vector<std::string>& arguments) const;
     void append(const Message& message, bool unverified, TextRange where, std::vector<std::string> arguments);
 
     static constexpr std::size_t kReserved = 4; ///< places for messages about the whole program

@@ -75,11 +75,9 @@ struct Milder {
     const char* text;
     const char* word; ///< in the line that it refuses, in lower case
     const char* reason;
-    const char* before = ""; ///< in a line before it
 };
 constexpr const char* kGivenBack =
     "LinuxCNC computes what a subprogram gives back also where it passes the definition over";
-constexpr const char* kNotCalled = "after M98 with L0, LinuxCNC refuses the next definition of a subprogram";
 constexpr const char* kNoSuchTool = "a tool that the table does not have is told, but its motions are shown";
 constexpr Milder kMilder[] = {
     {"Requested tool -1 not found", "43.2",
@@ -89,8 +87,6 @@ constexpr Milder kMilder[] = {
     {"Requested tool", "t", kNoSuchTool},
     {"Requested tool", "m61", kNoSuchTool},
     {"Bad character '%'", "%", "one % at the end is told and passed over"},
-    {"'O.... sub' subroutine must be called", "sub", kNotCalled, "l0"},
-    {"Fanuc 'O....' subroutine definition must end", "endsub", kNotCalled, "l0"},
     {"Calculation resulted in", "return", kGivenBack},
     {"Calculation resulted in", "endsub", kGivenBack},
     {"Attempt to", "return", kGivenBack},
@@ -134,12 +130,7 @@ Reason stricterAt(const std::vector<std::string>& lines, const Diagnostic& error
 Reason milderAt(const std::vector<std::string>& lines, const OracleAnswer& answer) {
     const int line = answer.errorLine;
     for (const Milder& row : kMilder) {
-        if (!answer.errorText.starts_with(row.text) || !has(lines, line, row.word))
-            continue;
-        const auto end = line > 0 ? lines.begin() + line : lines.end();
-        if (std::any_of(lines.begin(), end, [&](const std::string& before) {
-                return inLowerCase(before).find(row.before) != std::string::npos;
-            }))
+        if (answer.errorText.starts_with(row.text) && has(lines, line, row.word))
             return {row.reason, Extent::oracleBegins};
     }
     return {};
