@@ -185,9 +185,11 @@ Outcome outcomeOfForbidden(const OracleAnswer& answer, const OurAnswer& ours) {
 
 /// Of one of both, or of either: which line is reached first depends on calls and loops.
 std::vector<Reason> reasonsFor(const std::vector<std::string>& lines, const OracleAnswer& answer,
-                               const Diagnostic* error) {
+                               const OurAnswer& ours) {
     std::vector<Reason> reasons;
-    if (error != nullptr)
+    if (const Diagnostic* parting = firstParting(ours.whole); parting != nullptr && isUnlikeControl(*parting))
+        reasons.push_back({"we tell that LinuxCNC goes on otherwise", Extent::oursBegins});
+    if (const Diagnostic* error = firstError(ours.whole); error != nullptr)
         reasons.push_back(stricterAt(lines, *error));
     if (answer.errorLine != 0)
         reasons.push_back(milderAt(lines, answer));
@@ -224,26 +226,16 @@ Outcome outcomeWithoutReason(const OracleAnswer& answer, const OurAnswer& ours) 
     return {"refused by both: " + answer.errorText.substr(0, 60), ""};
 }
 
-/// What is told to run otherwise than shown must agree until then.
-Outcome outcomeOfUnlike(const OracleAnswer& answer, const OurAnswer& ours, const Diagnostic& parting) {
-    if (!isBeginning(answer, ours, Extent::oursBegins))
-        return {"differs", fmt::format("before {}", parting.id)};
-    return {fmt::format("told as {}", parting.id), ""};
-}
-
 } // namespace
 
 Outcome outcomeOf(const std::vector<std::string>& lines, const OracleAnswer& answer, const OurAnswer& ours) {
     if (answer.errorClass == "timeout")
         return outcomeOfEndless(answer, ours);
-    const Diagnostic* parting = firstParting(ours.whole);
-    if (parting != nullptr && isUnlikeControl(*parting))
-        return outcomeOfUnlike(answer, ours, *parting);
     const Diagnostic* error = firstError(ours.whole);
     if (error != nullptr && error->id == std::string("compensation-forbids") &&
         kInStep.contains(error->arguments.front()))
         return outcomeOfForbidden(answer, ours);
-    for (const Reason& reason : reasonsFor(lines, answer, error)) {
+    for (const Reason& reason : reasonsFor(lines, answer, ours)) {
         if (isBeginning(answer, ours, reason.extent))
             return {reason.text, ""};
     }
