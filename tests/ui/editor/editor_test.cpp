@@ -412,7 +412,7 @@ private slots:
         QVERIFY(opened(session, path));
         NcEditor& editor = panel.editor();
         QVERIFY(editor.isReadOnly());
-        QCOMPARE(editor.lines(), 5);
+        QTRY_COMPARE_WITH_TIMEOUT(editor.lines(), 5, kOpeningPatience);
         QVERIFY(editor.text(1).startsWith(QLatin1String("G1 X1111")));
         QVERIFY(editor.text(1).size() < 2100);
         QVERIFY(editor.text(2).startsWith(QString::fromUtf8("(\xc3\xa4\xc3\xa4")));
