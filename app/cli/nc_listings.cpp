@@ -10,7 +10,7 @@
 #include "app/cli/command.h"
 #include "app/cli/report.h"
 #include "core/nc/codes.h"
-#include "core/nc/dialect.h"
+#include "core/nc/dialects.h"
 #include "core/nc/lint.h"
 
 namespace proveout::cli {

@@ -7,7 +7,7 @@
 #include "core/nc/corner_insertion.h"
 #include "core/nc/execution.h"
 #include "core/nc/lint.h"
-#include "core/nc/motion_building.h"
+#include "core/nc/motion_sink.h"
 #include "core/nc/probing.h"
 #include "core/nc/skipped_block.h"
 #include "core/nc/vector_path.h"

@@ -8,7 +8,9 @@
 
 #include "core/nc/arc_words.h"
 #include "core/nc/execution.h"
-#include "core/nc/motion_building.h"
+#include "core/nc/motion_sink.h"
+#include "core/nc/motion_target.h"
+#include "core/nc/radius_notice.h"
 #include "core/nc/vector_path.h"
 
 namespace proveout {
@@ -188,16 +190,8 @@ private:
     PlanePath m_programmed;
 };
 
-} // namespace
-
-void tellOfRadius(Execution& execution, const Message& message, const Word& word,
-                  std::vector<std::string> arguments) {
-    if (execution.state.compensation.assumed)
-        execution.reporter.tellAsWarning(message, word, std::move(arguments));
-    else
-        execution.reporter.tell(message, word, std::move(arguments));
-}
-
+/// The path beside a programmed motion, and what joins it to the motion before; the machine arrives at the
+/// programmed end.
 void appendCompensated(Execution& execution, const Word& word, const Motion& motion) {
     if (execution.machineCoordinates) {
         execution.reporter.tell(nc_message::kCompensationForbids, word, {"G53"});
@@ -210,6 +204,16 @@ void appendCompensated(Execution& execution, const Word& word, const Motion& mot
         appendByVectors(execution, word, programmed);
     else
         Joining(execution, word, programmed).append();
+}
+
+} // namespace
+
+void appendOrdered(Execution& execution, const Word& word, const Motion& motion) {
+    const CutterCompensation& compensation = execution.state.compensation;
+    if (compensation.moves() || (execution.dialect.vectors.used && compensation.leaving()))
+        appendCompensated(execution, word, motion);
+    else
+        appendMotion(execution, motion);
 }
 
 void finishCompensated(Execution& execution, const Word& word) {

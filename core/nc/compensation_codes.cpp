@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 
+#include "core/nc/compensated_path.h"
 #include "core/nc/execution.h"
 #include "core/nc/handlers.h"
 

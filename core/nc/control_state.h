@@ -9,12 +9,6 @@
 
 namespace proveout {
 
-struct Dialect;
-struct MachineState;
-class CallStack;
-class CodeTable;
-class Parameters;
-
 /// How the control stands at one point of a program, in words for people. Names are marked with
 /// PROVEOUT_TEXT. Value type.
 struct ControlState {
@@ -50,8 +44,5 @@ struct ControlState {
     std::vector<Variable> variables; ///< those that were set
     std::vector<Call> calls;         ///< the outermost first
 };
-
-[[nodiscard]] ControlState describe(const MachineState& state, const Parameters& parameters,
-                                    const CallStack& calls, const CodeTable& codes, const Dialect& dialect);
 
 } // namespace proveout

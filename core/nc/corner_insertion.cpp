@@ -6,9 +6,10 @@
 #include <optional>
 #include <string>
 
+#include "core/nc/compensated_path.h"
 #include "core/nc/corner_shape.h"
 #include "core/nc/execution.h"
-#include "core/nc/motion_building.h"
+#include "core/nc/motion_sink.h"
 #include "core/nc/vector_path.h"
 
 namespace proveout {

@@ -44,9 +44,5 @@ struct CycleOrder {
 void tellReferenceInCycle(Execution& execution, const Word& word);
 /// Whether it is known where the tool stands along the normal of the plane.
 [[nodiscard]] bool depthKnown(const Execution& execution);
-/// The letter of an axis: X, Y, Z.
-[[nodiscard]] inline char letterOfAxis(int axis) {
-    return static_cast<char>('X' + axis);
-}
 
 } // namespace proveout

@@ -5,7 +5,8 @@
 #include <cmath>
 #include <string_view>
 
-#include "core/nc/motion_building.h"
+#include "core/nc/motion_sink.h"
+#include "core/nc/motion_target.h"
 #include "core/nc/polar_words.h"
 
 namespace proveout {
@@ -290,7 +291,7 @@ void CycleRun::moveTo(MotionKind kind, const Vec3& program, bool depthKnown, dou
     for (int axis = 0; axis < 3; ++axis) {
         const bool known = axis == m_plane.normal ? depthKnown : namedOnce(axis);
         if (known)
-            motion.endKnown |= static_cast<std::uint8_t>(1U << static_cast<unsigned>(axis));
+            motion.endKnown |= axisBit(axis);
         else if (motion.end[axis] != motion.start[axis])
             motion.end[axis] = motion.start[axis];
     }

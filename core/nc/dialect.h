@@ -5,8 +5,6 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <span>
-#include <string_view>
 
 namespace proveout {
 
@@ -104,11 +102,5 @@ struct Dialect {
     /// What the control answers where it drops a block for what a message says; null: no answer is known.
     const char* (*answer)(const Message&) = nullptr;
 };
-
-/// All of them, in the order of DialectId.
-[[nodiscard]] std::span<const Dialect> dialects();
-[[nodiscard]] const Dialect& dialect(DialectId id);
-/// By its key; null where there is none.
-[[nodiscard]] const Dialect* findDialect(std::string_view key);
 
 } // namespace proveout

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/dialect_guess.h"
 
+#include "core/nc/dialects.h"
 #include <algorithm>
 #include <array>
 #include <cstddef>

@@ -6,7 +6,6 @@
 #include <iterator>
 
 #include "core/base/text.h"
-#include "core/nc/execution.h"
 #include "core/nc/handlers.h"
 
 namespace proveout {
@@ -42,15 +41,6 @@ std::vector<CodeRow> allRows() {
 }
 
 } // namespace
-
-void ignoreOptionalStop(Execution& execution, const Word& word) {
-    execution.reporter.tell(nc_message::kOptionalStopIgnored, word);
-}
-
-void switchMistWhereBuilt(Execution& execution, const Word& word) {
-    execution.reporter.tell(nc_message::kMistOption, word);
-    switchMistOn(execution, word);
-}
 
 std::span<const CodeRow> grblCodes() {
     static const std::vector<CodeRow> kRows = allRows();

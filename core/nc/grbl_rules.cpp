@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/nc/grbl_rules.h"
+#include "core/nc/handlers.h"
 
 #include <algorithm>
 #include <string>

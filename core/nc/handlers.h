@@ -6,6 +6,8 @@
 
 namespace proveout {
 
+struct Message;
+
 // motion_codes.cpp
 void moveRapid(Execution& execution, const Word& word);               ///< G0
 void moveFeed(Execution& execution, const Word& word);                ///< G1
@@ -163,7 +165,7 @@ void turnByPoint(Execution& execution, const Word& word);                ///< G6
 void selectNumberedSystem(Execution& execution, const Word& word);       ///< G54.1 and G59 of Mach
 void beginAgain(Execution& execution, const Word& word);                 ///< M47 of Mach
 
-// grbl_codes.cpp
+// grbl_handlers.cpp
 void ignoreOptionalStop(Execution& execution, const Word& word);   ///< M1 of grbl
 void switchMistWhereBuilt(Execution& execution, const Word& word); ///< M7 of grbl
 
@@ -193,5 +195,14 @@ void switchCoolantOff(Execution& execution, const Word& word);            ///< M
 void stopProgram(Execution& execution, const Word& word);                 ///< M0
 void stopProgramOptionally(Execution& execution, const Word& word);       ///< M1
 void endProgram(Execution& execution, const Word& word);                  ///< M2, M30
+
+// grbl_rules.cpp: named by the row of the dialect
+
+/// Whether grbl runs the block. It drops a block as a whole where anything in it is wrong, which is told.
+[[nodiscard]] bool mayRunOnGrbl(Execution& execution);
+
+/// The error code by which grbl answers what a message is about, with the remedy; null where there is none. A
+/// literal marked with PROVEOUT_TEXT.
+[[nodiscard]] const char* answerOfGrbl(const Message& message);
 
 } // namespace proveout

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/interpretation.h"
 
+#include "core/nc/dialects.h"
 #include <algorithm>
 #include <charconv>
 #include <string>
 #include <utility>
 
-#include "core/nc/control_state.h"
+#include "core/nc/control_description.h"
 
 namespace proveout {
 

@@ -4,8 +4,8 @@
 #include <set>
 
 #include "core/base/memory.h"
+#include "core/nc/compensated_path.h"
 #include "core/nc/interpretation.h"
-#include "core/nc/motion_building.h"
 
 namespace proveout {
 

@@ -5,7 +5,7 @@
 
 #include "core/nc/characters.h"
 #include "core/nc/interpretation.h"
-#include "core/nc/motion_building.h"
+#include "core/nc/motion_sink.h"
 #include "core/nc/skipped_block.h"
 
 namespace proveout {

@@ -5,10 +5,12 @@
 #include <string>
 
 #include "core/nc/arc_words.h"
+#include "core/nc/compensated_path.h"
 #include "core/nc/execution.h"
 #include "core/nc/handlers.h"
-#include "core/nc/motion_building.h"
-#include "core/nc/transformation_codes.h"
+#include "core/nc/motion_sink.h"
+#include "core/nc/motion_target.h"
+#include "core/nc/offset_setting.h"
 
 namespace proveout {
 
@@ -85,7 +87,7 @@ void referenceAxes(Execution& execution, const Word& word) {
     Motion motion = motionFromHere(execution, MotionKind::rapid);
     for (int axis = 0; axis < 3; ++axis) {
         if (all || execution.block.has(static_cast<char>('X' + axis)))
-            motion.endKnown &= static_cast<std::uint8_t>(~(1U << static_cast<unsigned>(axis)));
+            motion.endKnown &= static_cast<std::uint8_t>(~axisBit(axis));
     }
     appendMotion(execution, motion);
 }

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "core/base/tool_number.h"
+#include "core/nc/compensated_path.h"
 #include "core/nc/execution.h"
 #include "core/nc/handlers.h"
 

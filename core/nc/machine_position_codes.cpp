@@ -3,10 +3,12 @@
 // reference position, machine coordinate system.
 #include <string>
 
+#include "core/nc/compensated_path.h"
 #include "core/nc/cycle_order.h"
 #include "core/nc/execution.h"
 #include "core/nc/handlers.h"
-#include "core/nc/motion_building.h"
+#include "core/nc/motion_sink.h"
+#include "core/nc/motion_target.h"
 
 namespace proveout {
 
@@ -15,10 +17,6 @@ namespace {
 constexpr LetterSet kAxes("XYZ");
 constexpr int kZ = 2;
 
-char axisLetter(int axis) {
-    return static_cast<char>('X' + axis);
-}
-
 bool standsStill(const Motion& motion) {
     return motion.start == motion.end && motion.startKnown == motion.endKnown;
 }
@@ -26,7 +24,7 @@ bool standsStill(const Motion& motion) {
 /// An increment of 0, as in G91 G28 Z0, goes nowhere, wherever the axis stands.
 bool goesNowhere(const Execution& execution) {
     for (int axis = 0; axis < 3; ++axis) {
-        if (execution.block.has(axisLetter(axis)) && execution.block.value(axisLetter(axis)) != 0)
+        if (execution.block.has(letterOfAxis(axis)) && execution.block.value(letterOfAxis(axis)) != 0)
             return false;
     }
     return execution.state.incremental;
@@ -47,7 +45,7 @@ void suspendCompensation(Execution& execution, const Word& word) {
         return;
     const PlaneAxes plane = axes(execution.state.plane);
     // The manuals do not tell what becomes of the offset in axes that stand still.
-    if (!execution.block.has(axisLetter(plane.first)) || !execution.block.has(axisLetter(plane.second)))
+    if (!execution.block.has(letterOfAxis(plane.first)) || !execution.block.has(letterOfAxis(plane.second)))
         execution.reporter.tell(nc_message::kCompensationSuspended, word, {nameOf(word)});
     finishCompensated(execution, word);
     compensation.entered = compensation.held = false;
@@ -75,9 +73,9 @@ void goToReference(Execution& execution, const Word& word, bool first) {
     const Vec3 intermediate = state.frame.toProgram(state.position);
     Motion home = motionFromHere(execution, MotionKind::rapid);
     for (int axis = 0; axis < 3; ++axis) {
-        if (named && !execution.block.has(axisLetter(axis)))
+        if (named && !execution.block.has(letterOfAxis(axis)))
             continue;
-        const auto bit = static_cast<std::uint8_t>(1U << static_cast<unsigned>(axis));
+        const auto bit = axisBit(axis);
         state.intermediate[axis] = intermediate[axis];
         state.intermediateKnown |= static_cast<std::uint8_t>(state.known & bit);
         if (first) {
@@ -113,8 +111,8 @@ void moveInMachine(Execution& execution, const Word& word) {
     suspendCompensation(execution, word);
     Motion motion = motionFromHere(execution, MotionKind::rapid);
     for (int axis = 0; axis < 3; ++axis) {
-        if (execution.block.has(axisLetter(axis)))
-            sendTo(execution, motion, axis, execution.length(axisLetter(axis)));
+        if (execution.block.has(letterOfAxis(axis)))
+            sendTo(execution, motion, axis, execution.length(letterOfAxis(axis)));
     }
     if (execution.block.letters().any(kAxes))
         appendMotion(execution, motion);

@@ -7,12 +7,12 @@
 #include "core/base/geometry.h"
 #include "core/nc/canned_cycle.h"
 #include "core/nc/codes.h"
-#include "core/nc/compensated_path.h"
-#include "core/nc/corner_insertion.h"
+#include "core/nc/compensation_state.h"
 #include "core/nc/motion.h"
-#include "core/nc/polar_words.h"
+#include "core/nc/ordered_corner.h"
+#include "core/nc/polar_mode.h"
 #include "core/nc/probing.h"
-#include "core/nc/transformation_codes.h"
+#include "core/nc/turning.h"
 #include "core/nc/work_frame.h"
 
 namespace proveout {
@@ -119,7 +119,7 @@ struct MachineState {
         zAtReference = zAtReference && !axes.has('Z');
         for (int axis = 0; axis < 3; ++axis) {
             if (axes.has(static_cast<char>('X' + axis)) || (axis < 2 && axes.any(LetterSet("@^")))) {
-                const auto rest = static_cast<std::uint8_t>(~(1U << static_cast<unsigned>(axis)));
+                const auto rest = static_cast<std::uint8_t>(~axisBit(axis));
                 known &= rest;
                 unknownTold &= rest;
                 if (why == Forgotten::reported)

@@ -10,7 +10,7 @@
 #include "core/nc/call_stack.h"
 #include "core/nc/expression.h"
 #include "core/nc/flow_request.h"
-#include "core/nc/lint.h"
+#include "core/nc/lint_memory.h"
 #include "core/nc/macro_statement.h"
 #include "core/nc/reporter.h"
 

@@ -19,6 +19,14 @@ enum class Plane : std::uint8_t {
 
 /// One bit an axis; set where the position of that axis is known and not assumed.
 enum AxisBits : std::uint8_t { kAxisX = 1, kAxisY = 2, kAxisZ = 4, kAllAxes = 7 };
+/// Of an axis: 0 to 2.
+[[nodiscard]] constexpr std::uint8_t axisBit(int axis) {
+    return static_cast<std::uint8_t>(1U << static_cast<unsigned>(axis));
+}
+/// X, Y, Z.
+[[nodiscard]] constexpr char letterOfAxis(int axis) {
+    return static_cast<char>('X' + axis);
+}
 
 /// Program coordinates in mm, of the tip of the cutter. Value type.
 struct Motion {

@@ -5,7 +5,8 @@
 #include "core/nc/corner_insertion.h"
 #include "core/nc/execution.h"
 #include "core/nc/handlers.h"
-#include "core/nc/motion_building.h"
+#include "core/nc/motion_sink.h"
+#include "core/nc/motion_target.h"
 #include "core/nc/turned_arc.h"
 
 namespace proveout {

@@ -10,8 +10,8 @@
 #include "core/base/tool_number.h"
 #include "core/nc/execution.h"
 #include "core/nc/handlers.h"
-#include "core/nc/motion_building.h"
 #include "core/nc/offset_parameters.h"
+#include "core/nc/offset_setting.h"
 
 namespace proveout {
 
@@ -27,12 +27,6 @@ constexpr int kOffsetItself = 2;
 constexpr int kToolHere = 10;      ///< as if the tool touched these coordinates now
 constexpr int kToolInFixture = 11; ///< the same in the coordinates of G59.3
 constexpr int kOffsetHere = 20;
-
-constexpr std::array kAxisLetters{'X', 'Y', 'Z'};
-
-char axisLetter(int axis) {
-    return kAxisLetters[static_cast<std::size_t>(axis)];
-}
 
 void setFrame(Execution& execution, const WorkFrame& frame) {
     MachineState& state = execution.state;
@@ -53,7 +47,7 @@ WorkFrame frameOf(const Execution& execution, int system) {
 Vec3 offsetsGiven(const Execution& execution, const WorkFrame& frame) {
     Vec3 offset = frame.offset;
     for (int axis = 0; axis < 3; ++axis) {
-        const char letter = axisLetter(axis);
+        const char letter = letterOfAxis(axis);
         if (execution.block.has(letter))
             offset[axis] = execution.length(letter);
     }
@@ -66,8 +60,8 @@ Vec3 offsetsHere(const Execution& execution, const WorkFrame& frame) {
     without.offset = Vec3(0);
     Vec3 program = frame.toProgram(execution.state.position);
     for (int axis = 0; axis < 3; ++axis) {
-        if (execution.block.has(axisLetter(axis)))
-            program[axis] = execution.length(axisLetter(axis));
+        if (execution.block.has(letterOfAxis(axis)))
+            program[axis] = execution.length(letterOfAxis(axis));
     }
     return execution.state.position - without.toMachine(program);
 }
@@ -146,9 +140,9 @@ void setTool(Execution& execution, int kind) {
     }
     const Vec3 stands = standsWithoutTool(execution, frame);
     for (int axis = 0; axis < 3; ++axis) {
-        if (!execution.block.has(axisLetter(axis)))
+        if (!execution.block.has(letterOfAxis(axis)))
             continue;
-        const double value = execution.length(axisLetter(axis));
+        const double value = execution.length(letterOfAxis(axis));
         tool.offset[axis] = kind == kToolItself ? value : stands[axis] - value;
     }
     if (execution.block.has('R'))
@@ -169,8 +163,8 @@ void setShift(Execution& execution, const Vec3& shift, bool on) {
 void standHere(Execution& execution, const Vec3& program) {
     MachineState& state = execution.state;
     for (int axis = 0; axis < 3; ++axis) {
-        const auto bit = static_cast<std::uint8_t>(1U << static_cast<unsigned>(axis));
-        if (!execution.block.has(axisLetter(axis)) || (state.known & bit) != 0)
+        const auto bit = axisBit(axis);
+        if (!execution.block.has(letterOfAxis(axis)) || (state.known & bit) != 0)
             continue;
         // Nobody knows where the machine stands: the program says that it is here.
         state.position[axis] = state.frame.toMachine(program)[axis];
@@ -231,13 +225,13 @@ void shiftCoordinates(Execution& execution, const Word& word) {
     Vec3 shift = state.frame.shift;
     Vec3 wanted = program;
     for (int axis = 0; axis < 3; ++axis) {
-        if (execution.block.has(axisLetter(axis)))
-            wanted[axis] = execution.length(axisLetter(axis));
+        if (execution.block.has(letterOfAxis(axis)))
+            wanted[axis] = execution.length(letterOfAxis(axis));
     }
     standHere(execution, wanted);
     program = state.frame.toProgram(state.position);
     for (int axis = 0; axis < 3; ++axis) {
-        if (execution.block.has(axisLetter(axis)))
+        if (execution.block.has(letterOfAxis(axis)))
             shift[axis] += program[axis] - wanted[axis];
     }
     setVectorAt(execution.parameters, kShiftParameter, shift);
@@ -249,8 +243,8 @@ void shiftLocally(Execution& execution, const Word& word) {
         return;
     Vec3 shift = execution.state.frame.shift;
     for (int axis = 0; axis < 3; ++axis) {
-        if (execution.block.has(axisLetter(axis)))
-            shift[axis] = execution.length(axisLetter(axis));
+        if (execution.block.has(letterOfAxis(axis)))
+            shift[axis] = execution.length(letterOfAxis(axis));
     }
     setVectorAt(execution.parameters, kShiftParameter, shift);
     setShift(execution, shift, true);

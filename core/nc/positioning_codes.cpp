@@ -5,7 +5,8 @@
 #include "core/nc/cycle_order.h"
 #include "core/nc/execution.h"
 #include "core/nc/handlers.h"
-#include "core/nc/motion_building.h"
+#include "core/nc/motion_sink.h"
+#include "core/nc/motion_target.h"
 
 namespace proveout {
 
@@ -21,7 +22,7 @@ bool moveToIntermediate(Execution& execution, const Word& word) {
     for (int axis = 0; axis < 3; ++axis) {
         if (!execution.block.has(static_cast<char>('X' + axis)))
             continue;
-        named |= static_cast<std::uint8_t>(1U << static_cast<unsigned>(axis));
+        named |= axisBit(axis);
         program[axis] = state.intermediate[axis];
     }
     const auto missing = static_cast<std::uint8_t>(named & ~state.intermediateKnown);

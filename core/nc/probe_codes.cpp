@@ -8,7 +8,8 @@
 #include "core/nc/execution.h"
 #include "core/nc/handlers.h"
 #include "core/nc/machine_values.h"
-#include "core/nc/motion_building.h"
+#include "core/nc/motion_sink.h"
+#include "core/nc/motion_target.h"
 #include "core/nc/probe_target.h"
 #include "core/nc/probing.h"
 
@@ -66,7 +67,7 @@ void stopWhere(Execution& execution, const Word& word, Motion motion, const Prob
     state.probed.simulated = answer.kind != Kind::unknown;
     for (int axis = 0; axis < 3; ++axis)
         if (state.probed.simulated && motion.start[axis] != motion.end[axis])
-            state.probed.axes |= static_cast<std::uint8_t>(1U << static_cast<unsigned>(axis));
+            state.probed.axes |= axisBit(axis);
 }
 
 void tellAssumed(Execution& execution, const Word& word, const Message& message) {
@@ -169,7 +170,7 @@ std::uint8_t namedAxes(const Block& block) {
     std::uint8_t named = 0;
     for (int axis = 0; axis < 3; ++axis)
         if (block.has(static_cast<char>('X' + axis)))
-            named |= static_cast<std::uint8_t>(1U << static_cast<unsigned>(axis));
+            named |= axisBit(axis);
     return named;
 }
 

@@ -2,7 +2,8 @@
 // Reference positions: G28, G30 and where they lie.
 #include "core/nc/execution.h"
 #include "core/nc/handlers.h"
-#include "core/nc/motion_building.h"
+#include "core/nc/motion_sink.h"
+#include "core/nc/motion_target.h"
 #include "core/nc/offset_parameters.h"
 
 namespace proveout {

@@ -6,7 +6,7 @@
 
 #include "core/nc/execution.h"
 #include "core/nc/handlers.h"
-#include "core/nc/motion_building.h"
+#include "core/nc/offset_setting.h"
 
 namespace proveout {
 

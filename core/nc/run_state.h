@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/nc/ignored_codes.h"
-#include "core/nc/lint.h"
+#include "core/nc/lint_memory.h"
 #include "core/nc/machine_state.h"
 #include "core/nc/modal_saves.h"
 #include "core/nc/parameters.h"

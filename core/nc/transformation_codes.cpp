@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a program does to its coordinates: G50, G51, G50.1, G51.1, G68, G69, and G100, G101 of Haas. Source:
 // FANUC's operator's manuals, scaling, programmable mirror image, coordinate system rotation; Haas' manuals.
-#include "core/nc/transformation_codes.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -10,17 +9,13 @@
 
 #include "core/nc/execution.h"
 #include "core/nc/handlers.h"
-#include "core/nc/motion_building.h"
+#include "core/nc/motion_sink.h"
 
 namespace proveout {
 
 namespace {
 
 constexpr LetterSet kAxes("XYZ");
-
-char axisLetter(int axis) {
-    return static_cast<char>('X' + axis);
-}
 
 Transformation& transformation(Execution& execution) {
     return execution.state.frame.transformation;
@@ -72,9 +67,9 @@ void mirror(Execution& execution, const Word& word, const Vec3& at) {
     tellOrder(execution, word, true);
     Transformation& now = transformation(execution);
     for (int axis = 0; axis < 3; ++axis) {
-        if (!execution.block.has(axisLetter(axis)))
+        if (!execution.block.has(letterOfAxis(axis)))
             continue;
-        now.mirrored |= static_cast<std::uint8_t>(1U << static_cast<unsigned>(axis));
+        now.mirrored |= axisBit(axis);
         now.mirrorAt[axis] = at[axis];
     }
 }
@@ -97,17 +92,6 @@ std::uint8_t centreUnknown(Execution& execution, const Word& word, std::uint8_t 
 
 } // namespace
 
-void tellTurning(Execution& execution, std::uint8_t named) {
-    Turning& turning = execution.state.turning;
-    if ((named & turning.axes) == 0)
-        return;
-    const bool both = (named & turning.axes) == turning.axes;
-    // Increments count from where the tool stands when a rotation begins, but not when it ends.
-    if (turning.ended ? !both || execution.state.incremental : !both && !execution.state.incremental)
-        execution.reporter.tell(nc_message::kRotationOneAxis, 1, 0, {turning.ended ? "G69" : "G68"});
-    turning = {};
-}
-
 void mirrorAxes(Execution& execution, const Word& word) {
     if (!execution.block.letters().any(kAxes)) {
         execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "X"});
@@ -115,8 +99,8 @@ void mirrorAxes(Execution& execution, const Word& word) {
     }
     Vec3 at(0);
     for (int axis = 0; axis < 3; ++axis) {
-        if (execution.block.has(axisLetter(axis)))
-            at[axis] = execution.length(axisLetter(axis));
+        if (execution.block.has(letterOfAxis(axis)))
+            at[axis] = execution.length(letterOfAxis(axis));
     }
     mirror(execution, word, at);
 }
@@ -135,8 +119,8 @@ void endMirror(Execution& execution, const Word& word) {
     tellOrder(execution, word, true);
     const bool all = !execution.block.letters().any(kAxes);
     for (int axis = 0; axis < 3; ++axis) {
-        if (all || execution.block.has(axisLetter(axis)))
-            now.mirrored &= static_cast<std::uint8_t>(~(1U << static_cast<unsigned>(axis)));
+        if (all || execution.block.has(letterOfAxis(axis)))
+            now.mirrored &= static_cast<std::uint8_t>(~axisBit(axis));
     }
 }
 
@@ -152,15 +136,15 @@ void scaleCoordinates(Execution& execution, const Word& word) {
     Vec3 given(0);
     std::uint8_t aboutTool = 0;
     for (int axis = 0; axis < 3; ++axis) {
-        if (execution.block.has(axisLetter(axis)))
-            given[axis] = execution.length(axisLetter(axis));
+        if (execution.block.has(letterOfAxis(axis)))
+            given[axis] = execution.length(letterOfAxis(axis));
         else if ((*factors)[axis] != 1)
-            aboutTool |= static_cast<std::uint8_t>(1U << static_cast<unsigned>(axis));
+            aboutTool |= axisBit(axis);
     }
     now.scaleUnknown = centreUnknown(execution, word, aboutTool);
     given = now.mirror(given);
     for (int axis = 0; axis < 3; ++axis)
-        now.scaleAt[axis] = execution.block.has(axisLetter(axis)) ? given[axis] : stands[axis];
+        now.scaleAt[axis] = execution.block.has(letterOfAxis(axis)) ? given[axis] : stands[axis];
     now.factors = *factors;
     now.scaled = true;
 }
@@ -184,12 +168,12 @@ void turnCoordinates(Execution& execution, const Word& word) {
     Vec3 centre = state.frame.toWork(state.position);
     std::uint8_t aboutTool = 0;
     for (const int axis : {plane.first, plane.second}) {
-        if (!execution.block.has(axisLetter(axis))) {
-            aboutTool |= static_cast<std::uint8_t>(1U << static_cast<unsigned>(axis));
+        if (!execution.block.has(letterOfAxis(axis))) {
+            aboutTool |= axisBit(axis);
             continue;
         }
         Vec3 given(0);
-        given[axis] = execution.length(axisLetter(axis));
+        given[axis] = execution.length(letterOfAxis(axis));
         centre[axis] = now.stretch(given)[axis];
     }
     const bool open = state.incremental && now.turned && now.degrees != 0;

@@ -7,7 +7,7 @@
 #include <numbers>
 
 #include "core/nc/arc_words.h"
-#include "core/nc/motion_building.h"
+#include "core/nc/motion_sink.h"
 
 namespace proveout {
 

@@ -9,7 +9,8 @@
 #include "core/nc/arc_words.h"
 #include "core/nc/corner_vectors.h"
 #include "core/nc/execution.h"
-#include "core/nc/motion_building.h"
+#include "core/nc/motion_sink.h"
+#include "core/nc/radius_notice.h"
 
 namespace proveout {
 

@@ -17,10 +17,6 @@ constexpr int kG54 = 540;
 constexpr int kG110 = 1100;
 constexpr LetterSet kAxes("XYZ");
 
-char axisLetter(int axis) {
-    return static_cast<char>('X' + axis);
-}
-
 void refresh(Execution& execution) {
     refreshFrame(execution.state, execution.parameters, execution.program, execution.line);
 }
@@ -75,8 +71,8 @@ void shiftAllSystems(Execution& execution, const Word& /*word*/) {
     const bool stored = execution.dialect.keepsLocalShift;
     Vec3 local = stored ? vectorAt(execution.parameters, kCommonOffset) : execution.state.localShift;
     for (int axis = 0; axis < 3; ++axis) {
-        if (execution.block.has(axisLetter(axis)))
-            local[axis] = execution.length(axisLetter(axis));
+        if (execution.block.has(letterOfAxis(axis)))
+            local[axis] = execution.length(letterOfAxis(axis));
     }
     if (stored)
         setVectorAt(execution.parameters, kCommonOffset, local);
@@ -93,14 +89,14 @@ void presetCoordinates(Execution& execution, const Word& word) {
     }
     Vec3 wanted = state.frame.toProgram(state.position);
     for (int axis = 0; axis < 3; ++axis) {
-        if (execution.block.has(axisLetter(axis)))
-            wanted[axis] = execution.length(axisLetter(axis));
+        if (execution.block.has(letterOfAxis(axis)))
+            wanted[axis] = execution.length(letterOfAxis(axis));
     }
     const Vec3 there = state.frame.toMachine(wanted);
     for (int axis = 0; axis < 3; ++axis) {
-        if (!execution.block.has(axisLetter(axis)))
+        if (!execution.block.has(letterOfAxis(axis)))
             continue;
-        const auto bit = static_cast<std::uint8_t>(1U << static_cast<unsigned>(axis));
+        const auto bit = axisBit(axis);
         if ((state.known & bit) == 0) {
             // Nobody knows where the machine stands: the program says that it is here.
             state.position[axis] = there[axis];
@@ -117,7 +113,7 @@ void presetCoordinates(Execution& execution, const Word& word) {
 void restoreCoordinates(Execution& execution, const Word& /*word*/) {
     MachineState& state = execution.state;
     for (int axis = 0; axis < 3; ++axis) {
-        if (execution.block.has(axisLetter(axis)))
+        if (execution.block.has(letterOfAxis(axis)))
             state.presetShift[axis] = state.localShift[axis] = 0;
     }
     refresh(execution);

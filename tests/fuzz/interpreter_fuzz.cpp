@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <string>
 
+#include "core/nc/dialects.h"
 #include "core/nc/resumable_interpreter.h"
 #include "tests/core/nc/program_equality.h"
 #include "tests/core/nc/program_invariants.h"

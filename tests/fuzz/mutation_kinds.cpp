@@ -17,6 +17,7 @@
 #include "core/formats/stock_file.h"
 #include "core/formats/stock_shapes.h"
 #include "core/formats/zip_file.h"
+#include "core/nc/dialects.h"
 #include "core/nc/interpreter.h"
 #include "core/simulation/automatic_grid.h"
 #include "core/simulation/tool_proposals.h"

@@ -2,6 +2,7 @@
 #include "tests/fuzz/nc_words.h"
 
 #include "core/nc/codes.h"
+#include "core/nc/dialects.h"
 
 namespace proveout::test {
 

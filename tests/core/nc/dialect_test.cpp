@@ -6,6 +6,7 @@
 
 #include "core/nc/dialect_comparison.h"
 #include "core/nc/dialect_guess.h"
+#include "core/nc/dialects.h"
 #include "core/nc/interpreter.h"
 
 namespace proveout {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Random expressions against a tree that is evaluated without any text; and what must be refused.
+#include "core/nc/dialects.h"
 #include "core/nc/expression.h"
 
 #include <cmath>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/nc/dialects.h"
 #include "core/nc/ignored_codes.h"
 
 #include <algorithm>

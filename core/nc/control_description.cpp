@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/nc/control_state.h"
+#include "core/nc/control_description.h"
 
 #include <algorithm>
 #include <array>

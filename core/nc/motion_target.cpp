@@ -1,37 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/nc/motion_building.h"
+#include "core/nc/motion_target.h"
 
-#include <algorithm>
-#include <array>
 #include <cmath>
 #include <numbers>
 #include <string>
 
+#include "core/nc/motion_sink.h"
 #include "core/nc/polar_words.h"
-#include "core/nc/transformation_codes.h"
+#include "core/nc/turning_notice.h"
 
 namespace proveout {
-
-namespace {
-
-constexpr std::array<char, 3> kAxisLetters{'X', 'Y', 'Z'};
-
-std::uint8_t bit(int axis) {
-    return static_cast<std::uint8_t>(1U << static_cast<unsigned>(axis));
-}
-
-} // namespace
-
-std::string namesOfAxes(std::uint8_t axes) {
-    std::string names;
-    for (int axis = 0; axis < 3; ++axis) {
-        if ((axes & bit(axis)) == 0)
-            continue;
-        names += names.empty() ? "" : ", ";
-        names += kAxisLetters[static_cast<std::size_t>(axis)];
-    }
-    return names;
-}
 
 namespace {
 
@@ -45,25 +23,6 @@ void setFeed(Motion& motion, const MachineState& state) {
 }
 
 } // namespace
-
-Vec3 tipAt(const Execution& execution, const Vec3& programmed) {
-    const Vec3 displacement = execution.state.compensation.displacement + execution.state.strayed;
-    if (displacement == Vec3(0))
-        return programmed;
-    constexpr double kRounding = 1e-9; ///< of adding and subtracting the displacement
-    const Vec3 tip = programmed + displacement;
-    const std::size_t count = execution.program.motionCount();
-    if (count == 0)
-        return tip;
-    const Vec3 last = execution.program.endOf(count - 1);
-    return glm::distance(tip, last) < kRounding ? last : tip;
-}
-
-void goOnFromTip(Execution& execution) {
-    MachineState& state = execution.state;
-    state.position = tipAt(execution, state.position);
-    state.compensation.displacement = state.strayed = Vec3(0);
-}
 
 Motion motionFromHere(const Execution& execution, MotionKind kind) {
     const MachineState& state = execution.state;
@@ -86,17 +45,16 @@ void setMachineTarget(Execution& execution, Motion& motion, int axis, double val
     MachineState& state = execution.state;
     if (state.machineZeroKnown) {
         motion.end[axis] = value;
-        motion.endKnown |= bit(axis);
+        motion.endKnown |= axisBit(axis);
         return;
     }
-    motion.endKnown &= static_cast<std::uint8_t>(~bit(axis));
+    motion.endKnown &= static_cast<std::uint8_t>(~axisBit(axis));
     constexpr int kZ = 2;
     if (axis == kZ)
         motion.endAtReference = value == 0;
     if (!state.referenceTold) {
         state.referenceTold = true;
-        execution.reporter.tell(nc_message::kReferenceUnknown, 1, 0,
-                                {std::string(1, kAxisLetters[static_cast<std::size_t>(axis)])});
+        execution.reporter.tell(nc_message::kReferenceUnknown, 1, 0, {std::string(1, letterOfAxis(axis))});
     }
 }
 
@@ -130,18 +88,18 @@ namespace {
 /// The program coordinate that the word of an axis orders; false where it counts from an unknown place.
 bool axisTarget(Execution& execution, int axis, std::uint8_t known, Vec3& program) {
     MachineState& state = execution.state;
-    const char letter = kAxisLetters[static_cast<std::size_t>(axis)];
+    const char letter = letterOfAxis(axis);
     const double value = execution.length(letter);
     if (!state.incremental) {
         program[axis] = value;
         return true;
     }
-    if ((known & bit(axis)) != 0) {
+    if ((known & axisBit(axis)) != 0) {
         program[axis] += value;
         return true;
     }
-    if ((state.unknownTold & bit(axis)) == 0) {
-        state.unknownTold |= bit(axis);
+    if ((state.unknownTold & axisBit(axis)) == 0) {
+        state.unknownTold |= axisBit(axis);
         execution.reporter.tell(nc_message::kIncrementalUnknown, execution.block.word(letter),
                                 {std::string(1, letter)});
     }
@@ -159,7 +117,7 @@ std::uint8_t readAxisWords(Execution& execution, Motion& motion, std::uint8_t kn
     const MachineState& state = execution.state;
     std::uint8_t named = 0;
     for (int axis = 0; axis < 3; ++axis) {
-        const char letter = kAxisLetters[static_cast<std::size_t>(axis)];
+        const char letter = letterOfAxis(axis);
         if (!execution.block.has(letter))
             continue;
         if (execution.machineCoordinates)
@@ -167,7 +125,7 @@ std::uint8_t readAxisWords(Execution& execution, Motion& motion, std::uint8_t kn
         else if (state.polar.on && axis != axes(state.plane).normal)
             continue;
         else if (axisTarget(execution, axis, known, program))
-            named |= bit(axis);
+            named |= axisBit(axis);
     }
     if (state.polar.on)
         return static_cast<std::uint8_t>(named | readPolarWords(execution, known, program));
@@ -177,12 +135,6 @@ std::uint8_t readAxisWords(Execution& execution, Motion& motion, std::uint8_t kn
         named |= kAxisX | kAxisY;
     }
     return named;
-}
-
-/// A transformation about an unknown centre leads to unknown places.
-void forgetUnplaced(const Execution& execution, Motion& motion) {
-    if (!execution.machineCoordinates)
-        motion.endKnown &= static_cast<std::uint8_t>(~execution.state.frame.transformation.unplacedAxes());
 }
 
 } // namespace
@@ -202,21 +154,15 @@ Motion motionToTarget(Execution& execution, MotionKind kind) {
     const Vec3 machine = frame.toMachine(program);
     const std::uint8_t mixed = frame.mixedAxes();
     for (int axis = 0; axis < 3; ++axis) {
-        const bool turns = (mixed & bit(axis)) != 0 && (named & mixed) != 0;
+        const bool turns = (mixed & axisBit(axis)) != 0 && (named & mixed) != 0;
         // Where nothing turns, an axis without a word keeps its place to the last bit.
-        if (turns || (named & bit(axis)) != 0)
+        if (turns || (named & axisBit(axis)) != 0)
             motion.end[axis] = machine[axis];
     }
     motion.endKnown = bitsThatTurn(frame, known);
     forgetUnplaced(execution, motion);
     motion.endAtReference = motion.endAtReference && (motion.endKnown & kAxisZ) == 0;
     return motion;
-}
-
-bool planeKnown(const Motion& motion) {
-    const PlaneAxes plane = axes(motion.plane);
-    const auto needed = static_cast<std::uint8_t>(bit(plane.first) | bit(plane.second));
-    return (motion.startKnown & motion.endKnown & needed) == needed;
 }
 
 bool onlySelectsMode(const Execution& execution) {
@@ -245,109 +191,6 @@ void tellUnknownStart(Execution& execution, const Motion& motion, const Word& wo
         return;
     execution.state.unknownTold |= unknown;
     execution.reporter.tell(nc_message::kStartUnknown, word, {namesOfAxes(unknown)});
-}
-
-void arrive(MachineState& state, const Motion& motion) {
-    state.position = motion.end;
-    state.known = motion.endKnown;
-    state.zAtReference = motion.endAtReference;
-    state.everKnown |= motion.endKnown;
-    state.unknownTold &= static_cast<std::uint8_t>(~state.known);
-}
-
-void leaveOut(Execution& execution, const Motion& motion) {
-    execution.state.compensation.beginAnew();
-    arrive(execution.state, motion);
-}
-
-namespace {
-
-/// The feed of G93 for a path of a length in mm.
-double inverseTimeFeed(const Execution& execution, double length) {
-    const MachineState& state = execution.state;
-    if (!execution.block.has('F'))
-        return 0;
-    return std::max(state.feed * length, state.toMm(execution.dialect.leastInverseFeed));
-}
-
-} // namespace
-
-void setInverseTimeFeed(const Execution& execution, Motion& motion) {
-    if (motion.kind != MotionKind::rapid && execution.state.feedMode == FeedMode::inverseTime)
-        motion.feedMmPerMin = inverseTimeFeed(execution, pathLength(motion));
-}
-
-void appendMotion(Execution& execution, Motion motion) {
-    const Vec3 ahead =
-        execution.dialect.inverseTimeAsProgrammed ? Vec3(0) : execution.state.compensation.displacement;
-    motion.start += ahead;
-    setInverseTimeFeed(execution, motion);
-    motion.start -= ahead;
-    appendWithFeed(execution, motion);
-}
-
-namespace {
-
-/// Scaling and repetition make numbers larger than any that a text may hold. Where an axis would go that far
-/// is not known any more, so that what comes after is computed from places that can be.
-void forgetTooFar(Execution& execution, Motion& motion) {
-    constexpr double kFarthest = 1e14; ///< mm; squares of it, and sums of them, are far from overflowing
-    std::uint8_t beyond = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        if (std::abs(motion.end[axis]) <= kFarthest)
-            continue;
-        beyond |= bit(axis);
-        motion.end[axis] = motion.start[axis];
-    }
-    if (beyond == 0)
-        return;
-    motion.endKnown &= static_cast<std::uint8_t>(~static_cast<unsigned>(beyond));
-    if (motion.kind == MotionKind::arc)
-        motion.kind = MotionKind::feed;
-    execution.reporter.tell(nc_message::kTargetTooFar, 1, 0, {"1e14", namesOfAxes(beyond)});
-}
-
-} // namespace
-
-void appendWithFeed(Execution& execution, Motion motion) {
-    motion.start = tipAt(execution, motion.start);
-    execution.state.compensation.displacement = execution.state.strayed = Vec3(0);
-    forgetTooFar(execution, motion);
-    motion.unverified = execution.reporter.unverified();
-    forgetUnplaced(execution, motion);
-    execution.program.append(motion);
-    arrive(execution.state, motion);
-}
-
-void appendPieces(Execution& execution, const Motion& whole, const std::vector<Vec3>& ends) {
-    const MachineState& state = execution.state;
-    Motion piece = whole;
-    piece.kind = MotionKind::feed;
-    if (state.feedMode == FeedMode::inverseTime) {
-        double length = 0;
-        Vec3 last = whole.start;
-        for (const Vec3& end : ends) {
-            length += glm::distance(last, end);
-            last = end;
-        }
-        piece.feedMmPerMin = inverseTimeFeed(execution, length);
-    }
-    for (const Vec3& end : ends) {
-        piece.start = state.position;
-        piece.end = end;
-        appendWithFeed(execution, piece);
-        piece.startKnown = whole.endKnown;
-        if (execution.mustEnd())
-            return;
-    }
-}
-
-void appendOrdered(Execution& execution, const Word& word, const Motion& motion) {
-    const CutterCompensation& compensation = execution.state.compensation;
-    if (compensation.moves() || (execution.dialect.vectors.used && compensation.leaving()))
-        appendCompensated(execution, word, motion);
-    else
-        appendMotion(execution, motion);
 }
 
 } // namespace proveout

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/nc/dialect.h"
+#include "core/nc/dialects.h"
 
 #include <algorithm>
 #include <cstddef>
 #include <iterator>
 
-#include "core/nc/grbl_rules.h"
+#include "core/nc/handlers.h"
 
 namespace proveout {
 

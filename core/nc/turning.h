@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+
+namespace proveout {
+
+/// A rotation that began or ended, and behind which its axes were not positioned yet.
+struct Turning {
+    std::uint8_t axes = 0; ///< AxisBits; 0: none
+    bool ended = false;
+};
+
+} // namespace proveout
