@@ -6,7 +6,7 @@
 #include <QDialog>
 #include <QString>
 
-#include "core/nc/nc_text.h"
+#include "core/nc/text/nc_text.h"
 #include "ui/job_document.h"
 
 namespace proveout {

@@ -8,7 +8,7 @@
 #include <QPlainTextEdit>
 
 #include "core/base/line_diff.h"
-#include "core/nc/nc_text.h"
+#include "core/nc/text/nc_text.h"
 
 namespace proveout {
 

@@ -8,7 +8,7 @@
 #include "core/base/diagnostic.h"
 #include "core/base/file_state.h"
 #include "core/base/work_context.h"
-#include "core/nc/nc_text.h"
+#include "core/nc/text/nc_text.h"
 
 namespace proveout {
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/geometry.h"
-#include "core/nc/program.h"
+#include "core/nc/program/program.h"
 #include "core/simulation/setup.h"
 #include "core/simulation/tool_choice.h"
 

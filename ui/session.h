@@ -19,7 +19,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/decimation/parameters.h"
-#include "core/nc/program.h"
+#include "core/nc/program/program.h"
 #include "core/simulation/breakpoints.h"
 #include "core/simulation/frame.h"
 #include "core/simulation/machine_time.h"

@@ -10,7 +10,7 @@
 #include <QStatusBar>
 #include <QToolButton>
 
-#include "core/nc/active_offset.h"
+#include "core/nc/program/active_offset.h"
 #include "ui/diagnostic_text.h"
 #include "ui/elided_label.h"
 #include "ui/export_text.h"

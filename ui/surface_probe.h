@@ -8,7 +8,7 @@
 #include <QTimer>
 
 #include "core/base/geometry.h"
-#include "core/nc/active_offset.h"
+#include "core/nc/program/active_offset.h"
 #include "ui/block_search.h"
 
 namespace proveout {

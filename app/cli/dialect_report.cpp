@@ -6,7 +6,7 @@
 #include <ostream>
 #include <string>
 
-#include "core/nc/dialect_comparison.h"
+#include "core/nc/run/dialect_comparison.h"
 
 namespace proveout::cli {
 

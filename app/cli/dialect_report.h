@@ -3,7 +3,7 @@
 
 #include <iosfwd>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/run/interpreter.h"
 
 namespace proveout::cli {
 

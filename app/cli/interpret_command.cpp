@@ -13,7 +13,7 @@
 #include "app/cli/report.h"
 #include "app/cli/setup_options.h"
 #include "core/formats/nc_motion.h"
-#include "core/nc/dialects.h"
+#include "core/nc/codes/dialects.h"
 #include "core/simulation/finding_log.h"
 #include "core/simulation/interpretation.h"
 #include "core/simulation/probed_stock.h"

@@ -5,7 +5,7 @@
 
 #include "app/cli/report.h"
 #include "core/formats/job_file.h"
-#include "core/nc/program.h"
+#include "core/nc/program/program.h"
 
 namespace proveout::cli {
 

@@ -9,9 +9,9 @@
 
 #include "app/cli/command.h"
 #include "app/cli/report.h"
-#include "core/nc/codes.h"
-#include "core/nc/dialects.h"
-#include "core/nc/lint.h"
+#include "core/nc/codes/codes.h"
+#include "core/nc/codes/dialects.h"
+#include "core/nc/run/lint.h"
 
 namespace proveout::cli {
 

@@ -13,8 +13,8 @@
 #include "core/cutter/tool_file.h"
 #include "core/decimation/region_decimator.h"
 #include "core/formats/stock_shapes.h"
-#include "core/nc/dialects.h"
-#include "core/nc/ignored_codes.h"
+#include "core/nc/codes/dialects.h"
+#include "core/nc/codes/ignored_codes.h"
 #include "core/simulation/automatic_grid.h"
 #include "core/simulation/setup_fields.h"
 

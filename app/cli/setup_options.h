@@ -12,7 +12,7 @@
 #include "core/base/diagnostic.h"
 #include "core/decimation/map_memory.h"
 #include "core/formats/job_file.h"
-#include "core/nc/program.h"
+#include "core/nc/program/program.h"
 
 namespace proveout::cli {
 

@@ -6,7 +6,7 @@
 #include <optional>
 #include <string>
 
-#include "core/nc/program.h"
+#include "core/nc/program/program.h"
 
 namespace proveout::cli {
 

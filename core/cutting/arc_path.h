@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/geometry.h"
-#include "core/nc/motion.h"
+#include "core/nc/program/motion.h"
 
 namespace proveout {
 

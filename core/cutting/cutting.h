@@ -12,7 +12,7 @@
 #include "core/base/index_rect.h"
 #include "core/cutter/cutter.h"
 #include "core/cutting/provenance.h"
-#include "core/nc/motion.h"
+#include "core/nc/program/motion.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout {

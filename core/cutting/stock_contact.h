@@ -9,7 +9,7 @@
 
 #include "core/base/geometry.h"
 #include "core/cutter/cutter.h"
-#include "core/nc/motion.h"
+#include "core/nc/program/motion.h"
 #include "core/zmap/stock_shape.h"
 
 namespace proveout {

@@ -13,7 +13,7 @@
 #include "core/cutting/row_points.h"
 #include "core/cutting/straight_sweep.h"
 #include "core/cutting/sweep_passes.h"
-#include "core/nc/motion.h"
+#include "core/nc/program/motion.h"
 
 namespace proveout {
 

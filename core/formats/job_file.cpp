@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/job_file.h"
 
-#include "core/nc/dialects.h"
+#include "core/nc/codes/dialects.h"
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
@@ -21,7 +21,7 @@
 #include "core/formats/job_json.h"
 #include "core/formats/stock_position_json.h"
 #include "core/formats/stock_shapes.h"
-#include "core/nc/ignored_codes.h"
+#include "core/nc/codes/ignored_codes.h"
 #include "core/simulation/setup_fields.h"
 
 namespace proveout {

@@ -7,8 +7,8 @@
 #include <string>
 
 #include "core/base/geometry.h"
-#include "core/nc/nc_text.h"
-#include "core/nc/program.h"
+#include "core/nc/program/program.h"
+#include "core/nc/text/nc_text.h"
 
 namespace proveout {
 

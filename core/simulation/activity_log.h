@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "core/base/persistent_array.h"
-#include "core/nc/program.h"
+#include "core/nc/program/program.h"
 #include "core/simulation/machine_time.h"
 #include "core/simulation/statistics.h"
 

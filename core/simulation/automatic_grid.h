@@ -6,7 +6,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/decimation/map_memory.h"
-#include "core/nc/program.h"
+#include "core/nc/program/program.h"
 #include "core/simulation/setup.h"
 #include "core/simulation/tool_choice.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/cutting/cutting.h"
-#include "core/nc/program.h"
+#include "core/nc/program/program.h"
 #include "core/simulation/finding_log.h"
 #include "core/simulation/setup.h"
 #include "core/simulation/tool_choice.h"

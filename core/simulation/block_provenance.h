@@ -7,7 +7,7 @@
 
 #include "core/base/work_context.h"
 #include "core/cutting/provenance.h"
-#include "core/nc/program.h"
+#include "core/nc/program/program.h"
 #include "core/simulation/frame.h"
 #include "core/simulation/setup.h"
 

@@ -9,7 +9,7 @@
 #include "core/base/geometry.h"
 #include "core/base/persistent_array.h"
 #include "core/base/work_context.h"
-#include "core/nc/program.h"
+#include "core/nc/program/program.h"
 #include "core/simulation/machine_time.h"
 #include "core/simulation/setup.h"
 #include "core/simulation/statistics.h"

@@ -7,7 +7,7 @@
 
 #include "core/base/work_context.h"
 #include "core/decimation/map_memory.h"
-#include "core/nc/program.h"
+#include "core/nc/program/program.h"
 #include "core/simulation/setup.h"
 #include "core/zmap/grid_part.h"
 

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/base/persistent_array.h"
-#include "core/nc/program.h"
+#include "core/nc/program/program.h"
 #include "core/simulation/condition.h"
 #include "core/simulation/statistics.h"
 #include "core/simulation/tool_choice.h"

@@ -10,7 +10,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/base/geometry.h"
-#include "core/nc/program.h"
+#include "core/nc/program/program.h"
 #include "core/simulation/tool_choice.h"
 
 namespace proveout {

@@ -8,7 +8,7 @@
 #include "core/base/diagnostic.h"
 #include "core/base/persistent_array.h"
 #include "core/decimation/surface.h"
-#include "core/nc/program.h"
+#include "core/nc/program/program.h"
 #include "core/simulation/setup.h"
 #include "core/simulation/statistics.h"
 #include "core/zmap/zmap.h"

@@ -7,7 +7,7 @@
 #include <memory>
 #include <optional>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/run/interpreter.h"
 #include "core/simulation/setup.h"
 
 namespace proveout {

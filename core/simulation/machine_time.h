@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/work_context.h"
-#include "core/nc/program.h"
+#include "core/nc/program/program.h"
 #include "core/simulation/machine.h"
 
 namespace proveout {

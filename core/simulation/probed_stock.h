@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/cutting/stock_contact.h"
-#include "core/nc/probe_target.h"
+#include "core/nc/program/probe_target.h"
 #include "core/simulation/setup.h"
 
 namespace proveout {

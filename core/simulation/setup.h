@@ -6,7 +6,7 @@
 
 #include "core/base/geometry.h"
 #include "core/cutter/tool_table.h"
-#include "core/nc/dialect.h"
+#include "core/nc/text/dialect.h"
 #include "core/zmap/stock_shape.h"
 
 namespace proveout {

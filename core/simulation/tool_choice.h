@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/nc/program.h"
+#include "core/nc/program/program.h"
 #include "core/simulation/setup.h"
 
 namespace proveout {

@@ -13,7 +13,7 @@
 #include "core/base/tool_number.h"
 #include "core/cutter/entered_sizes.h"
 #include "core/cutter/tool_comment.h"
-#include "core/nc/characters.h"
+#include "core/nc/text/characters.h"
 
 namespace proveout {
 

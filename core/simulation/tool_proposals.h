@@ -5,7 +5,7 @@
 #include <set>
 
 #include "core/cutter/tool_table.h"
-#include "core/nc/nc_text.h"
+#include "core/nc/text/nc_text.h"
 
 namespace proveout {
 

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include <gtest/gtest.h>
 
@@ -23,7 +24,7 @@ const std::map<std::string, std::set<std::string>> kCoreRooms{
     {"core/nc", {"core/base"}},
     {"core/cutter", {"core/base"}},
     {"core/zmap", {"core/base"}},
-    {"core/cutting", {"core/base", "core/nc/motion.h", "core/cutter", "core/zmap"}},
+    {"core/cutting", {"core/base", "core/nc/program/motion.h", "core/cutter", "core/zmap"}},
     {"core/decimation", {"core/base", "core/zmap"}},
     {"core/simulation",
      {"core/base", "core/nc", "core/cutter", "core/zmap", "core/cutting", "core/decimation"}},
@@ -33,6 +34,12 @@ const std::map<std::string, std::set<std::string>> kCoreRooms{
     {"core/formats",
      {"core/base", "core/nc", "core/cutter", "core/zmap", "core/cutting", "core/decimation",
       "core/simulation"}},
+};
+
+/// The rooms within a room, the lowest first: each may include those before it.
+const std::map<std::string, std::vector<std::string>> kRoomsWithin{
+    {"core/nc",
+     {"text", "codes", "program", "geometry", "state", "motions", "cycles", "handlers", "flow", "run"}},
 };
 
 bool isQt(const Include& include) {
@@ -132,6 +139,31 @@ TEST(Architecture, RoomsOfTheCoreIncludeOnlyRoomsAboveThem) {
                 continue;
             EXPECT_TRUE(room->second.count(other) == 1 || room->second.count(include.target) == 1)
                 << place(file, include);
+        }
+    }
+}
+
+/// Where the room of a path stands in the order of those within `room`; their number where it is none of
+/// them.
+std::size_t levelOf(const std::string& path, const std::string& room, const std::vector<std::string>& order) {
+    const SourceFile file{path, {}, {}};
+    return static_cast<std::size_t>(
+        std::find_if(order.begin(), order.end(),
+                     [&](const std::string& each) { return file.in(room + "/" + each); }) -
+        order.begin());
+}
+
+TEST(Architecture, RoomsWithinARoomLookDownOnly) {
+    for (const auto& [room, order] : kRoomsWithin) {
+        for (const SourceFile& file : sourceTree()) {
+            if (!file.in(room) || !file.isCpp())
+                continue;
+            const std::size_t level = levelOf(file.path, room, order);
+            ASSERT_LT(level, order.size()) << file.path << " lies in no room of " << room;
+            for (const Include& include : file.includes) {
+                if (!include.angled && isOf(include, room))
+                    EXPECT_LE(levelOf(include.target, room, order), level) << place(file, include);
+            }
         }
     }
 }

@@ -9,7 +9,7 @@
 #include <string>
 
 #include "core/formats/nc_motion.h"
-#include "core/nc/interpreter.h"
+#include "core/nc/run/interpreter.h"
 #include "tests/bench/interpreter_comparison.h"
 
 namespace {

@@ -20,7 +20,7 @@
 #include <vector>
 
 #include "core/base/memory.h"
-#include "core/nc/interpreter.h"
+#include "core/nc/run/interpreter.h"
 
 namespace proveout::bench {
 

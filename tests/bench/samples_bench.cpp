@@ -10,7 +10,7 @@
 
 #include "core/base/stop_watch.h"
 #include "core/formats/job_file.h"
-#include "core/nc/interpreter.h"
+#include "core/nc/run/interpreter.h"
 #include "core/simulation/simulation.h"
 
 namespace proveout {

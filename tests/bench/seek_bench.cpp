@@ -14,7 +14,7 @@
 
 #include "core/base/stop_watch.h"
 #include "core/decimation/refined_surface.h"
-#include "core/nc/interpreter.h"
+#include "core/nc/run/interpreter.h"
 #include "core/simulation/box_of_interest.h"
 #include "core/simulation/simulation.h"
 #include "tests/bench/workloads.h"

@@ -6,7 +6,7 @@
 
 #include "core/cutting/cutting.h"
 #include "core/formats/job_file.h"
-#include "core/nc/interpreter.h"
+#include "core/nc/run/interpreter.h"
 
 namespace proveout::test {
 

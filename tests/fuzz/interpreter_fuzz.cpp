@@ -5,8 +5,8 @@
 #include <cstdlib>
 #include <string>
 
-#include "core/nc/dialects.h"
-#include "core/nc/resumable_interpreter.h"
+#include "core/nc/codes/dialects.h"
+#include "core/nc/run/resumable_interpreter.h"
 #include "tests/core/nc/program_equality.h"
 #include "tests/core/nc/program_invariants.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/fuzz/nc_words.h"
 
-#include "core/nc/codes.h"
-#include "core/nc/dialects.h"
+#include "core/nc/codes/codes.h"
+#include "core/nc/codes/dialects.h"
 
 namespace proveout::test {
 

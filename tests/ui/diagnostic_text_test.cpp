@@ -7,8 +7,8 @@
 #include "core/base/field.h"
 #include "core/base/list_argument.h"
 #include "core/decimation/parameters.h"
-#include "core/nc/codes.h"
-#include "core/nc/interpreter.h"
+#include "core/nc/codes/codes.h"
+#include "core/nc/run/interpreter.h"
 #include "ui/diagnostic_text.h"
 #include "ui/languages.h"
 

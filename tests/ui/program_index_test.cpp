@@ -5,7 +5,7 @@
 
 #include <QTest>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/run/interpreter.h"
 
 namespace proveout {
 namespace {

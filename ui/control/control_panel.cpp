@@ -9,7 +9,7 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "core/nc/control_names.h"
+#include "core/nc/program/control_names.h"
 #include "core/simulation/interpretation.h"
 #include "ui/diagnostic_text.h"
 #include "ui/panel_layout.h"

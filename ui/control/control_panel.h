@@ -4,7 +4,7 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "core/nc/control_state.h"
+#include "core/nc/program/control_state.h"
 #include "ui/program_source.h"
 #include "ui/session.h"
 

@@ -13,8 +13,8 @@
 #include <Qsci/qsciscintilla.h>
 
 #include "core/base/diagnostic.h"
-#include "core/nc/line_values.h"
-#include "core/nc/word_help.h"
+#include "core/nc/codes/word_help.h"
+#include "core/nc/program/line_values.h"
 #include "ui/document.h"
 #include "ui/editor/nc_highlighter.h"
 #include "ui/editor/problem_marks.h"

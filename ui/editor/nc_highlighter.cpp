@@ -13,7 +13,7 @@
 #include <QFontDatabase>
 #include <Qsci/qsciscintilla.h>
 
-#include "core/nc/codes.h"
+#include "core/nc/codes/codes.h"
 #include "ui/theme.h"
 
 namespace proveout {

@@ -6,7 +6,7 @@
 
 #include <Qsci/qscilexercustom.h>
 
-#include "core/nc/dialect.h"
+#include "core/nc/text/dialect.h"
 
 namespace proveout {
 

@@ -4,7 +4,7 @@
 #include <stop_token>
 #include <string_view>
 
-#include "core/nc/nc_text.h"
+#include "core/nc/text/nc_text.h"
 
 class QsciScintillaBase;
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/editor/word_tip.h"
 
-#include "core/nc/dialects.h"
+#include "core/nc/codes/dialects.h"
 #include <algorithm>
 #include <cstring>
 

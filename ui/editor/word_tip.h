@@ -3,8 +3,8 @@
 
 #include <QString>
 
-#include "core/nc/line_values.h"
-#include "core/nc/word_help.h"
+#include "core/nc/codes/word_help.h"
+#include "core/nc/program/line_values.h"
 
 namespace proveout {
 

@@ -10,7 +10,7 @@
 #include <QTreeView>
 #include <QVBoxLayout>
 
-#include "core/nc/ignored_codes.h"
+#include "core/nc/codes/ignored_codes.h"
 #include "ui/diagnostic_text.h"
 #include "ui/findings/problem_columns.h"
 #include "ui/findings/problems_model.h"

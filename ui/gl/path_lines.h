@@ -6,7 +6,7 @@
 
 #include <glm/glm.hpp>
 
-#include "core/nc/program.h"
+#include "core/nc/program/program.h"
 
 namespace proveout {
 

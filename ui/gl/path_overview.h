@@ -6,7 +6,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/nc/program.h"
+#include "core/nc/program/program.h"
 #include "ui/gl/path_lines.h"
 #include "ui/gl/upload_budget.h"
 

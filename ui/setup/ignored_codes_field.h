@@ -5,7 +5,7 @@
 
 #include <QWidget>
 
-#include "core/nc/program.h"
+#include "core/nc/program/program.h"
 #include "core/simulation/setup.h"
 
 class QLabel;

@@ -16,7 +16,7 @@
 
 #include "core/base/memory.h"
 #include "core/base/text.h"
-#include "core/nc/dialects.h"
+#include "core/nc/codes/dialects.h"
 #include "ui/carried_values.h"
 #include "ui/diagnostic_text.h"
 #include "ui/edited_elsewhere_bar.h"

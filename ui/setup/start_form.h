@@ -10,7 +10,7 @@
 #include <QVariant>
 #include <QWidget>
 
-#include "core/nc/program.h"
+#include "core/nc/program/program.h"
 #include "core/simulation/setup.h"
 
 class QCheckBox;

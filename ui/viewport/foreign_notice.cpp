@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/viewport/foreign_notice.h"
 
-#include "core/nc/dialects.h"
+#include "core/nc/codes/dialects.h"
 #include <QEvent>
 #include <QHBoxLayout>
 #include <QMenu>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/nc/dialect.h"
+#include "core/nc/text/dialect.h"
 #include "ui/viewport/view_notice.h"
 
 class QMenu;

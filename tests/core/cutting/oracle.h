@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/cutter/cutter.h"
-#include "core/nc/motion.h"
+#include "core/nc/program/motion.h"
 
 namespace proveout {
 

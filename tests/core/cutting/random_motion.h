@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/cutter/cutter.h"
-#include "core/nc/motion.h"
+#include "core/nc/program/motion.h"
 #include "core/zmap/stock.h"
 
 namespace proveout {

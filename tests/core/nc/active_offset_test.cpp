@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/nc/active_offset.h"
+#include "core/nc/program/active_offset.h"
 
 #include <gtest/gtest.h>
 #include <string>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/run/interpreter.h"
 
 namespace proveout {
 namespace {

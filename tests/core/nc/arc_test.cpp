@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/nc/arc.h"
+#include "core/nc/geometry/arc.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/core/nc/case_file.h"
 
-#include "core/nc/dialects.h"
+#include "core/nc/codes/dialects.h"
 #include <charconv>
 #include <cmath>
 #include <cstdlib>

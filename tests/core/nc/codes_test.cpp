@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/nc/codes.h"
-#include "core/nc/interpreter.h"
+#include "core/nc/codes/codes.h"
+#include "core/nc/run/interpreter.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

@@ -8,7 +8,7 @@
 #include <iostream>
 #include <map>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/run/interpreter.h"
 #include "tests/core/nc/oracle_comparison.h"
 #include "tests/core/nc/random_path.h"
 #include "tests/random_seed.h"

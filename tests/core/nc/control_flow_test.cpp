@@ -9,7 +9,7 @@
 #include <string>
 #include <thread>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/run/interpreter.h"
 #include "tests/core/temporary_folder.h"
 
 namespace proveout {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the control stands at a block, against what the text says.
-#include "core/nc/control_state.h"
+#include "core/nc/program/control_state.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
 #include <string>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/run/interpreter.h"
 
 namespace proveout {
 

@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 #include <iostream>
 
-#include "core/nc/corner_shape.h"
+#include "core/nc/geometry/corner_shape.h"
 #include "tests/core/nc/random_arc.h"
 #include "tests/core/nc/random_path.h"
 #include "tests/random_seed.h"

@@ -4,7 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "core/nc/corner_vectors.h"
+#include "core/nc/geometry/corner_vectors.h"
 
 namespace proveout {
 

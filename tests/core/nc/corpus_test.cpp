@@ -10,7 +10,7 @@
 #include <memory>
 #include <set>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/run/interpreter.h"
 #include "tests/core/nc/oracle_comparison.h"
 
 namespace proveout::test {

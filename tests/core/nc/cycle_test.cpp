@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "core/nc/canned_cycle.h"
-#include "core/nc/interpreter.h"
+#include "core/nc/codes/canned_cycle.h"
+#include "core/nc/run/interpreter.h"
 #include "tests/random_seed.h"
 
 namespace proveout {

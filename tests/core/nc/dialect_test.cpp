@@ -4,10 +4,10 @@
 #include <string>
 #include <utility>
 
-#include "core/nc/dialect_comparison.h"
-#include "core/nc/dialect_guess.h"
-#include "core/nc/dialects.h"
-#include "core/nc/interpreter.h"
+#include "core/nc/codes/dialect_guess.h"
+#include "core/nc/codes/dialects.h"
+#include "core/nc/run/dialect_comparison.h"
+#include "core/nc/run/interpreter.h"
 
 namespace proveout {
 

@@ -12,9 +12,9 @@
 #include <set>
 #include <utility>
 
-#include "core/nc/code_rows.h"
-#include "core/nc/interpreter.h"
-#include "core/nc/probe_target.h"
+#include "core/nc/codes/code_rows.h"
+#include "core/nc/program/probe_target.h"
+#include "core/nc/run/interpreter.h"
 #include "tests/core/nc/explained_differences.h"
 #include "tests/core/nc/oracle_comparison.h"
 #include "tests/core/nc/random_program.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/nc/program.h"
+#include "core/nc/program/program.h"
 #include "tests/core/nc/oracle_records.h"
 
 namespace proveout::test {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Random expressions against a tree that is evaluated without any text; and what must be refused.
-#include "core/nc/dialects.h"
-#include "core/nc/expression.h"
+#include "core/nc/codes/dialects.h"
+#include "core/nc/text/expression.h"
 
 #include <cmath>
 #include <fmt/format.h>

@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/nc/foreign_text.h"
+#include "core/nc/run/foreign_text.h"
 
 namespace proveout::test {
 

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/nc/dialects.h"
-#include "core/nc/foreign_text.h"
+#include "core/nc/codes/dialects.h"
+#include "core/nc/run/foreign_text.h"
 
 #include <gtest/gtest.h>
 #include <string>
 #include <string_view>
 
-#include "core/nc/glob.h"
-#include "core/nc/resumable_interpreter.h"
+#include "core/nc/run/resumable_interpreter.h"
+#include "core/nc/text/glob.h"
 
 namespace proveout {
 

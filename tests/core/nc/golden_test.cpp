@@ -12,7 +12,7 @@
 #include <sstream>
 
 #include "core/formats/nc_motion.h"
-#include "core/nc/interpreter.h"
+#include "core/nc/run/interpreter.h"
 
 namespace proveout::test {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/nc/haas_variables.h"
+#include "core/nc/flow/haas_variables.h"
 
 #include <gtest/gtest.h>
 #include <memory>
 #include <string>
 #include <vector>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/run/interpreter.h"
 
 namespace proveout {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/nc/dialects.h"
-#include "core/nc/ignored_codes.h"
+#include "core/nc/codes/dialects.h"
+#include "core/nc/codes/ignored_codes.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>
@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "core/nc/codes.h"
-#include "core/nc/interpreter.h"
+#include "core/nc/codes/codes.h"
+#include "core/nc/run/interpreter.h"
 
 namespace proveout {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What golden cases cannot say: limits, stopping, time, and what is stored beside the records.
-#include "core/nc/interpreter.h"
+#include "core/nc/run/interpreter.h"
 
 #include <algorithm>
 #include <atomic>

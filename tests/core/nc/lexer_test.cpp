@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/nc/dialects.h"
-#include "core/nc/lexer.h"
+#include "core/nc/codes/dialects.h"
+#include "core/nc/text/lexer.h"
 
 #include <gtest/gtest.h>
 #include <string>

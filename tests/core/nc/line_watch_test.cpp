@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <string>
 
-#include "core/nc/interpreter.h"
-#include "core/nc/resumable_interpreter.h"
+#include "core/nc/run/interpreter.h"
+#include "core/nc/run/resumable_interpreter.h"
 
 namespace proveout {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/nc/motion.h"
+#include "core/nc/program/motion.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

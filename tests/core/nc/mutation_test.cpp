@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/run/interpreter.h"
 #include "tests/core/nc/program_invariants.h"
 
 namespace proveout {

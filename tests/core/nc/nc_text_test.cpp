@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/nc/nc_text.h"
+#include "core/nc/text/nc_text.h"
 
 #include <algorithm>
 #include <chrono>

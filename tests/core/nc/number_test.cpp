@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/nc/number.h"
+#include "core/nc/text/number.h"
 
 #include <cmath>
 #include <cstdlib>

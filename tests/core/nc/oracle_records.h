@@ -8,7 +8,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "core/nc/tool_offsets.h"
+#include "core/nc/state/tool_offsets.h"
 
 namespace proveout::test {
 

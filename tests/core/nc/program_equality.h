@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/nc/program.h"
+#include "core/nc/program/program.h"
 
 namespace proveout::test {
 

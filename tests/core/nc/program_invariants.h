@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/run/interpreter.h"
 
 namespace proveout::test {
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/nc/program.h"
+#include "core/nc/program/program.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
 #include <string>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/run/interpreter.h"
 #include "tests/core/nc/random_arc.h"
 #include "tests/random_seed.h"
 

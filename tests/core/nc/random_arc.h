@@ -3,7 +3,7 @@
 
 #include <random>
 
-#include "core/nc/motion.h"
+#include "core/nc/program/motion.h"
 
 namespace proveout::test {
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/nc/compensation.h"
+#include "core/nc/geometry/compensation.h"
 
 namespace proveout::test {
 

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/nc/tool_offsets.h"
+#include "core/nc/state/tool_offsets.h"
 
 namespace proveout::test {
 

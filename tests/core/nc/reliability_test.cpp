@@ -13,7 +13,7 @@
 #include <string>
 #include <vector>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/run/interpreter.h"
 #include "tests/core/temporary_folder.h"
 
 namespace proveout::test {

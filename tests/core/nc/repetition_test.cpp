@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/nc/repetition.h"
+#include "core/nc/run/repetition.h"
 
 #include <gtest/gtest.h>
 #include <optional>
 #include <random>
 #include <vector>
 
-#include "core/nc/expression_rules.h"
-#include "core/nc/parameters.h"
+#include "core/nc/text/expression_rules.h"
+#include "core/nc/text/parameters.h"
 #include "tests/random_seed.h"
 
 namespace proveout {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/nc/resumable_interpreter.h"
+#include "core/nc/run/resumable_interpreter.h"
 #include "tests/core/nc/program_equality.h"
 
 namespace proveout {

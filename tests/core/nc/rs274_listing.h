@@ -10,8 +10,8 @@
 #include <nlohmann/json.hpp>
 
 #include "core/base/geometry.h"
-#include "core/nc/motion.h"
-#include "core/nc/work_frame.h"
+#include "core/nc/geometry/work_frame.h"
+#include "core/nc/program/motion.h"
 
 namespace proveout::test {
 

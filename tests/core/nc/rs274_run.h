@@ -6,7 +6,7 @@
 #include <map>
 #include <string>
 
-#include "core/nc/tool_offsets.h"
+#include "core/nc/state/tool_offsets.h"
 #include "tests/core/nc/oracle_records.h"
 
 namespace proveout::test {

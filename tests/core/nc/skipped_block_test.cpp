@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What a block that cannot be executed leaves in force: one mistake does not change the motions after it.
-#include "core/nc/skipped_block.h"
+#include "core/nc/run/skipped_block.h"
 
 #include <gtest/gtest.h>
 #include <memory>
 #include <string>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/run/interpreter.h"
 
 namespace proveout {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Flattened splines against the definition by basis functions (Cox and de Boor), which spline.cpp does not
 // use.
-#include "core/nc/spline.h"
+#include "core/nc/geometry/spline.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <optional>
 #include <random>
 
-#include "core/nc/motion.h"
+#include "core/nc/program/motion.h"
 #include "tests/random_seed.h"
 
 namespace proveout {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Straight pieces of arcs, against the arc at many places in between.
-#include "core/nc/turned_arc.h"
+#include "core/nc/motions/turned_arc.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

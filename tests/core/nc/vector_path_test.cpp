@@ -8,7 +8,7 @@
 #include <numbers>
 #include <vector>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/run/interpreter.h"
 #include "tests/core/nc/random_path.h"
 #include "tests/random_seed.h"
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/nc/dialects.h"
+#include "core/nc/codes/dialects.h"
 #include "core/simulation/interpretation.h"
 
 #include <algorithm>

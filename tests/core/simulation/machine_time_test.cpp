@@ -6,7 +6,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/run/interpreter.h"
 #include "tests/core/simulation/programs.h"
 
 namespace proveout {

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "core/nc/program.h"
+#include "core/nc/program/program.h"
 #include "core/simulation/setup.h"
 
 namespace proveout {

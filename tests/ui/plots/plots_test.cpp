@@ -16,7 +16,7 @@
 #include <QTest>
 #include <QWheelEvent>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/run/interpreter.h"
 #include "core/simulation/block_records.h"
 #include "tests/ui/opened.h"
 #include "tests/ui/save_dialog_user.h"

@@ -8,7 +8,7 @@
 
 #include <QTest>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/run/interpreter.h"
 #include "tests/random_seed.h"
 #include "ui/theme.h"
 #include "ui/timeline/activity_follower.h"

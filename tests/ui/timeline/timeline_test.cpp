@@ -13,7 +13,7 @@
 #include <QToolTip>
 #include <QWheelEvent>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/run/interpreter.h"
 #include "tests/ui/opened.h"
 #include "ui/cycle_time_text.h"
 #include "ui/theme.h"

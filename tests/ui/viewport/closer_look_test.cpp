@@ -9,7 +9,7 @@
 
 #include <QTest>
 
-#include "core/nc/interpreter.h"
+#include "core/nc/run/interpreter.h"
 #include "core/simulation/simulation.h"
 #include "ui/viewport/box_choice.h"
 #include "ui/viewport/closer_look.h"

@@ -19,7 +19,7 @@
 #include <QOpenGLFramebufferObject>
 
 #include "core/formats/job_file.h"
-#include "core/nc/interpreter.h"
+#include "core/nc/run/interpreter.h"
 #include "core/simulation/hold_back.h"
 #include "core/simulation/simulation.h"
 #include "tests/ui/viewport/frame_figures.h"

@@ -18,7 +18,7 @@
 #include <QTimer>
 #include <QTreeView>
 
-#include "core/nc/dialect.h"
+#include "core/nc/text/dialect.h"
 #include "tests/ui/window/workstation.h"
 #include "ui/findings/problems_model.h"
 #include "ui/languages.h"

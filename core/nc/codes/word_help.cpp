@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/nc/codes/word_help.h"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+
+#include "core/base/text.h"
+#include "core/nc/text/characters.h"
+#include "core/nc/text/number.h"
+
+namespace proveout {
+
+namespace {
+
+bool isLetter(char c) {
+    const char u = upperCase(c);
+    return u >= 'A' && u <= 'Z';
+}
+
+std::size_t behindLetters(std::string_view line, std::size_t at) {
+    while (at < line.size() && isLetter(line[at]))
+        ++at;
+    return at;
+}
+
+std::size_t behindComment(std::string_view line, std::size_t at) {
+    return line[at] == ';' ? line.size() : std::min(line.find(')', at), line.size() - 1) + 1;
+}
+
+/// Behind a parameter: "#5", "##5", "#<name>"; one whose number has to be computed ends behind its "#".
+std::size_t behindParameter(std::string_view line, std::size_t at) {
+    if (at + 1 < line.size() && line[at + 1] == '<')
+        return std::min(line.find('>', at), line.size() - 1) + 1;
+    std::size_t end = line.find_first_not_of('#', at);
+    while (end < line.size() && line[end] >= '0' && line[end] <= '9')
+        ++end;
+    return std::min(end, line.size());
+}
+
+WordHelp helpForParameter(std::string_view line, std::size_t begin, std::size_t end) {
+    WordHelp help;
+    help.begin = begin;
+    help.end = end;
+    help.word = line.substr(begin, end - begin);
+    help.name = PROVEOUT_TEXT("Core", "parameter");
+    help.parameter = true;
+    return help;
+}
+
+WordHelp helpFor(char letter, const NumberRead& number, DialectId dialect) {
+    WordHelp help;
+    if (letter != 'G' && letter != 'M') {
+        help.word = std::string(1, letter);
+        const auto row = std::ranges::find(letters(), letter, &LetterRow::letter);
+        if (row != letters().end())
+            help.name = row->name;
+        return help;
+    }
+    help.word = fmt::format("{}{:g}", letter, number.value);
+    const CodeRow* row = codesOf(dialect).find(Word{letter, number.value, 0, 0});
+    help.supported = row != nullptr && row->supported();
+    if (row != nullptr) {
+        help.name = row->name;
+        help.group = nameOf(row->group);
+    }
+    return help;
+}
+
+// In the order of ModalGroup.
+constexpr std::array kGroups{
+    PROVEOUT_TEXT("Core", "in its block only"),
+    PROVEOUT_TEXT("Core", "in its block only"),
+    PROVEOUT_TEXT("Core", "motion"),
+    PROVEOUT_TEXT("Core", "motion"),
+    PROVEOUT_TEXT("Core", "plane"),
+    PROVEOUT_TEXT("Core", "distances"),
+    PROVEOUT_TEXT("Core", "distances of arc centres"),
+    PROVEOUT_TEXT("Core", "feed mode"),
+    PROVEOUT_TEXT("Core", "unit"),
+    PROVEOUT_TEXT("Core", "cutter compensation"),
+    PROVEOUT_TEXT("Core", "tool length"),
+    PROVEOUT_TEXT("Core", "retract level"),
+    PROVEOUT_TEXT("Core", "work offset"),
+    PROVEOUT_TEXT("Core", "path control"),
+    PROVEOUT_TEXT("Core", "spindle mode"),
+    PROVEOUT_TEXT("Core", "polar coordinates"),
+    PROVEOUT_TEXT("Core", "scaling"),
+    PROVEOUT_TEXT("Core", "mirroring"),
+    PROVEOUT_TEXT("Core", "coordinate rotation"),
+    PROVEOUT_TEXT("Core", "path control"),
+    PROVEOUT_TEXT("Core", "look-ahead"),
+    PROVEOUT_TEXT("Core", "diameter mode"),
+    PROVEOUT_TEXT("Core", "macro call"),
+    PROVEOUT_TEXT("Core", "stop"),
+    PROVEOUT_TEXT("Core", "inputs and outputs"),
+    PROVEOUT_TEXT("Core", "tool change"),
+    PROVEOUT_TEXT("Core", "spindle"),
+    PROVEOUT_TEXT("Core", "coolant"),
+    PROVEOUT_TEXT("Core", "overrides"),
+    PROVEOUT_TEXT("Core", "saved modal state"),
+    PROVEOUT_TEXT("Core", "subprogram"),
+    PROVEOUT_TEXT("Core", "tapping"),
+};
+static_assert(kGroups.size() == static_cast<std::size_t>(ModalGroup::count));
+
+} // namespace
+
+std::optional<WordHelp> helpAt(std::string_view line, std::size_t at, DialectId dialect) {
+    for (std::size_t i = 0; i < line.size() && i <= at;) {
+        if (line[i] == '(' || line[i] == ';') {
+            i = behindComment(line, i);
+        } else if (line[i] == '#') {
+            const std::size_t end = behindParameter(line, i);
+            if (at < end)
+                return helpForParameter(line, i, end);
+            i = end;
+        } else if (!isLetter(line[i])) {
+            ++i;
+        } else if (const std::size_t behind = behindLetters(line, i); behind > i + 1) {
+            i = behind;
+        } else {
+            const NumberRead number = readNumber(line, i + 1);
+            const bool read = number.status == NumberStatus::good;
+            const std::size_t end = read ? number.end : i + 1;
+            if (at < end && (read || (upperCase(line[i]) != 'G' && upperCase(line[i]) != 'M'))) {
+                WordHelp help = helpFor(upperCase(line[i]), number, dialect);
+                help.begin = i;
+                help.end = end;
+                return help;
+            }
+            i = end;
+        }
+    }
+    return {};
+}
+
+const char* nameOf(ModalGroup group) {
+    return kGroups[static_cast<std::size_t>(group)];
+}
+
+} // namespace proveout

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <unordered_map>
+#include <utility>
+#include <vector>
+
+#include "core/nc/flow/flow_index.h"
+#include "core/nc/flow/macro_index.h"
+#include "core/nc/program/reporter.h"
+#include "core/nc/text/nc_text.h"
+#include "core/nc/text/parameters.h"
+
+namespace proveout {
+
+/// Which line of which text comes next, who called it, and the limits of both. Keeps references to its
+/// arguments.
+class CallStack {
+public:
+    struct Limits {
+        const std::vector<std::filesystem::path>& folders; ///< of subprograms in files of their own
+        std::size_t deepest;                               ///< calls within calls
+    };
+
+    /// Lines of a text, counted to the last one that has run: in the program itself, and in calls, which
+    /// often stand behind it.
+    struct Reached {
+        std::size_t inProgram = 0;
+        std::size_t inCalls = 0;
+    };
+
+    struct Source {
+        NcText text;
+        std::string file;
+        std::optional<FlowIndex> flow;   ///< built when it is asked for
+        std::optional<MacroIndex> macro; ///< likewise
+        std::size_t number = 0;          ///< of the texts, in the order in which they were asked for
+        Reached reached;                 ///< of it
+    };
+
+    using Counts = std::unordered_map<std::size_t, std::uint64_t>;
+    struct Level {
+        Source* source = nullptr; ///< of the caller
+        std::size_t line = 0;     ///< where the caller goes on
+        std::size_t entry = 0;    ///< first line of the subprogram
+        std::string label;
+        std::optional<int> repeats;     ///< further runs, of M98 and its like; nothing for O-words
+        bool ownLocals = true;          ///< the subprogram has local parameters of its own
+        bool sharesNumbers = false;     ///< but its numbers are those of the caller, names its own
+        Parameters::Locals arguments{}; ///< of its own locals
+        Counts counts;                  ///< rounds left of "repeat", of the caller
+    };
+
+    CallStack(const NcText& main, std::string file, const Limits& limits, Parameters& parameters,
+              Reporter& reporter);
+
+    [[nodiscard]] bool atEnd() const { return m_line >= m_source->text.lineCount(); }
+    [[nodiscard]] std::size_t line() const { return m_line; } ///< the next one, 0-based, of text()
+    [[nodiscard]] const NcText& text() const { return m_source->text; }
+    [[nodiscard]] std::size_t at() const { return m_at; } ///< the line that step() has left
+    /// Whether this line, or one behind it, has run before.
+    [[nodiscard]] bool isAgain() const { return m_again; }
+    [[nodiscard]] std::string_view currentText() const { return m_source->text.line(m_at); }
+    /// Whether text() is that of the program, not of a subprogram in a file of its own.
+    [[nodiscard]] bool inMainText() const { return m_source == m_sources.front().get(); }
+    /// The line of the main text, 0-based: this one, or the one that called.
+    [[nodiscard]] std::size_t mainLine() const;
+    [[nodiscard]] bool inMainProgram() const { return m_levels.empty(); }
+    [[nodiscard]] Level& level() { return m_levels.back(); }                 ///< not in the main program
+    [[nodiscard]] std::span<const Level> levels() const { return m_levels; } ///< the outermost first
+    /// The file of the line that called; empty where that is the program itself.
+    [[nodiscard]] std::string fileOf(const Level& level) const {
+        return level.source == m_sources.front().get() ? std::string() : level.source->file;
+    }
+    [[nodiscard]] Source& source() { return *m_source; }
+    [[nodiscard]] Counts& counts() { return m_counts; }
+    [[nodiscard]] const FlowIndex& flowIndex();
+    [[nodiscard]] const MacroIndex& macroIndex() { return macroIndex(*m_source); }
+    [[nodiscard]] const MacroIndex& macroIndex(Source& source);
+
+    /// Where a main program stands between two lines. A value.
+    struct Place {
+        std::size_t line = 0; ///< the next one
+        Reached reached;
+        std::uint64_t endedRuns = 0;
+        std::uint64_t roundsCounted = 0;
+        Counts counts;
+        bool indexAsked = false; ///< whether O-words, programs or block numbers have been looked for
+    };
+    /// Nothing within a call, nor once a subprogram was looked for in a file, which may change.
+    [[nodiscard]] std::optional<Place> place() const;
+    void goOn(const Place& place);
+
+    /// To the line behind this one.
+    void step();
+    /// Another line is the one that is being carried out.
+    void standAt(std::size_t line) {
+        m_at = line;
+        m_reporter.beginLine(static_cast<std::uint32_t>(line + 1));
+    }
+    void jump(std::size_t line) { m_line = line; }
+    /// The text ends here, whatever follows.
+    void endText() { m_line = m_source->text.lineCount(); }
+
+    /// Whether a further call is allowed.
+    [[nodiscard]] bool mayCall() const { return m_levels.size() < m_limits.deepest; }
+    [[nodiscard]] std::size_t deepest() const { return m_limits.deepest; }
+    /// Begins a subprogram at line `level.entry` of `source`.
+    void enter(Source& source, Level level, const Parameters::Locals& arguments);
+    /// Begins the subprogram once more: with the arguments of its call, or with the locals as they are.
+    void again(bool withArguments);
+    /// How many runs of subprograms have ended.
+    [[nodiscard]] std::uint64_t endedRuns() const { return m_endedRuns; }
+    [[nodiscard]] std::size_t depth() const { return m_levels.size(); }
+    /// The fewest calls that were open since the last call of this.
+    [[nodiscard]] std::size_t takeLowestDepth() { return std::exchange(m_lowestDepth, m_levels.size()); }
+    /// One of a number of rounds was counted.
+    void noteRound() { ++m_roundsCounted; }
+    [[nodiscard]] std::uint64_t roundsCounted() const { return m_roundsCounted; }
+    /// Back to the caller.
+    void leave();
+
+    enum class FileFault : std::uint8_t { none, unknown, outside, unreadable };
+    struct FileFound {
+        Source* source = nullptr; ///< null where there is a fault
+        FileFault fault = FileFault::none;
+        std::string reason; ///< of unreadable
+    };
+    /// The first of `names` that one of the folders holds. Links that lead out of it are not followed.
+    [[nodiscard]] FileFound file(const std::vector<std::string>& names);
+
+    [[nodiscard]] std::string linesOfCalls() const;                 ///< "12 (O100) > 3"
+    [[nodiscard]] std::string chain(const std::string& last) const; ///< "100 > 200 > last"
+
+private:
+    Limits m_limits;
+    Parameters& m_parameters;
+    Reporter& m_reporter;
+    std::vector<std::unique_ptr<Source>> m_sources;
+    Source* m_source;
+    std::size_t m_line = 0; ///< next
+    std::size_t m_at = 0;   ///< the line that is being carried out
+    bool m_again = false;
+    std::uint64_t m_endedRuns = 0;
+    std::uint64_t m_roundsCounted = 0;
+    std::size_t m_lowestDepth = 0;
+    bool m_indexAsked = false;
+    bool m_filesAsked = false;
+    std::vector<Level> m_levels;
+    Counts m_counts; ///< rounds left of "repeat", by its line
+};
+
+} // namespace proveout

@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/nc/flow/haas_variables.h"
+
+#include <algorithm>
+#include <span>
+
+namespace proveout {
+
+namespace {
+
+struct Numbers {
+    int first;
+    int last;
+};
+
+constexpr Numbers kMonitors[] = {
+    {1064, 1068}, ///< largest axis loads
+    {1264, 1268}, ///< likewise, of further axes
+    {1601, 1800}, ///< flutes of the tools
+    {1801, 2000}, ///< vibrations of the tools
+    {3020, 3025}, ///< timers of the machine and of the cycle
+    {3028, 3028}, ///< pallet
+    {3030, 3033}, ///< single block, dry run, block delete, optional stop
+    {3201, 3600}, ///< actual diameters of the tools, positions of the coolant nozzle
+    {5401, 5500}, ///< tool feed timers
+    {5501, 5600}, ///< total tool timers
+    {5601, 5800}, ///< tool life: limits, counters
+    {5801, 6000}, ///< tool loads: largest so far, limits
+    {7501, 7506}, ///< pallets: priority
+    {7601, 7606}, ///< status
+    {7701, 7706}, ///< programs
+    {7801, 7806}, ///< uses
+    {8500, 8515}, ///< tool groups
+    {8550, 8564}, ///< a tool by its ID
+    {9000, 9015}, ///< thermal compensation
+};
+
+constexpr Numbers kSettings[] = {
+    {1080, 1087},   ///< analog inputs, raw
+    {1090, 1098},   ///< and filtered
+    {6001, 6277},   ///< settings
+    {6501, 6999},   ///< parameters
+    {11000, 11063}, ///< inputs
+    {13000, 13013}, ///< analog inputs, filtered
+};
+
+/// Variables with two numbers: the first one of a row, the last, and what `first` is otherwise.
+struct Alias {
+    Numbers numbers;
+    int legacy;
+};
+constexpr Alias kAliases[] = {
+    {{10100, 10199}, 100},
+    {{10500, 10699}, 500},
+    {{10800, 10999}, 800},
+};
+
+bool within(std::span<const Numbers> rows, int number) {
+    return std::ranges::any_of(rows, [&](const Numbers& r) { return number >= r.first && number <= r.last; });
+}
+
+} // namespace
+
+bool isMonitorOfHaas(int number) {
+    return within(kMonitors, number);
+}
+
+bool isSettingOfHaas(int number) {
+    return within(kSettings, number);
+}
+
+std::optional<int> legacyNumberOfHaas(int number) {
+    for (const Alias& row : kAliases) {
+        if (number >= row.numbers.first && number <= row.numbers.last)
+            return row.legacy + number - row.numbers.first;
+    }
+    return {};
+}
+
+} // namespace proveout

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/nc/codes/handlers.h"
+#include "core/nc/state/execution.h"
+
+namespace proveout {
+
+void ignoreOptionalStop(Execution& execution, const Word& word) {
+    execution.reporter.tell(nc_message::kOptionalStopIgnored, word);
+}
+
+void switchMistWhereBuilt(Execution& execution, const Word& word) {
+    execution.reporter.tell(nc_message::kMistOption, word);
+    switchMistOn(execution, word);
+}
+
+} // namespace proveout

@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include "core/nc/codes/handlers.h"
+#include "core/nc/motions/arc_words.h"
+#include "core/nc/motions/corner_insertion.h"
+#include "core/nc/motions/motion_sink.h"
+#include "core/nc/motions/motion_target.h"
+#include "core/nc/motions/turned_arc.h"
+#include "core/nc/state/execution.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr LetterSet kCentreOrRadius("IJKR");
+
+/// Whether an arc with R leads to where it begins.
+bool endsWhereItBegins(const Motion& motion, double samePoint) {
+    const PlaneAxes plane = axes(motion.plane);
+    const Vec3 way = motion.end - motion.start;
+    return std::abs(way[plane.normal]) <= samePoint &&
+           std::hypot(way[plane.first], way[plane.second]) <= samePoint;
+}
+
+/// What Fanuc makes of words from which LinuxCNC makes no arc. False where nothing moves.
+bool takeAsFanuc(Execution& execution, const Word& word, Motion& motion) {
+    const Block& block = execution.block;
+    if (!block.letters().any(kCentreOrRadius)) {
+        execution.reporter.tell(nc_message::kArcStraight, word);
+        motion.kind = MotionKind::feed;
+    } else if (block.has('R')) {
+        if (endsWhereItBegins(motion, execution.leastLength() / 2)) {
+            execution.reporter.tell(nc_message::kArcStays, block.word('R'));
+            return false;
+        }
+        if (block.letters().any(LetterSet("IJK")))
+            execution.reporter.tell(nc_message::kArcRadiusCounts, block.word('R'));
+    }
+    return true;
+}
+
+void moveArc(Execution& execution, const Word& word, bool clockwise) {
+    const bool fanuc = execution.dialect.radiusWins;
+    if (fanuc && onlySelectsMode(execution) && !execution.block.letters().any(kCentreOrRadius))
+        return;
+    Motion motion = motionToTarget(execution, MotionKind::arc);
+    if (execution.state.polar.on && execution.dialect.polarAboutTool)
+        execution.reporter.tell(nc_message::kPolarArc, word, {clockwise ? "G2" : "G3"});
+    tellMissingFeed(execution, word);
+    tellUnknownStart(execution, motion, word);
+    const bool leaving = execution.state.compensation.leaving();
+    if (execution.dialect.straightFirst ? execution.state.straightDue : leaving) {
+        execution.reporter.tell(nc_message::kCompensationExitArc, word);
+        leaveOut(execution, motion);
+        return;
+    }
+    if (leaving || execution.state.strayed != Vec3(0)) {
+        execution.reporter.tell(nc_message::kArcFromElsewhere, word);
+        leaveOut(execution, motion);
+        return;
+    }
+    const bool turned = turnsPlane(execution.state.frame, motion.plane);
+    if (turned ? !motion.known() : !planeKnown(motion)) {
+        // There is no centre to count from: what is left is where it goes.
+        motion.kind = MotionKind::feed;
+    } else if (fanuc && !takeAsFanuc(execution, word, motion)) {
+        return;
+    } else if (motion.kind == MotionKind::arc && turned) {
+        if (!appendTurnedArc(execution, word, motion, clockwise))
+            leaveOut(execution, motion);
+        return;
+    } else if (motion.kind == MotionKind::arc && !shapeArc(execution, word, motion, clockwise)) {
+        leaveOut(execution, motion);
+        return;
+    }
+    appendWithCorner(execution, word, motion);
+}
+
+} // namespace
+
+void moveRapid(Execution& execution, const Word& word) {
+    if (onlySelectsMode(execution))
+        return;
+    execution.state.straightDue = false;
+    appendWithCorner(execution, word, motionToTarget(execution, MotionKind::rapid));
+}
+
+void moveFeed(Execution& execution, const Word& word) {
+    if (onlySelectsMode(execution))
+        return;
+    execution.state.straightDue = false;
+    const Motion motion = motionToTarget(execution, MotionKind::feed);
+    tellMissingFeed(execution, word);
+    tellUnknownStart(execution, motion, word);
+    appendWithCorner(execution, word, motion);
+}
+
+void moveArcClockwise(Execution& execution, const Word& word) {
+    moveArc(execution, word, true);
+}
+
+void moveArcCounterClockwise(Execution& execution, const Word& word) {
+    moveArc(execution, word, false);
+}
+
+} // namespace proveout

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Probing: G38.2 to G38.5, and G31 of Fanuc. Where the probe meets the part, only the machine finds out; the
+// stock of the simulation stands for it where there is one.
+#include <cmath>
+#include <fmt/format.h>
+#include <string>
+
+#include "core/nc/codes/handlers.h"
+#include "core/nc/motions/motion_sink.h"
+#include "core/nc/motions/motion_target.h"
+#include "core/nc/program/probe_target.h"
+#include "core/nc/state/execution.h"
+#include "core/nc/state/machine_values.h"
+#include "core/nc/state/probing.h"
+
+namespace proveout {
+
+namespace {
+
+using Seek = ProbeTarget::Seek;
+using Kind = ProbeTarget::Answer::Kind;
+
+constexpr int kContactAxes = 9; ///< that LinuxCNC knows
+
+constexpr int kTowards = 382; ///< G38.2; those that tell no error are one tenth further
+constexpr int kAway = 384;
+
+bool mayProbe(Execution& execution, const Word& word) {
+    if (!execution.block.letters().any(LetterSet("XYZ@^"))) {
+        execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "X / Y / Z"});
+        return false;
+    }
+    if (execution.state.feedMode == FeedMode::perRevolution) {
+        execution.reporter.tell(nc_message::kProbePerRevolution, word);
+        return false;
+    }
+    return true;
+}
+
+ProbeTarget::Answer ask(Execution& execution, const Motion& motion, Seek seek) {
+    execution.state.probed.asked = true;
+    if (execution.target == nullptr || !motion.known())
+        return {};
+    Motion seen = motion;
+    seen.start = tipAt(execution, motion.start);
+    return execution.target->probe(execution.program, seen, seek, execution.context);
+}
+
+std::vector<std::string> coordinates(const Vec3& place) {
+    const auto shown = [&](int axis) { return fmt::format("{:.3f}", place[axis] + 0.0); };
+    return {shown(0), shown(1), shown(2)};
+}
+
+/// Carries the motion out as it was answered, and keeps where it stopped.
+void stopWhere(Execution& execution, const Word& word, Motion motion, const ProbeTarget::Answer& answer,
+               Seek seek) {
+    MachineState& state = execution.state;
+    if (answer.kind == Kind::found)
+        motion.end = answer.place;
+    motion.probing = true;
+    const Vec3 place = state.frame.toProgram(motion.end);
+    if (answer.kind == Kind::found)
+        execution.reporter.tell(seek == Seek::contact ? nc_message::kProbeContact : nc_message::kProbeRelease,
+                                word, coordinates(place));
+    appendMotion(execution, motion);
+    state.probed.place = place;
+    state.probed.simulated = answer.kind != Kind::unknown;
+    for (int axis = 0; axis < 3; ++axis)
+        if (state.probed.simulated && motion.start[axis] != motion.end[axis])
+            state.probed.axes |= axisBit(axis);
+}
+
+void tellAssumed(Execution& execution, const Word& word, const Message& message) {
+    if (execution.state.probed.assumedTold)
+        return;
+    execution.state.probed.assumedTold = true;
+    execution.reporter.tell(message, word);
+}
+
+/// The result in program coordinates, in the unit of the program.
+void storeResult(Execution& execution, bool success) {
+    for (int axis = 0; axis < kContactAxes; ++axis)
+        execution.parameters.setNumbered(kProbeContact + axis,
+                                         axis < 3 ? execution.state.fromMm(execution.state.probed.place[axis])
+                                                  : 0.0);
+    execution.parameters.setNumbered(kProbeSuccess, success ? 1 : 0);
+}
+
+/// Mach's, of the axes that there are.
+void storeMachResult(Execution& execution) {
+    for (int axis = 0; axis < kMachAxes; ++axis)
+        execution.parameters.setNumbered(
+            kMachProbed + axis, axis < 3 ? execution.state.fromMm(execution.state.probed.place[axis]) : 0.0);
+}
+
+/// What a machine answers with an error; it does not go on then.
+void tellFailure(Execution& execution, const Word& word, Kind kind, int tenths) {
+    const bool towards = tenths < kAway;
+    const std::string code = fmt::format("G{:g}", tenths / 10.0);
+    if (kind == Kind::already)
+        execution.reporter.tell(towards ? nc_message::kProbeTouches : nc_message::kProbeFree, word, {code});
+    else if (kind == Kind::missed && (tenths == kTowards || tenths == kAway))
+        execution.reporter.tell(towards ? nc_message::kProbeMissed : nc_message::kProbeHeld, word, {code});
+}
+
+} // namespace
+
+void probe(Execution& execution, const Word& word) {
+    if (!mayProbe(execution, word)) {
+        arrive(execution.state, motionToTarget(execution, MotionKind::feed));
+        return;
+    }
+    const Motion motion = motionToTarget(execution, MotionKind::feed);
+    tellMissingFeed(execution, word);
+    tellUnknownStart(execution, motion, word);
+    if (motion.known() && motion.start == motion.end) {
+        execution.reporter.tell(nc_message::kProbeTooClose, word);
+        return;
+    }
+    const int tenths = execution.state.motion->tenths;
+    const Seek seek = tenths < kAway ? Seek::contact : Seek::release;
+    const ProbeTarget::Answer answer = ask(execution, motion, seek);
+    if (answer.kind == Kind::unknown)
+        tellAssumed(execution, word, nc_message::kProbeAssumed);
+    tellFailure(execution, word, answer.kind, tenths);
+    if (answer.kind == Kind::already)
+        return;
+    stopWhere(execution, word, motion, answer, seek);
+    storeResult(execution, answer.kind == Kind::found);
+}
+
+/// Where no signal comes the motion just ends; where it is there already, nothing moves.
+void skipMotion(Execution& execution, const Word& word) {
+    const Motion motion = motionToTarget(execution, MotionKind::feed);
+    tellMissingFeed(execution, word);
+    tellUnknownStart(execution, motion, word);
+    ProbeTarget::Answer answer = ask(execution, motion, Seek::contact);
+    if (answer.kind == Kind::unknown)
+        tellAssumed(execution, word, nc_message::kSkipAssumed);
+    if (answer.kind == Kind::already)
+        answer = {Kind::found, motion.start};
+    stopWhere(execution, word, motion, answer, Seek::contact);
+    if (execution.dialect.macros != MacroLanguage::macroB)
+        storeMachResult(execution);
+}
+
+void tellProbeUse(MachineState& state, Reporter& reporter) {
+    if (!state.probed.simulated || state.probed.useTold)
+        return;
+    state.probed.useTold = true;
+    reporter.tell(nc_message::kProbeUsed, 1, 0);
+}
+
+namespace {
+
+/// G92, and G10 L20, count from where the machine stands.
+bool countsFromHere(const Block& block) {
+    constexpr double kPreset = 92;
+    constexpr double kData = 10;
+    constexpr double kFromHere = 20;
+    for (const Word& word : block.codes())
+        if (word.letter == 'G' && (word.value == kPreset ||
+                                   (word.value == kData && block.has('L') && block.value('L') == kFromHere)))
+            return true;
+    return false;
+}
+
+/// AxisBits of the axes that the block names.
+std::uint8_t namedAxes(const Block& block) {
+    std::uint8_t named = 0;
+    for (int axis = 0; axis < 3; ++axis)
+        if (block.has(static_cast<char>('X' + axis)))
+            named |= axisBit(axis);
+    return named;
+}
+
+} // namespace
+
+void lookForProbeUse(Execution& execution, std::uint8_t axes, std::size_t firstMotion) {
+    MachineState& state = execution.state;
+    if (axes == 0)
+        return;
+    const std::uint8_t named = namedAxes(execution.block);
+    const bool moved = execution.program.motionCount() > firstMotion;
+    if (moved && !execution.program.motion(firstMotion).probing) {
+        const bool placed = !state.incremental || execution.machineCoordinates;
+        state.probed.axes &= static_cast<std::uint8_t>(state.known & (placed ? ~named : 0xff));
+        if (state.probed.axes != 0)
+            tellProbeUse(state, execution.reporter);
+    } else if (!moved && (axes & named) != 0 && countsFromHere(execution.block)) {
+        tellProbeUse(state, execution.reporter);
+    }
+}
+
+} // namespace proveout

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a program does to its coordinates: G50, G51, G50.1, G51.1, G68, G69, and G100, G101 of Haas. Source:
+// FANUC's operator's manuals, scaling, programmable mirror image, coordinate system rotation; Haas' manuals.
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <optional>
+#include <string>
+
+#include "core/nc/codes/handlers.h"
+#include "core/nc/motions/motion_sink.h"
+#include "core/nc/state/execution.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr LetterSet kAxes("XYZ");
+
+Transformation& transformation(Execution& execution) {
+    return execution.state.frame.transformation;
+}
+
+/// Whether the block itself ends the rotation: that comes first, whatever the order of the steps.
+bool endsTurning(const Execution& execution) {
+    constexpr double kEnd = 69;
+    return std::ranges::any_of(execution.block.codes(),
+                               [](const Word& word) { return word.letter == 'G' && word.value == kEnd; });
+}
+
+/// Mirror image, scaling and rotation lie within each other; tells where a code stands within a later one.
+void tellOrder(Execution& execution, const Word& word, bool scaling) {
+    const Transformation& now = transformation(execution);
+    const bool turned = now.turned && !endsTurning(execution);
+    if (turned || (scaling && now.scaled))
+        execution.reporter.tell(nc_message::kTransformationOrder, word,
+                                {nameOf(word), turned ? "G68" : "G51"});
+}
+
+double factor(const Execution& execution, char letter) {
+    const Word& word = execution.block.word(letter);
+    return word.point ? word.value : word.value * execution.dialect.leastFactor;
+}
+
+/// The factors along the axes; nothing where the block gives none, or 0, which is told.
+std::optional<Vec3> factorsGiven(Execution& execution, const Word& word) {
+    const Block& block = execution.block;
+    if (!block.has('P') && !block.letters().any(LetterSet("IJK"))) {
+        execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "P"});
+        return {};
+    }
+    Vec3 factors(1);
+    for (int axis = 0; axis < 3; ++axis) {
+        const char letter = block.has('P') ? 'P' : static_cast<char>('I' + axis);
+        if (!block.has(letter))
+            continue;
+        factors[axis] = factor(execution, letter);
+        if (factors[axis] == 0) {
+            execution.reporter.tell(nc_message::kScaleFactor, block.word(letter), {std::string(1, letter)});
+            return {};
+        }
+    }
+    return factors;
+}
+
+void mirror(Execution& execution, const Word& word, const Vec3& at) {
+    tellOrder(execution, word, true);
+    Transformation& now = transformation(execution);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!execution.block.has(letterOfAxis(axis)))
+            continue;
+        now.mirrored |= axisBit(axis);
+        now.mirrorAt[axis] = at[axis];
+    }
+}
+
+void awaitPosition(Execution& execution, std::uint8_t turned, bool ended) {
+    if (turned != 0)
+        execution.state.turning = {turned, ended};
+}
+
+/// AxisBits of `centre` where the place of the tool stands for it and is not known, which is told.
+std::uint8_t centreUnknown(Execution& execution, const Word& word, std::uint8_t centre) {
+    const MachineState& state = execution.state;
+    const std::uint8_t mixed = state.frame.mixedAxes();
+    const auto known = (state.known & mixed) == mixed ? state.known : state.known & ~unsigned{mixed};
+    const auto unknown = static_cast<std::uint8_t>(centre & ~known);
+    if (unknown != 0)
+        execution.reporter.tell(nc_message::kCentreUnknown, word, {nameOf(word), namesOfAxes(unknown)});
+    return unknown;
+}
+
+} // namespace
+
+void mirrorAxes(Execution& execution, const Word& word) {
+    if (!execution.block.letters().any(kAxes)) {
+        execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "X"});
+        return;
+    }
+    Vec3 at(0);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (execution.block.has(letterOfAxis(axis)))
+            at[axis] = execution.length(letterOfAxis(axis));
+    }
+    mirror(execution, word, at);
+}
+
+void mirrorAboutZero(Execution& execution, const Word& word) {
+    if (execution.block.letters().any(kAxes))
+        mirror(execution, word, Vec3(0));
+    else
+        execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "X"});
+}
+
+void endMirror(Execution& execution, const Word& word) {
+    Transformation& now = transformation(execution);
+    if (now.mirrored == 0)
+        return;
+    tellOrder(execution, word, true);
+    const bool all = !execution.block.letters().any(kAxes);
+    for (int axis = 0; axis < 3; ++axis) {
+        if (all || execution.block.has(letterOfAxis(axis)))
+            now.mirrored &= static_cast<std::uint8_t>(~axisBit(axis));
+    }
+}
+
+void scaleCoordinates(Execution& execution, const Word& word) {
+    const auto factors = factorsGiven(execution, word);
+    if (!factors)
+        return;
+    tellOrder(execution, word, false);
+    const MachineState& state = execution.state;
+    Transformation& now = transformation(execution);
+    // An axis without a word is scaled about where the tool stands.
+    const Vec3 stands = now.unturn(state.frame.toWork(state.position));
+    Vec3 given(0);
+    std::uint8_t aboutTool = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (execution.block.has(letterOfAxis(axis)))
+            given[axis] = execution.length(letterOfAxis(axis));
+        else if ((*factors)[axis] != 1)
+            aboutTool |= axisBit(axis);
+    }
+    now.scaleUnknown = centreUnknown(execution, word, aboutTool);
+    given = now.mirror(given);
+    for (int axis = 0; axis < 3; ++axis)
+        now.scaleAt[axis] = execution.block.has(letterOfAxis(axis)) ? given[axis] : stands[axis];
+    now.factors = *factors;
+    now.scaled = true;
+}
+
+void endScaling(Execution& execution, const Word& word) {
+    if (!transformation(execution).scaled)
+        return;
+    tellOrder(execution, word, false);
+    transformation(execution).scaled = false;
+    transformation(execution).factors = Vec3(1);
+}
+
+void turnCoordinates(Execution& execution, const Word& word) {
+    if (!execution.block.has('R')) {
+        execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "R"});
+        return;
+    }
+    const MachineState& state = execution.state;
+    Transformation& now = transformation(execution);
+    const PlaneAxes plane = axes(state.plane);
+    Vec3 centre = state.frame.toWork(state.position);
+    std::uint8_t aboutTool = 0;
+    for (const int axis : {plane.first, plane.second}) {
+        if (!execution.block.has(letterOfAxis(axis))) {
+            aboutTool |= axisBit(axis);
+            continue;
+        }
+        Vec3 given(0);
+        given[axis] = execution.length(letterOfAxis(axis));
+        centre[axis] = now.stretch(given)[axis];
+    }
+    const bool open = state.incremental && now.turned && now.degrees != 0;
+    const bool adds = execution.dialect.rotationAdds && open;
+    now.degrees = execution.angle('R') + (adds ? now.degrees : 0);
+    if (open)
+        execution.reporter.tell(nc_message::kRotationSetting, word, {fmt::format("{:.6g}", now.degrees)});
+    now.turnUnknown = centreUnknown(execution, word, aboutTool);
+    now.turned = true;
+    now.plane = state.plane;
+    now.turnAt = centre;
+    awaitPosition(execution, now.mixedAxes(), false);
+}
+
+void endTurning(Execution& execution, const Word& /*word*/) {
+    Transformation& now = transformation(execution);
+    const std::uint8_t turned = now.mixedAxes();
+    now.turned = false;
+    now.degrees = 0;
+    awaitPosition(execution, turned, true);
+}
+
+} // namespace proveout

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Optional chamfers and corner radii: ,C and ,R of a straight or circular motion, put between it and the
+// next. Source: FANUC Series 0i and 30i, operator's manuals for machining centres, optional chamfering and
+// corner R.
+#pragma once
+
+#include "core/nc/program/motion.h"
+#include "core/nc/text/block.h"
+
+namespace proveout {
+
+struct Execution;
+
+/// Appends a motion that a block orders, and before it what the block before ordered for their corner.
+void appendWithCorner(Execution& execution, const Word& word, const Motion& motion);
+
+/// At the end of a block: tells where a corner was ordered that nothing follows.
+void checkOrderedCorner(Execution& execution);
+
+} // namespace proveout

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "core/nc/text/block.h"
+
+namespace proveout {
+
+struct Execution;
+struct Message;
+
+/// Tells what is due to the radius of the tool: a warning only where that is assumed.
+void tellOfRadius(Execution& execution, const Message& message, const Word& word,
+                  std::vector<std::string> arguments);
+
+} // namespace proveout

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/nc/program/reporter.h"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <utility>
+
+namespace proveout {
+
+namespace {
+
+/// Bytes of an argument: names and chains of calls may be as long as the text, and a message is not.
+constexpr std::size_t kLongestArgument = 2000;
+
+/// Cut between characters.
+void shorten(std::string& argument) {
+    if (argument.size() <= kLongestArgument)
+        return;
+    std::size_t end = kLongestArgument;
+    while (end > 0 && (static_cast<unsigned char>(argument[end]) & 0xc0) == 0x80)
+        --end;
+    argument.resize(end);
+    argument += "…";
+}
+
+} // namespace
+
+std::string nameOf(const Word& word) {
+    return fmt::format("{}{:g}", writtenAs(word.letter), word.value);
+}
+
+std::string writtenAs(char letter) {
+    switch (letter) {
+    case kChamferLetter:
+        return ",C";
+    case kRoundingLetter:
+        return ",R";
+    case kSpindleLetter:
+        return "$";
+    default:
+        return {letter};
+    }
+}
+
+void Reporter::tell(const Message& message, int column, int length, std::vector<std::string> arguments) {
+    std::ranges::for_each(arguments, shorten);
+    m_memory.unverified = m_memory.unverified || message.unverified;
+    if (isKnown(message, column, arguments)) {
+        ++m_memory.repeated;
+        return;
+    }
+    std::size_t& told = message.severity == Severity::error ? m_memory.errorsTold : m_memory.told;
+    if (told == m_limit) {
+        ++m_memory.suppressed;
+        m_memory.suppressedUnverified = m_memory.suppressedUnverified || message.unverified;
+        return;
+    }
+    ++told;
+    append(message, message.unverified, {m_line, column, length}, std::move(arguments));
+}
+
+/// A loop tells of its lines in each round.
+bool Reporter::isKnown(const Message& message, int column, const std::vector<std::string>& arguments) const {
+    return std::ranges::any_of(m_program.diagnostics(), [&](const Diagnostic& known) {
+        return known.where.line == m_line && known.where.column == column && known.id == message.id &&
+               known.file == m_file && known.arguments == arguments;
+    });
+}
+
+void Reporter::tellInAnyCase(const Message& message, int column, int length,
+                             std::vector<std::string> arguments) {
+    std::ranges::for_each(arguments, shorten);
+    m_memory.unverified = m_memory.unverified || message.unverified;
+    append(message, message.unverified, {m_line, column, length}, std::move(arguments));
+}
+
+void Reporter::tellSuppressed() {
+    if (m_memory.suppressed > 0)
+        append(nc_message::kTooManyMessages, m_memory.suppressedUnverified, {m_line, 1, 0},
+               {std::to_string(m_memory.suppressed)});
+}
+
+void Reporter::append(const Message& message, bool unverified, TextRange where,
+                      std::vector<std::string> arguments) {
+    const char* const answer = m_answer == nullptr ? nullptr : m_answer(message);
+    m_program.append(Diagnostic{message.severity, unverified, message.id, message.text, std::move(arguments),
+                                answer == nullptr ? message.hint : answer, m_file, where});
+}
+
+} // namespace proveout

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <string>
+#include <vector>
+
+#include "core/nc/program/program.h"
+#include "core/nc/text/block.h"
+#include "core/nc/text/messages.h"
+
+namespace proveout {
+
+/// A word as messages show it: "G38.2".
+[[nodiscard]] std::string nameOf(const Word& word);
+/// A letter of words as the text has it.
+[[nodiscard]] std::string writtenAs(char letter);
+
+/// Hands messages to the program that is being built: the first `limit` errors and as many others, so that
+/// those never hide an error, then a count. Keeps a
+/// reference to the program. The same message about the same place is handed on once. Knows whether anything
+/// was told that leaves the rest unverified.
+class Reporter {
+public:
+    using Answer = const char* (*)(const Message&);
+
+    /// `answer`: a remedy that stands for the one of a message, where it gives one; may be null.
+    Reporter(Program& program, std::string file, std::size_t limit, Answer answer = nullptr)
+        : m_program(program), m_file(std::move(file)), m_limit(std::max(limit, kReserved + 1) - kReserved),
+          m_answer(answer) {}
+
+    /// Of the messages that follow.
+    void setFile(std::string file) { m_file = std::move(file); }
+    void beginLine(std::uint32_t line) { m_line = static_cast<int>(line); }
+    [[nodiscard]] std::uint32_t line() const { return static_cast<std::uint32_t>(m_line); }
+    void tell(const Message& message, int column, int length, std::vector<std::string> arguments = {});
+    void tell(const Message& message, const Word& word, std::vector<std::string> arguments = {}) {
+        tell(message, word.column, word.length, std::move(arguments));
+    }
+    /// What would be more if it did not rest on something assumed.
+    void tellAsWarning(Message message, const Word& word, std::vector<std::string> arguments) {
+        message.severity = Severity::warning;
+        tell(message, word, std::move(arguments));
+    }
+    /// For what is told about the whole program, once: is shown whatever the limit.
+    void tellInAnyCase(const Message& message, int column, int length,
+                       std::vector<std::string> arguments = {});
+    /// The last message, where there were more than the limit.
+    void tellSuppressed();
+
+    /// What it remembers of the messages so far. A value.
+    struct Memory {
+        std::size_t told = 0; ///< but for errors
+        std::size_t errorsTold = 0;
+        std::size_t suppressed = 0;
+        std::size_t repeated = 0; ///< that were handed on before
+        bool unverified = false;
+        bool suppressedUnverified = false;
+    };
+    [[nodiscard]] const Memory& memory() const { return m_memory; }
+    void restore(const Memory& memory) { m_memory = memory; }
+
+    /// All messages, shown or not.
+    [[nodiscard]] std::size_t count() const {
+        return m_memory.told + m_memory.errorsTold + m_memory.suppressed + m_memory.repeated;
+    }
+    [[nodiscard]] bool unverified() const { return m_memory.unverified; }
+
+private:
+    [[nodiscard]] bool isKnown(const Message& message, int column,
+                               const std::vector<std::string>& arguments) const;
+    void append(const Message& message, bool unverified, TextRange where, std::vector<std::string> arguments);
+
+    static constexpr std::size_t kReserved = 4; ///< places for messages about the whole program
+
+    Program& m_program;
+    std::string m_file;
+    std::size_t m_limit;
+    Answer m_answer;
+    int m_line = 0;
+    Memory m_memory;
+};
+
+} // namespace proveout

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <fmt/format.h>
+#include <string>
+
+#include "core/nc/motions/corner_insertion.h"
+#include "core/nc/motions/motion_sink.h"
+#include "core/nc/motions/vector_path.h"
+#include "core/nc/run/block_plan.h"
+#include "core/nc/run/lint.h"
+#include "core/nc/run/skipped_block.h"
+#include "core/nc/state/execution.h"
+#include "core/nc/state/probing.h"
+
+namespace proveout {
+
+std::optional<int> wholeNumber(Execution& execution, const Word& word, int least, int most) {
+    constexpr double kWhole = 1e-4;
+    const double whole = std::round(word.value);
+    if (std::abs(word.value - whole) < kWhole && whole >= least && whole <= most)
+        return static_cast<int>(whole);
+    execution.reporter.tell(nc_message::kNotInteger, word,
+                            {std::string(1, word.letter), std::to_string(least), std::to_string(most)});
+    return {};
+}
+
+bool Execution::mayMake(double motions, const Word& word) const {
+    if (motions <= static_cast<double>(kMostBlockMotions))
+        return true;
+    reporter.tell(nc_message::kBlockTooLong, word,
+                  {fmt::format("{:.15g}", motions), std::to_string(kMostBlockMotions)});
+    return false;
+}
+
+namespace {
+
+/// What macros read of the last block.
+void remember(Execution& execution) {
+    for (const Word& word : execution.block.codes()) {
+        if (word.letter == 'M')
+            execution.state.lastM = word.value;
+    }
+    if (execution.block.has('B'))
+        execution.state.lastB = execution.block.value('B');
+}
+
+/// Only after its block LinuxCNC asks the machine where a tool change has left the tip.
+void readBackAfterToolChange(Execution& execution) {
+    constexpr double kToolChange = 6;
+    if (!execution.dialect.readsBackAtToolChange)
+        return;
+    for (const Word& word : execution.block.codes()) {
+        if (word.letter == 'M' && word.value == kToolChange && !execution.state.compensation.on)
+            goOnFromTip(execution);
+    }
+}
+
+} // namespace
+
+void executeBlock(Execution& execution) {
+    const MachineState before = execution.state;
+    execution.motionBefore = before.motion;
+    BlockPlan plan;
+    if (!makePlan(execution, plan)) {
+        execution.state = before;
+        execution.state.forget(execution.block.letters(), Forgotten::reported);
+        if (!execution.dialect.streamed)
+            keepModes(execution, true);
+        return;
+    }
+    execution.program.beginBlock(execution.line);
+    const std::size_t first = execution.program.motionCount();
+    plan.run(execution);
+    readBackAfterToolChange(execution);
+    if (execution.dialect.vectors.used) {
+        countBlock(execution);
+        checkOrderedCorner(execution);
+    }
+    if (execution.dialect.macros == MacroLanguage::macroB)
+        remember(execution);
+    lookForProbeUse(execution, before.probed.axes, first);
+    if (execution.lint == nullptr)
+        return;
+    lintBlock({execution, before, *execution.lint, first});
+    if (execution.state.ended)
+        lintEnd({execution, before, *execution.lint, first});
+}
+
+} // namespace proveout

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/nc/run/control_description.h"
+
+#include <algorithm>
+#include <array>
+#include <fmt/format.h>
+
+#include "core/base/text.h"
+#include "core/nc/codes/word_help.h"
+#include "core/nc/flow/call_stack.h"
+#include "core/nc/program/control_names.h"
+#include "core/nc/state/active_codes.h"
+#include "core/nc/state/machine_state.h"
+
+namespace proveout {
+
+namespace {
+
+/// The groups of G codes that are shown, in this order.
+constexpr std::array kShown{ModalGroup::motion,      ModalGroup::plane,      ModalGroup::distance,
+                            ModalGroup::arcDistance, ModalGroup::feedMode,   ModalGroup::units,
+                            ModalGroup::retract,     ModalGroup::toolLength, ModalGroup::cutterCompensation,
+                            ModalGroup::workOffset,  ModalGroup::polar,      ModalGroup::mirroring,
+                            ModalGroup::scaling,     ModalGroup::rotation,   ModalGroup::spindleMode};
+
+std::vector<ControlState::Mode> modesOf(const MachineState& state, const CodeTable& codes,
+                                        const Dialect& dialect) {
+    std::vector<ControlState::Mode> modes;
+    for (const ModalGroup group : kShown) {
+        const CodeRow* row = codes.find('G', activeCode(state, group, dialect));
+        // Codes that a dialect does not carry out are never in force.
+        if (row != nullptr && row->supported())
+            modes.push_back({fmt::format("G{:g}", row->tenths / 10.0), row->name, nameOf(row->group)});
+    }
+    const int spindle = state.spindleDirection > 0 ? 30 : state.spindleDirection < 0 ? 40 : 50;
+    const auto addM = [&](int tenths) {
+        const CodeRow* row = codes.find('M', tenths);
+        if (row != nullptr)
+            modes.push_back({fmt::format("M{:g}", tenths / 10.0), row->name, nameOf(row->group)});
+    };
+    addM(spindle);
+    if (state.mist)
+        addM(70);
+    if (state.flood)
+        addM(80);
+    if (!state.mist && !state.flood)
+        addM(90);
+    return modes;
+}
+
+std::vector<ControlState::Place> placesOf(const MachineState& state) {
+    return {
+        {PROVEOUT_TEXT("Core", "Position in the program"), state.frame.toProgram(state.position),
+         state.known},
+        {PROVEOUT_TEXT("Core", "Zero of the work offset"), state.frame.offset, kAllAxes},
+        {PROVEOUT_TEXT("Core", "Shift by G52 and G92"), state.frame.shift, kAllAxes},
+        {PROVEOUT_TEXT("Core", "Tool length offset"), state.toolOffset, kAllAxes},
+    };
+}
+
+std::vector<ControlState::Quantity> quantitiesOf(const MachineState& state) {
+    constexpr std::array kFeedUnits{"mm/min", "1/min", "mm/rev"};
+    return {
+        {PROVEOUT_TEXT("Core", "Feed rate"), state.feed,
+         kFeedUnits[static_cast<std::size_t>(state.feedMode)]},
+        {PROVEOUT_TEXT("Core", "Spindle speed"), state.spindleRpm, PROVEOUT_TEXT("Core", "rpm")},
+        {control_name::kSpindleTool, static_cast<double>(state.tool), ""},
+        {PROVEOUT_TEXT("Core", "Tool selected next"), static_cast<double>(std::max(state.selectedTool, 0)),
+         ""},
+    };
+}
+
+} // namespace
+
+ControlState describe(const MachineState& state, const Parameters& parameters, const CallStack& calls,
+                      const CodeTable& codes, const Dialect& dialect) {
+    ControlState result;
+    result.modes = modesOf(state, codes, dialect);
+    result.places = placesOf(state);
+    result.quantities = quantitiesOf(state);
+    for (auto& [name, value] : parameters.listed())
+        result.variables.push_back({std::move(name), value});
+    for (const CallStack::Level& level : calls.levels())
+        result.calls.push_back({level.label, static_cast<std::uint32_t>(level.line), calls.fileOf(level)});
+    return result;
+}
+
+} // namespace proveout

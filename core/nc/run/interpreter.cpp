@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/nc/run/interpreter.h"
+
+#include <utility>
+
+#include "core/nc/run/foreign_text.h"
+#include "core/nc/run/interpretation.h"
+
+namespace proveout {
+
+std::shared_ptr<const Program> interpret(const NcText& text, const InterpretOptions& options,
+                                         const WorkContext& context) {
+    if (auto foreign = foreignProgram(text, options))
+        return foreign;
+    DialectGuess guess = options.dialect ? DialectGuess{*options.dialect, {}} : guessDialect(text);
+    return Interpretation(text, options, std::move(guess), context).run();
+}
+
+} // namespace proveout

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The checks that the rows of lint.cpp name.
+#pragma once
+
+#include "core/nc/run/lint.h"
+
+namespace proveout::lint {
+
+/// Notes what later rules want to know of a block with codes.
+void remember(const LintView& view);
+[[nodiscard]] bool changesTool(const LintView& view);
+
+void toolNotInTable(const LintView& view, const Message& message);
+void feedZero(const LintView& view, const Message& message);
+void lengthMissing(const LintView& view, const Message& message);
+void offsetNeverChosen(const LintView& view, const Message& message);
+void lengthOfOtherTool(const LintView& view, const Message& message);
+void diameterMissing(const LintView& view, const Message& message);
+void compensationOnArc(const LintView& view, const Message& message);
+void unitsMixed(const LintView& view, const Message& message);
+void leftOn(const LintView& view, const Message& message);
+void changeLow(const LintView& view, const Message& message);
+void changeTurning(const LintView& view, const Message& message);
+void noPoint(const LintView& view, const Message& message);
+void nearlyHalfCircle(const LintView& view, const Message& message);
+
+} // namespace proveout::lint

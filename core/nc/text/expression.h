@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Numbers, parameters and expressions as they stand in an NC line.
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+#include <tl/expected.hpp>
+
+#include "core/nc/text/expression_rules.h"
+#include "core/nc/text/parameters.h"
+#include "core/nc/text/read_error.h"
+
+namespace proveout {
+
+/// A parameter that a line names: by number, or by name where `name` is not empty.
+struct ParameterName {
+    int number = 0;
+    std::string name; ///< lower case, without blanks
+
+    bool operator==(const ParameterName&) const = default;
+};
+
+/// What expressions are evaluated with.
+struct ReadContext {
+    const Parameters& parameters;
+    const SystemValues& system;
+    const Dialect& dialect;
+    bool blockDelete = false; ///< what stands behind a "/" within a block is skipped
+};
+
+/// Reads values from one line. Blanks may stand anywhere, letters may be of either case. Keeps references to
+/// its arguments. Not for lines of which nobody has looked at the length: linear in the line.
+class ExpressionReader {
+public:
+    static constexpr int kDeepest = 100; ///< levels of brackets, signs and parameters of parameters
+
+    ExpressionReader(std::string_view line, const ReadContext& context)
+        : m_line(line), m_parameters(context.parameters), m_system(context.system),
+          m_rules(expressionRules(context.dialect.macros)),
+          m_deepestBrackets(context.dialect.deepestBrackets) {}
+
+    /// The value that begins at `at`, which then points behind it: a number, a parameter, a bracket or a
+    /// function, with a sign or without; kNull is one, where the dialect knows null. `letter` names in
+    /// messages what the value belongs to.
+    [[nodiscard]] tl::expected<double, ReadError> value(std::size_t& at, std::string_view letter);
+
+    /// The value of the expression that begins at `at`, which needs no brackets around it.
+    [[nodiscard]] tl::expected<double, ReadError> expression(std::size_t& at, std::string_view letter);
+
+    /// The least unit of the letter whose value is read: ROUND counts in it, where the dialect says so.
+    void setLeastUnit(double unit) { m_leastUnit = unit; }
+
+    /// What follows "#"; `at` points at it, and then behind the name.
+    [[nodiscard]] tl::expected<ParameterName, ReadError> parameterName(std::size_t& at);
+
+private:
+    using Value = tl::expected<double, ReadError>;
+
+    [[nodiscard]] char peek(std::size_t& at) const; ///< upper case, behind blanks; 0 at the end
+    bool take(std::size_t& at, std::string_view word) const;
+    [[nodiscard]] Value inRange(const Value& value, std::size_t begin, std::size_t end,
+                                std::string_view letter) const;
+    Value signedValue(std::size_t& at, std::string_view letter);
+    Value plainNumber(std::size_t& at, std::string_view letter);
+    Value parameter(std::size_t& at);
+    Value bracket(std::size_t& at);
+    Value bracketed(std::size_t& at);
+    Value operand(std::size_t& at, int strength);
+    Value operation(double left, std::size_t& at, int strength);
+    Value function(std::size_t& at, std::string_view letter);
+    Value ofPair(const PairFunction& function, std::size_t begin, std::size_t& at);
+    Value closed(double value, std::size_t open, std::size_t& at);
+    template<class Row>
+    const Row* taken(std::span<const Row> rows, std::size_t& at) const;
+    Value existence(std::size_t& at);
+    tl::expected<std::string, ReadError> quotedName(std::size_t& at);
+
+    std::string_view m_line;
+    const Parameters& m_parameters;
+    const SystemValues& m_system;
+    const ExpressionRules& m_rules;
+    double m_leastUnit = 1;
+    int m_depth = 0;
+    int m_deepestBrackets;
+    int m_brackets = 0; ///< that stand open
+};
+
+} // namespace proveout
