@@ -4,7 +4,7 @@
 #include <exception>
 #include <utility>
 
-#include "core/simulation/tool_choice.h"
+#include "core/simulation/setup/tool_choice.h"
 
 namespace proveout {
 namespace {

@@ -12,8 +12,8 @@
 
 #include "core/base/diagnostic.h"
 #include "core/base/work_context.h"
-#include "core/simulation/block_provenance.h"
-#include "core/simulation/frame.h"
+#include "core/simulation/records/block_provenance.h"
+#include "core/simulation/run/frame.h"
 #include "ui/newest_task.h"
 
 namespace proveout {

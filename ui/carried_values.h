@@ -3,8 +3,8 @@
 
 #include <cstdint>
 
-#include "core/decimation/parameters.h"
-#include "core/simulation/setup.h"
+#include "core/decimation/regions/parameters.h"
+#include "core/simulation/setup/setup.h"
 
 namespace proveout {
 

@@ -4,8 +4,8 @@
 
 #include <QString>
 
-#include "core/simulation/machine_time.h"
-#include "core/simulation/tool_choice.h"
+#include "core/simulation/setup/tool_choice.h"
+#include "core/simulation/time/machine_time.h"
 
 namespace proveout {
 

@@ -8,6 +8,7 @@
 #include <QFontDatabase>
 #include <QTextBlock>
 
+#include "core/base/utf8.h"
 #include "ui/document.h"
 #include "ui/theme.h"
 

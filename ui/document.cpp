@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/atomic_file.h"
+#include "core/base/utf8.h"
 
 namespace proveout {
 
@@ -20,36 +21,7 @@ bool startsWithByteOrderMark(const std::filesystem::path& file) {
     return stream && head == kByteOrderMark;
 }
 
-/// Bytes of the UTF-8 sequence at the start of `bytes`, 0 where there is none.
-std::size_t sequenceLength(std::string_view bytes) {
-    const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(bytes[i]); };
-    const unsigned char first = byte(0);
-    if (first < 0x80)
-        return 1;
-    const std::size_t length = first >= 0xF0 && first <= 0xF4   ? 4
-                               : first >= 0xE0 && first <= 0xEF ? 3
-                               : first >= 0xC2 && first <= 0xDF ? 2
-                                                                : 0;
-    if (length == 0 || bytes.size() < length)
-        return 0;
-    for (std::size_t i = 1; i < length; ++i) {
-        if ((byte(i) & 0xC0) != 0x80)
-            return 0;
-    }
-    return length;
-}
-
 } // namespace
-
-bool isUtf8(std::string_view bytes) {
-    while (!bytes.empty()) {
-        const std::size_t length = sequenceLength(bytes);
-        if (length == 0)
-            return false;
-        bytes.remove_prefix(length);
-    }
-    return true;
-}
 
 LineEnd mostFrequentLineEnd(std::string_view text) {
     std::size_t lf = 0;

@@ -42,7 +42,6 @@ struct Document {
 /// Writes the text atomically, byte order mark included.
 [[nodiscard]] Result<void> saveDocument(const Document& document, const std::filesystem::path& file);
 
-[[nodiscard]] bool isUtf8(std::string_view bytes);
 [[nodiscard]] LineEnd mostFrequentLineEnd(std::string_view text);
 
 } // namespace proveout

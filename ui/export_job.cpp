@@ -14,9 +14,9 @@
 #include "core/base/atomic_file.h"
 #include "core/base/file_state.h"
 #include "core/base/text.h"
-#include "core/decimation/map_memory.h"
-#include "core/decimation/refined_surface.h"
-#include "core/decimation/solid.h"
+#include "core/decimation/solid/solid.h"
+#include "core/decimation/surface/map_memory.h"
+#include "core/decimation/surface/refined_surface.h"
 #include "core/formats/solid_export.h"
 #include "ui/file_paths.h"
 

@@ -13,7 +13,7 @@
 #include "core/base/memory.h"
 #include "core/base/work_context.h"
 #include "core/formats/formats.h"
-#include "core/simulation/frame.h"
+#include "core/simulation/run/frame.h"
 
 namespace proveout {
 

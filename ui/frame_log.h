@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/simulation/frame.h"
-#include "core/simulation/statistics.h"
+#include "core/simulation/run/frame.h"
+#include "core/simulation/run/statistics.h"
 
 namespace proveout {
 

@@ -8,7 +8,7 @@
 #include <QHBoxLayout>
 #include <QSignalBlocker>
 
-#include "core/simulation/setup_fields.h"
+#include "core/simulation/setup/setup_fields.h"
 #include "ui/diagnostic_text.h"
 #include "ui/number_box.h"
 

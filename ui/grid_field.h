@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "core/simulation/setup.h"
+#include "core/simulation/setup/setup.h"
 
 class QCheckBox;
 

@@ -7,7 +7,7 @@
 #include "core/base/atomic_file.h"
 #include "core/base/folder_lock.h"
 #include "core/base/text.h"
-#include "core/decimation/region_decimator.h"
+#include "core/decimation/regions/region_decimator.h"
 #include "ui/carried_values.h"
 #include "ui/file_paths.h"
 #include "ui/new_file_beside.h"

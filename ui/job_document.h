@@ -12,10 +12,10 @@
 
 #include "core/base/diagnostic.h"
 #include "core/base/work_context.h"
-#include "core/decimation/parameters.h"
+#include "core/decimation/regions/parameters.h"
 #include "core/formats/job_file.h"
-#include "core/simulation/machine.h"
-#include "core/simulation/setup.h"
+#include "core/simulation/setup/machine.h"
+#include "core/simulation/setup/setup.h"
 #include "ui/disk_copy.h"
 #include "ui/document.h"
 

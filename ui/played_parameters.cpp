@@ -3,7 +3,7 @@
 
 #include <algorithm>
 
-#include "core/simulation/schedule.h"
+#include "core/simulation/run/schedule.h"
 
 namespace proveout {
 

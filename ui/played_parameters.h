@@ -3,9 +3,9 @@
 
 #include <optional>
 
-#include "core/simulation/frame.h"
-#include "core/simulation/hold_back.h"
-#include "core/simulation/statistics.h"
+#include "core/simulation/run/frame.h"
+#include "core/simulation/run/statistics.h"
+#include "core/simulation/thread/hold_back.h"
 
 namespace proveout {
 

@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "core/base/text.h"
-#include "core/simulation/interpretation.h"
+#include "core/simulation/run/interpretation.h"
 
 namespace proveout {
 

@@ -14,7 +14,7 @@
 #include "core/nc/run/interpreter.h"
 #include "core/nc/run/resumable_interpreter.h"
 #include "core/nc/text/nc_text.h"
-#include "core/simulation/tool_proposals.h"
+#include "core/simulation/setup/tool_proposals.h"
 #include "ui/newest_task.h"
 #include "ui/program_index.h"
 

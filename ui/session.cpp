@@ -7,7 +7,7 @@
 #include <QMetaObject>
 
 #include "core/base/text.h"
-#include "core/simulation/interpretation.h"
+#include "core/simulation/run/interpretation.h"
 #include "ui/program_index.h"
 
 namespace proveout {

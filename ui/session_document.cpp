@@ -8,9 +8,9 @@
 
 #include "core/base/memory.h"
 #include "core/base/text.h"
-#include "core/decimation/map_memory.h"
-#include "core/simulation/automatic_grid.h"
-#include "core/simulation/interpretation.h"
+#include "core/decimation/surface/map_memory.h"
+#include "core/simulation/run/interpretation.h"
+#include "core/simulation/setup/automatic_grid.h"
 #include "ui/program_index.h"
 #include "ui/session.h"
 

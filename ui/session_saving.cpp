@@ -8,7 +8,7 @@
 
 #include "core/base/text.h"
 #include "core/formats/stock_shapes.h"
-#include "core/simulation/automatic_grid.h"
+#include "core/simulation/setup/automatic_grid.h"
 #include "ui/file_paths.h"
 #include "ui/job_permissions.h"
 #include "ui/session.h"

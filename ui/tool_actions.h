@@ -7,7 +7,7 @@
 #include <QLocale>
 #include <QString>
 
-#include "core/simulation/tool_choice.h"
+#include "core/simulation/setup/tool_choice.h"
 
 namespace proveout {
 

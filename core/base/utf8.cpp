@@ -19,6 +19,11 @@ std::size_t lengthFrom(unsigned char lead) {
     return lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
 }
 
+/// Whether a byte is within a character, not at its begin.
+bool continues(char c) {
+    return (static_cast<unsigned char>(c) & 0xc0U) == 0x80U;
+}
+
 } // namespace
 
 Utf8Character firstCharacter(std::string_view text) {
@@ -30,12 +35,30 @@ Utf8Character firstCharacter(std::string_view text) {
     char32_t code = lead & (0x7fU >> length);
     for (const char c : text.substr(1, length - 1)) {
         const auto byte = static_cast<unsigned char>(c);
-        if ((byte & 0xc0) != 0x80)
+        if (!continues(c))
             return alone;
         code = (code << 6) | (byte & 0x3fU);
     }
     const bool surrogate = code >= 0xd800 && code <= 0xdfff;
     return code < kLeast[length] || code > kLast || surrogate ? alone : Utf8Character{code, length, true};
+}
+
+bool isUtf8(std::string_view text) {
+    while (!text.empty()) {
+        const Utf8Character character = firstCharacter(text);
+        if (!character.valid)
+            return false;
+        text.remove_prefix(character.length);
+    }
+    return true;
+}
+
+std::string_view shortened(std::string_view text, std::size_t bytes) {
+    if (text.size() <= bytes)
+        return text;
+    while (bytes > 0 && continues(text[bytes]))
+        --bytes;
+    return text.substr(0, bytes);
 }
 
 } // namespace proveout

@@ -17,4 +17,10 @@ struct Utf8Character {
 /// surrogates) come one by one, as not valid.
 [[nodiscard]] Utf8Character firstCharacter(std::string_view text);
 
+/// Whether all of it is UTF-8.
+[[nodiscard]] bool isUtf8(std::string_view text);
+
+/// At most so many bytes from the begin of a text, without a part of a character at the end.
+[[nodiscard]] std::string_view shortened(std::string_view text, std::size_t bytes);
+
 } // namespace proveout

@@ -9,10 +9,10 @@
 #include "core/base/memory.h"
 #include "core/base/stop_watch.h"
 #include "core/base/text.h"
-#include "core/decimation/map_memory.h"
-#include "core/decimation/region_decimator.h"
-#include "core/simulation/block_cutter.h"
-#include "core/simulation/tool_choice.h"
+#include "core/decimation/regions/region_decimator.h"
+#include "core/decimation/surface/map_memory.h"
+#include "core/simulation/run/block_cutter.h"
+#include "core/simulation/setup/tool_choice.h"
 #include "core/study/rehearsed_regions.h"
 
 namespace proveout {

@@ -5,7 +5,7 @@
 #include <iterator>
 
 #include "core/base/stop_watch.h"
-#include "core/decimation/region_decimator.h"
+#include "core/decimation/regions/region_decimator.h"
 
 namespace proveout {
 

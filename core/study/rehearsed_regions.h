@@ -7,7 +7,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/decimation/surface.h"
+#include "core/decimation/surface/surface.h"
 #include "core/study/cost_model.h"
 #include "core/study/region_faces.h"
 #include "core/study/schedule_trace.h"

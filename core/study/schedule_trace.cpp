@@ -4,7 +4,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/decimation/region_mesh.h"
+#include "core/decimation/regions/region_mesh.h"
 
 namespace proveout {
 

@@ -6,7 +6,7 @@
 
 #include "core/base/stop_watch.h"
 #include "core/base/text.h"
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
 
 namespace proveout {
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/study/svg_text.h"
 
+#include <cstddef>
+
+#include "core/base/utf8.h"
+
 namespace proveout {
 
 std::string escaped(const std::string& text) {
@@ -26,13 +30,14 @@ std::string escaped(const std::string& text) {
     return out;
 }
 
-double textWidth(const std::string& text) {
+double textWidth(std::string_view text) {
     constexpr double kLetter = 7.6;
     constexpr double kWideLetter = 13; // Korean; three bytes in UTF-8
     double width = 0;
-    for (const char c : text) {
-        const auto byte = static_cast<unsigned char>(c);
-        width += byte >= 0xE0 ? kWideLetter : (byte & 0xC0U) == 0x80 ? 0 : kLetter;
+    while (!text.empty()) {
+        const std::size_t length = firstCharacter(text).length;
+        width += length >= 3 ? kWideLetter : kLetter;
+        text.remove_prefix(length);
     }
     return width;
 }

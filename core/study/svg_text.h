@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 namespace proveout {
 
@@ -9,6 +10,6 @@ namespace proveout {
 [[nodiscard]] std::string escaped(const std::string& text);
 
 /// About as wide as the letters of UTF-8 text will be in a font of 13 units, whichever font there is.
-[[nodiscard]] double textWidth(const std::string& text);
+[[nodiscard]] double textWidth(std::string_view text);
 
 } // namespace proveout

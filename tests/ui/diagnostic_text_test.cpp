@@ -6,7 +6,7 @@
 
 #include "core/base/field.h"
 #include "core/base/list_argument.h"
-#include "core/decimation/parameters.h"
+#include "core/decimation/regions/parameters.h"
 #include "core/nc/codes/codes.h"
 #include "core/nc/run/interpreter.h"
 #include "ui/diagnostic_text.h"

@@ -5,7 +5,7 @@
 #include <QTest>
 
 #include "core/base/atomic_file.h"
-#include "core/decimation/map_memory.h"
+#include "core/decimation/surface/map_memory.h"
 #include "core/zmap/zmap.h"
 #include "tests/core/file_size_limit.h"
 #include "ui/diagnostic_text.h"

@@ -7,7 +7,7 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "core/decimation/region_decimator.h"
+#include "core/decimation/regions/region_decimator.h"
 
 namespace proveout {
 

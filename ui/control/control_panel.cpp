@@ -10,7 +10,7 @@
 #include <QVBoxLayout>
 
 #include "core/nc/program/control_names.h"
-#include "core/simulation/interpretation.h"
+#include "core/simulation/run/interpretation.h"
 #include "ui/diagnostic_text.h"
 #include "ui/panel_layout.h"
 #include "ui/tool_actions.h"

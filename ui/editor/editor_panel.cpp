@@ -13,7 +13,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "core/simulation/interpretation.h"
+#include "core/simulation/run/interpretation.h"
 #include "ui/edited_elsewhere_bar.h"
 #include "ui/editor/find_bar.h"
 #include "ui/editor/nc_editor.h"

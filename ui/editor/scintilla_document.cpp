@@ -7,6 +7,8 @@
 
 #include <Qsci/qsciscintillabase.h>
 
+#include "core/base/utf8.h"
+
 namespace proveout {
 
 /// Scintilla's own interface, in the order of its ILoader.h, which QScintilla does not install.
@@ -29,16 +31,6 @@ namespace {
 /// least.
 constexpr std::size_t kSlice = std::size_t{16} << 20;
 constexpr std::size_t kShownOfALine = 2000;
-
-/// What is shown of a line; no character of UTF-8 is cut in two.
-std::string_view beginning(std::string_view line) {
-    if (line.size() <= kShownOfALine)
-        return line;
-    std::size_t end = kShownOfALine;
-    while (end > 0 && (static_cast<unsigned char>(line[end]) & 0xc0U) == 0x80U)
-        --end;
-    return line.substr(0, end);
-}
 
 } // namespace
 
@@ -68,7 +60,7 @@ bool ScintillaDocument::fill(const NcText& text, const std::stop_token& stop) {
 bool ScintillaDocument::fillCutOff(const NcText& text, const std::stop_token& stop) {
     for (std::size_t line = 0; line < text.lineCount(); ++line) {
         const std::string_view bytes = text.line(line);
-        const std::string_view shown = beginning(bytes);
+        const std::string_view shown = shortened(bytes, kShownOfALine);
         const bool added = add(shown) && (shown.size() == bytes.size() || add(" ...")) &&
                            (line + 1 == text.lineCount() || add("\n"));
         if (!added || stop.stop_requested())

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "core/decimation/canonical_surface.h"
+#include "core/decimation/regions/canonical_surface.h"
 
 namespace proveout {
 namespace {

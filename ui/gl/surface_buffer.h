@@ -7,7 +7,7 @@
 #include <tuple>
 #include <vector>
 
-#include "core/decimation/surface.h"
+#include "core/decimation/surface/surface.h"
 #include "ui/gl/index_buffer.h"
 #include "ui/gl/upload_budget.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/simulation/frame.h"
+#include "core/simulation/run/frame.h"
 #include "ui/gl/height_texture.h"
 #include "ui/gl/scene_light.h"
 #include "ui/gl/scene_options.h"

@@ -4,7 +4,7 @@
 #include <array>
 #include <vector>
 
-#include "core/decimation/surface.h"
+#include "core/decimation/surface/surface.h"
 #include "ui/gl/gl_functions.h"
 #include "ui/gl/index_buffer.h"
 

@@ -7,7 +7,7 @@
 
 #include <QtGlobal>
 
-#include "core/simulation/block_records.h"
+#include "core/simulation/records/block_records.h"
 
 namespace proveout {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/simulation/frame.h"
+#include "core/simulation/run/frame.h"
 
 namespace proveout {
 

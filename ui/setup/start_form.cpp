@@ -11,8 +11,8 @@
 #include <QLabel>
 #include <QSignalBlocker>
 
-#include "core/simulation/setup_fields.h"
-#include "core/simulation/tool_choice.h"
+#include "core/simulation/setup/setup_fields.h"
+#include "core/simulation/setup/tool_choice.h"
 #include "ui/choice_box.h"
 #include "ui/diagnostic_text.h"
 #include "ui/number_box.h"

@@ -11,7 +11,7 @@
 #include <QWidget>
 
 #include "core/nc/program/program.h"
-#include "core/simulation/setup.h"
+#include "core/simulation/setup/setup.h"
 
 class QCheckBox;
 class QComboBox;

@@ -15,7 +15,7 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 
-#include "core/simulation/setup_fields.h"
+#include "core/simulation/setup/setup_fields.h"
 #include "ui/diagnostic_text.h"
 #include "ui/file_paths.h"
 #include "ui/grid_field.h"

@@ -7,7 +7,7 @@
 #include <QWidget>
 
 #include "core/formats/stock_shapes.h"
-#include "core/simulation/setup.h"
+#include "core/simulation/setup/setup.h"
 
 class QComboBox;
 class QGridLayout;

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 
-#include "core/simulation/activity_log.h"
+#include "core/simulation/records/activity_log.h"
 #include "ui/session.h"
 
 namespace proveout {

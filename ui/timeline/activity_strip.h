@@ -10,7 +10,7 @@
 #include <QPalette>
 #include <QSize>
 
-#include "core/simulation/activity_log.h"
+#include "core/simulation/records/activity_log.h"
 
 namespace proveout {
 

@@ -17,7 +17,7 @@
 #include <QSpinBox>
 #include <QToolButton>
 
-#include "core/decimation/region_decimator.h"
+#include "core/decimation/regions/region_decimator.h"
 #include "ui/choice_box.h"
 #include "ui/diagnostic_text.h"
 #include "ui/icons.h"

@@ -7,7 +7,7 @@
 #include <QWidget>
 
 #include "core/base/field.h"
-#include "core/decimation/parameters.h"
+#include "core/decimation/regions/parameters.h"
 
 class QFormLayout;
 class QLabel;

@@ -7,7 +7,7 @@
 #include <QLocale>
 #include <QVBoxLayout>
 
-#include "core/simulation/setup_fields.h"
+#include "core/simulation/setup/setup_fields.h"
 #include "ui/carried_values.h"
 #include "ui/diagnostic_text.h"
 #include "ui/grid_field.h"

@@ -8,7 +8,7 @@
 #include <QLocale>
 
 #include "core/base/stop_watch.h"
-#include "core/decimation/refined_surface.h"
+#include "core/decimation/surface/refined_surface.h"
 #include "ui/diagnostic_text.h"
 
 namespace proveout {

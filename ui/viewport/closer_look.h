@@ -10,8 +10,8 @@
 #include <QTimer>
 
 #include "core/base/memory.h"
-#include "core/simulation/box_of_interest.h"
-#include "core/simulation/frame.h"
+#include "core/simulation/records/box_of_interest.h"
+#include "core/simulation/run/frame.h"
 #include "ui/newest_task.h"
 
 namespace proveout {

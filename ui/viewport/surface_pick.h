@@ -3,7 +3,7 @@
 
 #include <optional>
 
-#include "core/simulation/block_provenance.h"
+#include "core/simulation/records/block_provenance.h"
 #include "core/zmap/zmap.h"
 #include "ui/surface_probe.h"
 #include "ui/viewport/camera.h"

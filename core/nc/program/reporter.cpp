@@ -6,6 +6,8 @@
 #include <fmt/format.h>
 #include <utility>
 
+#include "core/base/utf8.h"
+
 namespace proveout {
 
 namespace {
@@ -13,15 +15,9 @@ namespace {
 /// Bytes of an argument: names and chains of calls may be as long as the text, and a message is not.
 constexpr std::size_t kLongestArgument = 2000;
 
-/// Cut between characters.
 void shorten(std::string& argument) {
-    if (argument.size() <= kLongestArgument)
-        return;
-    std::size_t end = kLongestArgument;
-    while (end > 0 && (static_cast<unsigned char>(argument[end]) & 0xc0) == 0x80)
-        --end;
-    argument.resize(end);
-    argument += "…";
+    if (argument.size() > kLongestArgument)
+        argument = std::string(shortened(argument, kLongestArgument)) + "…";
 }
 
 } // namespace

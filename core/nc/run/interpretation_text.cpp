@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <span>
 
+#include "core/base/utf8.h"
 #include "core/nc/motions/motion_sink.h"
 #include "core/nc/run/interpretation.h"
 #include "core/nc/run/skipped_block.h"
@@ -12,9 +13,7 @@ namespace proveout {
 
 namespace {
 
-constexpr std::size_t kLongestShown = 40;        ///< bytes of a line in a message
-constexpr std::uint8_t kContinuationMask = 0xc0; ///< of a byte within a character of UTF-8
-constexpr std::uint8_t kContinuation = 0x80;
+constexpr std::size_t kLongestShown = 40; ///< bytes of a line in a message
 
 /// A part of a line for a message: not longer than is readable, cut between characters; a byte that no font
 /// can show appears as its number.
@@ -23,11 +22,7 @@ std::string readable(std::string_view text) {
         const auto byte = static_cast<unsigned char>(text.front());
         return byte < 0x20 || byte >= 0x7f ? fmt::format("\\x{:02x}", byte) : std::string(text);
     }
-    std::size_t end = std::min(text.size(), kLongestShown);
-    while (end > 0 && end < text.size() &&
-           (static_cast<unsigned char>(text[end]) & kContinuationMask) == kContinuation)
-        --end;
-    return std::string(text.substr(0, end));
+    return std::string(shortened(text, kLongestShown));
 }
 
 const Message& ignoredMessage(bool known, bool manyLines) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/utf8.h"
 
+#include <algorithm>
 #include <gtest/gtest.h>
 #include <string>
 #include <string_view>
@@ -29,6 +30,30 @@ TEST(Utf8, GivesBytesThatAreNoneOneByOne) {
         EXPECT_FALSE(character.valid) << text;
         EXPECT_EQ(character.code, static_cast<unsigned char>(*text)) << text;
         EXPECT_EQ(character.length, 1U) << text;
+    }
+}
+
+TEST(Utf8, IsToldFromOtherBytes) {
+    EXPECT_TRUE(isUtf8(""));
+    EXPECT_TRUE(isUtf8("G1 X1 (Fr\xc3\xa4ser \xe2\x8c\x80 \xf0\x9f\x94\xa7)"));
+    EXPECT_FALSE(isUtf8("Fr\xe4ser"));        // Latin-1
+    EXPECT_FALSE(isUtf8("\xc3"));             // half of a character
+    EXPECT_FALSE(isUtf8("\xc0\xaf"));         // overlong
+    EXPECT_FALSE(isUtf8("\xed\xa0\x80"));     // a surrogate
+    EXPECT_FALSE(isUtf8("\xf4\x90\x80\x80")); // beyond the last code
+}
+
+/// Every length of every text: what is left is a beginning, no longer than asked for, and cuts nothing in
+/// two.
+TEST(Utf8, IsShortenedBetweenCharacters) {
+    for (const std::string text : {"", "abc", "\xc3\xa4\xc3\xb6", "a\xe2\x8c\x80z", "\xf0\x9f\x94\xa7"}) {
+        for (std::size_t bytes = 0; bytes <= text.size() + 2; ++bytes) {
+            const std::string_view left = shortened(text, bytes);
+            EXPECT_TRUE(text.starts_with(left) && left.size() <= bytes && isUtf8(left))
+                << text << ' ' << bytes;
+            EXPECT_LT(std::min(bytes, text.size()) - left.size(), 4U);
+        }
+        EXPECT_EQ(shortened(text, text.size()), text);
     }
 }
 

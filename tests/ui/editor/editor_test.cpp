@@ -10,6 +10,7 @@
 #include <QTest>
 #include <QToolTip>
 
+#include "core/base/utf8.h"
 #include "tests/ui/opened.h"
 #include "ui/document.h"
 #include "ui/editor/editor_panel.h"

@@ -13,6 +13,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
+#include "core/base/utf8.h"
 #include "ui/editor/editor_search.h"
 #include "ui/editor/find_bar.h"
 #include "ui/editor/nc_editor.h"

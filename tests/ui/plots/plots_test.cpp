@@ -17,7 +17,7 @@
 #include <QWheelEvent>
 
 #include "core/nc/run/interpreter.h"
-#include "core/simulation/block_records.h"
+#include "core/simulation/records/block_records.h"
 #include "tests/ui/opened.h"
 #include "tests/ui/save_dialog_user.h"
 #include "ui/plots/parameter_trace.h"

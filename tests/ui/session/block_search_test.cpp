@@ -9,7 +9,7 @@
 
 #include <QTest>
 
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
 #include "tests/ui/opened.h"
 #include "ui/block_search.h"
 #include "ui/session.h"

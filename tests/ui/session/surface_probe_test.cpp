@@ -11,7 +11,7 @@
 #include <QTest>
 
 #include "core/nc/run/interpreter.h"
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
 #include "ui/probe_text.h"
 
 namespace proveout {

@@ -10,7 +10,7 @@
 #include <QTest>
 
 #include "core/nc/run/interpreter.h"
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
 #include "ui/viewport/box_choice.h"
 #include "ui/viewport/closer_look.h"
 

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "core/simulation/frame.h"
+#include "core/simulation/run/frame.h"
 
 namespace proveout {
 

@@ -11,7 +11,7 @@
 
 #include <QTest>
 
-#include "core/decimation/refined_surface.h"
+#include "core/decimation/surface/refined_surface.h"
 #include "tests/core/cutter/standard_spec.h"
 #include "tests/ui/viewport/frame_builder.h"
 #include "ui/gl/cutter_mesh.h"

@@ -20,8 +20,8 @@
 
 #include "core/formats/job_file.h"
 #include "core/nc/run/interpreter.h"
-#include "core/simulation/hold_back.h"
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
+#include "core/simulation/thread/hold_back.h"
 #include "tests/ui/viewport/frame_figures.h"
 #include "ui/gl/scene_renderer.h"
 #include "ui/viewport/camera.h"

@@ -10,7 +10,7 @@
 
 #include <QTest>
 
-#include "core/decimation/refined_surface.h"
+#include "core/decimation/surface/refined_surface.h"
 #include "tests/ui/viewport/frame_builder.h"
 #include "tests/ui/viewport/offscreen_picture.h"
 #include "ui/viewport/camera.h"

@@ -12,7 +12,7 @@
 #include <QStatusBar>
 #include <QTest>
 
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
 #include "tests/ui/window/workstation.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
