@@ -11,8 +11,8 @@
 #include "app/cli/option_error.h"
 #include "app/cli/zmap_file.h"
 #include "core/base/memory.h"
-#include "core/decimation/refined_surface.h"
-#include "core/decimation/solid.h"
+#include "core/decimation/solid/solid.h"
+#include "core/decimation/surface/refined_surface.h"
 #include "core/formats/formats.h"
 
 namespace proveout::cli {

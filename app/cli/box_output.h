@@ -12,7 +12,7 @@
 #include "app/cli/report.h"
 #include "core/formats/job_file.h"
 #include "core/formats/solid_export.h"
-#include "core/simulation/box_of_interest.h"
+#include "core/simulation/records/box_of_interest.h"
 
 namespace proveout::cli {
 

@@ -18,8 +18,8 @@
 #include "app/cli/zmap_file.h"
 #include "core/base/memory.h"
 #include "core/base/stop_watch.h"
-#include "core/decimation/map_memory.h"
-#include "core/decimation/refined_surface.h"
+#include "core/decimation/surface/map_memory.h"
+#include "core/decimation/surface/refined_surface.h"
 
 namespace proveout::cli {
 

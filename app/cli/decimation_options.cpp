@@ -9,7 +9,7 @@
 #include <type_traits>
 #include <vector>
 
-#include "core/decimation/region_decimator.h"
+#include "core/decimation/regions/region_decimator.h"
 
 namespace proveout::cli {
 

@@ -6,7 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
-#include "core/decimation/parameters.h"
+#include "core/decimation/regions/parameters.h"
 
 namespace proveout::cli {
 

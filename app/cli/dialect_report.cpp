@@ -6,6 +6,7 @@
 #include <ostream>
 #include <string>
 
+#include "core/nc/codes/dialects.h"
 #include "core/nc/run/dialect_comparison.h"
 
 namespace proveout::cli {

@@ -14,9 +14,9 @@
 #include "app/cli/setup_options.h"
 #include "core/formats/nc_motion.h"
 #include "core/nc/codes/dialects.h"
-#include "core/simulation/finding_log.h"
-#include "core/simulation/interpretation.h"
-#include "core/simulation/probed_stock.h"
+#include "core/simulation/run/finding_log.h"
+#include "core/simulation/run/interpretation.h"
+#include "core/simulation/run/probed_stock.h"
 
 namespace proveout::cli {
 

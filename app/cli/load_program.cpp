@@ -4,8 +4,8 @@
 #include <utility>
 
 #include "app/cli/setup_options.h"
-#include "core/simulation/interpretation.h"
-#include "core/simulation/tool_proposals.h"
+#include "core/simulation/run/interpretation.h"
+#include "core/simulation/setup/tool_proposals.h"
 
 namespace proveout::cli {
 

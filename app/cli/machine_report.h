@@ -5,8 +5,8 @@
 #include <nlohmann/json.hpp>
 #include <string>
 
-#include "core/simulation/machine_time.h"
-#include "core/simulation/tool_choice.h"
+#include "core/simulation/setup/tool_choice.h"
+#include "core/simulation/time/machine_time.h"
 
 namespace proveout::cli {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/measured_surface.h"
 
-#include "core/decimation/error_measure.h"
+#include "core/decimation/regions/error_measure.h"
 
 namespace proveout::cli {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/decimation/surface.h"
+#include "core/decimation/surface/surface.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout::cli {

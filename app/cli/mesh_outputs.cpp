@@ -6,8 +6,8 @@
 #include <utility>
 
 #include "core/base/memory.h"
-#include "core/decimation/region_decimator.h"
-#include "core/decimation/solid.h"
+#include "core/decimation/regions/region_decimator.h"
+#include "core/decimation/solid/solid.h"
 
 namespace proveout::cli {
 

@@ -9,8 +9,8 @@
 
 #include "app/cli/outputs.h"
 #include "app/cli/report.h"
-#include "core/decimation/parameters.h"
-#include "core/decimation/surface.h"
+#include "core/decimation/regions/parameters.h"
+#include "core/decimation/surface/surface.h"
 #include "core/formats/solid_export.h"
 
 namespace proveout::cli {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/diagnostic.h"
-#include "core/decimation/parameters.h"
+#include "core/decimation/regions/parameters.h"
 
 namespace proveout::cli {
 

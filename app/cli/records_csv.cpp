@@ -5,7 +5,7 @@
 #include <string>
 
 #include "core/base/atomic_file.h"
-#include "core/simulation/block_records.h"
+#include "core/simulation/records/block_records.h"
 
 namespace proveout::cli {
 

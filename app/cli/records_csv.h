@@ -5,7 +5,7 @@
 #include <filesystem>
 
 #include "core/base/diagnostic.h"
-#include "core/simulation/frame.h"
+#include "core/simulation/run/frame.h"
 
 namespace proveout::cli {
 

@@ -11,12 +11,12 @@
 #include "app/cli/option_error.h"
 #include "core/base/memory.h"
 #include "core/cutter/tool_file.h"
-#include "core/decimation/region_decimator.h"
+#include "core/decimation/regions/region_decimator.h"
 #include "core/formats/stock_shapes.h"
 #include "core/nc/codes/dialects.h"
 #include "core/nc/codes/ignored_codes.h"
-#include "core/simulation/automatic_grid.h"
-#include "core/simulation/setup_fields.h"
+#include "core/simulation/setup/automatic_grid.h"
+#include "core/simulation/setup/setup_fields.h"
 
 namespace proveout::cli {
 

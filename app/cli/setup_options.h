@@ -10,7 +10,7 @@
 
 #include "app/cli/decimation_options.h"
 #include "core/base/diagnostic.h"
-#include "core/decimation/map_memory.h"
+#include "core/decimation/surface/map_memory.h"
 #include "core/formats/job_file.h"
 #include "core/nc/program/program.h"
 

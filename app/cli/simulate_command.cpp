@@ -26,10 +26,10 @@
 #include "core/base/memory.h"
 #include "core/base/stop_watch.h"
 #include "core/formats/stock_file.h"
-#include "core/simulation/block_provenance.h"
-#include "core/simulation/block_records.h"
-#include "core/simulation/simulation.h"
-#include "core/simulation/tool_choice.h"
+#include "core/simulation/records/block_provenance.h"
+#include "core/simulation/records/block_records.h"
+#include "core/simulation/run/simulation.h"
+#include "core/simulation/setup/tool_choice.h"
 
 namespace proveout::cli {
 

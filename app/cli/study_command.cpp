@@ -15,8 +15,8 @@
 #include "app/cli/study_files.h"
 #include "app/cli/study_optimise.h"
 #include "app/cli/thread_limit.h"
-#include "core/simulation/finding_log.h"
-#include "core/simulation/tool_choice.h"
+#include "core/simulation/run/finding_log.h"
+#include "core/simulation/setup/tool_choice.h"
 #include "core/study/figures.h"
 
 namespace proveout::cli {

@@ -7,7 +7,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/base/geometry.h"
-#include "core/cutting/provenance.h"
+#include "core/cutting/cut/provenance.h"
 #include "core/nc/program/program.h"
 #include "core/zmap/zmap.h"
 

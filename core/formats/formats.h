@@ -12,7 +12,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/base/work_context.h"
-#include "core/decimation/solid.h"
+#include "core/decimation/solid/solid.h"
 #include "core/formats/job_file.h"
 #include "core/formats/mesh_files.h"
 #include "core/formats/npy.h"

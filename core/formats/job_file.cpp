@@ -17,12 +17,12 @@
 #include "core/base/atomic_file.h"
 #include "core/base/text.h"
 #include "core/base/tool_number.h"
-#include "core/decimation/region_decimator.h"
+#include "core/decimation/regions/region_decimator.h"
 #include "core/formats/job_json.h"
 #include "core/formats/stock_position_json.h"
 #include "core/formats/stock_shapes.h"
 #include "core/nc/codes/ignored_codes.h"
-#include "core/simulation/setup_fields.h"
+#include "core/simulation/setup/setup_fields.h"
 
 namespace proveout {
 

@@ -6,10 +6,10 @@
 #include <string>
 
 #include "core/base/diagnostic.h"
-#include "core/decimation/parameters.h"
+#include "core/decimation/regions/parameters.h"
 #include "core/formats/job_paths.h"
-#include "core/simulation/machine.h"
-#include "core/simulation/setup.h"
+#include "core/simulation/setup/machine.h"
+#include "core/simulation/setup/setup.h"
 
 namespace proveout {
 

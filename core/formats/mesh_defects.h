@@ -3,7 +3,7 @@
 
 #include <cstddef>
 
-#include "core/decimation/solid.h"
+#include "core/decimation/solid/solid.h"
 
 namespace proveout {
 

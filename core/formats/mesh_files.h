@@ -7,7 +7,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/base/work_context.h"
-#include "core/decimation/solid.h"
+#include "core/decimation/solid/solid.h"
 
 namespace proveout {
 

@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/base/text.h"
-#include "core/decimation/solid_error.h"
+#include "core/decimation/solid/solid_error.h"
 #include "core/formats/mesh_writing.h"
 
 namespace proveout {

@@ -5,7 +5,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/base/work_context.h"
-#include "core/decimation/parameters.h"
+#include "core/decimation/regions/parameters.h"
 #include "core/formats/formats.h"
 #include "core/zmap/zmap.h"
 

@@ -7,7 +7,7 @@
 
 #include "core/base/diagnostic.h"
 #include "core/base/work_context.h"
-#include "core/decimation/solid.h"
+#include "core/decimation/solid/solid.h"
 #include "core/formats/mesh_defects.h"
 #include "core/formats/mesh_files.h"
 

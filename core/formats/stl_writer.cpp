@@ -10,7 +10,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/text.h"
-#include "core/decimation/solid_error.h"
+#include "core/decimation/solid/solid_error.h"
 #include "core/formats/mesh_writing.h"
 #include "core/formats/stl.h"
 #include "core/formats/vertex_welder.h"

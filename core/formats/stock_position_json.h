@@ -7,7 +7,7 @@
 
 #include "core/base/geometry.h"
 #include "core/formats/job_json.h"
-#include "core/simulation/setup_fields.h"
+#include "core/simulation/setup/setup_fields.h"
 #include "core/zmap/stock.h"
 
 namespace proveout {

@@ -6,8 +6,8 @@
 #include <regex>
 #include <thread>
 
-#include "core/decimation/map_memory.h"
-#include "core/decimation/region_decimator.h"
+#include "core/decimation/regions/region_decimator.h"
+#include "core/decimation/surface/map_memory.h"
 #include "core/formats/npy.h"
 #include "tests/app/command_line.h"
 #include "tests/app/memory_cases.h"

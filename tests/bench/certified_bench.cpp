@@ -18,8 +18,8 @@
 #include <string>
 #include <vector>
 
-#include "core/decimation/refined_surface.h"
-#include "core/decimation/surface.h"
+#include "core/decimation/surface/refined_surface.h"
+#include "core/decimation/surface/surface.h"
 #include "core/formats/npy.h"
 #include "tests/core/decimation/surface_oracle.h"
 

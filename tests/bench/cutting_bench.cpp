@@ -5,7 +5,7 @@
 #include <numbers>
 #include <oneapi/tbb/global_control.h>
 
-#include "core/cutting/cutting.h"
+#include "core/cutting/cut/cutting.h"
 
 namespace proveout {
 namespace {

@@ -9,8 +9,8 @@
 #include <map>
 #include <string>
 
-#include "core/decimation/error_measure.h"
-#include "core/decimation/surface.h"
+#include "core/decimation/regions/error_measure.h"
+#include "core/decimation/surface/surface.h"
 #include "core/formats/npy.h"
 #include "tests/core/decimation/maps.h"
 

@@ -11,7 +11,7 @@
 #include "core/base/stop_watch.h"
 #include "core/formats/job_file.h"
 #include "core/nc/run/interpreter.h"
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
 
 namespace proveout {
 namespace {

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "core/base/stop_watch.h"
-#include "core/cutting/vector_clones.h"
+#include "core/cutting/profiles/vector_clones.h"
 #include "tests/bench/workloads.h"
 
 namespace proveout::bench {

@@ -13,10 +13,10 @@
 #include <vector>
 
 #include "core/base/stop_watch.h"
-#include "core/decimation/refined_surface.h"
+#include "core/decimation/surface/refined_surface.h"
 #include "core/nc/run/interpreter.h"
-#include "core/simulation/box_of_interest.h"
-#include "core/simulation/simulation.h"
+#include "core/simulation/records/box_of_interest.h"
+#include "core/simulation/run/simulation.h"
 #include "tests/bench/workloads.h"
 
 namespace proveout::bench {

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/cutting/cutting.h"
+#include "core/cutting/cut/cutting.h"
 
 namespace proveout::bench {
 

@@ -11,8 +11,8 @@
 #include <string>
 #include <vector>
 
-#include "core/decimation/error_measure.h"
-#include "core/decimation/surface.h"
+#include "core/decimation/regions/error_measure.h"
+#include "core/decimation/surface/surface.h"
 #include "core/formats/stl.h"
 #include "tests/cgal/certificate_report.h"
 #include "tests/cgal/distance_oracle.h"

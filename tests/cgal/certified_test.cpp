@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "core/decimation/refined_surface.h"
+#include "core/decimation/surface/refined_surface.h"
 #include "tests/cgal/distance_oracle.h"
 #include "tests/cgal/sample_maps.h"
 #include "tests/cgal/solid_oracle.h"

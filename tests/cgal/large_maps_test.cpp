@@ -8,7 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
-#include "core/decimation/refined_surface.h"
+#include "core/decimation/surface/refined_surface.h"
 #include "core/formats/npy.h"
 #include "tests/cgal/distance_oracle.h"
 #include "tests/core/decimation/maps.h"

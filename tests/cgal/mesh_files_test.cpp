@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <gtest/gtest.h>
 
-#include "core/decimation/surface.h"
+#include "core/decimation/surface/surface.h"
 #include "core/formats/mesh_files.h"
 #include "core/formats/stl.h"
 #include "tests/cgal/sample_maps.h"

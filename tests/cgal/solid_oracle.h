@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "core/decimation/solid.h"
+#include "core/decimation/solid/solid.h"
 
 namespace proveout::test {
 

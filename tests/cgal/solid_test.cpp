@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <random>
 
-#include "core/decimation/solid.h"
-#include "core/decimation/surface.h"
+#include "core/decimation/solid/solid.h"
+#include "core/decimation/surface/surface.h"
 #include "tests/cgal/solid_oracle.h"
 #include "tests/core/decimation/closed_mesh.h"
 #include "tests/core/decimation/maps.h"

@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/decimation/solid.h"
+#include "core/decimation/solid/solid.h"
 
 namespace proveout::test {
 

@@ -11,7 +11,7 @@
 #include "app/cli/zmap_file.h"
 #include "core/base/memory.h"
 #include "core/cutter/tool_file.h"
-#include "core/decimation/refined_surface.h"
+#include "core/decimation/surface/refined_surface.h"
 #include "core/formats/job_file.h"
 #include "core/formats/nc_motion.h"
 #include "core/formats/stock_file.h"
@@ -19,8 +19,8 @@
 #include "core/formats/zip_file.h"
 #include "core/nc/codes/dialects.h"
 #include "core/nc/run/interpreter.h"
-#include "core/simulation/automatic_grid.h"
-#include "core/simulation/tool_proposals.h"
+#include "core/simulation/setup/automatic_grid.h"
+#include "core/simulation/setup/tool_proposals.h"
 #include "tests/fuzz/nc_words.h"
 
 namespace proveout::test {

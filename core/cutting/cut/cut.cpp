@@ -6,10 +6,10 @@
 #include <optional>
 #include <vector>
 
-#include "core/cutting/cutting.h"
-#include "core/cutting/lower_tile.h"
-#include "core/cutting/sweep.h"
-#include "core/cutting/tiles_under.h"
+#include "core/cutting/cut/cutting.h"
+#include "core/cutting/cut/lower_tile.h"
+#include "core/cutting/cut/sweep.h"
+#include "core/cutting/cut/tiles_under.h"
 
 namespace proveout {
 

@@ -5,7 +5,7 @@
 #include <span>
 #include <stop_token>
 
-#include "core/cutting/cutting.h"
+#include "core/cutting/cut/cutting.h"
 #include "core/zmap/grid_part.h"
 
 namespace proveout {

@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
-#include "core/cutting/cut_part.h"
-#include "core/cutting/cutting.h"
-#include "core/cutting/lower_tile.h"
-#include "core/cutting/tiles_under.h"
+#include "core/cutting/cut/cut_part.h"
+#include "core/cutting/cut/cutting.h"
+#include "core/cutting/cut/lower_tile.h"
+#include "core/cutting/cut/tiles_under.h"
 
 namespace proveout {
 

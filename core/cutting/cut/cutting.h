@@ -11,7 +11,7 @@
 
 #include "core/base/index_rect.h"
 #include "core/cutter/cutter.h"
-#include "core/cutting/provenance.h"
+#include "core/cutting/cut/provenance.h"
 #include "core/nc/program/motion.h"
 #include "core/zmap/zmap.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/cutting/cutting.h"
-#include "core/cutting/sweep.h"
+#include "core/cutting/cut/cutting.h"
+#include "core/cutting/cut/sweep.h"
 
 namespace proveout {
 

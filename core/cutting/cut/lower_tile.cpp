@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/cutting/lower_tile.h"
+#include "core/cutting/cut/lower_tile.h"
 
 #include <algorithm>
 #include <array>
@@ -8,7 +8,7 @@
 #include <limits>
 #include <optional>
 
-#include "core/cutting/vector_clones.h"
+#include "core/cutting/profiles/vector_clones.h"
 
 namespace proveout {
 

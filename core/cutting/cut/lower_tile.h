@@ -8,9 +8,9 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/cutting/cutting.h"
-#include "core/cutting/sweep.h"
-#include "core/cutting/tile_kernel.h"
+#include "core/cutting/cut/cutting.h"
+#include "core/cutting/cut/sweep.h"
+#include "core/cutting/kernels/tile_kernel.h"
 #include "core/zmap/grid_part.h"
 #include "core/zmap/zmap.h"
 

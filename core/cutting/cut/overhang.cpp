@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/cutting/overhang.h"
+#include "core/cutting/cut/overhang.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/cutting/sweep.h"
+#include "core/cutting/cut/sweep.h"
 
 namespace proveout {
 

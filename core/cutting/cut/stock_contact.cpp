@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/cutting/stock_contact.h"
+#include "core/cutting/cut/stock_contact.h"
 
 #include <algorithm>
 #include <array>
@@ -8,8 +8,8 @@
 #include <numbers>
 #include <queue>
 
-#include "core/cutting/sweep.h"
-#include "core/cutting/touch_path.h"
+#include "core/cutting/cut/sweep.h"
+#include "core/cutting/rows/touch_path.h"
 
 namespace proveout {
 

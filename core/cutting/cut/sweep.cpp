@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/cutting/sweep.h"
+#include "core/cutting/cut/sweep.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "core/cutting/arc_row.h"
-#include "core/cutting/straight_row.h"
+#include "core/cutting/rows/arc_row.h"
+#include "core/cutting/rows/straight_row.h"
 
 namespace proveout {
 

@@ -7,12 +7,12 @@
 #include <vector>
 
 #include "core/base/geometry.h"
-#include "core/cutting/arc_sweep.h"
-#include "core/cutting/hollow_profile.h"
-#include "core/cutting/level_profile.h"
-#include "core/cutting/row_points.h"
-#include "core/cutting/straight_sweep.h"
-#include "core/cutting/sweep_passes.h"
+#include "core/cutting/kernels/sweep_passes.h"
+#include "core/cutting/profiles/hollow_profile.h"
+#include "core/cutting/profiles/level_profile.h"
+#include "core/cutting/profiles/row_points.h"
+#include "core/cutting/rows/arc_sweep.h"
+#include "core/cutting/rows/straight_sweep.h"
 #include "core/nc/program/motion.h"
 
 namespace proveout {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/cutting/tiles_under.h"
+#include "core/cutting/cut/tiles_under.h"
 
 #include <algorithm>
 #include <cmath>

@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/cutting/sweep.h"
+#include "core/cutting/cut/sweep.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout {

@@ -9,8 +9,8 @@
 
 #include <array>
 
-#include "core/cutting/block_places-inl.h"
-#include "core/cutting/lead_bands.h"
+#include "core/cutting/kernels/block_places-inl.h"
+#include "core/cutting/kernels/lead_bands.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace proveout {

@@ -9,7 +9,7 @@
 
 #include <bit>
 
-#include "core/cutting/block_kernel-inl.h"
+#include "core/cutting/kernels/block_kernel-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace proveout {

@@ -10,11 +10,11 @@
 
 #include <bit>
 
-#include "core/cutting/block_places-inl.h"
-#include "core/cutting/fitted_envelope-inl.h"
-#include "core/cutting/round_envelope-inl.h"
-#include "core/cutting/round_plane-inl.h"
-#include "core/cutting/supporting_plane-inl.h"
+#include "core/cutting/kernels/block_places-inl.h"
+#include "core/cutting/kernels/fitted_envelope-inl.h"
+#include "core/cutting/kernels/round_envelope-inl.h"
+#include "core/cutting/kernels/round_plane-inl.h"
+#include "core/cutting/kernels/supporting_plane-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace proveout {

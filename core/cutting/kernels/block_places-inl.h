@@ -9,7 +9,7 @@
 
 #include <limits>
 
-#include "core/cutting/pass_envelope-inl.h"
+#include "core/cutting/kernels/pass_envelope-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace proveout {

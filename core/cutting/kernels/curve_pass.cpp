@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/cutting/curve_pass.h"
+#include "core/cutting/kernels/curve_pass.h"
 
 #include <algorithm>
 #include <bit>

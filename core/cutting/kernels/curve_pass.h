@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "core/cutting/arc_path.h"
-#include "core/cutting/convex_profile.h"
-#include "core/cutting/straight_pass.h"
+#include "core/cutting/kernels/straight_pass.h"
+#include "core/cutting/profiles/arc_path.h"
+#include "core/cutting/profiles/convex_profile.h"
 
 namespace proveout {
 

@@ -10,9 +10,9 @@
 #include <algorithm>
 #include <cmath>
 
-#include "core/cutting/band_fit-inl.h"
-#include "core/cutting/lead_search-inl.h"
-#include "core/cutting/round_envelope-inl.h"
+#include "core/cutting/kernels/band_fit-inl.h"
+#include "core/cutting/kernels/lead_search-inl.h"
+#include "core/cutting/kernels/round_envelope-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace proveout {

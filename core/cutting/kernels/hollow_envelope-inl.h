@@ -7,8 +7,8 @@
 #define PROVEOUT_CUTTING_HOLLOW_ENVELOPE
 #endif
 
-#include "core/cutting/band_fit-inl.h"
-#include "core/cutting/pass_envelope-inl.h"
+#include "core/cutting/kernels/band_fit-inl.h"
+#include "core/cutting/kernels/pass_envelope-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace proveout {

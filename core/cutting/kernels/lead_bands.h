@@ -5,7 +5,7 @@
 #include <cstddef>
 #include <memory>
 
-#include "core/cutting/tile_pass.h"
+#include "core/cutting/kernels/tile_pass.h"
 
 namespace proveout {
 

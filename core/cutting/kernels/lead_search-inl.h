@@ -11,7 +11,7 @@
 #include <algorithm>
 #include <type_traits>
 
-#include "core/cutting/round_envelope-inl.h"
+#include "core/cutting/kernels/round_envelope-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace proveout {

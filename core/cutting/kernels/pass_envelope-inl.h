@@ -9,8 +9,8 @@
 
 #include <hwy/highway.h>
 
-#include "core/cutting/level_profile.h"
-#include "core/cutting/tile_kernel.h"
+#include "core/cutting/kernels/tile_kernel.h"
+#include "core/cutting/profiles/level_profile.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace proveout {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <algorithm>
 
-#include "core/cutting/tile_kernel.h"
+#include "core/cutting/kernels/tile_kernel.h"
 
 namespace proveout {
 

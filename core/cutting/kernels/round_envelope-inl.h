@@ -11,9 +11,9 @@
 #include <numbers>
 #include <type_traits>
 
-#include "core/cutting/band_fit-inl.h"
-#include "core/cutting/hollow_envelope-inl.h"
-#include "core/cutting/pass_envelope-inl.h"
+#include "core/cutting/kernels/band_fit-inl.h"
+#include "core/cutting/kernels/hollow_envelope-inl.h"
+#include "core/cutting/kernels/pass_envelope-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace proveout {

@@ -5,12 +5,12 @@
 #include <span>
 #include <vector>
 
-#include "core/cutting/arc_path.h"
-#include "core/cutting/convex_profile.h"
-#include "core/cutting/lead_bands.h"
-#include "core/cutting/level_profile.h"
-#include "core/cutting/straight_pass.h"
-#include "core/cutting/tile_pass.h"
+#include "core/cutting/kernels/lead_bands.h"
+#include "core/cutting/kernels/straight_pass.h"
+#include "core/cutting/kernels/tile_pass.h"
+#include "core/cutting/profiles/arc_path.h"
+#include "core/cutting/profiles/convex_profile.h"
+#include "core/cutting/profiles/level_profile.h"
 
 namespace proveout {
 

@@ -7,8 +7,8 @@
 #define PROVEOUT_CUTTING_ROUND_PLANE
 #endif
 
-#include "core/cutting/round_envelope-inl.h"
-#include "core/cutting/supporting_plane-inl.h"
+#include "core/cutting/kernels/round_envelope-inl.h"
+#include "core/cutting/kernels/supporting_plane-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace proveout {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/cutting/straight_pass.h"
+#include "core/cutting/kernels/straight_pass.h"
 
 #include <algorithm>
 #include <cmath>

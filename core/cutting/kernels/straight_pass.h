@@ -4,11 +4,11 @@
 #include <cmath>
 #include <memory>
 
-#include "core/cutting/hollow_profile.h"
-#include "core/cutting/lead_bands.h"
-#include "core/cutting/level_profile.h"
-#include "core/cutting/straight_sweep.h"
-#include "core/cutting/tile_pass.h"
+#include "core/cutting/kernels/lead_bands.h"
+#include "core/cutting/kernels/tile_pass.h"
+#include "core/cutting/profiles/hollow_profile.h"
+#include "core/cutting/profiles/level_profile.h"
+#include "core/cutting/rows/straight_sweep.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout {

@@ -7,7 +7,7 @@
 #define PROVEOUT_CUTTING_SUPPORTING_PLANE
 #endif
 
-#include "core/cutting/pass_envelope-inl.h"
+#include "core/cutting/kernels/pass_envelope-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace proveout {

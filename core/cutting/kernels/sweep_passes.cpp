@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/cutting/sweep_passes.h"
+#include "core/cutting/kernels/sweep_passes.h"
 
 #include <algorithm>
 #include <cmath>

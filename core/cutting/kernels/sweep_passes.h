@@ -5,10 +5,10 @@
 #include <span>
 #include <vector>
 
-#include "core/cutting/curve_pass.h"
-#include "core/cutting/level_profile.h"
-#include "core/cutting/round_pass.h"
-#include "core/cutting/straight_pass.h"
+#include "core/cutting/kernels/curve_pass.h"
+#include "core/cutting/kernels/round_pass.h"
+#include "core/cutting/kernels/straight_pass.h"
+#include "core/cutting/profiles/level_profile.h"
 
 namespace proveout {
 

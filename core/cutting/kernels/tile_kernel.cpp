@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Compiled once an instruction set; the best that the processor has is taken where a function is first
 // called.
-#include "core/cutting/tile_kernel.h"
+#include "core/cutting/kernels/tile_kernel.h"
 
 #include <bit>
 #include <memory>
 
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/cutting/tile_kernel.cpp"
+#define HWY_TARGET_INCLUDE "core/cutting/kernels/tile_kernel.cpp"
 // Before Highway: its headers are compiled again and again.
 #include <hwy/foreach_target.h> // IWYU pragma: keep
 #include <hwy/highway.h>
 
-#include "core/cutting/block_by_all-inl.h"
-#include "core/cutting/block_kernel-inl.h"
-#include "core/cutting/tile_loss-inl.h"
+#include "core/cutting/kernels/block_by_all-inl.h"
+#include "core/cutting/kernels/block_kernel-inl.h"
+#include "core/cutting/kernels/tile_loss-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace proveout {

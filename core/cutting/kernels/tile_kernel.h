@@ -11,7 +11,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/cutting/tile_pass.h"
+#include "core/cutting/kernels/tile_pass.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout {

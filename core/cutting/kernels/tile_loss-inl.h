@@ -10,8 +10,8 @@
 #include <algorithm>
 #include <bit>
 
-#include "core/cutting/block_places-inl.h"
-#include "core/cutting/round_envelope-inl.h"
+#include "core/cutting/kernels/block_places-inl.h"
+#include "core/cutting/kernels/round_envelope-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace proveout {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/cutting/arc_path.h"
+#include "core/cutting/profiles/arc_path.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/cutting/convex_profile.h"
+#include "core/cutting/profiles/convex_profile.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/cutting/hollow_profile.h"
+#include "core/cutting/profiles/hollow_profile.h"
 
 namespace proveout {
 

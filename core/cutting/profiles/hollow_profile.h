@@ -4,7 +4,7 @@
 #include <optional>
 #include <vector>
 
-#include "core/cutting/convex_profile.h"
+#include "core/cutting/profiles/convex_profile.h"
 
 namespace proveout {
 

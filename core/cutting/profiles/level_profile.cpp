@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/cutting/level_profile.h"
+#include "core/cutting/profiles/level_profile.h"
 
 #include <algorithm>
 #include <array>

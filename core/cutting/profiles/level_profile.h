@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/cutter/cutter.h"
-#include "core/cutting/convex_profile.h"
+#include "core/cutting/profiles/convex_profile.h"
 
 namespace proveout {
 

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "core/cutting/convex_profile.h"
-#include "core/cutting/lanes.h"
+#include "core/cutting/profiles/convex_profile.h"
+#include "core/cutting/profiles/lanes.h"
 
 namespace proveout {
 

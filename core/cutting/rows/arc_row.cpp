@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/cutting/arc_row.h"
+#include "core/cutting/rows/arc_row.h"
 
 #include <algorithm>
 #include <array>
@@ -7,9 +7,9 @@
 #include <cstdint>
 #include <limits>
 
-#include "core/cutting/circle_row.h"
-#include "core/cutting/helix_row.h"
-#include "core/cutting/straight_row.h"
+#include "core/cutting/rows/circle_row.h"
+#include "core/cutting/rows/helix_row.h"
+#include "core/cutting/rows/straight_row.h"
 
 namespace proveout {
 

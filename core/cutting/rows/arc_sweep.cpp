@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/cutting/arc_sweep.h"
+#include "core/cutting/rows/arc_sweep.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "core/cutting/vertical_arc.h"
+#include "core/cutting/rows/vertical_arc.h"
 
 namespace proveout {
 

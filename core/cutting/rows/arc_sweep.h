@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "core/cutting/arc_path.h"
-#include "core/cutting/straight_sweep.h"
+#include "core/cutting/profiles/arc_path.h"
+#include "core/cutting/rows/straight_sweep.h"
 
 namespace proveout {
 

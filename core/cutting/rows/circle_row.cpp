@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/cutting/circle_row.h"
+#include "core/cutting/rows/circle_row.h"
 
 #include <cmath>
 #include <limits>
 #include <numbers>
 
-#include "core/cutting/profile_forms.h"
-#include "core/cutting/vector_clones.h"
+#include "core/cutting/profiles/profile_forms.h"
+#include "core/cutting/profiles/vector_clones.h"
 
 namespace proveout {
 

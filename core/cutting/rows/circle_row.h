@@ -2,9 +2,9 @@
 // A cutter that goes round a circle at one height: the nearest place of the path is the lowest.
 #pragma once
 
-#include "core/cutting/arc_path.h"
-#include "core/cutting/convex_profile.h"
-#include "core/cutting/row_points.h"
+#include "core/cutting/profiles/arc_path.h"
+#include "core/cutting/profiles/convex_profile.h"
+#include "core/cutting/profiles/row_points.h"
 
 namespace proveout {
 

@@ -5,13 +5,13 @@
 // ring. So the one stationary place is the lowest, and it is found by replacing D with its own second-order
 // Taylor polynomial: that is the straight motion of straight_sweep.h, whose solution is known. As value,
 // slope and curvature of D agree, the error is squared in each step, the rim's infinite slope included.
-#include "core/cutting/helix_row.h"
+#include "core/cutting/rows/helix_row.h"
 
 #include <limits>
 
-#include "core/cutting/lanes.h"
-#include "core/cutting/profile_forms.h"
-#include "core/cutting/vector_clones.h"
+#include "core/cutting/profiles/lanes.h"
+#include "core/cutting/profiles/profile_forms.h"
+#include "core/cutting/profiles/vector_clones.h"
 
 namespace proveout {
 

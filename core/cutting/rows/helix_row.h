@@ -4,8 +4,8 @@
 
 #include <cstdint>
 
-#include "core/cutting/arc_sweep.h"
-#include "core/cutting/row_points.h"
+#include "core/cutting/profiles/row_points.h"
+#include "core/cutting/rows/arc_sweep.h"
 
 namespace proveout {
 

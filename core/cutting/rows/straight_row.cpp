@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/cutting/straight_row.h"
+#include "core/cutting/rows/straight_row.h"
 
 #include <array>
 #include <cmath>
 #include <limits>
 
-#include "core/cutting/lanes.h"
-#include "core/cutting/profile_forms.h"
-#include "core/cutting/vector_clones.h"
+#include "core/cutting/profiles/lanes.h"
+#include "core/cutting/profiles/profile_forms.h"
+#include "core/cutting/profiles/vector_clones.h"
 
 namespace proveout {
 

@@ -2,8 +2,8 @@
 // straight_sweep.h for a row of points at once, in vector code.
 #pragma once
 
-#include "core/cutting/row_points.h"
-#include "core/cutting/straight_sweep.h"
+#include "core/cutting/profiles/row_points.h"
+#include "core/cutting/rows/straight_sweep.h"
 
 namespace proveout {
 

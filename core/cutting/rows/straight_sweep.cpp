@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/cutting/straight_sweep.h"
+#include "core/cutting/rows/straight_sweep.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "core/base/geometry.h"
-#include "core/cutting/convex_profile.h"
-#include "core/cutting/row_points.h"
+#include "core/cutting/profiles/convex_profile.h"
+#include "core/cutting/profiles/row_points.h"
 
 namespace proveout {
 

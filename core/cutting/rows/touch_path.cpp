@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/cutting/touch_path.h"
+#include "core/cutting/rows/touch_path.h"
 
 #include <algorithm>
 #include <cmath>

@@ -8,9 +8,9 @@
 
 #include "core/base/geometry.h"
 #include "core/cutter/cutter.h"
-#include "core/cutting/convex_profile.h"
-#include "core/cutting/row_points.h"
-#include "core/cutting/straight_sweep.h"
+#include "core/cutting/profiles/convex_profile.h"
+#include "core/cutting/profiles/row_points.h"
+#include "core/cutting/rows/straight_sweep.h"
 
 namespace proveout {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/cutting/vertical_arc.h"
+#include "core/cutting/rows/vertical_arc.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // Arcs in the planes G18 and G19 that do not drift out of their plane, for flats and balls.
 #pragma once
 
-#include "core/cutting/arc_sweep.h"
+#include "core/cutting/rows/arc_sweep.h"
 
 namespace proveout {
 

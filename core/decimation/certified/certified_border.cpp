@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/certified_border.h"
+#include "core/decimation/certified/certified_border.h"
 
 #include <algorithm>
 #include <cmath>
@@ -7,7 +7,7 @@
 #include <numeric>
 #include <vector>
 
-#include "core/decimation/lattice_scan.h"
+#include "core/decimation/lattice/lattice_scan.h"
 
 namespace proveout {
 

@@ -3,8 +3,8 @@
 
 #include <span>
 
-#include "core/decimation/parameters.h"
-#include "core/decimation/region_grid.h"
+#include "core/decimation/regions/parameters.h"
+#include "core/decimation/regions/region_grid.h"
 
 namespace proveout {
 

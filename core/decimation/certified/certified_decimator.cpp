@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/certified_decimator.h"
+#include "core/decimation/certified/certified_decimator.h"
 
 #include <algorithm>
 
-#include "core/decimation/certified_border.h"
-#include "core/decimation/patch_mesh.h"
+#include "core/decimation/certified/certified_border.h"
+#include "core/decimation/lattice/patch_mesh.h"
 
 namespace proveout {
 

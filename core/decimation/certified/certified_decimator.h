@@ -6,11 +6,11 @@
 #include <array>
 #include <cstdint>
 
-#include "core/decimation/greedy_insertion.h"
-#include "core/decimation/lattice_triangulation.h"
-#include "core/decimation/region_decimator.h"
-#include "core/decimation/region_patch.h"
-#include "core/decimation/vertex_removal.h"
+#include "core/decimation/certified/greedy_insertion.h"
+#include "core/decimation/lattice/lattice_triangulation.h"
+#include "core/decimation/lattice/region_patch.h"
+#include "core/decimation/lattice/vertex_removal.h"
+#include "core/decimation/regions/region_decimator.h"
 
 namespace proveout {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/greedy_insertion.h"
+#include "core/decimation/certified/greedy_insertion.h"
 
 #include <cassert>
 

@@ -6,8 +6,8 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/decimation/edge_crossings.h"
-#include "core/decimation/lattice_triangulation.h"
+#include "core/decimation/lattice/edge_crossings.h"
+#include "core/decimation/lattice/lattice_triangulation.h"
 
 namespace proveout {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/edge_crossings.h"
+#include "core/decimation/lattice/edge_crossings.h"
 
 #include <algorithm>
 #include <array>

@@ -3,7 +3,7 @@
 // made of whole lines, x = n, y = n, x - y = 2n and x + y = 2n, each a polyline over lattice points.
 #pragma once
 
-#include "core/decimation/lattice_kernels.h"
+#include "core/decimation/lattice/lattice_kernels.h"
 
 namespace proveout {
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #undef HWY_TARGET_INCLUDE
-#define HWY_TARGET_INCLUDE "core/decimation/lattice_kernels.cpp"
+#define HWY_TARGET_INCLUDE "core/decimation/lattice/lattice_kernels.cpp"
 #include <hwy/foreach_target.h>
 // Highway compiles this file once a target.
 #include <hwy/highway.h>
@@ -9,7 +9,7 @@
 #include <cmath>
 #include <limits>
 
-#include "core/decimation/lattice_kernels.h"
+#include "core/decimation/lattice/lattice_kernels.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace proveout::HWY_NAMESPACE {

@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-#include "core/decimation/region_patch.h"
+#include "core/decimation/lattice/region_patch.h"
 
 namespace proveout {
 

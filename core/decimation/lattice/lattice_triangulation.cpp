@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/lattice_triangulation.h"
+#include "core/decimation/lattice/lattice_triangulation.h"
 
 #include <algorithm>
 #include <cstdlib>

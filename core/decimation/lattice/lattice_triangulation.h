@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/decimation/lattice_kernels.h"
+#include "core/decimation/lattice/lattice_kernels.h"
 
 namespace proveout {
 

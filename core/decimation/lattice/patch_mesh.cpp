@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/patch_mesh.h"
+#include "core/decimation/lattice/patch_mesh.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/decimation/edge_crossings.h"
+#include "core/decimation/lattice/edge_crossings.h"
 
 namespace proveout {
 

@@ -4,9 +4,9 @@
 
 #include <cstdint>
 
-#include "core/decimation/lattice_triangulation.h"
-#include "core/decimation/parameters.h"
-#include "core/decimation/region_mesh.h"
+#include "core/decimation/lattice/lattice_triangulation.h"
+#include "core/decimation/regions/parameters.h"
+#include "core/decimation/regions/region_mesh.h"
 
 namespace proveout {
 

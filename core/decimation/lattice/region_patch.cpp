@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/region_patch.h"
+#include "core/decimation/lattice/region_patch.h"
 
 #include <algorithm>
 #include <cmath>

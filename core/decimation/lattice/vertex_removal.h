@@ -7,7 +7,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/decimation/lattice_triangulation.h"
+#include "core/decimation/lattice/lattice_triangulation.h"
 
 namespace proveout {
 

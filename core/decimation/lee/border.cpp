@@ -6,10 +6,10 @@
 #include <numeric>
 #include <vector>
 
-#include "core/decimation/lattice_scan.h"
-#include "core/decimation/random_order.h"
-#include "core/decimation/region_decimator.h"
-#include "core/decimation/vertex_error.h"
+#include "core/decimation/lattice/lattice_scan.h"
+#include "core/decimation/lee/vertex_error.h"
+#include "core/decimation/regions/random_order.h"
+#include "core/decimation/regions/region_decimator.h"
 
 namespace proveout {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/euler_operators.h"
+#include "core/decimation/lee/euler_operators.h"
 
 namespace proveout {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/lee_decimator.h"
+#include "core/decimation/lee/lee_decimator.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 
-#include "core/decimation/random_order.h"
-#include "core/decimation/vertex_error.h"
+#include "core/decimation/lee/vertex_error.h"
+#include "core/decimation/regions/random_order.h"
 
 namespace proveout {
 

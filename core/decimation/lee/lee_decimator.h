@@ -8,9 +8,9 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/decimation/lattice_scan.h"
-#include "core/decimation/region_decimator.h"
-#include "core/decimation/region_half_edges.h"
+#include "core/decimation/lattice/lattice_scan.h"
+#include "core/decimation/lee/region_half_edges.h"
+#include "core/decimation/regions/region_decimator.h"
 
 namespace proveout {
 

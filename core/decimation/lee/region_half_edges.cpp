@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/region_half_edges.h"
+#include "core/decimation/lee/region_half_edges.h"
 
 #include <algorithm>
 #include <cassert>

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "core/base/index_rect.h"
-#include "core/decimation/euler_operators.h"
-#include "core/decimation/region_grid.h"
+#include "core/decimation/lee/euler_operators.h"
+#include "core/decimation/regions/region_grid.h"
 
 namespace proveout {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/vertex_error.h"
+#include "core/decimation/lee/vertex_error.h"
 
 #include <cmath>
 

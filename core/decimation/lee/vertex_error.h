@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/geometry.h"
-#include "core/decimation/region_half_edges.h"
+#include "core/decimation/lee/region_half_edges.h"
 
 namespace proveout {
 

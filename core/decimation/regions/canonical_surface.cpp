@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/canonical_surface.h"
+#include "core/decimation/regions/canonical_surface.h"
 
 #include <algorithm>
 #include <array>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/error_measure.h"
+#include "core/decimation/regions/error_measure.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_reduce.h>
@@ -11,7 +11,7 @@
 #include <limits>
 #include <vector>
 
-#include "core/decimation/canonical_surface.h"
+#include "core/decimation/regions/canonical_surface.h"
 
 namespace proveout {
 

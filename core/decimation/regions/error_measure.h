@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <span>
 
-#include "core/decimation/region_mesh.h"
+#include "core/decimation/regions/region_mesh.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/random_order.h"
+#include "core/decimation/regions/random_order.h"
 
 #include <utility>
 

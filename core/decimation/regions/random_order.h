@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <span>
 
-#include "core/decimation/parameters.h"
+#include "core/decimation/regions/parameters.h"
 
 namespace proveout {
 

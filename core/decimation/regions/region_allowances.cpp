@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/region_allowances.h"
+#include "core/decimation/regions/region_allowances.h"
 
 #include <algorithm>
 #include <cassert>

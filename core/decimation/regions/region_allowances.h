@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "core/decimation/region_grid.h"
+#include "core/decimation/regions/region_grid.h"
 
 namespace proveout {
 

@@ -10,9 +10,9 @@
 #include <string_view>
 #include <vector>
 
-#include "core/decimation/parameters.h"
-#include "core/decimation/region_grid.h"
-#include "core/decimation/region_mesh.h"
+#include "core/decimation/regions/parameters.h"
+#include "core/decimation/regions/region_grid.h"
+#include "core/decimation/regions/region_mesh.h"
 
 namespace proveout {
 

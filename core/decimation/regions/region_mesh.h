@@ -7,7 +7,7 @@
 #include <memory>
 #include <vector>
 
-#include "core/decimation/region_grid.h"
+#include "core/decimation/regions/region_grid.h"
 
 namespace proveout {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/floor_sectors.h"
+#include "core/decimation/solid/floor_sectors.h"
 
 #include <algorithm>
 #include <cmath>

@@ -30,14 +30,14 @@
 //
 // Heights less than the gap above the floor count as on it: float32, which STL has, could not hold them
 // apart.
-#include "core/decimation/solid.h"
+#include "core/decimation/solid/solid.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "core/decimation/solid_above_floor.h"
-#include "core/decimation/solid_frame.h"
-#include "core/decimation/solid_on_floor.h"
+#include "core/decimation/solid/solid_above_floor.h"
+#include "core/decimation/solid/solid_frame.h"
+#include "core/decimation/solid/solid_on_floor.h"
 
 namespace proveout {
 

@@ -7,7 +7,7 @@
 
 #include "core/base/geometry.h"
 #include "core/base/work_context.h"
-#include "core/decimation/region_mesh.h"
+#include "core/decimation/regions/region_mesh.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout {

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/solid_above_floor.h"
+#include "core/decimation/solid/solid_above_floor.h"
 
 #include <cmath>
 #include <utility>
 #include <vector>
 
-#include "core/decimation/lattice_numbers.h"
-#include "core/decimation/solid_error.h"
+#include "core/decimation/lattice/lattice_numbers.h"
+#include "core/decimation/solid/solid_error.h"
 
 namespace proveout {
 

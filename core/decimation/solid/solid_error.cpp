@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/solid_error.h"
+#include "core/decimation/solid/solid_error.h"
 
 #include <algorithm>
 #include <array>
@@ -10,7 +10,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/decimation/canonical_surface.h"
+#include "core/decimation/regions/canonical_surface.h"
 
 namespace proveout {
 

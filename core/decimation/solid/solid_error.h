@@ -2,8 +2,8 @@
 #pragma once
 
 #include "core/base/work_context.h"
-#include "core/decimation/parameters.h"
-#include "core/decimation/solid.h"
+#include "core/decimation/regions/parameters.h"
+#include "core/decimation/solid/solid.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout {

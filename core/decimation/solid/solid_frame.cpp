@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/solid_frame.h"
+#include "core/decimation/solid/solid_frame.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "core/base/geometry.h"
-#include "core/decimation/solid.h"
+#include "core/decimation/solid/solid.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout {

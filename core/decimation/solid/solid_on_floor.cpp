@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/solid_on_floor.h"
+#include "core/decimation/solid/solid_on_floor.h"
 
 #include <algorithm>
 #include <compare>
@@ -8,8 +8,8 @@
 #include <utility>
 #include <vector>
 
-#include "core/decimation/floor_sectors.h"
-#include "core/decimation/lattice_numbers.h"
+#include "core/decimation/lattice/lattice_numbers.h"
+#include "core/decimation/solid/floor_sectors.h"
 
 namespace proveout {
 

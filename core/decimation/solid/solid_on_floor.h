@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "core/base/work_context.h"
-#include "core/decimation/solid_frame.h"
+#include "core/decimation/solid/solid_frame.h"
 
 namespace proveout {
 

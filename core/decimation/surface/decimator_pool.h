@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/decimation/region_decimator.h"
+#include "core/decimation/regions/region_decimator.h"
 
 namespace proveout {
 

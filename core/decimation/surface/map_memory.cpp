@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/map_memory.h"
+#include "core/decimation/surface/map_memory.h"
 
 #include <algorithm>
 #include <fmt/format.h>
 
 #include "core/base/text.h"
-#include "core/decimation/refined_surface.h"
-#include "core/decimation/region_decimator.h"
+#include "core/decimation/regions/region_decimator.h"
+#include "core/decimation/surface/refined_surface.h"
 
 namespace proveout {
 

@@ -5,7 +5,7 @@
 #include <cstddef>
 
 #include "core/base/diagnostic.h"
-#include "core/decimation/parameters.h"
+#include "core/decimation/regions/parameters.h"
 #include "core/zmap/stock.h"
 
 namespace proveout {

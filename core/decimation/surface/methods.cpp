@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <limits>
 
-#include "core/decimation/certified_border.h"
-#include "core/decimation/certified_decimator.h"
-#include "core/decimation/lee_decimator.h"
-#include "core/decimation/region_decimator.h"
+#include "core/decimation/certified/certified_border.h"
+#include "core/decimation/certified/certified_decimator.h"
+#include "core/decimation/lee/lee_decimator.h"
+#include "core/decimation/regions/region_decimator.h"
 
 namespace proveout {
 

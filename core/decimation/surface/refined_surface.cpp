@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/refined_surface.h"
+#include "core/decimation/surface/refined_surface.h"
 
 #include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/base/memory.h"
-#include "core/decimation/region_merge.h"
-#include "core/decimation/tally.h"
+#include "core/decimation/surface/region_merge.h"
+#include "core/decimation/surface/tally.h"
 
 namespace proveout {
 

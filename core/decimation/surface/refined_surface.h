@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "core/decimation/surface.h"
+#include "core/decimation/surface/surface.h"
 
 namespace proveout {
 

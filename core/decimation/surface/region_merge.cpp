@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/region_merge.h"
+#include "core/decimation/surface/region_merge.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <memory>
 
-#include "core/decimation/patch_mesh.h"
+#include "core/decimation/lattice/patch_mesh.h"
 
 namespace proveout {
 

@@ -7,8 +7,8 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/decimation/region_decimator.h"
-#include "core/decimation/vertex_removal.h"
+#include "core/decimation/lattice/vertex_removal.h"
+#include "core/decimation/regions/region_decimator.h"
 
 namespace proveout {
 

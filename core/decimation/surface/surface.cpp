@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/surface.h"
+#include "core/decimation/surface/surface.h"
 
 #include <tbb/parallel_for.h>
 
@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "core/base/memory.h"
-#include "core/decimation/decimator_pool.h"
-#include "core/decimation/random_order.h"
-#include "core/decimation/tally.h"
+#include "core/decimation/regions/random_order.h"
+#include "core/decimation/surface/decimator_pool.h"
+#include "core/decimation/surface/tally.h"
 
 namespace proveout {
 

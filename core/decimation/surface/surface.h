@@ -11,8 +11,8 @@
 
 #include "core/base/persistent_array.h"
 #include "core/base/work_context.h"
-#include "core/decimation/region_allowances.h"
-#include "core/decimation/region_decimator.h"
+#include "core/decimation/regions/region_allowances.h"
+#include "core/decimation/regions/region_decimator.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout {

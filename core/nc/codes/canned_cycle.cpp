@@ -16,7 +16,7 @@ constexpr std::array<CycleStep, CannedCycle::kMostSteps> kMixedTap{
     rapidToR, mixedToBottom, reverseSpindle, dwell, mixedToClearance, restoreSpindle, takenAsLeft};
 
 // Source: LinuxCNC's documentation of G73 to G89, in the order in which its stand-alone interpreter does it.
-constexpr CannedCycle kLinuxcnc[] = {
+constexpr CannedCycle kLinuxcncCycles[] = {
     {730, false, true, SpindleNeed::any, {rapidToR, peckAndBreakChip, rapidToClearance}},
     {740, false, false, SpindleNeed::counterClockwise, kMixedTap},
     {810, false, false, SpindleNeed::any, {rapidToR, feedToBottom, rapidToClearance}},
@@ -47,7 +47,7 @@ constexpr std::array<CycleStep, CannedCycle::kMostSteps> kTapWithChuck{rapidToR,
                                                                        feedToClearance, restoreSpindle};
 
 // What Mach does otherwise than LinuxCNC. Source: Using Mach3Mill, canned cycles.
-constexpr CannedCycle kMach[] = {
+constexpr CannedCycle kMachCycles[] = {
     {740, false, false, SpindleNeed::counterClockwise, kTapWithChuck},
     {840, false, false, SpindleNeed::clockwise, kTapWithChuck},
     {880,
@@ -67,7 +67,7 @@ constexpr std::array<CycleStep, CannedCycle::kMostSteps> kManualOut{
     rapidToR, feedToBottom, dwell, stopSpindle, stopProgram, rapidToClearance, restoreSpindle};
 
 // Source: FANUC Series 0i and 30i, operator's manuals for machining centres, canned cycles for drilling.
-constexpr CannedCycle kFanuc[] = {
+constexpr CannedCycle kFanucCycles[] = {
     {730, false, true, SpindleNeed::any, {rapidToR, peckAndBreakChip, rapidToClearance}},
     {740, true, true, SpindleNeed::counterClockwise, kTapping},
     {.tenths = 760,
@@ -106,7 +106,7 @@ constexpr CannedCycle kFanuc[] = {
 };
 
 // What Haas does otherwise than Fanuc. Source: HAAS Mill Operator's Manual, canned cycles.
-constexpr CannedCycle kHaas[] = {
+constexpr CannedCycle kHaasCycles[] = {
     {730, true, true, SpindleNeed::any, {rapidToR, peckAndBreakChip, dwell, rapidToClearance}},
     {740, false, false, SpindleNeed::counterClockwise, kTapping},
     {.tenths = 770,
@@ -154,11 +154,12 @@ bool isCycle(const CodeRow* row) {
 
 const CannedCycle& cycleOf(DialectId dialect, const CodeRow& row) {
     const bool rs274 = dialect == DialectId::linuxcnc || dialect == DialectId::mach;
-    const CannedCycle* own = dialect == DialectId::haas   ? find(kHaas, row.tenths)
-                             : dialect == DialectId::mach ? find(kMach, row.tenths)
+    const CannedCycle* own = dialect == DialectId::haas   ? find(kHaasCycles, row.tenths)
+                             : dialect == DialectId::mach ? find(kMachCycles, row.tenths)
                                                           : nullptr;
-    return own != nullptr ? *own
-                          : *find(rs274 ? std::span<const CannedCycle>(kLinuxcnc) : kFanuc, row.tenths);
+    return own != nullptr
+               ? *own
+               : *find(rs274 ? std::span<const CannedCycle>(kLinuxcncCycles) : kFanucCycles, row.tenths);
 }
 
 } // namespace proveout

@@ -33,7 +33,7 @@ struct Row {
 
 using enum DialectId;
 
-constexpr Row kRows[] = {
+constexpr Row kSignRows[] = {
     {linuxcnc, kDecides, "^O<"},
     {linuxcnc, kDecides, "#<"},
     {linuxcnc, kDecides, "EXISTS["},
@@ -104,10 +104,6 @@ constexpr Row kRows[] = {
     {mach, kSign, "G28.1X"},
 };
 
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 /// Upper case, without blanks, comments and the N word.
 void strip(std::string_view line, std::string& out) {
     out.clear();
@@ -171,7 +167,7 @@ std::optional<std::size_t> placeOf(std::string_view pattern, std::string_view li
 
 DialectGuess guessDialect(const NcText& text) {
     std::vector<DialectSign> signs;
-    std::array<bool, std::size(kRows)> seen{};
+    std::array<bool, std::size(kSignRows)> seen{};
     std::string line;
     const std::size_t most = std::min(text.lineCount(), kMostLines);
     std::array<bool, static_cast<std::size_t>(DialectId::count)> isNamed{};
@@ -186,12 +182,12 @@ DialectGuess guessDialect(const NcText& text) {
         // Most lines are plain coordinates.
         if (line.find_first_of("GMOIW#:<*$") == std::string::npos)
             continue;
-        for (std::size_t row = 0; row < std::size(kRows); ++row) {
-            const auto at = seen[row] ? std::nullopt : placeOf(kRows[row].pattern, line);
+        for (std::size_t row = 0; row < std::size(kSignRows); ++row) {
+            const auto at = seen[row] ? std::nullopt : placeOf(kSignRows[row].pattern, line);
             if (!at)
                 continue;
             seen[row] = true;
-            signs.push_back({kRows[row].dialect, kRows[row].weight, static_cast<int>(i + 1),
+            signs.push_back({kSignRows[row].dialect, kSignRows[row].weight, static_cast<int>(i + 1),
                              line.substr(*at, kLongestShown)});
         }
     }

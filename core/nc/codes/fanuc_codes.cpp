@@ -10,7 +10,7 @@ namespace proveout {
 namespace {
 
 // clang-format off
-constexpr CodeRow kFanuc[] = {
+constexpr CodeRow kFanucRows[] = {
     {'G', 10, ModalGroup::motion, PROVEOUT_TEXT("Core", "straight feed"), moveFeed, Step::motion, LetterSet("XYZ[]")},
     {'G', 20, ModalGroup::motion, PROVEOUT_TEXT("Core", "clockwise arc"), moveArcClockwise, Step::motion, LetterSet("XYZIJKR[]")},
     {'G', 30, ModalGroup::motion, PROVEOUT_TEXT("Core", "counter-clockwise arc"), moveArcCounterClockwise, Step::motion, LetterSet("XYZIJKR[]")},
@@ -100,7 +100,7 @@ constexpr CodeRow kFanuc[] = {
 } // namespace
 
 std::span<const CodeRow> fanucCodes() {
-    return kFanuc;
+    return kFanucRows;
 }
 
 } // namespace proveout

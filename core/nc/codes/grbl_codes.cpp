@@ -13,7 +13,7 @@ namespace proveout {
 namespace {
 
 // clang-format off
-constexpr CodeRow kOwn[] = {
+constexpr CodeRow kGrblRows[] = {
     {'G', 20, ModalGroup::motion, PROVEOUT_TEXT("Core", "clockwise arc"), moveArcClockwise, Step::motion, LetterSet("XYZIJKR")},
     {'G', 30, ModalGroup::motion, PROVEOUT_TEXT("Core", "counter-clockwise arc"), moveArcCounterClockwise, Step::motion, LetterSet("XYZIJKR")},
     {'G', 100, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "set offsets"), setOffsets, Step::nonModal, LetterSet("LPXYZ"), AxisUse::takes},
@@ -29,8 +29,8 @@ void append(std::vector<CodeRow>& rows, const std::vector<CodeRow>& more) {
     rows.insert(rows.end(), more.begin(), more.end());
 }
 
-std::vector<CodeRow> allRows() {
-    std::vector<CodeRow> rows(std::begin(kOwn), std::end(kOwn));
+std::vector<CodeRow> rowsOfGrbl() {
+    std::vector<CodeRow> rows(std::begin(kGrblRows), std::end(kGrblRows));
     append(rows,
            sameRows(basicCodes(), 'G',
                     {0, 10, 170, 180, 190, 200, 210, 540, 550, 560, 570, 580, 590, 800, 900, 910, 930, 940}));
@@ -43,7 +43,7 @@ std::vector<CodeRow> allRows() {
 } // namespace
 
 std::span<const CodeRow> grblCodes() {
-    static const std::vector<CodeRow> kRows = allRows();
+    static const std::vector<CodeRow> kRows = rowsOfGrbl();
     return kRows;
 }
 

@@ -10,7 +10,7 @@ namespace proveout {
 namespace {
 
 // clang-format off
-constexpr CodeRow kHaas[] = {
+constexpr CodeRow kHaasRows[] = {
     {'G', 120, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "clockwise circular pocket"), millPocketClockwise, Step::nonModal, LetterSet("ZIKQDL"), AxisUse::takes, WithCompensation::refusedBeside},
     {'G', 130, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "counter-clockwise circular pocket"), millPocketCounterClockwise, Step::nonModal, LetterSet("ZIKQDL"), AxisUse::takes, WithCompensation::refusedBeside},
     {'G', 470, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "engraving of text"), nullptr, Step::none, {}, AxisUse::takes},
@@ -65,7 +65,7 @@ constexpr CodeRow kHaas[] = {
 } // namespace
 
 std::span<const CodeRow> haasCodes() {
-    return kHaas;
+    return kHaasRows;
 }
 
 } // namespace proveout

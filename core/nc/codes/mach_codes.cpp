@@ -13,7 +13,7 @@ namespace proveout {
 namespace {
 
 // clang-format off
-constexpr CodeRow kOwn[] = {
+constexpr CodeRow kMachRows[] = {
     {'G', 20, ModalGroup::motion, PROVEOUT_TEXT("Core", "clockwise arc"), moveArcClockwise, Step::motion, LetterSet("XYZIJKR")},
     {'G', 30, ModalGroup::motion, PROVEOUT_TEXT("Core", "counter-clockwise arc"), moveArcCounterClockwise, Step::motion, LetterSet("XYZIJKR")},
     {'G', 120, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "clockwise circular pocket"), millCircleClockwise, Step::nonModal, LetterSet("I"), AxisUse::takes, WithCompensation::refusedBeside},
@@ -38,8 +38,8 @@ constexpr CodeRow kOwn[] = {
 };
 // clang-format on
 
-std::vector<CodeRow> allRows() {
-    std::vector<CodeRow> rows(std::begin(kOwn), std::end(kOwn));
+std::vector<CodeRow> rowsOfMach() {
+    std::vector<CodeRow> rows(std::begin(kMachRows), std::end(kMachRows));
     auto g =
         sameRows(rs274Codes(), 'G', {40,  100, 280, 300, 400, 410, 420, 490, 520, 530, 610, 730, 810, 820,
                                      830, 840, 850, 860, 870, 880, 890, 901, 911, 920, 921, 922, 923});
@@ -60,7 +60,7 @@ std::vector<CodeRow> allRows() {
 } // namespace
 
 std::span<const CodeRow> machCodes() {
-    static const std::vector<CodeRow> kRows = allRows();
+    static const std::vector<CodeRow> kRows = rowsOfMach();
     return kRows;
 }
 

@@ -18,7 +18,7 @@ constexpr CodeRow function(int number, const char* name) {
 }
 
 /// The builder of the machine gives them their meaning; most keep to these.
-constexpr CodeRow kFanuc[] = {
+constexpr CodeRow kFanucFunctions[] = {
     function(10, PROVEOUT_TEXT("Core", "clamp of a rotary axis or pallet on")),
     function(11, PROVEOUT_TEXT("Core", "clamp of a rotary axis or pallet off")),
     function(41, PROVEOUT_TEXT("Core", "low spindle gear")),
@@ -29,7 +29,7 @@ constexpr CodeRow kFanuc[] = {
     function(79, PROVEOUT_TEXT("Core", "clamp of the B axis off")),
 };
 
-constexpr CodeRow kHaas[] = {
+constexpr CodeRow kHaasFunctions[] = {
     function(10, PROVEOUT_TEXT("Core", "brake of the 4th axis on")),
     function(11, PROVEOUT_TEXT("Core", "brake of the 4th axis off")),
     function(12, PROVEOUT_TEXT("Core", "brake of the 5th axis on")),
@@ -64,11 +64,11 @@ constexpr CodeRow kHaas[] = {
 } // namespace
 
 std::span<const CodeRow> fanucFunctions() {
-    return kFanuc;
+    return kFanucFunctions;
 }
 
 std::span<const CodeRow> haasFunctions() {
-    return kHaas;
+    return kHaasFunctions;
 }
 
 } // namespace proveout

@@ -12,7 +12,7 @@ namespace proveout {
 namespace {
 
 constexpr double kMostNumber = 1e8;
-constexpr double kMostRepeats = 1e9;
+constexpr double kMostRuns = 1e9;
 
 bool whole(const Word& word, double most) {
     return word.value >= 0 && word.value <= most && word.value == std::round(word.value);
@@ -30,7 +30,7 @@ void callProgram(Execution& execution, const Word& word) {
     // Q is among the words of this code where the control is Mach.
     const char repeats = block.has('L') ? 'L' : 'Q';
     for (const char letter : {'P', repeats}) {
-        const double most = letter == 'P' ? kMostNumber : kMostRepeats;
+        const double most = letter == 'P' ? kMostNumber : kMostRuns;
         if (block.has(letter) && !whole(block.word(letter), most)) {
             execution.reporter.tell(nc_message::kNotInteger, block.word(letter),
                                     {std::string(1, letter), "0", fmt::format("{:.0f}", most)});

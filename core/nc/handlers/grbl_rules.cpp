@@ -12,7 +12,6 @@ namespace proveout {
 namespace {
 
 constexpr LetterSet kWords("FIJKLNPRSTXYZ");
-constexpr LetterSet kAxes("XYZ");
 constexpr int kLargestTool = 255;
 constexpr int kSystems = 6;
 
@@ -91,7 +90,7 @@ private:
     }
 
     bool wordsOf(const Word& word) {
-        const bool axes = m_block.letters().any(kAxes);
+        const bool axes = m_block.letters().any(kAxisWords);
         constexpr double kG43dot1 = 43.1;
         if ((word.value == 10 || word.value == 92) && !axes)
             return refuse(nc_message::kWordMissing, word, {nameOf(word), "X"});
@@ -120,7 +119,7 @@ private:
         const bool taken = std::ranges::any_of(m_block.codes(), [&](const Word& word) {
             return m_execution.codes.find(word)->axisUse == AxisUse::takes;
         });
-        return m_block.letters().any(kAxes) && !taken ? m_execution.state.motion : nullptr;
+        return m_block.letters().any(kAxisWords) && !taken ? m_execution.state.motion : nullptr;
     }
 
     [[nodiscard]] const Word* codeOf(ModalGroup group) const {

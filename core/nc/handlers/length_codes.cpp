@@ -11,7 +11,6 @@ namespace proveout {
 
 namespace {
 
-constexpr LetterSet kAxes("XYZ");
 constexpr int kLargestOffset = 99999;
 
 /// The number of the H word, or the tool in the spindle; told where it is none that the control knows.
@@ -71,7 +70,7 @@ void subtractToolLength(Execution& execution, const Word& word) {
 }
 
 void useGivenLength(Execution& execution, const Word& word) {
-    if (!execution.block.letters().any(kAxes)) {
+    if (!execution.block.letters().any(kAxisWords)) {
         execution.reporter.tell(nc_message::kWordMissing, word, {"G43.1", "Z"});
         return;
     }
@@ -81,7 +80,7 @@ void useGivenLength(Execution& execution, const Word& word) {
 
 void addToolLength(Execution& execution, const Word& word) {
     Vec3 more(0);
-    const bool axes = execution.block.letters().any(kAxes);
+    const bool axes = execution.block.letters().any(kAxisWords);
     if (axes && execution.block.has('H')) {
         execution.reporter.tell(nc_message::kLengthTwice, word);
         return;

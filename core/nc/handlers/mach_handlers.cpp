@@ -16,8 +16,6 @@ namespace proveout {
 
 namespace {
 
-constexpr LetterSet kAxes("XYZ");
-
 bool inXyPlane(Execution& execution, const Word& word) {
     if (execution.state.plane == Plane::xy)
         return true;
@@ -83,7 +81,7 @@ void beginPolarHere(Execution& execution, const Word& word) {
 
 void referenceAxes(Execution& execution, const Word& word) {
     execution.reporter.tell(nc_message::kAxesReferenced, word, {nameOf(word)});
-    const bool all = !execution.block.letters().any(kAxes);
+    const bool all = !execution.block.letters().any(kAxisWords);
     Motion motion = motionFromHere(execution, MotionKind::rapid);
     for (int axis = 0; axis < 3; ++axis) {
         if (all || execution.block.has(static_cast<char>('X' + axis)))
@@ -103,7 +101,7 @@ void subtractNumberedLength(Execution& execution, const Word& word) {
 }
 
 void scaleByAxis(Execution& execution, const Word& word) {
-    if (!execution.block.letters().any(kAxes)) {
+    if (!execution.block.letters().any(kAxisWords)) {
         execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "X"});
         return;
     }

@@ -14,7 +14,6 @@ namespace proveout {
 
 namespace {
 
-constexpr LetterSet kAxes("XYZ");
 constexpr int kZ = 2;
 
 bool standsStill(const Motion& motion) {
@@ -62,7 +61,7 @@ void sendTo(Execution& execution, Motion& motion, int axis, double value) {
 /// another one lies, nobody knows.
 void goToReference(Execution& execution, const Word& word, bool first) {
     tellReferenceInCycle(execution, word);
-    const bool named = execution.block.letters().any(kAxes);
+    const bool named = execution.block.letters().any(kAxisWords);
     if (!named && !execution.dialect.allAxesGoHome) {
         execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "X"});
         return;
@@ -114,7 +113,7 @@ void moveInMachine(Execution& execution, const Word& word) {
         if (execution.block.has(letterOfAxis(axis)))
             sendTo(execution, motion, axis, execution.length(letterOfAxis(axis)));
     }
-    if (execution.block.letters().any(kAxes))
+    if (execution.block.letters().any(kAxisWords))
         appendMotion(execution, motion);
 }
 

@@ -10,8 +10,6 @@ namespace proveout {
 
 namespace {
 
-constexpr LetterSet kAxes("XYZ");
-
 /// Where the tip goes: with the axes that the block names, which a rotation of the work offset turns as well.
 Vec3 referenceOfAxes(const Execution& execution, const Vec3& reference, bool all) {
     const MachineState& state = execution.state;
@@ -31,7 +29,7 @@ Vec3 referenceOfAxes(const Execution& execution, const Vec3& reference, bool all
 /// By way of the point that the block names to the reference position, with the axes that it names; without
 /// any, with all.
 void goToReference(Execution& execution, int parameter) {
-    const bool all = !execution.block.letters().any(kAxes);
+    const bool all = !execution.block.letters().any(kAxisWords);
     if (!all || execution.dialect.codeAloneMoves)
         appendMotion(execution, motionToTarget(execution, MotionKind::rapid));
     Motion home = motionFromHere(execution, MotionKind::rapid);

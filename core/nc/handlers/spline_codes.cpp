@@ -15,7 +15,7 @@ namespace proveout {
 
 namespace {
 
-constexpr LetterSet kAxes("XY@^");
+constexpr LetterSet kPlaneWords("XY@^");
 
 bool refuse(Execution& execution, const Message& message, const Word& word,
             std::vector<std::string> arguments = {}) {
@@ -100,7 +100,7 @@ void skip(Execution& execution) {
 bool mayBegin(Execution& execution, const Word& word) {
     // Unlike other motions, a spline leaves the motion code in force as it was.
     execution.state.motion = execution.motionBefore;
-    if (!execution.block.letters().any(kAxes))
+    if (!execution.block.letters().any(kPlaneWords))
         return refuse(execution, nc_message::kWordMissing, word, {nameOf(word), "X / Y"});
     return planeFits(execution, word);
 }
@@ -141,7 +141,7 @@ bool isNurbs(const CodeRow* row) {
 
 bool pointFits(Execution& execution, const Word& word) {
     const Block& block = execution.block;
-    const bool named = block.letters().any(kAxes);
+    const bool named = block.letters().any(kPlaneWords);
     const bool polar = block.letters().any(LetterSet("@^"));
     if (!planeFits(execution, word))
         return false;
@@ -180,7 +180,7 @@ void addNurbsPoint(Execution& execution, const Word& word) {
         return;
     if (execution.state.feedMode == FeedMode::perMinute)
         tellMissingFeed(execution, word);
-    const bool named = block.letters().any(kAxes);
+    const bool named = block.letters().any(kPlaneWords);
     const WorkFrame& frame = execution.state.frame;
     if (nurbs.points.empty()) {
         const double weight = !named && block.has('P') ? block.value('P') : 1;

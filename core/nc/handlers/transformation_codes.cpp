@@ -15,8 +15,6 @@ namespace proveout {
 
 namespace {
 
-constexpr LetterSet kAxes("XYZ");
-
 Transformation& transformation(Execution& execution) {
     return execution.state.frame.transformation;
 }
@@ -93,7 +91,7 @@ std::uint8_t centreUnknown(Execution& execution, const Word& word, std::uint8_t 
 } // namespace
 
 void mirrorAxes(Execution& execution, const Word& word) {
-    if (!execution.block.letters().any(kAxes)) {
+    if (!execution.block.letters().any(kAxisWords)) {
         execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "X"});
         return;
     }
@@ -106,7 +104,7 @@ void mirrorAxes(Execution& execution, const Word& word) {
 }
 
 void mirrorAboutZero(Execution& execution, const Word& word) {
-    if (execution.block.letters().any(kAxes))
+    if (execution.block.letters().any(kAxisWords))
         mirror(execution, word, Vec3(0));
     else
         execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "X"});
@@ -117,7 +115,7 @@ void endMirror(Execution& execution, const Word& word) {
     if (now.mirrored == 0)
         return;
     tellOrder(execution, word, true);
-    const bool all = !execution.block.letters().any(kAxes);
+    const bool all = !execution.block.letters().any(kAxisWords);
     for (int axis = 0; axis < 3; ++axis) {
         if (all || execution.block.has(letterOfAxis(axis)))
             now.mirrored &= static_cast<std::uint8_t>(~axisBit(axis));

@@ -15,7 +15,6 @@ namespace {
 
 constexpr int kG54 = 540;
 constexpr int kG110 = 1100;
-constexpr LetterSet kAxes("XYZ");
 
 void refresh(Execution& execution) {
     refreshFrame(execution.state, execution.parameters, execution.program, execution.line);
@@ -83,7 +82,7 @@ void shiftAllSystems(Execution& execution, const Word& /*word*/) {
 
 void presetCoordinates(Execution& execution, const Word& word) {
     MachineState& state = execution.state;
-    if (!execution.block.letters().any(kAxes)) {
+    if (!execution.block.letters().any(kAxisWords)) {
         execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "X"});
         return;
     }

@@ -12,7 +12,7 @@ namespace proveout {
 
 namespace {
 
-constexpr LetterSet kAxes("XYZ@^");
+constexpr LetterSet kTargetWords("XYZ@^");
 constexpr LetterSet kPolar("@^");
 constexpr LetterSet kOtherAxes("ABCUVW");
 constexpr LetterSet kArcLetters("IJKR");
@@ -120,8 +120,8 @@ private:
         if (row.axisUse == AxisUse::none)
             return;
         m_axesTaken = true;
-        if (row.axisUse == AxisUse::allAxes && !m_block.letters().any(kAxes))
-            m_execution.state.forget(kAxes, Forgotten::reported);
+        if (row.axisUse == AxisUse::allAxes && !m_block.letters().any(kTargetWords))
+            m_execution.state.forget(kTargetWords, Forgotten::reported);
     }
 
     /// A supported code with a claim on the axis words.
@@ -199,7 +199,7 @@ private:
     /// The motion is the one of this block, or the one in force where the block has axis words.
     bool planMotion() {
         MachineState& state = m_execution.state;
-        const bool named = m_block.letters().any(kAxes);
+        const bool named = m_block.letters().any(kTargetWords);
         if (m_axisWord != nullptr && !m_axesTaken && !m_unknownCode)
             return planWithoutMotion(named);
         if (m_motionRow == nullptr && m_machineWord != nullptr && isLost(state.motion))
@@ -245,7 +245,7 @@ private:
     }
 
     bool checkMachineMotion() {
-        const bool named = m_block.letters().any(kAxes);
+        const bool named = m_block.letters().any(kTargetWords);
         // LinuxCNC counts the code in force only where there are axis words for it.
         const bool inForce = named || !m_execution.dialect.refusesIdleG53;
         const CodeRow* row = m_motionRow != nullptr ? m_motionRow

@@ -23,10 +23,6 @@ constexpr std::size_t kMostLines = 2'000;
 constexpr std::size_t kMostLinesOfLathe = 100'000;
 constexpr std::size_t kLongestShown = 32;
 
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 bool isLetter(char c) {
     return c >= 'A' && c <= 'Z';
 }

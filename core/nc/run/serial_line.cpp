@@ -10,7 +10,7 @@ namespace proveout {
 
 namespace {
 
-constexpr std::size_t kLongestShown = 20;
+constexpr std::size_t kLongestCommand = 20;
 
 unsigned char byteOf(char c) {
     return static_cast<unsigned char>(c);
@@ -77,7 +77,7 @@ bool SerialLine::read(std::string_view line, Told& told, Reporter& reporter, Mac
     if (begin < line.size() && line[begin] == '$') {
         const std::string command = upper(line.substr(begin));
         reporter.tell(nc_message::kSystemCommand, static_cast<int>(begin + 1),
-                      static_cast<int>(line.size() - begin), {command.substr(0, kLongestShown)});
+                      static_cast<int>(line.size() - begin), {command.substr(0, kLongestCommand)});
         state.forget(movedBy(command));
         return false;
     }

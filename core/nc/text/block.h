@@ -46,6 +46,7 @@ private:
 
     std::uint32_t m_bits = 0;
 };
+inline constexpr LetterSet kAxisWords("XYZ");
 
 /// The words of one line: G and M words in the order of the text, every other letter with one value. One
 /// object is filled again and again.

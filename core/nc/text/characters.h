@@ -11,6 +11,10 @@ namespace proveout {
     return c == ' ' || c == '\t' || c == '\v' || c == '\f';
 }
 
+[[nodiscard]] constexpr bool isDigit(char c) {
+    return c >= '0' && c <= '9';
+}
+
 [[nodiscard]] constexpr char upperCase(char c) {
     return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
 }

@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/text/glob.h"
 
+#include "core/nc/text/characters.h"
+
 #include <cstddef>
 
 namespace proveout {
 
 namespace {
-
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
 
 bool isOfName(char c) {
     return isDigit(c) || (c >= 'A' && c <= 'Z') || c == '_';

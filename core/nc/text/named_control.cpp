@@ -13,10 +13,6 @@ namespace {
 
 using enum DialectId;
 
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
-}
-
 /// A name of a control, as a comment has it in upper case.
 struct NameRow {
     DialectId dialect;

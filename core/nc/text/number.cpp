@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/text/number.h"
 
+#include "core/nc/text/characters.h"
+
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -17,12 +19,9 @@ constexpr std::array<double, 23> kPowers{1e0,  1e1,  1e2,  1e3,  1e4,  1e5,  1e6
                                          1e16, 1e17, 1e18, 1e19, 1e20, 1e21, 1e22};
 constexpr std::uint64_t kExactInteger = std::uint64_t{1} << 53;
 
-bool isBlank(char c) {
+/// What may stand between the digits of a number.
+bool isGap(char c) {
     return c == ' ' || c == '\t';
-}
-
-bool isDigit(char c) {
-    return c >= '0' && c <= '9';
 }
 
 /// For the numbers that do not fit into 53 bits: the characters of [begin, end) without blanks.
@@ -30,7 +29,7 @@ double readSlowly(std::string_view line, std::size_t begin, std::size_t end) {
     std::string digits;
     digits.reserve(end - begin);
     for (std::size_t i = begin; i < end; ++i) {
-        if (!isBlank(line[i]))
+        if (!isGap(line[i]))
             digits.push_back(line[i]);
     }
     double value = 0;
@@ -48,7 +47,7 @@ double readSlowly(std::string_view line, std::size_t begin, std::size_t end) {
 NumberRead readNumber(std::string_view line, std::size_t at) {
     NumberRead read;
     const auto skipBlanks = [&] {
-        while (at < line.size() && isBlank(line[at]))
+        while (at < line.size() && isGap(line[at]))
             ++at;
     };
     const auto failed = [&](NumberStatus status, std::size_t place) {
@@ -88,10 +87,10 @@ NumberRead readNumber(std::string_view line, std::size_t at) {
             if (point)
                 return failed(NumberStatus::twoPoints, at);
             point = true;
-        } else if (!isBlank(c)) {
+        } else if (!isGap(c)) {
             break;
         }
-        end = isBlank(c) ? end : at + 1;
+        end = isGap(c) ? end : at + 1;
     }
     if (digits == 0)
         return failed(NumberStatus::missing, unsignedBegin);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/activity_log.h"
+#include "core/simulation/records/activity_log.h"
 
 #include <algorithm>
 #include <numeric>

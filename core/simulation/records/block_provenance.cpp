@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/block_provenance.h"
+#include "core/simulation/records/block_provenance.h"
 
 #include <algorithm>
 #include <array>
 #include <vector>
 
-#include "core/simulation/block_cutter.h"
-#include "core/simulation/tool_choice.h"
+#include "core/simulation/run/block_cutter.h"
+#include "core/simulation/setup/tool_choice.h"
 #include "core/zmap/grid_part.h"
 
 namespace proveout {

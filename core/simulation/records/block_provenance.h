@@ -6,10 +6,10 @@
 #include <optional>
 
 #include "core/base/work_context.h"
-#include "core/cutting/provenance.h"
+#include "core/cutting/cut/provenance.h"
 #include "core/nc/program/program.h"
-#include "core/simulation/frame.h"
-#include "core/simulation/setup.h"
+#include "core/simulation/run/frame.h"
+#include "core/simulation/setup/setup.h"
 
 namespace proveout {
 

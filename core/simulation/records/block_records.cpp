@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/block_records.h"
+#include "core/simulation/records/block_records.h"
 
 #include <algorithm>
 #include <cmath>
 
-#include "core/simulation/probed_stock.h"
+#include "core/simulation/run/probed_stock.h"
 
 namespace proveout {
 

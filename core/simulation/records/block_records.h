@@ -10,9 +10,9 @@
 #include "core/base/persistent_array.h"
 #include "core/base/work_context.h"
 #include "core/nc/program/program.h"
-#include "core/simulation/machine_time.h"
-#include "core/simulation/setup.h"
-#include "core/simulation/statistics.h"
+#include "core/simulation/run/statistics.h"
+#include "core/simulation/setup/setup.h"
+#include "core/simulation/time/machine_time.h"
 
 namespace proveout {
 

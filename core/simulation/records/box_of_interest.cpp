@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/box_of_interest.h"
+#include "core/simulation/records/box_of_interest.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,9 @@
 #include "core/base/memory.h"
 #include "core/base/stop_watch.h"
 #include "core/base/text.h"
-#include "core/cutting/cut_part.h"
-#include "core/simulation/block_cutter.h"
-#include "core/simulation/tool_choice.h"
+#include "core/cutting/cut/cut_part.h"
+#include "core/simulation/run/block_cutter.h"
+#include "core/simulation/setup/tool_choice.h"
 
 namespace proveout {
 

@@ -6,9 +6,9 @@
 #include <optional>
 
 #include "core/base/work_context.h"
-#include "core/decimation/map_memory.h"
+#include "core/decimation/surface/map_memory.h"
 #include "core/nc/program/program.h"
-#include "core/simulation/setup.h"
+#include "core/simulation/setup/setup.h"
 #include "core/zmap/grid_part.h"
 
 namespace proveout {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/block_cutter.h"
+#include "core/simulation/run/block_cutter.h"
 
 #include <algorithm>
 #include <vector>
 
-#include "core/cutting/overhang.h"
-#include "core/simulation/statistics.h"
+#include "core/cutting/cut/overhang.h"
+#include "core/simulation/run/statistics.h"
 
 namespace proveout {
 

@@ -6,11 +6,11 @@
 #include <stop_token>
 #include <vector>
 
-#include "core/cutting/cutting.h"
+#include "core/cutting/cut/cutting.h"
 #include "core/nc/program/program.h"
-#include "core/simulation/finding_log.h"
-#include "core/simulation/setup.h"
-#include "core/simulation/tool_choice.h"
+#include "core/simulation/run/finding_log.h"
+#include "core/simulation/setup/setup.h"
+#include "core/simulation/setup/tool_choice.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/changed_regions.h"
+#include "core/simulation/run/changed_regions.h"
 
 #include <algorithm>
 #include <cassert>

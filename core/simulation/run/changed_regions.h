@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <vector>
 
-#include "core/decimation/region_grid.h"
+#include "core/decimation/regions/region_grid.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "core/base/persistent_array.h"
-#include "core/simulation/kept_tile.h"
+#include "core/simulation/run/kept_tile.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout {

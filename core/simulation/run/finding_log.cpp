@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/finding_log.h"
+#include "core/simulation/run/finding_log.h"
 
 #include <algorithm>
 #include <array>

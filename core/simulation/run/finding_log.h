@@ -11,7 +11,7 @@
 #include "core/base/diagnostic.h"
 #include "core/base/geometry.h"
 #include "core/nc/program/program.h"
-#include "core/simulation/tool_choice.h"
+#include "core/simulation/setup/tool_choice.h"
 
 namespace proveout {
 

@@ -7,10 +7,10 @@
 
 #include "core/base/diagnostic.h"
 #include "core/base/persistent_array.h"
-#include "core/decimation/surface.h"
+#include "core/decimation/surface/surface.h"
 #include "core/nc/program/program.h"
-#include "core/simulation/setup.h"
-#include "core/simulation/statistics.h"
+#include "core/simulation/run/statistics.h"
+#include "core/simulation/setup/setup.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/interpretation.h"
+#include "core/simulation/run/interpretation.h"
 
 #include "core/nc/codes/dialects.h"
 #include <algorithm>
@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "core/base/memory.h"
-#include "core/simulation/probed_stock.h"
-#include "core/simulation/tool_choice.h"
+#include "core/simulation/run/probed_stock.h"
+#include "core/simulation/setup/tool_choice.h"
 
 namespace proveout {
 

@@ -8,7 +8,7 @@
 #include <optional>
 
 #include "core/nc/run/interpreter.h"
-#include "core/simulation/setup.h"
+#include "core/simulation/setup/setup.h"
 
 namespace proveout {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/kept_tile.h"
+#include "core/simulation/run/kept_tile.h"
 
 #include "core/zmap/packed_tile.h"
 

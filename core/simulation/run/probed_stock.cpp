@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/probed_stock.h"
+#include "core/simulation/run/probed_stock.h"
 
 #include <algorithm>
 #include <cmath>
 
 #include "core/base/memory.h"
-#include "core/simulation/tool_choice.h"
+#include "core/simulation/setup/tool_choice.h"
 
 namespace proveout {
 

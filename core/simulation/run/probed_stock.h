@@ -7,9 +7,9 @@
 #include <optional>
 #include <vector>
 
-#include "core/cutting/stock_contact.h"
+#include "core/cutting/cut/stock_contact.h"
 #include "core/nc/program/probe_target.h"
-#include "core/simulation/setup.h"
+#include "core/simulation/setup/setup.h"
 
 namespace proveout {
 

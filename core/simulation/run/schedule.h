@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <optional>
 
-#include "core/decimation/parameters.h"
+#include "core/decimation/regions/parameters.h"
 
 namespace proveout {
 

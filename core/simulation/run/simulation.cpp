@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
 
 #include <algorithm>
 #include <iterator>
@@ -7,10 +7,10 @@
 
 #include "core/base/memory.h"
 #include "core/base/stop_watch.h"
-#include "core/decimation/map_memory.h"
-#include "core/simulation/parameter_check.h"
-#include "core/simulation/simulation_state.h"
-#include "core/simulation/stock_position.h"
+#include "core/decimation/surface/map_memory.h"
+#include "core/simulation/run/simulation_state.h"
+#include "core/simulation/setup/parameter_check.h"
+#include "core/simulation/setup/stock_position.h"
 
 namespace proveout {
 

@@ -6,8 +6,8 @@
 #include <memory>
 
 #include "core/base/work_context.h"
-#include "core/simulation/frame.h"
-#include "core/simulation/tool_choice.h"
+#include "core/simulation/run/frame.h"
+#include "core/simulation/setup/tool_choice.h"
 
 namespace proveout {
 

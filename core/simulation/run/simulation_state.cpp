@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/simulation_state.h"
+#include "core/simulation/run/simulation_state.h"
 
 #include <algorithm>
 #include <iterator>
 #include <utility>
 
 #include "core/base/stop_watch.h"
-#include "core/simulation/automatic_grid.h"
-#include "core/simulation/block_cutter.h"
-#include "core/simulation/changed_regions.h"
-#include "core/simulation/stock_position.h"
+#include "core/simulation/run/block_cutter.h"
+#include "core/simulation/run/changed_regions.h"
+#include "core/simulation/setup/automatic_grid.h"
+#include "core/simulation/setup/stock_position.h"
 
 namespace proveout {
 

@@ -8,13 +8,13 @@
 #include <span>
 #include <vector>
 
-#include "core/cutting/cutting.h"
-#include "core/simulation/checkpoints.h"
-#include "core/simulation/finding_log.h"
-#include "core/simulation/schedule.h"
-#include "core/simulation/simulation.h"
-#include "core/simulation/surface_at_rest.h"
-#include "core/simulation/tool_choice.h"
+#include "core/cutting/cut/cutting.h"
+#include "core/simulation/run/checkpoints.h"
+#include "core/simulation/run/finding_log.h"
+#include "core/simulation/run/schedule.h"
+#include "core/simulation/run/simulation.h"
+#include "core/simulation/run/surface_at_rest.h"
+#include "core/simulation/setup/tool_choice.h"
 
 namespace proveout {
 

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/surface_at_rest.h"
+#include "core/simulation/run/surface_at_rest.h"
 
 #include <utility>
 #include <vector>
 
 #include "core/base/memory.h"
-#include "core/decimation/map_memory.h"
-#include "core/simulation/changed_regions.h"
+#include "core/decimation/surface/map_memory.h"
+#include "core/simulation/run/changed_regions.h"
 
 namespace proveout {
 

@@ -5,7 +5,7 @@
 #include <optional>
 
 #include "core/base/work_context.h"
-#include "core/decimation/refined_surface.h"
+#include "core/decimation/surface/refined_surface.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/automatic_grid.h"
+#include "core/simulation/setup/automatic_grid.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 
 #include "core/base/memory.h"
 #include "core/base/text.h"
-#include "core/decimation/region_decimator.h"
+#include "core/decimation/regions/region_decimator.h"
 
 namespace proveout {
 

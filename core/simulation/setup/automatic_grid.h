@@ -5,10 +5,10 @@
 #include <optional>
 
 #include "core/base/diagnostic.h"
-#include "core/decimation/map_memory.h"
+#include "core/decimation/surface/map_memory.h"
 #include "core/nc/program/program.h"
-#include "core/simulation/setup.h"
-#include "core/simulation/tool_choice.h"
+#include "core/simulation/setup/setup.h"
+#include "core/simulation/setup/tool_choice.h"
 
 namespace proveout {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/machine.h"
+#include "core/simulation/setup/machine.h"
 
 #include <algorithm>
 #include <charconv>

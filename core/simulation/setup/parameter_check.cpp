@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/parameter_check.h"
+#include "core/simulation/setup/parameter_check.h"
 
 #include <fmt/format.h>
 

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/base/diagnostic.h"
-#include "core/decimation/parameters.h"
+#include "core/decimation/regions/parameters.h"
 
 namespace proveout {
 

@@ -4,8 +4,8 @@
 
 #include "core/base/diagnostic.h"
 #include "core/nc/program/program.h"
-#include "core/simulation/setup.h"
-#include "core/simulation/tool_choice.h"
+#include "core/simulation/setup/setup.h"
+#include "core/simulation/setup/tool_choice.h"
 
 namespace proveout {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/tool_choice.h"
+#include "core/simulation/setup/tool_choice.h"
 
 #include <algorithm>
 #include <set>

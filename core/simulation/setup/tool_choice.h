@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "core/nc/program/program.h"
-#include "core/simulation/setup.h"
+#include "core/simulation/setup/setup.h"
 
 namespace proveout {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/tool_proposals.h"
+#include "core/simulation/setup/tool_proposals.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "core/base/tool_number.h"
+#include "core/base/utf8.h"
 #include "core/cutter/entered_sizes.h"
 #include "core/cutter/tool_comment.h"
 #include "core/nc/text/characters.h"
@@ -139,12 +140,7 @@ std::string shownText(std::string_view comment) {
     const auto last = comment.find_last_not_of(" \t\r");
     if (first == std::string_view::npos)
         return {};
-    comment = comment.substr(first, std::min(last - first + 1, kLongestComment));
-    // No character is cut in two.
-    while (!comment.empty() && comment.size() == kLongestComment &&
-           (static_cast<unsigned char>(comment.back()) & 0xC0) == 0x80)
-        comment.remove_suffix(1);
-    return std::string(comment);
+    return std::string(shortened(comment.substr(first, last - first + 1), kLongestComment));
 }
 
 /// Goes through the lines and finds out which tool each description is of.

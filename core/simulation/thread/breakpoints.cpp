@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/breakpoints.h"
+#include "core/simulation/thread/breakpoints.h"
 
 #include <algorithm>
 #include <array>
@@ -15,8 +15,6 @@ namespace proveout {
 
 namespace {
 
-/// What two exact cuts may differ: 1 µm each.
-constexpr float kNothingRemoved = 2e-3F;
 constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
 
 bool reachesLine(const ArmedBreakpoint& armed, const Program& program, std::size_t block) {
@@ -99,7 +97,7 @@ int toolOf(const Program& program, std::size_t block) {
 
 /// Goes back to the block that cut before: rows between two cuts are looked at once.
 bool touchesFirst(const Program& program, std::size_t block, const ExecutedBlocks& executed) {
-    const auto removes = [&](std::size_t index) { return executed.rows[index].maxDepth > kNothingRemoved; };
+    const auto removes = [&](std::size_t index) { return executed.rows[index].cuts(); };
     if (block >= executed.rows.size() || !removes(block))
         return false;
     const int tool = toolOf(program, block);

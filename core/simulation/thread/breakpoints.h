@@ -12,9 +12,9 @@
 
 #include "core/base/persistent_array.h"
 #include "core/nc/program/program.h"
-#include "core/simulation/condition.h"
-#include "core/simulation/statistics.h"
-#include "core/simulation/tool_choice.h"
+#include "core/simulation/run/statistics.h"
+#include "core/simulation/setup/tool_choice.h"
+#include "core/simulation/thread/condition.h"
 
 namespace proveout {
 

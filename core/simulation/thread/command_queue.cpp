@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/command_queue.h"
+#include "core/simulation/thread/command_queue.h"
 
 #include <algorithm>
 #include <utility>

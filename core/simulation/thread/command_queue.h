@@ -9,7 +9,7 @@
 #include <optional>
 #include <stop_token>
 
-#include "core/simulation/simulation_thread.h"
+#include "core/simulation/thread/simulation_thread.h"
 
 namespace proveout {
 

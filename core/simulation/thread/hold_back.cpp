@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/hold_back.h"
+#include "core/simulation/thread/hold_back.h"
 
 #include <algorithm>
 #include <utility>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/simulation_thread.h"
+#include "core/simulation/thread/simulation_thread.h"
 
 #include <algorithm>
 #include <chrono>
@@ -10,10 +10,10 @@
 #include <utility>
 
 #include "core/base/text.h"
-#include "core/simulation/command_queue.h"
-#include "core/simulation/mailbox.h"
-#include "core/simulation/progress_teller.h"
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
+#include "core/simulation/thread/command_queue.h"
+#include "core/simulation/thread/mailbox.h"
+#include "core/simulation/thread/progress_teller.h"
 
 namespace proveout {
 

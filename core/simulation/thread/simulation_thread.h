@@ -9,9 +9,9 @@
 #include <variant>
 #include <vector>
 
-#include "core/simulation/breakpoints.h"
-#include "core/simulation/frame.h"
-#include "core/simulation/playback_clock.h"
+#include "core/simulation/run/frame.h"
+#include "core/simulation/thread/breakpoints.h"
+#include "core/simulation/thread/playback_clock.h"
 
 namespace proveout {
 

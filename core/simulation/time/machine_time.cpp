@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/machine_time.h"
+#include "core/simulation/time/machine_time.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #include <utility>
 #include <variant>
 
-#include "core/simulation/velocity_plan.h"
+#include "core/simulation/time/velocity_plan.h"
 
 namespace proveout {
 

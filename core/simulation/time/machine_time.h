@@ -8,7 +8,7 @@
 
 #include "core/base/work_context.h"
 #include "core/nc/program/program.h"
-#include "core/simulation/machine.h"
+#include "core/simulation/setup/machine.h"
 
 namespace proveout {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/velocity_plan.h"
+#include "core/simulation/time/velocity_plan.h"
 
 #include <algorithm>
 #include <cmath>

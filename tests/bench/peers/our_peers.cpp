@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/surface.h"
+#include "core/decimation/surface/surface.h"
 #include "tests/bench/peers/peer.h"
 
 namespace proveout::bench {

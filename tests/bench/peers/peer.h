@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "core/base/geometry.h"
-#include "core/decimation/region_mesh.h"
+#include "core/decimation/regions/region_mesh.h"
 #include "tests/core/decimation/maps.h"
 
 namespace proveout::bench {

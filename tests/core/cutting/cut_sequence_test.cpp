@@ -9,7 +9,7 @@
 #include <thread>
 #include <vector>
 
-#include "core/cutting/cutting.h"
+#include "core/cutting/cut/cutting.h"
 #include "tests/core/cutting/random_motion.h"
 #include "tests/random_seed.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The properties of cut() that hold for every motion, and its edges.
-#include "core/cutting/cutting.h"
+#include "core/cutting/cut/cutting.h"
 
 #include <algorithm>
 #include <chrono>

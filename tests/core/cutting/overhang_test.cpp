@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What stays above a head that is wider than its neck: against closed formulas, to the order of the spacing
 // as in volume_test.cpp, and against brute force.
-#include "core/cutting/overhang.h"
+#include "core/cutting/cut/overhang.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,7 @@
 #include <numbers>
 #include <vector>
 
-#include "core/cutting/cutting.h"
+#include "core/cutting/cut/cutting.h"
 #include "tests/core/cutting/oracle.h"
 #include "tests/core/cutting/random_motion.h"
 #include "tests/random_seed.h"

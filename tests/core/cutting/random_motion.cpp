@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "core/cutting/cutting.h"
+#include "core/cutting/cut/cutting.h"
 #include "tests/core/cutting/oracle.h"
 
 namespace proveout {

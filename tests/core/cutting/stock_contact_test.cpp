@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Where a probe touches the stock: closed formulas, and a search by brute force over dense columns and times
 // that asks the envelope alone.
-#include "core/cutting/stock_contact.h"
+#include "core/cutting/cut/stock_contact.h"
 
 #include <algorithm>
 #include <array>
@@ -9,7 +9,7 @@
 #include <gtest/gtest.h>
 #include <numbers>
 
-#include "core/cutting/cutting.h"
+#include "core/cutting/cut/cutting.h"
 #include "tests/core/cutting/random_motion.h"
 #include "tests/random_seed.h"
 

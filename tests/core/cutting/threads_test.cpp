@@ -6,8 +6,8 @@
 #include <thread>
 #include <vector>
 
-#include "core/cutting/cutting.h"
-#include "core/cutting/lower_tile.h"
+#include "core/cutting/cut/cutting.h"
+#include "core/cutting/cut/lower_tile.h"
 #include "tests/core/cutting/random_motion.h"
 
 namespace proveout {

@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "core/cutting/cutting.h"
+#include "core/cutting/cut/cutting.h"
 #include "tests/core/cutting/random_motion.h"
 #include "tests/random_seed.h"
 

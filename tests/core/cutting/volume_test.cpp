@@ -7,7 +7,7 @@
 #include <numbers>
 #include <string>
 
-#include "core/cutting/cutting.h"
+#include "core/cutting/cut/cutting.h"
 #include "tests/core/cutting/random_motion.h"
 #include "tests/random_seed.h"
 

@@ -11,12 +11,12 @@
 #include <random>
 #include <string>
 
-#include "core/decimation/certified_border.h"
-#include "core/decimation/certified_decimator.h"
-#include "core/decimation/lee_decimator.h"
-#include "core/decimation/map_memory.h"
-#include "core/decimation/refined_surface.h"
-#include "core/decimation/solid.h"
+#include "core/decimation/certified/certified_border.h"
+#include "core/decimation/certified/certified_decimator.h"
+#include "core/decimation/lee/lee_decimator.h"
+#include "core/decimation/solid/solid.h"
+#include "core/decimation/surface/map_memory.h"
+#include "core/decimation/surface/refined_surface.h"
 #include "tests/core/decimation/maps.h"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "core/decimation/region_decimator.h"
+#include "core/decimation/regions/region_decimator.h"
 #include "tests/core/decimation/maps.h"
 
 namespace proveout {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/certified_border.h"
+#include "core/decimation/certified/certified_border.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/certified_decimator.h"
+#include "core/decimation/certified/certified_decimator.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-#include "core/decimation/surface.h"
+#include "core/decimation/surface/surface.h"
 #include "tests/core/decimation/hard_maps.h"
 #include "tests/core/decimation/surface_oracle.h"
 #include "tests/core/decimation/topology.h"

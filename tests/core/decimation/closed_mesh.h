@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "core/decimation/solid.h"
+#include "core/decimation/solid/solid.h"
 
 namespace proveout::test {
 

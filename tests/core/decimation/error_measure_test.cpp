@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/error_measure.h"
+#include "core/decimation/regions/error_measure.h"
 
 #include <gtest/gtest.h>
 

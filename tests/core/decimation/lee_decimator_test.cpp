@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/lee_decimator.h"
+#include "core/decimation/lee/lee_decimator.h"
 
 #include <gtest/gtest.h>
 
@@ -10,9 +10,9 @@
 #include <string>
 #include <thread>
 
-#include "core/decimation/decimator_pool.h"
-#include "core/decimation/error_measure.h"
-#include "core/decimation/surface.h"
+#include "core/decimation/regions/error_measure.h"
+#include "core/decimation/surface/decimator_pool.h"
+#include "core/decimation/surface/surface.h"
 #include "tests/core/decimation/maps.h"
 #include "tests/core/decimation/topology.h"
 

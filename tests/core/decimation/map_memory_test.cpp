@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/map_memory.h"
+#include "core/decimation/surface/map_memory.h"
 
 #include <gtest/gtest.h>
 #include <limits>

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "core/decimation/parameters.h"
+#include "core/decimation/regions/parameters.h"
 #include "core/zmap/zmap.h"
 
 namespace proveout::test {

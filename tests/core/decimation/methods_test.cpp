@@ -5,7 +5,7 @@
 #include <string_view>
 #include <type_traits>
 
-#include "core/decimation/surface.h"
+#include "core/decimation/surface/surface.h"
 #include "tests/core/decimation/maps.h"
 
 namespace proveout {

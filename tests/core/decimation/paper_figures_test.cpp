@@ -9,10 +9,10 @@
 #include <set>
 #include <vector>
 
-#include "core/decimation/lee_decimator.h"
-#include "core/decimation/random_order.h"
-#include "core/decimation/region_half_edges.h"
-#include "core/decimation/vertex_error.h"
+#include "core/decimation/lee/lee_decimator.h"
+#include "core/decimation/lee/region_half_edges.h"
+#include "core/decimation/lee/vertex_error.h"
+#include "core/decimation/regions/random_order.h"
 #include "tests/core/decimation/maps.h"
 #include "tests/core/decimation/topology.h"
 

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "core/decimation/region_mesh.h"
+#include "core/decimation/regions/region_mesh.h"
 
 namespace proveout::test {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/refined_surface.h"
+#include "core/decimation/surface/refined_surface.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/region_allowances.h"
+#include "core/decimation/regions/region_allowances.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <random>
 #include <string>
 
-#include "core/decimation/error_measure.h"
-#include "core/decimation/refined_surface.h"
+#include "core/decimation/regions/error_measure.h"
+#include "core/decimation/surface/refined_surface.h"
 #include "tests/core/decimation/hard_maps.h"
 #include "tests/core/decimation/surface_oracle.h"
 #include "tests/core/decimation/topology.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/region_mesh.h"
+#include "core/decimation/regions/region_mesh.h"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 #include <random>
 #include <set>
 
-#include "core/decimation/region_half_edges.h"
+#include "core/decimation/lee/region_half_edges.h"
 #include "tests/core/decimation/topology.h"
 
 namespace proveout {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/solid_error.h"
+#include "core/decimation/solid/solid_error.h"
 
 #include <gtest/gtest.h>
 
@@ -8,8 +8,8 @@
 #include <memory>
 #include <random>
 
-#include "core/decimation/error_measure.h"
-#include "core/decimation/surface.h"
+#include "core/decimation/regions/error_measure.h"
+#include "core/decimation/surface/surface.h"
 #include "tests/core/decimation/maps.h"
 #include "tests/core/decimation/random_triangulation.h"
 #include "tests/random_seed.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/solid.h"
+#include "core/decimation/solid/solid.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,7 +5,7 @@
 
 #include <span>
 
-#include "core/decimation/region_mesh.h"
+#include "core/decimation/regions/region_mesh.h"
 #include "tests/core/decimation/maps.h"
 
 namespace proveout::test {

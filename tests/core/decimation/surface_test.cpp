@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/decimation/surface.h"
+#include "core/decimation/surface/surface.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -8,7 +8,7 @@
 #include <random>
 #include <string>
 
-#include "core/decimation/error_measure.h"
+#include "core/decimation/regions/error_measure.h"
 #include "tests/core/decimation/maps.h"
 #include "tests/core/decimation/topology.h"
 

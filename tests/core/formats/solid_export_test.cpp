@@ -7,8 +7,8 @@
 #include <gtest/gtest.h>
 #include <random>
 
-#include "core/decimation/solid_error.h"
-#include "core/decimation/surface.h"
+#include "core/decimation/solid/solid_error.h"
+#include "core/decimation/surface/surface.h"
 #include "tests/core/decimation/random_triangulation.h"
 #include "tests/core/temporary_folder.h"
 #include "tests/random_seed.h"

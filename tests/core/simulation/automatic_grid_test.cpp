@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/automatic_grid.h"
+#include "core/simulation/setup/automatic_grid.h"
 
 #include <string_view>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/block_provenance.h"
+#include "core/simulation/records/block_provenance.h"
 
 #include <cmath>
 #include <gtest/gtest.h>

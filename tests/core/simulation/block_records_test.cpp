@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/block_records.h"
+#include "core/simulation/records/block_records.h"
 
 #include <cmath>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "core/cutting/stock_contact.h"
+#include "core/cutting/cut/stock_contact.h"
 #include "tests/core/simulation/moments.h"
 #include "tests/core/simulation/programs.h"
 

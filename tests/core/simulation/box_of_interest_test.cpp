@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A box of interest beside a simulation of the whole stock on the fine grid.
-#include "core/simulation/box_of_interest.h"
+#include "core/simulation/records/box_of_interest.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -9,7 +9,7 @@
 #include <oneapi/tbb/global_control.h>
 #include <random>
 
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
 #include "core/zmap/extruded_stock.h"
 #include "core/zmap/mesh_stock.h"
 #include "core/zmap/saved_stock.h"

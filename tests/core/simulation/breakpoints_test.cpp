@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/breakpoints.h"
+#include "core/simulation/thread/breakpoints.h"
 
 #include <gtest/gtest.h>
 #include <set>

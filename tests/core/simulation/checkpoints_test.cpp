@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/checkpoints.h"
+#include "core/simulation/run/checkpoints.h"
 
 #include <gtest/gtest.h>
 #include <random>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/condition.h"
+#include "core/simulation/thread/condition.h"
 
 #include <gtest/gtest.h>
 #include <limits>

@@ -6,7 +6,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "core/simulation/finding_log.h"
+#include "core/simulation/run/finding_log.h"
 #include "tests/core/simulation/moments.h"
 #include "tests/core/simulation/programs.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/codes/dialects.h"
-#include "core/simulation/interpretation.h"
+#include "core/simulation/run/interpretation.h"
 
 #include <algorithm>
 #include <gtest/gtest.h>

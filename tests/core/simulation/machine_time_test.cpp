@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/machine_time.h"
+#include "core/simulation/time/machine_time.h"
 
 #include <cmath>
 #include <fmt/format.h>

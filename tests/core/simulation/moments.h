@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
 
 namespace proveout {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/playback_clock.h"
+#include "core/simulation/thread/playback_clock.h"
 
 #include <gtest/gtest.h>
 #include <limits>

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Programs that probe the stock which they have cut.
-#include "core/simulation/probed_stock.h"
+#include "core/simulation/run/probed_stock.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "core/simulation/interpretation.h"
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/interpretation.h"
+#include "core/simulation/run/simulation.h"
 
 namespace proveout {
 namespace {

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "core/nc/program/program.h"
-#include "core/simulation/setup.h"
+#include "core/simulation/setup/setup.h"
 
 namespace proveout {
 

@@ -2,7 +2,7 @@
 #include <gtest/gtest.h>
 #include <random>
 
-#include "core/decimation/refined_surface.h"
+#include "core/decimation/surface/refined_surface.h"
 #include "tests/core/simulation/moments.h"
 #include "tests/core/simulation/programs.h"
 #include "tests/random_seed.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/simulation_thread.h"
+#include "core/simulation/thread/simulation_thread.h"
 
 #include <atomic>
 #include <chrono>

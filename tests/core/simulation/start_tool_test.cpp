@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <string_view>
 
-#include "core/simulation/interpretation.h"
-#include "core/simulation/tool_choice.h"
+#include "core/simulation/run/interpretation.h"
+#include "core/simulation/setup/tool_choice.h"
 #include "tests/core/simulation/moments.h"
 #include "tests/core/simulation/programs.h"
 

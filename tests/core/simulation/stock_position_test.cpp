@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/simulation/stock_position.h"
+#include "core/simulation/setup/stock_position.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

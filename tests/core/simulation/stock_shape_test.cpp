@@ -5,8 +5,8 @@
 #include <gtest/gtest.h>
 #include <random>
 
-#include "core/cutting/stock_contact.h"
-#include "core/simulation/interpretation.h"
+#include "core/cutting/cut/stock_contact.h"
+#include "core/simulation/run/interpretation.h"
 #include "core/zmap/extruded_stock.h"
 #include "core/zmap/saved_stock.h"
 #include "tests/core/simulation/moments.h"

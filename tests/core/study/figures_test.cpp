@@ -5,7 +5,7 @@
 #include <set>
 #include <string>
 
-#include "core/decimation/region_decimator.h"
+#include "core/decimation/regions/region_decimator.h"
 #include "core/study/figures.h"
 #include "core/study/sweep.h"
 #include "tests/core/simulation/programs.h"

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "core/decimation/parameters.h"
+#include "core/decimation/regions/parameters.h"
 #include "tests/random_seed.h"
 
 namespace proveout {

@@ -2,7 +2,7 @@
 // What a rehearsal measures, on a machine whose costs are known.
 #include <gtest/gtest.h>
 
-#include "core/simulation/block_cutter.h"
+#include "core/simulation/run/block_cutter.h"
 #include "core/study/rehearsed_regions.h"
 #include "tests/core/simulation/programs.h"
 

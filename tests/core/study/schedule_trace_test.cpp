@@ -3,7 +3,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 
-#include "core/simulation/block_cutter.h"
+#include "core/simulation/run/block_cutter.h"
 #include "core/study/rehearsal.h"
 #include "core/study/schedule_trace.h"
 #include "tests/core/simulation/programs.h"

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 #include <set>
 
-#include "core/simulation/simulation.h"
+#include "core/simulation/run/simulation.h"
 #include "core/study/sweep.h"
 #include "tests/core/simulation/programs.h"
 
