@@ -6225,7 +6225,38 @@ Vorgabe: automatisch</translation>
     </message>
 </context>
 <context>
+    <name>GuideWindow</name>
+    <message>
+        <source>User Guide – Proveout</source>
+        <translation>Benutzerhandbuch – Proveout</translation>
+    </message>
+    <message>
+        <source>← Back</source>
+        <translation>← Zurück</translation>
+    </message>
+    <message>
+        <source>Forward →</source>
+        <translation>Vor →</translation>
+    </message>
+    <message>
+        <source>Pages of the user guide</source>
+        <translation>Seiten des Benutzerhandbuchs</translation>
+    </message>
+    <message>
+        <source>Page of the user guide</source>
+        <translation>Seite des Benutzerhandbuchs</translation>
+    </message>
+</context>
+<context>
     <name>HelpCommands</name>
+    <message>
+        <source>&amp;User Guide</source>
+        <translation>&amp;Benutzerhandbuch</translation>
+    </message>
+    <message>
+        <source>Show the page about the panel that has the focus</source>
+        <translation>Die Seite zu dem Bereich zeigen, der den Fokus hat</translation>
+    </message>
     <message>
         <source>&amp;Keys and Mouse</source>
         <translation>&amp;Tasten und Maus</translation>

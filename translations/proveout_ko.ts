@@ -6224,7 +6224,38 @@ Default: automatic</source>
     </message>
 </context>
 <context>
+    <name>GuideWindow</name>
+    <message>
+        <source>User Guide – Proveout</source>
+        <translation>사용 설명서 – Proveout</translation>
+    </message>
+    <message>
+        <source>← Back</source>
+        <translation>← 뒤로</translation>
+    </message>
+    <message>
+        <source>Forward →</source>
+        <translation>앞으로 →</translation>
+    </message>
+    <message>
+        <source>Pages of the user guide</source>
+        <translation>사용 설명서의 페이지 목록</translation>
+    </message>
+    <message>
+        <source>Page of the user guide</source>
+        <translation>사용 설명서의 페이지</translation>
+    </message>
+</context>
+<context>
     <name>HelpCommands</name>
+    <message>
+        <source>&amp;User Guide</source>
+        <translation>사용 설명서(&amp;U)</translation>
+    </message>
+    <message>
+        <source>Show the page about the panel that has the focus</source>
+        <translation>포커스가 있는 패널에 관한 설명을 표시합니다</translation>
+    </message>
     <message>
         <source>&amp;Keys and Mouse</source>
         <translation>키와 마우스(&amp;K)</translation>

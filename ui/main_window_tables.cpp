@@ -9,6 +9,7 @@
 #include "ui/control/control_panel.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/findings/problems_panel.h"
+#include "ui/guide_window.h"
 #include "ui/plots/plots_panel.h"
 #include "ui/setup/setup_panel.h"
 #include "ui/study/study_panel.h"
@@ -127,9 +128,13 @@ std::span<const Command<MainWindow>> MainWindow::windowCommands() {
 }
 
 std::span<const Command<MainWindow>> MainWindow::helpCommands() {
-    static const std::array<Command<MainWindow>, 4> kCommands{{
+    static const std::array<Command<MainWindow>, 5> kCommands{{
+        {"help-guide", QT_TRANSLATE_NOOP("HelpCommands", "&User Guide"),
+         QT_TRANSLATE_NOOP("HelpCommands", "Show the page about the panel that has the focus"), "help", "F1",
+         Reach::window,
+         [](MainWindow& window) { openGuide(window, window.viewport(), window.session().hasDocument()); }},
         {"help-keys", QT_TRANSLATE_NOOP("HelpCommands", "&Keys and Mouse"),
-         QT_TRANSLATE_NOOP("HelpCommands", "List all keys of the program"), "help", "F1", Reach::window,
+         QT_TRANSLATE_NOOP("HelpCommands", "List all keys of the program"), "", "Shift+F1", Reach::window,
          [](MainWindow& window) { window.showShortcuts(); }},
         {"help-start-page", QT_TRANSLATE_NOOP("HelpCommands", "&Start Page"),
          QT_TRANSLATE_NOOP("HelpCommands", "Show samples and recent files"), "", "", Reach::window,

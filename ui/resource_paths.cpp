@@ -3,15 +3,21 @@
 
 #include <QCoreApplication>
 #include <QDir>
+#include <QFile>
 
 namespace proveout {
 
 namespace {
 
+/// From the install prefix, or else from the sources.
+QDir productFolder(const QString& installed, const QString& inSources) {
+    const QDir folder(QCoreApplication::applicationDirPath() + QStringLiteral("/../share/proveout/") +
+                      installed);
+    return folder.exists() ? folder : QDir(inSources);
+}
+
 QDir samplesFolder() {
-    const QDir installed(QCoreApplication::applicationDirPath() +
-                         QStringLiteral("/../share/proveout/samples"));
-    return installed.exists() ? installed : QDir(QStringLiteral(PROVEOUT_SAMPLES_DIR));
+    return productFolder(QStringLiteral("samples"), QStringLiteral(PROVEOUT_SAMPLES_DIR));
 }
 
 QString sampleName(const QString& stem) {
@@ -20,6 +26,14 @@ QString sampleName(const QString& stem) {
     if (stem == QLatin1String("mouse-case"))
         return QCoreApplication::translate("Samples", "Mouse case");
     return stem;
+}
+
+/// What stands behind "# " in the first line of a page.
+QString headingOf(const QString& file) {
+    QFile page(file);
+    if (!page.open(QIODevice::ReadOnly))
+        return QFileInfo(file).completeBaseName();
+    return QString::fromUtf8(page.readLine()).remove(QLatin1Char('#')).trimmed();
 }
 
 } // namespace
@@ -36,6 +50,18 @@ std::vector<SampleJob> sampleJobs() {
 bool isSample(const QString& file) {
     return !file.isEmpty() &&
            QFileInfo(file).dir().canonicalPath() == QDir(samplesFolder().path()).canonicalPath();
+}
+
+std::vector<GuidePage> guidePages() {
+    const QDir folder = productFolder(QStringLiteral("guide"), QStringLiteral(PROVEOUT_GUIDE_DIR));
+    std::vector<GuidePage> pages;
+    for (const char* id : {"index", "reads", "program", "setup", "problems", "timeline", "view",
+                           "breakpoints", "control", "plots", "tuning", "study", "files"}) {
+        const QString file = folder.filePath(QLatin1String(id) + QStringLiteral(".md"));
+        if (QFileInfo::exists(file))
+            pages.push_back({QLatin1String(id), headingOf(file), file});
+    }
+    return pages;
 }
 
 } // namespace proveout

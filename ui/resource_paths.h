@@ -19,4 +19,13 @@ struct SampleJob {
 /// Whether a file lies among the samples: it is opened as a pattern, and changes are saved elsewhere.
 [[nodiscard]] bool isSample(const QString& file);
 
+struct GuidePage {
+    QString id;    ///< "setup": of the panel that it is about
+    QString title; ///< its heading
+    QString file;
+};
+
+/// The pages of the user guide in the order in which they are listed; empty where they are not installed.
+[[nodiscard]] std::vector<GuidePage> guidePages();
+
 } // namespace proveout

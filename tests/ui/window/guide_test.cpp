@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The user guide opens at the page about what has the focus, and its links lead on within it.
+#include <algorithm>
+#include <memory>
+#include <set>
+
+#include <QAbstractSpinBox>
+#include <QApplication>
+#include <QDockWidget>
+#include <QListWidget>
+#include <QTest>
+#include <QTextBrowser>
+
+#include "tests/ui/window/workstation.h"
+#include "ui/editor/editor_panel.h"
+#include "ui/editor/nc_editor.h"
+#include "ui/guide_window.h"
+#include "ui/resource_paths.h"
+
+namespace proveout {
+namespace {
+
+QString pageShown(const GuideWindow& guide) {
+    return guide.findChild<QTextBrowser*>()->source().fileName();
+}
+
+/// Presses F1 where the keyboard is.
+GuideWindow& guideFor(Workstation& station, QWidget& focused) {
+    station.activate();
+    focused.setFocus();
+    const auto arrived = [&focused] {
+        const QWidget* now = QApplication::focusWidget();
+        return now != nullptr &&
+               (now == &focused || focused.isAncestorOf(now) || now == focused.focusProxy());
+    };
+    if (!QTest::qWaitFor(arrived, kPatience))
+        qFatal("the widget does not get the focus");
+    QTest::keyClick(&station.window, Qt::Key_F1);
+    return *station.window.findChild<GuideWindow*>();
+}
+
+} // namespace
+
+class GuideTest : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { m_settings = std::make_unique<OwnSettings>(); }
+
+    void everyPanelHasAPage() {
+        Workstation station(false);
+        std::set<QString> pages;
+        for (const GuidePage& page : guidePages()) {
+            pages.insert(page.id);
+            QVERIFY2(!page.title.isEmpty(), qPrintable(page.id));
+        }
+        for (const QDockWidget* dock : station.window.findChildren<QDockWidget*>())
+            QVERIFY2(pages.contains(guidePageOf(dock)), qPrintable(dock->objectName()));
+        QVERIFY(pages.contains(QStringLiteral("view")) && pages.contains(QStringLiteral("index")));
+    }
+
+    void opensAtThePanelThatHasTheFocus() {
+        Workstation station(true);
+        GuideWindow& guide = guideFor(station, station.window.editor().editor());
+        QVERIFY(guide.isVisible());
+        QCOMPARE(pageShown(guide), QStringLiteral("program.md"));
+        QCOMPARE(&guideFor(station, station.window.viewport()), &guide); // the same window
+        QCOMPARE(pageShown(guide), QStringLiteral("view.md"));
+        auto* setup = station.window.findChild<QDockWidget*>(QStringLiteral("dock-setup"));
+        setup->raise();
+        const auto fields = setup->findChildren<QAbstractSpinBox*>();
+        const auto shown =
+            std::ranges::find_if(fields, [](const QWidget* field) { return field->isVisible(); });
+        QVERIFY(shown != fields.end());
+        guideFor(station, **shown);
+        QCOMPARE(pageShown(guide), QStringLiteral("setup.md"));
+    }
+
+    void aLinkLeadsToItsPage() {
+        Workstation station(false);
+        station.activate();
+        QTest::keyClick(&station.window, Qt::Key_F1);
+        GuideWindow& guide = *station.window.findChild<GuideWindow*>();
+        QCOMPARE(pageShown(guide), QStringLiteral("index.md"));
+        auto* text = guide.findChild<QTextBrowser*>();
+        QVERIFY(text->toMarkdown().contains(QLatin1String("(setup.md)")));
+        text->setSource(QUrl(QStringLiteral("setup.md")));
+        QCOMPARE(pageShown(guide), QStringLiteral("setup.md"));
+        QVERIFY(text->toPlainText().size() > 500);
+        const auto* pages = guide.findChild<QListWidget*>();
+        QCOMPARE(pages->currentItem()->text(), text->document()->firstBlock().text());
+        text->backward();
+        QCOMPARE(pageShown(guide), QStringLiteral("index.md"));
+    }
+
+private:
+    std::unique_ptr<OwnSettings> m_settings;
+};
+
+} // namespace proveout
+
+int main(int argc, char** argv) {
+    QCoreApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    QApplication application(argc, argv);
+    proveout::GuideTest test;
+    return QTest::qExec(&test, argc, argv);
+}
+
+#include "guide_test.moc"

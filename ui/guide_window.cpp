@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/guide_window.h"
+
+#include <algorithm>
+
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QEvent>
+#include <QListWidget>
+#include <QSignalBlocker>
+#include <QSplitter>
+#include <QTextBrowser>
+#include <QTextTable>
+#include <QToolBar>
+#include <QVBoxLayout>
+
+#include "ui/icons.h"
+#include "ui/resource_paths.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr QSize kFirstSize(900, 680);
+constexpr int kPagesWidth = 190;
+constexpr int kTextMargin = 16;
+constexpr int kCellPadding = 4;
+constexpr int kPageSpacing = 2;
+constexpr int kFile = Qt::UserRole;
+const QString kDockPrefix = QStringLiteral("dock-");
+
+/// Qt draws the tables of Markdown as two frames in one another, tight round the text.
+void styleTables(QTextDocument& text, const QColor& line) {
+    for (QTextFrame* frame : text.rootFrame()->childFrames()) {
+        auto* table = qobject_cast<QTextTable*>(frame);
+        if (table == nullptr)
+            continue;
+        QTextTableFormat format = table->format();
+        format.setBorderCollapse(true);
+        format.setBorder(1);
+        format.setBorderStyle(QTextFrameFormat::BorderStyle_Solid);
+        format.setBorderBrush(line);
+        format.setCellPadding(kCellPadding);
+        table->setFormat(format);
+    }
+}
+
+} // namespace
+
+GuideWindow::GuideWindow(QWidget* parent)
+    : QWidget(parent, Qt::Window), m_tools(new QToolBar(this)), m_pages(new QListWidget(this)),
+      m_text(new QTextBrowser(this)), m_back(new QAction(this)), m_forward(new QAction(this)) {
+    setObjectName(QStringLiteral("guide"));
+    m_pages->setObjectName(QStringLiteral("guide-pages"));
+    m_text->setObjectName(QStringLiteral("guide-text"));
+    m_pages->setSpacing(kPageSpacing);
+    m_text->setOpenExternalLinks(true);
+    m_text->document()->setDocumentMargin(kTextMargin);
+    auto* split = new QSplitter(this);
+    split->addWidget(m_pages);
+    split->addWidget(m_text);
+    split->setStretchFactor(1, 1);
+    split->setSizes({kPagesWidth, kFirstSize.width() - kPagesWidth});
+    auto* layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_tools);
+    layout->addWidget(split, 1);
+    resize(kFirstSize);
+    makeTools();
+    listPages();
+    retranslate();
+    connect(m_pages, &QListWidget::currentItemChanged, this, [this](const QListWidgetItem* item) {
+        if (item != nullptr && item->data(kFile).toUrl().fileName() != m_text->source().fileName())
+            m_text->setSource(item->data(kFile).toUrl(), QTextDocument::MarkdownResource);
+    });
+    connect(m_text, &QTextBrowser::sourceChanged, this, &GuideWindow::followText);
+}
+
+void GuideWindow::makeTools() {
+    m_tools->setIconSize({16, 16});
+    m_back->setShortcut(QKeySequence::Back);
+    m_forward->setShortcut(QKeySequence::Forward);
+    connect(m_back, &QAction::triggered, m_text, &QTextBrowser::backward);
+    connect(m_forward, &QAction::triggered, m_text, &QTextBrowser::forward);
+    connect(m_text, &QTextBrowser::backwardAvailable, m_back, &QAction::setEnabled);
+    connect(m_text, &QTextBrowser::forwardAvailable, m_forward, &QAction::setEnabled);
+    for (QAction* action : {m_back, m_forward}) {
+        action->setEnabled(false);
+        m_tools->addAction(action);
+    }
+    auto* close = new QAction(this);
+    close->setShortcuts({QKeySequence(Qt::Key_Escape), QKeySequence::Close});
+    connect(close, &QAction::triggered, this, &QWidget::close);
+    addAction(close);
+}
+
+void GuideWindow::listPages() {
+    for (const GuidePage& page : guidePages()) {
+        auto* item = new QListWidgetItem(page.title, m_pages);
+        item->setData(kFile, QUrl::fromLocalFile(page.file));
+        item->setData(kFile + 1, page.id);
+    }
+}
+
+void GuideWindow::showPage(const QString& page) {
+    int row = 0;
+    for (int i = 0; i < m_pages->count(); ++i) {
+        if (m_pages->item(i)->data(kFile + 1).toString() == page)
+            row = i;
+    }
+    m_pages->setCurrentRow(row);
+    show();
+    raise();
+    activateWindow();
+    m_text->setFocus();
+}
+
+/// A link has led to another page.
+void GuideWindow::followText(const QUrl& shown) {
+    styleTables(*m_text->document(), palette().color(QPalette::Mid));
+    const QSignalBlocker quiet(m_pages);
+    for (int i = 0; i < m_pages->count(); ++i) {
+        if (m_pages->item(i)->data(kFile).toUrl().fileName() == shown.fileName())
+            m_pages->setCurrentRow(i);
+    }
+}
+
+void GuideWindow::changeEvent(QEvent* event) {
+    if (event->type() == QEvent::LanguageChange)
+        retranslate();
+    QWidget::changeEvent(event);
+}
+
+void GuideWindow::retranslate() {
+    setWindowTitle(tr("User Guide – Proveout"));
+    m_back->setText(tr("← Back"));
+    m_forward->setText(tr("Forward →"));
+    m_pages->setAccessibleName(tr("Pages of the user guide"));
+    m_text->setAccessibleName(tr("Page of the user guide"));
+}
+
+QString guidePageOf(const QWidget* widget) {
+    for (; widget != nullptr; widget = widget->parentWidget()) {
+        if (qobject_cast<const QDockWidget*>(widget) != nullptr)
+            return widget->objectName().mid(kDockPrefix.size());
+    }
+    return QStringLiteral("index");
+}
+
+void openGuide(QWidget& window, const QWidget& view, bool hasView) {
+    const QWidget* focused = QApplication::focusWidget();
+    const bool onView = hasView && focused != nullptr && (focused == &view || view.isAncestorOf(focused));
+    auto* guide = window.findChild<GuideWindow*>();
+    if (guide == nullptr)
+        guide = new GuideWindow(&window);
+    guide->showPage(onView ? QStringLiteral("view") : guidePageOf(focused));
+}
+
+} // namespace proveout
