@@ -324,7 +324,8 @@ void NcEditor::mousePressEvent(QMouseEvent* event) {
 
 void NcEditor::mouseReleaseEvent(QMouseEvent* event) {
     QsciScintilla::mouseReleaseEvent(event);
-    if (event->button() == Qt::LeftButton && !hasSelectedText())
+    // In the margins it is a breakpoint that is chosen, and the caret is elsewhere.
+    if (event->button() == Qt::LeftButton && !hasSelectedText() && !m_problems.isInMargins(event->pos()))
         emit lineChosen(caretLine());
 }
 

@@ -27,11 +27,12 @@ public:
     /// What is told at a place of the viewport: of the squiggle there, or of the whole line in the margins.
     /// Empty where there is nothing.
     [[nodiscard]] QString tipAt(QPoint place) const;
+    /// Whether a place of the viewport is left of the text.
+    [[nodiscard]] bool isInMargins(QPoint place) const;
 
 private:
     void takeMarksAway();
     [[nodiscard]] std::pair<long, long> rangeOf(const Diagnostic& problem) const;
-    [[nodiscard]] bool isInMargins(QPoint place) const;
     [[nodiscard]] int lineAt(QPoint place) const; ///< 1-based; 0: none
 
     QsciScintilla& m_text;

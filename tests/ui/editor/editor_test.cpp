@@ -250,6 +250,29 @@ private slots:
         QCOMPARE(editor.caretLine(), 4);
     }
 
+    /// A breakpoint is set there, and the simulation stays where it is.
+    void aClickInTheMarginChoosesNoLine() {
+        NcEditor editor;
+        editor.resize(400, 200);
+        editor.show();
+        editor.load(documentOf("G0\nG1\nG2\n"));
+        QList<int> chosen;
+        QList<int> margins;
+        connect(&editor, &NcEditor::lineChosen, &editor, [&](int line) { chosen << line; });
+        connect(&editor, &NcEditor::marginChosen, &editor, [&](int line) { margins << line; });
+        const auto middleOf = [&](unsigned long line) {
+            const long position = editor.SendScintilla(QsciScintilla::SCI_POSITIONFROMLINE, line);
+            return static_cast<int>(
+                editor.SendScintilla(QsciScintilla::SCI_POINTYFROMPOSITION, 0UL, position) + 5);
+        };
+        QTest::mouseClick(editor.viewport(), Qt::LeftButton, {}, {5, middleOf(2)});
+        QCOMPARE(margins, QList<int>{3});
+        QCOMPARE(chosen, QList<int>{});
+        QTest::mouseClick(editor.viewport(), Qt::LeftButton, {}, {200, middleOf(1)});
+        QCOMPARE(margins, QList<int>{3});
+        QCOMPARE(chosen, QList<int>{2});
+    }
+
     void problemLinesAreMarkedBySeverity() {
         NcEditor editor;
         editor.resize(400, 200);
