@@ -164,8 +164,9 @@ TEST(Architecture, RoomsWithinARoomLookDownOnly) {
             const std::size_t level = levelOf(file.path, room, order);
             ASSERT_LT(level, order.size()) << file.path << " lies in no room of " << room;
             for (const Include& include : file.includes) {
-                if (!include.angled && isOf(include, room))
+                if (!include.angled && isOf(include, room)) {
                     EXPECT_LE(levelOf(include.target, room, order), level) << place(file, include);
+                }
             }
         }
     }

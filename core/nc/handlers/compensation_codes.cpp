@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kLeft = 1;
 constexpr double kRight = -1;
-constexpr int kLargestNumber = 99999;
+constexpr int kLargestRegister = 99999;
 
 bool mayBegin(Execution& execution, const Word& word) {
     const MachineState& state = execution.state;
@@ -51,8 +51,8 @@ const ToolOffset* toolAsked(Execution& execution, const Word& word) {
     if (execution.block.has('D') && execution.block.value('D') != 0)
         number = execution.block.value('D');
     const Word& where = execution.block.has('D') ? execution.block.word('D') : word;
-    if (number < 0 || number != std::round(number) || number > kLargestNumber) {
-        execution.reporter.tell(nc_message::kNotInteger, where, {"D", "0", std::to_string(kLargestNumber)});
+    if (number < 0 || number != std::round(number) || number > kLargestRegister) {
+        execution.reporter.tell(nc_message::kNotInteger, where, {"D", "0", std::to_string(kLargestRegister)});
         return nullptr;
     }
     const ToolOffset* tool = execution.tools.find(static_cast<int>(number));

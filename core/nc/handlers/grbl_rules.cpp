@@ -12,7 +12,7 @@ namespace proveout {
 namespace {
 
 constexpr LetterSet kWords("FIJKLNPRSTXYZ");
-constexpr int kLargestTool = 255;
+constexpr int kLargestToolOfGrbl = 255;
 constexpr int kSystems = 6;
 
 constexpr int kFeedLine = 10;
@@ -49,7 +49,7 @@ private:
             if (m_block.has(letter) && m_block.value(letter) < 0)
                 return refuse(nc_message::kNegative, m_block.word(letter), {std::string(1, letter)});
         }
-        return !m_block.has('T') || wholeNumber(m_execution, m_block.word('T'), 0, kLargestTool).has_value();
+        return !m_block.has('T') || wholeNumber(m_execution, m_block.word('T'), 0, kLargestToolOfGrbl).has_value();
     }
 
     /// G80 is of one group with the motions here.

@@ -146,7 +146,7 @@ TEST(Chart, KeepsTheWordsOfTheRightAxisClearOfItsNumbers) {
     std::smatch number;
     ASSERT_TRUE(
         std::regex_search(svg, number, std::regex(R"re(<text x="(\d+)" y="[\d.]+">(1\d,000,000)<)re")));
-    const double end = std::stod(number[1]) + textWidth(number[2]);
+    const double end = std::stod(number[1]) + textWidth(number[2].str());
     constexpr double kHalfOfALine = 7;
     EXPECT_GT(std::stod(words[1]) - kHalfOfALine, end);
 }
