@@ -49,7 +49,8 @@ private:
             if (m_block.has(letter) && m_block.value(letter) < 0)
                 return refuse(nc_message::kNegative, m_block.word(letter), {std::string(1, letter)});
         }
-        return !m_block.has('T') || wholeNumber(m_execution, m_block.word('T'), 0, kLargestToolOfGrbl).has_value();
+        return !m_block.has('T') ||
+               wholeNumber(m_execution, m_block.word('T'), 0, kLargestToolOfGrbl).has_value();
     }
 
     /// G80 is of one group with the motions here.
