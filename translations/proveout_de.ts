@@ -138,10 +138,10 @@ Vorgabe: 1</translation>
         <translation>Höhe</translation>
     </message>
     <message>
-        <source>The height to stop above
+        <source>The run stops before a block that goes below this height
 Range: %1 to %2 mm
 Default: 0 mm</source>
-        <translation>Die Höhe, über der gehalten wird
+        <translation>Der Lauf hält vor einem Satz, der unter diese Höhe geht
 Bereich: %1 bis %2 mm
 Vorgabe: 0 mm</translation>
     </message>
@@ -5408,12 +5408,12 @@ Vorgabe: 0 mm</translation>
         <translation>Die Rasterweite von {} mm ist zu grob für T{} (⌀{} mm): Auf den Durchmesser kommen nur {} Punkte.</translation>
     </message>
     <message>
-        <source>Choose a finer grid, or the automatic one; look at details in a smaller stock or a detail region.</source>
-        <translation>Wählen Sie ein feineres Raster oder das automatische; sehen Sie sich Einzelheiten in einem kleineren Rohteil oder einem Detailausschnitt an.</translation>
+        <source>Choose a finer grid, or the automatic one; see details with View, Look Closer, or in a smaller stock.</source>
+        <translation>Wählen Sie ein feineres Raster oder das automatische; sehen Sie Einzelheiten mit Ansicht, Genauer hinsehen an, oder in einem kleineren Rohteil.</translation>
     </message>
     <message>
-        <source>Look at details in a smaller stock or a detail region, or enter a finer grid spacing.</source>
-        <translation>Sehen Sie sich Einzelheiten in einem kleineren Rohteil oder einem Detailausschnitt an, oder geben Sie eine kleinere Rasterweite ein.</translation>
+        <source>See details with View, Look Closer, or in a smaller stock, or enter a finer grid spacing.</source>
+        <translation>Sehen Sie Einzelheiten mit Ansicht, Genauer hinsehen an, oder in einem kleineren Rohteil, oder geben Sie eine kleinere Rasterweite ein.</translation>
     </message>
     <message>
         <source>Confirm the sizes of the tool in the tool table, or correct them.</source>
@@ -6033,8 +6033,8 @@ Vorgabe: 0 mm</translation>
         <translation>Ein Ordner lässt sich nicht öffnen; legen Sie ein NC-Programm oder einen Auftrag ab.</translation>
     </message>
     <message>
-        <source>A mesh cannot be opened; drop an NC program or a job.</source>
-        <translation>Ein Netz lässt sich nicht öffnen; legen Sie ein NC-Programm oder einen Auftrag ab.</translation>
+        <source>A mesh is no program. To cut it, choose it as the stock in the setup.</source>
+        <translation>Ein Netz ist kein Programm. Wählen Sie es unter Aufspannung als Rohteil, um es zu bearbeiten.</translation>
     </message>
     <message>
         <source>Export Decimated Mesh</source>
@@ -6101,8 +6101,8 @@ Vorgabe: 0 mm</translation>
         <translation>Die Aufspannung von %1 hat nicht gespeicherte Änderungen.</translation>
     </message>
     <message>
-        <source>Save changes before closing?</source>
-        <translation>Änderungen vor dem Schließen speichern?</translation>
+        <source>Save the changes first?</source>
+        <translation>Die Änderungen vorher speichern?</translation>
     </message>
 </context>
 <context>

@@ -138,10 +138,10 @@ Default: 1</source>
         <translation>높이</translation>
     </message>
     <message>
-        <source>The height to stop above
+        <source>The run stops before a block that goes below this height
 Range: %1 to %2 mm
 Default: 0 mm</source>
-        <translation>그 위에서 멈출 높이
+        <translation>이 높이보다 아래로 내려가는 블록 앞에서 멈춥니다
 범위: %1 ~ %2 mm
 기본값: 0 mm</translation>
     </message>
@@ -5408,12 +5408,12 @@ Default: 0 mm</source>
         <translation>격자 간격 {} mm는 T{}(⌀{} mm)에 너무 큽니다. 공구 지름에 걸치는 점이 {}개뿐입니다.</translation>
     </message>
     <message>
-        <source>Choose a finer grid, or the automatic one; look at details in a smaller stock or a detail region.</source>
-        <translation>더 작은 격자 간격이나 자동을 선택하십시오. 세부는 더 작은 소재나 세부 영역에서 확인하십시오.</translation>
+        <source>Choose a finer grid, or the automatic one; see details with View, Look Closer, or in a smaller stock.</source>
+        <translation>더 작은 격자 간격이나 자동을 선택하십시오. 세부는 보기의 자세히 보기나 더 작은 소재에서 확인하십시오.</translation>
     </message>
     <message>
-        <source>Look at details in a smaller stock or a detail region, or enter a finer grid spacing.</source>
-        <translation>세부는 더 작은 소재나 세부 영역에서 확인하거나 더 작은 격자 간격을 입력하십시오.</translation>
+        <source>See details with View, Look Closer, or in a smaller stock, or enter a finer grid spacing.</source>
+        <translation>세부는 보기의 자세히 보기나 더 작은 소재에서 확인하거나, 더 작은 격자 간격을 입력하십시오.</translation>
     </message>
     <message>
         <source>Confirm the sizes of the tool in the tool table, or correct them.</source>
@@ -6033,8 +6033,8 @@ Default: 0 mm</source>
         <translation>폴더는 열 수 없습니다. NC 프로그램이나 작업을 끌어다 놓으십시오.</translation>
     </message>
     <message>
-        <source>A mesh cannot be opened; drop an NC program or a job.</source>
-        <translation>메시는 열 수 없습니다. NC 프로그램이나 작업을 끌어다 놓으십시오.</translation>
+        <source>A mesh is no program. To cut it, choose it as the stock in the setup.</source>
+        <translation>메시는 프로그램이 아닙니다. 가공하려면 설정에서 소재로 선택하십시오.</translation>
     </message>
     <message>
         <source>Export Decimated Mesh</source>
@@ -6101,8 +6101,8 @@ Default: 0 mm</source>
         <translation>%1의 셋업에 저장하지 않은 변경이 있습니다.</translation>
     </message>
     <message>
-        <source>Save changes before closing?</source>
-        <translation>닫기 전에 변경을 저장할까요?</translation>
+        <source>Save the changes first?</source>
+        <translation>먼저 변경 내용을 저장할까요?</translation>
     </message>
 </context>
 <context>

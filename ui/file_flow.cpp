@@ -246,7 +246,7 @@ bool FileFlow::mayDiscard() {
     QMessageBox question(QMessageBox::Warning, tr("Unsaved changes"), unsaved(),
                          QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
     question.setTextFormat(Qt::PlainText); // the names are the user's
-    question.setInformativeText(tr("Save changes before closing?"));
+    question.setInformativeText(tr("Save the changes first?"));
     question.setDefaultButton(QMessageBox::Save);
     const int answer = question.exec();
     if (answer == QMessageBox::Save)
@@ -294,7 +294,7 @@ QString FileFlow::droppedFile(const QMimeData& data, QString& reason) {
         return {};
     }
     if (meshFormatOf(toPath(file.fileName()))) {
-        reason = tr("A mesh cannot be opened; drop an NC program or a job.");
+        reason = tr("A mesh is no program. To cut it, choose it as the stock in the setup.");
         return {};
     }
     return file.absoluteFilePath();

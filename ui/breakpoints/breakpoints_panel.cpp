@@ -228,8 +228,9 @@ void BreakpointsPanel::retranslate() {
     m_line->setToolTip(
         tr("The line to stop before\nRange: 1 to %1\nDefault: 1").arg(locale().toString(kLastLine)));
     m_height->setAccessibleName(tr("Height"));
-    m_height->setToolTip(tr("The height to stop above\nRange: %1 to %2 mm\nDefault: 0 mm")
-                             .arg(locale().toString(-kFarthest), locale().toString(kFarthest)));
+    m_height->setToolTip(
+        tr("The run stops before a block that goes below this height\nRange: %1 to %2 mm\nDefault: 0 mm")
+            .arg(locale().toString(-kFarthest), locale().toString(kFarthest)));
     m_add->setText(tr("Add"));
     m_add->setToolTip(tr("Add this breakpoint; a click beside a line of the program adds one there"));
     m_remove->setText(tr("Remove"));

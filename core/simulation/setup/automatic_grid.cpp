@@ -120,11 +120,13 @@ Diagnostics coarseGrid(const Grid& grid, const std::optional<CutterInUse>& small
     warning.arguments = {fmt::format("{:.4g}", spacing), std::to_string(smallest->tool),
                          fmt::format("{:.4g}", smallest->diameter),
                          fmt::format("{:.1f}", smallest->diameter / spacing)};
-    warning.hint = automatic
-                       ? PROVEOUT_TEXT("Core", "Look at details in a smaller stock or a detail region, or "
-                                               "enter a finer grid spacing.")
-                       : PROVEOUT_TEXT("Core", "Choose a finer grid, or the automatic one; look at details "
-                                               "in a smaller stock or a detail region.");
+    warning.hint =
+        automatic
+            ? PROVEOUT_TEXT(
+                  "Core",
+                  "See details with View, Look Closer, or in a smaller stock, or enter a finer grid spacing.")
+            : PROVEOUT_TEXT("Core", "Choose a finer grid, or the automatic one; see details with View, Look "
+                                    "Closer, or in a smaller stock.");
     return {warning};
 }
 
