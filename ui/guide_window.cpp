@@ -27,6 +27,7 @@ constexpr int kPagesWidth = 190;
 constexpr int kTextMargin = 16;
 constexpr int kCellPadding = 4;
 constexpr int kPageSpacing = 2;
+constexpr float kTableLine = 0.3F; ///< of the colour of the text
 constexpr int kFile = Qt::UserRole;
 const QString kDockPrefix = QStringLiteral("dock-");
 
@@ -119,7 +120,9 @@ void GuideWindow::showPage(const QString& page) {
 
 /// A link has led to another page.
 void GuideWindow::followText(const QUrl& shown) {
-    styleTables(*m_text->document(), palette().color(QPalette::Mid));
+    QColor line = palette().color(QPalette::Text);
+    line.setAlphaF(kTableLine);
+    styleTables(*m_text->document(), line);
     const QSignalBlocker quiet(m_pages);
     for (int i = 0; i < m_pages->count(); ++i) {
         if (m_pages->item(i)->data(kFile).toUrl().fileName() == shown.fileName())
