@@ -6033,7 +6033,7 @@ Vorgabe: 0 mm</translation>
         <translation>Ein Ordner lässt sich nicht öffnen; legen Sie ein NC-Programm oder einen Auftrag ab.</translation>
     </message>
     <message>
-        <source>A mesh is no program. To cut it, choose it as the stock in the setup.</source>
+        <source>A mesh is not a program. To cut it, choose it as the stock in the setup.</source>
         <translation>Ein Netz ist kein Programm. Wählen Sie es unter Aufspannung als Rohteil, um es zu bearbeiten.</translation>
     </message>
     <message>

@@ -6033,7 +6033,7 @@ Default: 0 mm</source>
         <translation>폴더는 열 수 없습니다. NC 프로그램이나 작업을 끌어다 놓으십시오.</translation>
     </message>
     <message>
-        <source>A mesh is no program. To cut it, choose it as the stock in the setup.</source>
+        <source>A mesh is not a program. To cut it, choose it as the stock in the setup.</source>
         <translation>메시는 프로그램이 아닙니다. 가공하려면 설정에서 소재로 선택하십시오.</translation>
     </message>
     <message>

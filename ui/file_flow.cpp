@@ -294,7 +294,7 @@ QString FileFlow::droppedFile(const QMimeData& data, QString& reason) {
         return {};
     }
     if (meshFormatOf(toPath(file.fileName()))) {
-        reason = tr("A mesh is no program. To cut it, choose it as the stock in the setup.");
+        reason = tr("A mesh is not a program. To cut it, choose it as the stock in the setup.");
         return {};
     }
     return file.absoluteFilePath();

@@ -19,7 +19,7 @@ std::size_t lengthFrom(unsigned char lead) {
     return lead >= 0xf0 ? 4 : lead >= 0xe0 ? 3 : 2;
 }
 
-/// Whether a byte is within a character, not at its begin.
+/// Whether a byte is within a character, and not its first.
 bool continues(char c) {
     return (static_cast<unsigned char>(c) & 0xc0U) == 0x80U;
 }

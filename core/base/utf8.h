@@ -20,7 +20,7 @@ struct Utf8Character {
 /// Whether all of it is UTF-8.
 [[nodiscard]] bool isUtf8(std::string_view text);
 
-/// At most so many bytes from the begin of a text, without a part of a character at the end.
+/// The first `bytes` bytes of a text, or fewer, so that the last character is whole.
 [[nodiscard]] std::string_view shortened(std::string_view text, std::size_t bytes);
 
 } // namespace proveout
