@@ -29,6 +29,7 @@ constexpr int kCellPadding = 4;
 constexpr int kPageSpacing = 2;
 constexpr float kTableLine = 0.3F; ///< of the colour of the text
 constexpr int kFile = Qt::UserRole;
+constexpr int kId = kFile + 1;
 const QString kDockPrefix = QStringLiteral("dock-");
 
 /// Qt draws the tables of Markdown as two frames in one another, tight round the text.
@@ -101,14 +102,14 @@ void GuideWindow::listPages() {
     for (const GuidePage& page : guidePages()) {
         auto* item = new QListWidgetItem(page.title, m_pages);
         item->setData(kFile, QUrl::fromLocalFile(page.file));
-        item->setData(kFile + 1, page.id);
+        item->setData(kId, page.id);
     }
 }
 
 void GuideWindow::showPage(const QString& page) {
     int row = 0;
     for (int i = 0; i < m_pages->count(); ++i) {
-        if (m_pages->item(i)->data(kFile + 1).toString() == page)
+        if (m_pages->item(i)->data(kId).toString() == page)
             row = i;
     }
     m_pages->setCurrentRow(row);
@@ -120,9 +121,7 @@ void GuideWindow::showPage(const QString& page) {
 
 /// A link has led to another page.
 void GuideWindow::followText(const QUrl& shown) {
-    QColor line = palette().color(QPalette::Text);
-    line.setAlphaF(kTableLine);
-    styleTables(*m_text->document(), line);
+    styleText();
     const QSignalBlocker quiet(m_pages);
     for (int i = 0; i < m_pages->count(); ++i) {
         if (m_pages->item(i)->data(kFile).toUrl().fileName() == shown.fileName())
@@ -133,7 +132,15 @@ void GuideWindow::followText(const QUrl& shown) {
 void GuideWindow::changeEvent(QEvent* event) {
     if (event->type() == QEvent::LanguageChange)
         retranslate();
+    if (event->type() == QEvent::PaletteChange)
+        styleText();
     QWidget::changeEvent(event);
+}
+
+void GuideWindow::styleText() {
+    QColor line = palette().color(QPalette::Text);
+    line.setAlphaF(kTableLine);
+    styleTables(*m_text->document(), line);
 }
 
 void GuideWindow::retranslate() {

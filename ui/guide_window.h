@@ -28,6 +28,7 @@ private:
     void makeTools();
     void listPages();
     void followText(const QUrl& shown);
+    void styleText();
     void retranslate();
 
     QToolBar* m_tools;

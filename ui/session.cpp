@@ -165,7 +165,8 @@ void Session::load() {
     m_played.loaded(parameters());
     m_simulation->post(LoadCommand{m_program, m_job.setup(), parameters(), m_generation});
     postStops();
-    if (target() > 0)
+    // What was sought before there was a simulation has been dropped: it would count for ever.
+    if (m_sought || block() > 0)
         m_simulation->post(seekTo(target()));
     if (m_playback.playing)
         postPlay();

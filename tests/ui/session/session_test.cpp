@@ -139,6 +139,22 @@ private slots:
         QCOMPARE(session.block(), std::size_t{40});
     }
 
+    /// It is dropped then, and must not be taken for one that is still on its way.
+    void aStepBeforeThereIsASimulationLeavesNothingBehind() {
+        Session session;
+        session.step(-1);
+        QVERIFY(opened(session, kSample));
+        session.step(-1);
+        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
+        session.setSpeed(std::numeric_limits<double>::infinity());
+        session.play();
+        QTRY_VERIFY_WITH_TIMEOUT(!session.playback().playing, kPatience);
+        QCOMPARE(session.block(), session.blockCount());
+        session.setSpeed(kUnitBlocksPerSecond);
+        session.play(); // at the end it begins anew
+        QTRY_VERIFY_WITH_TIMEOUT(session.block() < session.blockCount(), kPatience);
+    }
+
     void aSeekThatWasGivenUpIsNotTakenUpAgain() {
         Session session;
         QVERIFY(opened(session, kSample));
