@@ -37,7 +37,7 @@ void CommandQueue::post(SimulationCommand command) {
 
 void CommandQueue::cancel() {
     const std::scoped_lock lock(m_mutex);
-    m_cancelled = m_busy;
+    m_cancelled = m_busy || !m_commands.empty();
     m_work.request_stop();
     m_changed.notify_all();
 }
@@ -90,6 +90,8 @@ bool CommandQueue::endWork() {
 
 void CommandQueue::wait() {
     std::unique_lock lock(m_mutex);
+    if (awake())
+        return; // a command came after the thread had looked, and perhaps a cancel of it
     m_busy = false;
     m_cancelled = false;
     m_changed.wait(lock, [this] { return awake(); });
