@@ -21,8 +21,8 @@ public:
     using Time = std::chrono::steady_clock::time_point;
 
     void post(SimulationCommand command);
-    /// Stops the work under way, or that which follows from the commands that were posted before; nothing where
-    /// the thread rests.
+    /// Stops the work under way, or that which follows from the commands that were posted before; nothing
+    /// where the thread rests.
     void cancel();
     /// Stops the work and ends every wait, now and later.
     void close();
