@@ -73,6 +73,9 @@ public:
     [[nodiscard]] bool inMainText() const { return m_source == m_sources.front().get(); }
     /// The line of the main text, 0-based: this one, or the one that called.
     [[nodiscard]] std::size_t mainLine() const;
+    [[nodiscard]] std::uint32_t mainLineNumber() const { ///< the same, 1-based
+        return static_cast<std::uint32_t>(mainLine() + 1);
+    }
     [[nodiscard]] bool inMainProgram() const { return m_levels.empty(); }
     [[nodiscard]] Level& level() { return m_levels.back(); }                 ///< not in the main program
     [[nodiscard]] std::span<const Level> levels() const { return m_levels; } ///< the outermost first

@@ -33,25 +33,7 @@ void restoreModes(Execution& execution, const Word& word) {
 
 void restore(Execution& execution, const MachineState& saved, const Word& word) {
     for (const Block& block : blocksToRestore(execution.state, saved, word)) {
-        Execution inner{execution.dialect,
-                        execution.codes,
-                        block,
-                        execution.state,
-                        execution.parameters,
-                        execution.tools,
-                        execution.registers,
-                        execution.request,
-                        execution.program,
-                        execution.reporter,
-                        execution.saves,
-                        execution.splines,
-                        nullptr,
-                        execution.target,
-                        execution.callLevel,
-                        execution.line,
-                        execution.maxMotions,
-                        execution.maxBytes,
-                        execution.context};
+        Execution inner = execution.at(block);
         executeBlock(inner);
     }
 }

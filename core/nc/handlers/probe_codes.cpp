@@ -43,7 +43,7 @@ ProbeTarget::Answer ask(Execution& execution, const Motion& motion, Seek seek) {
         return {};
     Motion seen = motion;
     seen.start = tipAt(execution, motion.start);
-    return execution.target->probe(execution.program, seen, seek, execution.context);
+    return execution.target->probe(execution.program, seen, seek, execution.limits.context);
 }
 
 std::vector<std::string> coordinates(const Vec3& place) {

@@ -65,7 +65,7 @@ public:
         Reporter reporter(*program, m_file, 0);
         reporter.beginLine(static_cast<std::uint32_t>(point.calls.line + 1));
         reporter.tellInAnyCase(nc_message::kStillReading, 1, 0);
-        program->setSourceBlockCount(point.run.sourceBlocks);
+        program->setSourceBlockCount(point.run.read.sourceBlocks);
         m_publish(program);
     }
 
@@ -125,7 +125,7 @@ std::size_t ResumableInterpreter::pointsBefore(const InterpretOptions& options, 
     const auto end = m_points.begin() + static_cast<std::ptrdiff_t>(most);
     const auto at = std::partition_point(m_points.begin(), end, [&](const ResumePoint& p) {
         return p.program.blocks < options.stopAfterBlocks &&
-               (options.watchedLine == 0 || p.run.linesRead < options.watchedLine);
+               (options.watchedLine == 0 || p.run.read.linesRead < options.watchedLine);
     });
     return static_cast<std::size_t>(at - m_points.begin());
 }
@@ -150,8 +150,8 @@ std::size_t ResumableInterpreter::keep(ResumePoint point) {
 std::size_t ResumableInterpreter::unchangedPoints(const NcText& text) const {
     const NcText& before = m_last->text;
     const std::size_t same = text.sameLines(before);
-    auto end =
-        std::ranges::upper_bound(m_points, same, {}, [](const ResumePoint& p) { return p.run.linesSeen; });
+    auto end = std::ranges::upper_bound(m_points, same, {},
+                                        [](const ResumePoint& p) { return p.run.read.linesSeen; });
     if (end != m_points.begin() && std::prev(end)->calls.indexAsked && targetsChanged(before, text, same))
         end = std::ranges::find_if(m_points.begin(), end,
                                    [](const ResumePoint& p) { return p.calls.indexAsked; });

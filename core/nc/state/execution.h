@@ -28,6 +28,18 @@ inline constexpr std::size_t kMostBlockMotions = 100'000;
 struct LintMemory;
 class ProbeTarget;
 
+/// How much a program may make, and whether it is still wanted.
+struct ProgramLimits {
+    std::size_t maxMotions;
+    std::uint64_t maxBytes;
+    const WorkContext& context;
+
+    /// Whether a block that makes many motions has to stop in between.
+    [[nodiscard]] bool reached(const Program& program) const {
+        return program.motionCount() > maxMotions || program.bytes() > maxBytes || context.stopped();
+    }
+};
+
 /// What the handler of a code works on: the block, and everything that the block may change.
 struct Execution {
     const Dialect& dialect;
@@ -42,13 +54,11 @@ struct Execution {
     Reporter& reporter;
     ModalSaves& saves;
     SplineState& splines;
-    LintMemory* lint;      ///< null: nothing is told that is no error
-    ProbeTarget* target;   ///< of probing motions; null: there is none
-    std::size_t callLevel; ///< 0: the main program
-    std::uint32_t line;    ///< source line, 1-based
-    std::size_t maxMotions;
-    std::uint64_t maxBytes;
-    const WorkContext& context;
+    LintMemory* lint;    ///< null: nothing is told that is no error
+    ProbeTarget* target; ///< of probing motions; null: there is none
+    ProgramLimits limits;
+    std::size_t callLevel;                 ///< 0: the main program
+    std::uint32_t line;                    ///< source line, 1-based
     bool machineCoordinates = false;       ///< G53: of this block's axis words
     const CodeRow* motionBefore = nullptr; ///< the motion code in force before this block
 
@@ -74,13 +84,13 @@ struct Execution {
         return number == state.tool && number > 0 && tools.find(number) == nullptr;
     }
 
-    /// Whether a block that makes many motions has to stop in between.
-    [[nodiscard]] bool mustEnd() const {
-        return program.motionCount() > maxMotions || program.bytes() > maxBytes || context.stopped();
-    }
+    [[nodiscard]] bool mustEnd() const { return limits.reached(program); }
     /// Whether one block may make so many motions; told at the word that asks for them where not. Asked
     /// before the first one is made.
     [[nodiscard]] bool mayMake(double motions, const Word& word) const;
+
+    /// The same control at another block, about which no rule is asked.
+    [[nodiscard]] Execution at(const Block& other) const;
 };
 
 /// The whole number of a word, told where it is none within the limits.

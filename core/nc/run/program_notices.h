@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+
+#include "core/nc/codes/dialect_guess.h"
+#include "core/nc/program/program.h"
+#include "core/nc/program/reporter.h"
+#include "core/nc/run/interpreter.h"
+#include "core/nc/run/run_state.h"
+#include "core/nc/text/nc_text.h"
+
+namespace proveout {
+
+/// Reports what only the whole program shows, before its first line and behind its last one. Keeps references
+/// to its arguments.
+class ProgramNotices {
+public:
+    ProgramNotices(const NcText& text, const InterpretOptions& options, const Dialect& dialect,
+                   const CodeTable& codes, const RunState& run, const Program& program, Reporter& reporter)
+        : m_text(text), m_options(options), m_dialect(dialect), m_codes(codes), m_run(run),
+          m_program(program), m_reporter(reporter) {}
+
+    void reportBeginning(const DialectGuess& guess);
+    /// `rest`: the first line behind those that were read that holds anything; the number of lines where
+    /// there is none.
+    void reportEnd(std::size_t rest);
+    /// One message a code, at the line where it was met first.
+    void reportIgnoredCodes();
+
+private:
+    void reportGuess(const DialectGuess& guess);
+    void reportListedButExecuted();
+    void reportNeverKnown();
+    void reportUnseen();
+
+    const NcText& m_text;
+    const InterpretOptions& m_options;
+    const Dialect& m_dialect;
+    const CodeTable& m_codes;
+    const RunState& m_run;
+    const Program& m_program;
+    Reporter& m_reporter;
+};
+
+} // namespace proveout
