@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "core/nc/codes/codes.h"
 #include "core/nc/codes/dialects.h"
-#include "core/nc/run/control_description.h"
 
 namespace proveout {
 
@@ -32,17 +32,16 @@ Repetition::Limits repetitionLimits(const NcText& text, const InterpretOptions& 
 
 Interpretation::Interpretation(const NcText& text, const InterpretOptions& options, DialectGuess guess,
                                const WorkContext& context)
-    : m_text(text), m_options(options), m_context(context), m_guess(std::move(guess)),
-      m_dialect(configured(m_guess.dialect, options)), m_codes(codesOf(m_guess.dialect)),
+    : m_text(text), m_options(options), m_context(context), m_dialect(configured(guess.dialect, options)),
       m_program(std::make_shared<Program>()),
       m_reporter(*m_program, options.file, options.maxDiagnostics, m_dialect.answer),
       m_run(m_dialect.macros, options.tools),
       m_calls(text, options.file, {options.subprogramFolders, m_dialect.deepestCalls},
               m_run.memory.parameters, m_reporter),
-      m_lines(text, options, m_dialect, m_codes, context, m_run, m_calls, *m_program, m_reporter),
+      m_lines(text, options, m_dialect, context, m_run, m_calls, *m_program, m_reporter),
       m_repeats(repetitionLimits(text, options), m_run.repeats, m_calls, m_run.memory.parameters, *m_program,
                 m_reporter),
-      m_notices(text, options, m_dialect, m_codes, m_run, *m_program, m_reporter) {
+      m_notices(text, options, std::move(guess), m_dialect, m_run, *m_program, m_reporter) {
     MachineState& state = m_run.memory.machine;
     if (options.start || options.assumeStartAtZero) {
         state.position = options.start.value_or(Vec3(0));
@@ -52,7 +51,7 @@ Interpretation::Interpretation(const NcText& text, const InterpretOptions& optio
     state.machineZeroKnown = options.assumeStartAtZero;
     state.retractToR = m_dialect.retractsToR;
     if (m_dialect.beginsInRapid)
-        state.motion = m_codes.find('G', 0);
+        state.motion = codesOf(m_dialect.id).find('G', 0);
 }
 
 std::shared_ptr<const Program> Interpretation::run() {
@@ -98,7 +97,7 @@ void Interpretation::offerPoint() {
 void Interpretation::begin() {
     m_program->setDialect(m_dialect.id);
     m_program->expect(m_text.lineCount());
-    m_notices.reportBeginning(m_guess);
+    m_notices.reportBeginning();
     m_lines.begin();
 }
 
@@ -106,7 +105,7 @@ void Interpretation::end() {
     if (m_run.read.linesRead == m_text.lineCount())
         m_reporter.beginLine(static_cast<std::uint32_t>(m_text.lineCount()));
     m_program->settle();
-    ControlState state = describe(m_run.memory.machine, m_run.memory.parameters, m_calls, m_codes, m_dialect);
+    ControlState state = m_lines.controlState();
     state.line = m_run.steps == 0 ? 0 : m_calls.mainLineNumber();
     m_program->setControlState(std::move(state));
     if (!m_cutShort && m_program->blockCount() < m_options.stopAfterBlocks)

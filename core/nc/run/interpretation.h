@@ -50,9 +50,7 @@ private:
     const NcText& m_text;
     const InterpretOptions& m_options;
     const WorkContext& m_context;
-    const DialectGuess m_guess;
     const Dialect m_dialect; ///< as the options set it
-    const CodeTable& m_codes;
     std::shared_ptr<Program> m_program;
     Reporter m_reporter;
     RunState m_run;

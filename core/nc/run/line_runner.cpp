@@ -6,12 +6,12 @@
 namespace proveout {
 
 LineRunner::LineRunner(const NcText& text, const InterpretOptions& options, const Dialect& dialect,
-                       const CodeTable& codes, const WorkContext& context, RunState& run, CallStack& calls,
-                       Program& program, Reporter& reporter)
-    : m_options(options), m_dialect(dialect), m_codes(codes), m_run(run), m_calls(calls),
+                       const WorkContext& context, RunState& run, CallStack& calls, Program& program,
+                       Reporter& reporter)
+    : m_options(options), m_dialect(dialect), m_codes(codesOf(dialect.id)), m_run(run), m_calls(calls),
       m_variables(dialect, options.blockDelete, run.memory, run.assumedVariables, program, reporter),
       m_reader(text, dialect, m_variables, run.memory.machine, run.read, calls, reporter),
-      m_blocks(dialect, codes, options, context, run.memory, m_variables.registers(), run.ignored, calls,
+      m_blocks(dialect, m_codes, options, context, run.memory, m_variables.registers(), run.ignored, calls,
                program, reporter),
       m_flow(dialect, m_variables, run.memory, run.read, run.unreachable, calls, m_blocks, reporter),
       m_watch(options.watchedLine) {}
@@ -25,17 +25,17 @@ bool LineRunner::run() {
     return !m_tooLong && (!watched || m_options.watchToEnd);
 }
 
-std::vector<ControlState::Mode> LineRunner::modes() const {
-    return describe(m_run.memory.machine, m_run.memory.parameters, m_calls, m_codes, m_dialect).modes;
+ControlState LineRunner::controlState() const {
+    return describe(m_run.memory.machine, m_run.memory.parameters, m_calls, m_codes, m_dialect);
 }
 
 void LineRunner::runWatched() {
     const std::string_view text = m_calls.currentText();
     // To look at a value is no use of it by the program.
-    m_watch.begin(text, m_variables.context(), modes());
+    m_watch.begin(text, m_variables.context(), controlState().modes);
     m_variables.forgetReads();
     runLine();
-    m_watch.end(m_line, text, m_variables.context(), m_run.memory.machine, modes());
+    m_watch.end(m_line, text, m_variables.context(), m_run.memory.machine, controlState().modes);
     m_variables.forgetReads();
 }
 

@@ -19,8 +19,8 @@ namespace proveout {
 class LineRunner {
 public:
     LineRunner(const NcText& text, const InterpretOptions& options, const Dialect& dialect,
-               const CodeTable& codes, const WorkContext& context, RunState& run, CallStack& calls,
-               Program& program, Reporter& reporter);
+               const WorkContext& context, RunState& run, CallStack& calls, Program& program,
+               Reporter& reporter);
 
     /// Once, before the first line.
     void begin() { m_reader.begin(); }
@@ -31,6 +31,7 @@ public:
 
     /// Whether what was run since the last call of this depends on more than parameters.
     [[nodiscard]] bool takeDependence();
+    [[nodiscard]] ControlState controlState() const;
     [[nodiscard]] bool hasModalMacro() const { return m_flow.hasModalMacro(); }
     [[nodiscard]] OffsetRegisters& registers() { return m_variables.registers(); }
     [[nodiscard]] std::size_t firstTextFrom(std::size_t index) { return m_reader.firstTextFrom(index); }
@@ -42,7 +43,6 @@ private:
     void runWords();
     void runStatement();
     void runBlock();
-    [[nodiscard]] std::vector<ControlState::Mode> modes() const;
 
     const InterpretOptions& m_options;
     const Dialect& m_dialect;

@@ -23,17 +23,17 @@ const Message& ignoredMessage(bool known, bool manyLines) {
 
 } // namespace
 
-void ProgramNotices::reportBeginning(const DialectGuess& guess) {
-    if (!guess.reasons.empty())
-        reportGuess(guess);
+void ProgramNotices::reportBeginning() {
+    if (!m_guess.reasons.empty())
+        reportGuess();
     reportListedButExecuted();
 }
 
-void ProgramNotices::reportGuess(const DialectGuess& guess) {
+void ProgramNotices::reportGuess() {
     constexpr std::size_t kMostShown = 4;
     m_reporter.beginLine(1);
     std::string reasons;
-    const std::span signs(guess.reasons);
+    const std::span signs(m_guess.reasons);
     for (const DialectSign& sign : signs.first(std::min(signs.size(), kMostShown)))
         reasons += fmt::format("{}{} ({})", reasons.empty() ? "" : ", ", sign.shown, sign.line);
     m_reporter.tell(nc_message::kDialectGuessed, 1, 0, {m_dialect.name, reasons});
@@ -43,8 +43,9 @@ void ProgramNotices::reportGuess(const DialectGuess& guess) {
 void ProgramNotices::reportListedButExecuted() {
     constexpr int kTenths = 10;
     m_reporter.beginLine(1);
+    const CodeTable& codes = codesOf(m_dialect.id);
     for (const int number : m_options.ignoredM) {
-        const CodeRow* row = number < kLargestMCode / kTenths ? m_codes.find('M', number * kTenths) : nullptr;
+        const CodeRow* row = number < kLargestMCode / kTenths ? codes.find('M', number * kTenths) : nullptr;
         if (row != nullptr && row->handler != nullptr)
             m_reporter.tell(nc_message::kIgnoredExecuted, 1, 0, {fmt::format("M{}", number), row->name});
     }

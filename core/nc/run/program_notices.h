@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <utility>
 
 #include "core/nc/codes/dialect_guess.h"
 #include "core/nc/program/program.h"
@@ -16,12 +17,12 @@ namespace proveout {
 /// to its arguments.
 class ProgramNotices {
 public:
-    ProgramNotices(const NcText& text, const InterpretOptions& options, const Dialect& dialect,
-                   const CodeTable& codes, const RunState& run, const Program& program, Reporter& reporter)
-        : m_text(text), m_options(options), m_dialect(dialect), m_codes(codes), m_run(run),
+    ProgramNotices(const NcText& text, const InterpretOptions& options, DialectGuess guess,
+                   const Dialect& dialect, const RunState& run, const Program& program, Reporter& reporter)
+        : m_text(text), m_options(options), m_guess(std::move(guess)), m_dialect(dialect), m_run(run),
           m_program(program), m_reporter(reporter) {}
 
-    void reportBeginning(const DialectGuess& guess);
+    void reportBeginning();
     /// `rest`: the first line behind those that were read that holds anything; the number of lines where
     /// there is none.
     void reportEnd(std::size_t rest);
@@ -29,15 +30,15 @@ public:
     void reportIgnoredCodes();
 
 private:
-    void reportGuess(const DialectGuess& guess);
+    void reportGuess();
     void reportListedButExecuted();
     void reportNeverKnown();
     void reportUnseen();
 
     const NcText& m_text;
     const InterpretOptions& m_options;
+    const DialectGuess m_guess;
     const Dialect& m_dialect;
-    const CodeTable& m_codes;
     const RunState& m_run;
     const Program& m_program;
     Reporter& m_reporter;
