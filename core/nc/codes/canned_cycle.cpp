@@ -127,6 +127,19 @@ constexpr CannedCycle kHaasCycles[] = {
      .caveat = &nc_message::kManualExit},
 };
 
+/// The cycles of a dialect: what it does otherwise than others, over what it shares with them.
+struct CyclesOfDialect {
+    std::span<const CannedCycle> own;
+    std::span<const CannedCycle> shared;
+};
+constexpr std::array<CyclesOfDialect, static_cast<std::size_t>(DialectId::count)> kCycles{{
+    {{}, kLinuxcncCycles},         // linuxcnc
+    {{}, kFanucCycles},            // fanuc
+    {kHaasCycles, kFanucCycles},   // haas
+    {{}, {}},                      // grbl
+    {kMachCycles, kLinuxcncCycles} // mach
+}};
+
 const CannedCycle* find(std::span<const CannedCycle> cycles, int tenths) {
     const auto found = std::ranges::find(cycles, tenths, &CannedCycle::tenths);
     return found == cycles.end() ? nullptr : &*found;
@@ -153,13 +166,9 @@ bool isCycle(const CodeRow* row) {
 }
 
 const CannedCycle& cycleOf(DialectId dialect, const CodeRow& row) {
-    const bool rs274 = dialect == DialectId::linuxcnc || dialect == DialectId::mach;
-    const CannedCycle* own = dialect == DialectId::haas   ? find(kHaasCycles, row.tenths)
-                             : dialect == DialectId::mach ? find(kMachCycles, row.tenths)
-                                                          : nullptr;
-    return own != nullptr
-               ? *own
-               : *find(rs274 ? std::span<const CannedCycle>(kLinuxcncCycles) : kFanucCycles, row.tenths);
+    const CyclesOfDialect& cycles = kCycles[static_cast<std::size_t>(dialect)];
+    const CannedCycle* own = find(cycles.own, row.tenths);
+    return own != nullptr ? *own : *find(cycles.shared, row.tenths);
 }
 
 } // namespace proveout

@@ -13,6 +13,19 @@ namespace {
 
 constexpr double kAsItStands = 1;
 
+// Source: FANUC's operator's manuals, tool compensation memory C; Haas' manuals.
+constexpr RegisterVariables kFanucRegisters[] = {
+    {2001, 2200, RegisterEntry::lengthWear},   {2201, 2400, RegisterEntry::length},
+    {10001, 10999, RegisterEntry::lengthWear}, {11001, 11999, RegisterEntry::length},
+    {12001, 12999, RegisterEntry::radiusWear}, {13001, 13999, RegisterEntry::radius},
+};
+constexpr RegisterVariables kHaasRegisters[] = {
+    {2001, 2200, RegisterEntry::length},
+    {2201, 2400, RegisterEntry::lengthWear},
+    {2401, 2600, RegisterEntry::radius},
+    {2601, 2800, RegisterEntry::radiusWear},
+};
+
 constexpr Dialect kDialects[] = {
     {.id = DialectId::linuxcnc,
      .key = "linuxcnc",
@@ -84,6 +97,8 @@ constexpr Dialect kDialects[] = {
      .radiusWins = true,
      .arcRadiiMm = 0.02,
      .vectors = {.used = true, .readAhead = 3, .crossesAtCorner = true},
+     .additionalCode = {.tenths = 541, .step = 0, .written = "G54.1 P"},
+     .registerVariables = kFanucRegisters,
      .deepestBrackets = 5,
      .rapidAfterG80 = true,
      .noReferenceInCycle = true},
@@ -116,6 +131,9 @@ constexpr Dialect kDialects[] = {
      .radiusWins = true,
      .arcRadiiMm = 0.02,
      .vectors = {.used = true, .readAhead = 80, .crossesAtCorner = false},
+     .additionalCode = {.tenths = 541, .step = 0, .written = "G154 P"},
+     .registerVariables = kHaasRegisters,
+     .hasMonitors = true,
      .rapidAfterG80 = true},
     // Source: grbl 1.1, its documentation and source.
     {.id = DialectId::grbl,
@@ -183,6 +201,7 @@ constexpr Dialect kDialects[] = {
      .peckLiftMm = 0,
      .radiusWins = false,
      .arcRadiiMm = 0,
+     .additionalCode = {.tenths = 590, .step = 0, .written = "G59 P", .first = 7},
      .arcs = ArcRule::nist,
      .polarAboutTool = true,
      .radiusNotScaled = true,

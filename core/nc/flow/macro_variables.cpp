@@ -117,7 +117,7 @@ constexpr int kLastPosition = 5199;
 } // namespace
 
 std::optional<double> MacroVariables::ofRegister(int number) const {
-    const auto place = OffsetRegisters::place(m_dialect.id, number);
+    const auto place = OffsetRegisters::place(m_dialect, number);
     const auto value = place ? m_registers.value(place->entry, place->number) : std::nullopt;
     return value ? std::optional(m_state.fromMm(*value)) : std::nullopt;
 }
@@ -126,7 +126,7 @@ std::optional<double> MacroVariables::ofRegister(int number) const {
 std::optional<double> MacroVariables::ofHaas(int number) const {
     constexpr int kTool = 3026;
     constexpr int kSpindle = 3027;
-    if (m_dialect.id != DialectId::haas)
+    if (!m_dialect.hasMonitors)
         return {};
     if (number == kTool)
         return m_state.tool;
@@ -176,10 +176,10 @@ std::optional<double> MacroVariables::numbered(int number) const {
 const Message* MacroVariables::refusal(int number) const {
     if (number == kWithoutGroup || number == kWithoutGroup + kRunningOffset)
         return &nc_message::kVariableWithoutGroup;
-    const auto place = OffsetRegisters::place(m_dialect.id, number);
+    const auto place = OffsetRegisters::place(m_dialect, number);
     if (place && !m_registers.certain(place->entry, place->number))
         return &nc_message::kMachineVariable;
-    if (m_dialect.id == DialectId::haas && isSettingOfHaas(number))
+    if (m_dialect.hasMonitors && isSettingOfHaas(number))
         return &nc_message::kMachineVariable;
     const bool position = axisOf(number, kMachine) && !m_state.machineZeroKnown;
     const auto axis = axisOf(number, kBlockEnd) ? axisOf(number, kBlockEnd) : axisOf(number, kWork);
@@ -191,7 +191,7 @@ const Message* MacroVariables::refusal(int number) const {
 bool MacroVariables::writable(int number) const {
     const Writing kind = writing(number);
     return kind == Writing::alarm || kind == Writing::stop || kind == Writing::ignored ||
-           kind == Writing::offset || (m_dialect.id == DialectId::haas && legacyNumberOfHaas(number));
+           kind == Writing::offset || (m_dialect.hasMonitors && legacyNumberOfHaas(number));
 }
 
 std::optional<double> MacroVariables::named(std::string_view /*name*/) const {
@@ -199,7 +199,7 @@ std::optional<double> MacroVariables::named(std::string_view /*name*/) const {
 }
 
 int MacroVariables::storedAs(int number) const {
-    return m_dialect.id == DialectId::haas ? legacyNumberOfHaas(number).value_or(number) : number;
+    return m_dialect.hasMonitors ? legacyNumberOfHaas(number).value_or(number) : number;
 }
 
 double MacroVariables::leastUnit() const {
@@ -208,7 +208,7 @@ double MacroVariables::leastUnit() const {
 
 void MacroVariables::write(int number, double value, Program& program, std::uint32_t line) {
     const double mm = m_state.toMm(value);
-    if (const auto place = OffsetRegisters::place(m_dialect.id, number)) {
+    if (const auto place = OffsetRegisters::place(m_dialect, number)) {
         m_registers.set(place->entry, place->number, mm);
         return;
     }
@@ -218,9 +218,9 @@ void MacroVariables::write(int number, double value, Program& program, std::uint
 
 MacroVariables::Writing MacroVariables::writing(int number) const {
     // Of Haas' pallets some have numbers that elsewhere are those of work offsets.
-    if (m_dialect.id == DialectId::haas && (isMonitorOfHaas(number) || isSettingOfHaas(number)))
+    if (m_dialect.hasMonitors && (isMonitorOfHaas(number) || isSettingOfHaas(number)))
         return Writing::ignored;
-    if (isWorkOffset(number) || OffsetRegisters::place(m_dialect.id, number))
+    if (isWorkOffset(number) || OffsetRegisters::place(m_dialect, number))
         return Writing::offset;
     if (number == kAlarm)
         return Writing::alarm;

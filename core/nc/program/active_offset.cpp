@@ -5,20 +5,18 @@
 #include <fmt/format.h>
 #include <variant>
 
+#include "core/nc/codes/dialects.h"
+
 namespace proveout {
 namespace {
 
-std::string codeOf(int system, DialectId dialect) {
+std::string codeOf(int system, const AdditionalOffsetCode& code) {
     constexpr int kStandard = 6; // G54 to G59
     constexpr int kLastStandard = 53 + kStandard;
     const int additional = system - kStandard;
     if (additional <= 0)
         return fmt::format("G{}", kLastStandard + additional);
-    if (dialect == DialectId::haas)
-        return fmt::format("G154 P{}", additional);
-    if (dialect == DialectId::fanuc)
-        return fmt::format("G54.1 P{}", additional);
-    return dialect == DialectId::mach ? fmt::format("G59 P{}", system) : fmt::format("G59.{}", additional);
+    return fmt::format("{}{}", code.written, code.first + additional - 1);
 }
 
 } // namespace
@@ -35,7 +33,7 @@ ActiveOffset activeOffset(const Program& program, std::size_t blocks) {
     if (found == events.rend())
         return {};
     const auto& offset = std::get<WorkOffset>(found->data);
-    return {codeOf(offset.system, program.dialect()), offset.offset};
+    return {codeOf(offset.system, dialect(program.dialect()).additionalCode), offset.offset};
 }
 
 } // namespace proveout

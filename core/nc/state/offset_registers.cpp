@@ -1,33 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/state/offset_registers.h"
 
-#include <span>
-
 namespace proveout {
-
-namespace {
-
-using Entry = OffsetRegisters::Entry;
-
-/// System variables that name the same entry of successive numbers, from 1 on.
-struct Variables {
-    int first;
-    int last;
-    Entry entry;
-};
-
-constexpr Variables kFanuc[] = {
-    {2001, 2200, Entry::lengthWear}, {2201, 2400, Entry::length},       {10001, 10999, Entry::lengthWear},
-    {11001, 11999, Entry::length},   {12001, 12999, Entry::radiusWear}, {13001, 13999, Entry::radius},
-};
-constexpr Variables kHaas[] = {
-    {2001, 2200, Entry::length},
-    {2201, 2400, Entry::lengthWear},
-    {2401, 2600, Entry::radius},
-    {2601, 2800, Entry::radiusWear},
-};
-
-} // namespace
 
 const std::optional<double>* OffsetRegisters::written(Entry entry, int number) const {
     const auto found = m_written.find(number);
@@ -79,9 +53,8 @@ bool OffsetRegisters::assumedRadius(int number) const {
     return tool != nullptr && tool->assumed;
 }
 
-std::optional<OffsetRegisters::Place> OffsetRegisters::place(DialectId dialect, int variable) {
-    for (const Variables& row : dialect == DialectId::haas ? std::span<const Variables>(kHaas)
-                                                           : std::span<const Variables>(kFanuc)) {
+std::optional<OffsetRegisters::Place> OffsetRegisters::place(const Dialect& dialect, int variable) {
+    for (const RegisterVariables& row : dialect.registerVariables) {
         if (variable >= row.first && variable <= row.last)
             return Place{row.entry, variable - row.first + 1};
     }

@@ -20,7 +20,7 @@ class OffsetRegisters {
 public:
     static constexpr int kLargest = 999;
 
-    enum class Entry : std::uint8_t { length, lengthWear, radius, radiusWear };
+    using Entry = RegisterEntry;
 
     /// `diameters`: the registers of the radius hold twice that much.
     OffsetRegisters(ToolOffsets& tools, bool diameters) : m_tools(tools), m_diameters(diameters) {}
@@ -50,7 +50,7 @@ public:
         int number;
     };
     /// The register that a system variable names.
-    [[nodiscard]] static std::optional<Place> place(DialectId dialect, int variable);
+    [[nodiscard]] static std::optional<Place> place(const Dialect& dialect, int variable);
 
 private:
     [[nodiscard]] const std::optional<double>* written(Entry entry, int number) const;

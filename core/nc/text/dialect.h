@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 
 namespace proveout {
 
@@ -35,6 +36,24 @@ struct VectorRules {
     int readAhead = 3;           ///< blocks that the control knows at a time: Fanuc 19625
     double smallMoveMm = 1e-3;   ///< corner moves up to this along each axis are left out: Fanuc 5010
     bool crossesAtCorner = true; ///< from G41 to G42 where the paths meet, otherwise on the way of the block
+};
+
+/// How work offsets beyond G59 are selected.
+struct AdditionalOffsetCode {
+    int tenths = 590;             ///< of the code that is in force then
+    int step = 1;                 ///< that each of them adds: G59.1, G59.2
+    const char* written = "G59."; ///< before its number
+    int first = 1;                ///< number of the first one
+};
+
+/// What an offset register holds.
+enum class RegisterEntry : std::uint8_t { length, lengthWear, radius, radiusWear };
+
+/// System variables that name the same entry of successive registers, from 1 on.
+struct RegisterVariables {
+    int first;
+    int last;
+    RegisterEntry entry;
 };
 
 /// One row of the table of dialects.
@@ -71,6 +90,10 @@ struct Dialect {
     bool radiusWins;   ///< over I J K in an arc; a full circle by R moves nothing, and no centre is a line
     double arcRadiiMm; ///< by which an arc's radii may differ: Fanuc 3410; 0: by `arcs`
     VectorRules vectors = {};
+    AdditionalOffsetCode additionalCode = {};
+    std::span<const RegisterVariables> registerVariables = {};
+    bool hasMonitors =
+        false; ///< variables of timers, loads and settings, and second numbers: haas_variables.h
     ArcRule arcs = ArcRule::linuxcnc;
     std::size_t longestLine = 0;   ///< characters that the control reads; 0: any number
     double largestBlockNumber = 0; ///< 0: any
