@@ -2,10 +2,10 @@
 #include "core/nc/codes/word_help.h"
 
 #include <algorithm>
-#include <array>
 #include <fmt/format.h>
 
 #include "core/base/text.h"
+#include "core/nc/codes/modal_groups.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/number.h"
 
@@ -67,43 +67,6 @@ WordHelp helpFor(char letter, const NumberRead& number, DialectId dialect) {
     return help;
 }
 
-// In the order of ModalGroup.
-constexpr std::array kGroups{
-    PROVEOUT_TEXT("Core", "in its block only"),
-    PROVEOUT_TEXT("Core", "in its block only"),
-    PROVEOUT_TEXT("Core", "motion"),
-    PROVEOUT_TEXT("Core", "motion"),
-    PROVEOUT_TEXT("Core", "plane"),
-    PROVEOUT_TEXT("Core", "distances"),
-    PROVEOUT_TEXT("Core", "distances of arc centres"),
-    PROVEOUT_TEXT("Core", "feed mode"),
-    PROVEOUT_TEXT("Core", "unit"),
-    PROVEOUT_TEXT("Core", "cutter compensation"),
-    PROVEOUT_TEXT("Core", "tool length"),
-    PROVEOUT_TEXT("Core", "retract level"),
-    PROVEOUT_TEXT("Core", "work offset"),
-    PROVEOUT_TEXT("Core", "path control"),
-    PROVEOUT_TEXT("Core", "spindle mode"),
-    PROVEOUT_TEXT("Core", "polar coordinates"),
-    PROVEOUT_TEXT("Core", "scaling"),
-    PROVEOUT_TEXT("Core", "mirroring"),
-    PROVEOUT_TEXT("Core", "coordinate rotation"),
-    PROVEOUT_TEXT("Core", "path control"),
-    PROVEOUT_TEXT("Core", "look-ahead"),
-    PROVEOUT_TEXT("Core", "diameter mode"),
-    PROVEOUT_TEXT("Core", "macro call"),
-    PROVEOUT_TEXT("Core", "stop"),
-    PROVEOUT_TEXT("Core", "inputs and outputs"),
-    PROVEOUT_TEXT("Core", "tool change"),
-    PROVEOUT_TEXT("Core", "spindle"),
-    PROVEOUT_TEXT("Core", "coolant"),
-    PROVEOUT_TEXT("Core", "overrides"),
-    PROVEOUT_TEXT("Core", "saved modal state"),
-    PROVEOUT_TEXT("Core", "subprogram"),
-    PROVEOUT_TEXT("Core", "tapping"),
-};
-static_assert(kGroups.size() == static_cast<std::size_t>(ModalGroup::count));
-
 } // namespace
 
 std::optional<WordHelp> helpAt(std::string_view line, std::size_t at, DialectId dialect) {
@@ -133,10 +96,6 @@ std::optional<WordHelp> helpAt(std::string_view line, std::size_t at, DialectId 
         }
     }
     return {};
-}
-
-const char* nameOf(ModalGroup group) {
-    return kGroups[static_cast<std::size_t>(group)];
 }
 
 } // namespace proveout

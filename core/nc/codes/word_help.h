@@ -24,7 +24,4 @@ struct WordHelp {
 /// The word or the parameter at index `at` of a line; nothing in comments, between words, and in keywords.
 [[nodiscard]] std::optional<WordHelp> helpAt(std::string_view line, std::size_t at, DialectId dialect);
 
-/// For people; marked with PROVEOUT_TEXT.
-[[nodiscard]] const char* nameOf(ModalGroup group);
-
 } // namespace proveout

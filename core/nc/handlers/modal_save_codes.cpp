@@ -32,7 +32,7 @@ void restoreModes(Execution& execution, const Word& word) {
 }
 
 void restore(Execution& execution, const MachineState& saved, const Word& word) {
-    for (const Block& block : blocksToRestore(execution.state, saved, word)) {
+    for (const Block& block : blocksToRestore(execution.state, saved, execution.dialect, word)) {
         Execution inner = execution.at(block);
         executeBlock(inner);
     }

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 
 #include "core/base/text.h"
-#include "core/nc/codes/word_help.h"
+#include "core/nc/codes/modal_groups.h"
 #include "core/nc/flow/call_stack.h"
 #include "core/nc/program/control_names.h"
 #include "core/nc/state/active_codes.h"
@@ -16,35 +16,33 @@ namespace proveout {
 
 namespace {
 
-/// The groups of G codes that are shown, in this order.
+/// The groups that are shown, in this order.
 constexpr std::array kShown{ModalGroup::motion,      ModalGroup::plane,      ModalGroup::distance,
                             ModalGroup::arcDistance, ModalGroup::feedMode,   ModalGroup::units,
                             ModalGroup::retract,     ModalGroup::toolLength, ModalGroup::cutterCompensation,
                             ModalGroup::workOffset,  ModalGroup::polar,      ModalGroup::mirroring,
-                            ModalGroup::scaling,     ModalGroup::rotation,   ModalGroup::spindleMode};
+                            ModalGroup::scaling,     ModalGroup::rotation,   ModalGroup::spindleMode,
+                            ModalGroup::spindle};
 
 std::vector<ControlState::Mode> modesOf(const MachineState& state, const CodeTable& codes,
                                         const Dialect& dialect) {
     std::vector<ControlState::Mode> modes;
-    for (const ModalGroup group : kShown) {
-        const CodeRow* row = codes.find('G', activeCode(state, group, dialect));
+    const auto add = [&](char letter, int tenths) {
+        const CodeRow* row = codes.find(letter, tenths);
         // Codes that a dialect does not carry out are never in force.
         if (row != nullptr && row->supported())
-            modes.push_back({fmt::format("G{:g}", row->tenths / 10.0), row->name, nameOf(row->group)});
-    }
-    const int spindle = state.spindleDirection > 0 ? 30 : state.spindleDirection < 0 ? 40 : 50;
-    const auto addM = [&](int tenths) {
-        const CodeRow* row = codes.find('M', tenths);
-        if (row != nullptr)
-            modes.push_back({fmt::format("M{:g}", tenths / 10.0), row->name, nameOf(row->group)});
+            modes.push_back(
+                {fmt::format("{}{:g}", letter, row->tenths / 10.0), row->name, nameOf(row->group)});
     };
-    addM(spindle);
+    for (const ModalGroup group : kShown)
+        add(rowOf(group).letter, activeCode(state, group, dialect));
+    // Both coolants may be on.
     if (state.mist)
-        addM(70);
+        add('M', 70);
     if (state.flood)
-        addM(80);
+        add('M', 80);
     if (!state.mist && !state.flood)
-        addM(90);
+        add('M', 90);
     return modes;
 }
 

@@ -6,8 +6,11 @@
 
 namespace proveout {
 
-/// The code of a modal group that is in force, as tenths of its number: 170 for G17. For groups of G codes
-/// that the state keeps; -1 for others. A motion group without a motion code is at G80.
+/// The code of a modal group that is in force, as tenths of its number: 170 for G17. For groups that the
+/// state keeps (modal_groups.h); -1 for others. A motion group without a motion code is at G80.
 [[nodiscard]] int activeCode(const MachineState& state, ModalGroup group, const Dialect& dialect);
+
+/// The number of the code that restores the group, of those that the state keeps.
+[[nodiscard]] double restoringCode(const MachineState& state, ModalGroup group, const Dialect& dialect);
 
 } // namespace proveout

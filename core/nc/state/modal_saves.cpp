@@ -3,62 +3,18 @@
 
 #include <array>
 
+#include "core/nc/codes/modal_groups.h"
+#include "core/nc/state/active_codes.h"
+
 namespace proveout {
 
 namespace {
 
-double feedModeCode(const MachineState& state) {
-    constexpr std::array kCodes{94.0, 93.0, 95.0};
-    return kCodes[static_cast<std::size_t>(state.feedMode)];
-}
-
-double planeCode(const MachineState& state) {
-    constexpr std::array kCodes{17.0, 18.0, 19.0};
-    return kCodes[static_cast<std::size_t>(state.plane)];
-}
-
-double compensationCode(const MachineState& state) {
-    if (!state.compensation.on)
-        return 40;
-    return state.compensation.side >= 0 ? 41 : 42;
-}
-
-double workOffsetCode(const MachineState& state) {
-    constexpr int kWhole = 6; ///< G54 to G59; G59.1 follows
-    return state.workOffset <= kWhole ? 53.0 + state.workOffset : 59.0 + 0.1 * (state.workOffset - kWhole);
-}
-
-/// LinuxCNC takes an offset of nothing for none, and restores any other as that of the tool in the spindle.
-double toolLengthCode(const MachineState& state) {
-    return state.toolOffset == Vec3(0) ? 49 : 43;
-}
-
-double spindleCode(const MachineState& state) {
-    if (state.spindleDirection == 0)
-        return 5;
-    return state.spindleDirection > 0 ? 3 : 4;
-}
-
-/// The modes that come back together, by one block. The units come before: the feed counts in them.
-struct Mode {
-    char letter;
-    double (*code)(const MachineState&);
-};
-constexpr Mode kModes[] = {
-    {'G', feedModeCode},
-    {'G', [](const MachineState& s) { return s.surfaceSpeed ? 96.0 : 97.0; }},
-    {'F', [](const MachineState& s) { return s.feedNumber; }},
-    {'S', [](const MachineState& s) { return s.spindleRpm; }},
-    {'M', spindleCode},
-    {'G', planeCode},
-    {'G', compensationCode},
-    {'G', toolLengthCode},
-    {'G', workOffsetCode},
-    {'G', [](const MachineState& s) { return s.incremental ? 91.0 : 90.0; }},
-    {'G', [](const MachineState& s) { return s.arcCentreAbsolute ? 90.1 : 91.1; }},
-    {'G', [](const MachineState& s) { return s.retractToR ? 99.0 : 98.0; }},
-    {'G', [](const MachineState& s) { return s.shifted ? 92.3 : 92.2; }},
-};
+/// The groups that come back together, by one block. The units come before: the feed counts in them.
+constexpr std::array kRestored{
+    ModalGroup::feedMode,           ModalGroup::spindleMode, ModalGroup::spindle,    ModalGroup::plane,
+    ModalGroup::cutterCompensation, ModalGroup::toolLength,  ModalGroup::workOffset, ModalGroup::distance,
+    ModalGroup::arcDistance,        ModalGroup::retract,     ModalGroup::shiftEnd};
 
 Block blockOf(const Word& place, char letter, double value) {
     Block block;
@@ -107,15 +63,20 @@ std::optional<MachineState> ModalSaves::endRun(std::size_t level) {
     return state;
 }
 
-std::vector<Block> blocksToRestore(const MachineState& from, const MachineState& to, const Word& word) {
+std::vector<Block> blocksToRestore(const MachineState& from, const MachineState& to, const Dialect& dialect,
+                                   const Word& word) {
     std::vector<Block> blocks;
     if (from.inch != to.inch)
-        blocks.push_back(blockOf(word, 'G', to.inch ? 20 : 21));
+        blocks.push_back(blockOf(word, 'G', restoringCode(to, ModalGroup::units, dialect)));
     Block block;
-    for (const Mode& mode : kModes) {
-        if (mode.code(from) != mode.code(to))
-            static_cast<void>(block.add({mode.letter, mode.code(to), word.column, word.length, true}));
-    }
+    const auto restore = [&](char letter, double before, double value) {
+        if (before != value)
+            static_cast<void>(block.add({letter, value, word.column, word.length, true}));
+    };
+    for (const ModalGroup group : kRestored)
+        restore(rowOf(group).letter, restoringCode(from, group, dialect), restoringCode(to, group, dialect));
+    restore('F', from.feedNumber, to.feedNumber);
+    restore('S', from.spindleRpm, to.spindleRpm);
     if (!block.empty())
         blocks.push_back(block);
     addCoolant(from, to, word, blocks);

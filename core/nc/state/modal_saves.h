@@ -8,6 +8,7 @@
 
 #include "core/nc/state/machine_state.h"
 #include "core/nc/text/block.h"
+#include "core/nc/text/dialect.h"
 
 namespace proveout {
 
@@ -34,6 +35,6 @@ private:
 /// The blocks that lead from the modes of one state to those of another, in their order, all words at the
 /// place of `word`: as LinuxCNC restores, by codes for what differs. Neither motion nor tool is restored.
 [[nodiscard]] std::vector<Block> blocksToRestore(const MachineState& from, const MachineState& to,
-                                                 const Word& word);
+                                                 const Dialect& dialect, const Word& word);
 
 } // namespace proveout

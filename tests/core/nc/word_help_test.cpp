@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/nc/codes/modal_groups.h"
 #include "core/nc/codes/word_help.h"
 
 #include <gtest/gtest.h>

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/nc/codes/modal_groups.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <iterator>
+
+#include "core/base/text.h"
+
+namespace proveout {
+
+namespace {
+
+// In the order of ModalGroup.
+constexpr ModalGroupRow kGroups[] = {
+    {ModalGroup::nonModal, PROVEOUT_TEXT("Core", "in its block only")},
+    {ModalGroup::shiftEnd, PROVEOUT_TEXT("Core", "in its block only"), shiftInForce},
+    {ModalGroup::motion, PROVEOUT_TEXT("Core", "motion"), motionInForce},
+    {ModalGroup::motionOff, PROVEOUT_TEXT("Core", "motion")},
+    {ModalGroup::plane, PROVEOUT_TEXT("Core", "plane"), planeInForce},
+    {ModalGroup::distance, PROVEOUT_TEXT("Core", "distances"), distanceInForce},
+    {ModalGroup::arcDistance, PROVEOUT_TEXT("Core", "distances of arc centres"), arcDistanceInForce},
+    {ModalGroup::feedMode, PROVEOUT_TEXT("Core", "feed mode"), feedModeInForce},
+    {ModalGroup::units, PROVEOUT_TEXT("Core", "unit"), unitsInForce},
+    {ModalGroup::cutterCompensation, PROVEOUT_TEXT("Core", "cutter compensation"), compensationInForce},
+    {ModalGroup::toolLength, PROVEOUT_TEXT("Core", "tool length"), toolLengthInForce, 'G',
+     toolLengthRestored},
+    {ModalGroup::retract, PROVEOUT_TEXT("Core", "retract level"), retractInForce},
+    {ModalGroup::workOffset, PROVEOUT_TEXT("Core", "work offset"), workOffsetInForce},
+    {ModalGroup::pathControl, PROVEOUT_TEXT("Core", "path control")},
+    {ModalGroup::spindleMode, PROVEOUT_TEXT("Core", "spindle mode"), spindleModeInForce},
+    {ModalGroup::polar, PROVEOUT_TEXT("Core", "polar coordinates"), polarInForce},
+    {ModalGroup::scaling, PROVEOUT_TEXT("Core", "scaling"), scalingInForce},
+    {ModalGroup::mirroring, PROVEOUT_TEXT("Core", "mirroring"), mirroringInForce},
+    {ModalGroup::rotation, PROVEOUT_TEXT("Core", "coordinate rotation"), rotationInForce},
+    {ModalGroup::exactStop, PROVEOUT_TEXT("Core", "path control")},
+    {ModalGroup::lookAhead, PROVEOUT_TEXT("Core", "look-ahead")},
+    {ModalGroup::diameterMode, PROVEOUT_TEXT("Core", "diameter mode")},
+    {ModalGroup::macroCall, PROVEOUT_TEXT("Core", "macro call"), macroCallInForce},
+    {ModalGroup::stop, PROVEOUT_TEXT("Core", "stop")},
+    {ModalGroup::inputOutput, PROVEOUT_TEXT("Core", "inputs and outputs")},
+    {ModalGroup::toolChange, PROVEOUT_TEXT("Core", "tool change")},
+    {ModalGroup::spindle, PROVEOUT_TEXT("Core", "spindle"), spindleInForce, 'M'},
+    {ModalGroup::coolant, PROVEOUT_TEXT("Core", "coolant")},
+    {ModalGroup::overrides, PROVEOUT_TEXT("Core", "overrides")},
+    {ModalGroup::modalSave, PROVEOUT_TEXT("Core", "saved modal state")},
+    {ModalGroup::subprogram, PROVEOUT_TEXT("Core", "subprogram")},
+    {ModalGroup::tapping, PROVEOUT_TEXT("Core", "tapping")},
+};
+static_assert(std::size(kGroups) == static_cast<std::size_t>(ModalGroup::count));
+static_assert(std::ranges::is_sorted(kGroups, {}, &ModalGroupRow::group));
+
+} // namespace
+
+const ModalGroupRow& rowOf(ModalGroup group) {
+    return kGroups[static_cast<std::size_t>(group)];
+}
+
+const char* nameOf(ModalGroup group) {
+    return rowOf(group).name;
+}
+
+} // namespace proveout

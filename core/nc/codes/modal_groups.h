@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The modal groups: of the codes of each, one is in force. One table, read in both directions: which code the
+// state means, and which code restores a state. Macros, saved modal states, help and the control panel read
+// it; what a code does to the state is in its own row (codes.h).
+#pragma once
+
+#include "core/nc/codes/codes.h"
+
+namespace proveout {
+
+struct MachineState;
+
+/// A code of a group, as tenths of its number: 170 for G17.
+using CodeOfState = int (*)(const MachineState&, const Dialect&);
+
+struct ModalGroupRow {
+    ModalGroup group;
+    const char* name;              ///< marked with PROVEOUT_TEXT
+    CodeOfState inForce = nullptr; ///< null: the state does not keep it
+    char letter = 'G';             ///< of that code
+    CodeOfState restores =
+        nullptr; ///< where LinuxCNC restores the group by another code than the one in force
+};
+
+[[nodiscard]] const ModalGroupRow& rowOf(ModalGroup group);
+
+/// For people; marked with PROVEOUT_TEXT.
+[[nodiscard]] const char* nameOf(ModalGroup group);
+
+// What the rows name, for the rooms that know the state.
+[[nodiscard]] int motionInForce(const MachineState& state, const Dialect& dialect);
+[[nodiscard]] int planeInForce(const MachineState& state, const Dialect& dialect);
+[[nodiscard]] int distanceInForce(const MachineState& state, const Dialect& dialect);
+[[nodiscard]] int arcDistanceInForce(const MachineState& state, const Dialect& dialect);
+[[nodiscard]] int feedModeInForce(const MachineState& state, const Dialect& dialect);
+[[nodiscard]] int unitsInForce(const MachineState& state, const Dialect& dialect);
+[[nodiscard]] int compensationInForce(const MachineState& state, const Dialect& dialect);
+[[nodiscard]] int toolLengthInForce(const MachineState& state, const Dialect& dialect);
+[[nodiscard]] int toolLengthRestored(const MachineState& state, const Dialect& dialect);
+[[nodiscard]] int retractInForce(const MachineState& state, const Dialect& dialect);
+[[nodiscard]] int workOffsetInForce(const MachineState& state, const Dialect& dialect);
+[[nodiscard]] int spindleModeInForce(const MachineState& state, const Dialect& dialect);
+[[nodiscard]] int polarInForce(const MachineState& state, const Dialect& dialect);
+[[nodiscard]] int mirroringInForce(const MachineState& state, const Dialect& dialect);
+[[nodiscard]] int scalingInForce(const MachineState& state, const Dialect& dialect);
+[[nodiscard]] int rotationInForce(const MachineState& state, const Dialect& dialect);
+[[nodiscard]] int macroCallInForce(const MachineState& state, const Dialect& dialect);
+[[nodiscard]] int shiftInForce(const MachineState& state, const Dialect& dialect);
+[[nodiscard]] int spindleInForce(const MachineState& state, const Dialect& dialect);
+
+} // namespace proveout
