@@ -13,19 +13,10 @@ namespace proveout {
 
 namespace {
 
-bool isLetter(char c) {
-    const char u = upperCase(c);
-    return u >= 'A' && u <= 'Z';
-}
-
 std::size_t behindLetters(std::string_view line, std::size_t at) {
     while (at < line.size() && isLetter(line[at]))
         ++at;
     return at;
-}
-
-std::size_t behindComment(std::string_view line, std::size_t at) {
-    return line[at] == ';' ? line.size() : std::min(line.find(')', at), line.size() - 1) + 1;
 }
 
 /// Behind a parameter: "#5", "##5", "#<name>"; one whose number has to be computed ends behind its "#".
@@ -33,7 +24,7 @@ std::size_t behindParameter(std::string_view line, std::size_t at) {
     if (at + 1 < line.size() && line[at + 1] == '<')
         return std::min(line.find('>', at), line.size() - 1) + 1;
     std::size_t end = line.find_first_not_of('#', at);
-    while (end < line.size() && line[end] >= '0' && line[end] <= '9')
+    while (end < line.size() && isDigit(line[end]))
         ++end;
     return std::min(end, line.size());
 }

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/flow/haas_variables.h"
 
-#include <algorithm>
-#include <span>
+#include "core/nc/flow/number_ranges.h"
 
 namespace proveout {
 
 namespace {
 
-struct Numbers {
-    int first;
-    int last;
-};
-
-constexpr Numbers kMonitors[] = {
+constexpr NumberRange kMonitors[] = {
     {1064, 1068}, ///< largest axis loads
     {1264, 1268}, ///< likewise, of further axes
     {1601, 1800}, ///< flutes of the tools
@@ -35,7 +29,7 @@ constexpr Numbers kMonitors[] = {
     {9000, 9015}, ///< thermal compensation
 };
 
-constexpr Numbers kSettings[] = {
+constexpr NumberRange kSettings[] = {
     {1080, 1087},   ///< analog inputs, raw
     {1090, 1098},   ///< and filtered
     {6001, 6277},   ///< settings
@@ -46,7 +40,7 @@ constexpr Numbers kSettings[] = {
 
 /// Variables with two numbers: the first one of a row, the last, and what `first` is otherwise.
 struct Alias {
-    Numbers numbers;
+    NumberRange numbers;
     int legacy;
 };
 constexpr Alias kAliases[] = {
@@ -55,23 +49,19 @@ constexpr Alias kAliases[] = {
     {{10800, 10999}, 800},
 };
 
-bool within(std::span<const Numbers> rows, int number) {
-    return std::ranges::any_of(rows, [&](const Numbers& r) { return number >= r.first && number <= r.last; });
-}
-
 } // namespace
 
 bool isMonitorOfHaas(int number) {
-    return within(kMonitors, number);
+    return anyContains(kMonitors, number);
 }
 
 bool isSettingOfHaas(int number) {
-    return within(kSettings, number);
+    return anyContains(kSettings, number);
 }
 
 std::optional<int> legacyNumberOfHaas(int number) {
     for (const Alias& row : kAliases) {
-        if (number >= row.numbers.first && number <= row.numbers.last)
+        if (row.numbers.contains(number))
             return row.legacy + number - row.numbers.first;
     }
     return {};

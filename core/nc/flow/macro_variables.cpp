@@ -6,6 +6,7 @@
 
 #include "core/nc/codes/codes.h"
 #include "core/nc/flow/haas_variables.h"
+#include "core/nc/flow/number_ranges.h"
 #include "core/nc/state/active_codes.h"
 #include "core/nc/state/work_systems.h"
 #include "core/nc/text/messages.h"
@@ -91,22 +92,13 @@ std::optional<int> axisOf(int number, int first) {
     return number >= first && number < first + kAxes ? std::optional(number - first) : std::nullopt;
 }
 
-struct Numbers {
-    int first;
-    int last;
-};
-
-constexpr Numbers kMachines[] = {
+constexpr NumberRange kMachines[] = {
     {1000, 1035}, ///< inputs
     {3001, 3002}, ///< timers
     {3011, 3012}, ///< date and time
     {3901, 3902}, ///< counters of parts
 };
-constexpr Numbers kIgnored[] = {{1100, 1135}, {3001, 3002}, {3003, 3005}, {3901, 3902}};
-
-bool within(std::span<const Numbers> rows, int number) {
-    return std::ranges::any_of(rows, [&](const Numbers& r) { return number >= r.first && number <= r.last; });
-}
+constexpr NumberRange kIgnored[] = {{1100, 1135}, {3001, 3002}, {3003, 3005}, {3901, 3902}};
 
 constexpr int kWithoutGroup = 4018;
 constexpr int kAlarm = 3000;
@@ -185,7 +177,7 @@ const Message* MacroVariables::refusal(int number) const {
     const auto axis = axisOf(number, kBlockEnd) ? axisOf(number, kBlockEnd) : axisOf(number, kWork);
     if (axis && (m_state.known >> static_cast<unsigned>(*axis) & 1U) == 0)
         return &nc_message::kPositionUnknown;
-    return position || within(kMachines, number) ? &nc_message::kMachineVariable : nullptr;
+    return position || anyContains(kMachines, number) ? &nc_message::kMachineVariable : nullptr;
 }
 
 bool MacroVariables::writable(int number) const {
@@ -226,7 +218,7 @@ MacroVariables::Writing MacroVariables::writing(int number) const {
         return Writing::alarm;
     if (number == kStop)
         return Writing::stop;
-    if (within(kIgnored, number))
+    if (anyContains(kIgnored, number))
         return Writing::ignored;
     return number == 0 || (number >= kFirstModal && number <= kLastPosition) ? Writing::readOnly
                                                                              : Writing::stored;

@@ -23,10 +23,6 @@ constexpr std::size_t kMostLines = 2'000;
 constexpr std::size_t kMostLinesOfLathe = 100'000;
 constexpr std::size_t kLongestShown = 32;
 
-bool isLetter(char c) {
-    return c >= 'A' && c <= 'Z';
-}
-
 /// Upper case, blanks as LineForm says.
 void trim(std::string_view line, std::string& out) {
     out.clear();
@@ -45,7 +41,7 @@ bool opensArguments(std::string_view line, std::size_t at) {
     std::size_t begin = at;
     while (begin > 0 && isDigit(line[begin - 1]))
         --begin;
-    return begin >= 2 && isLetter(line[begin - 1]) && isLetter(line[begin - 2]);
+    return begin >= 2 && isCapital(line[begin - 1]) && isCapital(line[begin - 2]);
 }
 
 std::size_t behindNumber(std::string_view line) {
@@ -143,7 +139,7 @@ private:
 /// A block that a lathe's program does not have: it names Y, or changes the tool as a mill does.
 bool isOfMill(std::string_view squeezed) {
     for (std::size_t i = 0; i < squeezed.size(); ++i) {
-        const bool number = i + 1 < squeezed.size() && !isLetter(squeezed[i + 1]);
+        const bool number = i + 1 < squeezed.size() && !isCapital(squeezed[i + 1]);
         if (squeezed[i] == 'Y' && number)
             return true;
         if (squeezed.substr(i).starts_with("M6") || squeezed.substr(i).starts_with("M06"))

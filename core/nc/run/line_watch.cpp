@@ -6,6 +6,7 @@
 
 #include "core/base/text.h"
 #include "core/nc/codes/codes.h"
+#include "core/nc/text/characters.h"
 #include "core/nc/text/expression_rules.h"
 
 namespace proveout {
@@ -28,10 +29,6 @@ const char* unitOf(Quantity quantity, const MachineState& state) {
         break;
     }
     return "";
-}
-
-std::size_t behindComment(std::string_view text, std::size_t at) {
-    return text[at] == ';' ? text.size() : std::min(text.find(')', at), text.size() - 1) + 1;
 }
 
 /// Calls `note(begin, value)` for each parameter that the line names, one of another's number first itself.

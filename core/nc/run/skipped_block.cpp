@@ -29,7 +29,7 @@ constexpr std::size_t kShortestKeyword = 3; ///< GOTO is no G
 /// How many letters follow each other.
 std::size_t lettersFrom(std::string_view line, std::size_t at) {
     const std::size_t begin = at;
-    while (at < line.size() && upperCase(line[at]) >= 'A' && upperCase(line[at]) <= 'Z')
+    while (at < line.size() && isLetter(line[at]))
         ++at;
     return at - begin;
 }

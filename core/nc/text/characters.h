@@ -2,6 +2,7 @@
 // The characters of NC lines.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <string_view>
 
@@ -19,6 +20,14 @@ namespace proveout {
     return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
 }
 
+[[nodiscard]] constexpr bool isCapital(char c) {
+    return c >= 'A' && c <= 'Z';
+}
+
+[[nodiscard]] constexpr bool isLetter(char c) {
+    return isCapital(upperCase(c));
+}
+
 [[nodiscard]] constexpr char lowerCase(char c) {
     return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
@@ -28,6 +37,11 @@ namespace proveout {
     while (at < line.size() && isBlank(line[at]))
         ++at;
     return at;
+}
+
+/// Behind the comment that begins at `at`; the end of the line where it is not closed.
+[[nodiscard]] constexpr std::size_t behindComment(std::string_view line, std::size_t at) {
+    return line[at] == ';' ? line.size() : std::min(line.find(')', at), line.size() - 1) + 1;
 }
 
 /// Behind the bracket that closes the one at `at`; the end of the line where none does.

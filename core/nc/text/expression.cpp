@@ -16,10 +16,6 @@ using Value = tl::expected<double, ReadError>;
 constexpr double kWhole = 1e-4; ///< numbers nearer to a whole one than this count as whole
 constexpr int kWeakest = 1;
 
-bool isLetter(char c) {
-    return c >= 'A' && c <= 'Z';
-}
-
 double numberOf(double value) {
     return isNull(value) ? 0 : value;
 }
@@ -101,14 +97,14 @@ Value ExpressionReader::signedValue(std::size_t& at, std::string_view letter) {
         return parameter(++at);
     if (first == '[')
         return bracket(++at);
-    if (isLetter(first))
+    if (isCapital(first))
         return function(at, letter);
     if (first != '-' && first != '+')
         return plainNumber(at, letter);
     std::size_t behind = at + 1;
     const char next = peek(behind);
     const bool again = m_rules.repeatsSigns && (next == '-' || next == '+');
-    if (next != '#' && next != '[' && !isLetter(next) && !again)
+    if (next != '#' && next != '[' && !isCapital(next) && !again)
         return plainNumber(at, letter);
     at = behind;
     const Value value = signedValue(at, letter);

@@ -34,11 +34,6 @@ constexpr Keyword kKeywords[] = {
     {"continue", FlowKind::continues},
 };
 
-bool isLetter(char c) {
-    const char l = lowerCase(c);
-    return l >= 'a' && l <= 'z';
-}
-
 /// Where the O of a line stands, or the end of the line.
 std::size_t placeOfO(std::string_view line) {
     std::size_t at = skipBlanks(line, 0);

@@ -19,11 +19,6 @@ bool isControlCode(char c) {
     return (c >= 0x11 && c <= 0x14) || c == 0x1a;
 }
 
-bool isLetter(char c) {
-    const char u = upperCase(c);
-    return u >= 'A' && u <= 'Z';
-}
-
 class LineReader {
 public:
     LineReader(std::string_view text, const ReadContext& context, Line& line)
