@@ -12,8 +12,8 @@ namespace {
 constexpr CodeRow kBasic[] = {
     {'G', 0, ModalGroup::motion, PROVEOUT_TEXT("Core", "rapid motion"), moveRapid, Step::motion, LetterSet("XYZ")},
     {'G', 10, ModalGroup::motion, PROVEOUT_TEXT("Core", "straight feed"), moveFeed, Step::motion, LetterSet("XYZ")},
-    {'G', 20, ModalGroup::motion, PROVEOUT_TEXT("Core", "clockwise arc"), moveArcClockwise, Step::motion, LetterSet("XYZIJKRP")},
-    {'G', 30, ModalGroup::motion, PROVEOUT_TEXT("Core", "counter-clockwise arc"), moveArcCounterClockwise, Step::motion, LetterSet("XYZIJKRP")},
+    {'G', 20, ModalGroup::motion, PROVEOUT_TEXT("Core", "clockwise arc"), moveArcClockwise, Step::motion, LetterSet("XYZIJKR")},
+    {'G', 30, ModalGroup::motion, PROVEOUT_TEXT("Core", "counter-clockwise arc"), moveArcCounterClockwise, Step::motion, LetterSet("XYZIJKR")},
     {'G', 170, ModalGroup::plane, PROVEOUT_TEXT("Core", "XY plane"), setPlaneXy, Step::plane},
     {'G', 180, ModalGroup::plane, PROVEOUT_TEXT("Core", "ZX plane"), setPlaneZx, Step::plane},
     {'G', 190, ModalGroup::plane, PROVEOUT_TEXT("Core", "YZ plane"), setPlaneYz, Step::plane},

@@ -14,8 +14,6 @@ namespace {
 
 // clang-format off
 constexpr CodeRow kGrblRows[] = {
-    {'G', 20, ModalGroup::motion, PROVEOUT_TEXT("Core", "clockwise arc"), moveArcClockwise, Step::motion, LetterSet("XYZIJKR")},
-    {'G', 30, ModalGroup::motion, PROVEOUT_TEXT("Core", "counter-clockwise arc"), moveArcCounterClockwise, Step::motion, LetterSet("XYZIJKR")},
     {'G', 100, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "set offsets"), setOffsets, Step::nonModal, LetterSet("LPXYZ"), AxisUse::takes},
     {'G', 400, ModalGroup::cutterCompensation, PROVEOUT_TEXT("Core", "cutter compensation off"), keepState, Step::cutterCompensation},
     {'G', 431, ModalGroup::toolLength, PROVEOUT_TEXT("Core", "dynamic tool length offset"), useGivenLength, Step::toolLength, LetterSet("Z"), AxisUse::takes},
@@ -31,9 +29,8 @@ void append(std::vector<CodeRow>& rows, const std::vector<CodeRow>& more) {
 
 std::vector<CodeRow> rowsOfGrbl() {
     std::vector<CodeRow> rows(std::begin(kGrblRows), std::end(kGrblRows));
-    append(rows,
-           sameRows(basicCodes(), 'G',
-                    {0, 10, 170, 180, 190, 200, 210, 540, 550, 560, 570, 580, 590, 800, 900, 910, 930, 940}));
+    append(rows, sameRows(basicCodes(), 'G', {0,   10,  20,  30,  170, 180, 190, 200, 210, 540,
+                                              550, 560, 570, 580, 590, 800, 900, 910, 930, 940}));
     append(rows, sameRows(basicCodes(), 'M', {0, 20, 30, 40, 50, 80, 90, 300}));
     append(rows, sameRows(rs274Codes(), 'G',
                           {40, 280, 281, 300, 301, 382, 383, 384, 385, 530, 610, 911, 920, 921}));

@@ -2,6 +2,8 @@
 // What Haas has besides Fanuc's codes, or otherwise. Source: HAAS Mill Operator's Manual.
 #include "core/nc/codes/code_rows.h"
 
+#include <iterator>
+
 #include "core/base/text.h"
 #include "core/nc/codes/handlers.h"
 
@@ -21,11 +23,8 @@ constexpr CodeRow kHaasRows[] = {
     {'G', 740, ModalGroup::motion, PROVEOUT_TEXT("Core", "left-hand tapping cycle"), runCycle, Step::motion, LetterSet("XYZRLJ"), AxisUse::none, WithCompensation::refused},
     {'G', 760, ModalGroup::motion, PROVEOUT_TEXT("Core", "fine boring cycle"), runCycle, Step::motion, LetterSet("XYZRLQPIJ"), AxisUse::none, WithCompensation::refused},
     {'G', 770, ModalGroup::motion, PROVEOUT_TEXT("Core", "back boring cycle"), runCycle, Step::motion, LetterSet("XYZRLQIJ"), AxisUse::none, WithCompensation::refused},
-    {'G', 810, ModalGroup::motion, PROVEOUT_TEXT("Core", "drilling cycle"), runCycle, Step::motion, LetterSet("XYZRL"), AxisUse::none, WithCompensation::refused},
-    {'G', 820, ModalGroup::motion, PROVEOUT_TEXT("Core", "drilling cycle with dwell"), runCycle, Step::motion, LetterSet("XYZRLP"), AxisUse::none, WithCompensation::refused},
     {'G', 830, ModalGroup::motion, PROVEOUT_TEXT("Core", "deep-hole drilling cycle"), runCycle, Step::motion, LetterSet("XYZRLQPIJK"), AxisUse::none, WithCompensation::refused},
     {'G', 840, ModalGroup::motion, PROVEOUT_TEXT("Core", "right-hand tapping cycle"), runCycle, Step::motion, LetterSet("XYZRLJ"), AxisUse::none, WithCompensation::refused},
-    {'G', 850, ModalGroup::motion, PROVEOUT_TEXT("Core", "boring cycle, feed out"), runCycle, Step::motion, LetterSet("XYZRL"), AxisUse::none, WithCompensation::refused},
     {'G', 860, ModalGroup::motion, PROVEOUT_TEXT("Core", "boring cycle, stop and rapid out"), runCycle, Step::motion, LetterSet("XYZRL"), AxisUse::none, WithCompensation::refused},
     {'G', 870, ModalGroup::motion, PROVEOUT_TEXT("Core", "boring cycle, stop and manual out"), runCycle, Step::motion, LetterSet("XYZRL"), AxisUse::none, WithCompensation::refused},
     {'G', 880, ModalGroup::motion, PROVEOUT_TEXT("Core", "boring cycle, dwell, stop and manual out"), runCycle, Step::motion, LetterSet("XYZRLP"), AxisUse::none, WithCompensation::refused},
@@ -62,10 +61,18 @@ constexpr CodeRow kHaasRows[] = {
 };
 // clang-format on
 
+std::vector<CodeRow> rowsOfHaas() {
+    std::vector<CodeRow> rows(std::begin(kHaasRows), std::end(kHaasRows));
+    const auto cycles = sameRows(rs274Codes(), 'G', {810, 820, 850});
+    rows.insert(rows.end(), cycles.begin(), cycles.end());
+    return rows;
+}
+
 } // namespace
 
 std::span<const CodeRow> haasCodes() {
-    return kHaasRows;
+    static const std::vector<CodeRow> kRows = rowsOfHaas();
+    return kRows;
 }
 
 } // namespace proveout

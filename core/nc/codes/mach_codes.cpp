@@ -14,8 +14,6 @@ namespace {
 
 // clang-format off
 constexpr CodeRow kMachRows[] = {
-    {'G', 20, ModalGroup::motion, PROVEOUT_TEXT("Core", "clockwise arc"), moveArcClockwise, Step::motion, LetterSet("XYZIJKR")},
-    {'G', 30, ModalGroup::motion, PROVEOUT_TEXT("Core", "counter-clockwise arc"), moveArcCounterClockwise, Step::motion, LetterSet("XYZIJKR")},
     {'G', 120, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "clockwise circular pocket"), millCircleClockwise, Step::nonModal, LetterSet("I"), AxisUse::takes, WithCompensation::refusedBeside},
     {'G', 130, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "counter-clockwise circular pocket"), millCircleCounterClockwise, Step::nonModal, LetterSet("I"), AxisUse::takes, WithCompensation::refusedBeside},
     {'G', 150, ModalGroup::polar, PROVEOUT_TEXT("Core", "polar coordinates off"), endPolar, Step::polar},
@@ -24,7 +22,6 @@ constexpr CodeRow kMachRows[] = {
     {'G', 310, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "skip motion (probe)"), skipMotion, Step::nonModal, LetterSet("XYZ"), AxisUse::takes, WithCompensation::refused},
     {'G', 430, ModalGroup::toolLength, PROVEOUT_TEXT("Core", "tool length offset"), useNumberedLength, Step::toolLength, LetterSet("H"), AxisUse::none, WithCompensation::refused},
     {'G', 440, ModalGroup::toolLength, PROVEOUT_TEXT("Core", "negative tool length offset"), subtractNumberedLength, Step::toolLength, LetterSet("H"), AxisUse::none, WithCompensation::refused},
-    {'G', 500, ModalGroup::scaling, PROVEOUT_TEXT("Core", "scaling off"), endScaling, Step::scaling, {}, AxisUse::none, WithCompensation::refused},
     {'G', 510, ModalGroup::scaling, PROVEOUT_TEXT("Core", "scaling"), scaleByAxis, Step::scaling, LetterSet("XYZ"), AxisUse::takes, WithCompensation::refused},
     {'G', 541, ModalGroup::workOffset, PROVEOUT_TEXT("Core", "additional work offset"), selectNumberedSystem, Step::workOffset, LetterSet("P"), AxisUse::none, WithCompensation::refused},
     {'G', 590, ModalGroup::workOffset, PROVEOUT_TEXT("Core", "work offset 6, or by its number"), selectNumberedSystem, Step::workOffset, LetterSet("P"), AxisUse::none, WithCompensation::refused},
@@ -43,6 +40,7 @@ std::vector<CodeRow> rowsOfMach() {
     auto g =
         sameRows(rs274Codes(), 'G', {40,  100, 280, 300, 400, 410, 420, 490, 520, 530, 610, 730, 810, 820,
                                      830, 840, 850, 860, 870, 880, 890, 901, 911, 920, 921, 922, 923});
+    auto scaling = sameRows(fanucCodes(), 'G', {500});
     auto m = sameRows(rs274Codes(), 'M', {480, 490, 990});
     for (CodeRow& row : m) { // as in RS274/NGC; LinuxCNC is stricter
         row.withCompensation = WithCompensation::allowed;
@@ -53,6 +51,7 @@ std::vector<CodeRow> rowsOfMach() {
             row.letters = LetterSet("D");
     }
     rows.insert(rows.end(), g.begin(), g.end());
+    rows.insert(rows.end(), scaling.begin(), scaling.end());
     rows.insert(rows.end(), m.begin(), m.end());
     return rows;
 }

@@ -5,6 +5,8 @@
 // Manual.
 #include "core/nc/codes/code_rows.h"
 
+#include <iterator>
+
 #include "core/base/text.h"
 
 namespace proveout {
@@ -41,8 +43,6 @@ constexpr CodeRow kHaasFunctions[] = {
     function(34, PROVEOUT_TEXT("Core", "coolant nozzle one step on")),
     function(35, PROVEOUT_TEXT("Core", "coolant nozzle one step back")),
     function(36, PROVEOUT_TEXT("Core", "pallet part ready")),
-    function(41, PROVEOUT_TEXT("Core", "low spindle gear")),
-    function(42, PROVEOUT_TEXT("Core", "high spindle gear")),
     function(73, PROVEOUT_TEXT("Core", "air through the tool on")),
     function(74, PROVEOUT_TEXT("Core", "air through the tool off")),
     function(76, PROVEOUT_TEXT("Core", "display off")),
@@ -61,6 +61,13 @@ constexpr CodeRow kHaasFunctions[] = {
     function(159, PROVEOUT_TEXT("Core", "mist extractor off")),
 };
 
+std::vector<CodeRow> functionsOfHaas() {
+    std::vector<CodeRow> rows(std::begin(kHaasFunctions), std::end(kHaasFunctions));
+    const auto gears = sameRows(kFanucFunctions, 'M', {410, 420});
+    rows.insert(rows.end(), gears.begin(), gears.end());
+    return rows;
+}
+
 } // namespace
 
 std::span<const CodeRow> fanucFunctions() {
@@ -68,7 +75,8 @@ std::span<const CodeRow> fanucFunctions() {
 }
 
 std::span<const CodeRow> haasFunctions() {
-    return kHaasFunctions;
+    static const std::vector<CodeRow> kRows = functionsOfHaas();
+    return kRows;
 }
 
 } // namespace proveout

@@ -10,6 +10,8 @@ namespace {
 
 // clang-format off
 constexpr CodeRow kRs274[] = {
+    {'G', 20, ModalGroup::motion, PROVEOUT_TEXT("Core", "clockwise arc"), moveArcClockwise, Step::motion, LetterSet("XYZIJKRP")},
+    {'G', 30, ModalGroup::motion, PROVEOUT_TEXT("Core", "counter-clockwise arc"), moveArcCounterClockwise, Step::motion, LetterSet("XYZIJKRP")},
     {'G', 40, ModalGroup::nonModal, PROVEOUT_TEXT("Core", "dwell"), dwell, Step::dwell, LetterSet("P")},
     {'G', 50, ModalGroup::motion, PROVEOUT_TEXT("Core", "cubic spline"), followCubic, Step::motion, LetterSet("XYIJPQ"), AxisUse::none, WithCompensation::refused},
     {'G', 51, ModalGroup::motion, PROVEOUT_TEXT("Core", "quadratic spline"), followQuadratic, Step::motion, LetterSet("XYIJ"), AxisUse::none, WithCompensation::refused},
