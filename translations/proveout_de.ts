@@ -2380,8 +2380,8 @@ Vorgabe: 0 mm</translation>
         <translation>„{}“ ist keines der Schlüsselwörter, die auf ein O-Wort folgen dürfen.</translation>
     </message>
     <message>
-        <source>sub, endsub, call, return, if, elseif, else, endif, do, while, endwhile, repeat, endrepeat, break, continue.</source>
-        <translation>sub, endsub, call, return, if, elseif, else, endif, do, while, endwhile, repeat, endrepeat, break, continue.</translation>
+        <source>Use sub, endsub, call, return, if, elseif, else, endif, do, while, endwhile, repeat, endrepeat, break or continue.</source>
+        <translation>Erlaubt sind sub, endsub, call, return, if, elseif, else, endif, do, while, endwhile, repeat, endrepeat, break und continue.</translation>
     </message>
     <message>
         <source>The O word does not begin the block.</source>
@@ -3061,11 +3061,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>check of the reference position</source>
-        <translation>Prüfung der Referenzposition</translation>
+        <translation>Prüfung des Referenzpunkts</translation>
     </message>
     <message>
         <source>return from reference position</source>
-        <translation>Rückkehr von der Referenzposition</translation>
+        <translation>Rückkehr vom Referenzpunkt</translation>
     </message>
     <message>
         <source>thread cutting</source>
@@ -5409,11 +5409,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Choose a finer grid, or the automatic one; see details with View, Look Closer, or in a smaller stock.</source>
-        <translation>Wählen Sie ein feineres Raster oder das automatische; sehen Sie Einzelheiten mit Ansicht, Genauer hinsehen an, oder in einem kleineren Rohteil.</translation>
+        <translation>Wählen Sie ein feineres Raster oder das automatische; sehen Sie Einzelheiten mit Ansicht, Detaillupe an, oder in einem kleineren Rohteil.</translation>
     </message>
     <message>
         <source>See details with View, Look Closer, or in a smaller stock, or enter a finer grid spacing.</source>
-        <translation>Sehen Sie Einzelheiten mit Ansicht, Genauer hinsehen an, oder in einem kleineren Rohteil, oder geben Sie eine kleinere Rasterweite ein.</translation>
+        <translation>Sehen Sie Einzelheiten mit Ansicht, Detaillupe an, oder in einem kleineren Rohteil, oder geben Sie eine kleinere Rasterweite ein.</translation>
     </message>
     <message>
         <source>Confirm the sizes of the tool in the tool table, or correct them.</source>
@@ -5630,6 +5630,1714 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>{} is ignored, because the setup lists it ({}×, lines {}).</source>
         <translation>{} wird ignoriert, weil die Aufspannung es aufführt ({}×, Zeilen {}).</translation>
+    </message>
+    <message>
+        <source>Unexpected character</source>
+        <translation>Unerwartetes Zeichen</translation>
+    </message>
+    <message>
+        <source>Word without a value</source>
+        <translation>Wort ohne Wert</translation>
+    </message>
+    <message>
+        <source>Number with two signs</source>
+        <translation>Zahl mit zwei Vorzeichen</translation>
+    </message>
+    <message>
+        <source>Number with two points</source>
+        <translation>Zahl mit zwei Punkten</translation>
+    </message>
+    <message>
+        <source>Number out of range</source>
+        <translation>Zahl außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>Comment not closed</source>
+        <translation>Kommentar nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>Nested comment</source>
+        <translation>Verschachtelter Kommentar</translation>
+    </message>
+    <message>
+        <source>Duplicate word</source>
+        <translation>Doppeltes Wort</translation>
+    </message>
+    <message>
+        <source>Duplicate word, last used</source>
+        <translation>Doppeltes Wort, letztes gilt</translation>
+    </message>
+    <message>
+        <source>Too many codes in block</source>
+        <translation>Zu viele Befehle im Satz</translation>
+    </message>
+    <message>
+        <source>N word not first</source>
+        <translation>N-Wort nicht am Satzanfang</translation>
+    </message>
+    <message>
+        <source>Negative block number</source>
+        <translation>Negative Satznummer</translation>
+    </message>
+    <message>
+        <source>Block number too long</source>
+        <translation>Satznummer zu lang</translation>
+    </message>
+    <message>
+        <source>&quot;%&quot; not alone</source>
+        <translation>„%“ nicht allein in der Zeile</translation>
+    </message>
+    <message>
+        <source>Line too long</source>
+        <translation>Zeile zu lang</translation>
+    </message>
+    <message>
+        <source>Control codes skipped</source>
+        <translation>Steuerzeichen übersprungen</translation>
+    </message>
+    <message>
+        <source>Byte order mark</source>
+        <translation>Byte-Order-Mark</translation>
+    </message>
+    <message>
+        <source>CR line end</source>
+        <translation>Zeilenende nur CR</translation>
+    </message>
+    <message>
+        <source>No decimal point</source>
+        <translation>Kein Dezimalpunkt</translation>
+    </message>
+    <message>
+        <source>Expression nested too deeply</source>
+        <translation>Ausdruck zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>Brackets nested too deeply</source>
+        <translation>Klammern zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>Parameter not set</source>
+        <translation>Parameter nicht gesetzt</translation>
+    </message>
+    <message>
+        <source>Position not readable</source>
+        <translation>Position nicht lesbar</translation>
+    </message>
+    <message>
+        <source>Parameter number not whole</source>
+        <translation>Parameternummer nicht ganzzahlig</translation>
+    </message>
+    <message>
+        <source>Unknown parameter number</source>
+        <translation>Unbekannte Parameternummer</translation>
+    </message>
+    <message>
+        <source>Read-only parameter</source>
+        <translation>Parameter nur lesbar</translation>
+    </message>
+    <message>
+        <source>Name not closed</source>
+        <translation>Name nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>Empty name</source>
+        <translation>Leerer Name</translation>
+    </message>
+    <message>
+        <source>Name too long</source>
+        <translation>Name zu lang</translation>
+    </message>
+    <message>
+        <source>Too many named parameters</source>
+        <translation>Zu viele benannte Parameter</translation>
+    </message>
+    <message>
+        <source>Bracket not closed</source>
+        <translation>Klammer nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>Brackets missing</source>
+        <translation>Klammern fehlen</translation>
+    </message>
+    <message>
+        <source>Operator missing</source>
+        <translation>Operator fehlt</translation>
+    </message>
+    <message>
+        <source>Expression without a result</source>
+        <translation>Ausdruck ohne Ergebnis</translation>
+    </message>
+    <message>
+        <source>Second argument missing</source>
+        <translation>Zweites Argument fehlt</translation>
+    </message>
+    <message>
+        <source>EXISTS without a name</source>
+        <translation>EXISTS ohne Namen</translation>
+    </message>
+    <message>
+        <source>Incomplete assignment</source>
+        <translation>Unvollständige Zuweisung</translation>
+    </message>
+    <message>
+        <source>Undocumented modal variable</source>
+        <translation>Nicht dokumentierte Modalvariable</translation>
+    </message>
+    <message>
+        <source>Machine-dependent variable</source>
+        <translation>Maschinenabhängige Variable</translation>
+    </message>
+    <message>
+        <source>Variable assumed to be 0</source>
+        <translation>Variable als 0 angenommen</translation>
+    </message>
+    <message>
+        <source>Position unknown</source>
+        <translation>Position unbekannt</translation>
+    </message>
+    <message>
+        <source>#5220 written</source>
+        <translation>#5220 beschrieben</translation>
+    </message>
+    <message>
+        <source>Invalid O number</source>
+        <translation>Ungültige O-Nummer</translation>
+    </message>
+    <message>
+        <source>Unknown O-word keyword</source>
+        <translation>Unbekanntes O-Wort</translation>
+    </message>
+    <message>
+        <source>O word not first</source>
+        <translation>O-Wort nicht am Satzanfang</translation>
+    </message>
+    <message>
+        <source>Text after O word</source>
+        <translation>Text nach dem O-Wort</translation>
+    </message>
+    <message>
+        <source>Unmatched O word</source>
+        <translation>O-Wort ohne Gegenstück</translation>
+    </message>
+    <message>
+        <source>Duplicate O label</source>
+        <translation>Doppelte O-Marke</translation>
+    </message>
+    <message>
+        <source>Continue in a do loop</source>
+        <translation>continue in do-Schleife</translation>
+    </message>
+    <message>
+        <source>Nested subprogram</source>
+        <translation>Verschachteltes Unterprogramm</translation>
+    </message>
+    <message>
+        <source>Condition missing</source>
+        <translation>Bedingung fehlt</translation>
+    </message>
+    <message>
+        <source>Subprogram not found</source>
+        <translation>Unterprogramm nicht gefunden</translation>
+    </message>
+    <message>
+        <source>Subprogram outside its folders</source>
+        <translation>Unterprogramm außerhalb der Ordner</translation>
+    </message>
+    <message>
+        <source>Subprogram not readable</source>
+        <translation>Unterprogramm nicht lesbar</translation>
+    </message>
+    <message>
+        <source>Subprogram not closed</source>
+        <translation>Unterprogramm nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>Calls nested too deeply</source>
+        <translation>Aufrufe zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>Too many arguments</source>
+        <translation>Zu viele Argumente</translation>
+    </message>
+    <message>
+        <source>Return outside a subprogram</source>
+        <translation>Rücksprung außerhalb eines Unterprogramms</translation>
+    </message>
+    <message>
+        <source>Main program repeats</source>
+        <translation>Hauptprogramm wiederholt sich</translation>
+    </message>
+    <message>
+        <source>M98 with L0</source>
+        <translation>M98 mit L0</translation>
+    </message>
+    <message>
+        <source>Call not first</source>
+        <translation>Aufruf nicht am Satzanfang</translation>
+    </message>
+    <message>
+        <source>M99 not alone</source>
+        <translation>M99 nicht allein</translation>
+    </message>
+    <message>
+        <source>Too many repeated messages</source>
+        <translation>Zu viele wiederholte Meldungen</translation>
+    </message>
+    <message>
+        <source>Too many repeated blocks</source>
+        <translation>Zu viele wiederholte Sätze</translation>
+    </message>
+    <message>
+        <source>Loop without motion</source>
+        <translation>Schleife ohne Bewegung</translation>
+    </message>
+    <message>
+        <source>Endless loop</source>
+        <translation>Endlosschleife</translation>
+    </message>
+    <message>
+        <source>Too many repeats</source>
+        <translation>Zu viele Wiederholungen</translation>
+    </message>
+    <message>
+        <source>Too many motions in block</source>
+        <translation>Zu viele Bewegungen im Satz</translation>
+    </message>
+    <message>
+        <source>Invalid jump target</source>
+        <translation>Ungültiges Sprungziel</translation>
+    </message>
+    <message>
+        <source>Jump target not found</source>
+        <translation>Sprungziel nicht gefunden</translation>
+    </message>
+    <message>
+        <source>Duplicate block number</source>
+        <translation>Doppelte Satznummer</translation>
+    </message>
+    <message>
+        <source>Incomplete statement</source>
+        <translation>Unvollständige Anweisung</translation>
+    </message>
+    <message>
+        <source>Statement not first</source>
+        <translation>Anweisung nicht am Satzanfang</translation>
+    </message>
+    <message>
+        <source>Unmatched loop</source>
+        <translation>Schleife ohne Gegenstück</translation>
+    </message>
+    <message>
+        <source>Program alarm</source>
+        <translation>Programmalarm</translation>
+    </message>
+    <message>
+        <source>Program repeats</source>
+        <translation>Programm wiederholt sich</translation>
+    </message>
+    <message>
+        <source>Unsupported encoding</source>
+        <translation>Nicht unterstützte Kodierung</translation>
+    </message>
+    <message>
+        <source>Binary file</source>
+        <translation>Binärdatei</translation>
+    </message>
+    <message>
+        <source>Invalid M code list</source>
+        <translation>Ungültige Liste der M-Befehle</translation>
+    </message>
+    <message>
+        <source>Dialect detected</source>
+        <translation>Dialekt erkannt</translation>
+    </message>
+    <message>
+        <source>Unsupported dialect</source>
+        <translation>Nicht unterstützter Dialekt</translation>
+    </message>
+    <message>
+        <source>Not an NC program</source>
+        <translation>Kein NC-Programm</translation>
+    </message>
+    <message>
+        <source>Text before &quot;%&quot;</source>
+        <translation>Text vor „%“</translation>
+    </message>
+    <message>
+        <source>Opening &quot;%&quot; missing</source>
+        <translation>„%“ am Anfang fehlt</translation>
+    </message>
+    <message>
+        <source>&quot;%&quot; inside the program</source>
+        <translation>„%“ im Programm</translation>
+    </message>
+    <message>
+        <source>Text after &quot;%&quot;</source>
+        <translation>Text nach „%“</translation>
+    </message>
+    <message>
+        <source>Blocks after program end</source>
+        <translation>Sätze nach dem Programmende</translation>
+    </message>
+    <message>
+        <source>Program end missing</source>
+        <translation>Programmende fehlt</translation>
+    </message>
+    <message>
+        <source>No motion</source>
+        <translation>Keine Bewegung</translation>
+    </message>
+    <message>
+        <source>Too many motions</source>
+        <translation>Zu viele Bewegungen</translation>
+    </message>
+    <message>
+        <source>Program too large</source>
+        <translation>Programm zu groß</translation>
+    </message>
+    <message>
+        <source>Too many events</source>
+        <translation>Zu viele Ereignisse</translation>
+    </message>
+    <message>
+        <source>Interpretation stopped</source>
+        <translation>Interpretation angehalten</translation>
+    </message>
+    <message>
+        <source>Still reading</source>
+        <translation>Wird noch gelesen</translation>
+    </message>
+    <message>
+        <source>Unknown code</source>
+        <translation>Unbekannter Befehl</translation>
+    </message>
+    <message>
+        <source>Code ignored</source>
+        <translation>Befehl ignoriert</translation>
+    </message>
+    <message>
+        <source>Listed code executed</source>
+        <translation>Gelisteter Befehl ausgeführt</translation>
+    </message>
+    <message>
+        <source>Unsupported code</source>
+        <translation>Nicht unterstützter Befehl</translation>
+    </message>
+    <message>
+        <source>Conflicting codes</source>
+        <translation>Widersprüchliche Befehle</translation>
+    </message>
+    <message>
+        <source>Conflicting codes, last used</source>
+        <translation>Widersprüchliche Befehle, letzter gilt</translation>
+    </message>
+    <message>
+        <source>Too many M codes</source>
+        <translation>Zu viele M-Befehle</translation>
+    </message>
+    <message>
+        <source>Axis ignored</source>
+        <translation>Achse ignoriert</translation>
+    </message>
+    <message>
+        <source>Unused word</source>
+        <translation>Unbenutztes Wort</translation>
+    </message>
+    <message>
+        <source>Word ignored</source>
+        <translation>Wort ignoriert</translation>
+    </message>
+    <message>
+        <source>No such spindle</source>
+        <translation>Spindel nicht vorhanden</translation>
+    </message>
+    <message>
+        <source>No motion code active</source>
+        <translation>Kein Bewegungsbefehl aktiv</translation>
+    </message>
+    <message>
+        <source>Axis word with G80</source>
+        <translation>Achswort mit G80</translation>
+    </message>
+    <message>
+        <source>Rapid after G80</source>
+        <translation>Eilgang nach G80</translation>
+    </message>
+    <message>
+        <source>Word missing</source>
+        <translation>Wort fehlt</translation>
+    </message>
+    <message>
+        <source>Negative number</source>
+        <translation>Negative Zahl</translation>
+    </message>
+    <message>
+        <source>Not a whole number</source>
+        <translation>Keine ganze Zahl</translation>
+    </message>
+    <message>
+        <source>Axis words used twice</source>
+        <translation>Achswörter doppelt benutzt</translation>
+    </message>
+    <message>
+        <source>No modal state saved</source>
+        <translation>Kein Modalzustand gespeichert</translation>
+    </message>
+    <message>
+        <source>M72 not alone</source>
+        <translation>M72 nicht allein</translation>
+    </message>
+    <message>
+        <source>No tool selected</source>
+        <translation>Kein Werkzeug gewählt</translation>
+    </message>
+    <message>
+        <source>G43.2 with H and axes</source>
+        <translation>G43.2 mit H und Achsen</translation>
+    </message>
+    <message>
+        <source>Unsupported G10</source>
+        <translation>Nicht unterstütztes G10</translation>
+    </message>
+    <message>
+        <source>Tool number unknown</source>
+        <translation>Werkzeugnummer unbekannt</translation>
+    </message>
+    <message>
+        <source>G53 without G0 or G1</source>
+        <translation>G53 ohne G0 oder G1</translation>
+    </message>
+    <message>
+        <source>Polar and Cartesian words</source>
+        <translation>Polare und kartesische Wörter</translation>
+    </message>
+    <message>
+        <source>Polar angle undefined</source>
+        <translation>Polarwinkel unbestimmt</translation>
+    </message>
+    <message>
+        <source>G53 with polar words</source>
+        <translation>G53 mit Polarwörtern</translation>
+    </message>
+    <message>
+        <source>G53 in incremental mode</source>
+        <translation>G53 im Kettenmaß</translation>
+    </message>
+    <message>
+        <source>G53 ignored</source>
+        <translation>G53 ignoriert</translation>
+    </message>
+    <message>
+        <source>Machine zero unknown</source>
+        <translation>Maschinennullpunkt unbekannt</translation>
+    </message>
+    <message>
+        <source>Arc outside rotated plane</source>
+        <translation>Kreisbogen außerhalb der gedrehten Ebene</translation>
+    </message>
+    <message>
+        <source>Arc scaled unevenly</source>
+        <translation>Kreisbogen ungleich skaliert</translation>
+    </message>
+    <message>
+        <source>Scale factor 0</source>
+        <translation>Maßstabsfaktor 0</translation>
+    </message>
+    <message>
+        <source>Transformation order</source>
+        <translation>Reihenfolge der Transformationen</translation>
+    </message>
+    <message>
+        <source>Transformation centre unknown</source>
+        <translation>Zentrum der Transformation unbekannt</translation>
+    </message>
+    <message>
+        <source>Rotation start ambiguous</source>
+        <translation>Beginn der Drehung mehrdeutig</translation>
+    </message>
+    <message>
+        <source>Rotation angle ambiguous</source>
+        <translation>Drehwinkel mehrdeutig</translation>
+    </message>
+    <message>
+        <source>Reference return in cycle</source>
+        <translation>Referenzfahrt im Zyklus</translation>
+    </message>
+    <message>
+        <source>Intermediate point unknown</source>
+        <translation>Zwischenpunkt unbekannt</translation>
+    </message>
+    <message>
+        <source>Homing cycle</source>
+        <translation>Referenzfahrt</translation>
+    </message>
+    <message>
+        <source>Control data skipped</source>
+        <translation>Steuerungsdaten übersprungen</translation>
+    </message>
+    <message>
+        <source>Offset register unknown</source>
+        <translation>Korrekturspeicher unbekannt</translation>
+    </message>
+    <message>
+        <source>Length offset without Z</source>
+        <translation>Längenkorrektur ohne Z</translation>
+    </message>
+    <message>
+        <source>Rotation with G92 active</source>
+        <translation>Drehung bei aktivem G92</translation>
+    </message>
+    <message>
+        <source>Cycle word missing</source>
+        <translation>Zykluswort fehlt</translation>
+    </message>
+    <message>
+        <source>Cycle without a position</source>
+        <translation>Zyklus ohne Position</translation>
+    </message>
+    <message>
+        <source>Cycle with inverse time</source>
+        <translation>Zyklus mit zeitreziprokem Vorschub</translation>
+    </message>
+    <message>
+        <source>R plane below hole bottom</source>
+        <translation>R-Ebene unter dem Bohrungsgrund</translation>
+    </message>
+    <message>
+        <source>Invalid peck depth</source>
+        <translation>Ungültige Spantiefe</translation>
+    </message>
+    <message>
+        <source>Peck depth missing</source>
+        <translation>Spantiefe fehlt</translation>
+    </message>
+    <message>
+        <source>Spindle stopped in cycle</source>
+        <translation>Spindel steht im Zyklus</translation>
+    </message>
+    <message>
+        <source>Back boring not verified</source>
+        <translation>Rückwärtsbohren nicht geprüft</translation>
+    </message>
+    <message>
+        <source>Invalid back boring depth</source>
+        <translation>Ungültige Tiefe beim Rückwärtsbohren</translation>
+    </message>
+    <message>
+        <source>Back boring with G99</source>
+        <translation>Rückwärtsbohren mit G99</translation>
+    </message>
+    <message>
+        <source>Tapping feeds off the hole</source>
+        <translation>Gewindebohren neben der Bohrung</translation>
+    </message>
+    <message>
+        <source>Fine boring not verified</source>
+        <translation>Feinbohren nicht geprüft</translation>
+    </message>
+    <message>
+        <source>Manual retract</source>
+        <translation>Rückzug von Hand</translation>
+    </message>
+    <message>
+        <source>Initial level unknown</source>
+        <translation>Ausgangsebene unbekannt</translation>
+    </message>
+    <message>
+        <source>Tapping with stopped spindle</source>
+        <translation>Gewindebohren bei stehender Spindel</translation>
+    </message>
+    <message>
+        <source>Cycle only stored</source>
+        <translation>Zyklus nur gespeichert</translation>
+    </message>
+    <message>
+        <source>Pattern without a cycle</source>
+        <translation>Lochbild ohne Zyklus</translation>
+    </message>
+    <message>
+        <source>First hole assumed</source>
+        <translation>Erste Bohrung angenommen</translation>
+    </message>
+    <message>
+        <source>Pocket path assumed</source>
+        <translation>Taschenbahn angenommen</translation>
+    </message>
+    <message>
+        <source>Invalid pocket size</source>
+        <translation>Ungültige Taschengröße</translation>
+    </message>
+    <message>
+        <source>F missing with G93</source>
+        <translation>F fehlt bei G93</translation>
+    </message>
+    <message>
+        <source>Feed per revolution without spindle</source>
+        <translation>Vorschub pro Umdrehung ohne Spindel</translation>
+    </message>
+    <message>
+        <source>Feed before unit change</source>
+        <translation>Vorschub vor dem Einheitenwechsel</translation>
+    </message>
+    <message>
+        <source>Diameter mode</source>
+        <translation>Durchmesserprogrammierung</translation>
+    </message>
+    <message>
+        <source>Surface speed at limit</source>
+        <translation>Schnittgeschwindigkeit am Limit</translation>
+    </message>
+    <message>
+        <source>Spindle speed unknown</source>
+        <translation>Spindeldrehzahl unbekannt</translation>
+    </message>
+    <message>
+        <source>Invalid pitch</source>
+        <translation>Ungültige Steigung</translation>
+    </message>
+    <message>
+        <source>F with synchronised motion</source>
+        <translation>F bei synchroner Bewegung</translation>
+    </message>
+    <message>
+        <source>Synchronised motion, spindle stopped</source>
+        <translation>Synchrone Bewegung bei stehender Spindel</translation>
+    </message>
+    <message>
+        <source>Feed rate missing</source>
+        <translation>Vorschub fehlt</translation>
+    </message>
+    <message>
+        <source>Mist coolant optional</source>
+        <translation>Nebelkühlung optional</translation>
+    </message>
+    <message>
+        <source>Dwell unit ambiguous</source>
+        <translation>Einheit der Verweilzeit mehrdeutig</translation>
+    </message>
+    <message>
+        <source>Target too far</source>
+        <translation>Ziel zu weit entfernt</translation>
+    </message>
+    <message>
+        <source>Start position unknown</source>
+        <translation>Startposition unbekannt</translation>
+    </message>
+    <message>
+        <source>Axis never positioned</source>
+        <translation>Achse nie positioniert</translation>
+    </message>
+    <message>
+        <source>Incremental from unknown position</source>
+        <translation>Kettenmaß ab unbekannter Position</translation>
+    </message>
+    <message>
+        <source>One-sided positioning</source>
+        <translation>Einseitiges Positionieren</translation>
+    </message>
+    <message>
+        <source>Arc without centre</source>
+        <translation>Kreisbogen ohne Mittelpunkt</translation>
+    </message>
+    <message>
+        <source>Arc centre incomplete</source>
+        <translation>Kreismittelpunkt unvollständig</translation>
+    </message>
+    <message>
+        <source>Arc with R and centre</source>
+        <translation>Kreisbogen mit R und Mittelpunkt</translation>
+    </message>
+    <message>
+        <source>Arc word outside plane</source>
+        <translation>Kreiswort außerhalb der Ebene</translation>
+    </message>
+    <message>
+        <source>Arc radius zero</source>
+        <translation>Kreisradius null</translation>
+    </message>
+    <message>
+        <source>Arc end radius mismatch</source>
+        <translation>Kreisradien verschieden</translation>
+    </message>
+    <message>
+        <source>Full circle with R</source>
+        <translation>Vollkreis mit R</translation>
+    </message>
+    <message>
+        <source>Arc radius too small</source>
+        <translation>Kreisradius zu klein</translation>
+    </message>
+    <message>
+        <source>Arc centre ignored</source>
+        <translation>Kreismittelpunkt ignoriert</translation>
+    </message>
+    <message>
+        <source>Arc without motion</source>
+        <translation>Kreisbogen ohne Bewegung</translation>
+    </message>
+    <message>
+        <source>Arc becomes a line</source>
+        <translation>Kreisbogen wird zur Geraden</translation>
+    </message>
+    <message>
+        <source>Arc radius too large</source>
+        <translation>Kreisradius zu groß</translation>
+    </message>
+    <message>
+        <source>Arc too long</source>
+        <translation>Kreisbogen zu lang</translation>
+    </message>
+    <message>
+        <source>Invalid number of turns</source>
+        <translation>Ungültige Zahl der Umläufe</translation>
+    </message>
+    <message>
+        <source>Arc start mismatch</source>
+        <translation>Kreisanfang abweichend</translation>
+    </message>
+    <message>
+        <source>Arc word ignored</source>
+        <translation>Kreiswort ignoriert</translation>
+    </message>
+    <message>
+        <source>Arc end point missing</source>
+        <translation>Kreisendpunkt fehlt</translation>
+    </message>
+    <message>
+        <source>Arc centre ambiguous</source>
+        <translation>Kreismittelpunkt mehrdeutig</translation>
+    </message>
+    <message>
+        <source>Polar centre ambiguous</source>
+        <translation>Pol mehrdeutig</translation>
+    </message>
+    <message>
+        <source>Polar motion undocumented</source>
+        <translation>Polare Bewegung nicht dokumentiert</translation>
+    </message>
+    <message>
+        <source>Radius scaling assumed</source>
+        <translation>Radiusskalierung angenommen</translation>
+    </message>
+    <message>
+        <source>XY plane only</source>
+        <translation>Nur XY-Ebene</translation>
+    </message>
+    <message>
+        <source>M66 with P and E</source>
+        <translation>M66 mit P und E</translation>
+    </message>
+    <message>
+        <source>M66 wait mode</source>
+        <translation>Wartemodus von M66</translation>
+    </message>
+    <message>
+        <source>Input value assumed</source>
+        <translation>Eingangswert angenommen</translation>
+    </message>
+    <message>
+        <source>Input value used</source>
+        <translation>Eingangswert benutzt</translation>
+    </message>
+    <message>
+        <source>Probing with G95</source>
+        <translation>Antasten mit G95</translation>
+    </message>
+    <message>
+        <source>Probing motion too short</source>
+        <translation>Antastbewegung zu kurz</translation>
+    </message>
+    <message>
+        <source>Skip signal unknown</source>
+        <translation>Skip-Signal unbekannt</translation>
+    </message>
+    <message>
+        <source>Probe contact unknown</source>
+        <translation>Antastpunkt unbekannt</translation>
+    </message>
+    <message>
+        <source>Probe contact assumed</source>
+        <translation>Antastpunkt angenommen</translation>
+    </message>
+    <message>
+        <source>Probe release assumed</source>
+        <translation>Freifahrpunkt angenommen</translation>
+    </message>
+    <message>
+        <source>Probe result used</source>
+        <translation>Antastergebnis benutzt</translation>
+    </message>
+    <message>
+        <source>Probe without contact</source>
+        <translation>Taster ohne Kontakt</translation>
+    </message>
+    <message>
+        <source>Probe still in contact</source>
+        <translation>Taster noch in Kontakt</translation>
+    </message>
+    <message>
+        <source>Probe in contact at start</source>
+        <translation>Taster beim Start in Kontakt</translation>
+    </message>
+    <message>
+        <source>Probe free at start</source>
+        <translation>Taster beim Start frei</translation>
+    </message>
+    <message>
+        <source>Spline outside XY plane</source>
+        <translation>Spline außerhalb der XY-Ebene</translation>
+    </message>
+    <message>
+        <source>Spline without I and J</source>
+        <translation>Spline ohne I und J</translation>
+    </message>
+    <message>
+        <source>Spline too long</source>
+        <translation>Spline zu lang</translation>
+    </message>
+    <message>
+        <source>Control point incomplete</source>
+        <translation>Kontrollpunkt unvollständig</translation>
+    </message>
+    <message>
+        <source>Invalid control point weight</source>
+        <translation>Ungültiges Gewicht</translation>
+    </message>
+    <message>
+        <source>Weight without control point</source>
+        <translation>Gewicht ohne Kontrollpunkt</translation>
+    </message>
+    <message>
+        <source>Too few control points</source>
+        <translation>Zu wenige Kontrollpunkte</translation>
+    </message>
+    <message>
+        <source>NURBS block not open</source>
+        <translation>NURBS-Block nicht offen</translation>
+    </message>
+    <message>
+        <source>NURBS block not closed</source>
+        <translation>NURBS-Block nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>Corner without motions</source>
+        <translation>Ecke ohne Bewegungen</translation>
+    </message>
+    <message>
+        <source>Next corner motion missing</source>
+        <translation>Folgebewegung der Ecke fehlt</translation>
+    </message>
+    <message>
+        <source>Chamfer and corner radius</source>
+        <translation>Fase und Eckenradius</translation>
+    </message>
+    <message>
+        <source>Invalid comma word</source>
+        <translation>Ungültiges Kommawort</translation>
+    </message>
+    <message>
+        <source>Corner at compensation change</source>
+        <translation>Ecke beim Korrekturwechsel</translation>
+    </message>
+    <message>
+        <source>Negative corner size</source>
+        <translation>Negative Eckengröße</translation>
+    </message>
+    <message>
+        <source>Corner scaling assumed</source>
+        <translation>Eckenskalierung angenommen</translation>
+    </message>
+    <message>
+        <source>Corner too large</source>
+        <translation>Ecke zu groß</translation>
+    </message>
+    <message>
+        <source>Corner outside plane</source>
+        <translation>Ecke außerhalb der Ebene</translation>
+    </message>
+    <message>
+        <source>Chamfer on arc</source>
+        <translation>Fase am Kreisbogen</translation>
+    </message>
+    <message>
+        <source>Compensation already active</source>
+        <translation>Fräserradiuskorrektur bereits aktiv</translation>
+    </message>
+    <message>
+        <source>Compensation plane unsupported</source>
+        <translation>Ebene der Fräserradiuskorrektur</translation>
+    </message>
+    <message>
+        <source>Compensation under rotation</source>
+        <translation>Fräserradiuskorrektur bei Drehung</translation>
+    </message>
+    <message>
+        <source>Not allowed with compensation</source>
+        <translation>Mit Fräserradiuskorrektur nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>Compensation suspended</source>
+        <translation>Fräserradiuskorrektur ausgesetzt</translation>
+    </message>
+    <message>
+        <source>Compensation diameter 0</source>
+        <translation>Korrekturdurchmesser 0</translation>
+    </message>
+    <message>
+        <source>Compensation diameter unknown</source>
+        <translation>Korrekturdurchmesser unbekannt</translation>
+    </message>
+    <message>
+        <source>Compensation from unknown position</source>
+        <translation>Fräserradiuskorrektur ab unbekannter Position</translation>
+    </message>
+    <message>
+        <source>Lead-in too short</source>
+        <translation>Anfahrweg zu kurz</translation>
+    </message>
+    <message>
+        <source>Arc smaller than tool</source>
+        <translation>Kreisbogen kleiner als das Werkzeug</translation>
+    </message>
+    <message>
+        <source>Inside corner too tight</source>
+        <translation>Innenecke zu eng</translation>
+    </message>
+    <message>
+        <source>Compensation gouge</source>
+        <translation>Werkstückverletzung durch Korrektur</translation>
+    </message>
+    <message>
+        <source>Compensated motion reversed</source>
+        <translation>Korrigierte Bewegung umgekehrt</translation>
+    </message>
+    <message>
+        <source>Stop before inside corner</source>
+        <translation>Halt vor der Innenecke</translation>
+    </message>
+    <message>
+        <source>Lead-out on arc</source>
+        <translation>Abfahren auf Kreisbogen</translation>
+    </message>
+    <message>
+        <source>Lead-in on arc</source>
+        <translation>Anfahren auf Kreisbogen</translation>
+    </message>
+    <message>
+        <source>Corner not compensated</source>
+        <translation>Ecke nicht korrigiert</translation>
+    </message>
+    <message>
+        <source>Compensation side change</source>
+        <translation>Wechsel der Korrekturseite</translation>
+    </message>
+    <message>
+        <source>Compensation points dropped</source>
+        <translation>Korrekturpunkte ausgelassen</translation>
+    </message>
+    <message>
+        <source>Compensated arc off circle</source>
+        <translation>Korrigierter Bogen neben dem Kreis</translation>
+    </message>
+    <message>
+        <source>Compensation active at end</source>
+        <translation>Fräserradiuskorrektur am Ende aktiv</translation>
+    </message>
+    <message>
+        <source>Code not supported</source>
+        <translation>Befehl nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>Word not supported</source>
+        <translation>Wort nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>Expressions not supported</source>
+        <translation>Ausdrücke nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>Line dropped</source>
+        <translation>Zeile verworfen</translation>
+    </message>
+    <message>
+        <source>Block number too large</source>
+        <translation>Satznummer zu groß</translation>
+    </message>
+    <message>
+        <source>System command</source>
+        <translation>Systembefehl</translation>
+    </message>
+    <message>
+        <source>Real-time command</source>
+        <translation>Echtzeitbefehl</translation>
+    </message>
+    <message>
+        <source>Real-time reset</source>
+        <translation>Echtzeit-Reset</translation>
+    </message>
+    <message>
+        <source>Block delete ignored</source>
+        <translation>Satzausblendung ignoriert</translation>
+    </message>
+    <message>
+        <source>&quot;%&quot; not supported</source>
+        <translation>„%“ nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>Tool not changed</source>
+        <translation>Werkzeug nicht gewechselt</translation>
+    </message>
+    <message>
+        <source>Optional stop ignored</source>
+        <translation>Wahlweiser Halt ignoriert</translation>
+    </message>
+    <message>
+        <source>Length offset axis</source>
+        <translation>Achse der Längenkorrektur</translation>
+    </message>
+    <message>
+        <source>O word not supported</source>
+        <translation>O-Wort nicht unterstützt</translation>
+    </message>
+    <message>
+        <source>Length offset number missing</source>
+        <translation>Nummer der Längenkorrektur fehlt</translation>
+    </message>
+    <message>
+        <source>Feed rate 0</source>
+        <translation>Vorschub 0</translation>
+    </message>
+    <message>
+        <source>Tool length offset missing</source>
+        <translation>Werkzeuglängenkorrektur fehlt</translation>
+    </message>
+    <message>
+        <source>Work offset not selected</source>
+        <translation>Nullpunktverschiebung nicht gewählt</translation>
+    </message>
+    <message>
+        <source>Length offset mismatch</source>
+        <translation>Fremde Werkzeuglängenkorrektur</translation>
+    </message>
+    <message>
+        <source>D word missing</source>
+        <translation>D-Wort fehlt</translation>
+    </message>
+    <message>
+        <source>Compensation start-up on arc</source>
+        <translation>Fräserradiuskorrektur beginnt auf Kreisbogen</translation>
+    </message>
+    <message>
+        <source>Mixed units</source>
+        <translation>Gemischte Einheiten</translation>
+    </message>
+    <message>
+        <source>Modal function left on</source>
+        <translation>Modale Funktion noch aktiv</translation>
+    </message>
+    <message>
+        <source>Tool change too low</source>
+        <translation>Werkzeugwechsel zu tief</translation>
+    </message>
+    <message>
+        <source>Tool change, spindle running</source>
+        <translation>Werkzeugwechsel bei drehender Spindel</translation>
+    </message>
+    <message>
+        <source>Unreachable block</source>
+        <translation>Nicht erreichbarer Satz</translation>
+    </message>
+    <message>
+        <source>Tool not in table</source>
+        <translation>Werkzeug nicht in der Tabelle</translation>
+    </message>
+    <message>
+        <source>Nearly a half circle</source>
+        <translation>Nahezu ein Halbkreis</translation>
+    </message>
+    <message>
+        <source>File not readable</source>
+        <translation>Datei nicht lesbar</translation>
+    </message>
+    <message>
+        <source>File not writable</source>
+        <translation>Datei nicht schreibbar</translation>
+    </message>
+    <message>
+        <source>Not a regular file</source>
+        <translation>Keine normale Datei</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>Datei zu groß</translation>
+    </message>
+    <message>
+        <source>Cancelled</source>
+        <translation>Abgebrochen</translation>
+    </message>
+    <message>
+        <source>More messages</source>
+        <translation>Weitere Meldungen</translation>
+    </message>
+    <message>
+        <source>Profile without width</source>
+        <translation>Profil ohne Breite</translation>
+    </message>
+    <message>
+        <source>Too many profile points</source>
+        <translation>Zu viele Profilpunkte</translation>
+    </message>
+    <message>
+        <source>Profile turns back</source>
+        <translation>Profil läuft zurück</translation>
+    </message>
+    <message>
+        <source>Invalid profile point</source>
+        <translation>Ungültiger Profilpunkt</translation>
+    </message>
+    <message>
+        <source>Profile falls</source>
+        <translation>Profil fällt ab</translation>
+    </message>
+    <message>
+        <source>Profile not at the tip</source>
+        <translation>Profil beginnt nicht an der Spitze</translation>
+    </message>
+    <message>
+        <source>Profile arc radius too small</source>
+        <translation>Profilradius zu klein</translation>
+    </message>
+    <message>
+        <source>Profile arc centre mismatch</source>
+        <translation>Mittelpunkt des Profilbogens passt nicht</translation>
+    </message>
+    <message>
+        <source>Profile arc turns back</source>
+        <translation>Profilbogen läuft zurück</translation>
+    </message>
+    <message>
+        <source>Profile tip without width</source>
+        <translation>Profilspitze ohne Breite</translation>
+    </message>
+    <message>
+        <source>Profile arcs too large</source>
+        <translation>Profilbögen zu groß</translation>
+    </message>
+    <message>
+        <source>Tip too large</source>
+        <translation>Spitze zu groß</translation>
+    </message>
+    <message>
+        <source>Pilot too large</source>
+        <translation>Zapfen zu groß</translation>
+    </message>
+    <message>
+        <source>Pilot too short</source>
+        <translation>Zapfen zu kurz</translation>
+    </message>
+    <message>
+        <source>Lead too long</source>
+        <translation>Anschnitt zu lang</translation>
+    </message>
+    <message>
+        <source>Corner radius too large</source>
+        <translation>Eckenradius zu groß</translation>
+    </message>
+    <message>
+        <source>Taper too low</source>
+        <translation>Kegel zu niedrig</translation>
+    </message>
+    <message>
+        <source>Neck too thick</source>
+        <translation>Hals zu dick</translation>
+    </message>
+    <message>
+        <source>Head too high</source>
+        <translation>Kopf zu hoch</translation>
+    </message>
+    <message>
+        <source>Cutter value not numeric</source>
+        <translation>Fräserwert keine Zahl</translation>
+    </message>
+    <message>
+        <source>Cutter value out of range</source>
+        <translation>Fräserwert außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>Duplicate cutter key</source>
+        <translation>Doppelter Fräserschlüssel</translation>
+    </message>
+    <message>
+        <source>Unknown cutter key</source>
+        <translation>Unbekannter Fräserschlüssel</translation>
+    </message>
+    <message>
+        <source>Cutter key missing</source>
+        <translation>Fräserschlüssel fehlt</translation>
+    </message>
+    <message>
+        <source>Unknown cutter shape</source>
+        <translation>Unbekannte Fräserform</translation>
+    </message>
+    <message>
+        <source>Flute length too short</source>
+        <translation>Schneidenlänge zu kurz</translation>
+    </message>
+    <message>
+        <source>Invalid tool number</source>
+        <translation>Ungültige Werkzeugnummer</translation>
+    </message>
+    <message>
+        <source>Tool file empty</source>
+        <translation>Werkzeugdatei leer</translation>
+    </message>
+    <message>
+        <source>Invalid tool entry</source>
+        <translation>Ungültiger Werkzeugeintrag</translation>
+    </message>
+    <message>
+        <source>Duplicate tool</source>
+        <translation>Doppeltes Werkzeug</translation>
+    </message>
+    <message>
+        <source>Tool without a cutter</source>
+        <translation>Werkzeug ohne Fräser</translation>
+    </message>
+    <message>
+        <source>Invalid tool source</source>
+        <translation>Ungültige Werkzeugquelle</translation>
+    </message>
+    <message>
+        <source>Tool file not readable</source>
+        <translation>Werkzeugdatei nicht lesbar</translation>
+    </message>
+    <message>
+        <source>Unknown tool key</source>
+        <translation>Unbekannter Werkzeugschlüssel</translation>
+    </message>
+    <message>
+        <source>Outline out of range</source>
+        <translation>Kontur außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>Outline without area</source>
+        <translation>Kontur ohne Fläche</translation>
+    </message>
+    <message>
+        <source>Outline crosses itself</source>
+        <translation>Kontur schneidet sich selbst</translation>
+    </message>
+    <message>
+        <source>Invalid grid spacing</source>
+        <translation>Ungültiger Rasterweite</translation>
+    </message>
+    <message>
+        <source>Invalid stock size</source>
+        <translation>Ungültige Rohteilgröße</translation>
+    </message>
+    <message>
+        <source>Stock too narrow</source>
+        <translation>Rohteil zu schmal</translation>
+    </message>
+    <message>
+        <source>Invalid stock origin</source>
+        <translation>Ungültiger Rohteilursprung</translation>
+    </message>
+    <message>
+        <source>Grid too coarse</source>
+        <translation>Raster zu grob</translation>
+    </message>
+    <message>
+        <source>Grid too fine</source>
+        <translation>Raster zu fein</translation>
+    </message>
+    <message>
+        <source>Grid lost in rounding</source>
+        <translation>Raster geht in Rundung verloren</translation>
+    </message>
+    <message>
+        <source>Not enough memory</source>
+        <translation>Zu wenig Speicher</translation>
+    </message>
+    <message>
+        <source>Grid needs too much memory</source>
+        <translation>Raster braucht zu viel Speicher</translation>
+    </message>
+    <message>
+        <source>Box without area</source>
+        <translation>Bereich ohne Fläche</translation>
+    </message>
+    <message>
+        <source>Box outside the stock</source>
+        <translation>Bereich außerhalb des Rohteils</translation>
+    </message>
+    <message>
+        <source>Stock mesh too far</source>
+        <translation>Rohteilnetz zu weit entfernt</translation>
+    </message>
+    <message>
+        <source>Stock mesh flat</source>
+        <translation>Rohteilnetz ohne Volumen</translation>
+    </message>
+    <message>
+        <source>Too many mesh layers</source>
+        <translation>Zu viele Netzschichten</translation>
+    </message>
+    <message>
+        <source>Saved stock empty</source>
+        <translation>Gespeichertes Rohteil leer</translation>
+    </message>
+    <message>
+        <source>Invalid stock size text</source>
+        <translation>Ungültige Angabe der Rohteilgröße</translation>
+    </message>
+    <message>
+        <source>Stock size not positive</source>
+        <translation>Rohteilgröße nicht positiv</translation>
+    </message>
+    <message>
+        <source>Invalid point</source>
+        <translation>Ungültiger Punkt</translation>
+    </message>
+    <message>
+        <source>Stock incomplete</source>
+        <translation>Rohteil unvollständig</translation>
+    </message>
+    <message>
+        <source>Stock mesh not closed</source>
+        <translation>Rohteilnetz nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>Undercut in stock</source>
+        <translation>Hinterschnitt im Rohteil</translation>
+    </message>
+    <message>
+        <source>Stock resampled</source>
+        <translation>Rohteil neu abgetastet</translation>
+    </message>
+    <message>
+        <source>Map too large for method</source>
+        <translation>Raster zu groß für das Verfahren</translation>
+    </message>
+    <message>
+        <source>STL file cut off</source>
+        <translation>STL-Datei abgeschnitten</translation>
+    </message>
+    <message>
+        <source>STL syntax error</source>
+        <translation>STL-Syntaxfehler</translation>
+    </message>
+    <message>
+        <source>Not an STL file</source>
+        <translation>Keine STL-Datei</translation>
+    </message>
+    <message>
+        <source>No usable facets</source>
+        <translation>Keine brauchbaren Dreiecke</translation>
+    </message>
+    <message>
+        <source>Data after STL end</source>
+        <translation>Daten nach dem STL-Ende</translation>
+    </message>
+    <message>
+        <source>STL end missing</source>
+        <translation>STL-Ende fehlt</translation>
+    </message>
+    <message>
+        <source>Facets not finite</source>
+        <translation>Dreiecke nicht endlich</translation>
+    </message>
+    <message>
+        <source>Degenerate facets</source>
+        <translation>Entartete Dreiecke</translation>
+    </message>
+    <message>
+        <source>Normals against winding</source>
+        <translation>Normalen gegen den Umlaufsinn</translation>
+    </message>
+    <message>
+        <source>Duplicate facets</source>
+        <translation>Doppelte Dreiecke</translation>
+    </message>
+    <message>
+        <source>Mesh not closed</source>
+        <translation>Netz nicht geschlossen</translation>
+    </message>
+    <message>
+        <source>Mesh not manifold</source>
+        <translation>Netz nicht mannigfaltig</translation>
+    </message>
+    <message>
+        <source>Flipped facets</source>
+        <translation>Umgekehrte Dreiecke</translation>
+    </message>
+    <message>
+        <source>Mesh inside out</source>
+        <translation>Netz umgestülpt</translation>
+    </message>
+    <message>
+        <source>Mesh far from origin</source>
+        <translation>Netz weit vom Ursprung</translation>
+    </message>
+    <message>
+        <source>Mesh without size</source>
+        <translation>Netz ohne Ausdehnung</translation>
+    </message>
+    <message>
+        <source>Mesh size suspect</source>
+        <translation>Netzgröße verdächtig</translation>
+    </message>
+    <message>
+        <source>Not a ZIP archive</source>
+        <translation>Kein ZIP-Archiv</translation>
+    </message>
+    <message>
+        <source>Unknown export format</source>
+        <translation>Unbekanntes Exportformat</translation>
+    </message>
+    <message>
+        <source>Export rounded too coarsely</source>
+        <translation>Export zu grob gerundet</translation>
+    </message>
+    <message>
+        <source>Nothing to export</source>
+        <translation>Nichts zu exportieren</translation>
+    </message>
+    <message>
+        <source>Coordinate not finite</source>
+        <translation>Koordinate nicht endlich</translation>
+    </message>
+    <message>
+        <source>STL too coarse</source>
+        <translation>STL zu grob</translation>
+    </message>
+    <message>
+        <source>Too many triangles</source>
+        <translation>Zu viele Dreiecke</translation>
+    </message>
+    <message>
+        <source>Coordinate out of range</source>
+        <translation>Koordinate außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>Unsupported NPY type</source>
+        <translation>Nicht unterstützter NPY-Typ</translation>
+    </message>
+    <message>
+        <source>Unsupported NPY order</source>
+        <translation>Nicht unterstützte NPY-Ordnung</translation>
+    </message>
+    <message>
+        <source>Unsupported NPY shape</source>
+        <translation>Nicht unterstützte NPY-Form</translation>
+    </message>
+    <message>
+        <source>NPY file cut off</source>
+        <translation>NPY-Datei abgeschnitten</translation>
+    </message>
+    <message>
+        <source>Height not finite</source>
+        <translation>Höhe nicht endlich</translation>
+    </message>
+    <message>
+        <source>NPY header not readable</source>
+        <translation>NPY-Kopf nicht lesbar</translation>
+    </message>
+    <message>
+        <source>Not an NPY file</source>
+        <translation>Keine NPY-Datei</translation>
+    </message>
+    <message>
+        <source>Unsupported NPY version</source>
+        <translation>Nicht unterstützte NPY-Version</translation>
+    </message>
+    <message>
+        <source>JSON nested too deeply</source>
+        <translation>JSON zu tief verschachtelt</translation>
+    </message>
+    <message>
+        <source>Not valid JSON</source>
+        <translation>Kein gültiges JSON</translation>
+    </message>
+    <message>
+        <source>Not a Proveout job</source>
+        <translation>Kein Proveout-Auftrag</translation>
+    </message>
+    <message>
+        <source>Job of newer version</source>
+        <translation>Auftrag einer neueren Version</translation>
+    </message>
+    <message>
+        <source>Program name not UTF-8</source>
+        <translation>Programmname nicht UTF-8</translation>
+    </message>
+    <message>
+        <source>File outside job folder</source>
+        <translation>Datei außerhalb des Auftragsordners</translation>
+    </message>
+    <message>
+        <source>Unknown job field</source>
+        <translation>Unbekanntes Auftragsfeld</translation>
+    </message>
+    <message>
+        <source>Invalid job field</source>
+        <translation>Ungültiges Auftragsfeld</translation>
+    </message>
+    <message>
+        <source>Invalid outline point</source>
+        <translation>Ungültiger Konturpunkt</translation>
+    </message>
+    <message>
+        <source>Outline loop too short</source>
+        <translation>Konturzug zu kurz</translation>
+    </message>
+    <message>
+        <source>Outline empty</source>
+        <translation>Kontur leer</translation>
+    </message>
+    <message>
+        <source>Unknown stock key</source>
+        <translation>Unbekannter Rohteilschlüssel</translation>
+    </message>
+    <message>
+        <source>Invalid stock value</source>
+        <translation>Ungültiger Rohteilwert</translation>
+    </message>
+    <message>
+        <source>Invalid stock option</source>
+        <translation>Ungültige Rohteiloption</translation>
+    </message>
+    <message>
+        <source>Stock file missing</source>
+        <translation>Rohteildatei fehlt</translation>
+    </message>
+    <message>
+        <source>Duplicate stock key</source>
+        <translation>Doppelter Rohteilschlüssel</translation>
+    </message>
+    <message>
+        <source>Stock key missing</source>
+        <translation>Rohteilschlüssel fehlt</translation>
+    </message>
+    <message>
+        <source>Unknown stock shape</source>
+        <translation>Unbekannte Rohteilform</translation>
+    </message>
+    <message>
+        <source>Saved stock damaged</source>
+        <translation>Gespeichertes Rohteil beschädigt</translation>
+    </message>
+    <message>
+        <source>Not a saved stock</source>
+        <translation>Kein gespeichertes Rohteil</translation>
+    </message>
+    <message>
+        <source>Stock of newer version</source>
+        <translation>Rohteil einer neueren Version</translation>
+    </message>
+    <message>
+        <source>Saved grid mismatch</source>
+        <translation>Gespeichertes Raster passt nicht</translation>
+    </message>
+    <message>
+        <source>Saved heights invalid</source>
+        <translation>Gespeicherte Höhen ungültig</translation>
+    </message>
+    <message>
+        <source>Saved height invalid</source>
+        <translation>Gespeicherte Höhe ungültig</translation>
+    </message>
+    <message>
+        <source>Invalid machine value</source>
+        <translation>Ungültiger Maschinenwert</translation>
+    </message>
+    <message>
+        <source>Unknown machine key</source>
+        <translation>Unbekannter Maschinenschlüssel</translation>
+    </message>
+    <message>
+        <source>Parameter out of range</source>
+        <translation>Parameter außerhalb des Bereichs</translation>
+    </message>
+    <message>
+        <source>Program never cuts</source>
+        <translation>Programm fräst nie</translation>
+    </message>
+    <message>
+        <source>Stock missed</source>
+        <translation>Rohteil verfehlt</translation>
+    </message>
+    <message>
+        <source>Grid coarse</source>
+        <translation>Raster grob</translation>
+    </message>
+    <message>
+        <source>Rapid cuts stock</source>
+        <translation>Eilgang fräst Rohteil</translation>
+    </message>
+    <message>
+        <source>Cut beyond flutes</source>
+        <translation>Schnitt tiefer als die Schneiden</translation>
+    </message>
+    <message>
+        <source>Neck in stock</source>
+        <translation>Hals im Rohteil</translation>
+    </message>
+    <message>
+        <source>Rapid not checked</source>
+        <translation>Eilgang nicht geprüft</translation>
+    </message>
+    <message>
+        <source>Stock above head not shown</source>
+        <translation>Rohteil über dem Kopf nicht gezeigt</translation>
+    </message>
+    <message>
+        <source>More findings</source>
+        <translation>Weitere Befunde</translation>
+    </message>
+    <message>
+        <source>Tool not confirmed</source>
+        <translation>Werkzeug nicht bestätigt</translation>
+    </message>
+    <message>
+        <source>Tool assumed</source>
+        <translation>Werkzeug angenommen</translation>
+    </message>
+    <message>
+        <source>Tool not defined</source>
+        <translation>Werkzeug nicht definiert</translation>
+    </message>
+    <message>
+        <source>No tool</source>
+        <translation>Kein Werkzeug</translation>
+    </message>
+    <message>
+        <source>Box needs too much memory</source>
+        <translation>Bereich braucht zu viel Speicher</translation>
+    </message>
+    <message>
+        <source>Out of memory</source>
+        <translation>Speicher erschöpft</translation>
+    </message>
+    <message>
+        <source>Simulation stopped</source>
+        <translation>Simulation angehalten</translation>
+    </message>
+    <message>
+        <source>Condition too long</source>
+        <translation>Bedingung zu lang</translation>
+    </message>
+    <message>
+        <source>Invalid condition</source>
+        <translation>Ungültige Bedingung</translation>
+    </message>
+    <message>
+        <source>Study stopped</source>
+        <translation>Studie angehalten</translation>
+    </message>
+    <message>
+        <source>Nothing to optimise</source>
+        <translation>Nichts zu optimieren</translation>
     </message>
 </context>
 <context>

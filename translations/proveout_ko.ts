@@ -549,7 +549,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>a program with its stock, tools and parameters</source>
-        <translation>소재, 공구, 매개변수를 포함한 프로그램</translation>
+        <translation>소재, 공구, 파라미터를 포함한 프로그램</translation>
     </message>
     <message>
         <source>The field &quot;{}&quot; is no cutter: {}</source>
@@ -781,7 +781,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>set offsets</source>
-        <translation>오프셋 설정</translation>
+        <translation>옵셋 설정</translation>
     </message>
     <message>
         <source>clockwise circular pocket</source>
@@ -833,19 +833,19 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>go to reference position</source>
-        <translation>기준점 복귀</translation>
+        <translation>원점 복귀</translation>
     </message>
     <message>
         <source>store reference position</source>
-        <translation>기준점 저장</translation>
+        <translation>원점 저장</translation>
     </message>
     <message>
         <source>go to second reference position</source>
-        <translation>제2 기준점 복귀</translation>
+        <translation>제2 원점 복귀</translation>
     </message>
     <message>
         <source>store second reference position</source>
-        <translation>제2 기준점 저장</translation>
+        <translation>제2 원점 저장</translation>
     </message>
     <message>
         <source>skip motion (probe)</source>
@@ -1261,15 +1261,15 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>local subprogram call</source>
-        <translation>로컬 부프로그램 호출</translation>
+        <translation>로컬 서브프로그램 호출</translation>
     </message>
     <message>
         <source>subprogram call</source>
-        <translation>부프로그램 호출</translation>
+        <translation>서브프로그램 호출</translation>
     </message>
     <message>
         <source>end of subprogram</source>
-        <translation>부프로그램 끝</translation>
+        <translation>서브프로그램 끝</translation>
     </message>
     <message>
         <source>rotary axis about X</source>
@@ -1289,7 +1289,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>parameter of a code</source>
-        <translation>코드의 매개변수</translation>
+        <translation>코드의 파라미터</translation>
     </message>
     <message>
         <source>feed rate</source>
@@ -1325,7 +1325,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>dwell in seconds, turns of an arc, or a parameter</source>
-        <translation>드웰 시간(초), 원호 회전수 또는 매개변수</translation>
+        <translation>드웰 시간(초), 원호 회전수 또는 파라미터</translation>
     </message>
     <message>
         <source>arc radius, or a retract level</source>
@@ -1577,7 +1577,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The parameter &quot;{}&quot; is {}; it must lie in {} … {}.</source>
-        <translation>매개변수 &quot;{}&quot;이(가) {}입니다. {} … {} 범위여야 합니다.</translation>
+        <translation>파라미터 &quot;{}&quot;이(가) {}입니다. {} … {} 범위여야 합니다.</translation>
     </message>
     <message>
         <source>The simulation needs more memory than there is.</source>
@@ -2261,15 +2261,15 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The parameter {} was never set.</source>
-        <translation>매개변수 {}의 값이 설정된 적이 없습니다.</translation>
+        <translation>파라미터 {}의 값이 설정된 적이 없습니다.</translation>
     </message>
     <message>
         <source>Set it first; a name without _ at its front is known in its own subprogram only.</source>
-        <translation>먼저 값을 설정하십시오. 앞에 _가 없는 이름은 해당 부프로그램 안에서만 유효합니다.</translation>
+        <translation>먼저 값을 설정하십시오. 앞에 _가 없는 이름은 해당 서브프로그램 안에서만 유효합니다.</translation>
     </message>
     <message>
         <source>{} is not a whole number, so that it names no parameter.</source>
-        <translation>{}은(는) 정수가 아니어서 매개변수를 가리키지 않습니다.</translation>
+        <translation>{}은(는) 정수가 아니어서 파라미터를 가리키지 않습니다.</translation>
     </message>
     <message>
         <source>Round it with FIX or ROUND.</source>
@@ -2281,7 +2281,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The parameter {} can be read only.</source>
-        <translation>매개변수 {}은(는) 읽기 전용입니다.</translation>
+        <translation>파라미터 {}은(는) 읽기 전용입니다.</translation>
     </message>
     <message>
         <source>Use another number.</source>
@@ -2313,7 +2313,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The program has more than 100000 named parameters at once; {} was not set.</source>
-        <translation>이름 있는 매개변수가 동시에 100000개를 넘어 {}을(를) 설정하지 않았습니다.</translation>
+        <translation>이름 있는 파라미터가 동시에 100000개를 넘어 {}을(를) 설정하지 않았습니다.</translation>
     </message>
     <message>
         <source>Use fewer names, or numbers.</source>
@@ -2353,7 +2353,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>EXISTS asks for a named parameter: EXISTS[#&lt;name&gt;].</source>
-        <translation>EXISTS에는 이름 있는 매개변수가 필요합니다: EXISTS[#&lt;이름&gt;].</translation>
+        <translation>EXISTS에는 이름 있는 파라미터가 필요합니다: EXISTS[#&lt;이름&gt;].</translation>
     </message>
     <message>
         <source>Write the name between &quot;&lt;&quot; and &quot;&gt;&quot;.</source>
@@ -2365,7 +2365,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>A parameter at the beginning of a word is set, for example #1=10.</source>
-        <translation>워드 맨 앞의 매개변수에는 값을 대입합니다. 예: #1=10.</translation>
+        <translation>워드 맨 앞의 파라미터에는 값을 대입합니다. 예: #1=10.</translation>
     </message>
     <message>
         <source>The number behind O is no whole number from 0 on.</source>
@@ -2380,8 +2380,8 @@ Default: 0 mm</source>
         <translation>&quot;{}&quot;은(는) O 워드 뒤에 올 수 있는 키워드가 아닙니다.</translation>
     </message>
     <message>
-        <source>sub, endsub, call, return, if, elseif, else, endif, do, while, endwhile, repeat, endrepeat, break, continue.</source>
-        <translation>sub, endsub, call, return, if, elseif, else, endif, do, while, endwhile, repeat, endrepeat, break, continue.</translation>
+        <source>Use sub, endsub, call, return, if, elseif, else, endif, do, while, endwhile, repeat, endrepeat, break or continue.</source>
+        <translation>sub, endsub, call, return, if, elseif, else, endif, do, while, endwhile, repeat, endrepeat, break, continue 중 하나를 쓰십시오.</translation>
     </message>
     <message>
         <source>The O word does not begin the block.</source>
@@ -2401,11 +2401,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Both need the same label, in the same subprogram.</source>
-        <translation>둘 다 같은 부프로그램 안에서 같은 레이블을 써야 합니다.</translation>
+        <translation>둘 다 같은 서브프로그램 안에서 같은 레이블을 써야 합니다.</translation>
     </message>
     <message>
         <source>The label O{} is used already in line {} of this subprogram or main program.</source>
-        <translation>레이블 O{}은(는) 이 부프로그램 또는 주프로그램의 {}번 줄에서 이미 쓰였습니다.</translation>
+        <translation>레이블 O{}은(는) 이 서브프로그램 또는 주프로그램의 {}번 줄에서 이미 쓰였습니다.</translation>
     </message>
     <message>
         <source>Give each branch and each loop a label of its own.</source>
@@ -2429,11 +2429,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>O{} sub stands within another subprogram.</source>
-        <translation>O{} sub이(가) 다른 부프로그램 안에 있습니다.</translation>
+        <translation>O{} sub이(가) 다른 서브프로그램 안에 있습니다.</translation>
     </message>
     <message>
         <source>Close the other one with endsub before it.</source>
-        <translation>그 앞에서 다른 부프로그램을 endsub로 끝내십시오.</translation>
+        <translation>그 앞에서 다른 서브프로그램을 endsub로 끝내십시오.</translation>
     </message>
     <message>
         <source>{} needs a condition in brackets.</source>
@@ -2445,15 +2445,15 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>There is no subprogram {}, in this file or as {}.</source>
-        <translation>부프로그램 {}이(가) 이 파일에도 없고 {} 파일로도 없습니다.</translation>
+        <translation>서브프로그램 {}이(가) 이 파일에도 없고 {} 파일로도 없습니다.</translation>
     </message>
     <message>
         <source>Check the name and the folders of subprograms.</source>
-        <translation>이름과 부프로그램 폴더를 확인하십시오.</translation>
+        <translation>이름과 서브프로그램 폴더를 확인하십시오.</translation>
     </message>
     <message>
         <source>The subprogram {} is not opened: its name leads out of the folders of subprograms.</source>
-        <translation>부프로그램 {}을(를) 열지 않습니다. 이름이 부프로그램 폴더 밖을 가리킵니다.</translation>
+        <translation>서브프로그램 {}을(를) 열지 않습니다. 이름이 서브프로그램 폴더 밖을 가리킵니다.</translation>
     </message>
     <message>
         <source>Use a name without &quot;/&quot; and &quot;..&quot;.</source>
@@ -2461,7 +2461,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The subprogram {} cannot be read: {}</source>
-        <translation>부프로그램 {}을(를) 읽을 수 없습니다: {}</translation>
+        <translation>서브프로그램 {}을(를) 읽을 수 없습니다: {}</translation>
     </message>
     <message>
         <source>Check the file.</source>
@@ -2469,7 +2469,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The file ends within the subprogram {}.</source>
-        <translation>파일이 부프로그램 {} 안에서 끝납니다.</translation>
+        <translation>파일이 서브프로그램 {} 안에서 끝납니다.</translation>
     </message>
     <message>
         <source>Close it with endsub or M99.</source>
@@ -2477,11 +2477,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Subprograms call each other deeper than {} levels: {}.</source>
-        <translation>부프로그램 호출이 {}단계보다 깊습니다: {}.</translation>
+        <translation>서브프로그램 호출이 {}단계보다 깊습니다: {}.</translation>
     </message>
     <message>
         <source>Check for a subprogram that calls itself without end.</source>
-        <translation>자신을 끝없이 호출하는 부프로그램이 있는지 확인하십시오.</translation>
+        <translation>자신을 끝없이 호출하는 서브프로그램이 있는지 확인하십시오.</translation>
     </message>
     <message>
         <source>The call has more than 30 arguments.</source>
@@ -2489,11 +2489,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Pass the others in global parameters.</source>
-        <translation>나머지는 전역 매개변수로 넘기십시오.</translation>
+        <translation>나머지는 전역 파라미터로 넘기십시오.</translation>
     </message>
     <message>
         <source>{} stands outside of a subprogram.</source>
-        <translation>{}이(가) 부프로그램 밖에 있습니다.</translation>
+        <translation>{}이(가) 서브프로그램 밖에 있습니다.</translation>
     </message>
     <message>
         <source>Remove it, or put it between sub and endsub.</source>
@@ -2629,7 +2629,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Motions to reference positions are taken to lead away from the part.</source>
-        <translation>기준점으로 가는 이송은 공작물에서 멀어지는 것으로 봅니다.</translation>
+        <translation>원점으로 가는 이송은 공작물에서 멀어지는 것으로 봅니다.</translation>
     </message>
     <message>
         <source>The cycle {} needs the word {}.</source>
@@ -2845,7 +2845,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Remove it, or write G8; X is shown as a radius.</source>
-        <translation>지우거나 G8을 쓰십시오. X는 반지름으로 표시됩니다.</translation>
+        <translation>지우거나 G8을 쓰십시오. X는 반경으로 표시됩니다.</translation>
     </message>
     <message>
         <source>With G96 the spindle follows X; it is taken to turn at its limit D, {} rpm.</source>
@@ -3141,7 +3141,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>There is no parameter with the number {}.</source>
-        <translation>번호가 {}인 매개변수가 없습니다.</translation>
+        <translation>번호가 {}인 파라미터가 없습니다.</translation>
     </message>
     <message>
         <source>{} needs two arguments.</source>
@@ -3221,7 +3221,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Dialect detected: {} (from {}).</source>
-        <translation>감지된 방언: {}(근거: {}).</translation>
+        <translation>감지된 제어기 방식: {}(근거: {}).</translation>
     </message>
     <message>
         <source>Choose the dialect yourself if that is wrong.</source>
@@ -3421,7 +3421,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>diameter mode</source>
-        <translation>직경 모드</translation>
+        <translation>지름 모드</translation>
     </message>
     <message>
         <source>stop</source>
@@ -3589,7 +3589,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>No pocket leads from radius {} mm to {} mm with a tool of radius {} mm.</source>
-        <translation>반지름 {} mm부터 {} mm까지의 포켓은 반지름 {} mm인 공구로 가공할 수 없습니다.</translation>
+        <translation>반경 {} mm부터 {} mm까지의 포켓은 반경 {} mm인 공구로 가공할 수 없습니다.</translation>
     </message>
     <message>
         <source>Check I, K and D; the pocket is not milled.</source>
@@ -3617,7 +3617,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The arc has both a centre and a radius; the radius counts.</source>
-        <translation>원호에 중심과 반지름이 모두 있습니다. 반지름이 적용됩니다.</translation>
+        <translation>원호에 중심과 반경이 모두 있습니다. 반경이 적용됩니다.</translation>
     </message>
     <message>
         <source>Other controls refuse this; keep one.</source>
@@ -3629,11 +3629,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The arc has neither a centre nor a radius: the control moves straight, or stops with an alarm.</source>
-        <translation>원호에 중심도 반지름도 없습니다. 제어기는 직선으로 이동하거나 알람으로 정지합니다.</translation>
+        <translation>원호에 중심도 반경도 없습니다. 제어기는 직선으로 이동하거나 알람으로 정지합니다.</translation>
     </message>
     <message>
         <source>Give the centre with I, J or K, or the radius with R.</source>
-        <translation>I, J, K로 중심을 지정하거나 R로 반지름을 지정하십시오.</translation>
+        <translation>I, J, K로 중심을 지정하거나 R로 반경을 지정하십시오.</translation>
     </message>
     <message>
         <source>Position in the program</source>
@@ -3773,7 +3773,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The tool with a radius of {} mm goes backward in the motion of line {}; the control leaves out points of the corner before it, or stops (alarm 041).</source>
-        <translation>반지름 {} mm의 공구가 {}행의 동작에서 거꾸로 갑니다. 컨트롤러는 그 앞 모서리의 점을 생략하거나 정지합니다(알람 041).</translation>
+        <translation>반경 {} mm의 공구가 {}번 줄의 동작에서 거꾸로 갑니다. 제어기는 그 앞 모서리의 점을 생략하거나 정지합니다(알람 041).</translation>
     </message>
     <message>
         <source>The compensated arc begins {} mm off its circle.</source>
@@ -3781,7 +3781,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Change side, radius or code of compensation before a straight motion.</source>
-        <translation>보정의 방향, 반지름, 코드는 직선 동작 앞에서 바꾸십시오.</translation>
+        <translation>보정의 방향, 반경, 코드는 직선 동작 앞에서 바꾸십시오.</translation>
     </message>
     <message>
         <source>Interpretation was stopped before this line; the last one was {}.</source>
@@ -3793,111 +3793,111 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The control answers error:20 (unsupported command) and drops the block; take it out.</source>
-        <translation>컨트롤러가 error:20(지원하지 않는 명령)으로 답하고 블록을 버립니다. 해당 부분을 빼십시오.</translation>
+        <translation>제어기가 error:20(지원하지 않는 명령)으로 답하고 블록을 버립니다. 해당 부분을 빼십시오.</translation>
     </message>
     <message>
         <source>The control answers error:1 (letter expected) and drops the block; remove the character.</source>
-        <translation>컨트롤러가 error:1(문자가 와야 함)로 답하고 블록을 버립니다. 그 글자를 지우십시오.</translation>
+        <translation>제어기가 error:1(문자가 와야 함)로 답하고 블록을 버립니다. 그 글자를 지우십시오.</translation>
     </message>
     <message>
         <source>The control answers error:2 (bad number) and drops the block; write the number.</source>
-        <translation>컨트롤러가 error:2(잘못된 숫자)로 답하고 블록을 버립니다. 숫자를 쓰십시오.</translation>
+        <translation>제어기가 error:2(잘못된 숫자)로 답하고 블록을 버립니다. 숫자를 쓰십시오.</translation>
     </message>
     <message>
         <source>The control answers error:2 (bad number) and drops the block; write one sign.</source>
-        <translation>컨트롤러가 error:2(잘못된 숫자)로 답하고 블록을 버립니다. 부호를 하나만 쓰십시오.</translation>
+        <translation>제어기가 error:2(잘못된 숫자)로 답하고 블록을 버립니다. 부호를 하나만 쓰십시오.</translation>
     </message>
     <message>
         <source>The control answers error:2 (bad number) and drops the block; keep one point.</source>
-        <translation>컨트롤러가 error:2(잘못된 숫자)로 답하고 블록을 버립니다. 소수점을 하나만 남기십시오.</translation>
+        <translation>제어기가 error:2(잘못된 숫자)로 답하고 블록을 버립니다. 소수점을 하나만 남기십시오.</translation>
     </message>
     <message>
         <source>The control answers error:1 or error:2 and drops the block; let the CAM system write plain numbers.</source>
-        <translation>컨트롤러가 error:1 또는 error:2로 답하고 블록을 버립니다. CAM 시스템이 일반 숫자를 쓰게 하십시오.</translation>
+        <translation>제어기가 error:1 또는 error:2로 답하고 블록을 버립니다. CAM 시스템이 일반 숫자를 쓰게 하십시오.</translation>
     </message>
     <message>
         <source>The control answers error:4 (negative value) and drops the block; correct the number.</source>
-        <translation>컨트롤러가 error:4(음수 값)로 답하고 블록을 버립니다. 숫자를 고치십시오.</translation>
+        <translation>제어기가 error:4(음수 값)로 답하고 블록을 버립니다. 숫자를 고치십시오.</translation>
     </message>
     <message>
         <source>The control answers error:21 (two codes of one group) and drops the block; make two blocks.</source>
-        <translation>컨트롤러가 error:21(한 그룹의 코드가 둘)로 답하고 블록을 버립니다. 두 블록으로 나누십시오.</translation>
+        <translation>제어기가 error:21(한 그룹의 코드가 둘)로 답하고 블록을 버립니다. 두 블록으로 나누십시오.</translation>
     </message>
     <message>
         <source>The control answers error:22 (no feed rate) and drops the block, its motion code too; give F.</source>
-        <translation>컨트롤러가 error:22(이송 속도 없음)로 답하고 이동 코드까지 포함해 블록을 버립니다. F를 지정하십시오.</translation>
+        <translation>제어기가 error:22(이송 속도 없음)로 답하고 이동 코드까지 포함해 블록을 버립니다. F를 지정하십시오.</translation>
     </message>
     <message>
         <source>The control answers error:20 or error:23 and drops the block; take the code out.</source>
-        <translation>컨트롤러가 error:20 또는 error:23으로 답하고 블록을 버립니다. 코드를 빼십시오.</translation>
+        <translation>제어기가 error:20 또는 error:23으로 답하고 블록을 버립니다. 코드를 빼십시오.</translation>
     </message>
     <message>
         <source>The control answers error:24 (two codes use the axis words) and drops the block; make two blocks.</source>
-        <translation>컨트롤러가 error:24(두 코드가 축 워드를 사용)로 답하고 블록을 버립니다. 두 블록으로 나누십시오.</translation>
+        <translation>제어기가 error:24(두 코드가 축 워드를 사용)로 답하고 블록을 버립니다. 두 블록으로 나누십시오.</translation>
     </message>
     <message>
         <source>The control answers error:25 (repeated word) and drops the block; make two blocks.</source>
-        <translation>컨트롤러가 error:25(워드 반복)로 답하고 블록을 버립니다. 두 블록으로 나누십시오.</translation>
+        <translation>제어기가 error:25(워드 반복)로 답하고 블록을 버립니다. 두 블록으로 나누십시오.</translation>
     </message>
     <message>
         <source>The control answers error:26 (no axis words) or error:28 (a word is missing) and drops the block; add the word.</source>
-        <translation>컨트롤러가 error:26(축 워드 없음) 또는 error:28(워드 누락)로 답하고 블록을 버립니다. 워드를 추가하십시오.</translation>
+        <translation>제어기가 error:26(축 워드 없음) 또는 error:28(워드 누락)로 답하고 블록을 버립니다. 워드를 추가하십시오.</translation>
     </message>
     <message>
         <source>The control answers error:29 to P of G10, error:38 to T, and drops the block; correct the number.</source>
-        <translation>컨트롤러가 G10의 P에는 error:29, T에는 error:38로 답하고 블록을 버립니다. 숫자를 고치십시오.</translation>
+        <translation>제어기가 G10의 P에는 error:29, T에는 error:38로 답하고 블록을 버립니다. 숫자를 고치십시오.</translation>
     </message>
     <message>
         <source>The control answers error:30 (G53 needs G0 or G1) and drops the block; write G53 G0 or G53 G1.</source>
-        <translation>컨트롤러가 error:30(G53에는 G0 또는 G1이 필요)으로 답하고 블록을 버립니다. G53 G0 또는 G53 G1을 쓰십시오.</translation>
+        <translation>제어기가 error:30(G53에는 G0 또는 G1이 필요)으로 답하고 블록을 버립니다. G53 G0 또는 G53 G1을 쓰십시오.</translation>
     </message>
     <message>
         <source>The control answers error:31 (axis words without a motion) and drops the block; write G0 or G1.</source>
-        <translation>컨트롤러가 error:31(이동 없는 축 워드)로 답하고 블록을 버립니다. G0 또는 G1을 쓰십시오.</translation>
+        <translation>제어기가 error:31(이동 없는 축 워드)로 답하고 블록을 버립니다. G0 또는 G1을 쓰십시오.</translation>
     </message>
     <message>
         <source>The control answers error:26 or error:32 and drops the block; write the end point, also of a full circle.</source>
-        <translation>컨트롤러가 error:26 또는 error:32로 답하고 블록을 버립니다. 완전한 원에도 끝점을 쓰십시오.</translation>
+        <translation>제어기가 error:26 또는 error:32로 답하고 블록을 버립니다. 완전한 원에도 끝점을 쓰십시오.</translation>
     </message>
     <message>
         <source>The control answers error:33 (invalid target): the radii may differ by 0.005 mm, and by 0.1 % up to 0.5 mm; check the centre.</source>
-        <translation>컨트롤러가 error:33(잘못된 목표)으로 답합니다. 반지름은 0.005 mm까지, 그리고 0.5 mm 이내에서 0.1 %까지 다를 수 있습니다. 중심을 확인하십시오.</translation>
+        <translation>제어기가 error:33(잘못된 목표)으로 답합니다. 반경은 0.005 mm까지, 그리고 0.5 mm 이내에서 0.1 %까지 다를 수 있습니다. 중심을 확인하십시오.</translation>
     </message>
     <message>
         <source>The control answers error:33 (invalid target) and drops the block; give a full circle its centre.</source>
-        <translation>컨트롤러가 error:33(잘못된 목표)으로 답하고 블록을 버립니다. 완전한 원에는 중심을 지정하십시오.</translation>
+        <translation>제어기가 error:33(잘못된 목표)으로 답하고 블록을 버립니다. 완전한 원에는 중심을 지정하십시오.</translation>
     </message>
     <message>
         <source>The control answers error:33 (invalid target) and drops the block; check the axis words.</source>
-        <translation>컨트롤러가 error:33(잘못된 목표)으로 답하고 블록을 버립니다. 축 워드를 확인하십시오.</translation>
+        <translation>제어기가 error:33(잘못된 목표)으로 답하고 블록을 버립니다. 축 워드를 확인하십시오.</translation>
     </message>
     <message>
         <source>The control answers error:34 (arc radius) and drops the block; check R and the end point.</source>
-        <translation>컨트롤러가 error:34(원호 반지름)로 답하고 블록을 버립니다. R과 끝점을 확인하십시오.</translation>
+        <translation>제어기가 error:34(원호 반경)로 답하고 블록을 버립니다. R과 끝점을 확인하십시오.</translation>
     </message>
     <message>
         <source>The control answers error:35 (no centre in the plane) and drops the block; give I, J or K of the plane, or R.</source>
-        <translation>컨트롤러가 error:35(평면에 중심 없음)로 답하고 블록을 버립니다. 평면의 I, J, K 또는 R을 지정하십시오.</translation>
+        <translation>제어기가 error:35(평면에 중심 없음)로 답하고 블록을 버립니다. 평면의 I, J, K 또는 R을 지정하십시오.</translation>
     </message>
     <message>
         <source>The control answers error:36 (unused words) and drops the block; keep the centre or the radius.</source>
-        <translation>컨트롤러가 error:36(사용되지 않은 워드)으로 답하고 블록을 버립니다. 중심이나 반지름 중 하나만 남기십시오.</translation>
+        <translation>제어기가 error:36(사용되지 않은 워드)으로 답하고 블록을 버립니다. 중심이나 반경 중 하나만 남기십시오.</translation>
     </message>
     <message>
         <source>The control answers error:36 (unused words) and drops the block; take the word out.</source>
-        <translation>컨트롤러가 error:36(사용되지 않은 워드)으로 답하고 블록을 버립니다. 워드를 빼십시오.</translation>
+        <translation>제어기가 error:36(사용되지 않은 워드)으로 답하고 블록을 버립니다. 워드를 빼십시오.</translation>
     </message>
     <message>
         <source>The control answers error:37 and drops the block; write G43.1 Z… alone.</source>
-        <translation>컨트롤러가 error:37로 답하고 블록을 버립니다. G43.1 Z…만 쓰십시오.</translation>
+        <translation>제어기가 error:37로 답하고 블록을 버립니다. G43.1 Z…만 쓰십시오.</translation>
     </message>
     <message>
         <source>seek the reference switches</source>
-        <translation>기준점 스위치 찾기</translation>
+        <translation>원점 스위치 찾기</translation>
     </message>
     <message>
         <source>work offset 6, or by its number</source>
-        <translation>작업 오프셋 6, 또는 번호로 지정</translation>
+        <translation>공작물 좌표계 6, 또는 번호로 지정</translation>
     </message>
     <message>
         <source>begin the program again</source>
@@ -3905,11 +3905,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The program has N{} more than once; the jump goes to the one in line {}.</source>
-        <translation>프로그램에 N{} 블록이 둘 이상 있으며, 점프는 {}행의 블록으로 갑니다.</translation>
+        <translation>프로그램에 N{} 블록이 둘 이상 있으며, 점프는 {}번 줄의 블록으로 갑니다.</translation>
     </message>
     <message>
         <source>Controls search in different directions; give each target a number of its own.</source>
-        <translation>컨트롤러마다 찾는 방향이 다릅니다. 목표마다 고유한 번호를 주십시오.</translation>
+        <translation>제어기마다 찾는 방향이 다릅니다. 목표마다 고유한 번호를 주십시오.</translation>
     </message>
     <message>
         <source>{} belongs to no modal group of milling that the manuals name.</source>
@@ -3917,27 +3917,27 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Only the control itself can tell its value; what follows from it cannot be verified.</source>
-        <translation>그 값은 컨트롤러만 알 수 있으므로 이에 따른 결과는 검증할 수 없습니다.</translation>
+        <translation>그 값은 제어기만 알 수 있으므로 이에 따른 결과는 검증할 수 없습니다.</translation>
     </message>
     <message>
         <source>{} is no order of this control.</source>
-        <translation>{} 코드는 이 컨트롤러의 명령이 아닙니다.</translation>
+        <translation>{} 코드는 이 제어기의 명령이 아닙니다.</translation>
     </message>
     <message>
         <source>The control drops the block, and so does the simulation; take the code out.</source>
-        <translation>컨트롤러가 블록을 버리며 시뮬레이션도 그렇게 합니다. 코드를 빼십시오.</translation>
+        <translation>제어기가 블록을 버리며 시뮬레이션도 그렇게 합니다. 코드를 빼십시오.</translation>
     </message>
     <message>
         <source>This control has no word {}.</source>
-        <translation>이 컨트롤러에는 {} 워드가 없습니다.</translation>
+        <translation>이 제어기에는 {} 워드가 없습니다.</translation>
     </message>
     <message>
         <source>The control drops the block, and so does the simulation; take the word out.</source>
-        <translation>컨트롤러가 블록을 버리며 시뮬레이션도 그렇게 합니다. 워드를 빼십시오.</translation>
+        <translation>제어기가 블록을 버리며 시뮬레이션도 그렇게 합니다. 워드를 빼십시오.</translation>
     </message>
     <message>
         <source>This control has neither parameters nor expressions.</source>
-        <translation>이 컨트롤러에는 매개변수도 식도 없습니다.</translation>
+        <translation>이 제어기에는 파라미터도 식도 없습니다.</translation>
     </message>
     <message>
         <source>Let the CAM system write plain numbers.</source>
@@ -3945,11 +3945,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The line has {} characters without blanks and comments; the control reads no more than {}.</source>
-        <translation>이 행은 공백과 주석을 빼고 {}자인데 컨트롤러는 {}자까지만 읽습니다.</translation>
+        <translation>이 줄은 공백과 주석을 빼고 {}자인데 제어기는 {}자까지만 읽습니다.</translation>
     </message>
     <message>
         <source>The control answers error:11 and drops the line; split it.</source>
-        <translation>컨트롤러가 error:11로 답하고 행을 버립니다. 행을 나누십시오.</translation>
+        <translation>제어기가 error:11로 답하고 줄을 버립니다. 줄을 나누십시오.</translation>
     </message>
     <message>
         <source>The block number is larger than {}.</source>
@@ -3957,19 +3957,19 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The control answers error:27 and drops the block; number the blocks anew.</source>
-        <translation>컨트롤러가 error:27로 답하고 블록을 버립니다. 블록 번호를 다시 매기십시오.</translation>
+        <translation>제어기가 error:27로 답하고 블록을 버립니다. 블록 번호를 다시 매기십시오.</translation>
     </message>
     <message>
         <source>{} is an order to the control itself; it is not carried out here.</source>
-        <translation>{} 명령은 컨트롤러 자체에 대한 것이므로 여기서는 실행하지 않습니다.</translation>
+        <translation>{} 명령은 제어기 자체에 대한 것이므로 여기서는 실행하지 않습니다.</translation>
     </message>
     <message>
         <source>It may move axes, change settings or clear offsets; send it apart from the program.</source>
-        <translation>축을 움직이거나 설정을 바꾸거나 오프셋을 지울 수 있습니다. 프로그램과 따로 보내십시오.</translation>
+        <translation>축을 움직이거나 설정을 바꾸거나 옵셋을 지울 수 있습니다. 프로그램과 따로 보내십시오.</translation>
     </message>
     <message>
         <source>The character {} is an order to the control that counts wherever it stands, also in comments.</source>
-        <translation>{} 문자는 어디에 있든, 주석 안에서도, 컨트롤러에 대한 명령으로 작용합니다.</translation>
+        <translation>{} 문자는 어디에 있든, 주석 안에서도, 제어기에 대한 명령으로 작용합니다.</translation>
     </message>
     <message>
         <source>It may stop the machine or change an override; take it out.</source>
@@ -3977,7 +3977,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The character {} resets the control or stops it in the middle of the program.</source>
-        <translation>{} 문자는 프로그램 도중에 컨트롤러를 재설정하거나 멈춥니다.</translation>
+        <translation>{} 문자는 프로그램 도중에 제어기를 재설정하거나 멈춥니다.</translation>
     </message>
     <message>
         <source>Take it out.</source>
@@ -3985,7 +3985,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>This control has no block delete: it runs what stands behind &quot;/&quot;.</source>
-        <translation>이 컨트롤러에는 블록 건너뛰기가 없어 &quot;/&quot; 뒤의 내용을 실행합니다.</translation>
+        <translation>이 제어기에는 블록 건너뛰기가 없어 &quot;/&quot; 뒤의 내용을 실행합니다.</translation>
     </message>
     <message>
         <source>Take the blocks out that are not to run.</source>
@@ -3993,15 +3993,15 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>This control does not know &quot;%&quot;.</source>
-        <translation>이 컨트롤러는 &quot;%&quot;를 알지 못합니다.</translation>
+        <translation>이 제어기는 &quot;%&quot;를 알지 못합니다.</translation>
     </message>
     <message>
         <source>The control answers error:1 unless the sender keeps the line back; remove it.</source>
-        <translation>전송 프로그램이 그 행을 빼지 않으면 컨트롤러가 error:1로 답합니다. 행을 지우십시오.</translation>
+        <translation>전송 프로그램이 그 줄을 빼지 않으면 제어기가 error:1로 답합니다. 줄을 지우십시오.</translation>
     </message>
     <message>
         <source>T{} is read, but changes nothing: this control has no tool change.</source>
-        <translation>T{} 워드를 읽지만 아무것도 바뀌지 않습니다. 이 컨트롤러에는 공구 교환이 없습니다.</translation>
+        <translation>T{} 워드를 읽지만 아무것도 바뀌지 않습니다. 이 제어기에는 공구 교환이 없습니다.</translation>
     </message>
     <message>
         <source>Make one program for each tool, or change it by hand behind M0.</source>
@@ -4009,7 +4009,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>This control does not stop at M1.</source>
-        <translation>이 컨트롤러는 M1에서 멈추지 않습니다.</translation>
+        <translation>이 제어기는 M1에서 멈추지 않습니다.</translation>
     </message>
     <message>
         <source>Write M0 where it has to stop.</source>
@@ -4025,7 +4025,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The centre word {} lies outside the plane of the arc; the control ignores it.</source>
-        <translation>중심 워드 {}는 원호의 평면 밖에 있어 컨트롤러가 무시합니다.</translation>
+        <translation>중심 워드 {}는 원호의 평면 밖에 있어 제어기가 무시합니다.</translation>
     </message>
     <message>
         <source>The arc names no axis of its plane as its end.</source>
@@ -4037,7 +4037,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>G43.1 takes the word Z and no other axis on this control.</source>
-        <translation>이 컨트롤러에서 G43.1은 Z 워드만 받고 다른 축은 받지 않습니다.</translation>
+        <translation>이 제어기에서 G43.1은 Z 워드만 받고 다른 축은 받지 않습니다.</translation>
     </message>
     <message>
         <source>Write G43.1 Z… in a block of its own.</source>
@@ -4045,7 +4045,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>This control knows O with a number alone, as the beginning of a subprogram.</source>
-        <translation>이 컨트롤러는 숫자만 붙은 O를 서브프로그램의 시작으로만 압니다.</translation>
+        <translation>이 제어기는 숫자만 붙은 O를 서브프로그램의 시작으로만 압니다.</translation>
     </message>
     <message>
         <source>Call it with M98 and end it with M99.</source>
@@ -4053,15 +4053,15 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>A setting of the control decides whether the dwell of {} is {} s or {} s; it is taken as the first.</source>
-        <translation>{} 정지 시간이 {}초인지 {}초인지는 컨트롤러 설정이 결정합니다. 앞의 값으로 봅니다.</translation>
+        <translation>{} 정지 시간이 {}초인지 {}초인지는 제어기 설정이 결정합니다. 앞의 값으로 봅니다.</translation>
     </message>
     <message>
         <source>Check on the control whether P counts seconds or milliseconds.</source>
-        <translation>P가 초인지 밀리초인지 컨트롤러에서 확인하십시오.</translation>
+        <translation>P가 초인지 밀리초인지 제어기에서 확인하십시오.</translation>
     </message>
     <message>
         <source>The arc fits with its centre counted from the start point and also from the origin; a setting of the control decides, and it is taken from the start point.</source>
-        <translation>원호의 중심을 시작점에서 세어도, 원점에서 세어도 맞습니다. 컨트롤러 설정이 결정하며 여기서는 시작점 기준으로 봅니다.</translation>
+        <translation>원호의 중심을 시작점에서 세어도, 원점에서 세어도 맞습니다. 제어기 설정이 결정하며 여기서는 시작점 기준으로 봅니다.</translation>
     </message>
     <message>
         <source>Write G91.1 or G90.1 at the beginning of the program.</source>
@@ -4113,7 +4113,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>{} seeks the reference switches; where the axes stand afterwards, only the machine knows.</source>
-        <translation>{} 코드는 기준점 스위치를 찾습니다. 그 뒤 축의 위치는 기계만 압니다.</translation>
+        <translation>{} 코드는 원점 스위치를 찾습니다. 그 뒤 축의 위치는 기계만 압니다.</translation>
     </message>
     <message>
         <source>Position the axes before the next cut.</source>
@@ -4121,11 +4121,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Nothing leads to this line: line {} leaves the blocks before it for good.</source>
-        <translation>이 행에 이르는 길이 없습니다. {}행에서 앞의 블록을 완전히 벗어납니다.</translation>
+        <translation>이 줄에 이르는 길이 없습니다. {}번 줄에서 앞의 블록을 완전히 벗어납니다.</translation>
     </message>
     <message>
         <source>Remove it, or give it the block number or the label that something jumps to.</source>
-        <translation>행을 지우거나 점프 목표인 블록 번호 또는 레이블을 붙이십시오.</translation>
+        <translation>줄을 지우거나 점프 목표인 블록 번호 또는 레이블을 붙이십시오.</translation>
     </message>
     <message>
         <source>T{} is selected, but the tool table does not have it.</source>
@@ -4141,11 +4141,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>corner radius</source>
-        <translation>모서리 반지름</translation>
+        <translation>코너 반경</translation>
     </message>
     <message>
         <source>No straight or circular motion stands on both sides of the chamfer or corner radius (alarm 051).</source>
-        <translation>모따기 또는 모서리 반지름의 양쪽에 직선 또는 원호 동작이 없습니다(알람 051).</translation>
+        <translation>모따기 또는 코너 반경의 양쪽에 직선 또는 원호 동작이 없습니다(알람 051).</translation>
     </message>
     <message>
         <source>Let G1, G2 or G3 in the plane follow; the corner stays sharp.</source>
@@ -4153,7 +4153,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The chamfer or corner radius of {} mm does not fit between the motions (alarm 055).</source>
-        <translation>{} mm의 모따기 또는 모서리 반지름이 동작 사이에 들어가지 않습니다(알람 055).</translation>
+        <translation>{} mm의 모따기 또는 코너 반경이 동작 사이에 들어가지 않습니다(알람 055).</translation>
     </message>
     <message>
         <source>Use a smaller one; the corner stays sharp.</source>
@@ -4161,7 +4161,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>A chamfer or corner radius stands between motions in one plane only.</source>
-        <translation>모따기와 모서리 반지름은 한 평면 안의 동작 사이에만 쓸 수 있습니다.</translation>
+        <translation>모따기와 코너 반경은 한 평면 안의 동작 사이에만 쓸 수 있습니다.</translation>
     </message>
     <message>
         <source>Move along the third axis in another block; the corner stays sharp.</source>
@@ -4237,11 +4237,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>parameter</source>
-        <translation>매개변수</translation>
+        <translation>파라미터</translation>
     </message>
     <message>
         <source>The block behind the chamfer or corner radius orders neither G1, G2 nor G3 (alarm 052, on newer controls 051).</source>
-        <translation>모따기 또는 모서리 반지름 다음 블록에 G1, G2, G3가 없습니다(알람 052, 새 컨트롤에서는 051).</translation>
+        <translation>모따기 또는 코너 반경 다음 블록에 G1, G2, G3가 없습니다(알람 052, 새 제어기에서는 051).</translation>
     </message>
     <message>
         <source>Only one dwell in a block of its own may stand between; the corner stays sharp.</source>
@@ -4249,7 +4249,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The block orders a chamfer and a corner radius (alarm 053).</source>
-        <translation>블록이 모따기와 모서리 반지름을 함께 지령합니다(알람 053).</translation>
+        <translation>블록이 모따기와 코너 반경을 함께 지령합니다(알람 053).</translation>
     </message>
     <message>
         <source>Keep one of them; the corner stays sharp.</source>
@@ -4261,11 +4261,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Write ,C for a chamfer and ,R for a corner radius.</source>
-        <translation>모따기는 ,C, 모서리 반지름은 ,R로 쓰십시오.</translation>
+        <translation>모따기는 ,C, 코너 반경은 ,R로 쓰십시오.</translation>
     </message>
     <message>
         <source>The chamfer or corner radius of {} mm is negative.</source>
-        <translation>{} mm의 모따기 또는 모서리 반지름은 음수입니다.</translation>
+        <translation>{} mm의 모따기 또는 코너 반경은 음수입니다.</translation>
     </message>
     <message>
         <source>Write it without a sign; the corner stays sharp.</source>
@@ -4273,11 +4273,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The manuals do not tell whether G51 scales chamfers and corner radii too; here it does not.</source>
-        <translation>G51이 모따기와 모서리 반지름도 스케일링하는지 설명서에 없습니다. 여기서는 스케일링하지 않습니다.</translation>
+        <translation>G51이 모따기와 코너 반경도 스케일링하는지 설명서에 없습니다. 여기서는 스케일링하지 않습니다.</translation>
     </message>
     <message>
         <source>A setting of the control says whether G68 with G91 adds its angle to the one in force (Fanuc: parameter 5400#0, Haas: setting 73); here the angle is {} degrees.</source>
-        <translation>G91에서 G68이 각도를 현재 각도에 더하는지는 컨트롤의 설정에 달려 있습니다(Fanuc: 파라미터 5400#0, Haas: 세팅 73). 여기서 각도는 {}도입니다.</translation>
+        <translation>G91에서 G68이 각도를 현재 각도에 더하는지는 제어기의 설정에 달려 있습니다(Fanuc: 파라미터 5400#0, Haas: 세팅 73). 여기서 각도는 {}도입니다.</translation>
     </message>
     <message>
         <source>Write G90 before G68, or G69 between them.</source>
@@ -4293,7 +4293,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>A chamfer or corner radius stands where cutter compensation begins, ends or changes its side (alarm 039).</source>
-        <translation>공구 반경 보정이 시작되거나 끝나거나 방향을 바꾸는 곳에 모따기 또는 모서리 반지름이 있습니다(알람 039).</translation>
+        <translation>공구경 보정이 시작되거나 끝나거나 방향을 바꾸는 곳에 모따기 또는 코너 반경이 있습니다(알람 039).</translation>
     </message>
     <message>
         <source>Put it between other motions; the corner stays sharp.</source>
@@ -5409,11 +5409,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Choose a finer grid, or the automatic one; see details with View, Look Closer, or in a smaller stock.</source>
-        <translation>더 작은 격자 간격이나 자동을 선택하십시오. 세부는 보기의 자세히 보기나 더 작은 소재에서 확인하십시오.</translation>
+        <translation>더 작은 격자 간격이나 자동을 선택하십시오. 세부는 보기의 돋보기나 더 작은 소재에서 확인하십시오.</translation>
     </message>
     <message>
         <source>See details with View, Look Closer, or in a smaller stock, or enter a finer grid spacing.</source>
-        <translation>세부는 보기의 자세히 보기나 더 작은 소재에서 확인하거나, 더 작은 격자 간격을 입력하십시오.</translation>
+        <translation>세부는 보기의 돋보기나 더 작은 소재에서 확인하거나, 더 작은 격자 간격을 입력하십시오.</translation>
     </message>
     <message>
         <source>Confirm the sizes of the tool in the tool table, or correct them.</source>
@@ -5630,6 +5630,1714 @@ Default: 0 mm</source>
     <message>
         <source>{} is ignored, because the setup lists it ({}×, lines {}).</source>
         <translation>{}은(는) 셋업의 목록에 있으므로 무시합니다({}회, {}번 줄).</translation>
+    </message>
+    <message>
+        <source>Unexpected character</source>
+        <translation>잘못된 문자</translation>
+    </message>
+    <message>
+        <source>Word without a value</source>
+        <translation>값이 없는 워드</translation>
+    </message>
+    <message>
+        <source>Number with two signs</source>
+        <translation>부호가 두 개인 숫자</translation>
+    </message>
+    <message>
+        <source>Number with two points</source>
+        <translation>소수점이 두 개인 숫자</translation>
+    </message>
+    <message>
+        <source>Number out of range</source>
+        <translation>범위를 벗어난 숫자</translation>
+    </message>
+    <message>
+        <source>Comment not closed</source>
+        <translation>닫히지 않은 주석</translation>
+    </message>
+    <message>
+        <source>Nested comment</source>
+        <translation>중첩된 주석</translation>
+    </message>
+    <message>
+        <source>Duplicate word</source>
+        <translation>중복된 워드</translation>
+    </message>
+    <message>
+        <source>Duplicate word, last used</source>
+        <translation>중복된 워드, 마지막 값 사용</translation>
+    </message>
+    <message>
+        <source>Too many codes in block</source>
+        <translation>블록의 코드가 너무 많음</translation>
+    </message>
+    <message>
+        <source>N word not first</source>
+        <translation>블록 앞에 있지 않은 N 워드</translation>
+    </message>
+    <message>
+        <source>Negative block number</source>
+        <translation>음수 블록 번호</translation>
+    </message>
+    <message>
+        <source>Block number too long</source>
+        <translation>너무 긴 블록 번호</translation>
+    </message>
+    <message>
+        <source>&quot;%&quot; not alone</source>
+        <translation>단독 줄이 아닌 &quot;%&quot;</translation>
+    </message>
+    <message>
+        <source>Line too long</source>
+        <translation>너무 긴 줄</translation>
+    </message>
+    <message>
+        <source>Control codes skipped</source>
+        <translation>제어 문자 건너뜀</translation>
+    </message>
+    <message>
+        <source>Byte order mark</source>
+        <translation>바이트 순서 표시</translation>
+    </message>
+    <message>
+        <source>CR line end</source>
+        <translation>CR 줄 끝</translation>
+    </message>
+    <message>
+        <source>No decimal point</source>
+        <translation>소수점 없음</translation>
+    </message>
+    <message>
+        <source>Expression nested too deeply</source>
+        <translation>수식의 중첩이 너무 깊음</translation>
+    </message>
+    <message>
+        <source>Brackets nested too deeply</source>
+        <translation>괄호의 중첩이 너무 깊음</translation>
+    </message>
+    <message>
+        <source>Parameter not set</source>
+        <translation>설정되지 않은 파라미터</translation>
+    </message>
+    <message>
+        <source>Position not readable</source>
+        <translation>읽을 수 없는 위치</translation>
+    </message>
+    <message>
+        <source>Parameter number not whole</source>
+        <translation>정수가 아닌 파라미터 번호</translation>
+    </message>
+    <message>
+        <source>Unknown parameter number</source>
+        <translation>알 수 없는 파라미터 번호</translation>
+    </message>
+    <message>
+        <source>Read-only parameter</source>
+        <translation>읽기 전용 파라미터</translation>
+    </message>
+    <message>
+        <source>Name not closed</source>
+        <translation>닫히지 않은 이름</translation>
+    </message>
+    <message>
+        <source>Empty name</source>
+        <translation>빈 이름</translation>
+    </message>
+    <message>
+        <source>Name too long</source>
+        <translation>너무 긴 이름</translation>
+    </message>
+    <message>
+        <source>Too many named parameters</source>
+        <translation>이름 있는 파라미터가 너무 많음</translation>
+    </message>
+    <message>
+        <source>Bracket not closed</source>
+        <translation>닫히지 않은 괄호</translation>
+    </message>
+    <message>
+        <source>Brackets missing</source>
+        <translation>괄호 없음</translation>
+    </message>
+    <message>
+        <source>Operator missing</source>
+        <translation>연산자 없음</translation>
+    </message>
+    <message>
+        <source>Expression without a result</source>
+        <translation>결과가 없는 수식</translation>
+    </message>
+    <message>
+        <source>Second argument missing</source>
+        <translation>두 번째 인수 없음</translation>
+    </message>
+    <message>
+        <source>EXISTS without a name</source>
+        <translation>이름이 없는 EXISTS</translation>
+    </message>
+    <message>
+        <source>Incomplete assignment</source>
+        <translation>불완전한 대입</translation>
+    </message>
+    <message>
+        <source>Undocumented modal variable</source>
+        <translation>문서에 없는 모달 변수</translation>
+    </message>
+    <message>
+        <source>Machine-dependent variable</source>
+        <translation>기계에 따라 다른 변수</translation>
+    </message>
+    <message>
+        <source>Variable assumed to be 0</source>
+        <translation>변수를 0으로 가정</translation>
+    </message>
+    <message>
+        <source>Position unknown</source>
+        <translation>알 수 없는 위치</translation>
+    </message>
+    <message>
+        <source>#5220 written</source>
+        <translation>#5220에 쓰기</translation>
+    </message>
+    <message>
+        <source>Invalid O number</source>
+        <translation>잘못된 O 번호</translation>
+    </message>
+    <message>
+        <source>Unknown O-word keyword</source>
+        <translation>알 수 없는 O 워드</translation>
+    </message>
+    <message>
+        <source>O word not first</source>
+        <translation>블록 앞에 있지 않은 O 워드</translation>
+    </message>
+    <message>
+        <source>Text after O word</source>
+        <translation>O 워드 뒤의 텍스트</translation>
+    </message>
+    <message>
+        <source>Unmatched O word</source>
+        <translation>짝이 없는 O 워드</translation>
+    </message>
+    <message>
+        <source>Duplicate O label</source>
+        <translation>중복된 O 라벨</translation>
+    </message>
+    <message>
+        <source>Continue in a do loop</source>
+        <translation>do 루프 안의 continue</translation>
+    </message>
+    <message>
+        <source>Nested subprogram</source>
+        <translation>중첩된 서브프로그램</translation>
+    </message>
+    <message>
+        <source>Condition missing</source>
+        <translation>조건 없음</translation>
+    </message>
+    <message>
+        <source>Subprogram not found</source>
+        <translation>서브프로그램을 찾을 수 없음</translation>
+    </message>
+    <message>
+        <source>Subprogram outside its folders</source>
+        <translation>폴더 밖의 서브프로그램</translation>
+    </message>
+    <message>
+        <source>Subprogram not readable</source>
+        <translation>읽을 수 없는 서브프로그램</translation>
+    </message>
+    <message>
+        <source>Subprogram not closed</source>
+        <translation>닫히지 않은 서브프로그램</translation>
+    </message>
+    <message>
+        <source>Calls nested too deeply</source>
+        <translation>호출의 중첩이 너무 깊음</translation>
+    </message>
+    <message>
+        <source>Too many arguments</source>
+        <translation>인수가 너무 많음</translation>
+    </message>
+    <message>
+        <source>Return outside a subprogram</source>
+        <translation>서브프로그램 밖의 복귀</translation>
+    </message>
+    <message>
+        <source>Main program repeats</source>
+        <translation>메인 프로그램 반복</translation>
+    </message>
+    <message>
+        <source>M98 with L0</source>
+        <translation>L0이 있는 M98</translation>
+    </message>
+    <message>
+        <source>Call not first</source>
+        <translation>블록 앞에 있지 않은 호출</translation>
+    </message>
+    <message>
+        <source>M99 not alone</source>
+        <translation>단독이 아닌 M99</translation>
+    </message>
+    <message>
+        <source>Too many repeated messages</source>
+        <translation>반복된 메시지가 너무 많음</translation>
+    </message>
+    <message>
+        <source>Too many repeated blocks</source>
+        <translation>반복된 블록이 너무 많음</translation>
+    </message>
+    <message>
+        <source>Loop without motion</source>
+        <translation>이송이 없는 루프</translation>
+    </message>
+    <message>
+        <source>Endless loop</source>
+        <translation>무한 루프</translation>
+    </message>
+    <message>
+        <source>Too many repeats</source>
+        <translation>반복 횟수가 너무 많음</translation>
+    </message>
+    <message>
+        <source>Too many motions in block</source>
+        <translation>블록의 이송이 너무 많음</translation>
+    </message>
+    <message>
+        <source>Invalid jump target</source>
+        <translation>잘못된 점프 대상</translation>
+    </message>
+    <message>
+        <source>Jump target not found</source>
+        <translation>점프 대상을 찾을 수 없음</translation>
+    </message>
+    <message>
+        <source>Duplicate block number</source>
+        <translation>중복된 블록 번호</translation>
+    </message>
+    <message>
+        <source>Incomplete statement</source>
+        <translation>불완전한 명령문</translation>
+    </message>
+    <message>
+        <source>Statement not first</source>
+        <translation>블록 앞에 있지 않은 명령문</translation>
+    </message>
+    <message>
+        <source>Unmatched loop</source>
+        <translation>짝이 없는 루프</translation>
+    </message>
+    <message>
+        <source>Program alarm</source>
+        <translation>프로그램 알람</translation>
+    </message>
+    <message>
+        <source>Program repeats</source>
+        <translation>프로그램 반복</translation>
+    </message>
+    <message>
+        <source>Unsupported encoding</source>
+        <translation>지원하지 않는 인코딩</translation>
+    </message>
+    <message>
+        <source>Binary file</source>
+        <translation>바이너리 파일</translation>
+    </message>
+    <message>
+        <source>Invalid M code list</source>
+        <translation>잘못된 M 코드 목록</translation>
+    </message>
+    <message>
+        <source>Dialect detected</source>
+        <translation>제어기 방식 감지</translation>
+    </message>
+    <message>
+        <source>Unsupported dialect</source>
+        <translation>지원하지 않는 제어기 방식</translation>
+    </message>
+    <message>
+        <source>Not an NC program</source>
+        <translation>NC 프로그램이 아님</translation>
+    </message>
+    <message>
+        <source>Text before &quot;%&quot;</source>
+        <translation>&quot;%&quot; 앞의 텍스트</translation>
+    </message>
+    <message>
+        <source>Opening &quot;%&quot; missing</source>
+        <translation>시작 &quot;%&quot; 없음</translation>
+    </message>
+    <message>
+        <source>&quot;%&quot; inside the program</source>
+        <translation>프로그램 안의 &quot;%&quot;</translation>
+    </message>
+    <message>
+        <source>Text after &quot;%&quot;</source>
+        <translation>&quot;%&quot; 뒤의 텍스트</translation>
+    </message>
+    <message>
+        <source>Blocks after program end</source>
+        <translation>프로그램 끝 뒤의 블록</translation>
+    </message>
+    <message>
+        <source>Program end missing</source>
+        <translation>프로그램 끝 없음</translation>
+    </message>
+    <message>
+        <source>No motion</source>
+        <translation>이송 없음</translation>
+    </message>
+    <message>
+        <source>Too many motions</source>
+        <translation>이송이 너무 많음</translation>
+    </message>
+    <message>
+        <source>Program too large</source>
+        <translation>너무 큰 프로그램</translation>
+    </message>
+    <message>
+        <source>Too many events</source>
+        <translation>이벤트가 너무 많음</translation>
+    </message>
+    <message>
+        <source>Interpretation stopped</source>
+        <translation>해석 중단</translation>
+    </message>
+    <message>
+        <source>Still reading</source>
+        <translation>읽는 중</translation>
+    </message>
+    <message>
+        <source>Unknown code</source>
+        <translation>알 수 없는 코드</translation>
+    </message>
+    <message>
+        <source>Code ignored</source>
+        <translation>무시된 코드</translation>
+    </message>
+    <message>
+        <source>Listed code executed</source>
+        <translation>목록의 코드가 실행됨</translation>
+    </message>
+    <message>
+        <source>Unsupported code</source>
+        <translation>지원하지 않는 코드</translation>
+    </message>
+    <message>
+        <source>Conflicting codes</source>
+        <translation>충돌하는 코드</translation>
+    </message>
+    <message>
+        <source>Conflicting codes, last used</source>
+        <translation>충돌하는 코드, 마지막 코드 사용</translation>
+    </message>
+    <message>
+        <source>Too many M codes</source>
+        <translation>M 코드가 너무 많음</translation>
+    </message>
+    <message>
+        <source>Axis ignored</source>
+        <translation>무시된 축</translation>
+    </message>
+    <message>
+        <source>Unused word</source>
+        <translation>사용되지 않는 워드</translation>
+    </message>
+    <message>
+        <source>Word ignored</source>
+        <translation>무시된 워드</translation>
+    </message>
+    <message>
+        <source>No such spindle</source>
+        <translation>없는 주축</translation>
+    </message>
+    <message>
+        <source>No motion code active</source>
+        <translation>유효한 이송 코드 없음</translation>
+    </message>
+    <message>
+        <source>Axis word with G80</source>
+        <translation>G80과 축 워드</translation>
+    </message>
+    <message>
+        <source>Rapid after G80</source>
+        <translation>G80 뒤의 급속 이송</translation>
+    </message>
+    <message>
+        <source>Word missing</source>
+        <translation>워드 없음</translation>
+    </message>
+    <message>
+        <source>Negative number</source>
+        <translation>음수</translation>
+    </message>
+    <message>
+        <source>Not a whole number</source>
+        <translation>정수가 아님</translation>
+    </message>
+    <message>
+        <source>Axis words used twice</source>
+        <translation>축 워드의 이중 사용</translation>
+    </message>
+    <message>
+        <source>No modal state saved</source>
+        <translation>저장된 모달 상태 없음</translation>
+    </message>
+    <message>
+        <source>M72 not alone</source>
+        <translation>단독이 아닌 M72</translation>
+    </message>
+    <message>
+        <source>No tool selected</source>
+        <translation>선택된 공구 없음</translation>
+    </message>
+    <message>
+        <source>G43.2 with H and axes</source>
+        <translation>H와 축이 있는 G43.2</translation>
+    </message>
+    <message>
+        <source>Unsupported G10</source>
+        <translation>지원하지 않는 G10</translation>
+    </message>
+    <message>
+        <source>Tool number unknown</source>
+        <translation>알 수 없는 공구 번호</translation>
+    </message>
+    <message>
+        <source>G53 without G0 or G1</source>
+        <translation>G0, G1이 없는 G53</translation>
+    </message>
+    <message>
+        <source>Polar and Cartesian words</source>
+        <translation>극좌표와 직교좌표 혼용</translation>
+    </message>
+    <message>
+        <source>Polar angle undefined</source>
+        <translation>정의되지 않은 극각도</translation>
+    </message>
+    <message>
+        <source>G53 with polar words</source>
+        <translation>극좌표 워드가 있는 G53</translation>
+    </message>
+    <message>
+        <source>G53 in incremental mode</source>
+        <translation>증분 모드의 G53</translation>
+    </message>
+    <message>
+        <source>G53 ignored</source>
+        <translation>무시된 G53</translation>
+    </message>
+    <message>
+        <source>Machine zero unknown</source>
+        <translation>알 수 없는 기계 원점</translation>
+    </message>
+    <message>
+        <source>Arc outside rotated plane</source>
+        <translation>회전 평면 밖의 원호</translation>
+    </message>
+    <message>
+        <source>Arc scaled unevenly</source>
+        <translation>불균등하게 스케일된 원호</translation>
+    </message>
+    <message>
+        <source>Scale factor 0</source>
+        <translation>스케일링 배율 0</translation>
+    </message>
+    <message>
+        <source>Transformation order</source>
+        <translation>좌표 변환의 순서</translation>
+    </message>
+    <message>
+        <source>Transformation centre unknown</source>
+        <translation>변환 중심을 알 수 없음</translation>
+    </message>
+    <message>
+        <source>Rotation start ambiguous</source>
+        <translation>모호한 회전 시작</translation>
+    </message>
+    <message>
+        <source>Rotation angle ambiguous</source>
+        <translation>모호한 회전 각도</translation>
+    </message>
+    <message>
+        <source>Reference return in cycle</source>
+        <translation>사이클 중 원점 복귀</translation>
+    </message>
+    <message>
+        <source>Intermediate point unknown</source>
+        <translation>알 수 없는 중간점</translation>
+    </message>
+    <message>
+        <source>Homing cycle</source>
+        <translation>원점 복귀</translation>
+    </message>
+    <message>
+        <source>Control data skipped</source>
+        <translation>건너뛴 제어 데이터</translation>
+    </message>
+    <message>
+        <source>Offset register unknown</source>
+        <translation>알 수 없는 보정 번호</translation>
+    </message>
+    <message>
+        <source>Length offset without Z</source>
+        <translation>Z 없는 길이 보정</translation>
+    </message>
+    <message>
+        <source>Rotation with G92 active</source>
+        <translation>G92 유효 중의 회전</translation>
+    </message>
+    <message>
+        <source>Cycle word missing</source>
+        <translation>사이클 워드 없음</translation>
+    </message>
+    <message>
+        <source>Cycle without a position</source>
+        <translation>위치가 없는 사이클</translation>
+    </message>
+    <message>
+        <source>Cycle with inverse time</source>
+        <translation>역시간 이송의 사이클</translation>
+    </message>
+    <message>
+        <source>R plane below hole bottom</source>
+        <translation>구멍 바닥 아래의 R 평면</translation>
+    </message>
+    <message>
+        <source>Invalid peck depth</source>
+        <translation>잘못된 1회 절입량</translation>
+    </message>
+    <message>
+        <source>Peck depth missing</source>
+        <translation>1회 절입량 없음</translation>
+    </message>
+    <message>
+        <source>Spindle stopped in cycle</source>
+        <translation>사이클 중 주축 정지</translation>
+    </message>
+    <message>
+        <source>Back boring not verified</source>
+        <translation>백 보링 미검증</translation>
+    </message>
+    <message>
+        <source>Invalid back boring depth</source>
+        <translation>잘못된 백 보링 깊이</translation>
+    </message>
+    <message>
+        <source>Back boring with G99</source>
+        <translation>G99의 백 보링</translation>
+    </message>
+    <message>
+        <source>Tapping feeds off the hole</source>
+        <translation>구멍을 벗어난 태핑</translation>
+    </message>
+    <message>
+        <source>Fine boring not verified</source>
+        <translation>정밀 보링 미검증</translation>
+    </message>
+    <message>
+        <source>Manual retract</source>
+        <translation>수동 후퇴</translation>
+    </message>
+    <message>
+        <source>Initial level unknown</source>
+        <translation>알 수 없는 초기점</translation>
+    </message>
+    <message>
+        <source>Tapping with stopped spindle</source>
+        <translation>주축 정지 중의 태핑</translation>
+    </message>
+    <message>
+        <source>Cycle only stored</source>
+        <translation>저장만 된 사이클</translation>
+    </message>
+    <message>
+        <source>Pattern without a cycle</source>
+        <translation>사이클이 없는 패턴</translation>
+    </message>
+    <message>
+        <source>First hole assumed</source>
+        <translation>가정된 첫 구멍</translation>
+    </message>
+    <message>
+        <source>Pocket path assumed</source>
+        <translation>가정된 포켓 경로</translation>
+    </message>
+    <message>
+        <source>Invalid pocket size</source>
+        <translation>잘못된 포켓 크기</translation>
+    </message>
+    <message>
+        <source>F missing with G93</source>
+        <translation>G93에 F 없음</translation>
+    </message>
+    <message>
+        <source>Feed per revolution without spindle</source>
+        <translation>주축 없는 회전당 이송</translation>
+    </message>
+    <message>
+        <source>Feed before unit change</source>
+        <translation>단위 변경 전의 이송</translation>
+    </message>
+    <message>
+        <source>Diameter mode</source>
+        <translation>지름 지령</translation>
+    </message>
+    <message>
+        <source>Surface speed at limit</source>
+        <translation>한계의 주속 일정 제어</translation>
+    </message>
+    <message>
+        <source>Spindle speed unknown</source>
+        <translation>알 수 없는 주축 회전수</translation>
+    </message>
+    <message>
+        <source>Invalid pitch</source>
+        <translation>잘못된 피치</translation>
+    </message>
+    <message>
+        <source>F with synchronised motion</source>
+        <translation>동기 이송의 F</translation>
+    </message>
+    <message>
+        <source>Synchronised motion, spindle stopped</source>
+        <translation>주축 정지 중의 동기 이송</translation>
+    </message>
+    <message>
+        <source>Feed rate missing</source>
+        <translation>이송 속도 없음</translation>
+    </message>
+    <message>
+        <source>Mist coolant optional</source>
+        <translation>선택 사양인 미스트</translation>
+    </message>
+    <message>
+        <source>Dwell unit ambiguous</source>
+        <translation>모호한 드웰 단위</translation>
+    </message>
+    <message>
+        <source>Target too far</source>
+        <translation>너무 먼 목표점</translation>
+    </message>
+    <message>
+        <source>Start position unknown</source>
+        <translation>알 수 없는 시작 위치</translation>
+    </message>
+    <message>
+        <source>Axis never positioned</source>
+        <translation>위치가 정해지지 않은 축</translation>
+    </message>
+    <message>
+        <source>Incremental from unknown position</source>
+        <translation>알 수 없는 위치의 증분 이송</translation>
+    </message>
+    <message>
+        <source>One-sided positioning</source>
+        <translation>한 방향 위치 결정</translation>
+    </message>
+    <message>
+        <source>Arc without centre</source>
+        <translation>중심이 없는 원호</translation>
+    </message>
+    <message>
+        <source>Arc centre incomplete</source>
+        <translation>불완전한 원호 중심</translation>
+    </message>
+    <message>
+        <source>Arc with R and centre</source>
+        <translation>R과 중심이 있는 원호</translation>
+    </message>
+    <message>
+        <source>Arc word outside plane</source>
+        <translation>평면 밖의 원호 워드</translation>
+    </message>
+    <message>
+        <source>Arc radius zero</source>
+        <translation>반경 0인 원호</translation>
+    </message>
+    <message>
+        <source>Arc end radius mismatch</source>
+        <translation>원호 반경 불일치</translation>
+    </message>
+    <message>
+        <source>Full circle with R</source>
+        <translation>R로 지정한 완전한 원</translation>
+    </message>
+    <message>
+        <source>Arc radius too small</source>
+        <translation>너무 작은 원호 반경</translation>
+    </message>
+    <message>
+        <source>Arc centre ignored</source>
+        <translation>무시된 원호 중심</translation>
+    </message>
+    <message>
+        <source>Arc without motion</source>
+        <translation>움직이지 않는 원호</translation>
+    </message>
+    <message>
+        <source>Arc becomes a line</source>
+        <translation>직선이 되는 원호</translation>
+    </message>
+    <message>
+        <source>Arc radius too large</source>
+        <translation>너무 큰 원호 반경</translation>
+    </message>
+    <message>
+        <source>Arc too long</source>
+        <translation>너무 긴 원호</translation>
+    </message>
+    <message>
+        <source>Invalid number of turns</source>
+        <translation>잘못된 회전 횟수</translation>
+    </message>
+    <message>
+        <source>Arc start mismatch</source>
+        <translation>원호 시작점 불일치</translation>
+    </message>
+    <message>
+        <source>Arc word ignored</source>
+        <translation>무시된 원호 워드</translation>
+    </message>
+    <message>
+        <source>Arc end point missing</source>
+        <translation>원호 끝점 없음</translation>
+    </message>
+    <message>
+        <source>Arc centre ambiguous</source>
+        <translation>모호한 원호 중심</translation>
+    </message>
+    <message>
+        <source>Polar centre ambiguous</source>
+        <translation>모호한 극점</translation>
+    </message>
+    <message>
+        <source>Polar motion undocumented</source>
+        <translation>문서에 없는 극좌표 이송</translation>
+    </message>
+    <message>
+        <source>Radius scaling assumed</source>
+        <translation>가정된 반경 스케일링 배율</translation>
+    </message>
+    <message>
+        <source>XY plane only</source>
+        <translation>XY 평면 전용</translation>
+    </message>
+    <message>
+        <source>M66 with P and E</source>
+        <translation>P와 E가 있는 M66</translation>
+    </message>
+    <message>
+        <source>M66 wait mode</source>
+        <translation>M66 대기 모드</translation>
+    </message>
+    <message>
+        <source>Input value assumed</source>
+        <translation>가정된 입력값</translation>
+    </message>
+    <message>
+        <source>Input value used</source>
+        <translation>사용된 입력값</translation>
+    </message>
+    <message>
+        <source>Probing with G95</source>
+        <translation>G95의 프로빙</translation>
+    </message>
+    <message>
+        <source>Probing motion too short</source>
+        <translation>너무 짧은 프로빙 이송</translation>
+    </message>
+    <message>
+        <source>Skip signal unknown</source>
+        <translation>알 수 없는 스킵 신호</translation>
+    </message>
+    <message>
+        <source>Probe contact unknown</source>
+        <translation>알 수 없는 프로브 접촉</translation>
+    </message>
+    <message>
+        <source>Probe contact assumed</source>
+        <translation>가정된 프로브 접촉</translation>
+    </message>
+    <message>
+        <source>Probe release assumed</source>
+        <translation>가정된 프로브 이탈</translation>
+    </message>
+    <message>
+        <source>Probe result used</source>
+        <translation>사용된 프로빙 결과</translation>
+    </message>
+    <message>
+        <source>Probe without contact</source>
+        <translation>접촉하지 않은 프로브</translation>
+    </message>
+    <message>
+        <source>Probe still in contact</source>
+        <translation>접촉 중인 프로브</translation>
+    </message>
+    <message>
+        <source>Probe in contact at start</source>
+        <translation>시작 시 접촉된 프로브</translation>
+    </message>
+    <message>
+        <source>Probe free at start</source>
+        <translation>시작 시 떨어진 프로브</translation>
+    </message>
+    <message>
+        <source>Spline outside XY plane</source>
+        <translation>XY 평면 밖의 스플라인</translation>
+    </message>
+    <message>
+        <source>Spline without I and J</source>
+        <translation>I, J가 없는 스플라인</translation>
+    </message>
+    <message>
+        <source>Spline too long</source>
+        <translation>너무 긴 스플라인</translation>
+    </message>
+    <message>
+        <source>Control point incomplete</source>
+        <translation>불완전한 제어점</translation>
+    </message>
+    <message>
+        <source>Invalid control point weight</source>
+        <translation>잘못된 제어점 가중치</translation>
+    </message>
+    <message>
+        <source>Weight without control point</source>
+        <translation>제어점이 없는 가중치</translation>
+    </message>
+    <message>
+        <source>Too few control points</source>
+        <translation>제어점 부족</translation>
+    </message>
+    <message>
+        <source>NURBS block not open</source>
+        <translation>열리지 않은 NURBS 블록</translation>
+    </message>
+    <message>
+        <source>NURBS block not closed</source>
+        <translation>닫히지 않은 NURBS 블록</translation>
+    </message>
+    <message>
+        <source>Corner without motions</source>
+        <translation>이송이 없는 코너</translation>
+    </message>
+    <message>
+        <source>Next corner motion missing</source>
+        <translation>코너의 다음 이송 없음</translation>
+    </message>
+    <message>
+        <source>Chamfer and corner radius</source>
+        <translation>모따기와 코너 반경</translation>
+    </message>
+    <message>
+        <source>Invalid comma word</source>
+        <translation>잘못된 콤마 워드</translation>
+    </message>
+    <message>
+        <source>Corner at compensation change</source>
+        <translation>보정 변경 위치의 코너</translation>
+    </message>
+    <message>
+        <source>Negative corner size</source>
+        <translation>음수 코너 크기</translation>
+    </message>
+    <message>
+        <source>Corner scaling assumed</source>
+        <translation>가정된 코너 스케일링 배율</translation>
+    </message>
+    <message>
+        <source>Corner too large</source>
+        <translation>너무 큰 코너</translation>
+    </message>
+    <message>
+        <source>Corner outside plane</source>
+        <translation>평면 밖의 코너</translation>
+    </message>
+    <message>
+        <source>Chamfer on arc</source>
+        <translation>원호의 모따기</translation>
+    </message>
+    <message>
+        <source>Compensation already active</source>
+        <translation>이미 유효한 공구경 보정</translation>
+    </message>
+    <message>
+        <source>Compensation plane unsupported</source>
+        <translation>보정 평면 미지원</translation>
+    </message>
+    <message>
+        <source>Compensation under rotation</source>
+        <translation>회전 중의 공구경 보정</translation>
+    </message>
+    <message>
+        <source>Not allowed with compensation</source>
+        <translation>공구경 보정 중 사용 불가</translation>
+    </message>
+    <message>
+        <source>Compensation suspended</source>
+        <translation>일시 해제된 공구경 보정</translation>
+    </message>
+    <message>
+        <source>Compensation diameter 0</source>
+        <translation>보정 지름 0</translation>
+    </message>
+    <message>
+        <source>Compensation diameter unknown</source>
+        <translation>알 수 없는 보정 지름</translation>
+    </message>
+    <message>
+        <source>Compensation from unknown position</source>
+        <translation>알 수 없는 위치의 공구경 보정</translation>
+    </message>
+    <message>
+        <source>Lead-in too short</source>
+        <translation>너무 짧은 진입</translation>
+    </message>
+    <message>
+        <source>Arc smaller than tool</source>
+        <translation>공구보다 작은 원호</translation>
+    </message>
+    <message>
+        <source>Inside corner too tight</source>
+        <translation>너무 좁은 안쪽 코너</translation>
+    </message>
+    <message>
+        <source>Compensation gouge</source>
+        <translation>보정에 의한 과절삭</translation>
+    </message>
+    <message>
+        <source>Compensated motion reversed</source>
+        <translation>역방향 보정 이송</translation>
+    </message>
+    <message>
+        <source>Stop before inside corner</source>
+        <translation>안쪽 코너 앞의 정지</translation>
+    </message>
+    <message>
+        <source>Lead-out on arc</source>
+        <translation>원호 이탈</translation>
+    </message>
+    <message>
+        <source>Lead-in on arc</source>
+        <translation>원호 진입</translation>
+    </message>
+    <message>
+        <source>Corner not compensated</source>
+        <translation>보정되지 않은 코너</translation>
+    </message>
+    <message>
+        <source>Compensation side change</source>
+        <translation>보정 방향 변경</translation>
+    </message>
+    <message>
+        <source>Compensation points dropped</source>
+        <translation>생략된 보정점</translation>
+    </message>
+    <message>
+        <source>Compensated arc off circle</source>
+        <translation>원을 벗어난 보정 원호</translation>
+    </message>
+    <message>
+        <source>Compensation active at end</source>
+        <translation>끝까지 유효한 공구경 보정</translation>
+    </message>
+    <message>
+        <source>Code not supported</source>
+        <translation>지원되지 않는 코드</translation>
+    </message>
+    <message>
+        <source>Word not supported</source>
+        <translation>지원되지 않는 워드</translation>
+    </message>
+    <message>
+        <source>Expressions not supported</source>
+        <translation>지원되지 않는 수식</translation>
+    </message>
+    <message>
+        <source>Line dropped</source>
+        <translation>버려진 줄</translation>
+    </message>
+    <message>
+        <source>Block number too large</source>
+        <translation>너무 큰 블록 번호</translation>
+    </message>
+    <message>
+        <source>System command</source>
+        <translation>시스템 명령</translation>
+    </message>
+    <message>
+        <source>Real-time command</source>
+        <translation>실시간 명령</translation>
+    </message>
+    <message>
+        <source>Real-time reset</source>
+        <translation>실시간 리셋</translation>
+    </message>
+    <message>
+        <source>Block delete ignored</source>
+        <translation>무시된 블록 스킵</translation>
+    </message>
+    <message>
+        <source>&quot;%&quot; not supported</source>
+        <translation>지원되지 않는 &quot;%&quot;</translation>
+    </message>
+    <message>
+        <source>Tool not changed</source>
+        <translation>교환되지 않은 공구</translation>
+    </message>
+    <message>
+        <source>Optional stop ignored</source>
+        <translation>무시된 선택적 정지</translation>
+    </message>
+    <message>
+        <source>Length offset axis</source>
+        <translation>길이 보정 축</translation>
+    </message>
+    <message>
+        <source>O word not supported</source>
+        <translation>지원되지 않는 O 워드</translation>
+    </message>
+    <message>
+        <source>Length offset number missing</source>
+        <translation>길이 보정 번호 없음</translation>
+    </message>
+    <message>
+        <source>Feed rate 0</source>
+        <translation>이송 속도 0</translation>
+    </message>
+    <message>
+        <source>Tool length offset missing</source>
+        <translation>공구 길이 보정 없음</translation>
+    </message>
+    <message>
+        <source>Work offset not selected</source>
+        <translation>선택되지 않은 공작물 좌표계</translation>
+    </message>
+    <message>
+        <source>Length offset mismatch</source>
+        <translation>길이 보정 번호 불일치</translation>
+    </message>
+    <message>
+        <source>D word missing</source>
+        <translation>D 워드 없음</translation>
+    </message>
+    <message>
+        <source>Compensation start-up on arc</source>
+        <translation>원호에서 시작하는 보정</translation>
+    </message>
+    <message>
+        <source>Mixed units</source>
+        <translation>혼용된 단위</translation>
+    </message>
+    <message>
+        <source>Modal function left on</source>
+        <translation>남아 있는 모달 기능</translation>
+    </message>
+    <message>
+        <source>Tool change too low</source>
+        <translation>너무 낮은 공구 교환</translation>
+    </message>
+    <message>
+        <source>Tool change, spindle running</source>
+        <translation>주축 회전 중 공구 교환</translation>
+    </message>
+    <message>
+        <source>Unreachable block</source>
+        <translation>도달할 수 없는 블록</translation>
+    </message>
+    <message>
+        <source>Tool not in table</source>
+        <translation>테이블에 없는 공구</translation>
+    </message>
+    <message>
+        <source>Nearly a half circle</source>
+        <translation>거의 반원</translation>
+    </message>
+    <message>
+        <source>File not readable</source>
+        <translation>읽을 수 없는 파일</translation>
+    </message>
+    <message>
+        <source>File not writable</source>
+        <translation>쓸 수 없는 파일</translation>
+    </message>
+    <message>
+        <source>Not a regular file</source>
+        <translation>일반 파일이 아님</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>너무 큰 파일</translation>
+    </message>
+    <message>
+        <source>Cancelled</source>
+        <translation>취소됨</translation>
+    </message>
+    <message>
+        <source>More messages</source>
+        <translation>추가 메시지</translation>
+    </message>
+    <message>
+        <source>Profile without width</source>
+        <translation>폭이 없는 윤곽</translation>
+    </message>
+    <message>
+        <source>Too many profile points</source>
+        <translation>윤곽 점이 너무 많음</translation>
+    </message>
+    <message>
+        <source>Profile turns back</source>
+        <translation>되돌아가는 윤곽</translation>
+    </message>
+    <message>
+        <source>Invalid profile point</source>
+        <translation>잘못된 윤곽 점</translation>
+    </message>
+    <message>
+        <source>Profile falls</source>
+        <translation>내려가는 윤곽</translation>
+    </message>
+    <message>
+        <source>Profile not at the tip</source>
+        <translation>끝점에서 시작하지 않는 윤곽</translation>
+    </message>
+    <message>
+        <source>Profile arc radius too small</source>
+        <translation>너무 작은 윤곽 원호</translation>
+    </message>
+    <message>
+        <source>Profile arc centre mismatch</source>
+        <translation>윤곽 원호 중심 불일치</translation>
+    </message>
+    <message>
+        <source>Profile arc turns back</source>
+        <translation>되돌아가는 윤곽 원호</translation>
+    </message>
+    <message>
+        <source>Profile tip without width</source>
+        <translation>폭이 없는 윤곽 끝</translation>
+    </message>
+    <message>
+        <source>Profile arcs too large</source>
+        <translation>너무 큰 윤곽 원호</translation>
+    </message>
+    <message>
+        <source>Tip too large</source>
+        <translation>너무 큰 끝단</translation>
+    </message>
+    <message>
+        <source>Pilot too large</source>
+        <translation>너무 큰 파일럿</translation>
+    </message>
+    <message>
+        <source>Pilot too short</source>
+        <translation>너무 짧은 파일럿</translation>
+    </message>
+    <message>
+        <source>Lead too long</source>
+        <translation>너무 긴 리드</translation>
+    </message>
+    <message>
+        <source>Corner radius too large</source>
+        <translation>너무 큰 코너 반경</translation>
+    </message>
+    <message>
+        <source>Taper too low</source>
+        <translation>너무 낮은 테이퍼</translation>
+    </message>
+    <message>
+        <source>Neck too thick</source>
+        <translation>너무 굵은 목</translation>
+    </message>
+    <message>
+        <source>Head too high</source>
+        <translation>너무 높은 머리</translation>
+    </message>
+    <message>
+        <source>Cutter value not numeric</source>
+        <translation>숫자가 아닌 커터 값</translation>
+    </message>
+    <message>
+        <source>Cutter value out of range</source>
+        <translation>범위를 벗어난 커터 값</translation>
+    </message>
+    <message>
+        <source>Duplicate cutter key</source>
+        <translation>중복된 커터 키</translation>
+    </message>
+    <message>
+        <source>Unknown cutter key</source>
+        <translation>알 수 없는 커터 키</translation>
+    </message>
+    <message>
+        <source>Cutter key missing</source>
+        <translation>커터 키 없음</translation>
+    </message>
+    <message>
+        <source>Unknown cutter shape</source>
+        <translation>알 수 없는 커터 형상</translation>
+    </message>
+    <message>
+        <source>Flute length too short</source>
+        <translation>너무 짧은 날 길이</translation>
+    </message>
+    <message>
+        <source>Invalid tool number</source>
+        <translation>잘못된 공구 번호</translation>
+    </message>
+    <message>
+        <source>Tool file empty</source>
+        <translation>빈 공구 파일</translation>
+    </message>
+    <message>
+        <source>Invalid tool entry</source>
+        <translation>잘못된 공구 항목</translation>
+    </message>
+    <message>
+        <source>Duplicate tool</source>
+        <translation>중복된 공구</translation>
+    </message>
+    <message>
+        <source>Tool without a cutter</source>
+        <translation>커터가 없는 공구</translation>
+    </message>
+    <message>
+        <source>Invalid tool source</source>
+        <translation>잘못된 공구 출처</translation>
+    </message>
+    <message>
+        <source>Tool file not readable</source>
+        <translation>읽을 수 없는 공구 파일</translation>
+    </message>
+    <message>
+        <source>Unknown tool key</source>
+        <translation>알 수 없는 공구 키</translation>
+    </message>
+    <message>
+        <source>Outline out of range</source>
+        <translation>범위를 벗어난 윤곽</translation>
+    </message>
+    <message>
+        <source>Outline without area</source>
+        <translation>면적이 없는 윤곽</translation>
+    </message>
+    <message>
+        <source>Outline crosses itself</source>
+        <translation>자기 교차 윤곽</translation>
+    </message>
+    <message>
+        <source>Invalid grid spacing</source>
+        <translation>잘못된 격자 간격</translation>
+    </message>
+    <message>
+        <source>Invalid stock size</source>
+        <translation>잘못된 소재 크기</translation>
+    </message>
+    <message>
+        <source>Stock too narrow</source>
+        <translation>너무 좁은 소재</translation>
+    </message>
+    <message>
+        <source>Invalid stock origin</source>
+        <translation>잘못된 소재 원점</translation>
+    </message>
+    <message>
+        <source>Grid too coarse</source>
+        <translation>너무 거친 격자</translation>
+    </message>
+    <message>
+        <source>Grid too fine</source>
+        <translation>너무 촘촘한 격자</translation>
+    </message>
+    <message>
+        <source>Grid lost in rounding</source>
+        <translation>반올림으로 사라지는 격자</translation>
+    </message>
+    <message>
+        <source>Not enough memory</source>
+        <translation>메모리 부족</translation>
+    </message>
+    <message>
+        <source>Grid needs too much memory</source>
+        <translation>격자 메모리 초과</translation>
+    </message>
+    <message>
+        <source>Box without area</source>
+        <translation>면적이 없는 영역</translation>
+    </message>
+    <message>
+        <source>Box outside the stock</source>
+        <translation>소재 밖의 영역</translation>
+    </message>
+    <message>
+        <source>Stock mesh too far</source>
+        <translation>너무 먼 소재 메시</translation>
+    </message>
+    <message>
+        <source>Stock mesh flat</source>
+        <translation>부피가 없는 소재 메시</translation>
+    </message>
+    <message>
+        <source>Too many mesh layers</source>
+        <translation>메시 층이 너무 많음</translation>
+    </message>
+    <message>
+        <source>Saved stock empty</source>
+        <translation>비어 있는 저장 소재</translation>
+    </message>
+    <message>
+        <source>Invalid stock size text</source>
+        <translation>잘못된 소재 크기 표기</translation>
+    </message>
+    <message>
+        <source>Stock size not positive</source>
+        <translation>양수가 아닌 소재 크기</translation>
+    </message>
+    <message>
+        <source>Invalid point</source>
+        <translation>잘못된 점</translation>
+    </message>
+    <message>
+        <source>Stock incomplete</source>
+        <translation>불완전한 소재</translation>
+    </message>
+    <message>
+        <source>Stock mesh not closed</source>
+        <translation>닫히지 않은 소재 메시</translation>
+    </message>
+    <message>
+        <source>Undercut in stock</source>
+        <translation>소재의 언더컷</translation>
+    </message>
+    <message>
+        <source>Stock resampled</source>
+        <translation>재샘플링된 소재</translation>
+    </message>
+    <message>
+        <source>Map too large for method</source>
+        <translation>방법에 너무 큰 맵</translation>
+    </message>
+    <message>
+        <source>STL file cut off</source>
+        <translation>잘린 STL 파일</translation>
+    </message>
+    <message>
+        <source>STL syntax error</source>
+        <translation>STL 구문 오류</translation>
+    </message>
+    <message>
+        <source>Not an STL file</source>
+        <translation>STL 파일이 아님</translation>
+    </message>
+    <message>
+        <source>No usable facets</source>
+        <translation>사용할 수 있는 면 없음</translation>
+    </message>
+    <message>
+        <source>Data after STL end</source>
+        <translation>STL 끝 뒤의 데이터</translation>
+    </message>
+    <message>
+        <source>STL end missing</source>
+        <translation>STL 끝 없음</translation>
+    </message>
+    <message>
+        <source>Facets not finite</source>
+        <translation>유한하지 않은 면</translation>
+    </message>
+    <message>
+        <source>Degenerate facets</source>
+        <translation>축퇴된 면</translation>
+    </message>
+    <message>
+        <source>Normals against winding</source>
+        <translation>감김 방향과 반대인 법선</translation>
+    </message>
+    <message>
+        <source>Duplicate facets</source>
+        <translation>중복된 면</translation>
+    </message>
+    <message>
+        <source>Mesh not closed</source>
+        <translation>닫히지 않은 메시</translation>
+    </message>
+    <message>
+        <source>Mesh not manifold</source>
+        <translation>비다양체 메시</translation>
+    </message>
+    <message>
+        <source>Flipped facets</source>
+        <translation>뒤집힌 면</translation>
+    </message>
+    <message>
+        <source>Mesh inside out</source>
+        <translation>안팎이 뒤집힌 메시</translation>
+    </message>
+    <message>
+        <source>Mesh far from origin</source>
+        <translation>원점에서 먼 메시</translation>
+    </message>
+    <message>
+        <source>Mesh without size</source>
+        <translation>크기가 없는 메시</translation>
+    </message>
+    <message>
+        <source>Mesh size suspect</source>
+        <translation>의심스러운 메시 크기</translation>
+    </message>
+    <message>
+        <source>Not a ZIP archive</source>
+        <translation>ZIP 아카이브가 아님</translation>
+    </message>
+    <message>
+        <source>Unknown export format</source>
+        <translation>알 수 없는 내보내기 형식</translation>
+    </message>
+    <message>
+        <source>Export rounded too coarsely</source>
+        <translation>너무 거칠게 반올림된 내보내기</translation>
+    </message>
+    <message>
+        <source>Nothing to export</source>
+        <translation>내보낼 것 없음</translation>
+    </message>
+    <message>
+        <source>Coordinate not finite</source>
+        <translation>유한하지 않은 좌표</translation>
+    </message>
+    <message>
+        <source>STL too coarse</source>
+        <translation>너무 거친 STL</translation>
+    </message>
+    <message>
+        <source>Too many triangles</source>
+        <translation>면이 너무 많음</translation>
+    </message>
+    <message>
+        <source>Coordinate out of range</source>
+        <translation>범위를 벗어난 좌표</translation>
+    </message>
+    <message>
+        <source>Unsupported NPY type</source>
+        <translation>지원하지 않는 NPY 형식</translation>
+    </message>
+    <message>
+        <source>Unsupported NPY order</source>
+        <translation>지원하지 않는 NPY 순서</translation>
+    </message>
+    <message>
+        <source>Unsupported NPY shape</source>
+        <translation>지원하지 않는 NPY 크기</translation>
+    </message>
+    <message>
+        <source>NPY file cut off</source>
+        <translation>잘린 NPY 파일</translation>
+    </message>
+    <message>
+        <source>Height not finite</source>
+        <translation>유한하지 않은 높이</translation>
+    </message>
+    <message>
+        <source>NPY header not readable</source>
+        <translation>읽을 수 없는 NPY 헤더</translation>
+    </message>
+    <message>
+        <source>Not an NPY file</source>
+        <translation>NPY 파일이 아님</translation>
+    </message>
+    <message>
+        <source>Unsupported NPY version</source>
+        <translation>지원하지 않는 NPY 버전</translation>
+    </message>
+    <message>
+        <source>JSON nested too deeply</source>
+        <translation>JSON 중첩이 너무 깊음</translation>
+    </message>
+    <message>
+        <source>Not valid JSON</source>
+        <translation>올바른 JSON이 아님</translation>
+    </message>
+    <message>
+        <source>Not a Proveout job</source>
+        <translation>Proveout 작업이 아님</translation>
+    </message>
+    <message>
+        <source>Job of newer version</source>
+        <translation>새 버전의 작업</translation>
+    </message>
+    <message>
+        <source>Program name not UTF-8</source>
+        <translation>UTF-8이 아닌 프로그램 이름</translation>
+    </message>
+    <message>
+        <source>File outside job folder</source>
+        <translation>작업 폴더 밖의 파일</translation>
+    </message>
+    <message>
+        <source>Unknown job field</source>
+        <translation>알 수 없는 작업 필드</translation>
+    </message>
+    <message>
+        <source>Invalid job field</source>
+        <translation>잘못된 작업 필드</translation>
+    </message>
+    <message>
+        <source>Invalid outline point</source>
+        <translation>잘못된 윤곽 점</translation>
+    </message>
+    <message>
+        <source>Outline loop too short</source>
+        <translation>너무 짧은 윤곽 루프</translation>
+    </message>
+    <message>
+        <source>Outline empty</source>
+        <translation>빈 윤곽</translation>
+    </message>
+    <message>
+        <source>Unknown stock key</source>
+        <translation>알 수 없는 소재 키</translation>
+    </message>
+    <message>
+        <source>Invalid stock value</source>
+        <translation>잘못된 소재 값</translation>
+    </message>
+    <message>
+        <source>Invalid stock option</source>
+        <translation>잘못된 소재 선택</translation>
+    </message>
+    <message>
+        <source>Stock file missing</source>
+        <translation>소재 파일 없음</translation>
+    </message>
+    <message>
+        <source>Duplicate stock key</source>
+        <translation>중복된 소재 키</translation>
+    </message>
+    <message>
+        <source>Stock key missing</source>
+        <translation>소재 키 없음</translation>
+    </message>
+    <message>
+        <source>Unknown stock shape</source>
+        <translation>알 수 없는 소재 형상</translation>
+    </message>
+    <message>
+        <source>Saved stock damaged</source>
+        <translation>손상된 저장 소재</translation>
+    </message>
+    <message>
+        <source>Not a saved stock</source>
+        <translation>저장된 소재가 아님</translation>
+    </message>
+    <message>
+        <source>Stock of newer version</source>
+        <translation>새 버전의 소재</translation>
+    </message>
+    <message>
+        <source>Saved grid mismatch</source>
+        <translation>저장된 격자 불일치</translation>
+    </message>
+    <message>
+        <source>Saved heights invalid</source>
+        <translation>잘못된 저장 높이</translation>
+    </message>
+    <message>
+        <source>Saved height invalid</source>
+        <translation>잘못된 저장 높이</translation>
+    </message>
+    <message>
+        <source>Invalid machine value</source>
+        <translation>잘못된 기계 값</translation>
+    </message>
+    <message>
+        <source>Unknown machine key</source>
+        <translation>알 수 없는 기계 키</translation>
+    </message>
+    <message>
+        <source>Parameter out of range</source>
+        <translation>범위를 벗어난 파라미터</translation>
+    </message>
+    <message>
+        <source>Program never cuts</source>
+        <translation>절삭하지 않는 프로그램</translation>
+    </message>
+    <message>
+        <source>Stock missed</source>
+        <translation>소재를 벗어남</translation>
+    </message>
+    <message>
+        <source>Grid coarse</source>
+        <translation>거친 격자</translation>
+    </message>
+    <message>
+        <source>Rapid cuts stock</source>
+        <translation>급속 이송 중 소재 절삭</translation>
+    </message>
+    <message>
+        <source>Cut beyond flutes</source>
+        <translation>날 길이를 넘는 절삭</translation>
+    </message>
+    <message>
+        <source>Neck in stock</source>
+        <translation>소재에 닿는 목</translation>
+    </message>
+    <message>
+        <source>Rapid not checked</source>
+        <translation>검사되지 않은 급속 이송</translation>
+    </message>
+    <message>
+        <source>Stock above head not shown</source>
+        <translation>표시되지 않은 머리 위 소재</translation>
+    </message>
+    <message>
+        <source>More findings</source>
+        <translation>추가 결과</translation>
+    </message>
+    <message>
+        <source>Tool not confirmed</source>
+        <translation>확인되지 않은 공구</translation>
+    </message>
+    <message>
+        <source>Tool assumed</source>
+        <translation>가정된 공구</translation>
+    </message>
+    <message>
+        <source>Tool not defined</source>
+        <translation>정의되지 않은 공구</translation>
+    </message>
+    <message>
+        <source>No tool</source>
+        <translation>공구 없음</translation>
+    </message>
+    <message>
+        <source>Box needs too much memory</source>
+        <translation>영역 메모리 초과</translation>
+    </message>
+    <message>
+        <source>Out of memory</source>
+        <translation>메모리 부족</translation>
+    </message>
+    <message>
+        <source>Simulation stopped</source>
+        <translation>시뮬레이션 중단</translation>
+    </message>
+    <message>
+        <source>Condition too long</source>
+        <translation>너무 긴 조건</translation>
+    </message>
+    <message>
+        <source>Invalid condition</source>
+        <translation>잘못된 조건</translation>
+    </message>
+    <message>
+        <source>Study stopped</source>
+        <translation>스터디 중단</translation>
+    </message>
+    <message>
+        <source>Nothing to optimise</source>
+        <translation>최적화할 것 없음</translation>
     </message>
 </context>
 <context>

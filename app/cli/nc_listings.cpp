@@ -1,17 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// dialects, rules: what the interpreter knows, read from its tables.
+// dialects, rules: what the interpreter knows and what can be wrong, read from the tables.
 #include <algorithm>
 #include <fmt/core.h>
 #include <memory>
+#include <set>
+#include <string>
 #include <string_view>
 #include <utility>
-#include <vector>
 
 #include "app/cli/command.h"
 #include "app/cli/report.h"
 #include "core/nc/codes/codes.h"
 #include "core/nc/codes/dialects.h"
-#include "core/nc/run/lint.h"
+#include "core/verification/findings/exit_effect.h"
+#include "core/verification/findings/findings.h"
 
 namespace proveout::cli {
 
@@ -63,40 +65,49 @@ void printDialects() {
     }
 }
 
-/// Every rule once, though it may look at several moments.
-std::vector<const Message*> rules() {
-    std::vector<const Message*> messages;
-    for (const LintRule& rule : lintRules()) {
-        if (std::ranges::find(messages, rule.message) == messages.end())
-            messages.push_back(rule.message);
-    }
-    return messages;
+/// The number of `{}` in a sentence.
+std::size_t parametersOf(std::string_view text) {
+    std::size_t count = 0;
+    for (std::size_t at = text.find("{}"); at != std::string_view::npos; at = text.find("{}", at + 2))
+        ++count;
+    return count;
 }
 
-std::string_view nameOf(Severity severity) {
-    switch (severity) {
-    case Severity::note:
-        return "note";
-    case Severity::warning:
-        return "warning";
-    default:
-        return "error";
-    }
+ordered_json toJson(const FindingTable& table, const FindingRow& row) {
+    ordered_json rule{{"id", row.id},
+                      {"severity", name(row.severity)},
+                      {"unverified", row.unverified},
+                      {"exitCode", static_cast<int>(exitEffect(table, row))},
+                      {"noticedBy", name(table.noticedBy)},
+                      {"title", row.title},
+                      {"text", row.text},
+                      {"hint", row.hint},
+                      {"parameters", parametersOf(row.text)}};
+    if (row.severityRule == SeverityRule::warningIfAssumed)
+        rule["severityIfAssumed"] = name(Severity::warning);
+    return rule;
 }
 
 ordered_json rulesAsJson() {
     auto list = ordered_json::array();
-    for (const Message* rule : rules())
-        list.push_back({{"id", rule->id},
-                        {"severity", nameOf(rule->severity)},
-                        {"text", rule->text},
-                        {"hint", rule->hint}});
+    for (const FindingTable& table : findingTables())
+        for (const FindingRow* row : table.rows)
+            list.push_back(toJson(table, *row));
     return {{"rules", std::move(list)}};
 }
 
+/// Rows of one id that differ only in their sentences share a line.
 void printRules() {
-    for (const Message* rule : rules())
-        fmt::print("{:<22} {:<8} {}\n", rule->id, nameOf(rule->severity), rule->text);
+    fmt::print("{:<32} {:<8} {:<5} {:<12} {}\n", "id", "severity", "exit", "noticed by", "title");
+    std::set<std::string> printed;
+    for (const FindingTable& table : findingTables())
+        for (const FindingRow* row : table.rows) {
+            const std::string line =
+                fmt::format("{:<32} {:<8} {:<5} {:<12} {}", row->id, name(row->severity),
+                            static_cast<int>(exitEffect(table, *row)), name(table.noticedBy), row->title);
+            if (printed.insert(line).second)
+                fmt::print("{}\n", line);
+        }
 }
 
 void addListing(CLI::App& app, ExitCode& exitCode, const char* name, const char* description, void (*print)(),
@@ -117,7 +128,9 @@ void addListing(CLI::App& app, ExitCode& exitCode, const char* name, const char*
 
 void addNcListings(CLI::App& app, ExitCode& exitCode) {
     addListing(app, exitCode, "dialects", "List the dialects of NC programs", printDialects, dialectsAsJson);
-    addListing(app, exitCode, "rules", "List the rules for what is seldom meant", printRules, rulesAsJson);
+    addListing(app, exitCode, "rules",
+               "List everything that can be wrong, and the exit code that it leads to", printRules,
+               rulesAsJson);
 }
 
 } // namespace proveout::cli

@@ -7,6 +7,8 @@
 #include <iterator>
 #include <utility>
 
+#include "core/verification/findings/exit_effect.h"
+
 namespace proveout::cli {
 
 namespace {
@@ -42,13 +44,12 @@ void Report::addFatal(Diagnostics diagnostics) {
 }
 
 ExitCode Report::exitCode() const {
+    ExitEffect effect = m_unverified ? ExitEffect::unverified : ExitEffect::none;
     if (m_fatal)
-        return ExitCode::unusable;
-    if (std::ranges::any_of(m_diagnostics, [](const Diagnostic& d) { return d.severity == Severity::fault; }))
-        return ExitCode::faults;
-    const bool unchecked = std::ranges::any_of(
-        m_diagnostics, [](const Diagnostic& d) { return d.unverified || d.severity == Severity::error; });
-    return m_unverified || unchecked ? ExitCode::unverified : ExitCode::done;
+        effect = ExitEffect::unusable;
+    for (const Diagnostic& diagnostic : m_diagnostics)
+        effect = worse(effect, exitEffect(diagnostic.severity, diagnostic.unverified));
+    return static_cast<ExitCode>(effect);
 }
 
 nlohmann::ordered_json Report::listed(bool unverified) const {

@@ -17,8 +17,8 @@
 #include <unistd.h>
 #include <utility>
 
+#include "core/base/base_findings.h"
 #include "core/base/memory.h"
-#include "core/base/text.h"
 #include "core/base/unfinished_files.h"
 
 namespace proveout {
@@ -130,8 +130,7 @@ void syncFolder(const std::filesystem::path& file) {
 }
 
 tl::unexpected<Diagnostics> cannotRead(const std::filesystem::path& file, int error) {
-    return failure("file-unreadable", PROVEOUT_TEXT("Core", "The file cannot be read: {}."), {reason(error)},
-                   file.string());
+    return failure(base_finding::kFileUnreadable, {reason(error)}, file.string());
 }
 
 } // namespace
@@ -267,10 +266,8 @@ Diagnostics AtomicFile::unwritable() const {
     const std::uint64_t needed = std::max(m_expected, m_written);
     const std::string file = m_target.string();
     if (needed == 0 || (m_written == 0 && !lacksRoom(m_error)))
-        return failure("file-unwritable", PROVEOUT_TEXT("Core", "The file cannot be written: {}."),
-                       {reason(m_error)}, file)
-            .value();
-    return failure("file-unwritable", PROVEOUT_TEXT("Core", "The file cannot be written ({} needed): {}."),
+        return failure(base_finding::kFileUnwritable, {reason(m_error)}, file).value();
+    return failure(base_finding::kFileUnwritableSize,
                    {readableBytes(static_cast<double>(needed)), reason(m_error)}, file)
         .value();
 }
@@ -290,9 +287,8 @@ Result<std::string> readFile(const std::filesystem::path& source, std::uint64_t 
     struct stat info {};
     if (::fstat(descriptor, &info) != 0 || !S_ISREG(info.st_mode)) {
         ::close(descriptor);
-        return failure("file-not-regular",
-                       S_ISDIR(info.st_mode) ? PROVEOUT_TEXT("Core", "This is a folder, not a file.")
-                                             : PROVEOUT_TEXT("Core", "This is not a regular file."),
+        return failure(S_ISDIR(info.st_mode) ? base_finding::kFileNotRegularFolder
+                                             : base_finding::kFileNotRegular,
                        {}, source.string());
     }
     // Memory is asked first: a file that fits the limit may still be more than may be taken. Asking
@@ -302,7 +298,7 @@ Result<std::string> readFile(const std::filesystem::path& source, std::uint64_t 
     if (static_cast<std::uint64_t>(info.st_size) > limit) {
         ::close(descriptor);
         return failure(
-            "file-too-large", PROVEOUT_TEXT("Core", "The file has {}; the limit is {}."),
+            base_finding::kFileTooLarge,
             {readableBytes(static_cast<double>(info.st_size)), readableBytes(static_cast<double>(limit))},
             source.string());
     }
@@ -332,8 +328,7 @@ Result<std::string> readFile(const std::filesystem::path& source, std::uint64_t 
     if (error != 0)
         return cannotRead(source, error);
     if (context.stopped())
-        return failure("cancelled", PROVEOUT_TEXT("Core", "Reading the file was cancelled."), {},
-                       source.string());
+        return failure(base_finding::kCancelledReading, {}, source.string());
     return bytes;
 }
 

@@ -5,7 +5,7 @@
 #include <string>
 #include <utility>
 
-#include "core/base/text.h"
+#include "core/base/base_findings.h"
 
 namespace proveout {
 
@@ -36,22 +36,19 @@ void BoundedDiagnostics::append(BoundedDiagnostics others) {
     leaveOut(others.m_worst, others.m_unverified, others.m_left);
 }
 
-Diagnostics BoundedDiagnostics::take(const char* id, const char* text) {
+Diagnostics BoundedDiagnostics::take(const FindingRow& more) {
     BoundedDiagnostics all = std::exchange(*this, {});
     if (all.m_left > 0) {
-        Diagnostic more;
-        more.severity = all.m_worst;
-        more.unverified = all.m_unverified;
-        more.id = id;
-        more.text = text;
-        more.arguments = {std::to_string(all.m_left)};
-        all.m_first.push_back(std::move(more));
+        Diagnostic last = diagnosticOf(more, {std::to_string(all.m_left)});
+        last.severity = all.m_worst;
+        last.unverified = all.m_unverified;
+        all.m_first.push_back(std::move(last));
     }
     return std::move(all.m_first);
 }
 
 Diagnostics BoundedDiagnostics::take() {
-    return take("too-many-messages", PROVEOUT_TEXT("Core", "{} more messages are not shown."));
+    return take(base_finding::kTooManyMessages);
 }
 
 } // namespace proveout

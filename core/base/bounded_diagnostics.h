@@ -4,6 +4,7 @@
 #include <cstddef>
 
 #include "core/base/diagnostic.h"
+#include "core/base/finding_row.h"
 
 namespace proveout {
 
@@ -26,9 +27,9 @@ public:
     void append(BoundedDiagnostics others);
 
     /// The messages; where there were more, a last one tells how many, and is as severe as the worst of them.
-    /// `text` has one `{}`, for the number. This is empty afterwards.
-    [[nodiscard]] Diagnostics take(const char* id, const char* text);
-    /// With the words for messages about a file.
+    /// The text of `more` has one `{}`, for the number. This is empty afterwards.
+    [[nodiscard]] Diagnostics take(const FindingRow& more);
+    /// With the row for messages about a file.
     [[nodiscard]] Diagnostics take();
 
 private:

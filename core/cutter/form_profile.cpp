@@ -10,7 +10,7 @@
 #include <optional>
 
 #include "core/base/geometry.h"
-#include "core/base/text.h"
+#include "core/cutter/cutter_findings.h"
 #include "core/cutter/shape_profiles.h"
 #include "core/cutter/solvable_pieces.h"
 
@@ -68,23 +68,20 @@ public:
             at = end + 1;
         }
         if (m_profile.pieces.empty())
-            return fail("form-no-width", PROVEOUT_TEXT("Core", "The profile at character {} has no width."));
+            return fail(cutter_finding::kFormNoWidth);
         return std::move(m_profile);
     }
 
 private:
-    [[nodiscard]] tl::unexpected<Diagnostics> fail(const char* id, const char* text,
+    [[nodiscard]] tl::unexpected<Diagnostics> fail(const FindingRow& row,
                                                    std::vector<std::string> more = {}) const {
         more.insert(more.begin(), std::to_string(m_at + 1));
-        return failure(id, text, std::move(more));
+        return failure(row, std::move(more));
     }
 
     Result<void> addPoint(std::string_view text) {
         if (m_points == kMostPoints)
-            return fail("form-too-long",
-                        PROVEOUT_TEXT("Core", "The profile goes on at character {} after {} points; it may "
-                                              "have no more."),
-                        {std::to_string(kMostPoints)});
+            return fail(cutter_finding::kFormTooLong, {std::to_string(kMostPoints)});
         const auto at = text.find('@');
         const auto place = placeOf(text.substr(0, at));
         if (!place)
@@ -92,8 +89,7 @@ private:
         if (m_points == 0)
             return begin(*place, text);
         if (place->x < m_last.x)
-            return fail("form-turns-back",
-                        PROVEOUT_TEXT("Core", "At character {} the profile turns back towards the axis."));
+            return fail(cutter_finding::kFormTurnsBack);
         if (place->y < m_last.y)
             return fall();
         auto added =
@@ -103,23 +99,15 @@ private:
     }
 
     [[nodiscard]] tl::unexpected<Diagnostics> unreadable(std::string_view text) const {
-        return fail("form-unreadable",
-                    PROVEOUT_TEXT("Core", "At character {}, “{}” is no point of a profile; a point is "
-                                          "written as {}, an arc to it as {} or {}."),
+        return fail(cutter_finding::kFormUnreadable,
                     {std::string(text.substr(0, 40)), "5/2", "5/2@3/2", "5/2@2"});
     }
 
-    [[nodiscard]] tl::unexpected<Diagnostics> fall() const {
-        return fail("form-falls", PROVEOUT_TEXT("Core", "At character {} the profile falls; from the axis "
-                                                        "outwards it may only rise or stay."));
-    }
+    [[nodiscard]] tl::unexpected<Diagnostics> fall() const { return fail(cutter_finding::kFormFalls); }
 
     Result<void> begin(const Vec2& place, std::string_view text) {
         if (place != Vec2(0) || text.find('@') != std::string_view::npos)
-            return fail("form-start",
-                        PROVEOUT_TEXT("Core", "At character {} the profile begins with “{}”, not at the tip, "
-                                              "{}."),
-                        {std::string(text.substr(0, 40)), "0/0"});
+            return fail(cutter_finding::kFormStart, {std::string(text.substr(0, 40)), "0/0"});
         return {};
     }
 
@@ -158,9 +146,7 @@ private:
 
     [[nodiscard]] Result<double> awayByRadius(double radius, double chord) const {
         if (2 * std::abs(radius) < chord)
-            return fail("form-arc-radius",
-                        PROVEOUT_TEXT("Core", "The arc at character {} has the radius {} mm, too small for "
-                                              "ends {} mm apart."),
+            return fail(cutter_finding::kFormArcRadius,
                         {fmt::format("{}", radius), fmt::format("{:.6g}", chord)});
         return std::copysign(std::sqrt(radius * radius - chord * chord / 4), radius);
     }
@@ -169,31 +155,20 @@ private:
         const double from = glm::distance(centre, m_last);
         const double until = glm::distance(centre, to);
         if (std::abs(from - until) > kRoundedPlace)
-            return fail("form-arc-centre",
-                        PROVEOUT_TEXT("Core",
-                                      "The arc at character {} has ends that are {} mm and {} mm away "
-                                      "from its centre."),
+            return fail(cutter_finding::kFormArcCentre,
                         {fmt::format("{:.6g}", from), fmt::format("{:.6g}", until)});
         return glm::dot(centre - (m_last + to) / 2.0, inwards);
     }
 
-    [[nodiscard]] tl::unexpected<Diagnostics> turns() const {
-        return fail("form-arc-turns",
-                    PROVEOUT_TEXT("Core", "The arc at character {} falls or turns back towards the axis; it "
-                                          "may be a quarter of a circle at most, from level to upright."));
-    }
+    [[nodiscard]] tl::unexpected<Diagnostics> turns() const { return fail(cutter_finding::kFormArcTurns); }
 
     Result<void> add(const ProfilePiece& piece) {
         if (m_profile.pieces.empty() && m_wall)
-            return fail("form-no-tip", PROVEOUT_TEXT("Core", "Before character {} the profile rises on the "
-                                                             "axis itself; its tip has no width."));
+            return fail(cutter_finding::kFormNoTip);
         m_profile.pieces.push_back(piece);
         m_solvable += solvablePieces({piece}).size();
         if (m_solvable > kMostPieces)
-            return fail("form-too-fine",
-                        PROVEOUT_TEXT("Core", "The arcs up to character {} are so large that they take more "
-                                              "than {} lines."),
-                        {std::to_string(kMostPieces)});
+            return fail(cutter_finding::kFormTooFine, {std::to_string(kMostPieces)});
         return {};
     }
 

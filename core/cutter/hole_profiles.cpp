@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <glm/trigonometric.hpp>
 
-#include "core/base/text.h"
+#include "core/cutter/cutter_findings.h"
 #include "core/cutter/shape_profiles.h"
 
 namespace proveout {
@@ -17,9 +17,7 @@ double coneHeight(double radius, double angle) {
 }
 
 tl::unexpected<Diagnostics> tipTooLarge(double tip, double diameter) {
-    return failure("tip-too-large",
-                   PROVEOUT_TEXT("Core", "The flat tip tip={} is not smaller than the diameter, {} mm."),
-                   {fmt::format("{}", tip), fmt::format("{}", diameter)});
+    return failure(cutter_finding::kTipTooLarge, {fmt::format("{}", tip), fmt::format("{}", diameter)});
 }
 
 /// A flat tip, if it has a radius, and a side from there to (radius, height).
@@ -53,13 +51,11 @@ Result<CutterProfile> centreProfile(const ShapeValues& values) {
     const double pilot = values[1] / 2;
     const double length = values[2];
     if (pilot >= radius)
-        return failure("pilot-too-large",
-                       PROVEOUT_TEXT("Core", "The pilot, pilot={}, is not smaller than the diameter, {} mm."),
+        return failure(cutter_finding::kPilotTooLarge,
                        {fmt::format("{}", values[1]), fmt::format("{}", values[0])});
     CutterProfile profile = pointed(0, pilot, coneHeight(pilot, values[4]));
     if (const double point = profile.pieces.back().z1; length < point)
-        return failure("pilot-too-short",
-                       PROVEOUT_TEXT("Core", "The pilot, pl={}, is shorter than its point, {} mm."),
+        return failure(cutter_finding::kPilotTooShort,
                        {fmt::format("{}", length), fmt::format("{:.4g}", point)});
     profile.pieces.push_back(
         sideBetween(pilot, length, radius, length + coneHeight(radius - pilot, values[3])));
@@ -75,8 +71,7 @@ Result<CutterProfile> reamerProfile(const ShapeValues& values) {
     const double slope = std::tan(glm::radians(values[2]));
     const double tip = radius - lead * slope;
     if (tip < 0)
-        return failure("lead-too-long",
-                       PROVEOUT_TEXT("Core", "The lead, lead={}, ends in a point; {} mm is the longest."),
+        return failure(cutter_finding::kLeadTooLong,
                        {fmt::format("{}", lead), fmt::format("{:.4g}", radius / slope)});
     return pointed(tip, radius, lead);
 }

@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <glm/trigonometric.hpp>
 
-#include "core/base/text.h"
+#include "core/cutter/cutter_findings.h"
 #include "core/cutter/shape_profiles.h"
 
 namespace proveout {
@@ -12,10 +12,8 @@ namespace {
 
 Result<CutterProfile> roundedFlat(double radius, double corner) {
     if (corner > radius)
-        return failure(
-            "corner-radius-too-large",
-            PROVEOUT_TEXT("Core", "The corner radius r={} is larger than half the diameter, {} mm."),
-            {fmt::format("{}", corner), fmt::format("{}", radius)});
+        return failure(cutter_finding::kCornerRadiusTooLarge,
+                       {fmt::format("{}", corner), fmt::format("{}", radius)});
     if (corner == 0)
         return CutterProfile{{ringBetween(0, radius)}, {}};
     if (corner == radius)
@@ -26,9 +24,7 @@ Result<CutterProfile> roundedFlat(double radius, double corner) {
 }
 
 tl::unexpected<Diagnostics> lowerThanItsTip(double height, double least) {
-    return failure("taper-too-low",
-                   PROVEOUT_TEXT("Core", "The height h={} is not more than that of the rounded tip, {} mm."),
-                   {fmt::format("{}", height), fmt::format("{:.4g}", least)});
+    return failure(cutter_finding::kTaperTooLow, {fmt::format("{}", height), fmt::format("{:.4g}", least)});
 }
 
 /// A side that leans outwards by `lean` (radians, from the axis), through (radius, 0), up to `height`; the

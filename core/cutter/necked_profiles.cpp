@@ -5,7 +5,7 @@
 #include <fmt/format.h>
 #include <glm/trigonometric.hpp>
 
-#include "core/base/text.h"
+#include "core/cutter/cutter_findings.h"
 #include "core/cutter/shape_profiles.h"
 
 namespace proveout {
@@ -13,10 +13,7 @@ namespace proveout {
 namespace {
 
 tl::unexpected<Diagnostics> neckTooThick(double neck, double limit) {
-    return failure(
-        "neck-too-thick",
-        PROVEOUT_TEXT("Core", "The neck, neck={}, must be thinner than {} mm, the head at its top."),
-        {fmt::format("{}", neck), fmt::format("{:.6g}", limit)});
+    return failure(cutter_finding::kNeckTooThick, {fmt::format("{}", neck), fmt::format("{:.6g}", limit)});
 }
 
 /// The upper part of a circle round (centreR, centreZ), between two radii.
@@ -86,8 +83,7 @@ Result<CutterProfile> dovetailProfile(const ShapeValues& values) {
     if (height < flankZ)
         return cornerTooLarge(corner, height / (1 + std::cos(angle)));
     if (top <= 0)
-        return failure("head-too-high",
-                       PROVEOUT_TEXT("Core", "With h={} the flanks meet below the top; {} mm is the limit."),
+        return failure(cutter_finding::kHeadTooHigh,
                        {fmt::format("{}", height), fmt::format("{:.4g}", flankZ + flankR * std::tan(angle))});
     const double neck = values[3] > 0 ? values[3] / 2 : top;
     if (neck > top)

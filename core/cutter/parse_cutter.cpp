@@ -5,8 +5,8 @@
 #include <fmt/format.h>
 #include <optional>
 
-#include "core/base/text.h"
 #include "core/base/tool_number.h"
+#include "core/cutter/cutter_findings.h"
 #include "core/cutter/shapes.h"
 #include "core/cutter/tool_table.h"
 
@@ -57,12 +57,9 @@ Result<double> parseNumber(const ShapeKey& key, std::string_view text) {
     double value = 0;
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
-        return failure("cutter-value-not-a-number",
-                       PROVEOUT_TEXT("Core", "The value of {}, “{}”, is not a number."),
-                       {key.key, std::string(text)});
+        return failure(cutter_finding::kCutterValueNotANumber, {key.key, std::string(text)});
     if (value < key.minimum || value > key.maximum)
-        return failure("cutter-value-out-of-range",
-                       PROVEOUT_TEXT("Core", "{}={} is out of its limits, {} to {} {}."),
+        return failure(cutter_finding::kCutterValueOutOfRange,
                        {key.key, std::string(text), fmt::format("{}", key.minimum),
                         fmt::format("{}", key.maximum), key.unit});
     return value;
@@ -88,22 +85,16 @@ Result<void> readAssignment(KeyValues& values, std::string_view assignment) {
         if (values.keys[i].key != name)
             continue;
         if (values.given[i])
-            return failure("cutter-key-twice", PROVEOUT_TEXT("Core", "The key {} is given twice."),
-                           {std::string(name)});
+            return failure(cutter_finding::kCutterKeyTwice, {std::string(name)});
         return readValue(values, i, trimmed(text));
     }
-    return failure("cutter-key-unknown",
-                   PROVEOUT_TEXT("Core", "“{}” is no key of this cutter shape; there are {}."),
-                   {std::string(name), listOf(values.keys)});
+    return failure(cutter_finding::kCutterKeyUnknown, {std::string(name), listOf(values.keys)});
 }
 
 tl::unexpected<Diagnostics> keyMissing(const CutterShape& shape, const ShapeKey& key) {
     if (key.isText())
-        return failure("cutter-key-missing",
-                       PROVEOUT_TEXT("Core", "A cutter of the shape {} needs the key {} ({}), e.g. {}."),
-                       {shape.key, key.key, key.label, key.standardText});
-    return failure("cutter-key-missing",
-                   PROVEOUT_TEXT("Core", "A cutter of the shape {} needs the key {} ({}, {} to {} {})."),
+        return failure(cutter_finding::kCutterKeyMissing, {shape.key, key.key, key.label, key.standardText});
+    return failure(cutter_finding::kCutterKeyMissingRange,
                    {shape.key, key.key, key.label, fmt::format("{}", key.minimum),
                     fmt::format("{}", key.maximum), key.unit});
 }
@@ -141,9 +132,7 @@ Result<Cutter> parseCutter(std::string_view spec) {
     const std::string_view name = takeUntil(text, ':');
     const CutterShape* shape = findShape(name);
     if (shape == nullptr)
-        return failure("cutter-shape-unknown",
-                       PROVEOUT_TEXT("Core", "“{}” is no cutter shape; there are {}."),
-                       {std::string(name), listOf(cutterShapes())});
+        return failure(cutter_finding::kCutterShapeUnknown, {std::string(name), listOf(cutterShapes())});
     const auto values = readKeys(*shape, text);
     if (!values)
         return tl::unexpected(values.error());
@@ -162,11 +151,8 @@ Result<Cutter> parseCutter(std::string_view spec) {
                   values->value(own + 2));
     if (!values->given[own] || *values->given[own] >= cutter.profileHeight())
         return cutter;
-    return failure(
-        "flutes-too-short",
-        PROVEOUT_TEXT("Core",
-                      "The flute length l={} is less than the height of the cutter's profile, {} mm."),
-        {fmt::format("{}", *values->given[own]), fmt::format("{:.4g}", cutter.profileHeight())});
+    return failure(cutter_finding::kFlutesTooShort,
+                   {fmt::format("{}", *values->given[own]), fmt::format("{:.4g}", cutter.profileHeight())});
 }
 
 Result<std::pair<int, Cutter>> parseToolOption(std::string_view option) {
@@ -176,11 +162,8 @@ Result<std::pair<int, Cutter>> parseToolOption(std::string_view option) {
         number.remove_prefix(1);
     const auto tool = parseToolNumber(number);
     if (!tool)
-        return failure(
-            "tool-number",
-            PROVEOUT_TEXT("Core", "“{}” does not begin with a tool number from {} to {}, as in {}."),
-            {std::string(option), std::to_string(kLeastTool), std::to_string(kLargestTool),
-             "1=ball:d=11,l=50"});
+        return failure(cutter_finding::kToolNumberText, {std::string(option), std::to_string(kLeastTool),
+                                                         std::to_string(kLargestTool), "1=ball:d=11,l=50"});
     auto cutter = parseCutter(spec);
     if (!cutter)
         return tl::unexpected(std::move(cutter.error()));

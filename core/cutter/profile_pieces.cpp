@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
-#include "core/base/text.h"
+#include "core/cutter/cutter_findings.h"
 #include "core/cutter/shape_profiles.h"
 
 namespace proveout {
@@ -29,8 +29,7 @@ ProfilePiece cornerFrom(double from, double cornerRadius) {
 }
 
 tl::unexpected<Diagnostics> cornerTooLarge(double corner, double largest) {
-    return failure("corner-radius-too-large",
-                   PROVEOUT_TEXT("Core", "The corner radius r={} does not fit; {} mm is the largest."),
+    return failure(cutter_finding::kCornerRadiusTooLargeFit,
                    {fmt::format("{}", corner), fmt::format("{:.4g}", largest)});
 }
 

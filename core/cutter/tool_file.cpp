@@ -17,8 +17,8 @@
 #include "core/base/atomic_file.h"
 #include "core/base/bounded_diagnostics.h"
 #include "core/base/nearest_name.h"
-#include "core/base/text.h"
 #include "core/base/tool_number.h"
+#include "core/cutter/cutter_findings.h"
 
 namespace proveout {
 
@@ -38,12 +38,11 @@ TextRange place(const toml::source_region& region) {
 class RowReader {
 public:
     Result<ToolTable> read(const toml::table& document) {
-        refuseUnknown(document, kTables,
-                      PROVEOUT_TEXT("Core", "“{}” is no table of a tool file; each tool is a [[tool]]."),
-                      PROVEOUT_TEXT("Core", "“{}” is no table of a tool file; perhaps “{}” is meant."));
+        refuseUnknown(document, kTables, cutter_finding::kToolKeyUnknownTable,
+                      cutter_finding::kToolKeyUnknownTableMeant);
         const auto* rows = document["tool"].as_array();
         if (rows == nullptr)
-            fail({}, "tool-file-empty", PROVEOUT_TEXT("Core", "The file holds no [[tool]] tables."));
+            fail({}, cutter_finding::kToolFileEmpty);
         else
             for (const toml::node& row : *rows)
                 readNode(row);
@@ -57,12 +56,10 @@ private:
     void readNode(const toml::node& node) {
         const auto* row = node.as_table();
         if (row == nullptr) {
-            fail(place(node.source()), "tool-row",
-                 PROVEOUT_TEXT("Core", "A tool must be a table: [[tool]]."));
+            fail(place(node.source()), cutter_finding::kToolRow);
             return;
         }
-        refuseUnknown(*row, kRowKeys, PROVEOUT_TEXT("Core", "“{}” is no key of a tool; there are {}."),
-                      PROVEOUT_TEXT("Core", "“{}” is no key of a tool; perhaps “{}” is meant."));
+        refuseUnknown(*row, kRowKeys, cutter_finding::kToolKeyUnknown, cutter_finding::kToolKeyUnknownMeant);
         if (const auto number = readNumber(*row))
             readCutter(*row, *number);
     }
@@ -71,14 +68,12 @@ private:
     std::optional<int> readNumber(const toml::table& row) {
         const auto number = row["number"].value_exact<std::int64_t>();
         if (!number || *number < kLeastTool || *number > kLargestTool) {
-            fail(placeOf(row, "number"), "tool-number",
-                 PROVEOUT_TEXT("Core", "A tool needs a number, a whole one from {} to {}."),
+            fail(placeOf(row, "number"), cutter_finding::kToolNumber,
                  {std::to_string(kLeastTool), std::to_string(kLargestTool)});
             return {};
         }
         if (!m_numbers.insert(*number).second) {
-            fail(placeOf(row, "number"), "tool-twice",
-                 PROVEOUT_TEXT("Core", "Tool {} stands in the table twice."), {std::to_string(*number)});
+            fail(placeOf(row, "number"), cutter_finding::kToolTwice, {std::to_string(*number)});
             return {};
         }
         return static_cast<int>(*number);
@@ -87,9 +82,7 @@ private:
     void readCutter(const toml::table& row, int number) {
         const auto spec = row["cutter"].value_exact<std::string>();
         if (!spec) {
-            fail(placeOf(row, "cutter"), "tool-cutter",
-                 PROVEOUT_TEXT("Core", "Tool {} needs a cutter, e.g. cutter = \"ball:d=11,l=50\"."),
-                 {std::to_string(number)});
+            fail(placeOf(row, "cutter"), cutter_finding::kToolCutter, {std::to_string(number)});
             return;
         }
         auto cutter = parseCutter(*spec);
@@ -110,19 +103,18 @@ private:
         for (const ToolSource source : {ToolSource::given, ToolSource::comment, ToolSource::assumed})
             if (named == name(source))
                 return source;
-        fail(placeOf(row, "source"), "tool-source",
-             PROVEOUT_TEXT("Core", "The source of a tool is \"given\", \"comment\" or \"assumed\"."));
+        fail(placeOf(row, "source"), cutter_finding::kToolSource);
         return ToolSource::given;
     }
 
     /// A misspelt key must not be ignored in silence.
-    void refuseUnknown(const toml::table& table, std::span<const std::string_view> names, const char* listing,
-                       const char* guessing) {
+    void refuseUnknown(const toml::table& table, std::span<const std::string_view> names,
+                       const FindingRow& listing, const FindingRow& guessing) {
         for (const auto& [key, value] : table) {
             if (std::ranges::find(names, key.str()) != names.end())
                 continue;
             const std::string_view meant = nearestName(key.str(), names);
-            fail(place(key.source()), "tool-key-unknown", meant.empty() ? listing : guessing,
+            fail(place(key.source()), meant.empty() ? listing : guessing,
                  {std::string(key.str()),
                   meant.empty() ? fmt::format("{}", fmt::join(names, ", ")) : std::string(meant)});
         }
@@ -134,8 +126,8 @@ private:
         return place(value == nullptr ? row.source() : value->source());
     }
 
-    void fail(TextRange where, const char* id, const char* text, std::vector<std::string> arguments = {}) {
-        Diagnostic error = failure(id, text, std::move(arguments)).value().front();
+    void fail(TextRange where, const FindingRow& row, std::vector<std::string> arguments = {}) {
+        Diagnostic error = diagnosticOf(row, std::move(arguments));
         error.where = where;
         m_errors.add(std::move(error));
     }
@@ -155,8 +147,7 @@ Result<ToolTable> readToolFile(const std::filesystem::path& file) {
     try {
         tools = RowReader().read(toml::parse(*bytes));
     } catch (const toml::parse_error& error) {
-        tools = failure("tool-file-syntax", PROVEOUT_TEXT("Core", "The tool table cannot be read: {}."),
-                        {std::string(error.description())});
+        tools = failure(cutter_finding::kToolFileSyntax, {std::string(error.description())});
         tools.error().front().where = place(error.source());
     }
     if (!tools)

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "core/base/text.h"
+#include "core/formats/export_findings.h"
 
 namespace proveout {
 
@@ -108,10 +109,7 @@ Result<const FileFormat*> meshFormatOf(const std::filesystem::path& file) {
                std::ranges::find(row.extensions, extension) != row.extensions.end();
     });
     if (found == kFormats.end())
-        return failure(
-            "export-format-unknown",
-            PROVEOUT_TEXT("Core", "The ending of this name is that of no mesh format; there are {}."),
-            {meshEndings()}, file.string());
+        return failure(export_finding::kExportFormatUnknown, {meshEndings()}, file.string());
     return &*found;
 }
 

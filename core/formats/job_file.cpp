@@ -15,9 +15,9 @@
 #include <vector>
 
 #include "core/base/atomic_file.h"
-#include "core/base/text.h"
 #include "core/base/tool_number.h"
 #include "core/decimation/regions/region_decimator.h"
+#include "core/formats/job_findings.h"
 #include "core/formats/job_json.h"
 #include "core/formats/stock_position_json.h"
 #include "core/formats/stock_shapes.h"
@@ -53,10 +53,7 @@ fs::path reachedFile(JsonFields& fields, const char* key, const std::string& nam
     fs::path file = absolutePath(reach.folder / fs::path(named));
     if (!isOutside(reach.folder, file) || (reach.allowed && reach.allowed(file)))
         return file;
-    fields.fail(key,
-                PROVEOUT_TEXT("Core", "The field \"{}\" names {}, which is outside the folder of the job; it "
-                                      "was not read."),
-                {file.string()}, "job-outside");
+    fields.fail(key, job_finding::kJobOutside, {file.string()});
     return {};
 }
 
@@ -130,19 +127,16 @@ void readTools(JsonFields tools, ToolTable& table) {
     tools.eachString([&](const std::string& key, const std::string& spec) {
         const auto number = parseToolNumber(key);
         if (!number) {
-            tools.fail(
-                key,
-                PROVEOUT_TEXT("Core", "\"{}\" is not a tool number; these are whole numbers from {} to {}."),
-                {std::to_string(kLeastTool), std::to_string(kLargestTool)});
+            tools.fail(key, job_finding::kJobFieldToolNumber,
+                       {std::to_string(kLeastTool), std::to_string(kLargestTool)});
             return;
         }
         if (!numbers.insert(*number).second)
-            tools.fail(key, PROVEOUT_TEXT("Core", "\"{}\" is a tool that the table has already."), {});
+            tools.fail(key, job_finding::kJobFieldToolTwice, {});
         else if (auto cutter = parseCutter(spec))
             table.set(*number, std::move(*cutter));
         else
-            tools.fail(key, PROVEOUT_TEXT("Core", "The field \"{}\" is no cutter: {}"),
-                       {message(cutter.error().front())});
+            tools.fail(key, job_finding::kJobFieldCutter, {message(cutter.error().front())});
     });
 }
 
@@ -282,19 +276,11 @@ ordered_json writeParameters(const DecimationParameters& parameters) {
 Result<void> checkSchema(const nlohmann::json& json) {
     const auto found = json.is_object() ? json.find("proveout") : json.end();
     if (!json.is_object() || found == json.end())
-        return failure("not-a-job",
-                       PROVEOUT_TEXT("Core", "This is not a Proveout job: the field \"proveout\" with "
-                                             "the number of its format is missing."));
+        return failure(job_finding::kNotAJob);
     if (!found->is_number_integer() || found->get<double>() < 1)
-        return failure("job-field",
-                       PROVEOUT_TEXT("Core", "The field \"{}\" must be the number of the format."),
-                       {"proveout"});
+        return failure(job_finding::kJobFieldFormat, {"proveout"});
     if (found->get<double>() > kSchema)
-        return failure("job-newer",
-                       PROVEOUT_TEXT("Core",
-                                     "The job was written by a newer Proveout (format {}); this one reads "
-                                     "up to format {}."),
-                       {found->dump(), std::to_string(kSchema)});
+        return failure(job_finding::kJobNewer, {found->dump(), std::to_string(kSchema)});
     return {};
 }
 
@@ -319,7 +305,7 @@ Result<Job> parse(std::string_view text, const Reach& reach) {
     fields.require({"proveout", "program"});
     fields.read("program", program);
     if (fields.has("program") && program.empty() && complaints.errors.empty())
-        fields.fail("program", PROVEOUT_TEXT("Core", "The field \"{}\" must name a file."), {});
+        fields.fail("program", job_finding::kJobFieldProgram, {});
     else if (!program.empty())
         job.program = reachedFile(fields, "program", program, reach);
     DescribedStock stock = readStock(fields, reach);
@@ -408,10 +394,7 @@ Result<std::string> jobText(const fs::path& file, const Job& job) {
         return toJson(job, file).dump(2) + "\n";
     } catch (
         const nlohmann::json::type_error&) { // dump() knows no other way to refuse bytes that are no UTF-8
-        return failure(
-            "job-not-utf8",
-            PROVEOUT_TEXT("Core", "The name of the program is not UTF-8, which JSON needs; rename it."), {},
-            file.string());
+        return failure(job_finding::kJobNotUtf8, {}, file.string());
     }
 }
 

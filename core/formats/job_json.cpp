@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "core/base/nearest_name.h"
-#include "core/base/text.h"
+#include "core/formats/job_findings.h"
 
 namespace proveout {
 
@@ -33,16 +33,15 @@ const json* JsonFields::find(const char* key) {
     return found == m_object->end() ? nullptr : &*found;
 }
 
-void JsonFields::fail(std::string_view key, const char* text, std::vector<std::string> arguments,
-                      const char* id) {
-    fail(key, {}, text, std::move(arguments), id);
+void JsonFields::fail(std::string_view key, const FindingRow& row, std::vector<std::string> arguments) {
+    fail(key, {}, row, std::move(arguments));
 }
 
-void JsonFields::fail(std::string_view key, std::string_view element, const char* text,
-                      std::vector<std::string> arguments, const char* id) {
+void JsonFields::fail(std::string_view key, std::string_view element, const FindingRow& row,
+                      std::vector<std::string> arguments) {
     arguments.insert(arguments.begin(), fmt::format("{}{}{}", m_path, key, element));
     const auto place = m_document->places.find({m_here.object, std::string(key)});
-    Diagnostic error = failure(id, text, std::move(arguments)).value().front();
+    Diagnostic error = diagnosticOf(row, std::move(arguments));
     error.where = place == m_document->places.end() ? m_here.where : place->second.where;
     m_complaints->errors.add(std::move(error));
 }
@@ -61,17 +60,10 @@ void JsonFields::warnAboutUnknown() {
             m_complaints->warnings.leaveOut(Severity::warning, false, 1);
             continue;
         }
-        Diagnostic warning;
-        warning.severity = Severity::warning;
-        warning.id = "job-field-unknown";
-        warning.arguments = {m_path + name};
-        warning.text = PROVEOUT_TEXT("Core", "The field \"{}\" is not known and has no effect.");
-        if (const auto meant = nearestName(name, known); !meant.empty()) {
-            warning.text = PROVEOUT_TEXT(
-                "Core", "The field \"{}\" is not known and has no effect; perhaps \"{}\" is meant.");
-            warning.arguments.push_back(m_path + std::string(meant));
-        }
-        warning.hint = PROVEOUT_TEXT("Core", "Correct its name, or remove it.");
+        const auto meant = nearestName(name, known);
+        Diagnostic warning = meant.empty() ? diagnosticOf(job_finding::kJobFieldUnknown, {m_path + name})
+                                           : diagnosticOf(job_finding::kJobFieldUnknownMeant,
+                                                          {m_path + name, m_path + std::string(meant)});
         warning.where = field->second.where;
         m_complaints->warnings.add(std::move(warning));
     }
@@ -80,7 +72,7 @@ void JsonFields::warnAboutUnknown() {
 void JsonFields::require(std::initializer_list<const char*> keys) {
     for (const char* key : keys) {
         if (!has(key))
-            fail(key, PROVEOUT_TEXT("Core", "The field \"{}\" is missing."), {});
+            fail(key, job_finding::kJobFieldMissing, {});
     }
 }
 
@@ -92,10 +84,7 @@ bool JsonFields::readNumber(std::string_view key, std::string_view element, cons
         number = read;
         return true;
     }
-    fail(key, element,
-         range.aboveMinimum
-             ? PROVEOUT_TEXT("Core", "The field \"{}\" must be a number above {} and at most {}.")
-             : PROVEOUT_TEXT("Core", "The field \"{}\" must be a number from {} to {}."),
+    fail(key, element, range.aboveMinimum ? job_finding::kJobFieldAbove : job_finding::kJobFieldRange,
          {fmt::format("{}", range.minimum), fmt::format("{}", range.maximum)});
     return false;
 }
@@ -106,7 +95,7 @@ bool JsonFields::readString(std::string_view key, const json& value, std::string
         text = value.get<std::string>();
         return true;
     }
-    fail(key, PROVEOUT_TEXT("Core", "The field \"{}\" must be a text."), {});
+    fail(key, job_finding::kJobFieldText, {});
     return false;
 }
 
@@ -121,7 +110,7 @@ void JsonFields::read(const char* key, int& value, const JsonRange& range) {
     if (field == nullptr || !readNumber(key, {}, *field, number, range))
         return;
     if (number != std::floor(number))
-        fail(key, PROVEOUT_TEXT("Core", "The field \"{}\" must be a whole number."), {});
+        fail(key, job_finding::kJobFieldWhole, {});
     else
         value = static_cast<int>(number);
 }
@@ -133,7 +122,7 @@ void JsonFields::read(const char* key, bool& value) {
     if (field->is_boolean())
         value = field->get<bool>();
     else
-        fail(key, PROVEOUT_TEXT("Core", "The field \"{}\" must be true or false."), {});
+        fail(key, job_finding::kJobFieldFlag, {});
 }
 
 void JsonFields::read(const char* key, std::string& value) {
@@ -146,7 +135,7 @@ void JsonFields::read(const char* key, Vec3& point, const JsonRange& range) {
     if (field == nullptr)
         return;
     if (!field->is_array() || field->size() != 3) {
-        fail(key, PROVEOUT_TEXT("Core", "The field \"{}\" must be three numbers [x, y, z]."), {});
+        fail(key, job_finding::kJobFieldPoint, {});
         return;
     }
     for (int axis = 0; axis < 3; ++axis)
@@ -163,8 +152,7 @@ void JsonFields::read(const char* key, std::set<int>& numbers, int most) {
         return one.is_number_integer() && one.get<double>() >= 0 && one.get<double>() <= most;
     };
     if (!field->is_array() || !std::all_of(field->begin(), field->end(), isNumber)) {
-        fail(key, PROVEOUT_TEXT("Core", "The field \"{}\" must be a list of whole numbers from 0 to {}."),
-             {std::to_string(most)});
+        fail(key, job_finding::kJobFieldList, {std::to_string(most)});
         return;
     }
     for (const json& one : *field)
@@ -186,13 +174,13 @@ void JsonFields::read(const char* key, std::size_t& index, std::span<const Choic
     std::string allowed;
     for (const Choice& choice : choices)
         allowed += fmt::format("{}\"{}\"", allowed.empty() ? "" : ", ", choice.key);
-    fail(key, PROVEOUT_TEXT("Core", "The field \"{}\" must be one of {}."), {allowed});
+    fail(key, job_finding::kJobFieldChoice, {allowed});
 }
 
 JsonFields JsonFields::object(const char* key) {
     const json* field = find(key);
     if (field != nullptr && !field->is_object())
-        fail(key, PROVEOUT_TEXT("Core", "The field \"{}\" must be an object { }."), {});
+        fail(key, job_finding::kJobFieldObject, {});
     const bool usable = field != nullptr && field->is_object();
     JsonFields fields = *this;
     fields.m_object = usable ? field : &emptyObject();

@@ -67,8 +67,7 @@ public:
     }
 
     /// Adds an error about `key`: "the field …: …".
-    void fail(std::string_view key, const char* text, std::vector<std::string> arguments,
-              const char* id = "job-field");
+    void fail(std::string_view key, const FindingRow& row, std::vector<std::string> arguments);
 
     /// Call it when everything known has been asked for: warns about every field that was not, and names the
     /// known one that was probably meant.
@@ -80,8 +79,8 @@ private:
     /// `element`: which one of an array, "[1]"; empty where the field is the number itself.
     [[nodiscard]] bool readNumber(std::string_view key, std::string_view element, const nlohmann::json& value,
                                   double& number, const JsonRange& range);
-    void fail(std::string_view key, std::string_view element, const char* text,
-              std::vector<std::string> arguments, const char* id = "job-field");
+    void fail(std::string_view key, std::string_view element, const FindingRow& row,
+              std::vector<std::string> arguments);
 
     const JsonDocument* m_document;
     JsonComplaints* m_complaints;

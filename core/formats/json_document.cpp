@@ -4,7 +4,7 @@
 #include <iterator>
 #include <vector>
 
-#include "core/base/text.h"
+#include "core/formats/job_findings.h"
 
 namespace proveout {
 
@@ -153,9 +153,8 @@ Result<JsonDocument> parseJson(std::string_view text, int depth) {
     if (check.passes())
         return JsonDocument{json::parse(text), check.takePlaces()};
     if (check.tooDeep())
-        return failure("json-depth", PROVEOUT_TEXT("Core", "The brackets are nested deeper than {} levels."),
-                       {std::to_string(depth)});
-    auto failed = failure("json-syntax", PROVEOUT_TEXT("Core", "This is not valid JSON."));
+        return failure(job_finding::kJsonDepth, {std::to_string(depth)});
+    auto failed = failure(job_finding::kJsonSyntax);
     failed.value().front().where = check.errorPlace();
     return failed;
 }

@@ -19,10 +19,6 @@
 
 namespace proveout {
 
-/// The hint of what is wrong with an STL because of its coordinates.
-inline constexpr const char* kOffersDoubles =
-    PROVEOUT_TEXT("Core", "Export OBJ or PLY: they hold coordinates in double precision.");
-
 /// Refuse what no mesh file can hold: an empty mesh; coordinates that are not finite.
 [[nodiscard]] Result<void> checkNotEmpty(const std::filesystem::path& file, const TriangleMesh& mesh);
 [[nodiscard]] Result<void> checkFinite(const std::filesystem::path& file, const TriangleMesh& mesh);

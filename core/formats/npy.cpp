@@ -13,7 +13,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/memory.h"
-#include "core/base/text.h"
+#include "core/formats/array_findings.h"
 #include "core/formats/npy_header.h"
 
 namespace proveout {
@@ -29,33 +29,22 @@ std::string shapeText(const std::vector<std::uint64_t>& shape) {
 /// What of the header this program can use, and how many values there must be.
 Result<std::size_t> checkHeader(const NpyHeader& header, std::size_t bytes) {
     if (header.type != "<f4" && header.type != "<f8")
-        return failure("npy-type",
-                       PROVEOUT_TEXT("Core",
-                                     "The NPY file holds values of type \"{}\"; little-endian float32 "
-                                     "(\"<f4\") or float64 (\"<f8\") is needed."),
-                       {header.type});
+        return failure(array_finding::kNpyType, {header.type});
     if (header.fortranOrder)
-        return failure("npy-order",
-                       PROVEOUT_TEXT("Core", "The NPY file is in Fortran order; C order is needed."));
+        return failure(array_finding::kNpyOrder);
     const auto& shape = header.shape;
     if (shape.size() != 2 || shape[0] == 0 || shape[1] == 0)
-        return failure("npy-shape",
-                       PROVEOUT_TEXT("Core",
-                                     "The NPY file has the shape {}; two dimensions (rows, columns) are "
-                                     "needed."),
-                       {shapeText(shape)});
+        return failure(array_finding::kNpyShape, {shapeText(shape)});
     const std::size_t size = header.type == "<f4" ? sizeof(float) : sizeof(double);
     const std::size_t present = (bytes - header.dataStart) / size;
     // In double: the product of two hostile numbers may not fit 64 bits.
     const double wanted = static_cast<double>(shape[0]) * static_cast<double>(shape[1]);
     if (wanted > static_cast<double>(present))
         return failure(
-            "npy-cut-off", PROVEOUT_TEXT("Core", "The NPY file announces {} values ({}) and has {}."),
+            array_finding::kNpyCutOff,
             {shapeText(shape), readableBytes(wanted * static_cast<double>(size)), std::to_string(present)});
     if (std::max(shape[0], shape[1]) > static_cast<std::uint64_t>(std::numeric_limits<int>::max()))
-        return failure("npy-shape",
-                       PROVEOUT_TEXT("Core", "The NPY file has the shape {}; that is too large."),
-                       {shapeText(shape)});
+        return failure(array_finding::kNpyShapeLarge, {shapeText(shape)});
     return static_cast<std::size_t>(shape[0] * shape[1]);
 }
 
@@ -76,10 +65,7 @@ Result<void> checkValues(const NpyArray& array) {
     if (wrong == array.values.end())
         return {};
     const auto index = wrong - array.values.begin();
-    return failure("npy-value",
-                   PROVEOUT_TEXT("Core",
-                                 "The value in row {}, column {} (counted from 0) is {}; heights must be "
-                                 "finite and fit float32."),
+    return failure(array_finding::kNpyValue,
                    {std::to_string(index / array.columns), std::to_string(index % array.columns),
                     fmt::format("{}", *wrong)});
 }

@@ -6,7 +6,7 @@
 #include <system_error>
 #include <utility>
 
-#include "core/base/text.h"
+#include "core/formats/array_findings.h"
 
 namespace proveout {
 
@@ -101,9 +101,7 @@ private:
 };
 
 tl::unexpected<Diagnostics> badHeader(std::size_t offset) {
-    return failure("npy-header",
-                   PROVEOUT_TEXT("Core", "The header of the NPY file cannot be read at byte {}."),
-                   {std::to_string(offset)});
+    return failure(array_finding::kNpyHeader, {std::to_string(offset)});
 }
 
 /// The dictionary at `start`; each key exactly once.
@@ -146,23 +144,19 @@ std::size_t littleEndian(std::string_view bytes) {
 
 Result<NpyHeader> readNpyHeader(std::string_view bytes) {
     if (!bytes.starts_with(kMagic))
-        return failure("not-npy", PROVEOUT_TEXT("Core", "This is not an NPY file."));
+        return failure(array_finding::kNotNpy);
     if (bytes.size() < kVersionEnd)
         return badHeader(bytes.size());
     const int version = static_cast<unsigned char>(bytes[kMagic.size()]);
     if (version < 1 || version > 3)
-        return failure(
-            "npy-version",
-            PROVEOUT_TEXT("Core", "The NPY file has format version {}; versions 1 to 3 are known."),
-            {std::to_string(version)});
+        return failure(array_finding::kNpyVersion, {std::to_string(version)});
     // Version 1 has two bytes for the length of the dictionary, later ones four.
     const std::size_t textStart = kVersionEnd + (version == 1 ? 2 : 4);
     if (bytes.size() < textStart)
         return badHeader(bytes.size());
     const std::size_t length = littleEndian(bytes.substr(kVersionEnd, textStart - kVersionEnd));
     if (length > bytes.size() - textStart)
-        return failure("npy-cut-off",
-                       PROVEOUT_TEXT("Core", "The NPY file ends at byte {}, within its header of {} bytes."),
+        return failure(array_finding::kNpyCutOffHeader,
                        {std::to_string(bytes.size()), std::to_string(textStart + length)});
     auto header = readDictionary(bytes.substr(textStart, length), textStart);
     if (header)

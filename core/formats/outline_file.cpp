@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "core/base/atomic_file.h"
-#include "core/base/text.h"
+#include "core/formats/stock_file_findings.h"
 
 namespace proveout {
 
@@ -17,8 +17,8 @@ namespace {
 constexpr std::uint64_t kSizeLimit = 64'000'000; ///< bytes; some millions of points
 constexpr std::string_view kSeparators = " \t,;\r";
 
-Diagnostics about(const char* id, const char* text, int line, const std::filesystem::path& file) {
-    Diagnostics errors = failure(id, text, {}, file.string()).value();
+Diagnostics about(const FindingRow& row, int line, const std::filesystem::path& file) {
+    Diagnostics errors = failure(row, {}, file.string()).value();
     errors.front().where = {line, 1, 0};
     return errors;
 }
@@ -68,24 +68,16 @@ Result<std::vector<OutlineLoop>> readOutline(const std::filesystem::path& file) 
         line = line.substr(0, line.find('#'));
         const auto numbers = numbersOf(line);
         if (!numbers || numbers->size() == 1 || numbers->size() > 3)
-            return tl::unexpected(
-                about("outline-line",
-                      PROVEOUT_TEXT("Core", "This line is no point: X, Y and perhaps the bulge of an arc."),
-                      lineNumber, file));
+            return tl::unexpected(about(stock_finding::kOutlineLine, lineNumber, file));
         if (!numbers->empty())
             loop.push_back({{(*numbers)[0], (*numbers)[1]}, numbers->size() == 3 ? (*numbers)[2] : 0});
         else if (!comment && !closes())
-            return tl::unexpected(about("outline-loop",
-                                        PROVEOUT_TEXT("Core", "The loop that ends here has only one point."),
-                                        lineNumber, file));
+            return tl::unexpected(about(stock_finding::kOutlineLoop, lineNumber, file));
     }
     if (!closes())
-        return tl::unexpected(about("outline-loop",
-                                    PROVEOUT_TEXT("Core", "The loop that ends here has only one point."),
-                                    lineNumber, file));
+        return tl::unexpected(about(stock_finding::kOutlineLoop, lineNumber, file));
     if (loops.empty())
-        return failure("outline-empty", PROVEOUT_TEXT("Core", "The outline has no points."), {},
-                       file.string());
+        return failure(stock_finding::kOutlineEmpty, {}, file.string());
     return loops;
 }
 

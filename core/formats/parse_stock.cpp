@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "core/base/text.h"
+#include "core/formats/stock_file_findings.h"
 #include "core/formats/stock_shapes.h"
 
 namespace proveout {
@@ -34,8 +34,7 @@ const StockField* fieldOf(const StockShapeRow& row, std::string_view key) {
 }
 
 tl::unexpected<Diagnostics> unknownKey(const StockShapeRow& row, std::string_view part) {
-    return failure("stock-key-unknown",
-                   PROVEOUT_TEXT("Core", "“{}” is no key of this stock shape; there are {}."),
+    return failure(stock_finding::kStockKeyUnknown,
                    {std::string(part.substr(0, part.find('='))), listOf(row.fields)});
 }
 
@@ -66,8 +65,7 @@ Result<void> readLength(const StockField& field, const StockLength& length, std:
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size() ||
         !(value > kLeastStockSide && value <= kLargestStockSide))
-        return failure("stock-value-bad",
-                       PROVEOUT_TEXT("Core", "{}={} is no length above {} and at most {} mm."),
+        return failure(stock_finding::kStockValueBad,
                        {field.key, std::string(text), fmt::format("{}", kLeastStockSide),
                         fmt::format("{}", kLargestStockSide)});
     length.set(spec, value);
@@ -79,7 +77,7 @@ Result<void> readChoice(const StockField& field, const StockChoice& choice, std:
     const auto found =
         std::ranges::find_if(choice.choices, [&](const Choice& row) { return row.key == text; });
     if (found == choice.choices.end())
-        return failure("stock-choice-unknown", PROVEOUT_TEXT("Core", "{}={} is not one of {}."),
+        return failure(stock_finding::kStockChoiceUnknown,
                        {field.key, std::string(text), listOf(choice.choices)});
     choice.set(spec, static_cast<std::size_t>(found - choice.choices.begin()));
     return {};
@@ -92,8 +90,7 @@ Result<void> read(const Assignment& assignment, StockSpec& spec) {
     if (const auto* choice = std::get_if<StockChoice>(&field.value))
         return readChoice(field, *choice, assignment.value, spec);
     if (assignment.value.empty())
-        return failure("stock-file-missing", PROVEOUT_TEXT("Core", "The key {} must name a file."),
-                       {field.key});
+        return failure(stock_finding::kStockFileMissing, {field.key});
     spec.shape.file = assignment.value;
     return {};
 }
@@ -107,16 +104,13 @@ Result<StockSpec> parseShape(const StockShapeRow& row, std::string_view text) {
     std::set<const StockField*> given;
     for (const Assignment& assignment : *assignments) {
         if (!given.insert(assignment.field).second)
-            return failure("stock-key-twice", PROVEOUT_TEXT("Core", "The key {} is given twice."),
-                           {assignment.field->key});
+            return failure(stock_finding::kStockKeyTwice, {assignment.field->key});
         if (auto fine = read(assignment, spec); !fine)
             return tl::unexpected(std::move(fine.error()));
     }
     for (const StockField& field : row.fields)
         if (!given.contains(&field) && !std::holds_alternative<StockChoice>(field.value))
-            return failure("stock-key-missing",
-                           PROVEOUT_TEXT("Core", "A stock of the shape {} needs the key {}, as in {}."),
-                           {row.key, field.key, row.example});
+            return failure(stock_finding::kStockKeyMissing, {row.key, field.key, row.example});
     return spec;
 }
 
@@ -129,9 +123,7 @@ Result<StockSpec> parseStock(std::string_view text) {
         for (const StockShapeRow& row : stockShapes())
             if (row.key == key)
                 return parseShape(row, text.substr(colon + 1));
-        return failure("stock-shape-unknown",
-                       PROVEOUT_TEXT("Core", "“{}” is no shape of stock; there are {}."),
-                       {std::string(key), listOf(stockShapes())});
+        return failure(stock_finding::kStockShapeUnknown, {std::string(key), listOf(stockShapes())});
     }
     const auto sides = parseStockSize(text);
     if (!sides)

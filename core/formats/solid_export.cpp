@@ -6,8 +6,8 @@
 #include <string>
 #include <utility>
 
-#include "core/base/text.h"
 #include "core/decimation/solid/solid_error.h"
+#include "core/formats/export_findings.h"
 #include "core/formats/mesh_writing.h"
 
 namespace proveout {
@@ -28,15 +28,9 @@ std::string toldApart(double value, double other) {
 }
 
 Diagnostic roundedBeyond(const std::filesystem::path& file, double rounded, double allowance, double exact) {
-    Diagnostic warning;
-    warning.severity = Severity::warning;
-    warning.id = "export-rounded-beyond";
-    warning.text =
-        PROVEOUT_TEXT("Core", "Rounded to single precision, the file lies up to {} mm from the z-map, "
-                              "beyond the error allowance of {} mm; OBJ or PLY would keep {} mm.");
-    warning.hint = kOffersDoubles;
-    warning.arguments = {toldApart(rounded, allowance), fmt::format("{}", allowance),
-                         fmt::format("{:.4g}", exact)};
+    Diagnostic warning = diagnosticOf(
+        export_finding::kExportRoundedBeyond,
+        {toldApart(rounded, allowance), fmt::format("{}", allowance), fmt::format("{:.4g}", exact)});
     warning.file = file.string();
     return warning;
 }

@@ -5,7 +5,7 @@
 #include <string>
 #include <system_error>
 
-#include "core/base/text.h"
+#include "core/formats/mesh_findings.h"
 #include "core/formats/stl_facets.h"
 #include "core/formats/stl_words.h"
 
@@ -16,11 +16,9 @@ namespace {
 constexpr std::size_t kShownLength = 40; ///< of a wrong word in a message
 
 tl::unexpected<Diagnostics> unexpectedWord(const StlWord& word, const char* wanted) {
-    auto failed = word.text.empty()
-                      ? failure("stl-cut-off",
-                                PROVEOUT_TEXT("Core", "The file ends where \"{}\" should stand."), {wanted})
-                      : failure("stl-syntax", PROVEOUT_TEXT("Core", "\"{}\" stands where \"{}\" should."),
-                                {std::string(word.text.substr(0, kShownLength)), wanted});
+    auto failed = word.text.empty() ? failure(mesh_finding::kStlCutOff, {wanted})
+                                    : failure(mesh_finding::kStlSyntax,
+                                              {std::string(word.text.substr(0, kShownLength)), wanted});
     failed.value().front().where = word.where;
     return failed;
 }
@@ -119,10 +117,7 @@ private:
     }
 
     void warnNoEnd(const StlWord& end) {
-        Diagnostic warning;
-        warning.severity = Severity::warning;
-        warning.id = "stl-no-endsolid";
-        warning.text = PROVEOUT_TEXT("Core", "The file ends without \"endsolid\"; it may have been cut off.");
+        Diagnostic warning = diagnosticOf(mesh_finding::kStlNoEndsolid);
         warning.where = end.where;
         m_out.warnings.push_back(std::move(warning));
     }

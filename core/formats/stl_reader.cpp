@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "core/base/atomic_file.h"
-#include "core/base/text.h"
+#include "core/formats/mesh_findings.h"
 #include "core/formats/stl.h"
 #include "core/formats/stl_facets.h"
 #include "core/formats/stl_warnings.h"
@@ -51,8 +51,7 @@ Result<StlFacets> readBinaryFacets(std::string_view bytes) {
     const std::uint64_t announced = announcedCount(bytes);
     const std::uint64_t present = (bytes.size() - kHeaderSize) / kFacetSize;
     if (announced > present)
-        return failure("stl-cut-off",
-                       PROVEOUT_TEXT("Core", "The file announces {} facets and ends at byte {}, after {}."),
+        return failure(mesh_finding::kStlCutOffFacets,
                        {std::to_string(announced), std::to_string(bytes.size()), std::to_string(present)});
     StlFacets out;
     out.facets.resize(announced);
@@ -62,9 +61,8 @@ Result<StlFacets> readBinaryFacets(std::string_view bytes) {
         from += kFacetSize;
     }
     if (const auto read = kHeaderSize + kFacetSize * announced; read < bytes.size())
-        out.warnings.push_back(stlWarning(
-            "stl-trailing-bytes",
-            PROVEOUT_TEXT("Core", "The {} facets announced were read; {} bytes follow them from byte {}."),
+        out.warnings.push_back(diagnosticOf(
+            mesh_finding::kStlTrailingBytes,
             {std::to_string(announced), std::to_string(bytes.size() - read), std::to_string(read)}));
     return out;
 }
@@ -80,12 +78,9 @@ Result<StlFacets> readFacets(std::string_view bytes, StlEncoding& encoding) {
         return readAsciiFacets(bytes);
     }
     if (isText(head) || bytes.starts_with("PK\3\4"))
-        return failure("not-stl", PROVEOUT_TEXT("Core", "This is not an STL file."));
+        return failure(mesh_finding::kNotStl);
     if (bytes.size() < kHeaderSize)
-        return failure(
-            "stl-cut-off",
-            PROVEOUT_TEXT("Core", "This is not an STL file: it ends at byte {}, within the header."),
-            {std::to_string(bytes.size())});
+        return failure(mesh_finding::kStlCutOffHeader, {std::to_string(bytes.size())});
     return readBinaryFacets(bytes);
 }
 
@@ -141,10 +136,7 @@ Result<StlContents> readStlContents(const std::filesystem::path& file) {
         add(facet, welder, contents);
     contents.mesh.vertices = welder.takeVertices();
     if (contents.mesh.triangles.empty())
-        return failure("stl-no-facets",
-                       PROVEOUT_TEXT("Core",
-                                     "The file holds no facet that could be used ({} read, {} not finite, "
-                                     "{} without area)."),
+        return failure(mesh_finding::kStlNoFacets,
                        {std::to_string(contents.facets), std::to_string(contents.notFinite),
                         std::to_string(contents.degenerate)},
                        file.string());

@@ -9,7 +9,6 @@
 namespace proveout {
 
 /// A warning about an STL file; id and text are literals.
-[[nodiscard]] Diagnostic stlWarning(const char* id, const char* text, std::vector<std::string> arguments);
 
 /// Adds to the warnings of `contents` what its counts, its defects and its size show.
 void warnOfStl(StlContents& contents);

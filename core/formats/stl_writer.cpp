@@ -9,8 +9,8 @@
 #include <string>
 
 #include "core/base/atomic_file.h"
-#include "core/base/text.h"
 #include "core/decimation/solid/solid_error.h"
+#include "core/formats/export_findings.h"
 #include "core/formats/mesh_writing.h"
 #include "core/formats/stl.h"
 #include "core/formats/vertex_welder.h"
@@ -87,15 +87,8 @@ public:
     [[nodiscard]] Result<void> check(const std::filesystem::path& file) const {
         if (m_lost == 0 && m_met == 0)
             return {};
-        auto refused =
-            failure("stl-too-coarse",
-                    PROVEOUT_TEXT(
-                        "Core", "The coordinates of an STL file are too coarse for this mesh so far from the "
-                                "origin: {} triangles would collapse or turn over, {} vertices meet others; "
-                                "OBJ or PLY can hold it."),
-                    {std::to_string(m_lost), std::to_string(m_met)}, file.string());
-        refused.value().front().hint = kOffersDoubles;
-        return refused;
+        return failure(export_finding::kStlTooCoarse, {std::to_string(m_lost), std::to_string(m_met)},
+                       file.string());
     }
 
 private:
@@ -169,15 +162,14 @@ std::uint64_t expectedBytes(StlEncoding encoding, std::size_t count) {
 
 Result<void> checkStl(const std::filesystem::path& file, const TriangleMesh& mesh) {
     if (mesh.triangles.size() > std::numeric_limits<std::uint32_t>::max())
-        return failure("stl-too-many-triangles",
-                       PROVEOUT_TEXT("Core", "The mesh has {} triangles; an STL file holds 4294967295."),
-                       {std::to_string(mesh.triangles.size())}, file.string());
+        return failure(export_finding::kStlTooManyTriangles, {std::to_string(mesh.triangles.size())},
+                       file.string());
     for (const Vec3& vertex : mesh.vertices) {
         const double largest = std::max({std::abs(vertex.x), std::abs(vertex.y), std::abs(vertex.z)});
         if (!(largest <= static_cast<double>(std::numeric_limits<float>::max())) ||
             glm::any(glm::isnan(vertex)))
             return failure(
-                "stl-coordinate", PROVEOUT_TEXT("Core", "A vertex lies at {}, {}, {}: STL cannot hold that."),
+                export_finding::kStlCoordinate,
                 {fmt::format("{}", vertex.x), fmt::format("{}", vertex.y), fmt::format("{}", vertex.z)},
                 file.string());
     }

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "core/base/memory.h"
-#include "core/base/text.h"
 #include "core/formats/job_json.h"
 #include "core/formats/npy_header.h"
+#include "core/formats/stock_file_findings.h"
 #include "core/formats/stock_position_json.h"
 #include "core/formats/zip_file.h"
 #include "core/formats/zip_reader.h"
@@ -61,22 +61,16 @@ std::string textOf(const Description& d) {
 }
 
 tl::unexpected<Diagnostics> broken() {
-    return failure(
-        "stock-file-broken",
-        PROVEOUT_TEXT("Core", "The saved stock is cut off or damaged: {} in it cannot be read whole."),
-        {kHeights});
+    return failure(stock_finding::kStockFileBroken, {kHeights});
 }
 
 Result<std::string> readDescription(ZipReader& zip) {
     if (zip.nextEntry() != kDescription)
-        return failure("not-a-stock", PROVEOUT_TEXT("Core", "This is not a stock that Proveout has saved."));
+        return failure(stock_finding::kNotAStock);
     std::string text(kDescriptionLimit, '\0');
     text.resize(zip.read(text.data(), text.size()));
     if (!zip.intact())
-        return failure(
-            "stock-file-broken",
-            PROVEOUT_TEXT("Core", "The saved stock is cut off or damaged: {} in it cannot be read whole."),
-            {kDescription});
+        return failure(stock_finding::kStockFileBroken, {kDescription});
     return text;
 }
 
@@ -91,10 +85,7 @@ Result<Description> parse(std::string_view text) {
     fields.require({"proveoutStock", "width", "depth", "height", "spacing", "nx", "ny"});
     fields.read("proveoutStock", schema, {1, 1e9});
     if (schema > kSchema)
-        return failure("stock-newer",
-                       PROVEOUT_TEXT("Core", "The stock was saved by a newer Proveout (format {}); this one "
-                                             "reads up to format {}."),
-                       {std::to_string(schema), std::to_string(kSchema)});
+        return failure(stock_finding::kStockNewer, {std::to_string(schema), std::to_string(kSchema)});
     if (const auto position = readStockPosition(fields))
         d.stock.corner = *position;
     else
@@ -126,9 +117,7 @@ Result<Grid> gridOf(const Description& d) {
         return grid;
     if (grid->nx != d.nx || grid->ny != d.ny)
         return failure(
-            "stock-grid-differs",
-            PROVEOUT_TEXT("Core", "The saved stock tells of {} × {} points, but its size and spacing "
-                                  "make {} × {}."),
+            stock_finding::kStockGridDiffers,
             {std::to_string(d.nx), std::to_string(d.ny), std::to_string(grid->nx), std::to_string(grid->ny)});
     // The heights as they are read, beside the map that they become.
     if (auto fits = checkMemory(d.stock, *grid, static_cast<double>(memoryLimitBytes())); !fits)
@@ -144,10 +133,7 @@ Result<void> readHeader(ZipReader& zip, const Grid& grid) {
     if (zip.read(header.data(), header.size()) != header.size())
         return broken();
     if (header != expected)
-        return failure(
-            "stock-heights-form",
-            PROVEOUT_TEXT("Core", "The heights of the saved stock are not {} × {} numbers of float32."),
-            {std::to_string(grid.nx), std::to_string(grid.ny)});
+        return failure(stock_finding::kStockHeightsForm, {std::to_string(grid.nx), std::to_string(grid.ny)});
     return {};
 }
 
@@ -163,10 +149,8 @@ Result<ZMapSnapshot> readHeights(ZipReader& zip, const StockBox& stock, const Gr
         const auto bad =
             std::ranges::find_if(row, [&](float height) { return !(height >= zmap.floor() && height <= 0); });
         if (bad != row.end())
-            return failure(
-                "stock-height-bad",
-                PROVEOUT_TEXT("Core", "Row {}, column {} of the saved stock is no height within it."),
-                {std::to_string(j), std::to_string(bad - row.begin())});
+            return failure(stock_finding::kStockHeightBad,
+                           {std::to_string(j), std::to_string(bad - row.begin())});
         for (int ti = 0; ti < zmap.tilesX(); ++ti) {
             const int i0 = ti * Tile::kSize;
             Tile& tile = zmap.tileForWriting(static_cast<std::size_t>(j / Tile::kSize * zmap.tilesX() + ti));
@@ -206,10 +190,7 @@ Result<void> writeStock(const std::filesystem::path& file, const ZMapSnapshot& z
         text = textOf({zmap.stock(), grid.nx, grid.ny, spacing, provenance});
     } catch (
         const nlohmann::json::type_error&) { // dump() knows no other way to refuse bytes that are no UTF-8
-        return failure(
-            "stock-not-utf8",
-            PROVEOUT_TEXT("Core", "The name of the program is not UTF-8, which JSON needs; rename it."), {},
-            file.string());
+        return failure(stock_finding::kStockNotUtf8, {}, file.string());
     }
     const double bytes = 4.0 * grid.nx * grid.ny;
     ZipFile zip(file, bytes > kZip64From);

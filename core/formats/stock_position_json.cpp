@@ -5,7 +5,7 @@
 #include <array>
 #include <cstddef>
 
-#include "core/base/text.h"
+#include "core/formats/job_findings.h"
 
 namespace proveout {
 
@@ -22,10 +22,7 @@ std::optional<Vec3> readStockPosition(JsonFields& fields) {
     Vec3 corner(0);
     if (fields.has(kFormerly)) {
         if (named)
-            fields.fail(kFormerly,
-                        PROVEOUT_TEXT("Core", "The field \"{}\" and the fields minX, minY, topZ exclude each "
-                                              "other; they are the same position."),
-                        {});
+            fields.fail(kFormerly, job_finding::kJobFieldPosition, {});
         fields.read(kFormerly, corner, kPosition);
         return corner;
     }

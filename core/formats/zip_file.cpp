@@ -6,7 +6,7 @@
 #include <new>
 #include <utility>
 
-#include "core/base/text.h"
+#include "core/base/base_findings.h"
 
 namespace proveout {
 
@@ -72,8 +72,7 @@ Result<void> ZipFile::commit() {
     if (m_problem.empty() && !m_out.failed())
         check(archive_write_close(m_archive));
     if (!m_problem.empty())
-        return failure("file-unwritable", PROVEOUT_TEXT("Core", "The file cannot be written: {}."),
-                       {m_problem}, m_target.string());
+        return failure(base_finding::kFileUnwritable, {m_problem}, m_target.string());
     return m_out.commit();
 }
 

@@ -6,7 +6,8 @@
 #include <new>
 #include <system_error>
 
-#include "core/base/text.h"
+#include "core/base/base_findings.h"
+#include "core/formats/mesh_findings.h"
 
 namespace proveout {
 
@@ -31,15 +32,11 @@ Result<void> ZipReader::open(const std::filesystem::path& file) {
     std::error_code error;
     const auto status = std::filesystem::status(file, error);
     if (error)
-        return failure("file-unreadable", PROVEOUT_TEXT("Core", "The file cannot be read: {}."),
-                       {error.message()}, file.string());
+        return failure(base_finding::kFileUnreadable, {error.message()}, file.string());
     if (status.type() != std::filesystem::file_type::regular)
-        return failure("file-not-regular", PROVEOUT_TEXT("Core", "This is not a regular file."), {},
-                       file.string());
+        return failure(base_finding::kFileNotRegular, {}, file.string());
     if (archive_read_open_filename(m_archive, file.c_str(), kBlock) != ARCHIVE_OK)
-        return failure("file-not-zip",
-                       PROVEOUT_TEXT("Core", "This is no ZIP archive, or one that cannot be read."), {},
-                       file.string());
+        return failure(mesh_finding::kFileNotZip, {}, file.string());
     return {};
 }
 

@@ -8,12 +8,12 @@
 
 #include "core/base/memory.h"
 #include "core/base/stop_watch.h"
-#include "core/base/text.h"
 #include "core/decimation/regions/region_decimator.h"
 #include "core/decimation/surface/map_memory.h"
 #include "core/simulation/run/block_cutter.h"
 #include "core/simulation/setup/tool_choice.h"
 #include "core/study/rehearsed_regions.h"
+#include "core/study/study_findings.h"
 
 namespace proveout {
 
@@ -47,7 +47,7 @@ public:
             context.tell(static_cast<double>(m_block) / static_cast<double>(blocks));
         }
         if (context.stopped())
-            return failure("study-stopped", PROVEOUT_TEXT("Core", "The study was stopped."));
+            return failure(study_finding::kStudyStopped);
         Rehearsal rehearsal = forecast(blocks);
         rehearsal.seconds = watch.seconds();
         return rehearsal;
@@ -213,10 +213,7 @@ Result<Rehearsal> rehearse(const StudyJob& job, const DecimationParameters& base
                            const RehearsalOptions& options, DrawCost& drawing, const WorkContext& context) {
     const DecimationMethodRow& method = row(base.method);
     if (method.create == nullptr || method.wholeMap || base.allowance <= 0)
-        return failure("nothing-to-optimise",
-                       PROVEOUT_TEXT("Core",
-                                     "Only a method that decimates region by region, with an allowance "
-                                     "above 0, has a region size and a period to choose."));
+        return failure(study_finding::kNothingToOptimise);
     const auto grid = makeGrid(job.setup->stock, job.setup->spacing);
     if (!grid)
         return tl::unexpected(grid.error());

@@ -5,8 +5,8 @@
 #include <utility>
 
 #include "core/base/stop_watch.h"
-#include "core/base/text.h"
 #include "core/simulation/run/simulation.h"
+#include "core/study/study_findings.h"
 
 namespace proveout {
 
@@ -146,7 +146,7 @@ Result<StudyRun> runStudy(const StudyJob& job, const StudyPoint& point, DrawCost
         return tl::unexpected(std::move(simulation.error()));
     StudyRun run = Run(std::move(*simulation), watch.seconds(), drawing, drawEvery).go(point, context);
     if (context.stopped())
-        return failure("study-stopped", PROVEOUT_TEXT("Core", "The study was stopped."));
+        return failure(study_finding::kStudyStopped);
     return run;
 }
 

@@ -7,9 +7,9 @@
 #include <fmt/format.h>
 #include <numbers>
 
-#include "core/base/text.h"
 #include "core/zmap/grid_part.h"
 #include "core/zmap/outline_crossing.h"
+#include "core/zmap/zmap_findings.h"
 
 namespace proveout {
 
@@ -227,17 +227,13 @@ Result<std::shared_ptr<const StockBody>> extrudedStock(const std::vector<Outline
     Outline outline;
     for (const OutlineLoop& loop : loops) {
         if (!std::ranges::all_of(loop, isReasonable))
-            return failure("outline-out-of-range",
-                           PROVEOUT_TEXT("Core", "The outline has a point beyond {} mm, or an arc that is "
-                                                 "nearly a full circle."),
-                           {"10000000"});
+            return failure(zmap_finding::kOutlineOutOfRange, {"10000000"});
         outline.add(loop);
     }
     if (!outline.hasArea())
-        return failure("outline-without-area", PROVEOUT_TEXT("Core", "The outline encloses no area."));
+        return failure(zmap_finding::kOutlineWithoutArea);
     if (const auto place = crossingOf(outline.pieces()))
-        return failure("outline-crosses-itself",
-                       PROVEOUT_TEXT("Core", "The outline crosses itself near X{} Y{}."),
+        return failure(zmap_finding::kOutlineCrossesItself,
                        {fmt::format("{:.3f}", place->x), fmt::format("{:.3f}", place->y)});
     return std::make_shared<const ExtrudedStock>(std::move(outline), height, topZ);
 }

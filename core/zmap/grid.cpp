@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "core/base/memory.h"
-#include "core/base/text.h"
 #include "core/zmap/zmap.h"
+#include "core/zmap/zmap_findings.h"
 
 namespace proveout {
 
@@ -87,56 +87,37 @@ double stepOfDouble(double value) {
 
 Result<void> checkSpacing(double spacing) {
     if (!std::isfinite(spacing) || spacing <= 0)
-        return failure("grid-spacing-bad",
-                       PROVEOUT_TEXT("Core", "The grid spacing {} mm is not a number above 0."),
-                       {fmt::format("{:g}", spacing)});
+        return failure(zmap_finding::kGridSpacingBad, {fmt::format("{:g}", spacing)});
     return {};
 }
 
 Result<Grid> makeGrid(const StockBox& stock, double spacing) {
     if (!reasonable(stock.width) || !reasonable(stock.depth) || !reasonable(stock.height))
-        return failure("stock-size-bad",
-                       PROVEOUT_TEXT("Core", "Each side of the stock {} must be above 0 and at most {} mm."),
-                       {sizeOf(stock), fmt::format("{:g}", kLargestStock)});
+        return failure(zmap_finding::kStockSizeBad, {sizeOf(stock), fmt::format("{:g}", kLargestStock)});
     if (std::max(stock.width, stock.depth) > kLargestRatio * std::min(stock.width, stock.depth))
-        return failure("stock-size-narrow",
-                       PROVEOUT_TEXT("Core",
-                                     "The stock {} is too narrow: its sides in X and Y may differ by a "
-                                     "factor of {} at most."),
-                       {sizeOf(stock), fmt::format("{:.0f}", kLargestRatio)});
+        return failure(zmap_finding::kStockSizeNarrow, {sizeOf(stock), fmt::format("{:.0f}", kLargestRatio)});
     for (int axis = 0; axis < 3; ++axis) {
         if (!(std::abs(stock.corner[axis]) <= kFarthestCorner))
-            return failure(
-                "stock-origin-bad",
-                PROVEOUT_TEXT("Core", "The origin of the stock is not three numbers from -{} to {} mm."),
-                {fmt::format("{:g}", kFarthestCorner), fmt::format("{:g}", kFarthestCorner)});
+            return failure(zmap_finding::kStockOriginBad,
+                           {fmt::format("{:g}", kFarthestCorner), fmt::format("{:g}", kFarthestCorner)});
     }
     if (auto fine = checkSpacing(spacing); !fine)
         return tl::unexpected(std::move(fine.error()));
     const double nx = pointsAlong(stock.width, spacing);
     const double ny = pointsAlong(stock.depth, spacing);
     if (nx < 2 || ny < 2)
-        return failure(
-            "grid-too-coarse",
-            PROVEOUT_TEXT(
-                "Core",
-                "The grid spacing {} mm is too coarse for the stock {}; the coarsest possible is {} mm."),
-            {fmt::format("{:g}", spacing), sizeOf(stock),
-             fmt::format("{:g}", std::min(stock.width, stock.depth))});
+        return failure(zmap_finding::kGridTooCoarse,
+                       {fmt::format("{:g}", spacing), sizeOf(stock),
+                        fmt::format("{:g}", std::min(stock.width, stock.depth))});
     if (nx * ny > kMostPoints)
         return failure(
-            "grid-too-fine",
-            PROVEOUT_TEXT("Core", "The grid spacing {} mm makes {} points on the stock {}, {} of memory; the "
-                                  "finest possible is {} mm."),
+            zmap_finding::kGridTooFine,
             {fmt::format("{:g}", spacing), pointsOf(nx, ny), sizeOf(stock), readableBytes(bytesOf(nx, ny)),
              fmt::format("{:g}", finestWithin(stock, kMostPoints, std::numeric_limits<double>::infinity()))});
     const double farthest = farthestPoint(stock);
     if (spacing < kLeastSteps * stepOfDouble(farthest))
-        return failure(
-            "grid-lost-in-rounding",
-            PROVEOUT_TEXT("Core",
-                          "The grid spacing {} mm is lost in the rounding of coordinates as large as {} mm."),
-            {fmt::format("{:g}", spacing), fmt::format("{:g}", farthest)});
+        return failure(zmap_finding::kGridLostInRounding,
+                       {fmt::format("{:g}", spacing), fmt::format("{:g}", farthest)});
     Grid grid;
     grid.nx = static_cast<int>(nx);
     grid.ny = static_cast<int>(ny);
@@ -169,11 +150,8 @@ Result<void> checkMemory(const StockBox& stock, const Grid& grid, double availab
         return {};
     const auto would = finestSpacing(stock, availableBytes, std::max(bytesPerPoint, coarserBytesPerPoint));
     if (!would)
-        return failure("memory-too-small", PROVEOUT_TEXT("Core", "The z-map needs {}; {} may be taken."),
-                       {readableBytes(needed), readableBytes(availableBytes)});
-    return failure("grid-needs-too-much-memory",
-                   PROVEOUT_TEXT("Core", "A grid of {} × {} points needs {}; {} may be taken, which is "
-                                         "enough for a spacing of {} mm."),
+        return failure(zmap_finding::kMemoryTooSmall, {readableBytes(needed), readableBytes(availableBytes)});
+    return failure(zmap_finding::kGridNeedsTooMuchMemory,
                    {fmt::format("{}", grid.nx), fmt::format("{}", grid.ny), readableBytes(needed),
                     readableBytes(availableBytes), fmt::format("{:g}", *would)});
 }

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <utility>
 
-#include "core/base/text.h"
+#include "core/zmap/zmap_findings.h"
 
 namespace proveout {
 
@@ -32,15 +32,11 @@ std::string textOf(const PlanBox& box) {
 
 Result<void> checkBox(const StockBox& stock, const PlanBox& box) {
     if (!(box.lo.x < box.hi.x && box.lo.y < box.hi.y))
-        return failure("box-without-area",
-                       PROVEOUT_TEXT("Core", "The box {} has no area: each side must go from the smaller "
-                                             "coordinate to the larger one."),
-                       {textOf(box)});
+        return failure(zmap_finding::kBoxWithoutArea, {textOf(box)});
     const PlanBox whole{Vec2(stock.corner), Vec2(stock.corner) + Vec2(stock.width, stock.depth)};
     if (!(glm::all(glm::greaterThanEqual(box.lo, whole.lo - kBesides)) &&
           glm::all(glm::lessThanEqual(box.hi, whole.hi + kBesides))))
-        return failure("box-outside-stock", PROVEOUT_TEXT("Core", "The box {} is not within the stock, {}."),
-                       {textOf(box), textOf(whole)});
+        return failure(zmap_finding::kBoxOutsideStock, {textOf(box), textOf(whole)});
     return {};
 }
 

@@ -12,9 +12,10 @@
 #include <span>
 #include <utility>
 
-#include "core/base/text.h"
 #include "core/zmap/grid_part.h"
+#include "core/zmap/stock_body_findings.h"
 #include "core/zmap/stock_findings.h"
+#include "core/zmap/zmap_findings.h"
 
 namespace proveout {
 
@@ -329,17 +330,10 @@ private:
     }
 
     static void tell(const Beneath& beneath, Diagnostics& findings) {
-        if (beneath.open > 0) {
-            Diagnostic open;
-            open.unverified = true;
-            open.id = "stock-mesh-open";
-            open.text =
-                PROVEOUT_TEXT("Core", "The mesh of the stock is not closed: over {} of {} grid points "
-                                      "it is not known what is material.");
-            open.arguments = {fmt::format("{}", beneath.open), fmt::format("{}", beneath.covered)};
-            open.hint = PROVEOUT_TEXT("Core", "Export the stock as a closed solid.");
-            findings.push_back(std::move(open));
-        }
+        if (beneath.open > 0)
+            findings.push_back(
+                diagnosticOf(stock_body_finding::kStockMeshOpen,
+                             {fmt::format("{}", beneath.open), fmt::format("{}", beneath.covered)}));
         for (Diagnostic& finding : beneath.undercut.told())
             findings.push_back(std::move(finding));
     }
@@ -370,18 +364,13 @@ Result<Box3> boxOf(const StockMesh& mesh) {
             const Vec3& place = mesh.vertices[vertex];
             for (int axis = 0; axis < 3; ++axis)
                 if (!(std::abs(place[axis]) <= kFarthest))
-                    return failure("stock-mesh-far",
-                                   PROVEOUT_TEXT("Core", "The mesh of the stock reaches beyond {} mm."),
-                                   {"10000000"});
+                    return failure(zmap_finding::kStockMeshFar, {"10000000"});
             box.add(place);
         }
     if (box.empty() || !glm::all(glm::lessThan(box.lo, box.hi)))
-        return failure("stock-mesh-flat", PROVEOUT_TEXT("Core", "The mesh of the stock encloses no volume."));
+        return failure(zmap_finding::kStockMeshFlat);
     if (const double layers = layersOf(mesh, box); layers > kMostLayers)
-        return failure("stock-mesh-layers",
-                       PROVEOUT_TEXT("Core",
-                                     "The facets of the stock mesh lie in {} layers on average; at most "
-                                     "{} can be read."),
+        return failure(zmap_finding::kStockMeshLayers,
                        {fmt::format("{:.0f}", layers), fmt::format("{:.0f}", kMostLayers)});
     return box;
 }

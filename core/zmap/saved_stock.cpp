@@ -6,9 +6,10 @@
 #include <fmt/format.h>
 #include <utility>
 
-#include "core/base/text.h"
 #include "core/zmap/grid_part.h"
+#include "core/zmap/stock_body_findings.h"
 #include "core/zmap/stock_findings.h"
+#include "core/zmap/zmap_findings.h"
 
 namespace proveout {
 
@@ -188,18 +189,9 @@ private:
     }
 
     [[nodiscard]] Diagnostic resamplingNote(const Grid& grid) const {
-        Diagnostic note;
-        note.severity = Severity::note;
-        note.id = "stock-resampled";
-        note.text =
-            PROVEOUT_TEXT("Core", "The saved stock has points {} × {} mm apart, and is taken over to {} × "
-                                  "{} mm: at none of its points lower, between them up to one spacing "
-                                  "wider.");
-        note.arguments = {fmt::format("{:.6g}", m_map.grid().hx), fmt::format("{:.6g}", m_map.grid().hy),
-                          fmt::format("{:.6g}", grid.hx), fmt::format("{:.6g}", grid.hy)};
-        note.hint =
-            PROVEOUT_TEXT("Core", "The spacing of the saved stock, or a whole part of it, changes nothing.");
-        return note;
+        return diagnosticOf(stock_body_finding::kStockResampled,
+                            {fmt::format("{:.6g}", m_map.grid().hx), fmt::format("{:.6g}", m_map.grid().hy),
+                             fmt::format("{:.6g}", grid.hx), fmt::format("{:.6g}", grid.hy)});
     }
 
     ZMapSnapshot m_map;
@@ -215,8 +207,7 @@ Result<std::shared_ptr<const StockBody>> savedStock(const ZMapSnapshot& saved, d
     ZMapSnapshot map = saved;
     if (flip != StockFlip::none) {
         if (highestOf(map) <= map.floor())
-            return failure("stock-nothing-left",
-                           PROVEOUT_TEXT("Core", "Nothing of the saved stock is left."));
+            return failure(zmap_finding::kStockNothingLeft);
         map = turned(flipped(map, flip, undercut), turn);
         // The place of a gap turns with the stock.
         if (turn != StockTurn::none && undercut.tallest > 0) {

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "core/base/text.h"
+#include "core/zmap/zmap_findings.h"
 
 namespace proveout {
 
@@ -52,13 +52,8 @@ private:
 Result<void> checkShape(const StockShape& shape) {
     if (shape.kind == StockKind::box || shape.body != nullptr)
         return {};
-    auto refused = failure(
-        "stock-incomplete",
-        shape.file.empty() ? PROVEOUT_TEXT("Core", "The stock has no file yet; nothing is simulated.")
-                           : PROVEOUT_TEXT("Core", "The stock cannot be made from {}; nothing is simulated."),
-        {shape.file.filename().string()});
-    refused.value().front().hint = PROVEOUT_TEXT("Core", "Choose the file of the stock, or another shape.");
-    return refused;
+    return failure(shape.file.empty() ? zmap_finding::kStockIncompleteNoFile : zmap_finding::kStockIncomplete,
+                   {shape.file.filename().string()});
 }
 
 UncutStock uncutStock(const StockBox& stock, const StockShape& shape, const Grid& grid) {

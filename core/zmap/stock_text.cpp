@@ -4,8 +4,8 @@
 #include <cmath>
 #include <optional>
 
-#include "core/base/text.h"
 #include "core/zmap/stock.h"
+#include "core/zmap/zmap_findings.h"
 
 namespace proveout {
 
@@ -40,14 +40,10 @@ std::optional<Vec3> threeNumbers(std::string_view text, char separator, char cap
 Result<Vec3> parseStockSize(std::string_view text) {
     const auto size = threeNumbers(text, 'x', 'X');
     if (!size)
-        return failure("stock-size-form",
-                       PROVEOUT_TEXT("Core", "“{}” is not a stock size of the form WxDxH in mm, as in {}."),
-                       {std::string(text), "140x100x30"});
+        return failure(zmap_finding::kStockSizeForm, {std::string(text), "140x100x30"});
     for (int axis = 0; axis < 3; ++axis) {
         if (!((*size)[axis] > 0))
-            return failure("stock-size-not-positive",
-                           PROVEOUT_TEXT("Core", "Every side of the stock must be more than 0 mm, not “{}”."),
-                           {std::string(text)});
+            return failure(zmap_finding::kStockSizeNotPositive, {std::string(text)});
     }
     return *size;
 }
@@ -55,8 +51,7 @@ Result<Vec3> parseStockSize(std::string_view text) {
 Result<Vec3> parsePoint(std::string_view text) {
     const auto point = threeNumbers(text, ',', ',');
     if (!point)
-        return failure("point-form", PROVEOUT_TEXT("Core", "“{}” is not a point of the form X,Y,Z in mm."),
-                       {std::string(text)});
+        return failure(zmap_finding::kPointForm, {std::string(text)});
     return *point;
 }
 

@@ -34,6 +34,9 @@ const std::map<std::string, std::set<std::string>> kCoreRooms{
     {"core/formats",
      {"core/base", "core/nc", "core/cutter", "core/zmap", "core/cutting", "core/decimation",
       "core/simulation"}},
+    {"core/verification",
+     {"core/base", "core/nc", "core/cutter", "core/zmap", "core/cutting", "core/decimation",
+      "core/simulation", "core/study", "core/formats"}},
 };
 
 /// The rooms within a room, the lowest first: each may include those before it.
@@ -43,6 +46,7 @@ const std::map<std::string, std::vector<std::string>> kRoomsWithin{
     {"core/cutting", {"profiles", "rows", "kernels", "cut"}},
     {"core/decimation", {"regions", "lattice", "lee", "certified", "surface", "solid"}},
     {"core/simulation", {"setup", "time", "run", "records", "thread"}},
+    {"core/verification", {"findings"}},
 };
 
 bool isQt(const Include& include) {

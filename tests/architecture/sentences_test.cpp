@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How messages are worded, read from the sources: a sentence begins with a capital and ends with a full stop.
+// How the messages of the command line are worded, read from its sources: a sentence begins with a capital
+// and ends with a full stop. Those of the core are rows, which findings_test looks at.
 #include <array>
 #include <cstddef>
 #include <regex>
@@ -35,8 +36,7 @@ TEST(Sentences, BeginWithACapitalAndEndWithAFullStop) {
         std::regex("(?:text|hint) =" + marked), std::regex("fail\\([^;]*?" + marked)};
     std::size_t found = 0;
     for (const SourceFile& file : sourceTree()) {
-        const bool isTable = file.path == "core/formats/formats.cpp"; // its keys look like ids
-        if (!file.isCpp() || !(file.in("core") || file.in("app/cli")) || isTable)
+        if (!file.isCpp() || !file.in("app/cli"))
             continue;
         for (const std::regex& pattern : kSentences) {
             for (std::sregex_iterator each(file.text.begin(), file.text.end(), pattern), end; each != end;
@@ -47,7 +47,7 @@ TEST(Sentences, BeginWithACapitalAndEndWithAFullStop) {
             }
         }
     }
-    EXPECT_GT(found, 120U) << "a rule that reads nothing would hold for ever";
+    EXPECT_GT(found, 10U) << "a rule that reads nothing would hold for ever";
 }
 
 } // namespace

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <fmt/format.h>
 
-#include "core/base/text.h"
 #include "core/decimation/regions/region_decimator.h"
+#include "core/decimation/surface/decimation_findings.h"
 #include "core/decimation/surface/refined_surface.h"
 
 namespace proveout {
@@ -82,9 +82,7 @@ Result<void> checkMapMemory(const StockBox& stock, const Grid& grid, const Decim
     const double points = pointsOf(grid);
     const double most = row(parameters.method).mostPoints;
     if ((followsSchedule(parameters, outputs) || decimatesWhole(parameters, outputs)) && points > most)
-        return failure("method-map-too-large",
-                       PROVEOUT_TEXT("Core", "The method “{}” works on maps of {} points at most; this "
-                                             "one has {}."),
+        return failure(decimation_finding::kMethodMapTooLarge,
                        {kMethodChoices[static_cast<std::size_t>(parameters.method)].key,
                         fmt::format("{:.0f}", most), fmt::format("{:.0f}", points)});
     DecimationParameters coarser = parameters; // on which standardRegion() is smaller

@@ -50,9 +50,9 @@ struct CannedCycle {
     bool pecks;  ///< Q is the depth of its pecks
     SpindleNeed spindle;
     std::array<CycleStep, kMostSteps> steps;
-    bool shifts = false;             ///< Q is how far it moves aside
-    bool upward = false;             ///< it bores from R up, and always returns to the initial level
-    const Message* caveat = nullptr; ///< what cannot be shown of it
+    bool shifts = false;                ///< Q is how far it moves aside
+    bool upward = false;                ///< it bores from R up, and always returns to the initial level
+    const FindingRow* caveat = nullptr; ///< what cannot be shown of it
 };
 
 [[nodiscard]] bool isCycle(const CodeRow* row);

@@ -6,7 +6,7 @@
 
 namespace proveout {
 
-struct Message;
+struct FindingRow;
 
 // motion_codes.cpp
 void moveRapid(Execution& execution, const Word& word);               ///< G0
@@ -203,6 +203,6 @@ void endProgram(Execution& execution, const Word& word);                  ///< M
 
 /// The error code by which grbl answers what a message is about, with the remedy; null where there is none. A
 /// literal marked with PROVEOUT_TEXT.
-[[nodiscard]] const char* answerOfGrbl(const Message& message);
+[[nodiscard]] const char* answerOfGrbl(const FindingRow& message);
 
 } // namespace proveout

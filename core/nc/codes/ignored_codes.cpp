@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <charconv>
 
-#include "core/base/text.h"
 #include "core/nc/text/characters.h"
 #include "core/nc/text/messages.h"
 
@@ -54,10 +53,7 @@ Result<std::set<int>> parseMCodes(std::string_view text) {
         const std::string_view word = text.substr(at, end - at);
         const auto number = mCode(word);
         if (!number)
-            return failure("m-code-list",
-                           PROVEOUT_TEXT("Core", "\"{}\" is not an M code; write numbers from 0 to {}, for "
-                                                 "example 10, 11, 16."),
-                           {std::string(word), std::to_string(kLargestMCode)});
+            return failure(nc_message::kCodeList, {std::string(word), std::to_string(kLargestMCode)});
         codes.insert(*number);
         at = end;
     }

@@ -53,10 +53,10 @@ private:
         std::string name; ///< that messages propose
     };
 
-    Next fail(const Message& message, const MacroStatement& statement,
+    Next fail(const FindingRow& message, const MacroStatement& statement,
               std::vector<std::string> arguments = {});
     Next fail(const ReadError& error);
-    bool refuse(const Message& message, const Word& word, std::vector<std::string> arguments);
+    bool refuse(const FindingRow& message, const Word& word, std::vector<std::string> arguments);
 
     [[nodiscard]] Next gotoBlock(const MacroStatement& statement, std::size_t at);
     [[nodiscard]] Next branch(const MacroStatement& statement);

@@ -165,7 +165,7 @@ std::optional<double> MacroVariables::numbered(int number) const {
     return {};
 }
 
-const Message* MacroVariables::refusal(int number) const {
+const FindingRow* MacroVariables::refusal(int number) const {
     if (number == kWithoutGroup || number == kWithoutGroup + kRunningOffset)
         return &nc_message::kVariableWithoutGroup;
     const auto place = OffsetRegisters::place(m_dialect, number);

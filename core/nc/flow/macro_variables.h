@@ -22,7 +22,7 @@ public:
         : m_state(state), m_parameters(parameters), m_registers(registers), m_dialect(dialect) {}
 
     [[nodiscard]] std::optional<double> numbered(int number) const override;
-    [[nodiscard]] const Message* refusal(int number) const override;
+    [[nodiscard]] const FindingRow* refusal(int number) const override;
     [[nodiscard]] bool writable(int number) const override;
     [[nodiscard]] std::optional<double> named(std::string_view name) const override;
     [[nodiscard]] double leastUnit() const override;

@@ -26,7 +26,7 @@ public:
     bool mayRun() { return onlyKnown() && numbersFit() && codesAgree() && hasFeed() && hasWords(); }
 
 private:
-    bool refuse(const Message& message, const Word& word, std::vector<std::string> arguments = {}) {
+    bool refuse(const FindingRow& message, const Word& word, std::vector<std::string> arguments = {}) {
         m_execution.reporter.tell(message, word, std::move(arguments));
         return false;
     }
@@ -155,7 +155,7 @@ private:
 };
 
 struct Answer {
-    const Message* message;
+    const FindingRow* message;
     const char* text;
 };
 
@@ -203,7 +203,7 @@ bool mayRunOnGrbl(Execution& execution) {
     return GrblBlock(execution).mayRun();
 }
 
-const char* answerOfGrbl(const Message& message) {
+const char* answerOfGrbl(const FindingRow& message) {
     const auto* row = std::ranges::find(kAnswers, &message, &Answer::message);
     return row == std::end(kAnswers) ? nullptr : row->text;
 }

@@ -19,7 +19,7 @@ bool given(const Block& block, char letter) {
 
 bool wordsFit(Execution& execution, const Word& word) {
     const Block& block = execution.block;
-    const auto refuse = [&](const Message& message, const Word& where,
+    const auto refuse = [&](const FindingRow& message, const Word& where,
                             std::vector<std::string> arguments = {}) {
         execution.reporter.tell(message, where, std::move(arguments));
         return false;

@@ -42,7 +42,7 @@ public:
 
 private:
     [[nodiscard]] const Block& block() const { return m_execution.block; }
-    bool refuse(const Message& message, const Word& word, std::vector<std::string> arguments = {}) {
+    bool refuse(const FindingRow& message, const Word& word, std::vector<std::string> arguments = {}) {
         m_execution.reporter.tell(message, word, std::move(arguments));
         return false;
     }

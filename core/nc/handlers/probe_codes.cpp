@@ -70,7 +70,7 @@ void stopWhere(Execution& execution, const Word& word, Motion motion, const Prob
             state.probed.axes |= axisBit(axis);
 }
 
-void tellAssumed(Execution& execution, const Word& word, const Message& message) {
+void tellAssumed(Execution& execution, const Word& word, const FindingRow& message) {
     if (execution.state.probed.assumedTold)
         return;
     execution.state.probed.assumedTold = true;

@@ -17,7 +17,7 @@ namespace {
 
 constexpr LetterSet kPlaneWords("XY@^");
 
-bool refuse(Execution& execution, const Message& message, const Word& word,
+bool refuse(Execution& execution, const FindingRow& message, const Word& word,
             std::vector<std::string> arguments = {}) {
     execution.reporter.tell(message, word, std::move(arguments));
     return false;

@@ -14,7 +14,7 @@ namespace proveout {
 
 namespace {
 
-bool refuse(Execution& execution, const Message& message, const Word& word,
+bool refuse(Execution& execution, const FindingRow& message, const Word& word,
             std::vector<std::string> arguments = {}) {
     execution.reporter.tell(message, word, std::move(arguments));
     return false;

@@ -86,7 +86,7 @@ private:
         return result;
     }
 
-    std::optional<Arc> refuse(const Message& message, const Word& word,
+    std::optional<Arc> refuse(const FindingRow& message, const Word& word,
                               std::vector<std::string> arguments = {}) {
         m_execution.reporter.tell(message, word, std::move(arguments));
         return {};

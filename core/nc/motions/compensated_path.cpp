@@ -64,11 +64,11 @@ public:
     }
 
 private:
-    void tell(const Message& message, std::vector<std::string> arguments = {}) {
+    void tell(const FindingRow& message, std::vector<std::string> arguments = {}) {
         m_execution.reporter.tell(message, m_word, std::move(arguments));
     }
 
-    void tellGouge(const Message& message) {
+    void tellGouge(const FindingRow& message) {
         const Motion motion = m_execution.program.motion(m_compensation.firstHeld);
         tellOfRadius(m_execution, message, m_word, {shown(radius()), std::to_string(motion.line)});
     }
@@ -86,7 +86,7 @@ private:
         appendMotion(m_execution, m_motion);
     }
 
-    void refuse(const Message& message, std::vector<std::string> arguments) {
+    void refuse(const FindingRow& message, std::vector<std::string> arguments) {
         tellOfRadius(m_execution, message, m_word, std::move(arguments));
         leaveOut(m_execution, m_motion);
     }

@@ -57,7 +57,7 @@ public:
     }
 
 private:
-    void tell(const Message& message, std::vector<std::string> arguments = {}) {
+    void tell(const FindingRow& message, std::vector<std::string> arguments = {}) {
         m_execution.reporter.tell(message, m_word, std::move(arguments));
     }
 

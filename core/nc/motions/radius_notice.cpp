@@ -7,7 +7,7 @@
 
 namespace proveout {
 
-void tellOfRadius(Execution& execution, const Message& message, const Word& word,
+void tellOfRadius(Execution& execution, const FindingRow& message, const Word& word,
                   std::vector<std::string> arguments) {
     if (execution.state.compensation.assumed)
         execution.reporter.tellAsWarning(message, word, std::move(arguments));

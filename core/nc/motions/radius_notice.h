@@ -9,10 +9,10 @@
 namespace proveout {
 
 struct Execution;
-struct Message;
+struct FindingRow;
 
 /// Tells what is due to the radius of the tool: a warning only where that is assumed.
-void tellOfRadius(Execution& execution, const Message& message, const Word& word,
+void tellOfRadius(Execution& execution, const FindingRow& message, const Word& word,
                   std::vector<std::string> arguments);
 
 } // namespace proveout

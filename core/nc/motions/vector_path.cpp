@@ -48,10 +48,10 @@ public:
     }
 
 private:
-    void tell(const Message& message, std::vector<std::string> arguments = {}) {
+    void tell(const FindingRow& message, std::vector<std::string> arguments = {}) {
         m_execution.reporter.tell(message, m_word, std::move(arguments));
     }
-    void refuse(const Message& message, std::vector<std::string> arguments = {}) {
+    void refuse(const FindingRow& message, std::vector<std::string> arguments = {}) {
         tellOfRadius(m_execution, message, m_word, std::move(arguments));
         leaveOut(m_execution, m_motion);
     }

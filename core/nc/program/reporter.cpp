@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <utility>
 
+#include "core/base/base_findings.h"
 #include "core/base/utf8.h"
 
 namespace proveout {
@@ -39,7 +40,7 @@ std::string writtenAs(char letter) {
     }
 }
 
-void Reporter::tell(const Message& message, int column, int length, std::vector<std::string> arguments) {
+void Reporter::tell(const FindingRow& message, int column, int length, std::vector<std::string> arguments) {
     std::ranges::for_each(arguments, shorten);
     m_memory.unverified = m_memory.unverified || message.unverified;
     if (isKnown(message, column, arguments)) {
@@ -57,14 +58,15 @@ void Reporter::tell(const Message& message, int column, int length, std::vector<
 }
 
 /// A loop tells of its lines in each round.
-bool Reporter::isKnown(const Message& message, int column, const std::vector<std::string>& arguments) const {
+bool Reporter::isKnown(const FindingRow& message, int column,
+                       const std::vector<std::string>& arguments) const {
     return std::ranges::any_of(m_program.diagnostics(), [&](const Diagnostic& known) {
         return known.where.line == m_line && known.where.column == column && known.id == message.id &&
                known.file == m_file && known.arguments == arguments;
     });
 }
 
-void Reporter::tellInAnyCase(const Message& message, int column, int length,
+void Reporter::tellInAnyCase(const FindingRow& message, int column, int length,
                              std::vector<std::string> arguments) {
     std::ranges::for_each(arguments, shorten);
     m_memory.unverified = m_memory.unverified || message.unverified;
@@ -73,11 +75,11 @@ void Reporter::tellInAnyCase(const Message& message, int column, int length,
 
 void Reporter::tellSuppressed() {
     if (m_memory.suppressed > 0)
-        append(nc_message::kTooManyMessages, m_memory.suppressedUnverified, {m_line, 1, 0},
+        append(base_finding::kTooManyMessages, m_memory.suppressedUnverified, {m_line, 1, 0},
                {std::to_string(m_memory.suppressed)});
 }
 
-void Reporter::append(const Message& message, bool unverified, TextRange where,
+void Reporter::append(const FindingRow& message, bool unverified, TextRange where,
                       std::vector<std::string> arguments) {
     const char* const answer = m_answer == nullptr ? nullptr : m_answer(message);
     m_program.append(Diagnostic{message.severity, unverified, message.id, message.text, std::move(arguments),

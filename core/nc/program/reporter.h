@@ -23,7 +23,7 @@ namespace proveout {
 /// was told that leaves the rest unverified.
 class Reporter {
 public:
-    using Answer = const char* (*)(const Message&);
+    using Answer = const char* (*)(const FindingRow&);
 
     /// `answer`: a remedy that stands for the one of a message, where it gives one; may be null.
     Reporter(Program& program, std::string file, std::size_t limit, Answer answer = nullptr)
@@ -34,17 +34,17 @@ public:
     void setFile(std::string file) { m_file = std::move(file); }
     void beginLine(std::uint32_t line) { m_line = static_cast<int>(line); }
     [[nodiscard]] std::uint32_t line() const { return static_cast<std::uint32_t>(m_line); }
-    void tell(const Message& message, int column, int length, std::vector<std::string> arguments = {});
-    void tell(const Message& message, const Word& word, std::vector<std::string> arguments = {}) {
+    void tell(const FindingRow& message, int column, int length, std::vector<std::string> arguments = {});
+    void tell(const FindingRow& message, const Word& word, std::vector<std::string> arguments = {}) {
         tell(message, word.column, word.length, std::move(arguments));
     }
     /// What would be more if it did not rest on something assumed.
-    void tellAsWarning(Message message, const Word& word, std::vector<std::string> arguments) {
+    void tellAsWarning(FindingRow message, const Word& word, std::vector<std::string> arguments) {
         message.severity = Severity::warning;
         tell(message, word, std::move(arguments));
     }
     /// For what is told about the whole program, once: is shown whatever the limit.
-    void tellInAnyCase(const Message& message, int column, int length,
+    void tellInAnyCase(const FindingRow& message, int column, int length,
                        std::vector<std::string> arguments = {});
     /// The last message, where there were more than the limit.
     void tellSuppressed();
@@ -68,9 +68,10 @@ public:
     [[nodiscard]] bool unverified() const { return m_memory.unverified; }
 
 private:
-    [[nodiscard]] bool isKnown(const Message& message, int column,
+    [[nodiscard]] bool isKnown(const FindingRow& message, int column,
                                const std::vector<std::string>& arguments) const;
-    void append(const Message& message, bool unverified, TextRange where, std::vector<std::string> arguments);
+    void append(const FindingRow& message, bool unverified, TextRange where,
+                std::vector<std::string> arguments);
 
     static constexpr std::size_t kReserved = 4; ///< places for messages about the whole program
 

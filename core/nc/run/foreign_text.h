@@ -14,10 +14,10 @@
 namespace proveout {
 
 struct ForeignText {
-    const char* kind = "";            ///< "a Heidenhain conversational program", marked with PROVEOUT_TEXT
-    const Message* message = nullptr; ///< its arguments: kind, line and sign
-    std::string sign;                 ///< what shows it, as the text has it
-    int line = 1;                     ///< 1-based, where that is
+    const char* kind = "";               ///< "a Heidenhain conversational program", marked with PROVEOUT_TEXT
+    const FindingRow* message = nullptr; ///< its arguments: kind, line and sign
+    std::string sign;                    ///< what shows it, as the text has it
+    int line = 1;                        ///< 1-based, where that is
 };
 
 /// What a text is, by what no control of dialects() could read; nothing where it may be a program of theirs.

@@ -39,9 +39,9 @@ struct LintView {
 };
 
 struct LintRule {
-    const Message* message; ///< its id names the rule
+    const FindingRow* message; ///< its id names the rule
     LintMoment moment;
-    void (*check)(const LintView&, const Message&); ///< tells the message; null: told elsewhere
+    void (*check)(const LintView&, const FindingRow&); ///< tells the message; null: told elsewhere
 };
 
 [[nodiscard]] std::span<const LintRule> lintRules();

@@ -36,7 +36,7 @@ const Word* findGroup(const LintView& view, ModalGroup group) {
     return nullptr;
 }
 
-void tell(const LintView& view, const Message& message, const Word& word,
+void tell(const LintView& view, const FindingRow& message, const Word& word,
           std::vector<std::string> arguments = {}) {
     view.execution.reporter.tell(message, word, std::move(arguments));
 }
@@ -97,7 +97,7 @@ bool changesTool(const LintView& view) {
 }
 
 /// Only remembers it: of a tool that moves, the simulation tells that it has no cutter.
-void toolNotInTable(const LintView& view, const Message& /*message*/) {
+void toolNotInTable(const LintView& view, const FindingRow& /*message*/) {
     ToolOffsets& tools = view.execution.tools;
     const int tool = view.execution.state.selectedTool;
     if (tools.given() && tool > 0 && tools.find(tool) == nullptr)
@@ -105,26 +105,26 @@ void toolNotInTable(const LintView& view, const Message& /*message*/) {
             tool, LintMemory::Selected{view.execution.line, view.execution.block.word('T')});
 }
 
-void feedZero(const LintView& view, const Message& message) {
+void feedZero(const LintView& view, const FindingRow& message) {
     if (view.execution.block.value('F') == 0)
         tell(view, message, view.execution.block.word('F'));
 }
 
-void lengthMissing(const LintView& view, const Message& message) {
+void lengthMissing(const LintView& view, const FindingRow& message) {
     // A machine for LinuxCNC that is zeroed with its one tool needs none.
     const int needed = view.execution.dialect.macros == MacroLanguage::macroB ? 1 : 2;
     if (view.memory.toolChanges >= needed && !view.memory.lengthChosen)
         tell(view, message, anyWord(view), {std::to_string(view.execution.state.tool)});
 }
 
-void offsetNeverChosen(const LintView& view, const Message& message) {
+void offsetNeverChosen(const LintView& view, const FindingRow& message) {
     // Programs for LinuxCNC and its like seldom name the one that is in force at the start.
     if (!view.memory.offsetChosen && view.execution.dialect.macros == MacroLanguage::macroB)
         tell(view, message, anyWord(view));
     view.memory.offsetChosen = true;
 }
 
-void lengthOfOtherTool(const LintView& view, const Message& message) {
+void lengthOfOtherTool(const LintView& view, const FindingRow& message) {
     const Block& block = view.execution.block;
     if (findGroup(view, ModalGroup::toolLength) == nullptr || !block.has('H'))
         return;
@@ -134,7 +134,7 @@ void lengthOfOtherTool(const LintView& view, const Message& message) {
         tell(view, message, block.word('H'), {fmt::format("{:g}", number), std::to_string(tool)});
 }
 
-void diameterMissing(const LintView& view, const Message& message) {
+void diameterMissing(const LintView& view, const FindingRow& message) {
     const Word* word = findGroup(view, ModalGroup::cutterCompensation);
     constexpr double kG40 = 40;
     const bool registers = view.execution.dialect.macros == MacroLanguage::macroB;
@@ -143,7 +143,7 @@ void diameterMissing(const LintView& view, const Message& message) {
         tell(view, message, *word, {fmt::format("G{:g}", word->value)});
 }
 
-void compensationOnArc(const LintView& view, const Message& message) {
+void compensationOnArc(const LintView& view, const FindingRow& message) {
     if (!view.memory.compensationBegins || !moved(view))
         return;
     view.memory.compensationBegins = false;
@@ -151,7 +151,7 @@ void compensationOnArc(const LintView& view, const Message& message) {
         tell(view, message, anyWord(view));
 }
 
-void unitsMixed(const LintView& view, const Message& message) {
+void unitsMixed(const LintView& view, const FindingRow& message) {
     const Word* word = findGroup(view, ModalGroup::units);
     LintMemory& memory = view.memory;
     if (word != nullptr && view.before.inch != view.execution.state.inch && memory.cut && !memory.unitsTold) {
@@ -160,13 +160,13 @@ void unitsMixed(const LintView& view, const Message& message) {
     }
 }
 
-void leftOn(const LintView& view, const Message& message) {
+void leftOn(const LintView& view, const FindingRow& message) {
     const std::string codes = codesLeftOn(view.before, view.execution.dialect);
     if (!codes.empty())
         tell(view, message, anyWord(view), {codes});
 }
 
-void changeLow(const LintView& view, const Message& message) {
+void changeLow(const LintView& view, const FindingRow& message) {
     const MachineState& state = view.before;
     if (!view.memory.cut || state.zAtReference || (state.known & kAxisZ) == 0)
         return;
@@ -175,12 +175,12 @@ void changeLow(const LintView& view, const Message& message) {
              {fmt::format("{:.4g}", state.position.z), fmt::format("{:.4g}", view.memory.highestFeed)});
 }
 
-void changeTurning(const LintView& view, const Message& message) {
+void changeTurning(const LintView& view, const FindingRow& message) {
     if (view.before.spindleDirection != 0)
         tell(view, message, anyWord(view));
 }
 
-void noPoint(const LintView& view, const Message& message) {
+void noPoint(const LintView& view, const FindingRow& message) {
     const Block& block = view.execution.block;
     for (const char letter : {'X', 'Y', 'Z', 'I', 'J', 'K', 'Q', 'R'}) {
         if (!block.has(letter) || view.memory.pointTold.has(letter))
@@ -200,7 +200,7 @@ void noPoint(const LintView& view, const Message& message) {
     }
 }
 
-void nearlyHalfCircle(const LintView& view, const Message& message) {
+void nearlyHalfCircle(const LintView& view, const FindingRow& message) {
     const Program& program = view.execution.program;
     const Motion motion = program.motion(program.motionCount() - 1);
     if (motion.kind != MotionKind::arc)

@@ -10,18 +10,18 @@ namespace proveout::lint {
 void remember(const LintView& view);
 [[nodiscard]] bool changesTool(const LintView& view);
 
-void toolNotInTable(const LintView& view, const Message& message);
-void feedZero(const LintView& view, const Message& message);
-void lengthMissing(const LintView& view, const Message& message);
-void offsetNeverChosen(const LintView& view, const Message& message);
-void lengthOfOtherTool(const LintView& view, const Message& message);
-void diameterMissing(const LintView& view, const Message& message);
-void compensationOnArc(const LintView& view, const Message& message);
-void unitsMixed(const LintView& view, const Message& message);
-void leftOn(const LintView& view, const Message& message);
-void changeLow(const LintView& view, const Message& message);
-void changeTurning(const LintView& view, const Message& message);
-void noPoint(const LintView& view, const Message& message);
-void nearlyHalfCircle(const LintView& view, const Message& message);
+void toolNotInTable(const LintView& view, const FindingRow& message);
+void feedZero(const LintView& view, const FindingRow& message);
+void lengthMissing(const LintView& view, const FindingRow& message);
+void offsetNeverChosen(const LintView& view, const FindingRow& message);
+void lengthOfOtherTool(const LintView& view, const FindingRow& message);
+void diameterMissing(const LintView& view, const FindingRow& message);
+void compensationOnArc(const LintView& view, const FindingRow& message);
+void unitsMixed(const LintView& view, const FindingRow& message);
+void leftOn(const LintView& view, const FindingRow& message);
+void changeLow(const LintView& view, const FindingRow& message);
+void changeTurning(const LintView& view, const FindingRow& message);
+void noPoint(const LintView& view, const FindingRow& message);
+void nearlyHalfCircle(const LintView& view, const FindingRow& message);
 
 } // namespace proveout::lint

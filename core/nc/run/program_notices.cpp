@@ -15,7 +15,7 @@ namespace proveout {
 
 namespace {
 
-const Message& ignoredMessage(bool known, bool manyLines) {
+const FindingRow& ignoredMessage(bool known, bool manyLines) {
     if (known)
         return manyLines ? nc_message::kCodeIgnoredInLines : nc_message::kCodeIgnored;
     return manyLines ? nc_message::kCodeIgnoredByListInLines : nc_message::kCodeIgnoredByList;

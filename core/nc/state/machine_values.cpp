@@ -87,7 +87,7 @@ bool MachineValues::writable(int number) const {
     return number == kActiveOffset;
 }
 
-const Message* MachineValues::refusal(int number) const {
+const FindingRow* MachineValues::refusal(int number) const {
     return m_state.compensation.on && isPosition(number) ? &nc_message::kPositionHidden : nullptr;
 }
 
@@ -96,7 +96,7 @@ std::optional<double> OffsetValues::numbered(int number) const {
     return number == kActiveOffset ? std::optional(static_cast<double>(m_state.workOffset)) : std::nullopt;
 }
 
-const Message* OffsetValues::refusal(int number) const {
+const FindingRow* OffsetValues::refusal(int number) const {
     constexpr int kHome = 5161;
     constexpr int kSecondHome = 5181;
     const auto within = [number](int first) { return number >= first && number < first + kMachAxes; };

@@ -27,7 +27,7 @@ public:
 
     [[nodiscard]] std::optional<double> numbered(int number) const override;
     [[nodiscard]] bool writable(int number) const override;
-    [[nodiscard]] const Message* refusal(int number) const override;
+    [[nodiscard]] const FindingRow* refusal(int number) const override;
     [[nodiscard]] std::optional<double> named(std::string_view name) const override;
 
     /// Whether the parameter of M66 was asked for since the last call of this.
@@ -45,7 +45,7 @@ public:
     explicit OffsetValues(const MachineState& state) : m_state(state) {}
 
     [[nodiscard]] std::optional<double> numbered(int number) const override;
-    [[nodiscard]] const Message* refusal(int number) const override;
+    [[nodiscard]] const FindingRow* refusal(int number) const override;
     [[nodiscard]] std::optional<double> named(std::string_view name) const override;
 
 private:

@@ -12,7 +12,7 @@ namespace proveout {
 enum class DialectId : std::uint8_t { linuxcnc, fanuc, haas, grbl, mach, count };
 
 struct Execution;
-struct Message;
+struct FindingRow;
 
 /// How parameters, expressions and jumps are written.
 enum class MacroLanguage : std::uint8_t {
@@ -123,7 +123,7 @@ struct Dialect {
     bool noReferenceInCycle = false;      ///< G27 to G30 while a canned cycle is in force are an alarm
     bool (*mayRun)(Execution&) = nullptr; ///< false: told, and the control drops the block
     /// What the control answers where it drops a block for what a message says; null: no answer is known.
-    const char* (*answer)(const Message&) = nullptr;
+    const char* (*answer)(const FindingRow&) = nullptr;
 };
 
 } // namespace proveout

@@ -20,7 +20,7 @@ double numberOf(double value) {
     return isNull(value) ? 0 : value;
 }
 
-const Message& messageFor(NumberStatus status) {
+const FindingRow& messageFor(NumberStatus status) {
     switch (status) {
     case NumberStatus::doubleSign:
         return nc_message::kDoubleSign;
@@ -33,7 +33,7 @@ const Message& messageFor(NumberStatus status) {
     }
 }
 
-tl::unexpected<ReadError> fail(const Message& message, std::size_t begin, std::size_t end,
+tl::unexpected<ReadError> fail(const FindingRow& message, std::size_t begin, std::size_t end,
                                std::string_view argument = {}) {
     return tl::unexpected(readError(message, begin, end, argument));
 }
@@ -125,7 +125,7 @@ Value ExpressionReader::parameter(std::size_t& at) {
     const tl::expected<ParameterName, ReadError> name = parameterName(at);
     if (!name)
         return tl::unexpected(name.error());
-    if (const Message* refusal = name->name.empty() ? m_system.refusal(name->number) : nullptr) {
+    if (const FindingRow* refusal = name->name.empty() ? m_system.refusal(name->number) : nullptr) {
         m_system.noteUse();
         return fail(*refusal, begin, at, m_line.substr(begin, at - begin));
     }

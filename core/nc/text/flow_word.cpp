@@ -46,7 +46,7 @@ std::size_t placeOfO(std::string_view line) {
     return at < line.size() && lowerCase(line[at]) == 'o' ? at : line.size();
 }
 
-tl::unexpected<ReadError> fail(const Message& message, std::size_t begin, std::size_t end,
+tl::unexpected<ReadError> fail(const FindingRow& message, std::size_t begin, std::size_t end,
                                std::string_view argument = {}) {
     return tl::unexpected(readError(message, begin, end, argument));
 }

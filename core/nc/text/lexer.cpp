@@ -68,7 +68,7 @@ private:
         }
     }
 
-    void fail(const Message& message, std::size_t begin, std::size_t end, std::string_view argument = {}) {
+    void fail(const FindingRow& message, std::size_t begin, std::size_t end, std::string_view argument = {}) {
         m_line.error = readError(message, begin, end, argument);
     }
 

@@ -6,6 +6,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/text.h"
+#include "core/nc/text/messages.h"
 #include "core/nc/text/nc_text.h"
 
 namespace proveout {
@@ -13,18 +14,6 @@ namespace proveout {
 namespace {
 
 constexpr std::size_t kSample = 65536; ///< bytes that are looked at
-
-Diagnostics refusal(const char* id, const char* text, const char* hint, std::vector<std::string> arguments,
-                    const std::filesystem::path& file) {
-    Diagnostic diagnostic;
-    diagnostic.unverified = true;
-    diagnostic.id = id;
-    diagnostic.text = text;
-    diagnostic.hint = hint;
-    diagnostic.arguments = std::move(arguments);
-    diagnostic.file = file.string();
-    return {std::move(diagnostic)};
-}
 
 /// The name of a UTF-16 or UTF-32 encoding, told by its byte order mark or by where its zero bytes lie.
 const char* wideEncoding(std::string_view text) {
@@ -105,19 +94,12 @@ Result<NcText> NcText::load(const std::filesystem::path& file, const WorkContext
         return tl::unexpected(bytes.error());
     const std::string_view sample = std::string_view(*bytes).substr(0, kSample);
     if (const char* encoding = wideEncoding(sample)) {
-        return tl::unexpected(
-            refusal("nc-encoding", PROVEOUT_TEXT("Core", "The file is encoded in {}, not in ASCII or UTF-8."),
-                    PROVEOUT_TEXT("Core", "Save it as plain text (ASCII or UTF-8) and open it again."),
-                    {encoding}, file));
+        return failure(nc_message::kEncoding, {encoding}, file.string());
     }
     if (looksBinary(sample)) {
         if (const char* name = nameOfBinary(*bytes))
-            return tl::unexpected(refusal(
-                "nc-binary", PROVEOUT_TEXT("Core", "This is {}, not an NC program."),
-                PROVEOUT_TEXT("Core", "Choose the text file that the machine would run."), {name}, file));
-        return tl::unexpected(
-            refusal("nc-binary", PROVEOUT_TEXT("Core", "This is not an NC program: it holds binary data."),
-                    PROVEOUT_TEXT("Core", "Choose the text file that the machine would run."), {}, file));
+            return failure(nc_message::kBinaryKind, {name}, file.string());
+        return failure(nc_message::kBinary, {}, file.string());
     }
     return NcText(*std::move(bytes));
 }

@@ -24,7 +24,7 @@ public:
     /// The value of a system parameter by number; nothing where the number is an ordinary parameter.
     [[nodiscard]] virtual std::optional<double> numbered(int number) const = 0;
     /// Why a system parameter cannot be read as the machine stands now; null where it can.
-    [[nodiscard]] virtual const Message* refusal(int number) const = 0;
+    [[nodiscard]] virtual const FindingRow* refusal(int number) const = 0;
     /// Whether a program may name the number although it can only be written.
     [[nodiscard]] virtual bool writable(int /*number*/) const { return false; }
     /// The least unit of lengths, where numbers without a decimal point count in it; 1 otherwise.

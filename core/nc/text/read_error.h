@@ -10,14 +10,14 @@ namespace proveout {
 
 /// Why a line could not be read: the first thing in it that has no meaning.
 struct ReadError {
-    const Message* message = nullptr;
+    const FindingRow* message = nullptr;
     int column = 0; ///< 1-based
     int length = 0;
     std::string_view argument; ///< a part of the line
 };
 
 /// About the bytes [begin, end) of a line, at least one.
-[[nodiscard]] inline ReadError readError(const Message& message, std::size_t begin, std::size_t end,
+[[nodiscard]] inline ReadError readError(const FindingRow& message, std::size_t begin, std::size_t end,
                                          std::string_view argument = {}) {
     return {&message, static_cast<int>(begin + 1), static_cast<int>((end > begin ? end : begin + 1) - begin),
             argument};

@@ -10,10 +10,11 @@
 
 #include "core/base/memory.h"
 #include "core/base/stop_watch.h"
-#include "core/base/text.h"
 #include "core/cutting/cut/cut_part.h"
+#include "core/simulation/records/detail_findings.h"
 #include "core/simulation/run/block_cutter.h"
 #include "core/simulation/setup/tool_choice.h"
+#include "core/zmap/zmap_findings.h"
 
 namespace proveout {
 
@@ -129,11 +130,8 @@ Result<GridPart> fineGrid(const Setup& setup, const BoxOfInterest& box,
     };
     const auto would = finestThatFits(box, fits);
     if (!would)
-        return failure("memory-too-small", PROVEOUT_TEXT("Core", "The z-map needs {}; {} may be taken."),
-                       {readableBytes(needed), readableBytes(limitBytes)});
-    return failure("box-needs-too-much-memory",
-                   PROVEOUT_TEXT("Core", "A box of {} × {} points needs {}; {} may be taken, which is "
-                                         "enough for a spacing of {} mm."),
+        return failure(zmap_finding::kMemoryTooSmall, {readableBytes(needed), readableBytes(limitBytes)});
+    return failure(detail_finding::kBoxNeedsTooMuchMemory,
                    {fmt::format("{}", part->nx), fmt::format("{}", part->ny), readableBytes(needed),
                     readableBytes(limitBytes), fmt::format("{:g}", *would)});
 }

@@ -11,133 +11,49 @@
 
 #include "core/base/bounded_diagnostics.h"
 #include "core/base/list_argument.h"
-#include "core/base/text.h"
 #include "core/cutter/shapes.h"
+#include "core/simulation/run/cutting_findings.h"
+#include "core/simulation/run/tool_findings.h"
 
 namespace proveout {
 
 namespace {
 
-/// A message without its value and place.
-struct FindingRow {
-    Severity severity;
-    bool unverified;
-    const char* id;
-    const char* text;
-    const char* hint;
+/// The row of a kind of finding, and the row used instead while the sizes of the tool are not confirmed: its
+/// sentence has the tool number as well. Null for kinds that are not faults.
+struct KindRows {
+    const FindingRow* confirmed;
+    const FindingRow* unconfirmed;
 };
 
-/// One row a kind of finding, in the order of FindingKind.
-constexpr std::array kRows{
-    FindingRow{Severity::fault, false, "rapid-cuts",
-               PROVEOUT_TEXT("Core", "The rapid motion removes material, {} mm deep."),
-               PROVEOUT_TEXT("Core", "Retract above the stock before the rapid, or cut with G1.")},
-    FindingRow{Severity::fault, false, "depth-beyond-flutes",
-               PROVEOUT_TEXT("Core", "The cut is {} mm deep, beyond the length of the flutes."),
-               PROVEOUT_TEXT("Core", "Cut in shallower passes, or choose a tool with longer flutes.")},
-    FindingRow{Severity::error, true, "rapid-unchecked",
-               PROVEOUT_TEXT("Core",
-                             "The rapid motion comes from an unknown position and ends {} mm below the "
-                             "top of the stock; what it cuts is not known."),
-               PROVEOUT_TEXT("Core", "Retract above the stock before the rapid, or cut with G1.")},
-    FindingRow{Severity::error, true, "rapid-unchecked",
-               PROVEOUT_TEXT("Core",
-                             "The rapid motion passes over the stock at a height that is not known; whether "
-                             "it cuts is not known."),
-               PROVEOUT_TEXT("Core", "Position Z above the stock before the rapid.")},
-    FindingRow{Severity::fault, false, "neck-in-stock",
-               PROVEOUT_TEXT("Core", "The neck of the cutter goes through {} mm of stock above its head."),
-               PROVEOUT_TEXT("Core", "Cut a slot for the neck first, or choose a tool with a thinner neck.")},
-    FindingRow{Severity::error, true, "overhang-lost",
-               PROVEOUT_TEXT("Core",
-                             "Above the head of the cutter {} mm³ of stock stay, which the z-map shows as "
-                             "removed; the layer is highest at X{} Y{} Z{}."),
-               PROVEOUT_TEXT("Core", "Check by other means what is done there from here on.")},
+/// In the order of FindingKind.
+constexpr std::array kKindRows{
+    KindRows{&cutting_finding::kRapidCuts, &cutting_finding::kRapidCutsUnconfirmed},
+    KindRows{&cutting_finding::kDepthBeyondFlutes, &cutting_finding::kDepthBeyondFlutesUnconfirmed},
+    KindRows{&cutting_finding::kRapidUncheckedStart, nullptr},
+    KindRows{&cutting_finding::kRapidUncheckedHeight, nullptr},
+    KindRows{&cutting_finding::kNeckInStock, &cutting_finding::kNeckInStockUnconfirmed},
+    KindRows{&cutting_finding::kOverhangLost, nullptr},
 };
-
-constexpr const char* kConfirmTool =
-    PROVEOUT_TEXT("Core", "Confirm the sizes of the tool in the tool table, or correct them.");
-
-/// What a fault is that was found with a tool whose sizes are not confirmed: as the row of its kind, and the
-/// tool is named behind the value. Kinds that are no faults anyway have none.
-constexpr std::array<std::pair<FindingKind, FindingRow>, 3> kUnconfirmedRows{{
-    {FindingKind::rapidCuts,
-     {Severity::warning, true, "rapid-cuts",
-      PROVEOUT_TEXT("Core", "Rapid move cuts stock ({} mm deep) with the unconfirmed tool T{}."),
-      kConfirmTool}},
-    {FindingKind::depthBeyondFlutes,
-     {Severity::warning, true, "depth-beyond-flutes",
-      PROVEOUT_TEXT("Core", "The cut is {} mm deep, beyond the flutes of the unconfirmed tool T{}."),
-      kConfirmTool}},
-    {FindingKind::neckInStock,
-     {Severity::warning, true, "neck-in-stock",
-      PROVEOUT_TEXT("Core", "{} mm of stock meet the neck of the unconfirmed tool T{}."), kConfirmTool}},
-}};
 
 const FindingRow& rowOf(FindingKind kind, bool unconfirmed) {
-    const auto* const row =
-        std::ranges::find(kUnconfirmedRows, kind, [](const auto& entry) { return entry.first; });
-    return unconfirmed && row != kUnconfirmedRows.end() ? row->second : kRows[static_cast<std::size_t>(kind)];
+    const KindRows& rows = kKindRows[static_cast<std::size_t>(kind)];
+    return unconfirmed && rows.unconfirmed != nullptr ? *rows.unconfirmed : *rows.confirmed;
 }
-
-// About the tools.
-constexpr FindingRow kToolFromComment{
-    Severity::warning, true, "tool-unconfirmed",
-    PROVEOUT_TEXT("Core", "T{} is read from a comment (⌀ {} mm {}); it is not confirmed."), kConfirmTool};
-constexpr FindingRow kToolFromVagueComment{
-    Severity::warning, true, "tool-unconfirmed",
-    PROVEOUT_TEXT("Core", "T{} is read from a comment (⌀ {} mm {}; assumed: {}); it is not "
-                          "confirmed."),
-    kConfirmTool};
-constexpr FindingRow kToolSizesAssumed{
-    Severity::warning, true, "tool-unconfirmed",
-    PROVEOUT_TEXT("Core", "The sizes of T{} are assumed (⌀ {} mm {}); they are not confirmed."),
-    kConfirmTool};
-constexpr const char* kSetToolAtStart =
-    PROVEOUT_TEXT("Core", "Set the tool at start in the setup if this is the right one.");
-constexpr FindingRow kToolAssumed{
-    Severity::warning, true, "tool-assumed",
-    PROVEOUT_TEXT("Core", "The program cuts before it calls a tool; T{} is assumed to be in the spindle."),
-    kSetToolAtStart};
-constexpr FindingRow kOnlyToolAssumed{
-    Severity::warning, true, "tool-assumed",
-    PROVEOUT_TEXT("Core", "The program calls no tool; T{} is assumed to be in the spindle."),
-    kSetToolAtStart};
-constexpr FindingRow kToolUndefined{
-    Severity::error, true, "tool-undefined",
-    PROVEOUT_TEXT("Core", "T{} is not in the tool table; its moves are not simulated."),
-    PROVEOUT_TEXT("Core", "Define it in the tool table.")};
-constexpr FindingRow kNoTool{
-    Severity::error, true, "no-tool",
-    PROVEOUT_TEXT("Core", "The program cuts before it calls a tool; moves are not simulated until it does."),
-    PROVEOUT_TEXT("Core", "Set the tool at start in the setup, or program T and M6 before the first cut.")};
-constexpr FindingRow kNoToolEver{
-    Severity::error, true, "no-tool",
-    PROVEOUT_TEXT("Core", "The program calls no tool; its moves are not simulated."),
-    PROVEOUT_TEXT("Core", "Set the tool at start in the setup, or program T and M6 before the first cut.")};
-constexpr FindingRow kSpindleEmpty{
-    Severity::error, true, "no-tool",
-    PROVEOUT_TEXT("Core", "T{} leaves the spindle empty; its moves are not simulated."),
-    PROVEOUT_TEXT("Core", "Define T0 in the tool table if it is a cutter.")};
 
 const FindingRow& rowOf(const MissingTool& missing, bool callsTool) {
     if (missing.number != 0)
-        return kToolUndefined;
+        return tool_finding::kToolUndefined;
     if (missing.called)
-        return kSpindleEmpty;
-    return callsTool ? kNoTool : kNoToolEver;
+        return tool_finding::kNoToolCalled;
+    return callsTool ? tool_finding::kNoTool : tool_finding::kNoToolEver;
 }
 
 void tell(BoundedDiagnostics& out, const FindingRow& row, std::vector<std::string> values,
           std::uint32_t line) {
-    out.add({row.severity,
-             row.unverified,
-             row.id,
-             row.text,
-             std::move(values),
-             row.hint,
-             {},
-             {static_cast<int>(line), 1, 0}});
+    Diagnostic finding = diagnosticOf(row, std::move(values));
+    finding.where = {static_cast<int>(line), 1, 0};
+    out.add(std::move(finding));
 }
 
 std::string diameterOf(const std::string& spec) {
@@ -158,18 +74,18 @@ void tellUnconfirmed(BoundedDiagnostics& out, const UnconfirmedTool& tool) {
     std::vector<std::string> values{std::to_string(tool.number), diameterOf(tool.cutter),
                                     shape == nullptr ? "" : shape->label};
     if (tool.origin.source == ToolSource::assumed)
-        return tell(out, kToolSizesAssumed, std::move(values), tool.line);
+        return tell(out, tool_finding::kToolUnconfirmedSizes, std::move(values), tool.line);
     std::string assumed = assumedOf(tool);
     if (assumed.empty())
-        return tell(out, kToolFromComment, std::move(values), tool.origin.line);
+        return tell(out, tool_finding::kToolUnconfirmedComment, std::move(values), tool.origin.line);
     values.push_back(std::move(assumed));
-    tell(out, kToolFromVagueComment, std::move(values), tool.origin.line);
+    tell(out, tool_finding::kToolUnconfirmedVague, std::move(values), tool.origin.line);
 }
 
 void tellAboutTools(const Program& program, const ToolChoice& tools, BoundedDiagnostics& out) {
     if (tools.assumed() && program.blockCount() > 0)
-        tell(out, tools.callsTool() ? kToolAssumed : kOnlyToolAssumed, {std::to_string(*tools.assumed())},
-             program.blockLine(0));
+        tell(out, tools.callsTool() ? tool_finding::kToolAssumed : tool_finding::kToolAssumedOnly,
+             {std::to_string(*tools.assumed())}, program.blockLine(0));
     for (const MissingTool& missing : tools.missing())
         tell(out, rowOf(missing, tools.callsTool()), {std::to_string(missing.number)}, missing.line);
     for (const UnconfirmedTool& tool : tools.unconfirmed())
@@ -228,7 +144,7 @@ Diagnostics FindingLog::diagnostics(const Program& program, const ToolChoice& to
     BoundedDiagnostics out;
     tellAboutTools(program, tools, out);
     std::set<std::tuple<std::uint32_t, FindingKind, bool>> told;
-    static_assert(kRows.size() == kKinds);
+    static_assert(kKindRows.size() == kKinds);
     auto left = m_counts;
     for (const Finding& finding : m_findings) {
         if (out.full())
@@ -243,8 +159,7 @@ Diagnostics FindingLog::diagnostics(const Program& program, const ToolChoice& to
             const FindingRow& row = rowOf(static_cast<FindingKind>(kind), unconfirmed);
             out.leaveOut(row.severity, row.unverified, left[unconfirmed ? 1 : 0][kind]);
         }
-    return out.take("more-findings",
-                    PROVEOUT_TEXT("Core", "{} more findings of the simulation are not shown."));
+    return out.take(cutting_finding::kMoreFindings);
 }
 
 } // namespace proveout

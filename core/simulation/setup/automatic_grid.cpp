@@ -8,8 +8,8 @@
 #include <thread>
 
 #include "core/base/memory.h"
-#include "core/base/text.h"
 #include "core/decimation/regions/region_decimator.h"
+#include "core/simulation/setup/setup_findings.h"
 
 namespace proveout {
 
@@ -112,22 +112,10 @@ Diagnostics coarseGrid(const Grid& grid, const std::optional<CutterInUse>& small
     const double spacing = std::max(grid.hx, grid.hy);
     if (!smallest || spacing * kFewPointsAcross <= smallest->diameter * kSlack)
         return {};
-    Diagnostic warning;
-    warning.severity = Severity::warning;
-    warning.id = "grid-coarse";
-    warning.text = PROVEOUT_TEXT("Core", "The grid spacing of {} mm is too coarse for T{} (⌀{} mm): it has "
-                                         "only {} points across it.");
-    warning.arguments = {fmt::format("{:.4g}", spacing), std::to_string(smallest->tool),
-                         fmt::format("{:.4g}", smallest->diameter),
-                         fmt::format("{:.1f}", smallest->diameter / spacing)};
-    warning.hint =
-        automatic
-            ? PROVEOUT_TEXT(
-                  "Core",
-                  "See details with View, Look Closer, or in a smaller stock, or enter a finer grid spacing.")
-            : PROVEOUT_TEXT("Core", "Choose a finer grid, or the automatic one; see details with View, Look "
-                                    "Closer, or in a smaller stock.");
-    return {warning};
+    const FindingRow& row = automatic ? setup_finding::kGridCoarseAutomatic : setup_finding::kGridCoarse;
+    return {diagnosticOf(row, {fmt::format("{:.4g}", spacing), std::to_string(smallest->tool),
+                               fmt::format("{:.4g}", smallest->diameter),
+                               fmt::format("{:.1f}", smallest->diameter / spacing)})};
 }
 
 } // namespace proveout

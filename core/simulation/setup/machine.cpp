@@ -7,6 +7,8 @@
 #include <string>
 #include <utility>
 
+#include "core/simulation/setup/setup_findings.h"
+
 namespace proveout {
 
 namespace {
@@ -27,14 +29,12 @@ Result<void> setField(Machine& machine, std::string_view key, std::string_view t
         if (error == std::errc() && read == end && number >= field.minimum && number <= field.maximum)
             value = number;
         else
-            result = failure(
-                "machine-value",
-                PROVEOUT_TEXT("Core", "\"{}\" of the machine must be a number from {} to {}."),
-                {std::string(key), fmt::format("{}", field.minimum), fmt::format("{}", field.maximum)});
+            result =
+                failure(setup_finding::kMachineValue, {std::string(key), fmt::format("{}", field.minimum),
+                                                       fmt::format("{}", field.maximum)});
     });
     if (!known)
-        return failure("machine-key", PROVEOUT_TEXT("Core", "A machine has no \"{}\"; it has {}."),
-                       {std::string(key), keys});
+        return failure(setup_finding::kMachineKey, {std::string(key), keys});
     return result;
 }
 

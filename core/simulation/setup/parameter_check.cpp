@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-#include "core/base/text.h"
+#include "core/simulation/setup/setup_findings.h"
 
 namespace proveout {
 
@@ -14,8 +14,7 @@ Result<void> checkRanges(const DecimationParameters& parameters) {
             return;
         const auto number = static_cast<double>(value);
         if (!(number >= field.minimum && number <= field.maximum) && result)
-            result = failure("parameter-out-of-range",
-                             PROVEOUT_TEXT("Core", "The parameter \"{}\" is {}; it must lie in {} … {}."),
+            result = failure(setup_finding::kParameterOutOfRange,
                              {field.key, fmt::format("{}", number), fmt::format("{}", field.minimum),
                               fmt::format("{}", field.maximum)});
     });

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <string>
 
-#include "core/base/text.h"
+#include "core/simulation/setup/setup_findings.h"
 
 namespace proveout {
 
@@ -38,21 +38,9 @@ std::string rangesOf(const Box3& box) {
     return text;
 }
 
-Diagnostic warningAboutPosition() {
-    Diagnostic warning;
-    warning.severity = Severity::warning;
-    warning.hint = PROVEOUT_TEXT("Core", "Check size and position of the stock, and the work offset: the "
-                                         "position of the stock names its top, not its bottom.");
-    return warning;
-}
-
 Diagnostic neverCuts(const Program& program, const StockBox& stock) {
-    Diagnostic warning = warningAboutPosition();
-    warning.id = "never-cuts";
-    warning.text = PROVEOUT_TEXT("Core", "The program never cuts the stock: its moves at feed are within {}, "
-                                         "the stock within {}.");
-    warning.arguments = {rangesOf(program.cuttingBounds()), rangesOf(boxOf(stock))};
-    return warning;
+    return diagnosticOf(setup_finding::kNeverCuts,
+                        {rangesOf(program.cuttingBounds()), rangesOf(boxOf(stock))});
 }
 
 bool reaches(const Box3& path, const Box3& stock, double radius) {
@@ -91,12 +79,9 @@ Diagnostics misplacedStock(const Program& program, const Setup& setup, const Too
     for (const Overshoot& side : overshoots(path, stock)) {
         if (side.beyond < std::max(side.size, 2 * radius) - kSlack)
             continue;
-        Diagnostic warning = warningAboutPosition();
-        warning.id = "stock-missed";
-        warning.text = PROVEOUT_TEXT("Core", "Moves at feed go {} mm beyond the stock in {}, where it "
-                                             "measures {} mm.");
-        warning.arguments = {fmt::format("{:.6g}", side.beyond), side.side, fmt::format("{:.6g}", side.size)};
-        warnings.push_back(std::move(warning));
+        warnings.push_back(
+            diagnosticOf(setup_finding::kStockMissed,
+                         {fmt::format("{:.6g}", side.beyond), side.side, fmt::format("{:.6g}", side.size)}));
     }
     return warnings;
 }

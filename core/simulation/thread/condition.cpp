@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "core/base/text.h"
+#include "core/simulation/thread/condition_findings.h"
 
 namespace proveout {
 
@@ -29,16 +30,6 @@ char upper(char c) {
     return c >= 'a' && c <= 'z' ? static_cast<char>(c - 'a' + 'A') : c;
 }
 
-constexpr const char* kOperandWanted =
-    PROVEOUT_TEXT("Core", "Column {}: a number or one of the letters X Y Z F S T N L is expected here.");
-constexpr const char* kComparisonWanted =
-    PROVEOUT_TEXT("Core", "Column {}: one of < <= > >= == != is expected here.");
-constexpr const char* kJoinWanted = PROVEOUT_TEXT("Core", "Column {}: && or || is expected here.");
-constexpr const char* kParenthesisWanted =
-    PROVEOUT_TEXT("Core", "Column {}: a closing parenthesis is expected here.");
-constexpr const char* kTooDeep =
-    PROVEOUT_TEXT("Core", "Column {}: there are too many parentheses in each other.");
-
 } // namespace
 
 std::span<const ConditionVariable> conditionVariables() {
@@ -52,15 +43,13 @@ public:
 
     Result<Condition> parse() {
         if (m_text.size() > Condition::kLongest)
-            return failure("condition-too-long",
-                           PROVEOUT_TEXT("Core", "A condition has {} characters at most."),
-                           {std::to_string(Condition::kLongest)});
+            return failure(condition_finding::kConditionTooLong, {std::to_string(Condition::kLongest)});
         readEither();
         skipBlanks();
         if (m_error == nullptr && m_at < m_text.size())
-            fail(kJoinWanted);
+            fail(condition_finding::kConditionJoin);
         if (m_error != nullptr)
-            return failure("condition", m_error, {std::to_string(m_errorAt + 1)});
+            return failure(*m_error, {std::to_string(m_errorAt + 1)});
         return std::move(m_condition);
     }
 
@@ -68,9 +57,9 @@ private:
     using Action = Condition::Action;
     using Comparison = Condition::Comparison;
 
-    void fail(const char* text) {
+    void fail(const FindingRow& row) {
         if (m_error == nullptr) {
-            m_error = text;
+            m_error = &row;
             m_errorAt = m_at;
         }
     }
@@ -121,10 +110,10 @@ private:
 
     void readGroup() {
         if (++m_depth > Condition::kDeepest)
-            return fail(kTooDeep);
+            return fail(condition_finding::kConditionDepth);
         readEither();
         if (m_error == nullptr && !take(")"))
-            fail(kParenthesisWanted);
+            fail(condition_finding::kConditionParenthesis);
         --m_depth;
     }
 
@@ -142,7 +131,7 @@ private:
         const auto* const found =
             std::ranges::find_if(kComparisons, [this](const auto& row) { return take(row.first); });
         if (found == kComparisons.end())
-            return fail(kComparisonWanted);
+            return fail(condition_finding::kConditionComparison);
         step.comparison = found->second;
         step.right = readOperand();
         m_condition.m_steps.push_back(step);
@@ -152,7 +141,7 @@ private:
         skipBlanks();
         const std::string_view rest = m_text.substr(m_at);
         if (rest.empty()) {
-            fail(kOperandWanted);
+            fail(condition_finding::kConditionOperand);
             return {};
         }
         const auto variable = std::ranges::find(kVariables, upper(rest.front()), &ConditionVariable::letter);
@@ -167,7 +156,7 @@ private:
         const char* begin = rest.data() + (rest.front() == '+' ? 1 : 0);
         const auto [end, error] = std::from_chars(begin, rest.data() + rest.size(), number);
         if (error != std::errc() || !((first >= '0' && first <= '9') || first == '.')) {
-            fail(kOperandWanted);
+            fail(condition_finding::kConditionOperand);
             return {};
         }
         m_at += static_cast<std::size_t>(end - rest.data());
@@ -177,7 +166,7 @@ private:
     std::string_view m_text;
     std::size_t m_at = 0;
     int m_depth = 0;
-    const char* m_error = nullptr;
+    const FindingRow* m_error = nullptr;
     std::size_t m_errorAt = 0;
     Condition m_condition;
 };

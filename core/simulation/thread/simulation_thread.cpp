@@ -9,11 +9,11 @@
 #include <thread>
 #include <utility>
 
-#include "core/base/text.h"
 #include "core/simulation/run/simulation.h"
 #include "core/simulation/thread/command_queue.h"
 #include "core/simulation/thread/mailbox.h"
 #include "core/simulation/thread/progress_teller.h"
+#include "core/simulation/thread/run_findings.h"
 
 namespace proveout {
 
@@ -40,8 +40,8 @@ std::stop_token stopped() {
     return source.get_token();
 }
 
-Diagnostics broken(const char* id, const char* text, std::vector<std::string> arguments) {
-    return std::move(failure(id, text, std::move(arguments)).value());
+Diagnostics broken(const FindingRow& row, std::vector<std::string> arguments) {
+    return {diagnosticOf(row, std::move(arguments))};
 }
 
 } // namespace
@@ -77,11 +77,9 @@ struct SimulationThread::State {
             try {
                 turn();
             } catch (const std::bad_alloc&) {
-                fail(broken("out-of-memory",
-                            PROVEOUT_TEXT("Core", "The simulation needs more memory than there is."), {}));
+                fail(broken(run_finding::kOutOfMemory, {}));
             } catch (const std::exception& exception) {
-                fail(broken("internal-error", PROVEOUT_TEXT("Core", "The simulation had to stop: {}."),
-                            {exception.what()}));
+                fail(broken(run_finding::kInternalError, {exception.what()}));
             }
         }
     }

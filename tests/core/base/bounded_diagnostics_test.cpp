@@ -48,7 +48,7 @@ TEST(BoundedDiagnostics, BeyondTheLimitACountIsAsSevereAsTheWorst) {
 TEST(BoundedDiagnostics, OfTwoListsCountTogether) {
     BoundedDiagnostics list = many(30);
     list.append(many(200));
-    const Diagnostics all = list.take("more", "{} more.");
+    const Diagnostics all = list.take(FindingRow{Severity::note, false, "more", "", "{} more.", ""});
     ASSERT_EQ(all.size(), 101U);
     EXPECT_EQ(message(all.back()), "130 more.");
     EXPECT_STREQ(all.back().id, "more");

@@ -16,7 +16,7 @@ namespace proveout {
 namespace {
 
 struct NoValues : SystemValues {
-    [[nodiscard]] const Message* refusal(int /*number*/) const override { return nullptr; }
+    [[nodiscard]] const FindingRow* refusal(int /*number*/) const override { return nullptr; }
     [[nodiscard]] std::optional<double> numbered(int /*number*/) const override { return {}; }
     [[nodiscard]] std::optional<double> named(std::string_view /*name*/) const override { return {}; }
 };

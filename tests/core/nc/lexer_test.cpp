@@ -11,7 +11,7 @@ namespace {
 
 struct NoValues : SystemValues {
     [[nodiscard]] std::optional<double> numbered(int /*number*/) const override { return {}; }
-    [[nodiscard]] const Message* refusal(int /*number*/) const override { return nullptr; }
+    [[nodiscard]] const FindingRow* refusal(int /*number*/) const override { return nullptr; }
     [[nodiscard]] std::optional<double> named(std::string_view /*name*/) const override { return {}; }
 };
 

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/base/finding_row.h"
+
+#include <utility>
+
+namespace proveout {
+
+const char* name(FindingSource source) {
+    switch (source) {
+    case FindingSource::files:
+        return "files";
+    case FindingSource::reader:
+        return "reader";
+    case FindingSource::interpreter:
+        return "interpreter";
+    case FindingSource::lint:
+        return "lint";
+    case FindingSource::tools:
+        return "tools";
+    case FindingSource::stock:
+        return "stock";
+    case FindingSource::setup:
+        return "setup";
+    case FindingSource::simulation:
+        return "simulation";
+    case FindingSource::decimation:
+        return "decimation";
+    case FindingSource::study:
+        return "study";
+    case FindingSource::jobFile:
+        return "job-file";
+    case FindingSource::exporting:
+        return "export";
+    case FindingSource::breakpoints:
+        return "breakpoints";
+    }
+    return "files";
+}
+
+Diagnostic diagnosticOf(const FindingRow& row, std::vector<std::string> arguments) {
+    return {row.severity, row.unverified, row.id, row.text, std::move(arguments), row.hint, {}, {}};
+}
+
+tl::unexpected<Diagnostics> failure(const FindingRow& row, std::vector<std::string> arguments,
+                                    std::string file) {
+    Diagnostic diagnostic = diagnosticOf(row, std::move(arguments));
+    diagnostic.file = std::move(file);
+    return tl::unexpected<Diagnostics>(Diagnostics{std::move(diagnostic)});
+}
+
+} // namespace proveout

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A row of the tables of findings: everything of a diagnostic that is known before a program is read. Each
+// room of the core has its rows in a header of its own; core/verification/findings collects them.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "core/base/diagnostic.h"
+
+namespace proveout {
+
+/// What else decides how severe a finding is.
+enum class SeverityRule : std::uint8_t {
+    fixed,            ///< nothing: always as the row says
+    warningIfAssumed, ///< a warning where it rests on assumed sizes, as of a tool that is not confirmed
+    worstLeftOut,     ///< as the worst of the findings that it stands for
+};
+
+/// A finding without its place and arguments. All texts are literals marked with PROVEOUT_TEXT.
+struct FindingRow {
+    Severity severity = Severity::error;
+    bool unverified = false; ///< from its place on, nothing can be promised about the program
+    const char* id = "";     ///< stable, kebab-case; rows with one id share their title
+    const char* title = "";  ///< a short name without arguments, e.g. "Rapid cuts stock"
+    const char* text = "";   ///< a sentence; each `{}` stands for the next argument
+    const char* hint = "";   ///< what to do about it; may be empty
+    SeverityRule severityRule = SeverityRule::fixed;
+};
+
+/// Who notices a finding.
+enum class FindingSource : std::uint8_t {
+    files,       ///< files read and written, of any kind
+    reader,      ///< the text of the program: lines, words, expressions
+    interpreter, ///< what its blocks do
+    lint,        ///< what is allowed but seldom meant
+    tools,       ///< cutters and the tool table
+    stock,       ///< the stock and its grid
+    setup,       ///< the setup and the machine
+    simulation,  ///< cutting
+    decimation,  ///< the mesh of the stock
+    study,       ///< parameter studies
+    jobFile,     ///< jobs
+    exporting,   ///< meshes and other files that are written
+    breakpoints, ///< conditions that stop a run
+};
+
+/// kebab-case, e.g. "job-file": for machine-readable listings.
+[[nodiscard]] const char* name(FindingSource source);
+
+/// Rows that one part of the core notices.
+struct FindingTable {
+    FindingSource noticedBy;
+    std::span<const FindingRow* const> rows;
+    bool refusesInput; ///< an error among them keeps the input from being used at all, and ends a command
+};
+
+/// The finding of a row, at no place in particular.
+[[nodiscard]] Diagnostic diagnosticOf(const FindingRow& row, std::vector<std::string> arguments = {});
+
+/// A result that failed with the finding of a row.
+[[nodiscard]] tl::unexpected<Diagnostics>
+failure(const FindingRow& row, std::vector<std::string> arguments = {}, std::string file = {});
+
+} // namespace proveout

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Mesh files that are written.
+#pragma once
+
+#include <array>
+
+#include "core/base/finding_row.h"
+#include "core/base/text.h"
+
+namespace proveout::export_finding {
+
+inline constexpr FindingRow kExportFormatUnknown{
+    Severity::error,
+    false,
+    "export-format-unknown",
+    PROVEOUT_TEXT("Core", "Unknown export format"),
+    PROVEOUT_TEXT("Core", "The ending of this name is that of no mesh format; there are {}."),
+    ""};
+inline constexpr FindingRow kExportRoundedBeyond{
+    Severity::warning,
+    false,
+    "export-rounded-beyond",
+    PROVEOUT_TEXT("Core", "Export rounded too coarsely"),
+    PROVEOUT_TEXT("Core", "Rounded to single precision, the file lies up to {} mm from the z-map, beyond the "
+                          "error allowance of {} mm; OBJ or PLY would keep {} mm."),
+    PROVEOUT_TEXT("Core", "Export OBJ or PLY: they hold coordinates in double precision.")};
+inline constexpr FindingRow kNothingLeft{
+    Severity::error,
+    false,
+    "nothing-left",
+    PROVEOUT_TEXT("Core", "Nothing to export"),
+    PROVEOUT_TEXT("Core", "Nothing of the stock is left, so there is no mesh to write."),
+    ""};
+inline constexpr FindingRow kMeshCoordinate{
+    Severity::error,
+    false,
+    "mesh-coordinate",
+    PROVEOUT_TEXT("Core", "Coordinate not finite"),
+    PROVEOUT_TEXT("Core", "A vertex lies at {}, {}, {}: a mesh file holds finite numbers only."),
+    ""};
+inline constexpr FindingRow kCancelledWriting{Severity::error,
+                                              false,
+                                              "cancelled",
+                                              PROVEOUT_TEXT("Core", "Cancelled"),
+                                              PROVEOUT_TEXT("Core", "Cancelled; no file was written."),
+                                              ""};
+inline constexpr FindingRow kStlTooCoarse{
+    Severity::error,
+    false,
+    "stl-too-coarse",
+    PROVEOUT_TEXT("Core", "STL too coarse"),
+    PROVEOUT_TEXT("Core",
+                  "The coordinates of an STL file are too coarse for this mesh so far from the origin: {} "
+                  "triangles would collapse or turn over, {} vertices meet others; OBJ or PLY can hold it."),
+    PROVEOUT_TEXT("Core", "Export OBJ or PLY: they hold coordinates in double precision.")};
+inline constexpr FindingRow kStlTooManyTriangles{
+    Severity::error,
+    false,
+    "stl-too-many-triangles",
+    PROVEOUT_TEXT("Core", "Too many triangles"),
+    PROVEOUT_TEXT("Core", "The mesh has {} triangles; an STL file holds 4294967295."),
+    ""};
+inline constexpr FindingRow kStlCoordinate{
+    Severity::error,
+    false,
+    "stl-coordinate",
+    PROVEOUT_TEXT("Core", "Coordinate out of range"),
+    PROVEOUT_TEXT("Core", "A vertex lies at {}, {}, {}: STL cannot hold that."),
+    ""};
+
+inline constexpr std::array kExportRows{&kExportFormatUnknown, &kExportRoundedBeyond, &kNothingLeft,
+                                        &kMeshCoordinate,      &kCancelledWriting,    &kStlTooCoarse,
+                                        &kStlTooManyTriangles, &kStlCoordinate};
+
+} // namespace proveout::export_finding

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The setup: its parameters, its machine, and where its stock lies.
+#pragma once
+
+#include <array>
+
+#include "core/base/finding_row.h"
+#include "core/base/text.h"
+
+namespace proveout::setup_finding {
+
+inline constexpr FindingRow kMachineValue{
+    Severity::error,
+    false,
+    "machine-value",
+    PROVEOUT_TEXT("Core", "Invalid machine value"),
+    PROVEOUT_TEXT("Core", "\"{}\" of the machine must be a number from {} to {}."),
+    ""};
+inline constexpr FindingRow kMachineKey{Severity::error,
+                                        false,
+                                        "machine-key",
+                                        PROVEOUT_TEXT("Core", "Unknown machine key"),
+                                        PROVEOUT_TEXT("Core", "A machine has no \"{}\"; it has {}."),
+                                        ""};
+inline constexpr FindingRow kParameterOutOfRange{
+    Severity::error,
+    false,
+    "parameter-out-of-range",
+    PROVEOUT_TEXT("Core", "Parameter out of range"),
+    PROVEOUT_TEXT("Core", "The parameter \"{}\" is {}; it must lie in {} … {}."),
+    ""};
+inline constexpr FindingRow kNeverCuts{
+    Severity::warning,
+    false,
+    "never-cuts",
+    PROVEOUT_TEXT("Core", "Program never cuts"),
+    PROVEOUT_TEXT("Core",
+                  "The program never cuts the stock: its moves at feed are within {}, the stock within {}."),
+    PROVEOUT_TEXT("Core", "Check size and position of the stock, and the work offset: the position of the "
+                          "stock names its top, not its bottom.")};
+inline constexpr FindingRow kStockMissed{
+    Severity::warning,
+    false,
+    "stock-missed",
+    PROVEOUT_TEXT("Core", "Stock missed"),
+    PROVEOUT_TEXT("Core", "Moves at feed go {} mm beyond the stock in {}, where it measures {} mm."),
+    PROVEOUT_TEXT("Core", "Check size and position of the stock, and the work offset: the position of the "
+                          "stock names its top, not its bottom.")};
+inline constexpr FindingRow kGridCoarseAutomatic{
+    Severity::warning,
+    false,
+    "grid-coarse",
+    PROVEOUT_TEXT("Core", "Grid coarse"),
+    PROVEOUT_TEXT(
+        "Core", "The grid spacing of {} mm is too coarse for T{} (⌀{} mm): it has only {} points across it."),
+    PROVEOUT_TEXT(
+        "Core", "See details with View, Look Closer, or in a smaller stock, or enter a finer grid spacing.")};
+inline constexpr FindingRow kGridCoarse{
+    Severity::warning,
+    false,
+    "grid-coarse",
+    PROVEOUT_TEXT("Core", "Grid coarse"),
+    PROVEOUT_TEXT(
+        "Core", "The grid spacing of {} mm is too coarse for T{} (⌀{} mm): it has only {} points across it."),
+    PROVEOUT_TEXT("Core", "Choose a finer grid, or the automatic one; see details with View, Look Closer, or "
+                          "in a smaller stock.")};
+
+inline constexpr std::array kSetupRows{&kMachineValue, &kMachineKey,  &kParameterOutOfRange,
+                                       &kNeverCuts,    &kStockMissed, &kGridCoarseAutomatic,
+                                       &kGridCoarse};
+
+} // namespace proveout::setup_finding

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What ends a run of the simulation.
+#pragma once
+
+#include <array>
+
+#include "core/base/finding_row.h"
+#include "core/base/text.h"
+
+namespace proveout::run_finding {
+
+inline constexpr FindingRow kOutOfMemory{
+    Severity::error,
+    false,
+    "out-of-memory",
+    PROVEOUT_TEXT("Core", "Out of memory"),
+    PROVEOUT_TEXT("Core", "The simulation needs more memory than there is."),
+    ""};
+inline constexpr FindingRow kInternalError{Severity::error,
+                                           false,
+                                           "internal-error",
+                                           PROVEOUT_TEXT("Core", "Simulation stopped"),
+                                           PROVEOUT_TEXT("Core", "The simulation had to stop: {}."),
+                                           ""};
+
+inline constexpr std::array kRunRows{&kOutOfMemory, &kInternalError};
+
+} // namespace proveout::run_finding

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the making of a stock finds about its body.
+#pragma once
+
+#include <array>
+
+#include "core/base/finding_row.h"
+#include "core/base/text.h"
+
+namespace proveout::stock_body_finding {
+
+inline constexpr FindingRow kStockMeshOpen{
+    Severity::error,
+    true,
+    "stock-mesh-open",
+    PROVEOUT_TEXT("Core", "Stock mesh not closed"),
+    PROVEOUT_TEXT(
+        "Core",
+        "The mesh of the stock is not closed: over {} of {} grid points it is not known what is material."),
+    PROVEOUT_TEXT("Core", "Export the stock as a closed solid.")};
+inline constexpr FindingRow kStockUndercut{
+    Severity::error,
+    true,
+    "stock-undercut",
+    PROVEOUT_TEXT("Core", "Undercut in stock"),
+    PROVEOUT_TEXT("Core", "Under the surface of the stock there are {} mm³ of air, which the z-map shows as "
+                          "material; the tallest gap, {} mm, begins at X{} Y{} Z{}."),
+    PROVEOUT_TEXT("Core", "Check by other means what the program does over such gaps.")};
+inline constexpr FindingRow kStockResampled{
+    Severity::note,
+    false,
+    "stock-resampled",
+    PROVEOUT_TEXT("Core", "Stock resampled"),
+    PROVEOUT_TEXT("Core", "The saved stock has points {} × {} mm apart, and is taken over to {} × {} mm: at "
+                          "none of its points lower, between them up to one spacing wider."),
+    PROVEOUT_TEXT("Core", "The spacing of the saved stock, or a whole part of it, changes nothing.")};
+
+inline constexpr std::array kStockBodyRows{&kStockMeshOpen, &kStockUndercut, &kStockResampled};
+
+} // namespace proveout::stock_body_finding
