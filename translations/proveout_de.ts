@@ -8754,7 +8754,7 @@ Keep Both saves your version as a new file beside it.</source>
     </message>
 </context>
 <context>
-    <name>Session</name>
+    <name>WorkHub</name>
     <message>
         <source>Simulating</source>
         <translation>Simulation läuft</translation>

@@ -8753,7 +8753,7 @@ Keep Both saves your version as a new file beside it.</source>
     </message>
 </context>
 <context>
-    <name>Session</name>
+    <name>WorkHub</name>
     <message>
         <source>Simulating</source>
         <translation>시뮬레이션 중</translation>

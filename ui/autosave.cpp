@@ -26,18 +26,19 @@ Autosave::Autosave(Session& session, const QString& root, std::function<QByteArr
     : m_session(session), m_layout(std::move(layout)) {
     if (Result<SessionFolder> folder = SessionFolder::create(root))
         m_folder = std::move(*folder);
-    connect(&session, &Session::documentChanged, this, [this] { m_otherDocument = true; });
+    connect(&session.document(), &DocumentHub::changed, this, [this] { m_otherDocument = true; });
     connect(&m_timer, &QTimer::timeout, this, &Autosave::look);
     m_timer.start(kIntervalMs);
 }
 
 SessionState Autosave::state() const {
-    return {KeptBreakpoints::written(m_session.breakpoints()), m_layout()};
+    return {KeptBreakpoints::written(m_session.breakpoints().all()), m_layout()};
 }
 
 void Autosave::look() {
-    m_session.collectChanges();
-    if (m_otherDocument || m_keptRevision != m_session.job().revision() || !(m_keptState == state()))
+    m_session.job().collectChanges();
+    if (m_otherDocument || m_keptRevision != m_session.document().job().revision() ||
+        !(m_keptState == state()))
         keepNow([] {});
 }
 
@@ -45,17 +46,17 @@ void Autosave::keepNow(std::function<void()> done) {
     if (!m_folder)
         return;
     m_otherDocument = false;
-    m_keptRevision = m_session.job().revision();
+    m_keptRevision = m_session.document().job().revision();
     m_keptState = state();
     // The thread has values of its own: the text is shared and immutable.
-    m_task.start([this, folder = m_folder->path(), document = m_session.job(), state = m_keptState,
+    m_task.start([this, folder = m_folder->path(), document = m_session.document().job(), state = m_keptState,
                   done = std::move(done)](const NewestTask::Reply& reply) {
         const Result<void> kept = keepOrTell(folder, document, state);
         reply.post([this, kept, done] {
             if (kept)
                 done();
             else if (!std::exchange(m_failed, true))
-                m_session.tell(kept.error());
+                m_session.problems().report(kept.error());
             m_failed = !kept;
             m_otherDocument = m_otherDocument || !kept; // try again
         });

@@ -10,7 +10,7 @@
 
 #include "ui/kept_session.h"
 #include "ui/newest_task.h"
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 namespace proveout {
 

@@ -25,7 +25,7 @@ CheckpointMenu::CheckpointMenu(Session& session, QWidget* parent)
     connect(this, &QMenu::aboutToShow, this, &CheckpointMenu::fill);
     fill();
     if (const auto kept = QSettings().value(kKey); kept.isValid())
-        m_session.setCheckpointBudget(kept.toULongLong() * kMegabyte);
+        m_session.playback().setCheckpointBudget(kept.toULongLong() * kMegabyte);
 }
 
 /// Each time that it is shown: the language may be another.
@@ -45,7 +45,7 @@ void CheckpointMenu::fill() {
 
 void CheckpointMenu::choose(std::size_t megabytes) {
     QSettings().setValue(kKey, static_cast<qulonglong>(megabytes));
-    m_session.setCheckpointBudget(megabytes * kMegabyte);
+    m_session.playback().setCheckpointBudget(megabytes * kMegabyte);
 }
 
 } // namespace proveout

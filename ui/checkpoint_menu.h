@@ -3,7 +3,7 @@
 
 #include <QMenu>
 
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 class QActionGroup;
 

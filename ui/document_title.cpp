@@ -9,17 +9,17 @@
 namespace proveout {
 
 QString documentName(const Session& session) {
-    const QString path = toQString(session.document().path);
+    const QString path = toQString(session.document().text().path);
     return path.isEmpty() ? QCoreApplication::translate("DocumentTitle", "untitled")
                           : QFileInfo(path).fileName();
 }
 
 QString documentTitle(const Session& session) {
-    const bool jobModified = session.jobModified();
+    const bool jobModified = session.document().jobModified();
     QString name = documentName(session);
-    if (session.document().modified || !jobModified)
+    if (session.document().text().modified || !jobModified)
         name += QLatin1String("[*]"); // without a place for it QWidget complains
-    QString job = QFileInfo(session.jobFile()).fileName();
+    QString job = QFileInfo(session.document().jobFile()).fileName();
     if (jobModified)
         job = (job.isEmpty() ? QCoreApplication::translate("DocumentTitle", "setup") : job) +
               QLatin1String("[*]");

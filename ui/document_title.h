@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 namespace proveout {
 

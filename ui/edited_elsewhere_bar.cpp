@@ -23,18 +23,19 @@ EditedElsewhereBar::EditedElsewhereBar(Session& session, FilePart part, QWidget*
     layout->setContentsMargins(8, 6, 8, 6);
     layout->addWidget(m_text);
     hide();
-    connect(&session, &Session::documentChanged, this, &EditedElsewhereBar::follow);
+    connect(&session.document(), &DocumentHub::changed, this, &EditedElsewhereBar::follow);
     connect(&m_claim, &EditClaim::otherChanged, this, &EditedElsewhereBar::showOther);
     follow();
 }
 
 QString EditedElsewhereBar::file() const {
-    return m_part == FilePart::text ? toQString(m_session.document().path) : m_session.jobFile();
+    return m_part == FilePart::text ? toQString(m_session.document().text().path)
+                                    : m_session.document().jobFile();
 }
 
 void EditedElsewhereBar::follow() {
-    m_claim.follow(file(),
-                   m_part == FilePart::text ? m_session.document().modified : m_session.jobModified());
+    m_claim.follow(file(), m_part == FilePart::text ? m_session.document().text().modified
+                                                    : m_session.document().jobModified());
     showOther();
 }
 

@@ -4,7 +4,7 @@
 #include <QFrame>
 
 #include "ui/edit_claim.h"
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 class QLabel;
 

@@ -31,13 +31,13 @@ FileChangedBar::FileChangedBar(Session& session, FilePart part, QWidget* parent)
     connect(m_reload, &QPushButton::clicked, this, &FileChangedBar::reload);
     connect(m_keep, &QPushButton::clicked, this, &FileChangedBar::keep);
     connect(m_compare, &QPushButton::clicked, this, &FileChangedBar::compare);
-    connect(&session, &Session::documentChanged, this, &FileChangedBar::writeSentence);
+    connect(&session.document(), &DocumentHub::changed, this, &FileChangedBar::writeSentence);
     if (part == FilePart::text) {
-        connect(&session, &Session::fileChangedOnDisk, this, &FileChangedBar::tell);
-        connect(&session, &Session::fileWritten, this, &QWidget::hide);
-        connect(&session, &Session::textReplaced, this, &QWidget::hide);
+        connect(&session.document(), &DocumentHub::fileChangedOnDisk, this, &FileChangedBar::tell);
+        connect(&session.document(), &DocumentHub::fileWritten, this, &QWidget::hide);
+        connect(&session.document(), &DocumentHub::textReplaced, this, &QWidget::hide);
     } else {
-        connect(&session, &Session::jobChangedOnDisk, this,
+        connect(&session.document(), &DocumentHub::jobChangedOnDisk, this,
                 [this](bool changed) { changed ? tell() : hide(); });
     }
     retranslate();
@@ -45,7 +45,8 @@ FileChangedBar::FileChangedBar(Session& session, FilePart part, QWidget* parent)
 }
 
 QString FileChangedBar::file() const {
-    return m_part == FilePart::text ? toQString(m_session.document().path) : m_session.jobFile();
+    return m_part == FilePart::text ? toQString(m_session.document().text().path)
+                                    : m_session.document().jobFile();
 }
 
 void FileChangedBar::tell() {
@@ -56,7 +57,8 @@ void FileChangedBar::tell() {
 void FileChangedBar::writeSentence() {
     const QFileInfo info(file());
     const bool readable = info.isFile();
-    const bool modified = m_part == FilePart::text ? m_session.document().modified : m_session.jobModified();
+    const bool modified =
+        m_part == FilePart::text ? m_session.document().text().modified : m_session.document().jobModified();
     m_reload->setVisible(readable);
     m_compare->setVisible(readable);
     if (!info.exists())
@@ -73,21 +75,21 @@ void FileChangedBar::writeSentence() {
 
 void FileChangedBar::reload() {
     if (m_part == FilePart::text)
-        m_session.reload();
+        m_session.document().reload();
     else
-        m_session.reloadJob();
+        m_session.document().reloadJob();
 }
 
 void FileChangedBar::keep() {
     hide();
     if (m_part == FilePart::text)
-        m_session.keepMine();
+        m_session.document().keepMine();
     else
-        m_session.keepMyJob();
+        m_session.document().keepMyJob();
 }
 
 void FileChangedBar::compare() {
-    if (const auto conflict = m_session.conflict(m_part))
+    if (const auto conflict = m_session.document().conflict(m_part))
         CompareDialog({comparisonOf(*conflict)}, this).exec();
     else
         hide(); // it was changed back

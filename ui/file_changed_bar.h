@@ -3,7 +3,7 @@
 
 #include <QFrame>
 
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 class QLabel;
 class QPushButton;

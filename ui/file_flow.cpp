@@ -27,19 +27,21 @@ namespace proveout {
 
 FileFlow::FileFlow(Session& session, QWidget& window)
     : QObject(&window), m_session(session), m_window(window) {
-    connect(&session, &Session::troubled, this, [this] { m_closeAfterExport = false; });
-    connect(&session, &Session::opened, &m_recent, &RecentFiles::add);
+    connect(&session.problems(), &ProblemsHub::troubled, this, [this] { m_closeAfterExport = false; });
+    connect(&session.document(), &DocumentHub::opened, &m_recent, &RecentFiles::add);
     // Later: what has found out is still about to end.
-    connect(&session, &Session::outsideFilesNamed, this, &FileFlow::askAboutOutside, Qt::QueuedConnection);
-    connect(&session, &Session::exported, this, [this] {
+    connect(&session.document(), &DocumentHub::outsideFilesNamed, this, &FileFlow::askAboutOutside,
+            Qt::QueuedConnection);
+    connect(&session.exports(), &ExportHub::exported, this, [this] {
         if (std::exchange(m_closeAfterExport, false))
             emit closeWanted();
     });
 }
 
 QString FileFlow::startFolder() const {
-    const QString file =
-        m_session.jobFile().isEmpty() ? toQString(m_session.document().path) : m_session.jobFile();
+    const QString file = m_session.document().jobFile().isEmpty()
+                             ? toQString(m_session.document().text().path)
+                             : m_session.document().jobFile();
     if (!file.isEmpty() && !isSample(file))
         return QFileInfo(file).absolutePath();
     for (const QString& recent : m_recent.files())
@@ -51,7 +53,7 @@ QString FileFlow::startFolder() const {
 bool FileFlow::open(const QString& file) {
     if (!mayDiscard())
         return false;
-    m_session.openFile(QFileInfo(file).absoluteFilePath());
+    m_session.document().openFile(QFileInfo(file).absoluteFilePath());
     return true;
 }
 
@@ -59,7 +61,7 @@ void FileFlow::askAboutOutside(const QString& job, const std::vector<std::filesy
     if (!mayReadOutside(m_window, job, files))
         return;
     allowOutside(job, files);
-    m_session.openFile(job);
+    m_session.document().openFile(job);
 }
 
 void FileFlow::openByDialog() {
@@ -74,7 +76,7 @@ void FileFlow::openByDialog() {
 void FileFlow::newFile() {
     if (!mayDiscard())
         return;
-    m_session.newFile();
+    m_session.document().newFile();
     emit newBegun();
 }
 
@@ -84,13 +86,13 @@ bool FileFlow::settle(const std::function<std::optional<DiskConflict>()>& next) 
         if (answer == SaveAnswer::cancel)
             return false;
         if (answer == SaveAnswer::overwrite) {
-            m_session.acceptDisk(*conflict);
+            m_session.document().acceptDisk(*conflict);
             continue;
         }
-        if (!m_session.saveBeside(conflict->part))
+        if (!m_session.document().saveBeside(conflict->part))
             return false;
-        const QString beside =
-            conflict->part == FilePart::text ? toQString(m_session.document().path) : m_session.jobFile();
+        const QString beside = conflict->part == FilePart::text ? toQString(m_session.document().text().path)
+                                                                : m_session.document().jobFile();
         m_recent.add(beside);
         emit saved(tr("Saved as %1; %2 keeps the other version.")
                        .arg(QFileInfo(beside).fileName(), QFileInfo(toQString(conflict->file)).fileName()));
@@ -100,26 +102,26 @@ bool FileFlow::settle(const std::function<std::optional<DiskConflict>()>& next) 
 
 /// Whatever was asked about may change again before it is written; the session then refuses to overwrite it.
 bool FileFlow::saveFiles() {
-    if (!settle([this] { return m_session.conflict(); }))
+    if (!settle([this] { return m_session.document().conflict(); }))
         return false;
-    const bool text = m_session.document().modified;
-    const bool job = m_session.jobModified();
-    if (!m_session.save())
+    const bool text = m_session.document().text().modified;
+    const bool job = m_session.document().jobModified();
+    if (!m_session.document().save())
         return false;
-    tellSaved(text, job && !m_session.jobModified());
+    tellSaved(text, job && !m_session.document().jobModified());
     return true;
 }
 
 void FileFlow::tellSaved(bool text, bool job) {
     QStringList names;
     if (text)
-        names << QFileInfo(toQString(m_session.document().path)).fileName();
+        names << QFileInfo(toQString(m_session.document().text().path)).fileName();
     if (job)
-        names << QFileInfo(m_session.jobFile()).fileName();
+        names << QFileInfo(m_session.document().jobFile()).fileName();
     if (names.isEmpty())
         return;
     QString message = tr("Saved %1").arg(names.join(QStringLiteral(", ")));
-    if (m_session.jobModified())
+    if (m_session.document().jobModified())
         message += tr(". The setup has not been saved as a job.");
     emit saved(message);
 }
@@ -128,22 +130,23 @@ void FileFlow::tellSaved(bool text, bool job) {
 void FileFlow::collectChanges() {
     if (QWidget* field = QApplication::focusWidget())
         finishTyping(*field);
-    m_session.collectChanges();
+    m_session.job().collectChanges();
 }
 
 bool FileFlow::save() {
     collectChanges();
-    const Document& document = m_session.document();
+    const Document& document = m_session.document().text();
     if (document.path.empty() || (document.modified && isSample(toQString(document.path))))
         return saveAs();
-    const bool needsJobFile = m_session.jobFile().isEmpty() || isSample(m_session.jobFile());
-    if (!document.modified && m_session.modified() && needsJobFile)
+    const bool needsJobFile =
+        m_session.document().jobFile().isEmpty() || isSample(m_session.document().jobFile());
+    if (!document.modified && m_session.document().modified() && needsJobFile)
         return saveJobAs(); // only the setup was changed, and it has no file of its own yet
     return saveFiles();
 }
 
 bool FileFlow::saveAs() {
-    QString proposal = toQString(m_session.document().path);
+    QString proposal = toQString(m_session.document().text().path);
     if (proposal.isEmpty())
         proposal = QDir(startFolder()).filePath(QStringLiteral("program.nc"));
     else if (isSample(proposal))
@@ -151,31 +154,31 @@ bool FileFlow::saveAs() {
     const QString file = askWhereToSave(m_window, tr("Save NC Program As"), proposal, tr("All files (*)"));
     if (file.isEmpty() || !saveTextAs(file))
         return false;
-    if (isSample(m_session.jobFile()))
-        m_session.detachJob();
+    if (isSample(m_session.document().jobFile()))
+        m_session.document().detachJob();
     m_recent.add(file);
     return true;
 }
 
 bool FileFlow::saveTextAs(const QString& file) {
-    if (file == toQString(m_session.document().path)) {
-        if (!settle([this] { return m_session.conflict(FilePart::text); }))
+    if (file == toQString(m_session.document().text().path)) {
+        if (!settle([this] { return m_session.document().conflict(FilePart::text); }))
             return false;
-        if (toQString(m_session.document().path) != file)
+        if (toQString(m_session.document().text().path) != file)
             return true; // both were kept
     }
-    if (!m_session.saveAs(file))
+    if (!m_session.document().saveAs(file))
         return false;
     tellSaved(true, false);
     return true;
 }
 
 bool FileFlow::saveJobAs() {
-    if (m_session.document().path.empty() && !saveAs())
+    if (m_session.document().text().path.empty() && !saveAs())
         return false; // a job names its program
-    QString proposal = m_session.jobFile();
+    QString proposal = m_session.document().jobFile();
     if (proposal.isEmpty() || isSample(proposal)) {
-        const QFileInfo program(toQString(m_session.document().path));
+        const QFileInfo program(toQString(m_session.document().text().path));
         const QDir folder = isSample(program.filePath()) ? QDir(startFolder()) : program.dir();
         proposal = folder.filePath(program.completeBaseName() + QStringLiteral(".proveout"));
     }
@@ -183,13 +186,13 @@ bool FileFlow::saveJobAs() {
                                         tr("Proveout jobs (*.proveout)"), QStringLiteral("proveout"));
     if (file.isEmpty())
         return false;
-    if (file == m_session.jobFile()) {
-        if (!settle([this] { return m_session.conflict(FilePart::job); }))
+    if (file == m_session.document().jobFile()) {
+        if (!settle([this] { return m_session.document().conflict(FilePart::job); }))
             return false;
-        if (m_session.jobFile() != file)
+        if (m_session.document().jobFile() != file)
             return true; // both were kept
     }
-    if (!m_session.saveJobAs(file))
+    if (!m_session.document().saveJobAs(file))
         return false;
     m_recent.add(file);
     tellSaved(false, true);
@@ -205,35 +208,35 @@ QString FileFlow::titled(const QString& title) const {
 void FileFlow::saveStock() {
     if (!settleHalfRun(m_window, m_session))
         return;
-    const QString program = QFileInfo(toQString(m_session.document().path)).completeBaseName();
+    const QString program = QFileInfo(toQString(m_session.document().text().path)).completeBaseName();
     const QString stem = program.isEmpty() ? QStringLiteral("part") : program;
     const QString file = askWhereToSave(m_window, titled(tr("Save Stock")),
                                         QDir(startFolder()).filePath(stem + QStringLiteral(".pvstock")),
                                         tr("Proveout stock (*.pvstock)"), QStringLiteral("pvstock"));
-    if (!file.isEmpty() && mayReplaceStock(m_window, m_session.setup().shape, file))
-        m_session.saveStock(file);
+    if (!file.isEmpty() && mayReplaceStock(m_window, m_session.job().setup().shape, file))
+        m_session.exports().saveStock(file);
 }
 
 void FileFlow::exportByDialog(bool decimated) {
     if (!settleHalfRun(m_window, m_session))
         return;
-    const QString program = QFileInfo(toQString(m_session.document().path)).completeBaseName();
+    const QString program = QFileInfo(toQString(m_session.document().text().path)).completeBaseName();
     const QString stem = program.isEmpty() ? QStringLiteral("part") : program;
     const auto target = askForExport(
         m_window, titled(decimated ? tr("Export Decimated Mesh") : tr("Export Full-Resolution Mesh")),
         QDir(startFolder()).filePath(stem));
-    if (target && mayReplaceStock(m_window, m_session.setup().shape, target->file))
-        m_session.exportMesh(target->file, {decimated, target->format});
+    if (target && mayReplaceStock(m_window, m_session.job().setup().shape, target->file))
+        m_session.exports().exportMesh(target->file, {decimated, target->format});
 }
 
 QString FileFlow::unsaved() const {
     QStringList sentences;
-    const QString program = QFileInfo(toQString(m_session.document().path)).fileName();
-    if (m_session.document().modified)
+    const QString program = QFileInfo(toQString(m_session.document().text().path)).fileName();
+    if (m_session.document().text().modified)
         sentences << (program.isEmpty() ? tr("The new program has not been saved.")
                                         : tr("%1 has unsaved changes.").arg(program));
-    const QString job = QFileInfo(m_session.jobFile()).fileName();
-    if (m_session.jobModified())
+    const QString job = QFileInfo(m_session.document().jobFile()).fileName();
+    if (m_session.document().jobModified())
         sentences << (job.isEmpty() ? tr("The setup has not been saved as a job.")
                                     : tr("The setup of %1 has unsaved changes.").arg(job));
     return sentences.join(u'\n');
@@ -241,7 +244,7 @@ QString FileFlow::unsaved() const {
 
 bool FileFlow::mayDiscard() {
     collectChanges();
-    if (!m_session.modified())
+    if (!m_session.document().modified())
         return true;
     QMessageBox question(QMessageBox::Warning, tr("Unsaved changes"), unsaved(),
                          QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, &m_window);
@@ -250,7 +253,7 @@ bool FileFlow::mayDiscard() {
     question.setDefaultButton(QMessageBox::Save);
     const int answer = question.exec();
     if (answer == QMessageBox::Save)
-        return save() && (!m_session.modified() || saveJobAs());
+        return save() && (!m_session.document().modified() || saveJobAs());
     return answer == QMessageBox::Discard;
 }
 
@@ -262,23 +265,23 @@ FileFlow::ExportAnswer FileFlow::askAboutExport() {
     const QPushButton* drop = question.addButton(tr("&Drop the Export"), QMessageBox::DestructiveRole);
     question.setDefaultButton(QMessageBox::Cancel);
     bool failed = false; // while the question was read
-    connect(&m_session, &Session::troubled, &question, [&failed] { failed = true; });
+    connect(&m_session.problems(), &ProblemsHub::troubled, &question, [&failed] { failed = true; });
     question.exec();
     if (question.clickedButton() == drop)
         return ExportAnswer::drop;
     if (question.clickedButton() != wait || failed)
         return ExportAnswer::stay;
-    return m_session.exporting() ? ExportAnswer::wait : ExportAnswer::written;
+    return m_session.exports().isRunning() ? ExportAnswer::wait : ExportAnswer::written;
 }
 
 bool FileFlow::mayClose() {
     m_closeAfterExport = false; // else its end would close the window while a question is open
-    const ExportAnswer answer = m_session.exporting() ? askAboutExport() : ExportAnswer::written;
+    const ExportAnswer answer = m_session.exports().isRunning() ? askAboutExport() : ExportAnswer::written;
     m_closeAfterExport = answer == ExportAnswer::wait;
     if (answer == ExportAnswer::wait || answer == ExportAnswer::stay || !mayDiscard())
         return false;
-    if (m_session.exporting())
-        m_session.cancelWork();
+    if (m_session.exports().isRunning())
+        m_session.work().cancel();
     return true;
 }
 

@@ -11,7 +11,7 @@
 
 #include "ui/export_job.h"
 #include "ui/recent_files.h"
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 class QMimeData;
 

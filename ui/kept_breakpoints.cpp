@@ -81,26 +81,26 @@ std::vector<Breakpoint> KeptBreakpoints::read(const QStringList& texts) {
 }
 
 KeptBreakpoints::KeptBreakpoints(Session& session, QObject* parent) : QObject(parent), m_session(session) {
-    connect(&session, &Session::textReplaced, this, &KeptBreakpoints::textReplaced);
-    connect(&session, &Session::documentChanged, this, &KeptBreakpoints::takeAlong);
-    connect(&session, &Session::breakpointsChanged, this, &KeptBreakpoints::keep);
+    connect(&session.document(), &DocumentHub::textReplaced, this, &KeptBreakpoints::textReplaced);
+    connect(&session.document(), &DocumentHub::changed, this, &KeptBreakpoints::takeAlong);
+    connect(&session.breakpoints(), &BreakpointList::changed, this, &KeptBreakpoints::keep);
     textReplaced();
 }
 
 /// Another file brings its own; one that was read again keeps those that there are.
 void KeptBreakpoints::textReplaced() {
-    const QString file = toQString(m_session.document().path);
+    const QString file = toQString(m_session.document().text().path);
     if (!file.isEmpty() && file == m_file)
         return;
     m_file = file;
     const std::vector<OfFile> all = readAll();
     const auto known = std::ranges::find(all, file, &OfFile::file);
-    m_session.setBreakpoints(known == all.end() ? std::vector<Breakpoint>() : read(known->texts));
+    m_session.breakpoints().set(known == all.end() ? std::vector<Breakpoint>() : read(known->texts));
 }
 
 /// The same text under another name takes its breakpoints along.
 void KeptBreakpoints::takeAlong() {
-    const QString file = toQString(m_session.document().path);
+    const QString file = toQString(m_session.document().text().path);
     if (file == m_file)
         return;
     m_file = file;
@@ -112,8 +112,8 @@ void KeptBreakpoints::keep() {
         return;
     std::vector<OfFile> all = readAll();
     std::erase_if(all, [this](const OfFile& kept) { return kept.file == m_file; });
-    if (!m_session.breakpoints().empty())
-        all.insert(all.begin(), {m_file, written(m_session.breakpoints())});
+    if (!m_session.breakpoints().all().empty())
+        all.insert(all.begin(), {m_file, written(m_session.breakpoints().all())});
     all.resize(std::min<std::size_t>(all.size(), kMostFiles));
     writeAll(all);
 }

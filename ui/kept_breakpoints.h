@@ -5,7 +5,7 @@
 #include <QString>
 #include <QStringList>
 
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 namespace proveout {
 

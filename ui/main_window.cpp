@@ -86,20 +86,22 @@ MainWindow::MainWindow(Session& session, Appearance& appearance)
                               {m_docks[kSetupDock]->widget(), m_docks[kTuningDock]->widget()}, this);
     makeMenus();
     makeToolBar();
-    connect(&session, &Session::documentChanged, this, [this] {
+    connect(&session.document(), &DocumentHub::changed, this, [this] {
         titleWindow();
         titleDocks();
     });
-    connect(&session, &Session::textReplaced, this, &MainWindow::showDocument);
-    connect(&session, &Session::textReplaced, m_editorDock, &FittedDock::fit);
+    connect(&session.document(), &DocumentHub::textReplaced, this, &MainWindow::showDocument);
+    connect(&session.document(), &DocumentHub::textReplaced, m_editorDock, &FittedDock::fit);
     connect(m_layoutMenu, &LayoutMenu::chosen, this, &MainWindow::arrange);
-    connect(&session, &Session::problemsChanged, this, &MainWindow::titleDocks);
-    connect(&session, &Session::troubled, this, &MainWindow::showProblems);
-    connect(&session, &Session::lineRequested, this, [this] { bringForward(*m_docks[kProgramDock]); });
+    connect(&session.problems(), &ProblemsHub::changed, this, &MainWindow::titleDocks);
+    connect(&session.problems(), &ProblemsHub::troubled, this, &MainWindow::showProblems);
+    connect(&session.navigation(), &NavigationHub::lineRequested, this,
+            [this] { bringForward(*m_docks[kProgramDock]); });
     for (const char* id : {"edit-find", "edit-replace", "edit-find-next", "edit-find-previous"})
         connect(action(QLatin1String(id)), &QAction::triggered, this,
                 [this] { m_focus->activate(*m_docks[kProgramDock]); });
-    connect(&session, &Session::toolRequested, this, [this] { bringForward(*m_docks[kSetupDock]); });
+    connect(&session.navigation(), &NavigationHub::toolRequested, this,
+            [this] { bringForward(*m_docks[kSetupDock]); });
     connect(m_startPage, &StartPage::openWanted, m_files, &FileFlow::openByDialog);
     connect(m_startPage, &StartPage::newWanted, m_files, &FileFlow::newFile);
     connect(m_startPage, &StartPage::fileWanted, m_files, &FileFlow::open);
@@ -174,8 +176,8 @@ void MainWindow::arrange() {
     const DockLayout& layout = m_layoutMenu->present();
     arrangeDocks(*this, layout);
     m_editorDock->adopt();
-    m_session.setPlayBy(layout.playBy);
-    m_session.setSpeed(layout.speed * unitSpeed(layout.playBy));
+    m_session.playback().setPlayBy(layout.playBy);
+    m_session.playback().setSpeed(layout.speed * unitSpeed(layout.playBy));
 }
 
 void MainWindow::makeToolBar() {
@@ -215,11 +217,11 @@ void MainWindow::titleDocks() {
     for (std::size_t i = 0; i < m_docks.size(); ++i)
         m_docks[i]->setWindowTitle(QCoreApplication::translate(kDockContext, docks()[i].title));
     // Each panel is marked for what it shows.
-    for (const auto& [dock, modified] : {std::pair(kProgramDock, m_session.document().modified),
-                                         std::pair(kSetupDock, m_session.jobModified())})
+    for (const auto& [dock, modified] : {std::pair(kProgramDock, m_session.document().text().modified),
+                                         std::pair(kSetupDock, m_session.document().jobModified())})
         if (modified)
             m_docks[dock]->setWindowTitle(m_docks[dock]->windowTitle() + u'*');
-    if (const std::size_t count = m_session.problems().size(); count > 0) {
+    if (const std::size_t count = m_session.problems().all().size(); count > 0) {
         QDockWidget* dock = m_docks[kProblemsDock];
         dock->setWindowTitle(QStringLiteral("%1 (%2)").arg(dock->windowTitle()).arg(count));
     }
@@ -245,12 +247,12 @@ void MainWindow::restore() {
 void MainWindow::restorePlayback() {
     const QSettings settings;
     const auto by = static_cast<PlayBy>(
-        std::clamp(settings.value(kPlayByKey, static_cast<int>(m_session.playback().by)).toInt(), 0,
+        std::clamp(settings.value(kPlayByKey, static_cast<int>(m_session.playback().state().by)).toInt(), 0,
                    static_cast<int>(PlayBy::time)));
-    const double speed = settings.value(kSpeedKey, m_session.playback().unitsPerSecond).toDouble();
-    m_session.setPlayBy(by);
+    const double speed = settings.value(kSpeedKey, m_session.playback().state().unitsPerSecond).toDouble();
+    m_session.playback().setPlayBy(by);
     if (speed > 0)
-        m_session.setSpeed(speed);
+        m_session.playback().setSpeed(speed);
 }
 
 void MainWindow::showEvent(QShowEvent* event) {
@@ -325,17 +327,17 @@ void MainWindow::showShortcuts() {
 }
 
 void MainWindow::showDocument() {
-    m_focus->showPage(m_session.hasDocument() ? *m_viewport : static_cast<QWidget&>(*m_startPage));
+    m_focus->showPage(m_session.document().isOpen() ? *m_viewport : static_cast<QWidget&>(*m_startPage));
 }
 
 void MainWindow::titleWindow() {
-    if (!m_session.hasDocument()) {
+    if (!m_session.document().isOpen()) {
         setWindowTitle(QStringLiteral("Proveout"));
         return;
     }
     m_startPage->setOpenDocument(documentName(m_session));
     setWindowTitle(documentTitle(m_session));
-    setWindowModified(m_session.modified());
+    setWindowModified(m_session.document().modified());
 }
 
 QAction* MainWindow::action(const QString& id) const {
@@ -351,8 +353,8 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     settings.setValue(kGeometryKey, saveGeometry());
     settings.setValue(kStateKey, saveState(kLayoutVersion));
     settings.setValue(kEditorChosenKey, m_editorDock->isChosen());
-    settings.setValue(kPlayByKey, static_cast<int>(m_session.playback().by));
-    settings.setValue(kSpeedKey, m_session.playback().unitsPerSecond);
+    settings.setValue(kPlayByKey, static_cast<int>(m_session.playback().state().by));
+    settings.setValue(kSpeedKey, m_session.playback().state().unitsPerSecond);
     event->accept();
 }
 

@@ -9,7 +9,7 @@
 #include "ui/command_table.h"
 #include "ui/file_flow.h"
 #include "ui/playback_commands.h"
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 class QStackedWidget;
 

@@ -109,7 +109,9 @@ std::span<const Command<MainWindow>> MainWindow::meshCommands() {
         {"default-parameters", QT_TRANSLATE_NOOP("MeshCommands", "&Default Parameters"),
          QT_TRANSLATE_NOOP("MeshCommands", "Bring all parameters of decimation back to their defaults"), "",
          "", Reach::window,
-         [](MainWindow& window) { window.session().asOneStep([&] { window.session().setParameters({}); }); }},
+         [](MainWindow& window) {
+             window.session().job().asOneStep([&] { window.session().job().setParameters({}); });
+         }},
     }};
     return kCommands;
 }
@@ -132,7 +134,9 @@ std::span<const Command<MainWindow>> MainWindow::helpCommands() {
         {"help-guide", QT_TRANSLATE_NOOP("HelpCommands", "&User Guide"),
          QT_TRANSLATE_NOOP("HelpCommands", "Show the page about the panel that has the focus"), "help", "F1",
          Reach::window,
-         [](MainWindow& window) { openGuide(window, window.viewport(), window.session().hasDocument()); }},
+         [](MainWindow& window) {
+             openGuide(window, window.viewport(), window.session().document().isOpen());
+         }},
         {"help-keys", QT_TRANSLATE_NOOP("HelpCommands", "&Keys and Mouse"),
          QT_TRANSLATE_NOOP("HelpCommands", "List all keys of the program"), "", "Shift+F1", Reach::window,
          [](MainWindow& window) { window.showShortcuts(); }},

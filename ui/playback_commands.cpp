@@ -13,58 +13,59 @@ constexpr const char* kContext = "SimulateCommands";
 constexpr std::ptrdiff_t kManyBlocks = 10;
 
 void changeSpeed(Session& session, int direction) {
-    const double unit = unitSpeed(session.playback().by) / kUnitBlocksPerSecond;
-    session.setSpeed(unit * neighbourSpeed(session.playback().unitsPerSecond / unit, direction),
-                     session.playback().everyBlock);
+    const double unit = unitSpeed(session.playback().state().by) / kUnitBlocksPerSecond;
+    session.playback().setSpeed(
+        unit * neighbourSpeed(session.playback().state().unitsPerSecond / unit, direction),
+        session.playback().state().everyBlock);
 }
 
 const std::array<Command<Session>, 16> kCommands{{
     {"play", QT_TRANSLATE_NOOP("SimulateCommands", "&Play"),
      QT_TRANSLATE_NOOP("SimulateCommands", "Play or pause the program"), "play", "Space", Reach::window,
-     [](Session& session) { session.togglePlay(); }},
+     [](Session& session) { session.playback().togglePlay(); }},
     {"play-from-start", QT_TRANSLATE_NOOP("SimulateCommands", "Play from Sta&rt"),
      QT_TRANSLATE_NOOP("SimulateCommands", "Go to the uncut stock and play"), "", "F5", Reach::window,
      [](Session& session) {
-         session.pause();
-         session.seek(0);
-         session.play();
+         session.playback().pause();
+         session.playback().seek(0);
+         session.playback().play();
      }},
     {"stop", QT_TRANSLATE_NOOP("SimulateCommands", "&Stop"),
      QT_TRANSLATE_NOOP("SimulateCommands", "Stop and go back to the uncut stock"), "stop", "Shift+F5",
      Reach::window,
      [](Session& session) {
-         session.pause();
-         session.seek(0);
+         session.playback().pause();
+         session.playback().seek(0);
      }},
     separator<Session>(),
     {"to-start", QT_TRANSLATE_NOOP("SimulateCommands", "Go to St&art"),
      QT_TRANSLATE_NOOP("SimulateCommands", "Go to the uncut stock"), "to-start", "Home", Reach::focus,
-     [](Session& session) { session.seek(0); }},
+     [](Session& session) { session.playback().seek(0); }},
     {"step-back", QT_TRANSLATE_NOOP("SimulateCommands", "Step &Back"),
      QT_TRANSLATE_NOOP("SimulateCommands", "Go back by one block"), "step-back", "Left", Reach::focus,
-     [](Session& session) { session.step(-1); }},
+     [](Session& session) { session.playback().step(-1); }},
     {"step-forward", QT_TRANSLATE_NOOP("SimulateCommands", "Step &Forward"),
      QT_TRANSLATE_NOOP("SimulateCommands", "Execute the next block"), "step-forward", "Right", Reach::focus,
-     [](Session& session) { session.step(1); }},
+     [](Session& session) { session.playback().step(1); }},
     {"to-end", QT_TRANSLATE_NOOP("SimulateCommands", "Go to &End"),
      QT_TRANSLATE_NOOP("SimulateCommands", "Go to the end of the program"), "to-end", "End", Reach::focus,
-     [](Session& session) { session.seek(session.blockCount()); }},
+     [](Session& session) { session.playback().seek(session.program().blockCount()); }},
     {"step-back-10", QT_TRANSLATE_NOOP("SimulateCommands", "Back by 10 Blocks"),
      QT_TRANSLATE_NOOP("SimulateCommands", "Go back by 10 blocks"), "", "Shift+Left", Reach::focus,
-     [](Session& session) { session.step(-kManyBlocks); }},
+     [](Session& session) { session.playback().step(-kManyBlocks); }},
     {"step-forward-10", QT_TRANSLATE_NOOP("SimulateCommands", "Forward by 10 Blocks"),
      QT_TRANSLATE_NOOP("SimulateCommands", "Execute the next 10 blocks"), "", "Shift+Right", Reach::focus,
-     [](Session& session) { session.step(kManyBlocks); }},
+     [](Session& session) { session.playback().step(kManyBlocks); }},
     {"previous-tool-change", QT_TRANSLATE_NOOP("SimulateCommands", "Previous &Tool Change"),
      QT_TRANSLATE_NOOP("SimulateCommands", "Go back to the last tool change"), "", "Ctrl+Left", Reach::focus,
-     [](Session& session) { session.stepToToolChange(-1); }},
+     [](Session& session) { session.playback().stepToToolChange(-1); }},
     {"next-tool-change", QT_TRANSLATE_NOOP("SimulateCommands", "Next T&ool Change"),
      QT_TRANSLATE_NOOP("SimulateCommands", "Go on to the next tool change"), "", "Ctrl+Right", Reach::focus,
-     [](Session& session) { session.stepToToolChange(1); }},
+     [](Session& session) { session.playback().stepToToolChange(1); }},
     {"jump-back", QT_TRANSLATE_NOOP("SimulateCommands", "Back to Previo&us Position"),
      QT_TRANSLATE_NOOP("SimulateCommands",
                        "Go back to where you were before you went to the block that made a place"),
-     "", "Backspace", Reach::focus, [](Session& session) { session.returnFromJump(); }},
+     "", "Backspace", Reach::focus, [](Session& session) { session.navigation().returnFromJump(); }},
     separator<Session>(),
     {"slower", QT_TRANSLATE_NOOP("SimulateCommands", "S&lower"),
      QT_TRANSLATE_NOOP("SimulateCommands", "Play slower"), "slower", "-", Reach::focus,
@@ -78,8 +79,8 @@ const std::array<Command<Session>, 16> kCommands{{
 
 PlaybackCommands::PlaybackCommands(Session& session, QObject* parent)
     : QObject(parent), m_session(session), m_actions(session, kContext, kCommands, this) {
-    connect(&session, &Session::playbackChanged, this, &PlaybackCommands::update);
-    connect(&session, &Session::programChanged, this, &PlaybackCommands::update);
+    connect(&session.playback(), &PlaybackHub::changed, this, &PlaybackCommands::update);
+    connect(&session.program(), &ProgramHub::changed, this, &PlaybackCommands::update);
     update();
 }
 
@@ -90,15 +91,15 @@ void PlaybackCommands::retranslate() {
 
 void PlaybackCommands::update() {
     QAction* play = m_actions.find("play");
-    const bool playing = m_session.playback().playing;
+    const bool playing = m_session.playback().state().playing;
     play->setIcon(icon(playing ? QStringLiteral("pause") : QStringLiteral("play")));
     play->setText(
         QCoreApplication::translate(kContext, playing ? QT_TRANSLATE_NOOP("SimulateCommands", "&Pause")
                                                       : QT_TRANSLATE_NOOP("SimulateCommands", "&Play")));
-    const bool moves = m_session.blockCount() > 0;
+    const bool moves = m_session.program().blockCount() > 0;
     for (QAction* action : m_actions.all())
         action->setEnabled(moves);
-    m_actions.find("jump-back")->setEnabled(moves && m_session.canReturn());
+    m_actions.find("jump-back")->setEnabled(moves && m_session.navigation().canReturn());
 }
 
 const std::array<double, kSpeedCount>& speeds() {

@@ -6,7 +6,7 @@
 #include <QObject>
 
 #include "ui/command_table.h"
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 namespace proveout {
 

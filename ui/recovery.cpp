@@ -105,10 +105,10 @@ void Recovery::restore(const QString& folder) {
     const Left* left = leftIn(folder);
     if (left == nullptr || !m_window.files().mayDiscard())
         return;
-    m_window.session().restore(left->session.work, [this, folder, state = left->session.state] {
-        m_window.session().setBreakpoints(KeptBreakpoints::read(state.breakpoints));
+    m_window.session().document().restore(left->session.work, [this, folder, state = left->session.state] {
+        m_window.session().breakpoints().set(KeptBreakpoints::read(state.breakpoints));
         const bool whole =
-            std::ranges::none_of(m_window.session().job().warnings(),
+            std::ranges::none_of(m_window.session().document().job().warnings(),
                                  [](const Diagnostic& each) { return each.severity == Severity::error; });
         // Until this session has kept it, the old folder is all there is.
         if (whole)
@@ -122,7 +122,7 @@ void Recovery::compare(const QString& folder) {
         return;
     const Result<JobDocument> document = JobDocument::restore(left->session.work);
     if (!document) {
-        m_window.session().tell(document.error());
+        m_window.session().problems().report(document.error());
         return;
     }
     CompareDialog(comparisonsOf(left->session.work, *document), &m_window).exec();

@@ -28,9 +28,9 @@ QString number(const QLocale& locale, std::size_t value) {
 } // namespace
 
 bool isHalfRun(const Session& session) {
-    const FramePtr& frame = session.frame();
-    return frame && (session.isReading() || frame->program != session.program() ||
-                     frame->block < session.blockCount());
+    const FramePtr& frame = session.simulation().frame();
+    return frame && (session.program().isReading() || frame->program != session.program().current() ||
+                     frame->block < session.program().blockCount());
 }
 
 QString momentText(const Session& session) {
@@ -38,19 +38,20 @@ QString momentText(const Session& session) {
         return {};
     const QLocale locale;
     return text(QT_TRANSLATE_NOOP("RunToEnd", "stock after block %1 of %2"))
-        .arg(number(locale, session.block()), number(locale, session.blockCount()));
+        .arg(number(locale, session.simulation().block()), number(locale, session.program().blockCount()));
 }
 
 bool settleHalfRun(QWidget& parent, Session& session) {
     if (!isHalfRun(session))
         return true;
-    if (session.playback().playing)
-        session.pause(); // the question is about this moment
+    if (session.playback().state().playing)
+        session.playback().pause(); // the question is about this moment
     const QLocale locale = parent.locale();
     QMessageBox question(QMessageBox::Question,
                          text(QT_TRANSLATE_NOOP("RunToEnd", "Program not run to its end")),
                          text(QT_TRANSLATE_NOOP("RunToEnd", "The simulation is at block %1 of %2."))
-                             .arg(number(locale, session.block()), number(locale, session.blockCount())),
+                             .arg(number(locale, session.simulation().block()),
+                                  number(locale, session.program().blockCount())),
                          QMessageBox::Cancel, &parent);
     question.setInformativeText(text(QT_TRANSLATE_NOOP(
         "RunToEnd", "Export the stock as it is now, or run the program to the end first?")));
@@ -76,20 +77,20 @@ RunToEnd::RunToEnd(Session& session, QWidget* parent)
     layout->addWidget(new QLabel(tr("The program runs to its end before the export."), this));
     layout->addWidget(m_progress);
     layout->addWidget(buttons);
-    connect(&session, &Session::tick, this, &RunToEnd::look);
-    connect(&session, &Session::programChanged, this, &RunToEnd::look);
-    connect(&session, &Session::workChanged, this, &RunToEnd::showProgress);
-    connect(&session, &Session::troubled, this, &QDialog::reject);
+    connect(&session.playback(), &PlaybackHub::tick, this, &RunToEnd::look);
+    connect(&session.program(), &ProgramHub::changed, this, &RunToEnd::look);
+    connect(&session.work(), &WorkHub::changed, this, &RunToEnd::showProgress);
+    connect(&session.problems(), &ProblemsHub::troubled, this, &QDialog::reject);
     // A dialog that is not open yet cannot be closed.
     QMetaObject::invokeMethod(this, &RunToEnd::look, Qt::QueuedConnection);
 }
 
 void RunToEnd::look() {
-    if (m_session.isReading() || !m_session.program())
+    if (m_session.program().isReading() || !m_session.program().current())
         return;
-    if (m_sought != m_session.program()) {
-        m_sought = m_session.program();
-        m_session.seek(m_session.blockCount());
+    if (m_sought != m_session.program().current()) {
+        m_sought = m_session.program().current();
+        m_session.playback().seek(m_session.program().blockCount());
     }
     if (!isHalfRun(m_session))
         accept();
@@ -97,12 +98,12 @@ void RunToEnd::look() {
 }
 
 void RunToEnd::showProgress() {
-    if (m_session.work())
-        m_progress->setValue(static_cast<int>(m_session.work()->done * kSteps));
+    if (m_session.work().current())
+        m_progress->setValue(static_cast<int>(m_session.work().current()->done * kSteps));
 }
 
 void RunToEnd::reject() {
-    m_session.cancelWork();
+    m_session.work().cancel();
     QDialog::reject();
 }
 

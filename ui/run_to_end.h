@@ -5,7 +5,7 @@
 
 #include <QDialog>
 
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 class QProgressBar;
 

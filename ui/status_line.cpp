@@ -65,31 +65,31 @@ StatusLine::StatusLine(Session& session, QStatusBar& bar)
     m_progress->setFixedWidth(kProgressWidth);
     m_progress->setAlignment(Qt::AlignCenter);
     m_cancel->setAutoRaise(true);
-    connect(m_cancel, &QToolButton::clicked, &session, &Session::cancelWork);
-    connect(&session, &Session::tick, this, &StatusLine::onTick);
-    connect(&session, &Session::programChanged, this, &StatusLine::fitFields);
-    connect(&session, &Session::workChanged, &session, &Session::requestTick);
+    connect(m_cancel, &QToolButton::clicked, &session.work(), &WorkHub::cancel);
+    connect(&session.playback(), &PlaybackHub::tick, this, &StatusLine::onTick);
+    connect(&session.program(), &ProgramHub::changed, this, &StatusLine::fitFields);
+    connect(&session.work(), &WorkHub::changed, &session.playback(), &PlaybackHub::requestTick);
     connect(&bar, &QStatusBar::messageChanged, &bar, [&bar] { bar.setToolTip({}); });
-    connect(&session, &Session::exported, this, [this](const ExportSummary& summary) {
+    connect(&session.exports(), &ExportHub::exported, this, [this](const ExportSummary& summary) {
         const QString text = exportText(summary, m_bar.locale());
         say(text, Until::edited);
         // A narrow window cuts the message off.
         m_bar.setToolTip(text + QLatin1Char('\n') + exportDetails(summary, m_bar.locale()));
     });
-    connect(&session, &Session::problemsChanged, this, &StatusLine::forgetProblem);
-    connect(&session, &Session::textReplaced, this, [this] { forget(Until::edited); });
-    connect(&session, &Session::programChanged, this, [this] { forget(Until::edited); });
-    connect(&session, &Session::setupChanged, this, [this] { forget(Until::edited); });
-    connect(&session, &Session::workChanged, this, [this] {
-        if (m_session.exporting())
+    connect(&session.problems(), &ProblemsHub::changed, this, &StatusLine::forgetProblem);
+    connect(&session.document(), &DocumentHub::textReplaced, this, [this] { forget(Until::edited); });
+    connect(&session.program(), &ProgramHub::changed, this, [this] { forget(Until::edited); });
+    connect(&session.job(), &JobHub::setupChanged, this, [this] { forget(Until::edited); });
+    connect(&session.work(), &WorkHub::changed, this, [this] {
+        if (m_session.exports().isRunning())
             forget(Until::edited);
     });
-    connect(&session, &Session::playbackChanged, this, [this] {
-        if (m_session.playback().playing)
+    connect(&session.playback(), &PlaybackHub::changed, this, [this] {
+        if (m_session.playback().state().playing)
             forget(Until::moved);
     });
-    connect(&session, &Session::stoppedAt, this, &StatusLine::tellStop);
-    connect(&session, &Session::placeTold, this, &StatusLine::tellPlace);
+    connect(&session.playback(), &PlaybackHub::stoppedAt, this, &StatusLine::tellStop);
+    connect(&session.navigation(), &NavigationHub::placeFound, this, &StatusLine::tellPlace);
     retranslate();
 }
 
@@ -98,7 +98,7 @@ void StatusLine::tellStop(const BreakpointHit& hit) {
     Diagnostic reason;
     reason.text = rowOf(hit.breakpoint.kind).reason;
     reason.arguments = {valueText(hit.breakpoint)};
-    say(sentence(reason), Until::moved, m_session.block());
+    say(sentence(reason), Until::moved, m_session.simulation().block());
 }
 
 void StatusLine::say(const QString& text, Until until, std::size_t block, int milliseconds) {
@@ -139,17 +139,18 @@ void StatusLine::tellPlace(const PlaceAnswer& answer) {
 }
 
 void StatusLine::tellProblem() {
-    if (m_session.problems().empty())
+    if (m_session.problems().all().empty())
         return;
-    m_problem = sentence(m_session.problems().front());
+    m_problem = sentence(m_session.problems().all().front());
     m_bar.showMessage(m_problem, kProblemTime);
 }
 
 void StatusLine::forgetProblem() {
     if (m_problem.isEmpty())
         return;
-    const bool stays = std::ranges::any_of(
-        m_session.problems(), [this](const Diagnostic& problem) { return sentence(problem) == m_problem; });
+    const bool stays = std::ranges::any_of(m_session.problems().all(), [this](const Diagnostic& problem) {
+        return sentence(problem) == m_problem;
+    });
     if (stays)
         return;
     if (m_bar.currentMessage() == m_problem)
@@ -192,7 +193,7 @@ void StatusLine::retranslate() {
     for (std::size_t i = 0; i < m_fields.size(); ++i)
         m_fields[i]->setToolTip(tips[i]);
     fitFields();
-    showFrame(m_session.frame());
+    showFrame(m_session.simulation().frame());
     showWork();
 }
 
@@ -212,7 +213,7 @@ void StatusLine::fitFields() {
     fit(kSpindle, {QStringLiteral("S ") + kWideWord});
     const QString tool = QStringLiteral("T ") + kWideTool;
     fit(kTool, {m_toolAssumed ? assumedText(tool) : tool});
-    const QString last = locale.toString(static_cast<qulonglong>(m_session.blockCount()));
+    const QString last = locale.toString(static_cast<qulonglong>(m_session.program().blockCount()));
     fit(kBlock, {tr("Block %1 / %2").arg(last, last)});
     fit(kFaces, {tr("Triangles %1").arg(locale.toString(static_cast<qulonglong>(m_facesFull)))});
 }
@@ -258,7 +259,8 @@ void StatusLine::showFrame(const FramePtr& frame) {
                    : QStringLiteral("F ") + (executed ? wordValue(locale, motion.feedMmPerMin) : none));
     set(kSpindle, QStringLiteral("S ") + (executed ? wordValue(locale, motion.spindleRpm) : none));
     set(kTool, frame ? toolText(*frame) : QStringLiteral("T ") + none);
-    set(kBlock, tr("Block %1 / %2").arg(number(frame ? frame->block : 0), number(m_session.blockCount())));
+    set(kBlock,
+        tr("Block %1 / %2").arg(number(frame ? frame->block : 0), number(m_session.program().blockCount())));
     set(kFaces, tr("Triangles %1").arg(frame ? number(frame->surface.faces) : QStringLiteral("–")));
 }
 
@@ -269,7 +271,7 @@ QString StatusLine::toolText(const Frame& frame) const {
 }
 
 void StatusLine::showWork() {
-    const std::optional<Work>& work = m_session.work();
+    const std::optional<Work>& work = m_session.work().current();
     m_progress->setVisible(work.has_value());
     m_cancel->setVisible(work.has_value());
     if (!work)

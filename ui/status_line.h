@@ -6,7 +6,7 @@
 
 #include <QObject>
 
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 class QLabel;
 class QProgressBar;

@@ -9,7 +9,7 @@
 
 #include "core/cutter/shapes.h"
 #include "ui/diagnostic_text.h"
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 namespace proveout {
 
@@ -25,14 +25,16 @@ QString text(const char* source) {
 /// The number under which a missing tool is found. A program that calls none runs with the only tool there
 /// is.
 int numberToDefine(const Session& session, int missing) {
-    const auto& tools = session.setup().tools.tools();
-    return missing == 0 && tools.empty() && toolChangeMarks(*session.program()).empty() ? 1 : missing;
+    const auto& tools = session.job().setup().tools.tools();
+    return missing == 0 && tools.empty() && toolChangeMarks(*session.program().current()).empty() ? 1
+                                                                                                  : missing;
 }
 
 } // namespace
 
 ToolChoice toolChoice(const Session& session) {
-    return session.program() ? ToolChoice(*session.program(), session.setup()) : ToolChoice();
+    return session.program().current() ? ToolChoice(*session.program().current(), session.job().setup())
+                                       : ToolChoice();
 }
 
 std::vector<int> missingTools(const Session& session) {
@@ -44,20 +46,20 @@ std::vector<int> missingTools(const Session& session) {
 }
 
 void assumeMissingTools(Session& session) {
-    session.asOneStep([&session] {
+    session.job().asOneStep([&session] {
         const Result<Cutter> cutter = parseCutter(kDefaultCutter);
-        Setup setup = session.setup();
+        Setup setup = session.job().setup();
         for (const int number : missingTools(session))
             setup.tools.set(number, cutter.value(), {ToolSource::assumed});
-        static_cast<void>(session.setSetup(setup)); // other tools need no other memory
+        static_cast<void>(session.job().setSetup(setup)); // other tools need no other memory
     });
 }
 
 void confirmTools(Session& session) {
-    session.asOneStep([&session] {
-        Setup setup = session.setup();
+    session.job().asOneStep([&session] {
+        Setup setup = session.job().setup();
         setup.tools.confirmAll();
-        static_cast<void>(session.setSetup(setup));
+        static_cast<void>(session.job().setSetup(setup));
     });
 }
 

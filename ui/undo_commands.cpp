@@ -58,7 +58,7 @@ UndoCommands::UndoCommands(Session& session, EditorPanel& editor, QList<const QW
     text.insertActions(text.actions().value(0), {m_actions.all().begin(), m_actions.all().end()});
     connect(qApp, &QApplication::focusChanged, this,
             [this](const QWidget*, const QWidget* focus) { focusMoved(focus); });
-    connect(&session.history(), &JobHistory::changed, this, &UndoCommands::jobChanged);
+    connect(&session.job().history(), &JobHistory::changed, this, &UndoCommands::jobChanged);
     connect(&text, &QsciScintilla::textChanged, this, &UndoCommands::update);
     connect(&text, &NcEditor::loaded, this, &UndoCommands::update);
     qApp->installEventFilter(this);
@@ -69,14 +69,14 @@ void UndoCommands::undo() {
     if (m_ofText)
         m_editor.editor().undo();
     else
-        m_session.undoStep();
+        m_session.job().undoStep();
 }
 
 void UndoCommands::redo() {
     if (m_ofText)
         m_editor.editor().redo();
     else
-        m_session.redoStep();
+        m_session.job().redoStep();
 }
 
 bool UndoCommands::isInJobPanel(const QWidget& widget) const {
@@ -93,7 +93,7 @@ bool UndoCommands::isInEditor(const QWidget& widget) const {
 void UndoCommands::focusMoved(const QWidget* focus) {
     if (focus == nullptr)
         return;
-    m_session.history().closeStep();
+    m_session.job().history().closeStep();
     if (isInEditor(*focus))
         m_ofText = true;
     else if (isInJobPanel(*focus))
@@ -116,7 +116,7 @@ void UndoCommands::retranslate() {
 
 void UndoCommands::update() {
     const NcEditor& text = m_editor.editor();
-    const JobHistory& steps = m_session.history();
+    const JobHistory& steps = m_session.job().history();
     const bool writable = !text.isReadOnly();
     const QString change = tr("Text change");
     QAction& undo = *m_actions.find("edit-undo");

@@ -5,7 +5,7 @@
 #include <QObject>
 
 #include "ui/command_table.h"
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 class QWidget;
 

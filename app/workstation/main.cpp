@@ -17,7 +17,7 @@
 #include "ui/appearance.h"
 #include "ui/main_window.h"
 #include "ui/recovery.h"
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 namespace proveout {
 namespace {
@@ -109,7 +109,7 @@ bool goOn(MainWindow& window, const Options& options) {
     if (!options.screenshot.isEmpty())
         new ScreenshotRun(window, options.screenshot, options.seek);
     else if (options.seek)
-        window.session().seek(*options.seek);
+        window.session().playback().seek(*options.seek);
     return true;
 }
 
@@ -147,17 +147,17 @@ int run() {
         return goOn(window, options) ? execute() : kUsage;
     // The commands are about what the file holds.
     QObject::connect(
-        &session, &Session::opened, &window,
+        &session.document(), &DocumentHub::opened, &window,
         [&] {
             if (!goOn(window, options))
                 QCoreApplication::exit(kUsage);
         },
         Qt::SingleShotConnection);
     if (!options.screenshot.isEmpty())
-        QObject::connect(&session, &Session::troubled, &window, [&] {
-            if (session.hasDocument())
+        QObject::connect(&session.problems(), &ProblemsHub::troubled, &window, [&] {
+            if (session.document().isOpen())
                 return;
-            for (const Diagnostic& problem : session.problems())
+            for (const Diagnostic& problem : session.problems().all())
                 std::fprintf(stderr, "%s\n", oneLine(problem).c_str());
             QCoreApplication::exit(kUsage);
         });

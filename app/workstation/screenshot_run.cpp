@@ -25,22 +25,23 @@ ScreenshotRun::ScreenshotRun(MainWindow& window, const QString& picture, std::op
         giveUp(m_sought ? "the wanted block is not reached in 180 s"
                         : "there is no stock to show after 180 s");
     });
-    connect(&window.session(), &Session::tick, this, &ScreenshotRun::look);
+    connect(&window.session().playback(), &PlaybackHub::tick, this, &ScreenshotRun::look);
     m_limit.start(kLimitMs);
-    if (!window.session().hasDocument())
+    if (!window.session().document().isOpen())
         m_settle.start(); // the start page
 }
 
 void ScreenshotRun::look(const FramePtr& frame) {
     Session& session = m_window.session();
-    if (session.isForeign())
+    if (session.program().isForeign())
         m_settle.start(); // there is no frame of it
-    if (!frame || session.isReading())
+    if (!frame || session.program().isReading())
         return;
-    const std::size_t wanted = std::min(m_block.value_or(session.blockCount()), session.blockCount());
+    const std::size_t wanted =
+        std::min(m_block.value_or(session.program().blockCount()), session.program().blockCount());
     if (!m_sought) {
         m_sought = true;
-        session.seek(wanted);
+        session.playback().seek(wanted);
     }
     if (frame->block == wanted)
         m_settle.start();

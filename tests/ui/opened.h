@@ -5,7 +5,7 @@
 #include <QString>
 #include <QTest>
 
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 namespace proveout {
 
@@ -13,14 +13,15 @@ inline constexpr int kOpeningPatience = 30'000; ///< ms
 
 /// Waits until nothing is being read for the document.
 inline bool openingIsOver(const Session& session) {
-    return QTest::qWaitFor([&] { return !session.isOpening(); }, kOpeningPatience);
+    return QTest::qWaitFor([&] { return !session.document().isOpening(); }, kOpeningPatience);
 }
 
 /// Whether the file was opened.
 inline bool opened(Session& session, const QString& file) {
     bool done = false;
-    const auto connection = QObject::connect(&session, &Session::opened, &session, [&done] { done = true; });
-    session.openFile(file);
+    const auto connection =
+        QObject::connect(&session.document(), &DocumentHub::opened, &session, [&done] { done = true; });
+    session.document().openFile(file);
     const bool over = openingIsOver(session);
     QObject::disconnect(connection);
     return over && done;

@@ -69,8 +69,8 @@ BreakpointsPanel::BreakpointsPanel(Session& session, QWidget* parent)
             [this] { m_remove->setEnabled(!m_list->selectedItems().isEmpty()); });
     connect(new QShortcut(QKeySequence::Delete, m_list, nullptr, nullptr, Qt::WidgetShortcut),
             &QShortcut::activated, this, &BreakpointsPanel::removeSelected);
-    connect(&session, &Session::breakpointsChanged, this, &BreakpointsPanel::showBreakpoints);
-    connect(&session, &Session::stoppedAt, this, &BreakpointsPanel::showHit);
+    connect(&session.breakpoints(), &BreakpointList::changed, this, &BreakpointsPanel::showBreakpoints);
+    connect(&session.playback(), &PlaybackHub::stoppedAt, this, &BreakpointsPanel::showHit);
     retranslate();
     showBreakpoints();
 }
@@ -138,7 +138,7 @@ void BreakpointsPanel::showKind() {
 /// In place: the change of a row comes from that row's own check box, which must live through it.
 void BreakpointsPanel::showBreakpoints() {
     const QSignalBlocker quiet(m_list);
-    const auto& all = m_session.breakpoints();
+    const auto& all = m_session.breakpoints().all();
     const int count = static_cast<int>(all.size());
     if (count != m_list->topLevelItemCount())
         m_list->clearSelection(); // the rows are not those that were selected
@@ -162,7 +162,7 @@ void BreakpointsPanel::showRow(QTreeWidgetItem& item, const Breakpoint& breakpoi
 
 /// The one that has stopped the run is the current one.
 void BreakpointsPanel::showHit(const BreakpointHit& hit) {
-    const auto& all = m_session.breakpoints();
+    const auto& all = m_session.breakpoints().all();
     for (std::size_t i = 0; i < all.size(); ++i) {
         if (all[i] == hit.breakpoint)
             m_list->setCurrentItem(m_list->topLevelItem(static_cast<int>(i)));
@@ -187,30 +187,30 @@ void BreakpointsPanel::add() {
         m_condition->setFocus();
         return;
     }
-    m_session.addBreakpoint(breakpoint);
+    m_session.breakpoints().add(breakpoint);
 }
 
 void BreakpointsPanel::removeSelected() {
     std::vector<Breakpoint> kept;
     for (int i = 0; i < m_list->topLevelItemCount(); ++i) {
         if (!m_list->topLevelItem(i)->isSelected())
-            kept.push_back(m_session.breakpoints()[static_cast<std::size_t>(i)]);
+            kept.push_back(m_session.breakpoints().all()[static_cast<std::size_t>(i)]);
     }
-    m_session.setBreakpoints(std::move(kept));
+    m_session.breakpoints().set(std::move(kept));
 }
 
 void BreakpointsPanel::changed(const QTreeWidgetItem& item) {
-    std::vector<Breakpoint> all = m_session.breakpoints();
+    std::vector<Breakpoint> all = m_session.breakpoints().all();
     const int index = m_list->indexOfTopLevelItem(const_cast<QTreeWidgetItem*>(&item));
     all[static_cast<std::size_t>(index)].enabled = item.checkState(kKindColumn) == Qt::Checked;
-    m_session.setBreakpoints(std::move(all));
+    m_session.breakpoints().set(std::move(all));
 }
 
 void BreakpointsPanel::goTo(const QTreeWidgetItem& item) {
     const int index = m_list->indexOfTopLevelItem(const_cast<QTreeWidgetItem*>(&item));
-    const Breakpoint& breakpoint = m_session.breakpoints()[static_cast<std::size_t>(index)];
+    const Breakpoint& breakpoint = m_session.breakpoints().all()[static_cast<std::size_t>(index)];
     if (breakpoint.kind == BreakpointKind::line)
-        emit m_session.lineRequested(breakpoint.line, 1);
+        emit m_session.navigation().lineRequested(breakpoint.line, 1);
 }
 
 void BreakpointsPanel::retranslate() {

@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 class QDoubleSpinBox;
 class QLabel;

@@ -59,15 +59,15 @@ ControlPanel::ControlPanel(Session& session, QWidget* parent)
     m_rest.setInterval(kRestMs);
     connect(&m_rest, &QTimer::timeout, this, &ControlPanel::ask);
     connect(&m_source, &ProgramSource::ready, this, &ControlPanel::adopt);
-    connect(&session, &Session::tick, this, [this] { m_rest.start(); });
-    connect(&session, &Session::programChanged, this, [this] { m_rest.start(); });
-    connect(&session, &Session::setupChanged, this, [this] {
+    connect(&session.playback(), &PlaybackHub::tick, this, [this] { m_rest.start(); });
+    connect(&session.program(), &ProgramHub::changed, this, [this] { m_rest.start(); });
+    connect(&session.job(), &JobHub::setupChanged, this, [this] {
         if (m_shown)
             fill(m_shown->controlState()); // another tool may be assumed
     });
     connect(m_tree, &QTreeWidget::itemActivated, this, [this](const QTreeWidgetItem* item) {
         if (const int line = item->data(0, Qt::UserRole).toInt(); line > 0)
-            emit m_session.lineRequested(static_cast<std::uint32_t>(line), 1);
+            emit m_session.navigation().lineRequested(static_cast<std::uint32_t>(line), 1);
     });
     retranslate();
 }
@@ -85,8 +85,8 @@ void ControlPanel::retranslate() {
 
 /// While nobody sees it, and while the block stays the same, nothing is interpreted.
 void ControlPanel::ask() {
-    const auto& program = m_session.program();
-    const FramePtr frame = m_session.frame();
+    const auto& program = m_session.program().current();
+    const FramePtr frame = m_session.simulation().frame();
     if (!isVisible() || !program || (frame && frame->program != program))
         return;
     const std::size_t block = frame ? frame->block : 0;
@@ -94,9 +94,10 @@ void ControlPanel::ask() {
         return;
     m_askedOf = program;
     m_askedBlock = block;
-    InterpretOptions options = interpretOptions(m_session.setup(), m_session.document().path, *program);
+    InterpretOptions options =
+        interpretOptions(m_session.job().setup(), m_session.document().text().path, *program);
     options.stopAfterBlocks = block;
-    m_source.request(m_session.document().text, std::move(options));
+    m_source.request(m_session.document().text().text, std::move(options));
 }
 
 void ControlPanel::adopt(const std::shared_ptr<const Program>& program) {
@@ -127,7 +128,8 @@ QTreeWidgetItem& ControlPanel::addRow(QTreeWidgetItem& parent, const QString& na
 /// A tool that is assumed to be in the spindle is there for the control too.
 QString ControlPanel::valueText(const ControlState::Quantity& quantity) const {
     if (quantity.name == std::string_view(control_name::kSpindleTool))
-        return toolText(static_cast<int>(quantity.value), toolChoice(m_session), m_session.setup().tools);
+        return toolText(static_cast<int>(quantity.value), toolChoice(m_session),
+                        m_session.job().setup().tools);
     return QStringLiteral("%1 %2").arg(locale().toString(quantity.value, 'g', 7), coreText(quantity.unit));
 }
 

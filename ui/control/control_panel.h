@@ -6,7 +6,7 @@
 
 #include "core/nc/program/control_state.h"
 #include "ui/program_source.h"
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 class QLabel;
 class QTreeWidget;

@@ -66,13 +66,13 @@ const std::array<Command<EditorPanel>, 12> EditorPanel::kCommands{{
      QT_TRANSLATE_NOOP("EditCommands", "Set or remove a breakpoint at the line of the cursor"), "", "F9",
      Reach::window,
      [](EditorPanel& panel) {
-         panel.m_session.toggleBreakpoint(static_cast<std::uint32_t>(panel.m_editor->caretLine()));
+         panel.m_session.breakpoints().toggle(static_cast<std::uint32_t>(panel.m_editor->caretLine()));
      }},
     {"edit-run-to-caret", QT_TRANSLATE_NOOP("EditCommands", "Run to Cur&sor"),
      QT_TRANSLATE_NOOP("EditCommands", "Show the stock after the line of the cursor"), "", "Ctrl+Return",
      Reach::focus,
      [](EditorPanel& panel) {
-         panel.m_session.seekToLine(static_cast<std::uint32_t>(panel.m_editor->caretLine()));
+         panel.m_session.playback().seekToLine(static_cast<std::uint32_t>(panel.m_editor->caretLine()));
      }},
 }};
 
@@ -98,14 +98,14 @@ EditorPanel::EditorPanel(Session& session, QWidget* parent)
     m_editor->setFrameShape(QFrame::NoFrame);
     setFocusProxy(m_editor);
 
-    connect(m_editor, &NcEditor::edited, &session, &Session::applyEdit);
-    connect(m_editor, &NcEditor::linesMoved, &session, &Session::moveBreakpoints);
+    connect(m_editor, &NcEditor::edited, &session.document(), &DocumentHub::applyEdit);
+    connect(m_editor, &NcEditor::linesMoved, &session.breakpoints(), &BreakpointList::move);
     connect(m_editor, &NcEditor::marginChosen, &session,
-            [&session](int line) { session.toggleBreakpoint(static_cast<std::uint32_t>(line)); });
-    connect(&session, &Session::breakpointsChanged, this, &EditorPanel::showBreakpoints);
-    connect(m_editor, &NcEditor::savedStateChanged, &session, &Session::setTextModified);
+            [&session](int line) { session.breakpoints().toggle(static_cast<std::uint32_t>(line)); });
+    connect(&session.breakpoints(), &BreakpointList::changed, this, &EditorPanel::showBreakpoints);
+    connect(m_editor, &NcEditor::savedStateChanged, &session.document(), &DocumentHub::setTextModified);
     connect(m_editor, &NcEditor::lineChosen, &session,
-            [&session](int line) { session.seekToLine(static_cast<std::uint32_t>(line)); });
+            [&session](int line) { session.playback().seekToLine(static_cast<std::uint32_t>(line)); });
     connect(m_editor, &NcEditor::valuesWanted, this,
             [this](std::uint32_t line) { askForValues(line, false); });
     connect(m_editor, &NcEditor::valuesUnwanted, &m_values, &ProgramSource::cancel);
@@ -117,22 +117,22 @@ EditorPanel::EditorPanel(Session& session, QWidget* parent)
         updateActions();
         showProblems();
         showBreakpoints();
-        showFrame(m_session.frame());
+        showFrame(m_session.simulation().frame());
     });
-    connect(&session, &Session::textReplaced, this, &EditorPanel::loadText);
-    connect(&session, &Session::documentChanged, this, [this] {
-        if (!m_session.document().modified)
+    connect(&session.document(), &DocumentHub::textReplaced, this, &EditorPanel::loadText);
+    connect(&session.document(), &DocumentHub::changed, this, [this] {
+        if (!m_session.document().text().modified)
             m_editor->markSaved();
     });
-    connect(&session, &Session::problemsChanged, this, &EditorPanel::showProblems);
-    connect(&session, &Session::programChanged, this, [this] {
-        if (m_session.program())
-            m_editor->showDialect(m_session.program()->dialect());
+    connect(&session.problems(), &ProblemsHub::changed, this, &EditorPanel::showProblems);
+    connect(&session.program(), &ProgramHub::changed, this, [this] {
+        if (m_session.program().current())
+            m_editor->showDialect(m_session.program().current()->dialect());
         m_values.cancel();
         m_editor->showValues(nullptr);
     });
-    connect(&session, &Session::tick, this, &EditorPanel::showFrame);
-    connect(&session, &Session::lineRequested, this,
+    connect(&session.playback(), &PlaybackHub::tick, this, &EditorPanel::showFrame);
+    connect(&session.navigation(), &NavigationHub::lineRequested, this,
             [this](std::uint32_t line, int column) { m_editor->goTo(static_cast<int>(line), column); });
     makeFollowing();
     retranslate();
@@ -141,7 +141,7 @@ EditorPanel::EditorPanel(Session& session, QWidget* parent)
 
 /// From the document and not from the editor, which has a long text only later.
 QSize EditorPanel::sizeHint() const {
-    const NcText& text = m_session.document().text;
+    const NcText& text = m_session.document().text().text;
     std::vector<std::size_t> lengths(std::min(text.lineCount(), kMeasuredLines));
     for (std::size_t i = 0; i < lengths.size(); ++i)
         lengths[i] = text.line(i).size();
@@ -166,11 +166,11 @@ void EditorPanel::makeFollowing() {
     m_editor->installEventFilter(this);
     connect(m_follow, &QAction::triggered, this, &EditorPanel::chooseFollowing);
     connect(m_editor, &NcEditor::worked, this, &EditorPanel::pauseFollowing);
-    connect(&m_session, &Session::playbackChanged, this, &EditorPanel::followPlayback);
+    connect(&m_session.playback(), &PlaybackHub::changed, this, &EditorPanel::followPlayback);
 }
 
 void EditorPanel::pauseFollowing() {
-    if (!m_session.playback().playing || !m_follow->isChecked())
+    if (!m_session.playback().state().playing || !m_follow->isChecked())
         return;
     m_followingPaused = true;
     m_follow->setChecked(false);
@@ -185,7 +185,7 @@ void EditorPanel::chooseFollowing(bool on) {
 }
 
 void EditorPanel::followPlayback() {
-    const bool playing = m_session.playback().playing;
+    const bool playing = m_session.playback().state().playing;
     const bool starts = playing && !m_wasPlaying;
     m_wasPlaying = playing;
     if (starts && std::exchange(m_followingPaused, false)) {
@@ -197,7 +197,7 @@ void EditorPanel::followPlayback() {
 
 /// The button stands in the lower right corner of the text, and moves none of it.
 void EditorPanel::showFollowing() {
-    m_followAgain->setVisible(m_session.playback().playing && !m_follow->isChecked());
+    m_followAgain->setVisible(m_session.playback().state().playing && !m_follow->isChecked());
     m_followAgain->adjustSize();
     const QRect text = m_editor->viewport()->geometry();
     m_followAgain->move(text.bottomRight() - m_followAgain->rect().bottomRight() -
@@ -221,7 +221,7 @@ void EditorPanel::retranslate() {
 }
 
 void EditorPanel::tellReadOnly() {
-    const Document& document = m_session.document();
+    const Document& document = m_session.document().text();
     m_readOnly->setVisible(document.readOnly);
     m_readOnly->setText(
         document.tooLongLine > 0
@@ -233,7 +233,7 @@ void EditorPanel::tellReadOnly() {
 }
 
 void EditorPanel::loadText() {
-    m_editor->load(m_session.document());
+    m_editor->load(m_session.document().text());
     tellReadOnly();
 }
 
@@ -248,31 +248,31 @@ void EditorPanel::updateActions() {
 }
 
 void EditorPanel::askForValues(std::uint32_t line, bool toEnd) {
-    if (!m_session.program())
+    if (!m_session.program().current())
         return;
-    InterpretOptions options =
-        interpretOptions(m_session.setup(), m_session.document().path, *m_session.program());
+    InterpretOptions options = interpretOptions(m_session.job().setup(), m_session.document().text().path,
+                                                *m_session.program().current());
     options.watchedLine = line;
     options.watchToEnd = m_counts = toEnd;
-    m_values.request(m_session.document().text, std::move(options));
+    m_values.request(m_session.document().text().text, std::move(options));
 }
 
 /// First what the line says, then how often it does.
 void EditorPanel::showValues(const Program& program) {
     const auto& values = program.lineValues();
     m_editor->showValues(values);
-    const bool again = m_session.program() && m_session.program()->runsAgain();
+    const bool again = m_session.program().current() && m_session.program().current()->runsAgain();
     if (!m_counts && again && values->executions > 0)
         askForValues(values->line, true);
 }
 
 void EditorPanel::showFrame(const FramePtr& frame) {
-    if (!frame || frame->block == 0 || frame->program != m_session.program()) {
+    if (!frame || frame->block == 0 || frame->program != m_session.program().current()) {
         m_editor->showCurrentLine(0, false);
         return;
     }
     // While the user works in the text, it does not scroll away under the caret.
-    const bool resting = !m_session.playback().playing;
+    const bool resting = !m_session.playback().state().playing;
     const bool follow = m_follow->isChecked() ? !resting || !m_editor->hasFocus()
                                               : resting && m_followingPaused && !m_editor->hasFocus();
     m_editor->showCurrentLine(static_cast<int>(frame->program->blockLine(frame->block - 1)), follow);
@@ -280,15 +280,15 @@ void EditorPanel::showFrame(const FramePtr& frame) {
 
 void EditorPanel::showProblems() {
     Diagnostics here;
-    std::copy_if(m_session.problems().begin(), m_session.problems().end(), std::back_inserter(here),
-                 &Session::isInText);
+    std::copy_if(m_session.problems().all().begin(), m_session.problems().all().end(),
+                 std::back_inserter(here), &ProblemsHub::isInText);
     m_editor->showProblems(here);
 }
 
 void EditorPanel::showBreakpoints() {
     std::vector<int> on;
     std::vector<int> off;
-    for (const Breakpoint& breakpoint : m_session.breakpoints()) {
+    for (const Breakpoint& breakpoint : m_session.breakpoints().all()) {
         if (breakpoint.kind == BreakpointKind::line)
             (breakpoint.enabled ? on : off).push_back(static_cast<int>(breakpoint.line));
     }

@@ -7,7 +7,7 @@
 
 #include "ui/command_table.h"
 #include "ui/program_source.h"
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 class QLabel;
 class QToolButton;

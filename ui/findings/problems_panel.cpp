@@ -63,9 +63,9 @@ ProblemsPanel::ProblemsPanel(Session& session, QWidget* parent)
             [this](const QModelIndex& index) { goTo(m_model->problem(index.row())); });
     m_view->setContextMenuPolicy(Qt::CustomContextMenu);
     connect(m_view, &QTreeView::customContextMenuRequested, this, &ProblemsPanel::showMenu);
-    connect(&session, &Session::problemsChanged, this, &ProblemsPanel::showProblems);
-    connect(&session, &Session::documentChanged, this, &ProblemsPanel::showNothingFound);
-    connect(&session, &Session::tick, this, &ProblemsPanel::showNothingFound);
+    connect(&session.problems(), &ProblemsHub::changed, this, &ProblemsPanel::showProblems);
+    connect(&session.document(), &DocumentHub::changed, this, &ProblemsPanel::showNothingFound);
+    connect(&session.playback(), &PlaybackHub::tick, this, &ProblemsPanel::showNothingFound);
     retranslate();
     showProblems();
 }
@@ -73,7 +73,7 @@ ProblemsPanel::ProblemsPanel(Session& session, QWidget* parent)
 void ProblemsPanel::showProblems() {
     const int row = m_view->currentIndex().row();
     const int scrolled = m_view->verticalScrollBar()->value();
-    m_model->setProblems(m_session.problems());
+    m_model->setProblems(m_session.problems().all());
     const bool any = m_model->rowCount() > 0;
     showNothingFound();
     m_view->setVisible(any);
@@ -87,12 +87,12 @@ void ProblemsPanel::showProblems() {
 
 /// Nothing found means something only as far as was looked.
 QString ProblemsPanel::nothingFound() const {
-    const auto& program = m_session.program();
-    if (!m_session.hasDocument())
+    const auto& program = m_session.program().current();
+    if (!m_session.document().isOpen())
         return tr("Open a program to see its problems.");
-    if (!program || m_session.isReading())
+    if (!program || m_session.program().isReading())
         return tr("Reading the program; no problems so far.");
-    const FramePtr& frame = m_session.frame();
+    const FramePtr& frame = m_session.simulation().frame();
     const std::size_t simulated = frame && frame->program == program ? frame->statistics.size() : 0;
     if (simulated == 0 && program->blockCount() > 0)
         return tr("Not simulated yet; no problems in the program text.");
@@ -109,11 +109,11 @@ void ProblemsPanel::showNothingFound() {
 }
 
 void ProblemsPanel::goTo(const Diagnostic& problem) {
-    if (!Session::isInText(problem))
+    if (!ProblemsHub::isInText(problem))
         return;
     const auto line = static_cast<std::uint32_t>(problem.where.line);
-    emit m_session.lineRequested(line, problem.where.column);
-    m_session.seekToLine(line);
+    emit m_session.navigation().lineRequested(line, problem.where.column);
+    m_session.playback().seekToLine(line);
 }
 
 /// What can be done about the problem at a place of the list.
@@ -124,7 +124,7 @@ void ProblemsPanel::showMenu(const QPoint& position) {
     const Diagnostic& problem = m_model->problem(index.row());
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
-    if (Session::isInText(problem))
+    if (ProblemsHub::isInText(problem))
         menu->addAction(tr("Go to Line"), this, [this, problem] { goTo(problem); });
     menu->addAction(tr("Copy"), this, [text = sentence(problem) + u' ' + hint(problem)] {
         QGuiApplication::clipboard()->setText(text);
@@ -134,19 +134,19 @@ void ProblemsPanel::showMenu(const QPoint& position) {
                                           [this, code] { ignoreMCodes({*code}); });
         ignore->setObjectName(QStringLiteral("ignore-m-code"));
         QAction* all = menu->addAction(tr("Ignore All Unknown M Codes of This Program"), this,
-                                       [this] { ignoreMCodes(unknownMCodes(m_session.problems())); });
+                                       [this] { ignoreMCodes(unknownMCodes(m_session.problems().all())); });
         all->setObjectName(QStringLiteral("ignore-all-m-codes"));
-        all->setEnabled(unknownMCodes(m_session.problems()).size() > 1);
+        all->setEnabled(unknownMCodes(m_session.problems().all()).size() > 1);
     }
     menu->popup(m_view->viewport()->mapToGlobal(position));
 }
 
 void ProblemsPanel::ignoreMCodes(const std::set<int>& codes) {
-    m_session.asOneStep([this, &codes] {
-        Setup setup = m_session.setup();
+    m_session.job().asOneStep([this, &codes] {
+        Setup setup = m_session.job().setup();
         setup.ignoredM.insert(codes.begin(), codes.end());
-        if (const auto done = m_session.setSetup(setup); !done)
-            m_session.tell(done.error());
+        if (const auto done = m_session.job().setSetup(setup); !done)
+            m_session.problems().report(done.error());
     });
 }
 

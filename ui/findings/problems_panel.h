@@ -7,7 +7,7 @@
 #include <QWidget>
 
 #include "ui/command_table.h"
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 class QLabel;
 class QTreeView;

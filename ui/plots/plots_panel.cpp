@@ -64,13 +64,13 @@ PlotsPanel::PlotsPanel(Session& session, QWidget* parent)
         }
     });
     setTexts();
-    connect(&session, &Session::tick, this, &PlotsPanel::refresh);
+    connect(&session.playback(), &PlaybackHub::tick, this, &PlotsPanel::refresh);
 }
 
 void PlotsPanel::addView(const PlotSpec& spec, bool shown) {
     auto* view = new PlotView(spec); // the grid takes it over
     view->setContextMenuPolicy(Qt::CustomContextMenu);
-    connect(view, &PlotView::blockClicked, &m_session, &Session::seek);
+    connect(view, &PlotView::blockClicked, &m_session.playback(), &PlaybackHub::seek);
     connect(view, &PlotView::followingChanged, this,
             [this] { m_follow->setChecked(std::ranges::all_of(m_views, &PlotView::following)); });
     connect(view, &QWidget::customContextMenuRequested, this,
@@ -108,7 +108,7 @@ void PlotsPanel::addKeys(QAction* action) {
 
 /// Whether they are other times than before.
 bool PlotsPanel::takeTimes(const Frame* frame) {
-    const auto& known = m_session.times();
+    const auto& known = m_session.program().times();
     const bool fits = known && frame != nullptr && known->program == frame->program;
     const auto times = fits ? known : nullptr;
     return std::exchange(m_times, times) != times;
@@ -118,21 +118,23 @@ void PlotsPanel::refresh() {
     if (!isVisible())
         return; // Caught up with when it is shown.
     static const PersistentArray<BlockStatistics> kNone;
-    const FramePtr& frame = m_session.frame();
+    const FramePtr& frame = m_session.simulation().frame();
     if (const std::uint64_t generation = frame ? frame->generation : 0; generation != m_generation) {
         m_generation = generation;
         m_history.forgetFrames();
     }
-    const PlotHistory::Changes changes = m_history.update(
-        frame ? frame->statistics : kNone, m_session.frameStatistics(), m_session.playback().playing);
+    const PlotHistory::Changes changes =
+        m_history.update(frame ? frame->statistics : kNone, m_session.playback().frameStatistics(),
+                         m_session.playback().state().playing);
     const bool retimed = takeTimes(frame.get());
-    const bool moved = m_block != m_session.block() || m_blockCount != m_session.blockCount();
+    const bool moved =
+        m_block != m_session.simulation().block() || m_blockCount != m_session.program().blockCount();
     if (!changes.any && !moved && !retimed)
         return;
-    m_block = m_session.block();
-    m_blockCount = m_session.blockCount();
+    m_block = m_session.simulation().block();
+    m_blockCount = m_session.program().blockCount();
     const PlotInput input{m_history.blocks(), m_history.frames(), m_times.get()};
-    m_trace.update(frame ? frame->parameters : m_session.parameters(), changes.firstBlock, m_block,
+    m_trace.update(frame ? frame->parameters : m_session.job().parameters(), changes.firstBlock, m_block,
                    m_history.blocks().size());
     const std::vector<std::size_t> parameterChanges = m_trace.changes();
     for (PlotView* view : m_views) {
@@ -168,7 +170,7 @@ bool PlotsPanel::exportTo(PlotView& view, const QString& file, PlotFormat format
         writeFile(QFile::encodeName(file).toStdString(),
                   std::string_view(bytes.constData(), static_cast<std::size_t>(bytes.size())));
     if (!written)
-        m_session.tell(written.error());
+        m_session.problems().report(written.error());
     return written.has_value();
 }
 

@@ -12,7 +12,7 @@
 #include "ui/plots/plot_changes.h"
 #include "ui/plots/plot_grid.h"
 #include "ui/plots/plot_view.h"
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 class QToolBar;
 

@@ -57,28 +57,28 @@ MachineForm::MachineForm(Session& session, QWidget* parent)
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRestMs);
     connect(&m_rest, &QTimer::timeout, this, &MachineForm::apply);
-    connect(&session, &Session::inputWanted, this, [this] {
+    connect(&session.job(), &JobHub::inputWanted, this, [this] {
         if (m_rest.isActive())
             apply();
     });
-    connect(&session, &Session::jobReplaced, &m_rest, &QTimer::stop);
-    connect(&session, &Session::machineChanged, this, &MachineForm::showMachine);
-    connect(&session, &Session::timesChanged, this, &MachineForm::showTimes);
+    connect(&session.job(), &JobHub::replaced, &m_rest, &QTimer::stop);
+    connect(&session.job(), &JobHub::machineChanged, this, &MachineForm::showMachine);
+    connect(&session.program(), &ProgramHub::timesChanged, this, &MachineForm::showTimes);
     retranslate();
     showMachine();
 }
 
 void MachineForm::showMachine() {
     m_rest.stop();
-    Machine machine = m_session.machine().value_or(Machine());
+    Machine machine = m_session.job().machine().value_or(Machine());
     std::size_t row = 0;
     describe(machine, [&](double& value, const Field&) { m_boxes[row++]->showValue(value); });
     showTimes();
 }
 
 void MachineForm::showTimes() {
-    const auto& times = m_session.times();
-    QString text = m_session.machine() ? QString() : tr("Default machine values.");
+    const auto& times = m_session.program().times();
+    QString text = m_session.job().machine() ? QString() : tr("Default machine values.");
     if (times && times->parts.total() > 0) {
         text += (text.isEmpty() ? QString() : QStringLiteral("\n")) +
                 tr("Cycle time %1: feed %2, rapid %3, dwell %4, tool changes %5")
@@ -92,7 +92,7 @@ void MachineForm::showTimes() {
 
 void MachineForm::apply() {
     m_rest.stop();
-    Machine machine = m_session.machine().value_or(Machine());
+    Machine machine = m_session.job().machine().value_or(Machine());
     std::size_t row = 0;
     describe(machine, [&](double& value, const Field& field) {
         // What the box cannot show exactly stays as it is until it is edited.
@@ -100,7 +100,7 @@ void MachineForm::apply() {
         if (std::abs(value - shown) > 0.5 * std::pow(10.0, -decimalsOf(field)))
             value = shown;
     });
-    m_session.setMachine(machine);
+    m_session.job().setMachine(machine);
 }
 
 void MachineForm::retranslate() {

@@ -6,7 +6,7 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 class QLabel;
 

@@ -62,23 +62,24 @@ SetupPanel::SetupPanel(Session& session, QWidget* parent)
     connect(m_compensation, &QComboBox::activated, &m_rest, qOverload<>(&QTimer::start));
     connect(m_fit, &QPushButton::clicked, this, &SetupPanel::fitToProgram);
     connect(m_tools, &ToolTableEditor::lineWanted, this,
-            [this](std::uint32_t line) { emit m_session.lineRequested(line, 1); });
+            [this](std::uint32_t line) { emit m_session.navigation().lineRequested(line, 1); });
     // The window brings the panel forward first: what is hidden takes no focus.
-    connect(&session, &Session::toolRequested, this, &SetupPanel::showTool, Qt::QueuedConnection);
+    connect(&session.navigation(), &NavigationHub::toolRequested, this, &SetupPanel::showTool,
+            Qt::QueuedConnection);
     connect(m_define, &QPushButton::clicked, this, [this] { assumeMissingTools(m_session); });
-    connect(&session, &Session::inputWanted, this, [this] {
+    connect(&session.job(), &JobHub::inputWanted, this, [this] {
         if (m_rest.isActive())
             apply();
     });
-    connect(&session, &Session::jobReplaced, this, &SetupPanel::dropInput);
-    connect(&session, &Session::setupChanged, this, &SetupPanel::showSetup);
-    connect(&session, &Session::documentChanged, this, &SetupPanel::titleTools);
-    connect(&session, &Session::programChanged, this, &SetupPanel::showMissingTools);
-    connect(&session, &Session::programChanged, this, &SetupPanel::showStart);
-    connect(&session, &Session::programChanged, this, &SetupPanel::nameAutomaticDialect);
-    connect(&session, &Session::programChanged, this, &SetupPanel::showCompensation);
-    connect(&session, &Session::programChanged, this,
-            [this] { m_ignored->showProgram(m_session.program().get()); });
+    connect(&session.job(), &JobHub::replaced, this, &SetupPanel::dropInput);
+    connect(&session.job(), &JobHub::setupChanged, this, &SetupPanel::showSetup);
+    connect(&session.document(), &DocumentHub::changed, this, &SetupPanel::titleTools);
+    connect(&session.program(), &ProgramHub::changed, this, &SetupPanel::showMissingTools);
+    connect(&session.program(), &ProgramHub::changed, this, &SetupPanel::showStart);
+    connect(&session.program(), &ProgramHub::changed, this, &SetupPanel::nameAutomaticDialect);
+    connect(&session.program(), &ProgramHub::changed, this, &SetupPanel::showCompensation);
+    connect(&session.program(), &ProgramHub::changed, this,
+            [this] { m_ignored->showProgram(m_session.program().current().get()); });
     retranslate();
     dropInput();
 }
@@ -127,7 +128,7 @@ void SetupPanel::build() {
 void SetupPanel::dropInput() {
     m_rest.stop();
     m_making.cancel();
-    m_shown = m_session.setup();
+    m_shown = m_session.job().setup();
     fill(m_shown);
     m_ignored->dropText();
 }
@@ -136,15 +137,15 @@ void SetupPanel::dropInput() {
 /// has changed meanwhile, and is not applied yet, stays in the form.
 void SetupPanel::showSetup() {
     Setup form = edited(m_shown);
-    if (m_rest.isActive() || m_session.setup().shape == m_shown.shape) {
+    if (m_rest.isActive() || m_session.job().setup().shape == m_shown.shape) {
         const StockSpec spec = m_stock->spec(form);
         form.stock = spec.box;
         form.shape = spec.shape;
     } else { // a shape whose file is still being read is void, for example after an undone step
         m_making.cancel();
     }
-    const Setup held = carried(m_session.setup(), m_shown, form);
-    m_shown = m_session.setup();
+    const Setup held = carried(m_session.job().setup(), m_shown, form);
+    m_shown = m_session.job().setup();
     fill(held);
 }
 
@@ -154,21 +155,21 @@ void SetupPanel::fill(const Setup& setup) {
     const QSignalBlocker quiet(m_blockDelete);
     m_blockDelete->setChecked(setup.blockDelete);
     showStockProblem();
-    m_start->show(setup, m_session.program().get());
+    m_start->show(setup, m_session.program().current().get());
     m_ignored->show(setup);
-    m_ignored->showProgram(m_session.program().get());
+    m_ignored->showProgram(m_session.program().current().get());
     m_dialect->setCurrentIndex(setup.dialect ? static_cast<int>(*setup.dialect) + 1 : 0);
     nameAutomaticDialect();
     m_compensation->setCurrentIndex(setup.compensationTypeB ? 1 : 0);
     showCompensation();
-    showMemory(m_session.setup());
+    showMemory(m_session.job().setup());
     showMissingTools();
 }
 
 /// The dialect that the text shows by its signs, named once it is known.
 QString SetupPanel::automaticDialect() const {
-    const auto& program = m_session.program();
-    if (!program || m_session.setup().dialect)
+    const auto& program = m_session.program().current();
+    if (!program || m_session.job().setup().dialect)
         return tr("Automatic");
     if (program->foreignKind() != nullptr)
         return tr("Automatic: none of these");
@@ -181,9 +182,10 @@ void SetupPanel::nameAutomaticDialect() {
 
 /// Only for the controls that have this setting.
 void SetupPanel::showCompensation() {
-    const auto& chosen = m_session.setup().dialect;
-    const bool known = chosen || m_session.program();
-    const bool shown = known && dialect(chosen ? *chosen : m_session.program()->dialect()).vectors.used;
+    const auto& chosen = m_session.job().setup().dialect;
+    const bool known = chosen || m_session.program().current();
+    const bool shown =
+        known && dialect(chosen ? *chosen : m_session.program().current()->dialect()).vectors.used;
     m_compensationLabel->setVisible(shown);
     m_compensation->setVisible(shown);
 }
@@ -193,17 +195,17 @@ void SetupPanel::showMissingTools() {
     m_missing->setText(tr("Tools missing from the table: %1").arg(toolList(missing)));
     m_missing->setVisible(!missing.empty());
     m_define->setVisible(!missing.empty());
-    const bool box = m_session.setup().shape.kind == StockKind::box;
-    m_fit->setEnabled(m_session.blockCount() > 0 && box);
+    const bool box = m_session.job().setup().shape.kind == StockKind::box;
+    m_fit->setEnabled(m_session.program().blockCount() > 0 && box);
 }
 
 /// Which tool is assumed depends on the program.
 void SetupPanel::showStart() {
-    m_start->show(edited(m_session.setup()), m_session.program().get());
+    m_start->show(edited(m_session.job().setup()), m_session.program().current().get());
 }
 
 void SetupPanel::showStockProblem() {
-    const Result<void> whole = checkShape(m_session.setup().shape);
+    const Result<void> whole = checkShape(m_session.job().setup().shape);
     m_problem->setVisible(!whole);
     if (!whole)
         showProblem(whole.error());
@@ -238,7 +240,7 @@ Setup SetupPanel::edited(Setup setup) const {
 void SetupPanel::apply() {
     m_rest.stop();
     m_making.cancel();
-    applyStock(edited(m_session.setup()));
+    applyStock(edited(m_session.job().setup()));
 }
 
 /// A body is made anew where it is described otherwise: at once where no file is needed.
@@ -278,9 +280,9 @@ void SetupPanel::makeStock(const StockSpec& spec, const std::optional<Vec3>& cor
         }
         reply.post([this, made, done] {
             if (done)
-                takeStock(made, edited(m_session.setup()));
+                takeStock(made, edited(m_session.job().setup()));
             else {
-                takeNoStock(made, edited(m_session.setup()));
+                takeNoStock(made, edited(m_session.job().setup()));
                 showProblem(done.error());
             }
         });
@@ -306,29 +308,29 @@ void SetupPanel::takeNoStock(const StockSpec& spec, Setup setup) {
 /// A stock or a grid that is refused leaves the form, and all else is used without it.
 void SetupPanel::use(Setup setup) {
     showMemory(setup);
-    const Result<void> done = m_session.setSetup(setup);
+    const Result<void> done = m_session.job().setSetup(setup);
     if (done)
         return showStockProblem();
-    const Setup& present = m_session.setup();
+    const Setup& present = m_session.job().setup();
     m_stock->show(present);
     setup.stock = present.stock;
     setup.shape = present.shape;
     setup.spacing = present.spacing;
     setup.automaticGrid = present.automaticGrid;
-    static_cast<void>(m_session.setSetup(setup)); // the first error is the one to be told
+    static_cast<void>(m_session.job().setSetup(setup)); // the first error is the one to be told
     showProblem(done.error());
 }
 
 void SetupPanel::showProblem(const Diagnostics& errors) {
     m_problem->setText(sentence(errors.front()) + u' ' + hint(errors.front()));
     m_problem->show();
-    showMemory(m_session.setup());
+    showMemory(m_session.job().setup());
 }
 
 void SetupPanel::fitToProgram() {
-    m_session.asOneStep([this] {
-        Setup setup = edited(m_session.setup());
-        setup.stock = m_session.stockFittedToProgram();
+    m_session.job().asOneStep([this] {
+        Setup setup = edited(m_session.job().setup());
+        setup.stock = m_session.job().stockFittedToProgram();
         setup.shape = {};
         m_making.cancel();
         m_stock->show(setup);
@@ -338,7 +340,7 @@ void SetupPanel::fitToProgram() {
 
 /// Marked while the tools are in no job file as they are.
 void SetupPanel::titleTools() {
-    m_toolsTitle->setText(m_session.job().toolsModified() ? tr("Tools") + u'*' : tr("Tools"));
+    m_toolsTitle->setText(m_session.document().job().toolsModified() ? tr("Tools") + u'*' : tr("Tools"));
 }
 
 void SetupPanel::showTool(int number) {
@@ -368,7 +370,7 @@ void SetupPanel::retranslate() {
     m_blockDelete->setToolTip(tr("Block delete, as the switch on the control"));
     nameAutomaticDialect();
     showMissingTools();
-    showMemory(m_session.setup());
+    showMemory(m_session.job().setup());
 }
 
 void SetupPanel::changeEvent(QEvent* event) {

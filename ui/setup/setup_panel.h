@@ -8,7 +8,7 @@
 
 #include "core/formats/stock_shapes.h"
 #include "ui/newest_task.h"
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 class QCheckBox;
 class QComboBox;

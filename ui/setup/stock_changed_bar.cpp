@@ -28,9 +28,9 @@ StockChangedBar::StockChangedBar(Session& session, QWidget* parent)
     layout->addWidget(m_reload, 1, 0);
     layout->addWidget(m_keep, 1, 1);
     layout->setColumnStretch(2, 1);
-    connect(m_reload, &QPushButton::clicked, &session, &Session::reloadStock);
-    connect(m_keep, &QPushButton::clicked, &session, &Session::keepStock);
-    connect(&session, &Session::stockChangedOnDisk, this, [this](bool changed) {
+    connect(m_reload, &QPushButton::clicked, &session.stockFile(), &StockFileHub::reload);
+    connect(m_keep, &QPushButton::clicked, &session.stockFile(), &StockFileHub::keep);
+    connect(&session.stockFile(), &StockFileHub::changedOnDisk, this, [this](bool changed) {
         writeSentence();
         setVisible(changed);
     });
@@ -39,7 +39,7 @@ StockChangedBar::StockChangedBar(Session& session, QWidget* parent)
 }
 
 void StockChangedBar::writeSentence() {
-    const QFileInfo info(toQString(m_session.setup().shape.file));
+    const QFileInfo info(toQString(m_session.job().setup().shape.file));
     const bool readable = info.isFile();
     m_reload->setVisible(readable);
     m_text->setText((readable ? tr("%1 has changed on disk. The simulation starts from what it held before.")

@@ -76,7 +76,7 @@ StudyPanel::StudyPanel(Session& session, MakeDrawing makeDrawing, QWidget* paren
     connect(m_use, &QPushButton::clicked, this, &StudyPanel::useChoice);
     connect(m_export, &QPushButton::clicked, this, &StudyPanel::askAndExport);
     connect(m_figures, &QComboBox::currentIndexChanged, this, &StudyPanel::refresh);
-    connect(&session, &Session::programChanged, this, &StudyPanel::enable);
+    connect(&session.program(), &ProgramHub::changed, this, &StudyPanel::enable);
     connect(&m_runner, &StudyRunner::progressed, this,
             [this](double done) { m_progress->setValue(static_cast<int>(100 * done)); });
     connect(&m_runner, &StudyRunner::ran, this, [this](const auto& run) { addRun(*run); });
@@ -92,16 +92,16 @@ StudyPanel::StudyPanel(Session& session, MakeDrawing makeDrawing, QWidget* paren
              tr("Measured, as set").toStdString()}};
         showForecast();
     });
-    connect(&m_runner, &StudyRunner::failed, &session, &Session::tell);
+    connect(&m_runner, &StudyRunner::failed, &session.problems(), &ProblemsHub::report);
     connect(&m_runner, &StudyRunner::ended, this, &StudyPanel::enable);
     enable();
 }
 
 bool StudyPanel::takeJob() {
-    if (!m_session.program() || m_runner.busy())
+    if (!m_session.program().current() || m_runner.busy())
         return false;
-    m_subject = {{m_session.program(), std::make_shared<const Setup>(m_session.setup())},
-                 m_session.parameters(),
+    m_subject = {{m_session.program().current(), std::make_shared<const Setup>(m_session.job().setup())},
+                 m_session.job().parameters(),
                  tr("Rendering time").toStdString(),
                  words};
     m_runs.clear();
@@ -180,8 +180,9 @@ void StudyPanel::tell(const QString& text) {
 void StudyPanel::useChoice() {
     if (!m_rehearsal)
         return;
-    m_session.asOneStep(
-        [this] { m_session.setParameters(withSchedule(m_session.parameters(), cheapest(*m_rehearsal))); });
+    m_session.job().asOneStep([this] {
+        m_session.job().setParameters(withSchedule(m_session.job().parameters(), cheapest(*m_rehearsal)));
+    });
 }
 
 bool StudyPanel::exportTo(const QString& file) {
@@ -192,7 +193,7 @@ bool StudyPanel::exportTo(const QString& file) {
         bytes = QByteArray::fromStdString(chartCsv(m_view->chart()));
     const auto written = writeFile(toPath(file), bytes.toStdString());
     if (!written)
-        m_session.tell(written.error());
+        m_session.problems().report(written.error());
     return written.has_value();
 }
 
@@ -206,7 +207,7 @@ void StudyPanel::askAndExport() {
 
 void StudyPanel::enable() {
     const bool busy = m_runner.busy();
-    const bool possible = !busy && m_session.blockCount() > 0;
+    const bool possible = !busy && m_session.program().blockCount() > 0;
     m_run->setEnabled(possible);
     m_optimise->setEnabled(possible);
     m_sweeps->setEnabled(!busy);

@@ -8,7 +8,7 @@
 
 #include "core/study/figures.h"
 #include "core/study/forecast_chart.h"
-#include "ui/session.h"
+#include "ui/session/session.h"
 #include "ui/study/study_runner.h"
 
 class QComboBox;

@@ -13,13 +13,13 @@ bool ActivityFollower::follow(const Frame* frame) {
         m_log.clear();
     if (frame == nullptr)
         return m_log.revision() != revision;
-    const auto& times = m_session.times();
+    const auto& times = m_session.program().times();
     m_log.setTimes(times && times->program == frame->program ? times : nullptr);
     const std::size_t before = m_log.size();
     const std::size_t rows = std::min(frame->statistics.size(), frame->program->blockCount());
     m_log.append(*frame->program, frame->statistics, std::min(rows, before + kBlocksPerTick));
     if (m_log.size() < rows)
-        m_session.requestTick();
+        m_session.playback().requestTick();
     return m_log.size() != before || m_log.revision() != revision;
 }
 

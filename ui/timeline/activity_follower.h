@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "core/simulation/records/activity_log.h"
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 namespace proveout {
 

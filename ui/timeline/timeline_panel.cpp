@@ -81,19 +81,20 @@ TimelinePanel::TimelinePanel(Session& session, const PlaybackCommands& commands,
     for (QAction* action : commands.actions().all())
         addAction(action);
 
-    connect(m_scale, &TimelineScale::scrubbed, &session, &Session::seek);
-    connect(m_scale, &TimelineScale::stepped, &session, &Session::step);
+    connect(m_scale, &TimelineScale::scrubbed, &session.playback(), &PlaybackHub::seek);
+    connect(m_scale, &TimelineScale::stepped, &session.playback(), &PlaybackHub::step);
     connect(m_scale, &TimelineScale::tipWanted, this, &TimelinePanel::showTip);
     connect(m_speed, &QComboBox::activated, this, &TimelinePanel::chooseSpeed);
     connect(m_by, &QComboBox::activated, this,
-            [&session](int index) { session.setPlayBy(static_cast<PlayBy>(index)); });
-    connect(&session, &Session::playbackChanged, this, &TimelinePanel::showSpeed);
-    connect(&session, &Session::breakpointsChanged, this, &TimelinePanel::showProgram);
-    connect(&session, &Session::timesChanged, this, &TimelinePanel::showTimes);
-    connect(&session, &Session::setupChanged, this, &TimelinePanel::showTimes); // names the tools
-    connect(&session, &Session::programChanged, this, &TimelinePanel::showProgram);
-    connect(&session, &Session::problemsChanged, this, &TimelinePanel::showProgram);
-    connect(&session, &Session::tick, this, &TimelinePanel::showFrame);
+            [&session](int index) { session.playback().setPlayBy(static_cast<PlayBy>(index)); });
+    connect(&session.playback(), &PlaybackHub::changed, this, &TimelinePanel::showSpeed);
+    connect(&session.breakpoints(), &BreakpointList::changed, this, &TimelinePanel::showProgram);
+    connect(&session.program(), &ProgramHub::timesChanged, this, &TimelinePanel::showTimes);
+    connect(&session.job(), &JobHub::setupChanged, this,
+            &TimelinePanel::showTimes); // names the tools
+    connect(&session.program(), &ProgramHub::changed, this, &TimelinePanel::showProgram);
+    connect(&session.problems(), &ProblemsHub::changed, this, &TimelinePanel::showProgram);
+    connect(&session.playback(), &PlaybackHub::tick, this, &TimelinePanel::showFrame);
     retranslate();
     showProgram();
 }
@@ -164,7 +165,7 @@ QString TimelinePanel::speedName(double speed, PlayBy by) const {
 }
 
 void TimelinePanel::nameSpeeds() {
-    const PlayBy by = m_session.playback().by;
+    const PlayBy by = m_session.playback().state().by;
     for (int index = 0; index < kSpeedCount; ++index)
         m_speed->setItemText(index, speedName(speeds()[static_cast<std::size_t>(index)], by));
     m_speed->setItemText(kPaperMode, tr("Every block (paper mode)"));
@@ -177,7 +178,7 @@ void TimelinePanel::nameSpeeds() {
 }
 
 void TimelinePanel::showSpeed() {
-    const Playback& playback = m_session.playback();
+    const Playback& playback = m_session.playback().state();
     if (playback.by != m_namedFor)
         nameSpeeds();
     m_by->setCurrentIndex(static_cast<int>(playback.by));
@@ -192,28 +193,28 @@ void TimelinePanel::showSpeed() {
 void TimelinePanel::chooseSpeed(int index) {
     const auto speed = static_cast<std::size_t>(std::clamp(index, 0, kSpeedCount - 1));
     const double factor = speeds()[speed] / kUnitBlocksPerSecond;
-    m_session.setSpeed(factor * unitSpeed(m_session.playback().by), index == kPaperMode);
+    m_session.playback().setSpeed(factor * unitSpeed(m_session.playback().state().by), index == kPaperMode);
 }
 
 void TimelinePanel::showProgram() {
-    m_scale->setBlockCount(m_session.blockCount());
+    m_scale->setBlockCount(m_session.program().blockCount());
     std::vector<TimelineMark> marks;
-    if (const auto& program = m_session.program()) {
+    if (const auto& program = m_session.program().current()) {
         for (const ToolChangeMark& change : toolChangeMarks(*program))
             marks.push_back({change.block, TimelineMark::Kind::toolChange, Severity::note});
-        for (const Diagnostic& problem : m_session.problems()) {
-            if (Session::isInText(problem))
+        for (const Diagnostic& problem : m_session.problems().all()) {
+            if (ProblemsHub::isInText(problem))
                 marks.push_back({program->blocksAfterLine(static_cast<std::uint32_t>(problem.where.line)),
                                  TimelineMark::Kind::problem, problem.severity});
         }
-        for (const Breakpoint& breakpoint : m_session.breakpoints()) {
+        for (const Breakpoint& breakpoint : m_session.breakpoints().all()) {
             if (breakpoint.enabled && breakpoint.kind == BreakpointKind::line)
                 marks.push_back(
                     {blockBefore(*program, breakpoint.line), TimelineMark::Kind::breakpoint, Severity::note});
         }
     }
     m_scale->setMarks(std::move(marks));
-    showFrame(m_session.frame());
+    showFrame(m_session.simulation().frame());
 }
 
 void TimelinePanel::showFrame(const FramePtr& frame) {
@@ -222,7 +223,7 @@ void TimelinePanel::showFrame(const FramePtr& frame) {
     showTime(block);
     showLag(frame);
     showActivity(frame);
-    const QString last = locale().toString(static_cast<qulonglong>(m_session.blockCount()));
+    const QString last = locale().toString(static_cast<qulonglong>(m_session.program().blockCount()));
     const QString text =
         QStringLiteral("%1 / %2").arg(locale().toString(static_cast<qulonglong>(block)), last);
     if (text == m_position->text())
@@ -234,7 +235,7 @@ void TimelinePanel::showFrame(const FramePtr& frame) {
 
 /// Cycle time where the head stands, and of the whole program.
 void TimelinePanel::showTime(std::size_t block) {
-    const auto& times = m_session.times();
+    const auto& times = m_session.program().times();
     const bool known = times && block < times->secondsAfter.size();
     const QString text = known ? QStringLiteral("%1 / %2").arg(clockText(times->secondsAfter[block]),
                                                                clockText(times->parts.total()))
@@ -244,15 +245,16 @@ void TimelinePanel::showTime(std::size_t block) {
 }
 
 void TimelinePanel::showTimes() {
-    const auto& times = m_session.times();
+    const auto& times = m_session.program().times();
     m_time->setVisible(times != nullptr && times->parts.total() > 0);
     if (!times)
         return;
     const QString last = clockText(times->parts.total());
     m_time->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("%1 / %1").arg(last)) + 8);
-    m_timeTip = timeTip(*times, !m_session.machine(), toolChoice(m_session), m_session.setup().tools);
+    m_timeTip =
+        timeTip(*times, !m_session.job().machine(), toolChoice(m_session), m_session.job().setup().tools);
     tellShares();
-    showTime(m_session.block());
+    showTime(m_session.simulation().block());
 }
 
 void TimelinePanel::showActivity(const FramePtr& frame) {
@@ -275,8 +277,8 @@ QString TimelinePanel::lagText(double speed) const {
 void TimelinePanel::showLag(const FramePtr& frame) {
     const bool lags = frame && frame->playing && frame->keptSpeed < kLags;
     if (lags) {
-        const double speed =
-            frame->keptSpeed * m_session.playback().unitsPerSecond / unitSpeed(m_session.playback().by);
+        const double speed = frame->keptSpeed * m_session.playback().state().unitsPerSecond /
+                             unitSpeed(m_session.playback().state().by);
         m_lag->setText(lagText(speed));
         m_lag->setStyleSheet(QStringLiteral("color: %1").arg(meaningColors(palette()).warning.name()));
     }
@@ -284,7 +286,7 @@ void TimelinePanel::showLag(const FramePtr& frame) {
 }
 
 void TimelinePanel::showTip(std::size_t block, QPoint globalPlace) {
-    const auto& program = m_session.program();
+    const auto& program = m_session.program().current();
     if (!program || program->blockCount() == 0)
         return;
     const std::size_t executed = std::max<std::size_t>(block, 1) - 1;
@@ -292,11 +294,11 @@ void TimelinePanel::showTip(std::size_t block, QPoint globalPlace) {
     QStringList tip{tr("Block %1 · line %2 · %3")
                         .arg(locale().toString(static_cast<qulonglong>(block)))
                         .arg(program->blockLine(executed))
-                        .arg(toolText(motion.tool, toolChoice(m_session), m_session.setup().tools))
+                        .arg(toolText(motion.tool, toolChoice(m_session), m_session.job().setup().tools))
                         .toHtmlEscaped()};
     const auto line = static_cast<int>(program->blockLine(executed));
-    if (std::ranges::any_of(m_session.problems(), [line](const Diagnostic& problem) {
-            return Session::isInText(problem) && problem.where.line == line;
+    if (std::ranges::any_of(m_session.problems().all(), [line](const Diagnostic& problem) {
+            return ProblemsHub::isInText(problem) && problem.where.line == line;
         }))
         tip << tr("There is a problem on this line.").toHtmlEscaped();
     const auto stretch = m_scale->stretchAt(m_scale->mapFromGlobal(globalPlace).x());

@@ -4,7 +4,7 @@
 #include <QWidget>
 
 #include "ui/playback_commands.h"
-#include "ui/session.h"
+#include "ui/session/session.h"
 #include "ui/timeline/activity_follower.h"
 
 class QComboBox;

@@ -48,7 +48,7 @@ TuningPanel::TuningPanel(Session& session, QWidget* parent)
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRestMs);
     connect(&m_rest, &QTimer::timeout, this, &TuningPanel::apply);
-    connect(&session, &Session::inputWanted, this, [this] {
+    connect(&session.job(), &JobHub::inputWanted, this, [this] {
         if (m_rest.isActive())
             apply();
     });
@@ -56,13 +56,13 @@ TuningPanel::TuningPanel(Session& session, QWidget* parent)
     connect(m_form, &ParameterForm::stepEnded, this, [this] {
         if (m_rest.isActive())
             apply();
-        m_session.history().closeStep();
+        m_session.job().history().closeStep();
     });
     connect(m_grid, &GridField::edited, &m_rest, qOverload<>(&QTimer::start));
-    connect(&session, &Session::jobReplaced, this, &TuningPanel::dropInput);
-    connect(&session, &Session::parametersChanged, this, &TuningPanel::showParameters);
-    connect(&session, &Session::setupChanged, this, &TuningPanel::showSetup);
-    connect(&session, &Session::tick, this, &TuningPanel::showEffect);
+    connect(&session.job(), &JobHub::replaced, this, &TuningPanel::dropInput);
+    connect(&session.job(), &JobHub::parametersChanged, this, &TuningPanel::showParameters);
+    connect(&session.job(), &JobHub::setupChanged, this, &TuningPanel::showSetup);
+    connect(&session.playback(), &PlaybackHub::tick, this, &TuningPanel::showEffect);
     retranslate();
     dropInput();
     showSetup();
@@ -70,40 +70,40 @@ TuningPanel::TuningPanel(Session& session, QWidget* parent)
 
 void TuningPanel::dropInput() {
     m_rest.stop();
-    m_shownParameters = m_session.parameters();
+    m_shownParameters = m_session.job().parameters();
     m_form->setValues(m_shownParameters);
-    m_shownSetup = m_session.setup();
+    m_shownSetup = m_session.job().setup();
     m_grid->show(m_shownSetup);
 }
 
 /// With what the user has changed and is not applied yet.
 void TuningPanel::showParameters() {
-    m_form->setValues(carried(m_session.parameters(), m_shownParameters, m_form->values()));
-    m_shownParameters = m_session.parameters();
+    m_form->setValues(carried(m_session.job().parameters(), m_shownParameters, m_form->values()));
+    m_shownParameters = m_session.job().parameters();
 }
 
 void TuningPanel::showSetup() {
     Setup edited = m_shownSetup;
     m_grid->put(edited);
-    m_grid->show(carried(m_session.setup(), m_shownSetup, edited));
-    m_shownSetup = m_session.setup();
+    m_grid->show(carried(m_session.job().setup(), m_shownSetup, edited));
+    m_shownSetup = m_session.job().setup();
     showProblem({});
     m_form->setPoints(gridPoints(m_shownSetup.stock, m_shownSetup.spacing));
 }
 
 void TuningPanel::apply() {
     m_rest.stop();
-    m_session.setParameters(m_form->values());
+    m_session.job().setParameters(m_form->values());
     applyGrid();
 }
 
 void TuningPanel::applyGrid() {
-    Setup setup = m_session.setup();
+    Setup setup = m_session.job().setup();
     m_grid->put(setup);
-    const Result<void> done = m_session.setSetup(setup);
+    const Result<void> done = m_session.job().setSetup(setup);
     showProblem(done ? QString() : sentence(done.error().front()));
     if (!done)
-        m_grid->show(m_session.setup()); // the spacing that the stock has, as all other panels tell it
+        m_grid->show(m_session.job().setup()); // the spacing that the stock has, as all other panels tell it
 }
 
 void TuningPanel::showProblem(const QString& text) {
@@ -154,7 +154,7 @@ void TuningPanel::showEffect(const FramePtr& frame) {
 }
 
 QString TuningPanel::heldBackText(const Frame& frame) const {
-    const HoldBack* heldBack = m_session.heldBack();
+    const HoldBack* heldBack = m_session.playback().heldBack();
     if (heldBack == nullptr)
         return {};
     const auto with = heldBack->frameSeconds(false);
@@ -170,7 +170,7 @@ QString TuningPanel::heldBackText(const Frame& frame) const {
 void TuningPanel::retranslate() {
     m_gridLabel->setText(coreText(setup_field::kGrid.label));
     m_effectTitle->setText(tr("Measured effect"));
-    showEffect(m_session.frame());
+    showEffect(m_session.simulation().frame());
 }
 
 void TuningPanel::changeEvent(QEvent* event) {

@@ -4,7 +4,7 @@
 #include <QTimer>
 #include <QWidget>
 
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 class QLabel;
 

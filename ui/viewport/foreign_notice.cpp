@@ -8,7 +8,7 @@
 #include <QPushButton>
 
 #include "ui/diagnostic_text.h"
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 namespace proveout {
 
@@ -18,27 +18,27 @@ ForeignNotice::ForeignNotice(Session& session, QWidget* parent)
     m_readAs->setObjectName(QStringLiteral("foreignNoticeReadAs"));
     for (const Dialect& row : dialects())
         m_dialects->addAction(QString::fromUtf8(row.name), this,
-                              [this, id = row.id] { m_session.asOneStep([this, id] { readAs(id); }); });
+                              [this, id = row.id] { m_session.job().asOneStep([this, id] { readAs(id); }); });
     m_readAs->setMenu(m_dialects);
     buttonRow().addWidget(m_readAs);
-    connect(&session, &Session::programChanged, this, &ForeignNotice::showState);
+    connect(&session.program(), &ProgramHub::changed, this, &ForeignNotice::showState);
     showState();
 }
 
 void ForeignNotice::readAs(DialectId dialect) {
-    Setup setup = m_session.setup();
+    Setup setup = m_session.job().setup();
     setup.dialect = dialect;
-    if (const auto done = m_session.setSetup(setup); !done)
-        m_session.tell(done.error());
+    if (const auto done = m_session.job().setSetup(setup); !done)
+        m_session.problems().report(done.error());
 }
 
 void ForeignNotice::showState() {
-    setVisible(m_session.isForeign());
-    if (!m_session.isForeign())
+    setVisible(m_session.program().isForeign());
+    if (!m_session.program().isForeign())
         return;
     m_readAs->setText(tr("Read As"));
     m_readAs->setToolTip(tr("Choose the dialect of the program"));
-    const Diagnostic& problem = m_session.program()->diagnostics().front(); // its only one
+    const Diagnostic& problem = m_session.program().current()->diagnostics().front(); // its only one
     showText(QStringLiteral("error"), sentence(problem) + u' ' + hint(problem));
 }
 

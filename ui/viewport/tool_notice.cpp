@@ -10,7 +10,7 @@
 #include <QStyle>
 #include <QToolButton>
 
-#include "ui/session.h"
+#include "ui/session/session.h"
 #include "ui/tool_actions.h"
 
 namespace proveout {
@@ -20,9 +20,9 @@ namespace {
 /// Whether any motion of the program has a cutter.
 bool cutsAnything(const Session& session) {
     const ToolChoice choice = toolChoice(session);
-    const auto runs = session.program()->toolRuns();
+    const auto runs = session.program().current()->toolRuns();
     return std::ranges::any_of(runs, [&](const Program::ToolRun& run) {
-        return session.setup().tools.find(choice.tool(run.tool)) != nullptr;
+        return session.job().setup().tools.find(choice.tool(run.tool)) != nullptr;
     });
 }
 
@@ -40,16 +40,17 @@ ToolNotice::ToolNotice(Session& session, QWidget* parent)
     sentenceRow().addWidget(m_close, 0, Qt::AlignTop);
     buttonRow().addWidget(m_define);
     buttonRow().addWidget(m_mend);
-    connect(m_define, &QPushButton::clicked, this, [this] { emit m_session.toolRequested(m_tool); });
+    connect(m_define, &QPushButton::clicked, this,
+            [this] { emit m_session.navigation().toolRequested(m_tool); });
     connect(m_mend, &QPushButton::clicked, this,
             [this] { m_missing ? assumeMissingTools(m_session) : confirmTools(m_session); });
     connect(m_close, &QToolButton::clicked, this, [this] {
         m_dismissed = true;
         showState();
     });
-    connect(&session, &Session::textReplaced, this, [this] { m_dismissed = false; });
-    connect(&session, &Session::programChanged, this, &ToolNotice::showState);
-    connect(&session, &Session::setupChanged, this, &ToolNotice::showState);
+    connect(&session.document(), &DocumentHub::textReplaced, this, [this] { m_dismissed = false; });
+    connect(&session.program(), &ProgramHub::changed, this, &ToolNotice::showState);
+    connect(&session.job(), &JobHub::setupChanged, this, &ToolNotice::showState);
     showState();
 }
 
@@ -96,7 +97,7 @@ QString ToolNotice::unconfirmedText() {
     numbers.reserve(tools.size());
     for (const UnconfirmedTool& tool : tools)
         numbers.push_back(tool.number);
-    const QString cutter = cutterText(*m_session.setup().tools.find(m_tool), locale());
+    const QString cutter = cutterText(*m_session.job().setup().tools.find(m_tool), locale());
     QString sentence;
     if (tools.size() > 1)
         sentence = tr("The sizes of %1 are not confirmed.").arg(toolList(numbers));

@@ -77,13 +77,13 @@ Viewport::Viewport(Session& session, const GlSupport& support, QWidget* parent)
     connect(m_form, &CloserLookForm::closed, this, &Viewport::closeLook);
     connect(m_form, &CloserLookForm::edited, this, &Viewport::followForm);
     connect(&m_look, &CloserLook::changed, this, &Viewport::followLook);
-    connect(&session, &Session::tick, this, &Viewport::onTick);
-    connect(m_probe, &SurfaceProbe::answered, &session, &Session::requestTick);
+    connect(&session.playback(), &PlaybackHub::tick, this, &Viewport::onTick);
+    connect(m_probe, &SurfaceProbe::answered, &session.playback(), &PlaybackHub::requestTick);
     new ToolNotice(session, this);
     new ForeignNotice(session, this);
     followPalette();
     followOptions();
-    setFrame(session.frame());
+    setFrame(session.simulation().frame());
 }
 
 Viewport::~Viewport() {
@@ -199,8 +199,8 @@ void Viewport::fit() {
         const StockBox& stock = m_frame->zmap.stock();
         box.add(Vec3(stock.corner.x, stock.corner.y, stock.floorZ()));
         box.add(Vec3(stock.corner.x + stock.width, stock.corner.y + stock.depth, stock.topZ()));
-    } else if (m_session.program() != nullptr) {
-        box = m_session.program()->bounds();
+    } else if (m_session.program().current() != nullptr) {
+        box = m_session.program().current()->bounds();
     }
     m_camera.fit(box);
     m_fits = true;
@@ -288,7 +288,7 @@ void Viewport::paintGL() {
             m_plainSeconds = drawSeconds;
     }
     if (m_frame != nullptr)
-        m_session.reportDrawn(m_frame->sequence, uploadSeconds, drawSeconds);
+        m_session.playback().reportDrawn(m_frame->sequence, uploadSeconds, drawSeconds);
     paintOverlay(view);
     if (workPending())
         m_uploading.start(0);

@@ -12,7 +12,7 @@
 #include "ui/command_table.h"
 #include "ui/gl/gl_functions.h"
 #include "ui/gl/scene_renderer.h"
-#include "ui/session.h"
+#include "ui/session/session.h"
 #include "ui/viewport/box_choice.h"
 #include "ui/viewport/camera.h"
 #include "ui/viewport/closer_look.h"

@@ -40,7 +40,8 @@ void Viewport::toggleBlockSearch() {
 
 void Viewport::askWhatMade(const QPointF& position) {
     const QPointF pixel = position * devicePixelRatioF();
-    m_session.goToBlockThatMade(pickPlace(m_frame, m_look.picture(), m_camera.ray(pixel.x(), pixel.y())));
+    m_session.navigation().goToBlockThatMade(
+        pickPlace(m_frame, m_look.picture(), m_camera.ray(pixel.x(), pixel.y())));
 }
 
 void Viewport::openMenu(const QPointF& position) {
@@ -75,7 +76,7 @@ void Viewport::hover(const QPointF& position) {
 /// With the next tick, as all of the window: the status line tells the place too.
 void Viewport::probeAgain() {
     if (m_hover)
-        m_session.requestTick();
+        m_session.playback().requestTick();
 }
 
 void Viewport::probeSurface() {
@@ -85,7 +86,7 @@ void Viewport::probeSurface() {
         place = pickSurface(m_frame, m_look.picture(), m_camera.ray(pixel.x(), pixel.y()));
     }
     if (place || m_probe->place())
-        m_probe->point(place, m_frame != nullptr && m_frame->program == m_session.program());
+        m_probe->point(place, m_frame != nullptr && m_frame->program == m_session.program().current());
     showPlace();
 }
 

@@ -17,9 +17,9 @@ public:
         setWordWrap(true);
         setTextInteractionFlags(Qt::TextSelectableByMouse);
         setMinimumSize(160, 120);
-        connect(&session, &Session::tick, this, [&session](const FramePtr& frame) {
+        connect(&session.playback(), &PlaybackHub::tick, this, [&session](const FramePtr& frame) {
             if (frame != nullptr)
-                session.reportDrawn(frame->sequence, 0, 0);
+                session.playback().reportDrawn(frame->sequence, 0, 0);
         });
         new ToolNotice(session, this);
         new ForeignNotice(session, this);

@@ -17,7 +17,7 @@
 #include "tests/ui/opened.h"
 #include "ui/breakpoints/breakpoints_panel.h"
 #include "ui/kept_breakpoints.h"
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 namespace proveout {
 namespace {
@@ -34,7 +34,7 @@ Breakpoint atLine(std::uint32_t line, bool enabled = true) {
 
 std::vector<std::uint32_t> linesOf(const Session& session) {
     std::vector<std::uint32_t> lines;
-    for (const Breakpoint& breakpoint : session.breakpoints())
+    for (const Breakpoint& breakpoint : session.breakpoints().all())
         lines.push_back(breakpoint.line);
     return lines;
 }
@@ -56,47 +56,47 @@ private slots:
     void aRunStopsBeforeItsLineAndTellsWhy() {
         Session session;
         QVERIFY(opened(session, kSample));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
-        const std::uint32_t line = session.program()->blockLine(120);
-        session.toggleBreakpoint(line);
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kPatience);
+        const std::uint32_t line = session.program().current()->blockLine(120);
+        session.breakpoints().toggle(line);
         QCOMPARE(linesOf(session), std::vector<std::uint32_t>{line});
         std::vector<std::size_t> stops;
-        connect(&session, &Session::stoppedAt, this,
+        connect(&session.playback(), &PlaybackHub::stoppedAt, this,
                 [&](const BreakpointHit& hit) { stops.push_back(hit.block); });
-        session.setSpeed(std::numeric_limits<double>::infinity());
-        session.play();
-        QTRY_VERIFY_WITH_TIMEOUT(!session.playback().playing, kPatience);
-        QCOMPARE(session.block(), std::size_t{120});
+        session.playback().setSpeed(std::numeric_limits<double>::infinity());
+        session.playback().play();
+        QTRY_VERIFY_WITH_TIMEOUT(!session.playback().state().playing, kPatience);
+        QCOMPARE(session.simulation().block(), std::size_t{120});
         QCOMPARE(stops, std::vector<std::size_t>{120});
-        session.play(); // goes on from there
-        QTRY_VERIFY_WITH_TIMEOUT(!session.playback().playing, kPatience);
-        QCOMPARE(session.block(), session.blockCount());
+        session.playback().play(); // goes on from there
+        QTRY_VERIFY_WITH_TIMEOUT(!session.playback().state().playing, kPatience);
+        QCOMPARE(session.simulation().block(), session.program().blockCount());
         QCOMPARE(stops.size(), std::size_t{1});
-        session.toggleBreakpoint(line);
-        QVERIFY(session.breakpoints().empty());
+        session.breakpoints().toggle(line);
+        QVERIFY(session.breakpoints().all().empty());
     }
 
     void breakpointsHoldThroughALoad() {
         Session session;
         QVERIFY(opened(session, kSample));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
-        session.toggleBreakpoint(session.program()->blockLine(50));
-        Setup setup = session.setup();
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kPatience);
+        session.breakpoints().toggle(session.program().current()->blockLine(50));
+        Setup setup = session.job().setup();
         setup.automaticGrid = false;
         setup.spacing = 2; // another map is loaded
-        QVERIFY(session.setSetup(setup).has_value());
-        session.setSpeed(std::numeric_limits<double>::infinity());
-        session.play();
-        QTRY_VERIFY_WITH_TIMEOUT(!session.playback().playing, kPatience);
-        QCOMPARE(session.block(), std::size_t{50});
+        QVERIFY(session.job().setSetup(setup).has_value());
+        session.playback().setSpeed(std::numeric_limits<double>::infinity());
+        session.playback().play();
+        QTRY_VERIFY_WITH_TIMEOUT(!session.playback().state().playing, kPatience);
+        QCOMPARE(session.simulation().block(), std::size_t{50});
     }
 
     void editsMoveThemAlong() {
         Session session;
         const std::vector<Breakpoint> before{atLine(3), atLine(5), atLine(9)};
         const auto after = [&](std::uint32_t line, bool fromItsStart, std::ptrdiff_t added) {
-            session.setBreakpoints(before);
-            session.moveBreakpoints(line, fromItsStart, added);
+            session.breakpoints().set(before);
+            session.breakpoints().move(line, fromItsStart, added);
             return linesOf(session);
         };
         using Lines = std::vector<std::uint32_t>;
@@ -111,23 +111,24 @@ private slots:
     void theMachinesTimeIsToldAndPlayedBy() {
         Session session;
         QVERIFY(opened(session, kSample));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr && session.times() != nullptr, kPatience);
-        const double assumed = session.times()->parts.total();
+        QTRY_VERIFY_WITH_TIMEOUT(
+            session.simulation().frame() != nullptr && session.program().times() != nullptr, kPatience);
+        const double assumed = session.program().times()->parts.total();
         QVERIFY(assumed > 60);
-        QVERIFY(!session.machine());
+        QVERIFY(!session.job().machine());
         Machine slow;
         slow.largestFeed = 100;
-        QSignalSpy changed(&session, &Session::timesChanged);
-        session.setMachine(slow);
-        QVERIFY(session.jobModified());
+        QSignalSpy changed(&session.program(), &ProgramHub::timesChanged);
+        session.job().setMachine(slow);
+        QVERIFY(session.document().jobModified());
         QTRY_VERIFY_WITH_TIMEOUT(!changed.empty(), kPatience);
-        QVERIFY(session.times()->parts.total() > assumed);
-        session.setPlayBy(PlayBy::time);
-        QCOMPARE(session.playback().unitsPerSecond, 1.0);
-        session.setSpeed(1e6);
-        session.play();
-        QTRY_VERIFY_WITH_TIMEOUT(!session.playback().playing, kPatience);
-        QCOMPARE(session.block(), session.blockCount());
+        QVERIFY(session.program().times()->parts.total() > assumed);
+        session.playback().setPlayBy(PlayBy::time);
+        QCOMPARE(session.playback().state().unitsPerSecond, 1.0);
+        session.playback().setSpeed(1e6);
+        session.playback().play();
+        QTRY_VERIFY_WITH_TIMEOUT(!session.playback().state().playing, kPatience);
+        QCOMPARE(session.simulation().block(), session.program().blockCount());
     }
 
     void thePanelAddsSwitchesAndRemoves() {
@@ -151,14 +152,14 @@ private slots:
         condition->setText("Z < -20 && T == 3");
         add->click();
         QVERIFY(!problem->isVisible());
-        QCOMPARE(session.breakpoints().size(), std::size_t{2});
+        QCOMPARE(session.breakpoints().all().size(), std::size_t{2});
         QCOMPARE(list->topLevelItemCount(), 2);
         list->topLevelItem(0)->setCheckState(0, Qt::Unchecked);
-        QVERIFY(!session.breakpoints().front().enabled);
+        QVERIFY(!session.breakpoints().all().front().enabled);
         list->topLevelItem(1)->setSelected(true);
         panel.findChild<QPushButton*>("breakpoint-remove")->click();
-        QCOMPARE(session.breakpoints().size(), std::size_t{1});
-        QCOMPARE(session.breakpoints().front().kind, BreakpointKind::toolChange);
+        QCOMPARE(session.breakpoints().all().size(), std::size_t{1});
+        QCOMPARE(session.breakpoints().all().front().kind, BreakpointKind::toolChange);
     }
 
     void theyAreKeptForTheFile() {
@@ -180,15 +181,15 @@ private slots:
             Session session;
             const KeptBreakpoints kept(session, nullptr);
             QVERIFY(opened(session, kSample));
-            session.setBreakpoints(all);
+            session.breakpoints().set(all);
         }
         Session session;
         const KeptBreakpoints kept(session, nullptr);
-        QVERIFY(session.breakpoints().empty());
+        QVERIFY(session.breakpoints().all().empty());
         QVERIFY(opened(session, kSample));
-        QVERIFY(session.breakpoints() == all);
-        session.newFile();
-        QVERIFY(session.breakpoints().empty());
+        QVERIFY(session.breakpoints().all() == all);
+        session.document().newFile();
+        QVERIFY(session.breakpoints().all().empty());
     }
 
     /// The same text under another name keeps its breakpoints, and has them under that name from then on.
@@ -199,23 +200,23 @@ private slots:
         {
             Session session;
             const KeptBreakpoints kept(session, nullptr);
-            session.newFile();
-            session.applyEdit(0, 0, "G21 G90\nG0 X0\nX5\n");
-            session.setBreakpoints({atLine(2)});
-            QVERIFY(session.saveAs(first)); // it had no name
+            session.document().newFile();
+            session.document().applyEdit(0, 0, "G21 G90\nG0 X0\nX5\n");
+            session.breakpoints().set({atLine(2)});
+            QVERIFY(session.document().saveAs(first)); // it had no name
             QCOMPARE(linesOf(session), (std::vector<std::uint32_t>{2}));
-            session.setBreakpoints({atLine(2), atLine(3, false)});
-            QVERIFY(session.saveAs(second));
+            session.breakpoints().set({atLine(2), atLine(3, false)});
+            QVERIFY(session.document().saveAs(second));
             QCOMPARE(linesOf(session), (std::vector<std::uint32_t>{2, 3}));
-            session.setBreakpoints({atLine(3)});
-            QVERIFY(session.saveBeside(FilePart::text)); // "Keep Both"
+            session.breakpoints().set({atLine(3)});
+            QVERIFY(session.document().saveBeside(FilePart::text)); // "Keep Both"
             QCOMPARE(linesOf(session), (std::vector<std::uint32_t>{3}));
-            QVERIFY(session.saveAs(third));
-            session.newFile();
-            QVERIFY(session.breakpoints().empty());
-            session.setBreakpoints({atLine(1)});
-            session.newFile(); // another one, although it has no name either
-            QVERIFY(session.breakpoints().empty());
+            QVERIFY(session.document().saveAs(third));
+            session.document().newFile();
+            QVERIFY(session.breakpoints().all().empty());
+            session.breakpoints().set({atLine(1)});
+            session.document().newFile(); // another one, although it has no name either
+            QVERIFY(session.breakpoints().all().empty());
         }
         Session session;
         const KeptBreakpoints kept(session, nullptr);
@@ -225,7 +226,7 @@ private slots:
         QCOMPARE(linesOf(session), (std::vector<std::uint32_t>{3}));
         QVERIFY(opened(session, third));
         QCOMPARE(linesOf(session), (std::vector<std::uint32_t>{3}));
-        session.reload();
+        session.document().reload();
         QVERIFY(openingIsOver(session));
         QCOMPARE(linesOf(session), (std::vector<std::uint32_t>{3}));
     }
@@ -238,15 +239,15 @@ private slots:
         auto* add = panel.findChild<QPushButton*>("breakpoint-add");
         auto* list = panel.findChild<QTreeWidget*>();
         for (const BreakpointKind each : {BreakpointKind::line, BreakpointKind::toolChange}) {
-            session.setBreakpoints({});
+            session.breakpoints().set({});
             kind->setCurrentIndex(static_cast<int>(each));
             add->click();
             list->topLevelItem(0)->setCheckState(0, Qt::Unchecked);
-            QVERIFY(!session.breakpoints().front().enabled);
+            QVERIFY(!session.breakpoints().all().front().enabled);
             add->click();
             QCOMPARE(list->topLevelItemCount(), 1);
             QCOMPARE(list->topLevelItem(0)->checkState(0), Qt::Checked);
-            QVERIFY(session.breakpoints().front().enabled);
+            QVERIFY(session.breakpoints().all().front().enabled);
         }
     }
 

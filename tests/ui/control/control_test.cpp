@@ -28,20 +28,20 @@ private slots:
         auto* tree = panel.findChild<QTreeWidget*>();
         QVERIFY(!tree->isVisible());
         QVERIFY(opened(session, path));
-        QTRY_VERIFY(session.program() && session.frame());
-        session.seek(1);
+        QTRY_VERIFY(session.program().current() && session.simulation().frame());
+        session.playback().seek(1);
         QTRY_COMPARE(value(*tree, QStringLiteral("plane")), QStringLiteral("G17"));
         QCOMPARE(value(*tree, QStringLiteral("distances")), QStringLiteral("G90"));
         QCOMPARE(value(*tree, QStringLiteral("X")), QLocale().toString(1.0, 'f', 3));
         QVERIFY(value(*tree, QStringLiteral("O1")).isNull());
-        session.seek(2);
+        session.playback().seek(2);
         QTRY_COMPARE(value(*tree, QStringLiteral("plane")), QStringLiteral("G18"));
         QCOMPARE(value(*tree, QStringLiteral("distances")), QStringLiteral("G91"));
         QCOMPARE(value(*tree, QStringLiteral("X")), QLocale().toString(6.0, 'f', 3));
         QCOMPARE(value(*tree, QStringLiteral("#1")), QLocale().toString(5));
         QCOMPARE(value(*tree, QStringLiteral("O1")), QStringLiteral("from line 6"));
 
-        QSignalSpy asked(&session, &Session::lineRequested);
+        QSignalSpy asked(&session.navigation(), &NavigationHub::lineRequested);
         emit tree->itemActivated(found(*tree, QStringLiteral("O1")), 0);
         QCOMPARE(asked.count(), 1);
         QCOMPARE(asked.front().front().value<std::uint32_t>(), 6U);
@@ -60,13 +60,13 @@ private slots:
         const QString name = QStringLiteral("Tool in the spindle");
         QVERIFY(opened(session, file.fileName()));
         QTRY_COMPARE(value(*tree, name), QStringLiteral("T7 (assumed)"));
-        Setup setup = session.setup();
+        Setup setup = session.job().setup();
         setup.tools.remove(7);
-        QVERIFY(session.setSetup(setup).has_value());
+        QVERIFY(session.job().setSetup(setup).has_value());
         QTRY_COMPARE(value(*tree, name), QStringLiteral("no tool"));
         setup.tools.set(7, parseCutter("flat:d=6").value());
         setup.startTool = 7;
-        QVERIFY(session.setSetup(setup).has_value());
+        QVERIFY(session.job().setSetup(setup).has_value());
         QTRY_COMPARE(value(*tree, name), QStringLiteral("T7"));
     }
 

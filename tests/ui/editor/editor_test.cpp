@@ -17,7 +17,7 @@
 #include "ui/editor/nc_editor.h"
 #include "ui/editor/nc_highlighter.h"
 #include "ui/icons.h"
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 namespace proveout {
 namespace {
@@ -157,7 +157,7 @@ private slots:
 
     void editsReachTheSessionAsBytes() {
         Session session;
-        session.newFile();
+        session.document().newFile();
         EditorPanel panel(session);
         NcEditor& editor = panel.editor();
         // What the editor shows and what the session holds stay one, through typing, pasting, undo and redo.
@@ -187,7 +187,8 @@ private slots:
                 editor.setSelection(0, 0, 1, 1);
                 editor.removeSelectedText();
             }
-            QCOMPARE(QByteArray::fromStdString(session.document().text.toString()), editor.text().toUtf8());
+            QCOMPARE(QByteArray::fromStdString(session.document().text().text.toString()),
+                     editor.text().toUtf8());
         }
     }
 
@@ -358,7 +359,7 @@ private slots:
         panel.show();
         QVERIFY(QTest::qWaitForWindowActive(&panel));
         QVERIFY(opened(session, path));
-        QTRY_VERIFY(session.program() != nullptr);
+        QTRY_VERIFY(session.program().current() != nullptr);
         NcEditor& editor = panel.editor();
         const auto point = [&](const char* word) {
             const long position = text.indexOf(word);
@@ -447,7 +448,7 @@ private slots:
             told = told || label->text().contains(QLatin1String("line 2 has more than 20,000 characters"));
         QVERIFY(told);
         // The text itself is whole.
-        QVERIFY(session.document().text.size() > 1'060'000);
+        QVERIFY(session.document().text().text.size() > 1'060'000);
     }
 
     void largeTextsAreReadOnly() {
@@ -460,7 +461,7 @@ private slots:
         Session session;
         EditorPanel panel(session);
         QVERIFY(opened(session, path));
-        QVERIFY(session.document().readOnly);
+        QVERIFY(session.document().text().readOnly);
         QVERIFY(panel.editor().isReadOnly());
         QTRY_COMPARE_WITH_TIMEOUT(panel.editor().lines(), 600'001, kOpeningPatience);
         QVERIFY(panel.editor().isReadOnly());

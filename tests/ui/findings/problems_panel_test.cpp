@@ -30,13 +30,13 @@ struct Bench {
         const bool written = file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
         file.close();
         return written && opened(session, name) &&
-               QTest::qWaitFor([this] { return session.frame() != nullptr; }, kPatience);
+               QTest::qWaitFor([this] { return session.simulation().frame() != nullptr; }, kPatience);
     }
     bool defineTool() {
-        Setup setup = session.setup();
+        Setup setup = session.job().setup();
         setup.tools.set(1, parseCutter("flat:d=4,l=20").value());
-        return session.setSetup(setup).has_value() &&
-               QTest::qWaitFor([this] { return session.problems().empty(); }, kPatience);
+        return session.job().setSetup(setup).has_value() &&
+               QTest::qWaitFor([this] { return session.problems().all().empty(); }, kPatience);
     }
     [[nodiscard]] QLabel& label() const { return *panel.findChild<QLabel*>(QStringLiteral("nothing-found")); }
     [[nodiscard]] QString text() const { return label().isVisible() ? label().text() : QString(); }
@@ -56,28 +56,28 @@ private slots:
         QVERIFY(bench.defineTool());
         QTRY_COMPARE_WITH_TIMEOUT(
             bench.text(), QStringLiteral("Not simulated yet; no problems in the program text."), kPatience);
-        QCOMPARE(bench.session.blockCount(), std::size_t{4});
-        bench.session.seek(2);
+        QCOMPARE(bench.session.program().blockCount(), std::size_t{4});
+        bench.session.playback().seek(2);
         QTRY_COMPARE_WITH_TIMEOUT(bench.text(), QStringLiteral("No problems up to block 2 of 4."), kPatience);
-        bench.session.seek(4);
+        bench.session.playback().seek(4);
         QTRY_COMPARE_WITH_TIMEOUT(bench.text(), QStringLiteral("No problems found."), kPatience);
-        bench.session.seek(1); // all of them have been looked at
-        QTRY_COMPARE_WITH_TIMEOUT(bench.session.block(), std::size_t{1}, kPatience);
+        bench.session.playback().seek(1); // all of them have been looked at
+        QTRY_COMPARE_WITH_TIMEOUT(bench.session.simulation().block(), std::size_t{1}, kPatience);
         QTest::qWait(100);
         QCOMPARE(bench.text(), QStringLiteral("No problems found."));
         // An edit before the end: what follows it is to be simulated again.
-        bench.session.applyEdit(static_cast<std::size_t>(kProgram.indexOf("X10")), 3, "X12");
+        bench.session.document().applyEdit(static_cast<std::size_t>(kProgram.indexOf("X10")), 3, "X12");
         QTRY_VERIFY_WITH_TIMEOUT(bench.text().startsWith(QStringLiteral("No problems up to block ")),
                                  kPatience);
-        bench.session.seek(4);
+        bench.session.playback().seek(4);
         QTRY_COMPARE_WITH_TIMEOUT(bench.text(), QStringLiteral("No problems found."), kPatience);
-        bench.session.newFile();
+        bench.session.document().newFile();
         QVERIFY(bench.text() != QStringLiteral("No problems found."));
     }
 
     void aProgramThatIsStillReadIsNotFound() {
         Bench bench;
-        bench.session.newFile();
+        bench.session.document().newFile();
         QCOMPARE(bench.text(), QStringLiteral("Reading the program; no problems so far."));
     }
 };

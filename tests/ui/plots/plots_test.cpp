@@ -674,15 +674,15 @@ void PlotsTest::panelShowsARunAndExportsIt() {
     panel.resize(900, 260);
     panel.show();
     QVERIFY(opened(session, QStringLiteral(PROVEOUT_SOURCE_DIR "/resources/samples/core-insert.proveout")));
-    QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, 10000);
-    connect(&session, &Session::tick, this, [&](const FramePtr& drawn) {
+    QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, 10000);
+    connect(&session.playback(), &PlaybackHub::tick, this, [&](const FramePtr& drawn) {
         if (drawn)
-            session.reportDrawn(drawn->sequence, 0.001, 0.002);
+            session.playback().reportDrawn(drawn->sequence, 0.001, 0.002);
     });
-    session.seek(120);
-    QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{120}, 10000);
+    session.playback().seek(120);
+    QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), std::size_t{120}, 10000);
     QTRY_COMPARE(panel.views()[1]->rows(), std::size_t{120}); // of a jump too, at once
-    const FramePtr frame = session.frame();
+    const FramePtr frame = session.simulation().frame();
     QVERIFY(frame->statistics.size() >= 120);
     PlotView& faces = *panel.views().front();
     QTRY_VERIFY_WITH_TIMEOUT(faces.rows() >= 120, 30'000);
@@ -692,15 +692,16 @@ void PlotsTest::panelShowsARunAndExportsIt() {
     }
     PlotView& rate = *panel.views()[5];
     QTRY_VERIFY_WITH_TIMEOUT(rate.rows() >= 120 && !std::isnan(rate.value(0, 119)), 30'000);
-    const auto times = session.times(); // which came before or behind the rows
+    const auto times = session.program().times(); // which came before or behind the rows
     QVERIFY(times != nullptr);
     for (std::size_t row = 0; row < 120; ++row)
         QCOMPARE(rate.value(0, row), machineRemovalRate(*times, row, frame->statistics[row]));
     Machine slow;
     slow.largestFeed = 100;
-    session.setMachine(slow);
-    QTRY_VERIFY_WITH_TIMEOUT(session.times() != nullptr && session.times() != times, 10'000);
-    const auto slowTimes = session.times();
+    session.job().setMachine(slow);
+    QTRY_VERIFY_WITH_TIMEOUT(session.program().times() != nullptr && session.program().times() != times,
+                             10'000);
+    const auto slowTimes = session.program().times();
     QTRY_COMPARE_WITH_TIMEOUT(rate.value(0, 119), machineRemovalRate(*slowTimes, 119, frame->statistics[119]),
                               10'000);
     QVERIFY(slowTimes->parts.feed > times->parts.feed);
@@ -720,12 +721,12 @@ void PlotsTest::panelShowsARunAndExportsIt() {
     QVERIFY(svg.open(QIODevice::ReadOnly) && svg.readAll().contains("<svg"));
     // A folder that is not there is told, not shown in a dialog.
     QVERIFY(!panel.exportTo(faces, folder.filePath(QStringLiteral("missing/faces.csv")), PlotFormat::csv));
-    QVERIFY(!session.problems().empty());
+    QVERIFY(!session.problems().all().empty());
     const QPoint at(static_cast<int>(std::lround(faces.xAxis->coordToPixel(60))),
                     faces.axisRect()->center().y());
     const double block = std::round(faces.xAxis->pixelToCoord(at.x()));
     QTest::mouseClick(&faces, Qt::LeftButton, {}, at);
-    QTRY_COMPARE_WITH_TIMEOUT(session.block(), static_cast<std::size_t>(block), 10000);
+    QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), static_cast<std::size_t>(block), 10000);
 }
 
 void PlotsTest::exportAsksBeforeItOverwrites() {

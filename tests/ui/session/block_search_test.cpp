@@ -12,7 +12,7 @@
 #include "core/simulation/run/simulation.h"
 #include "tests/ui/opened.h"
 #include "ui/block_search.h"
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 namespace proveout {
 namespace {
@@ -49,9 +49,9 @@ std::vector<std::size_t> lastCuts(const Frame& moment, const std::vector<MapPoin
 /// The answers of a session, and the lines that it asked to be seen.
 struct Told {
     explicit Told(Session& session) {
-        QObject::connect(&session, &Session::placeTold, &session,
+        QObject::connect(&session.navigation(), &NavigationHub::placeFound, &session,
                          [this](const PlaceAnswer& answer) { answers.push_back(answer); });
-        QObject::connect(&session, &Session::lineRequested, &session,
+        QObject::connect(&session.navigation(), &NavigationHub::lineRequested, &session,
                          [this](std::uint32_t line, int) { lines.push_back(line); });
     }
     std::vector<PlaceAnswer> answers;
@@ -139,7 +139,7 @@ private slots:
     void goesToTheBlockThatCutThePlaceLast() {
         QFETCH(int, block);
         const auto session = openedAt(static_cast<std::size_t>(block));
-        const FramePtr moment = session->frame();
+        const FramePtr moment = session->simulation().frame();
         std::vector<MapPoint> points;
         for (int j = 3; j < moment->zmap.grid().ny; j += 23)
             for (int i = 5; i < moment->zmap.grid().nx; i += 23)
@@ -148,7 +148,7 @@ private slots:
         Told told(*session);
         std::size_t cut = 0;
         for (std::size_t k = 0; k < points.size(); ++k) {
-            session->goToBlockThatMade({moment, points[k]});
+            session->navigation().goToBlockThatMade({moment, points[k]});
             QTRY_COMPARE_WITH_TIMEOUT(told.answers.size(), k + 1, kPatience);
             const PlaceAnswer& answer = told.answers.back();
             QCOMPARE(answer.kind == PlaceAnswer::Kind::cut, expected[k] != 0);
@@ -160,7 +160,7 @@ private slots:
             QCOMPARE(answer.tool, 1);
             QCOMPARE(told.lines.size(), cut);
             QCOMPARE(told.lines.back(), answer.line);
-            QTRY_COMPARE_WITH_TIMEOUT(session->block(), expected[k], kPatience);
+            QTRY_COMPARE_WITH_TIMEOUT(session->simulation().block(), expected[k], kPatience);
         }
         QVERIFY(cut > 5);
         QCOMPARE(cut < points.size(), block == 15); // later, all of the top is faced
@@ -168,69 +168,69 @@ private slots:
 
     void leadsBackAsOftenAsAway() {
         const auto session = openedAt(200);
-        const FramePtr moment = session->frame();
+        const FramePtr moment = session->simulation().frame();
         Told told(*session);
-        QVERIFY(!session->canReturn());
+        QVERIFY(!session->navigation().canReturn());
         const std::size_t first = jump(*session, told, moment, cutPlace(*moment, 0));
         const std::size_t second = jump(*session, told, moment, cutPlace(*moment, first));
         QVERIFY(first != second && first < 200);
-        session->returnFromJump();
-        QTRY_COMPARE_WITH_TIMEOUT(session->block(), first, kPatience);
-        session->returnFromJump();
-        QTRY_COMPARE_WITH_TIMEOUT(session->block(), std::size_t{200}, kPatience);
-        QVERIFY(!session->canReturn());
+        session->navigation().returnFromJump();
+        QTRY_COMPARE_WITH_TIMEOUT(session->simulation().block(), first, kPatience);
+        session->navigation().returnFromJump();
+        QTRY_COMPARE_WITH_TIMEOUT(session->simulation().block(), std::size_t{200}, kPatience);
+        QVERIFY(!session->navigation().canReturn());
         jump(*session, told, moment, cutPlace(*moment, 0));
-        QVERIFY(session->canReturn());
-        session->applyEdit(0, 0, "\n"); // its blocks are others
-        QTRY_VERIFY_WITH_TIMEOUT(!session->canReturn(), kPatience);
+        QVERIFY(session->navigation().canReturn());
+        session->document().applyEdit(0, 0, "\n"); // its blocks are others
+        QTRY_VERIFY_WITH_TIMEOUT(!session->navigation().canReturn(), kPatience);
     }
 
     void dropsWhatWasAskedOfAnotherMoment() {
         const auto session = openedAt(200);
-        const FramePtr moment = session->frame();
+        const FramePtr moment = session->simulation().frame();
         const MapPoint point = cutPlace(*moment, 0);
         Told told(*session);
         const auto asked = [&] {
-            session->goToBlockThatMade({moment, point});
+            session->navigation().goToBlockThatMade({moment, point});
             letItFinishUnheard();
         };
         asked();
-        session->seek(150);
-        QTRY_COMPARE_WITH_TIMEOUT(session->block(), std::size_t{150}, kPatience);
+        session->playback().seek(150);
+        QTRY_COMPARE_WITH_TIMEOUT(session->simulation().block(), std::size_t{150}, kPatience);
         asked();
-        session->step(1);
-        QTRY_COMPARE_WITH_TIMEOUT(session->block(), std::size_t{151}, kPatience);
+        session->playback().step(1);
+        QTRY_COMPARE_WITH_TIMEOUT(session->simulation().block(), std::size_t{151}, kPatience);
         asked();
-        Setup setup = session->setup();
+        Setup setup = session->job().setup();
         setup.stock.height += 1;
-        QVERIFY(session->setSetup(setup));
-        QTRY_VERIFY_WITH_TIMEOUT(session->frame()->setup != moment->setup, kPatience);
+        QVERIFY(session->job().setSetup(setup));
+        QTRY_VERIFY_WITH_TIMEOUT(session->simulation().frame()->setup != moment->setup, kPatience);
         QVERIFY(told.answers.empty() && told.lines.empty());
         // Of a moment that is gone it is told so, and the new one can be asked.
-        session->goToBlockThatMade({moment, point});
+        session->navigation().goToBlockThatMade({moment, point});
         QCOMPARE(told.answers.size(), std::size_t{1});
         QCOMPARE(told.answers.back().kind, PlaceAnswer::Kind::outdated);
-        session->seek(200);
-        QTRY_COMPARE_WITH_TIMEOUT(session->block(), std::size_t{200}, kPatience);
-        session->goToBlockThatMade({session->frame(), point});
+        session->playback().seek(200);
+        QTRY_COMPARE_WITH_TIMEOUT(session->simulation().block(), std::size_t{200}, kPatience);
+        session->navigation().goToBlockThatMade({session->simulation().frame(), point});
         QTRY_COMPARE_WITH_TIMEOUT(told.answers.size(), std::size_t{2}, kPatience);
         QCOMPARE(told.answers.back().kind, PlaceAnswer::Kind::cut);
     }
 
     void anEditMakesItVoidBeforeItIsRead() {
         const auto session = openedAt(200);
-        const FramePtr moment = session->frame();
+        const FramePtr moment = session->simulation().frame();
         const MapPoint point = cutPlace(*moment, 0);
         Told told(*session);
-        session->goToBlockThatMade({moment, point});
+        session->navigation().goToBlockThatMade({moment, point});
         letItFinishUnheard();
-        session->applyEdit(0, 0, "\n");
+        session->document().applyEdit(0, 0, "\n");
         // Its lines are no longer those of the text.
-        session->goToBlockThatMade({moment, point});
+        session->navigation().goToBlockThatMade({moment, point});
         QCOMPARE(told.answers.size(), std::size_t{1});
         QCOMPARE(told.answers.back().kind, PlaceAnswer::Kind::outdated);
-        QTRY_VERIFY_WITH_TIMEOUT(session->frame()->program != moment->program &&
-                                     session->frame()->program == session->program(),
+        QTRY_VERIFY_WITH_TIMEOUT(session->simulation().frame()->program != moment->program &&
+                                     session->simulation().frame()->program == session->program().current(),
                                  kPatience);
         QCOMPARE(told.answers.size(), std::size_t{1});
         QVERIFY(told.lines.empty());
@@ -239,8 +239,8 @@ private slots:
     void saysWhereNothingWasCutOrNothingIs() {
         const auto session = openedAt(200);
         Told told(*session);
-        session->goToBlockThatMade({});
-        session->goToBlockThatMade({session->frame(), std::nullopt});
+        session->navigation().goToBlockThatMade({});
+        session->navigation().goToBlockThatMade({session->simulation().frame(), std::nullopt});
         QCOMPARE(told.answers, (std::vector<PlaceAnswer>{{PlaceAnswer::Kind::noStock, 200, 0, 0},
                                                          {PlaceAnswer::Kind::neverCut, 200, 0, 0}}));
         QVERIFY(told.lines.empty());
@@ -249,25 +249,25 @@ private slots:
     void aRunIsPaused() {
         const auto session = openedAt(50);
         Told told(*session);
-        session->setSpeed(20);
-        session->play();
-        QTRY_VERIFY_WITH_TIMEOUT(session->block() > 60, kPatience);
-        const FramePtr moment = session->frame();
-        session->goToBlockThatMade({moment, cutPlace(*moment, 0)});
-        QVERIFY(!session->playback().playing);
+        session->playback().setSpeed(20);
+        session->playback().play();
+        QTRY_VERIFY_WITH_TIMEOUT(session->simulation().block() > 60, kPatience);
+        const FramePtr moment = session->simulation().frame();
+        session->navigation().goToBlockThatMade({moment, cutPlace(*moment, 0)});
+        QVERIFY(!session->playback().state().playing);
         QTRY_COMPARE_WITH_TIMEOUT(told.answers.size(), std::size_t{1}, kPatience);
         QCOMPARE(told.answers.back().kind, PlaceAnswer::Kind::cut);
-        QTRY_COMPARE_WITH_TIMEOUT(session->block(), told.answers.back().block, kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(session->simulation().block(), told.answers.back().block, kPatience);
     }
 
 private:
     static std::unique_ptr<Session> openedAt(std::size_t block) {
         auto session = std::make_unique<Session>();
         if (!opened(*session, kSample) ||
-            !QTest::qWaitFor([&] { return session->frame() != nullptr; }, kPatience))
+            !QTest::qWaitFor([&] { return session->simulation().frame() != nullptr; }, kPatience))
             qFatal("no frame of the sample");
-        session->seek(block);
-        if (!QTest::qWaitFor([&] { return session->block() == block; }, kPatience))
+        session->playback().seek(block);
+        if (!QTest::qWaitFor([&] { return session->simulation().block() == block; }, kPatience))
             qFatal("the block is not reached");
         return session;
     }
@@ -286,13 +286,13 @@ private:
     static std::size_t jump(Session& session, const Told& told, const FramePtr& moment,
                             const MapPoint& point) {
         const std::size_t before = told.answers.size();
-        session.goToBlockThatMade({moment, point});
+        session.navigation().goToBlockThatMade({moment, point});
         const auto there = [&] {
-            return told.answers.size() > before && session.block() == told.answers.back().block;
+            return told.answers.size() > before && session.simulation().block() == told.answers.back().block;
         };
         if (!QTest::qWaitFor(there, kPatience))
             qFatal("the block is not reached");
-        return session.block();
+        return session.simulation().block();
     }
 };
 

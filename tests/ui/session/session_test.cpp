@@ -25,7 +25,7 @@
 #include "ui/playback_commands.h"
 #include "ui/program_index.h"
 #include "ui/program_source.h"
-#include "ui/session.h"
+#include "ui/session/session.h"
 
 namespace proveout {
 namespace {
@@ -34,7 +34,7 @@ constexpr int kPatience = 20'000;
 const QString kSample = QStringLiteral(PROVEOUT_SOURCE_DIR "/resources/samples/core-insert.proveout");
 
 bool hasProblem(const Session& session, const char* id) {
-    return std::any_of(session.problems().begin(), session.problems().end(),
+    return std::any_of(session.problems().all().begin(), session.problems().all().end(),
                        [&](const Diagnostic& problem) { return std::string(problem.id) == id; });
 }
 
@@ -81,96 +81,97 @@ private slots:
     void opensTheSampleJob() {
         Session session;
         QVERIFY(opened(session, kSample));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
-        QCOMPARE(session.blockCount(), std::size_t{255});
-        QCOMPARE(session.block(), std::size_t{0});
-        QCOMPARE(session.setup().stock.width, 140.0);
-        QVERIFY(session.setup().tools.find(1) != nullptr);
-        QVERIFY(!session.modified());
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kPatience);
+        QCOMPARE(session.program().blockCount(), std::size_t{255});
+        QCOMPARE(session.simulation().block(), std::size_t{0});
+        QCOMPARE(session.job().setup().stock.width, 140.0);
+        QVERIFY(session.job().setup().tools.find(1) != nullptr);
+        QVERIFY(!session.document().modified());
     }
 
     void seeksStepsAndPlaysToTheEnd() {
         Session session;
         QVERIFY(opened(session, kSample));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
-        session.seek(100);
-        QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{100}, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kPatience);
+        session.playback().seek(100);
+        QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), std::size_t{100}, kPatience);
         for (int i = 0; i < 5; ++i)
-            session.step(1); // quick presses add up
-        QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{105}, kPatience);
-        session.step(-10);
-        QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{95}, kPatience);
-        session.setSpeed(std::numeric_limits<double>::infinity());
-        session.play();
-        QVERIFY(session.playback().playing);
-        QTRY_VERIFY_WITH_TIMEOUT(!session.playback().playing, kPatience);
-        QCOMPARE(session.block(), session.blockCount());
-        session.setSpeed(kUnitBlocksPerSecond);
-        session.play(); // at the end it begins anew
-        QTRY_VERIFY_WITH_TIMEOUT(session.block() < session.blockCount(), kPatience);
+            session.playback().step(1); // quick presses add up
+        QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), std::size_t{105}, kPatience);
+        session.playback().step(-10);
+        QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), std::size_t{95}, kPatience);
+        session.playback().setSpeed(std::numeric_limits<double>::infinity());
+        session.playback().play();
+        QVERIFY(session.playback().state().playing);
+        QTRY_VERIFY_WITH_TIMEOUT(!session.playback().state().playing, kPatience);
+        QCOMPARE(session.simulation().block(), session.program().blockCount());
+        session.playback().setSpeed(kUnitBlocksPerSecond);
+        session.playback().play(); // at the end it begins anew
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().block() < session.program().blockCount(), kPatience);
     }
 
     /// What was asked for and has not come yet counts, not the block on the screen.
     void aSeekUnderWayIsNotLost() {
         Session session;
         QVERIFY(opened(session, kSample));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
-        Setup setup = session.setup();
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kPatience);
+        Setup setup = session.job().setup();
         setup.automaticGrid = false;
         const auto loadAnew = [&] {
             setup.spacing *= 1.5;
-            return session.setSetup(setup).has_value();
+            return session.job().setSetup(setup).has_value();
         };
-        session.seek(100);
+        session.playback().seek(100);
         QVERIFY(loadAnew());
         QVERIFY(loadAnew());
-        QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{100}, kPatience);
-        session.step(std::numeric_limits<std::ptrdiff_t>::max());
-        session.step(-5);
+        QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), std::size_t{100}, kPatience);
+        session.playback().step(std::numeric_limits<std::ptrdiff_t>::max());
+        session.playback().step(-5);
         QVERIFY(loadAnew());
-        QTRY_COMPARE_WITH_TIMEOUT(session.block(), session.blockCount() - 5, kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), session.program().blockCount() - 5,
+                                  kPatience);
 
-        session.seek(session.blockCount());
-        QTRY_COMPARE_WITH_TIMEOUT(session.block(), session.blockCount(), kPatience);
-        session.seek(40);
-        session.setSpeed(1e-3); // one block in a quarter of an hour
-        session.play();
-        QTRY_VERIFY_WITH_TIMEOUT(session.block() < session.blockCount(), kPatience);
-        QCOMPARE(session.block(), std::size_t{40});
+        session.playback().seek(session.program().blockCount());
+        QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), session.program().blockCount(), kPatience);
+        session.playback().seek(40);
+        session.playback().setSpeed(1e-3); // one block in a quarter of an hour
+        session.playback().play();
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().block() < session.program().blockCount(), kPatience);
+        QCOMPARE(session.simulation().block(), std::size_t{40});
     }
 
     /// It is dropped then, and must not be taken for one that is still on its way.
     void aStepBeforeThereIsASimulationLeavesNothingBehind() {
         Session session;
-        session.step(-1);
+        session.playback().step(-1);
         QVERIFY(opened(session, kSample));
-        session.step(-1);
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
-        session.setSpeed(std::numeric_limits<double>::infinity());
-        session.play();
-        QTRY_VERIFY_WITH_TIMEOUT(!session.playback().playing, kPatience);
-        QCOMPARE(session.block(), session.blockCount());
-        session.setSpeed(kUnitBlocksPerSecond);
-        session.play(); // at the end it begins anew
-        QTRY_VERIFY_WITH_TIMEOUT(session.block() < session.blockCount(), kPatience);
+        session.playback().step(-1);
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kPatience);
+        session.playback().setSpeed(std::numeric_limits<double>::infinity());
+        session.playback().play();
+        QTRY_VERIFY_WITH_TIMEOUT(!session.playback().state().playing, kPatience);
+        QCOMPARE(session.simulation().block(), session.program().blockCount());
+        session.playback().setSpeed(kUnitBlocksPerSecond);
+        session.playback().play(); // at the end it begins anew
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().block() < session.program().blockCount(), kPatience);
     }
 
     void aSeekThatWasGivenUpIsNotTakenUpAgain() {
         Session session;
         QVERIFY(opened(session, kSample));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
-        Setup setup = session.setup();
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kPatience);
+        Setup setup = session.job().setup();
         setup.automaticGrid = false;
         setup.spacing = 0.05;
-        QVERIFY(session.setSetup(setup).has_value());
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame()->setup->spacing == 0.05, kPatience);
-        session.seek(session.blockCount()); // some seconds of work
-        session.pause();
+        QVERIFY(session.job().setSetup(setup).has_value());
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame()->setup->spacing == 0.05, kPatience);
+        session.playback().seek(session.program().blockCount()); // some seconds of work
+        session.playback().pause();
         setup.spacing = 1;
-        QVERIFY(session.setSetup(setup).has_value());
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame()->setup->spacing == 1, kPatience);
+        QVERIFY(session.job().setSetup(setup).has_value());
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame()->setup->spacing == 1, kPatience);
         QTest::qWait(200);
-        QVERIFY(session.block() < session.blockCount());
+        QVERIFY(session.simulation().block() < session.program().blockCount());
     }
 
     void toolChangesAreSteppedThroughWithoutWaiting() {
@@ -180,36 +181,36 @@ private slots:
         for (int tool = 1; tool <= 4; ++tool)
             text += "T" + QByteArray::number(tool) + " M6\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX9\nG0 Z5\n";
         QVERIFY(opened(session, write(folder, "tools.nc", text + "M30\n")));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kPatience);
         for (int presses = 0; presses < 3; ++presses)
-            session.stepToToolChange(1);
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame()->block > 0, kPatience);
+            session.playback().stepToToolChange(1);
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame()->block > 0, kPatience);
         QTest::qWait(100);
-        const std::size_t there = session.block();
-        session.seek(0);
-        QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{0}, kPatience);
+        const std::size_t there = session.simulation().block();
+        session.playback().seek(0);
+        QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), std::size_t{0}, kPatience);
         for (int presses = 0; presses < 3; ++presses) {
-            const std::size_t from = session.block();
-            session.stepToToolChange(1);
-            QTRY_VERIFY_WITH_TIMEOUT(session.block() > from, kPatience);
+            const std::size_t from = session.simulation().block();
+            session.playback().stepToToolChange(1);
+            QTRY_VERIFY_WITH_TIMEOUT(session.simulation().block() > from, kPatience);
         }
-        QCOMPARE(there, session.block());
+        QCOMPARE(there, session.simulation().block());
     }
 
     void paperModeDrawsEveryBlock() {
         Session session;
         QVERIFY(opened(session, kSample));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
-        connect(&session, &Session::tick, this, [&](const FramePtr& frame) {
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kPatience);
+        connect(&session.playback(), &PlaybackHub::tick, this, [&](const FramePtr& frame) {
             if (frame)
-                session.reportDrawn(frame->sequence, 0.001, 0.002);
+                session.playback().reportDrawn(frame->sequence, 0.001, 0.002);
         });
-        session.setSpeed(std::numeric_limits<double>::infinity(), true);
-        session.seek(0);
-        session.play();
-        QTRY_VERIFY_WITH_TIMEOUT(session.block() >= 20, kPatience);
-        session.pause();
-        const std::vector<FrameStatistics>& rows = session.frameStatistics();
+        session.playback().setSpeed(std::numeric_limits<double>::infinity(), true);
+        session.playback().seek(0);
+        session.playback().play();
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().block() >= 20, kPatience);
+        session.playback().pause();
+        const std::vector<FrameStatistics>& rows = session.playback().frameStatistics();
         QVERIFY(rows.size() >= 20);
         for (std::size_t i = 0; i < rows.size(); ++i) {
             QCOMPARE(rows[i].lastBlock, rows[i].firstBlock + 1); // each row stands for one block
@@ -221,62 +222,63 @@ private slots:
         QTemporaryDir folder;
         Session session;
         QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
-        Setup setup = session.setup();
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kPatience);
+        Setup setup = session.job().setup();
         setup.tools.set(1, parseCutter("flat:d=4,l=20").value());
         setup.automaticGrid = false;
         setup.spacing = 1;
-        QVERIFY(session.setSetup(setup).has_value());
-        const DecimationParameters wanted = session.parameters();
+        QVERIFY(session.job().setSetup(setup).has_value());
+        const DecimationParameters wanted = session.job().parameters();
         std::size_t held = 0;
         std::size_t played = 0;
-        connect(&session, &Session::tick, this, [&](const FramePtr& frame) {
+        connect(&session.playback(), &PlaybackHub::tick, this, [&](const FramePtr& frame) {
             if (!frame)
                 return;
             if (frame->playing) {
                 ++played;
                 held += frame->parameters.method == DecimationMethod::none ? 1U : 0U;
             }
-            session.reportDrawn(frame->sequence, 0.0001, 0.001);
+            session.playback().reportDrawn(frame->sequence, 0.0001, 0.001);
         });
-        session.setSpeed(std::numeric_limits<double>::infinity(), true);
-        session.seek(0);
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame()->surface.facesFull < 2000 && session.block() == 0,
+        session.playback().setSpeed(std::numeric_limits<double>::infinity(), true);
+        session.playback().seek(0);
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame()->surface.facesFull < 2000 &&
+                                     session.simulation().block() == 0,
                                  kPatience);
-        QVERIFY(session.frame()->parameters == wanted);
-        session.play();
-        QVERIFY(session.heldBack() != nullptr);
-        QTRY_VERIFY_WITH_TIMEOUT(!session.playback().playing, kPatience);
+        QVERIFY(session.simulation().frame()->parameters == wanted);
+        session.playback().play();
+        QVERIFY(session.playback().heldBack() != nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(!session.playback().state().playing, kPatience);
         QVERIFY(played > 0);
         QCOMPARE(held, played);
-        QVERIFY(session.parameters() == wanted);
-        QVERIFY(session.heldBack() == nullptr);
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame()->parameters == wanted, kPatience);
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame()->surface.dirtyRegions == 0, kPatience);
+        QVERIFY(session.job().parameters() == wanted);
+        QVERIFY(session.playback().heldBack() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame()->parameters == wanted, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame()->surface.dirtyRegions == 0, kPatience);
     }
 
     void anEditGoesOnFromTheFirstChangedBlock() {
         QTemporaryDir folder;
         Session session;
         QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
-        Setup setup = session.setup();
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
-        setup = session.setup();
+        Setup setup = session.job().setup();
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kPatience);
+        setup = session.job().setup();
         setup.tools.set(1, parseCutter("flat:d=4,l=20").value());
-        QVERIFY(session.setSetup(setup).has_value());
-        session.seek(session.blockCount());
-        QTRY_COMPARE_WITH_TIMEOUT(session.block(), session.blockCount(), kPatience);
-        const ZMapSnapshot before = session.frame()->zmap;
-        const auto oldProgram = session.program();
+        QVERIFY(session.job().setSetup(setup).has_value());
+        session.playback().seek(session.program().blockCount());
+        QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), session.program().blockCount(), kPatience);
+        const ZMapSnapshot before = session.simulation().frame()->zmap;
+        const auto oldProgram = session.program().current();
 
-        const std::string text = session.document().text.toString();
+        const std::string text = session.document().text().text.toString();
         const std::size_t place = text.find("Z-1");
-        session.applyEdit(place, 3, "Z-2");
-        QTRY_VERIFY_WITH_TIMEOUT(session.program() != oldProgram, kPatience);
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame()->program == session.program() &&
-                                     session.block() == session.blockCount(),
+        session.document().applyEdit(place, 3, "Z-2");
+        QTRY_VERIFY_WITH_TIMEOUT(session.program().current() != oldProgram, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame()->program == session.program().current() &&
+                                     session.simulation().block() == session.program().blockCount(),
                                  kPatience);
-        QVERIFY(std::abs(heightDifference(before, session.frame()->zmap) - 1.0) < 1e-5);
+        QVERIFY(std::abs(heightDifference(before, session.simulation().frame()->zmap) - 1.0) < 1e-5);
 
         // The same as when the edited file is opened afresh.
         QByteArray edited = kSquare;
@@ -284,92 +286,96 @@ private slots:
         Session fresh;
         QVERIFY(opened(fresh, write(folder, "edited.nc", edited)));
         QTRY_VERIFY_WITH_TIMEOUT(fresh.frame() != nullptr, kPatience);
-        QVERIFY(fresh.setSetup(session.setup()).has_value());
+        QVERIFY(fresh.setSetup(session.job().setup()).has_value());
         fresh.seek(fresh.blockCount());
         QTRY_COMPARE_WITH_TIMEOUT(fresh.block(), fresh.blockCount(), kPatience);
-        QCOMPARE(heightDifference(fresh.frame()->zmap, session.frame()->zmap), 0.0);
+        QCOMPARE(heightDifference(fresh.frame()->zmap, session.simulation().frame()->zmap), 0.0);
     }
 
     void regionsFollowTheMapUnlessTheirSizeIsNamed() {
         QTemporaryDir folder;
         Session session;
         QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
-        QCOMPARE(session.parameters().regionCells, 16);
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kPatience);
+        QCOMPARE(session.job().parameters().regionCells, 16);
         int told = 0;
-        connect(&session, &Session::parametersChanged, this, [&told] { ++told; });
-        Setup setup = session.setup();
+        connect(&session.job(), &JobHub::parametersChanged, this, [&told] { ++told; });
+        Setup setup = session.job().setup();
         setup.stock.width = 40;
         setup.stock.depth = 30;
         const auto useSpacing = [&](double spacing) {
             setup.automaticGrid = false;
             setup.spacing = spacing;
-            return session.setSetup(setup).has_value();
+            return session.job().setSetup(setup).has_value();
         };
         QVERIFY(useSpacing(0.0125)); // 3201 × 2401 points
-        QCOMPARE(session.parameters().regionCells, 32);
+        QCOMPARE(session.job().parameters().regionCells, 32);
         QCOMPARE(told, 1);
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() && session.frame()->surface.grid.cells() == 32, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() &&
+                                     session.simulation().frame()->surface.grid.cells() == 32,
+                                 kPatience);
         QVERIFY(useSpacing(0.5));
-        QCOMPARE(session.parameters().regionCells, 16);
-        DecimationParameters named = session.parameters();
+        QCOMPARE(session.job().parameters().regionCells, 16);
+        DecimationParameters named = session.job().parameters();
         named.regionCells = 24;
-        session.setParameters(named);
+        session.job().setParameters(named);
         QVERIFY(useSpacing(0.0125));
-        QCOMPARE(session.parameters().regionCells, 24);
+        QCOMPARE(session.job().parameters().regionCells, 24);
         named.regionCells = 32; // the standard again
-        session.setParameters(named);
+        session.job().setParameters(named);
         QVERIFY(useSpacing(0.5));
-        QCOMPARE(session.parameters().regionCells, 16);
+        QCOMPARE(session.job().parameters().regionCells, 16);
     }
 
     void aChangedAllowanceChangesTheFaces() {
         Session session;
         QVERIFY(opened(session, kSample));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
-        session.seek(200);
-        QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{200}, kPatience);
-        const std::size_t before = session.frame()->surface.faces;
-        DecimationParameters parameters = session.parameters();
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kPatience);
+        session.playback().seek(200);
+        QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), std::size_t{200}, kPatience);
+        const std::size_t before = session.simulation().frame()->surface.faces;
+        DecimationParameters parameters = session.job().parameters();
         parameters.allowance = 0.5;
-        session.setParameters(parameters);
-        QTRY_VERIFY_WITH_TIMEOUT(
-            session.frame()->parameters == parameters && session.frame()->surface.faces < before, kPatience);
-        QCOMPARE(session.block(), std::size_t{200});
-        QVERIFY(session.frame()->surface.largestError() <= 0.5);
-        QVERIFY(session.modified()); // the job holds the parameters
+        session.job().setParameters(parameters);
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame()->parameters == parameters &&
+                                     session.simulation().frame()->surface.faces < before,
+                                 kPatience);
+        QCOMPARE(session.simulation().block(), std::size_t{200});
+        QVERIFY(session.simulation().frame()->surface.largestError() <= 0.5);
+        QVERIFY(session.document().modified()); // the job holds the parameters
     }
 
     void exportsWhatTheFrameShows() {
         QTemporaryDir folder;
         Session session;
         QVERIFY(opened(session, kSample));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
-        session.seek(120);
-        QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{120}, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kPatience);
+        session.playback().seek(120);
+        QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), std::size_t{120}, kPatience);
         const QString file = folder.filePath("part.stl");
-        QSignalSpy exported(&session, &Session::exported);
-        session.exportMesh(file, {});
+        QSignalSpy exported(&session.exports(), &ExportHub::exported);
+        session.exports().exportMesh(file, {});
         QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, kPatience);
         const Result<TriangleMesh> mesh = readStl(toPath(file));
         QVERIFY(mesh.has_value());
-        QCOMPARE(std::uint64_t{mesh->triangles.size()}, session.lastExport()->triangles);
-        QCOMPARE(static_cast<qint64>(session.lastExport()->bytes), QFileInfo(file).size());
+        QCOMPARE(std::uint64_t{mesh->triangles.size()}, session.exports().last()->triangles);
+        QCOMPARE(static_cast<qint64>(session.exports().last()->bytes), QFileInfo(file).size());
         double volume = 0; // closed and oriented: the divergence theorem gives the stock that is left
         for (const auto& t : mesh->triangles)
             volume +=
                 glm::dot(mesh->vertices[t[0]], glm::cross(mesh->vertices[t[1]], mesh->vertices[t[2]])) / 6;
-        const double left = session.frame()->zmap.volume();
+        const double left = session.simulation().frame()->zmap.volume();
         QVERIFY2(std::abs(volume - left) < 0.01 * left, qPrintable(QString("%1 %2").arg(volume).arg(left)));
     }
 
     void anUnwritablePathIsAMessage() {
         Session session;
         QVERIFY(opened(session, kSample));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
-        session.exportMesh(QStringLiteral("/nonexistent/folder/part.stl"), {});
-        QTRY_VERIFY_WITH_TIMEOUT(hasProblem(session, "file-unwritable") && !session.work(), kPatience);
-        QVERIFY(!session.lastExport());
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kPatience);
+        session.exports().exportMesh(QStringLiteral("/nonexistent/folder/part.stl"), {});
+        QTRY_VERIFY_WITH_TIMEOUT(hasProblem(session, "file-unwritable") && !session.work().current(),
+                                 kPatience);
+        QVERIFY(!session.exports().last());
     }
 
     void savesBytesAsTheyWere() {
@@ -379,15 +385,15 @@ private slots:
         const QString file = write(folder, "latin.nc", bytes);
         Session session;
         QVERIFY(opened(session, file));
-        QVERIFY(!session.document().utf8);
-        QCOMPARE(session.document().lineEnd, LineEnd::crLf);
-        session.applyEdit(0, 0, "(a)\r\n");
-        session.setTextModified(true);
-        QVERIFY(session.save());
+        QVERIFY(!session.document().text().utf8);
+        QCOMPARE(session.document().text().lineEnd, LineEnd::crLf);
+        session.document().applyEdit(0, 0, "(a)\r\n");
+        session.document().setTextModified(true);
+        QVERIFY(session.document().save());
         QByteArray expected = bytes;
         expected.insert(3, "(a)\r\n");
         QCOMPARE(bytesOf(file), expected);
-        QVERIFY(!session.modified());
+        QVERIFY(!session.document().modified());
     }
 
     void badInputIsToldAndLeavesTheDocument() {
@@ -395,29 +401,29 @@ private slots:
         Session session;
         QVERIFY(opened(session, write(folder, "good.nc", kSquare)));
         QVERIFY(!opened(session, folder.filePath("missing.nc")));
-        QVERIFY(!session.problems().empty());
+        QVERIFY(!session.problems().all().empty());
         QVERIFY(!opened(session, write(folder, "binary.nc", QByteArray(1000, '\0'))));
         QVERIFY(hasProblem(session, "nc-binary"));
         QVERIFY(!opened(session, write(folder, "wide.nc", QByteArray("\xFF\xFEG\0", 4))));
         QVERIFY(hasProblem(session, "nc-encoding"));
         QVERIFY(!opened(session, write(folder, "broken.proveout", "{\"schema\": ")));
-        QVERIFY(!session.problems().empty());
+        QVERIFY(!session.problems().all().empty());
         QVERIFY(!opened(session, folder.path()));
-        QCOMPARE(QFileInfo(toQString(session.document().path)).fileName(), QString("good.nc"));
+        QCOMPARE(QFileInfo(toQString(session.document().text().path)).fileName(), QString("good.nc"));
     }
 
     void aGridThatIsTooLargeIsRefused() {
         Session session;
         QVERIFY(opened(session, kSample));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
-        Setup setup = session.setup();
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kPatience);
+        Setup setup = session.job().setup();
         setup.automaticGrid = false;
         setup.spacing = 0.0005;
-        const Result<void> done = session.setSetup(setup);
+        const Result<void> done = session.job().setSetup(setup);
         QVERIFY(!done.has_value());
-        QCOMPARE(session.setup().spacing, 1.0);
+        QCOMPARE(session.job().setup().spacing, 1.0);
         setup.stock.width = -1;
-        QVERIFY(!session.setSetup(setup).has_value());
+        QVERIFY(!session.job().setSetup(setup).has_value());
     }
 
     void programsWithoutToolsOrMotionsAreTold() {
@@ -425,11 +431,12 @@ private slots:
         Session session;
         QVERIFY(opened(session, write(folder, "empty.nc", "%\n(nothing)\n%\n")));
         QTRY_VERIFY_WITH_TIMEOUT(hasProblem(session, "no-motion"), kPatience);
-        QCOMPARE(session.blockCount(), std::size_t{0});
+        QCOMPARE(session.program().blockCount(), std::size_t{0});
         QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
-        session.seek(session.blockCount());
-        QTRY_VERIFY_WITH_TIMEOUT(!session.frame()->findings.empty(), kPatience); // T1 is not defined
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kPatience);
+        session.playback().seek(session.program().blockCount());
+        QTRY_VERIFY_WITH_TIMEOUT(!session.simulation().frame()->findings.empty(),
+                                 kPatience); // T1 is not defined
     }
 
     void fault36ChangesOnTheDiskAreNoticedAlsoAfterARename() {
@@ -437,18 +444,18 @@ private slots:
         const QString file = write(folder, "watched.nc", kSquare);
         Session session;
         QVERIFY(opened(session, file));
-        QSignalSpy changed(&session, &Session::fileChangedOnDisk);
+        QSignalSpy changed(&session.document(), &DocumentHub::fileChangedOnDisk);
         for (int round = 1; round <= 2; ++round) {
             const QString next = write(folder, "next.nc", kSquare + QByteArray(round, '\n'));
             std::filesystem::rename(toPath(next), toPath(file)); // as editors save
             QTRY_COMPARE_WITH_TIMEOUT(changed.count(), round, kPatience);
         }
-        session.reload();
+        session.document().reload();
         QVERIFY(openingIsOver(session));
-        QCOMPARE(QByteArray::fromStdString(session.document().text.toString()), kSquare + "\n\n");
-        session.applyEdit(0, 0, "(mine)\n");
-        session.setTextModified(true);
-        QVERIFY(session.save()); // our own save is no change by somebody else
+        QCOMPARE(QByteArray::fromStdString(session.document().text().text.toString()), kSquare + "\n\n");
+        session.document().applyEdit(0, 0, "(mine)\n");
+        session.document().setTextModified(true);
+        QVERIFY(session.document().save()); // our own save is no change by somebody else
         QTest::qWait(600);
         QCOMPARE(changed.count(), 2);
     }
@@ -457,37 +464,37 @@ private slots:
         QTemporaryDir folder;
         const QString file = write(folder, "watched.nc", kSquare);
         Session session;
-        QSignalSpy changed(&session, &Session::fileChangedOnDisk);
+        QSignalSpy changed(&session.document(), &DocumentHub::fileChangedOnDisk);
         const auto changeBehindItsReader = [&](const QByteArray& text) {
             QThread::msleep(300); // read by now, but without events nobody here has got it
             write(folder, "watched.nc", text);
             QVERIFY(openingIsOver(session));
-            if (session.document().text.toString() == text.toStdString())
+            if (session.document().text().text.toString() == text.toStdString())
                 QSKIP("the machine is too busy: the text was not read in time");
         };
-        session.openFile(file);
+        session.document().openFile(file);
         changeBehindItsReader(kSquare + "\n");
         QTRY_COMPARE_WITH_TIMEOUT(changed.count(), 1, kPatience);
-        session.reload();
+        session.document().reload();
         changeBehindItsReader(kSquare + "\n\n");
         QTRY_COMPARE_WITH_TIMEOUT(changed.count(), 2, kPatience);
-        session.reload();
+        session.document().reload();
         QThread::msleep(300);
         QVERIFY(QFile::remove(file));
         QVERIFY(openingIsOver(session));
-        QTRY_VERIFY_WITH_TIMEOUT(session.modified(), kPatience); // the window holds the last copy
+        QTRY_VERIFY_WITH_TIMEOUT(session.document().modified(), kPatience); // the window holds the last copy
     }
 
     void fitsTheStockToTheProgram() {
         QTemporaryDir folder;
         Session session;
         QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
-        QTRY_VERIFY_WITH_TIMEOUT(session.program() != nullptr, kPatience);
-        const StockBox stock = session.setup().stock;
+        QTRY_VERIFY_WITH_TIMEOUT(session.program().current() != nullptr, kPatience);
+        const StockBox stock = session.job().setup().stock;
         QCOMPARE(stock.corner, Vec3(-5, -5, 0)); // no cutter is known: 5 mm around
         QCOMPARE(stock.width, 20.0);
         QCOMPARE(stock.height, 6.0); // 1 mm of cut and 5 mm below it
-        const std::vector<ToolChangeMark> marks = toolChangeMarks(*session.program());
+        const std::vector<ToolChangeMark> marks = toolChangeMarks(*session.program().current());
         QCOMPARE(marks.size(), std::size_t{1});
         QCOMPARE(marks.front().block, std::size_t{0});
     }
@@ -519,12 +526,12 @@ private slots:
         QTemporaryDir folder;
         Session session;
         QVERIFY(opened(session, write(folder, "square.nc", "(T1 D=50. FLAT)\n" + kUncalled)));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
-        QCOMPARE(session.setup().tools.find(1)->radius(), 25.0);
-        QVERIFY(session.frame()->toolAssumed);
-        QCOMPARE(session.setup().stock.corner, Vec3(-25, -25, 0));
-        QCOMPARE(session.setup().stock.width, 60.0);
-        QCOMPARE(session.stockFittedToProgram().width, 60.0);
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kPatience);
+        QCOMPARE(session.job().setup().tools.find(1)->radius(), 25.0);
+        QVERIFY(session.simulation().frame()->toolAssumed);
+        QCOMPARE(session.job().setup().stock.corner, Vec3(-25, -25, 0));
+        QCOMPARE(session.job().setup().stock.width, 60.0);
+        QCOMPARE(session.job().stockFittedToProgram().width, 60.0);
     }
 
     /// G41 without D takes the tool in the spindle, which is the assumed one.
@@ -534,63 +541,63 @@ private slots:
         QVERIFY(opened(session, write(folder, "comp.nc",
                                       "(T1 D=4. FLAT)\nG21 G90\nG0 X0 Y-20 Z5\nG1 Z-1 F100\n"
                                       "G41 G1 X0 Y0\nY20\nY40\nG40 X20\nM2\n")));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
-        QCOMPARE(session.program()->motion(3).end.x, -2.0);
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kPatience);
+        QCOMPARE(session.program().current()->motion(3).end.x, -2.0);
         QVERIFY(!hasProblem(session, "compensation-without-diameter"));
         QVERIFY(hasProblem(session, "tool-assumed"));
-        QSignalSpy read(&session, &Session::programChanged);
-        session.applyEdit(0, 0, "(edited)\n");
+        QSignalSpy read(&session.program(), &ProgramHub::changed);
+        session.document().applyEdit(0, 0, "(edited)\n");
         QTRY_VERIFY_WITH_TIMEOUT(!read.isEmpty(), kPatience);
-        QCOMPARE(session.program()->motion(3).end.x, -2.0);
-        Setup empty = session.setup();
+        QCOMPARE(session.program().current()->motion(3).end.x, -2.0);
+        Setup empty = session.job().setup();
         empty.startTool = 0;
         read.clear();
-        QVERIFY(session.setSetup(empty).has_value());
+        QVERIFY(session.job().setSetup(empty).has_value());
         QTRY_VERIFY_WITH_TIMEOUT(!read.isEmpty(), kPatience);
-        QCOMPARE(session.program()->motion(3).end.x, 0.0);
+        QCOMPARE(session.program().current()->motion(3).end.x, 0.0);
     }
 
     void aNewProgramInheritsNothing() {
         QTemporaryDir folder;
         Session session;
         QVERIFY(opened(session, write(folder, "first.nc", kSquare)));
-        Setup setup = session.setup();
+        Setup setup = session.job().setup();
         setup.tools.set(1, parseCutter("ball:d=10,l=30").value());
-        QVERIFY(session.setSetup(setup));
+        QVERIFY(session.job().setSetup(setup));
         DecimationParameters parameters;
         parameters.allowance = 0.3;
-        session.setParameters(parameters);
+        session.job().setParameters(parameters);
         QVERIFY(opened(session, write(folder, "second.nc", kSquare)));
-        QVERIFY(session.setup().tools.tools().empty());
-        QCOMPARE(session.parameters().allowance, DecimationParameters{}.allowance);
+        QVERIFY(session.job().setup().tools.tools().empty());
+        QCOMPARE(session.job().parameters().allowance, DecimationParameters{}.allowance);
         QVERIFY(opened(session, kSample));
-        session.newFile();
-        QVERIFY(session.setup().tools.tools().empty());
-        QVERIFY(session.jobFile().isEmpty());
-        QVERIFY(!session.modified());
+        session.document().newFile();
+        QVERIFY(session.job().setup().tools.tools().empty());
+        QVERIFY(session.document().jobFile().isEmpty());
+        QVERIFY(!session.document().modified());
     }
 
     void savesProgramAndJobTogether() {
         QTemporaryDir folder;
         Session session;
         QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
-        QVERIFY(session.saveJobAs(folder.filePath("square.proveout")));
-        QVERIFY(!session.modified());
+        QVERIFY(session.document().saveJobAs(folder.filePath("square.proveout")));
+        QVERIFY(!session.document().modified());
         DecimationParameters parameters;
         parameters.allowance = 0.3;
-        session.setParameters(parameters);
-        session.applyEdit(0, 0, "(a)\n");
-        session.setTextModified(true);
-        QVERIFY(session.jobModified() && session.document().modified);
-        QVERIFY(session.save());
-        QVERIFY(!session.modified());
+        session.job().setParameters(parameters);
+        session.document().applyEdit(0, 0, "(a)\n");
+        session.document().setTextModified(true);
+        QVERIFY(session.document().jobModified() && session.document().text().modified);
+        QVERIFY(session.document().save());
+        QVERIFY(!session.document().modified());
         QCOMPARE(bytesOf(folder.filePath("square.nc")), "(a)\n" + kSquare);
         QVERIFY(opened(session, folder.filePath("square.proveout")));
-        QCOMPARE(session.parameters().allowance, 0.3);
+        QCOMPARE(session.job().parameters().allowance, 0.3);
         // Under another name the job must follow its program.
-        QVERIFY(session.saveAs(folder.filePath("other.nc")));
-        QVERIFY(session.jobModified());
-        QVERIFY(session.save());
+        QVERIFY(session.document().saveAs(folder.filePath("other.nc")));
+        QVERIFY(session.document().jobModified());
+        QVERIFY(session.document().save());
         Session again;
         QVERIFY(opened(again, folder.filePath("square.proveout")));
         QCOMPARE(QFileInfo(toQString(again.document().path)).fileName(), QString("other.nc"));
@@ -601,14 +608,14 @@ private slots:
         Session session;
         QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
         const QString job = folder.filePath("square.proveout");
-        QVERIFY(session.saveJobAs(job));
+        QVERIFY(session.document().saveJobAs(job));
         write(folder, "square.proveout", bytesOf(job).replace("\"allowance\"", "\"allowence\""));
         QVERIFY(opened(session, job));
-        QVERIFY2(!session.problems().empty(), "a misspelt field is no reason to be silent");
-        const Diagnostic& problem = session.problems().front();
+        QVERIFY2(!session.problems().all().empty(), "a misspelt field is no reason to be silent");
+        const Diagnostic& problem = session.problems().all().front();
         QCOMPARE(problem.severity, Severity::warning);
         QVERIFY(sentence(problem).contains(QLatin1String("allowence")));
-        QVERIFY(!Session::isInText(problem));
+        QVERIFY(!ProblemsHub::isInText(problem));
     }
 
     void problemsKeepTheirPlaceUnderAnotherName() {
@@ -616,11 +623,12 @@ private slots:
         Session session;
         QVERIFY(opened(session, write(folder, "a.nc", "G0 X0\nG1 X10 Q5\nM30\n")));
         const auto inText = [&session] {
-            return std::count_if(session.problems().begin(), session.problems().end(), &Session::isInText);
+            return std::count_if(session.problems().all().begin(), session.problems().all().end(),
+                                 &ProblemsHub::isInText);
         };
         QTRY_VERIFY_WITH_TIMEOUT(inText() > 0, kPatience);
         const auto before = inText();
-        QVERIFY(session.saveAs(folder.filePath("b.nc")));
+        QVERIFY(session.document().saveAs(folder.filePath("b.nc")));
         QCOMPARE(inText(), before);
     }
 
@@ -628,41 +636,42 @@ private slots:
         QTemporaryDir folder;
         Session session;
         QVERIFY(opened(session, write(folder, "rapid.nc", kSquare)));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kPatience);
         const auto lineOf = [&session](const char* id) {
-            for (const Diagnostic& problem : session.problems())
+            for (const Diagnostic& problem : session.problems().all())
                 if (std::string(problem.id) == id)
                     return problem.where.line;
             return 0;
         };
-        const char* id = session.frame()->findings.front().id;
+        const char* id = session.simulation().frame()->findings.front().id;
         const int before = lineOf(id);
         QVERIFY(before > 0);
-        session.applyEdit(0, 0, "(one line more)\n");
+        session.document().applyEdit(0, 0, "(one line more)\n");
         QTRY_COMPARE_WITH_TIMEOUT(lineOf(id), before + 1, kPatience);
     }
 
     void playingEndsWhereNothingPlays() {
         Session session;
         QVERIFY(opened(session, kSample));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
-        session.seek(100);
-        QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{100}, kPatience);
-        session.setSpeed(1);
-        session.play();
-        session.cancelWork();
-        QVERIFY(!session.playback().playing);
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kPatience);
+        session.playback().seek(100);
+        QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), std::size_t{100}, kPatience);
+        session.playback().setSpeed(1);
+        session.playback().play();
+        session.work().cancel();
+        QVERIFY(!session.playback().state().playing);
 
         // A set-up that needs the program to be read anew keeps position and playback.
-        session.play();
-        Setup setup = session.setup();
+        session.playback().play();
+        Setup setup = session.job().setup();
         setup.blockDelete = !setup.blockDelete;
-        const FramePtr before = session.frame();
-        QVERIFY(session.setSetup(setup).has_value());
-        QTRY_VERIFY_WITH_TIMEOUT(
-            session.frame()->setup->blockDelete == setup.blockDelete && session.block() >= 100, kPatience);
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame()->playing, kPatience);
-        QVERIFY(session.playback().playing);
+        const FramePtr before = session.simulation().frame();
+        QVERIFY(session.job().setSetup(setup).has_value());
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame()->setup->blockDelete == setup.blockDelete &&
+                                     session.simulation().block() >= 100,
+                                 kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame()->playing, kPatience);
+        QVERIFY(session.playback().state().playing);
     }
 
     void aLoadThatFailsIsNotPlayed() {
@@ -675,9 +684,9 @@ private slots:
         Session session;
         QVERIFY(opened(session, write(folder, "large.proveout", QJsonDocument(job).toJson())));
         QTRY_VERIFY_WITH_TIMEOUT(hasProblem(session, "grid-too-fine"), kPatience);
-        session.play();
-        QTRY_VERIFY_WITH_TIMEOUT(!session.playback().playing, kPatience);
-        QVERIFY(session.frame() == nullptr);
+        session.playback().play();
+        QTRY_VERIFY_WITH_TIMEOUT(!session.playback().state().playing, kPatience);
+        QVERIFY(session.simulation().frame() == nullptr);
     }
 
     void fault36ADeletedFileIsNotLost() {
@@ -686,23 +695,23 @@ private slots:
         const QString file = write(folder, "square.nc", kSquare);
         QVERIFY(opened(session, file));
         QVERIFY(QFile::remove(file));
-        QTRY_VERIFY_WITH_TIMEOUT(session.modified(), kPatience);
-        session.reload();
+        QTRY_VERIFY_WITH_TIMEOUT(session.document().modified(), kPatience);
+        session.document().reload();
         QVERIFY(openingIsOver(session));
-        QVERIFY(session.modified());
-        QVERIFY(session.save());
+        QVERIFY(session.document().modified());
+        QVERIFY(session.document().save());
         QCOMPARE(bytesOf(file), kSquare);
-        QVERIFY(!session.modified());
+        QVERIFY(!session.document().modified());
     }
 
     void oneExportAtATime() {
         QTemporaryDir folder;
         Session session;
         QVERIFY(opened(session, kSample));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
-        QSignalSpy exported(&session, &Session::exported);
-        session.exportMesh(folder.filePath("first.stl"), {});
-        session.exportMesh(folder.filePath("second.stl"), {});
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kPatience);
+        QSignalSpy exported(&session.exports(), &ExportHub::exported);
+        session.exports().exportMesh(folder.filePath("first.stl"), {});
+        session.exports().exportMesh(folder.filePath("second.stl"), {});
         QVERIFY(hasProblem(session, "export-running"));
         QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, kPatience);
         QVERIFY(QFile::exists(folder.filePath("first.stl")));
@@ -731,36 +740,39 @@ private slots:
         Session session;
         std::vector<std::size_t> counts;
         bool told = false;
-        connect(&session, &Session::programChanged, this, [&] {
-            if (!session.program())
+        connect(&session.program(), &ProgramHub::changed, this, [&] {
+            if (!session.program().current())
                 return;
-            counts.push_back(session.blockCount());
+            counts.push_back(session.program().blockCount());
             told = told || hasProblem(session, "still-reading");
         });
-        connect(&session, &Session::problemsChanged, this,
+        connect(&session.problems(), &ProblemsHub::changed, this,
                 [&] { told = told || hasProblem(session, "still-reading"); });
         QVERIFY(opened(session, write(folder, "long.nc", longProgram(600'000))));
-        QTRY_COMPARE_WITH_TIMEOUT(session.blockCount(), std::size_t{600'003}, kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(session.program().blockCount(), std::size_t{600'003}, kPatience);
         QVERIFY(counts.size() >= 2);
         QVERIFY(counts.front() < 150'000);
         QVERIFY(told);
         QVERIFY(!hasProblem(session, "still-reading"));
-        QVERIFY(!session.work());
+        QVERIFY(!session.work().current());
         // The stock is that of the whole program.
-        QVERIFY(session.setup().stock.depth > 299);
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() && session.frame()->program == session.program(), kPatience);
+        QVERIFY(session.job().setup().stock.depth > 299);
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() &&
+                                     session.simulation().frame()->program == session.program().current(),
+                                 kPatience);
     }
 
     void readingALongProgramCanBeCancelled() {
         QTemporaryDir folder;
         Session session;
-        connect(&session, &Session::workChanged, this, [&] {
-            if (session.work() && session.work()->label == Session::tr("Reading the program"))
-                session.cancelWork();
+        connect(&session.work(), &WorkHub::changed, this, [&] {
+            if (session.work().current() &&
+                session.work().current()->label == Session::tr("Reading the program"))
+                session.work().cancel();
         });
         QVERIFY(opened(session, write(folder, "long.nc", longProgram(3'000'000))));
         QTRY_VERIFY_WITH_TIMEOUT(hasProblem(session, "interpretation-stopped"), kPatience);
-        QVERIFY(session.blockCount() < 2'900'000);
+        QVERIFY(session.program().blockCount() < 2'900'000);
         QVERIFY(!hasProblem(session, "still-reading"));
     }
 
@@ -770,64 +782,68 @@ private slots:
         Session session;
         QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
         int told = 0;
-        connect(&session, &Session::workChanged, this, [&] {
-            told += session.work() && session.work()->label == Session::tr("Opening the file") ? 1 : 0;
+        connect(&session.work(), &WorkHub::changed, this, [&] {
+            told +=
+                session.work().current() && session.work().current()->label == Session::tr("Opening the file")
+                    ? 1
+                    : 0;
         });
         int rounds = 0;
         QTimer round;
         connect(&round, &QTimer::timeout, this, [&] { ++rounds; });
         round.start(0);
         bool through = false;
-        connect(&session, &Session::opened, this, [&] { through = true; });
-        session.openFile(file);
-        QVERIFY(session.isOpening());
-        while (session.isOpening())
+        connect(&session.document(), &DocumentHub::opened, this, [&] { through = true; });
+        session.document().openFile(file);
+        QVERIFY(session.document().isOpening());
+        while (session.document().isOpening())
             QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
         QVERIFY(through);
         QVERIFY2(rounds > 10, qPrintable(QString::number(rounds)));
         QVERIFY(told >= 2);
-        QCOMPARE(session.document().path, toPath(file));
+        QCOMPARE(session.document().text().path, toPath(file));
     }
 
     void anOpeningThatIsCancelledLeavesTheDocument() {
         QTemporaryDir folder;
         Session session;
         QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
-        QSignalSpy replaced(&session, &Session::textReplaced);
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kPatience);
+        QSignalSpy replaced(&session.document(), &DocumentHub::textReplaced);
         bool cancelled = false;
-        connect(&session, &Session::workChanged, this, [&] {
-            if (session.work() && session.work()->label == Session::tr("Opening the file")) {
+        connect(&session.work(), &WorkHub::changed, this, [&] {
+            if (session.work().current() &&
+                session.work().current()->label == Session::tr("Opening the file")) {
                 cancelled = true;
-                session.cancelWork();
+                session.work().cancel();
             }
         });
         QVERIFY(!opened(session, write(folder, "long.nc", longProgram(3'000'000))));
         QVERIFY(cancelled);
         QTest::qWait(100); // what was still under way
         QCOMPARE(replaced.count(), 0);
-        QVERIFY(!session.work());
-        QCOMPARE(session.document().path, toPath(folder.filePath("square.nc")));
-        QCOMPARE(session.document().text.toString(), kSquare.toStdString());
-        QVERIFY(session.frame() != nullptr);
+        QVERIFY(!session.work().current());
+        QCOMPARE(session.document().text().path, toPath(folder.filePath("square.nc")));
+        QCOMPARE(session.document().text().text.toString(), kSquare.toStdString());
+        QVERIFY(session.simulation().frame() != nullptr);
     }
 
     void theNewestFileIsTheOneThatIsOpened() {
         QTemporaryDir folder;
         const QString file = write(folder, "long.nc", longProgram(3'000'000));
         Session session;
-        QSignalSpy spy(&session, &Session::opened);
-        session.openFile(file);
-        session.openFile(file);
+        QSignalSpy spy(&session.document(), &DocumentHub::opened);
+        session.document().openFile(file);
+        session.document().openFile(file);
         QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
-        QTRY_VERIFY_WITH_TIMEOUT(session.blockCount() > 0, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(session.program().blockCount() > 0, kPatience);
         QCOMPARE(spy.count(), 1);
-        QCOMPARE(session.document().path, toPath(folder.filePath("square.nc")));
-        session.openFile(file);
-        session.newFile();
-        QVERIFY(!session.isOpening());
+        QCOMPARE(session.document().text().path, toPath(folder.filePath("square.nc")));
+        session.document().openFile(file);
+        session.document().newFile();
+        QVERIFY(!session.document().isOpening());
         QTest::qWait(100);
-        QVERIFY(session.document().path.empty());
+        QVERIFY(session.document().text().path.empty());
     }
 
     void aChangeWhileAFileIsReadIsNotLost_data() {
@@ -842,55 +858,56 @@ private slots:
         const QString file = write(folder, "long.nc", longProgram(3'000'000));
         Session session;
         QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kPatience);
-        session.openFile(file);
-        Setup setup = session.setup();
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kPatience);
+        session.document().openFile(file);
+        Setup setup = session.job().setup();
         setup.automaticGrid = false;
         setup.spacing *= 2;
-        DecimationParameters parameters = session.parameters();
+        DecimationParameters parameters = session.job().parameters();
         parameters.allowance = 0.3;
         if (change == 0)
-            session.applyEdit(0, 0, "(mine)\n");
+            session.document().applyEdit(0, 0, "(mine)\n");
         else if (change == 1)
-            QVERIFY(session.setSetup(setup));
+            QVERIFY(session.job().setSetup(setup));
         else
-            session.setParameters(parameters);
-        QVERIFY(!session.isOpening());
+            session.job().setParameters(parameters);
+        QVERIFY(!session.document().isOpening());
         QVERIFY(hasProblem(session, "opening-stopped"));
         QTest::qWait(100);
-        QCOMPARE(session.document().path, toPath(folder.filePath("square.nc")));
-        QCOMPARE(session.document().text.toString(), (change == 0 ? "(mine)\n" : "") + kSquare.toStdString());
-        QCOMPARE(session.setup().spacing == setup.spacing, change == 1);
-        QCOMPARE(session.parameters() == parameters, change == 2);
+        QCOMPARE(session.document().text().path, toPath(folder.filePath("square.nc")));
+        QCOMPARE(session.document().text().text.toString(),
+                 (change == 0 ? "(mine)\n" : "") + kSquare.toStdString());
+        QCOMPARE(session.job().setup().spacing == setup.spacing, change == 1);
+        QCOMPARE(session.job().parameters() == parameters, change == 2);
     }
 
     void aSessionMayEndWhileAFileIsRead() {
         QTemporaryDir folder;
         const QString file = write(folder, "long.nc", longProgram(3'000'000));
         Session session;
-        session.openFile(file);
+        session.document().openFile(file);
     }
 
     void keepsMineUntilItIsSaved() {
         QTemporaryDir folder;
         Session session;
         QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
-        session.keepMine();
-        QVERIFY(session.modified());
-        session.setTextModified(false); // undo came to the text that was read
-        QVERIFY(session.modified());
-        QVERIFY(session.save());
-        QVERIFY(!session.modified());
+        session.document().keepMine();
+        QVERIFY(session.document().modified());
+        session.document().setTextModified(false); // undo came to the text that was read
+        QVERIFY(session.document().modified());
+        QVERIFY(session.document().save());
+        QVERIFY(!session.document().modified());
     }
 
     void aFailedOpenIsToldWithItsFile() {
         QTemporaryDir folder;
         Session session;
         QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
-        QSignalSpy troubled(&session, &Session::troubled);
+        QSignalSpy troubled(&session.problems(), &ProblemsHub::troubled);
         QVERIFY(!opened(session, write(folder, "picture.nc", QByteArray(64, '\0'))));
         QCOMPARE(troubled.count(), 1);
-        const Diagnostic& problem = session.problems().front();
+        const Diagnostic& problem = session.problems().all().front();
         QCOMPARE(problem.where.line, 0); // it is not about a line of the program that stays open
         QVERIFY2(sentence(problem).startsWith(QLatin1String("picture.nc: ")), qPrintable(sentence(problem)));
     }

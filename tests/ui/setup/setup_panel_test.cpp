@@ -40,11 +40,11 @@ bool isOffered(const SetupPanel& panel) {
 }
 
 Result<void> setDialect(Session& session, std::optional<DialectId> dialect) {
-    Setup setup = session.setup();
+    Setup setup = session.job().setup();
     setup.dialect = dialect;
     setup.start = Vec3(-20, 0, 0);
     setup.tools.set(1, parseCutter("flat:d=10").value());
-    return session.setSetup(setup);
+    return session.job().setSetup(setup);
 }
 
 } // namespace
@@ -58,36 +58,37 @@ private slots:
         Session session;
         SetupPanel panel(session);
         QVERIFY(opened(session, write(folder, kCompensated)));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame(), kPatience); // the stock is fitted by then
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame(), kPatience); // the stock is fitted by then
         auto* shape = panel.findChild<QComboBox*>(QStringLiteral("stock-shape"));
         auto* diameter = panel.findChild<QDoubleSpinBox*>(QStringLiteral("stock-cylinder-diameter"));
         QVERIFY(diameter->isHidden());
-        const Vec3 corner = session.setup().stock.corner;
+        const Vec3 corner = session.job().setup().stock.corner;
         shape->setCurrentIndex(1);
         QVERIFY(!diameter->isHidden());
         diameter->setValue(42);
-        QTRY_COMPARE_WITH_TIMEOUT(session.setup().shape.kind, StockKind::cylinder, kPatience);
-        QTRY_COMPARE_WITH_TIMEOUT(session.setup().stock.depth, 42.0, kPatience);
-        QVERIFY(session.setup().shape.body != nullptr);
-        QVERIFY(session.setup().stock.corner == corner);
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() && session.frame()->zmap.stock().width == 42 &&
-                                     session.frame()->zmap.height(0, 0) < 0,
+        QTRY_COMPARE_WITH_TIMEOUT(session.job().setup().shape.kind, StockKind::cylinder, kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(session.job().setup().stock.depth, 42.0, kPatience);
+        QVERIFY(session.job().setup().shape.body != nullptr);
+        QVERIFY(session.job().setup().stock.corner == corner);
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() &&
+                                     session.simulation().frame()->zmap.stock().width == 42 &&
+                                     session.simulation().frame()->zmap.height(0, 0) < 0,
                                  kPatience);
         const QString job = folder.filePath(QStringLiteral("p.proveout"));
-        QVERIFY(session.saveJobAs(job));
+        QVERIFY(session.document().saveJobAs(job));
 
         // What is left becomes the stock of the next set-up, where it lay and on its grid.
         const QString stock = folder.filePath(QStringLiteral("a.pvstock"));
-        QSignalSpy saved(&session, &Session::exported);
-        session.saveStock(stock);
+        QSignalSpy saved(&session.exports(), &ExportHub::exported);
+        session.exports().saveStock(stock);
         QTRY_COMPARE_WITH_TIMEOUT(saved.size(), 1, kPatience);
         auto* file = panel.findChild<QLineEdit*>(QStringLiteral("stock-file-file"));
         shape->setCurrentIndex(4);
         file->setText(stock);
         emit file->editingFinished();
-        QTRY_COMPARE_WITH_TIMEOUT(session.setup().shape.kind, StockKind::saved, kPatience);
-        QVERIFY(session.setup().stock.corner == corner);
-        QCOMPARE(session.setup().stock.width, 42.0);
+        QTRY_COMPARE_WITH_TIMEOUT(session.job().setup().shape.kind, StockKind::saved, kPatience);
+        QVERIFY(session.job().setup().stock.corner == corner);
+        QCOMPARE(session.job().setup().stock.width, 42.0);
         // One that is not there is told and changes nothing.
         file->setText(folder.filePath(QStringLiteral("none.pvstock")));
         emit file->editingFinished();
@@ -98,7 +99,7 @@ private slots:
             });
         };
         QTRY_VERIFY_WITH_TIMEOUT(told(), kPatience);
-        QCOMPARE(session.setup().stock.width, 42.0);
+        QCOMPARE(session.job().setup().stock.width, 42.0);
 
         Session other;
         QVERIFY(opened(other, job));
@@ -114,12 +115,12 @@ private slots:
         panel.show();
         QVERIFY(QTest::qWaitForWindowExposed(&panel));
         QVERIFY(opened(session, write(folder, "G21\nT7 M6\nG0 X0 Y0 Z5\nG1 Z-1 F100\nX9\nM30\n")));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame(), kPatience);
-        emit session.toolRequested(7);
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame(), kPatience);
+        emit session.navigation().toolRequested(7);
         const auto diameter = [&panel] { return panel.findChild<QDoubleSpinBox*>(QStringLiteral("tool-d")); };
         QTRY_VERIFY_WITH_TIMEOUT(diameter() != nullptr && !diameter()->visibleRegion().isEmpty(), kPatience);
-        QTRY_VERIFY_WITH_TIMEOUT(session.setup().tools.unconfirmedOrigin(7) != nullptr, kPatience);
-        QCOMPARE(session.setup().tools.unconfirmedOrigin(7)->source, ToolSource::assumed);
+        QTRY_VERIFY_WITH_TIMEOUT(session.job().setup().tools.unconfirmedOrigin(7) != nullptr, kPatience);
+        QCOMPARE(session.job().setup().tools.unconfirmedOrigin(7)->source, ToolSource::assumed);
     }
 
     void theStartOfCompensationIsChosenAndSavedWithTheJob() {
@@ -128,19 +129,21 @@ private slots:
         SetupPanel panel(session);
         QVERIFY(opened(session, write(folder, kCompensated)));
         QVERIFY(setDialect(session, DialectId::fanuc).has_value());
-        const auto motions = [&session] { return session.program() ? session.program()->motionCount() : 0; };
+        const auto motions = [&session] {
+            return session.program().current() ? session.program().current()->motionCount() : 0;
+        };
         QTRY_COMPARE_WITH_TIMEOUT(motions(), std::size_t{3}, kPatience);
         const QString job = folder.filePath(QStringLiteral("p.proveout"));
-        QVERIFY(session.saveJobAs(job));
-        QVERIFY(!session.modified());
+        QVERIFY(session.document().saveJobAs(job));
+        QVERIFY(!session.document().modified());
 
         QVERIFY(isOffered(panel));
         QTest::keyClick(&compensation(panel), Qt::Key_Down);
         QTRY_COMPARE_WITH_TIMEOUT(motions(), std::size_t{4}, kPatience);
-        QVERIFY(session.setup().compensationTypeB);
-        QVERIFY(session.modified());
-        QVERIFY(session.save());
-        QVERIFY(!session.modified());
+        QVERIFY(session.job().setup().compensationTypeB);
+        QVERIFY(session.document().modified());
+        QVERIFY(session.document().save());
+        QVERIFY(!session.document().modified());
 
         Session other;
         SetupPanel shown(other);
@@ -161,7 +164,8 @@ private slots:
         auto* found = panel.findChild<QLabel*>(QStringLiteral("ignored-m-found"));
         auto* problem = panel.findChild<QLabel*>(QStringLiteral("ignored-m-problem"));
         QVERIFY(opened(session, write(folder, "%\nO1\nG65 P2\nM10\nM16\nM30\nO2\nM99\n%\n")));
-        QTRY_VERIFY_WITH_TIMEOUT(session.program() && session.program()->unverified(), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(session.program().current() && session.program().current()->unverified(),
+                                 kPatience);
         QTRY_VERIFY_WITH_TIMEOUT(found->isVisibleTo(&panel), kPatience);
         QVERIFY(found->text().contains(QLatin1String("M10")));
         QVERIFY(!found->text().contains(QLatin1String("M16")));
@@ -170,17 +174,17 @@ private slots:
         QTest::keyClicks(list, QStringLiteral("1x"));
         QTest::keyClick(list, Qt::Key_Return);
         QVERIFY(problem->isVisibleTo(&panel));
-        QVERIFY(session.setup().ignoredM.empty());
+        QVERIFY(session.job().setup().ignoredM.empty());
         list->selectAll();
         QTest::keyClicks(list, QStringLiteral("M16 24"));
         QTest::keyClick(list, Qt::Key_Return);
-        QTRY_COMPARE_WITH_TIMEOUT(session.setup().ignoredM, (std::set<int>{16, 24}), kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(session.job().setup().ignoredM, (std::set<int>{16, 24}), kPatience);
         QVERIFY(!problem->isVisibleTo(&panel));
         QCOMPARE(list->text(), QStringLiteral("16, 24"));
         QTRY_VERIFY_WITH_TIMEOUT(found->text().contains(QLatin1String("M16")), kPatience);
-        QVERIFY(session.jobModified());
+        QVERIFY(session.document().jobModified());
         const QString job = folder.filePath(QStringLiteral("p.proveout"));
-        QVERIFY(session.saveJobAs(job));
+        QVERIFY(session.document().saveJobAs(job));
 
         Session other;
         SetupPanel shown(other);
@@ -195,14 +199,15 @@ private slots:
         Session session;
         SetupPanel panel(session);
         QVERIFY(opened(session, write(folder, "0 BEGIN PGM A MM\n1 L X+1 R0 FMAX\n2 END PGM A MM\n")));
-        QTRY_VERIFY_WITH_TIMEOUT(session.program() && session.program()->foreignKind() != nullptr, kPatience);
-        QCOMPARE(session.problems().size(), std::size_t{1});
+        QTRY_VERIFY_WITH_TIMEOUT(
+            session.program().current() && session.program().current()->foreignKind() != nullptr, kPatience);
+        QCOMPARE(session.problems().all().size(), std::size_t{1});
         auto* dialects = panel.findChild<QComboBox*>(QStringLiteral("dialect"));
         QVERIFY(dialects->currentText().contains(QLatin1String("none")));
         // The choice of a dialect has it read.
         QVERIFY(setDialect(session, DialectId::fanuc).has_value());
-        QTRY_VERIFY_WITH_TIMEOUT(session.program()->foreignKind() == nullptr, kPatience);
-        QVERIFY(session.problems().size() > 1);
+        QTRY_VERIFY_WITH_TIMEOUT(session.program().current()->foreignKind() == nullptr, kPatience);
+        QVERIFY(session.problems().all().size() > 1);
     }
 
     void theStartOfCompensationIsOfferedWhereTheControlHasIt() {
@@ -216,9 +221,9 @@ private slots:
         }
         // A dialect that nobody named is known once the text was read.
         QVERIFY(opened(session, write(folder, "O1\nG65 P2 X5.\nM30\nO2\nM99\n")));
-        QVERIFY(!session.setup().dialect);
+        QVERIFY(!session.job().setup().dialect);
         QTRY_VERIFY_WITH_TIMEOUT(isOffered(panel), kPatience);
-        session.applyEdit(0, session.document().text.size(), "o<a> sub\no<a> endsub\nM2\n");
+        session.document().applyEdit(0, session.document().text().text.size(), "o<a> sub\no<a> endsub\nM2\n");
         QTRY_VERIFY_WITH_TIMEOUT(!isOffered(panel), kPatience);
     }
 };

@@ -38,26 +38,30 @@ struct Opened {
         panel.resize(400, 900);
         panel.show();
         if (!QTest::qWaitForWindowExposed(&panel) || !opened(session, file.fileName()) ||
-            !QTest::qWaitFor([this] { return session.frame() != nullptr; }, kPatience))
+            !QTest::qWaitFor([this] { return session.simulation().frame() != nullptr; }, kPatience))
             return false;
-        Setup setup = session.setup();
+        Setup setup = session.job().setup();
         setup.stock = {Vec3(0), 40, 30, 10};
         setup.automaticGrid = false;
         setup.spacing = 0.5;
         setup.tools.set(1, parseCutter("flat:d=4,l=20").value());
-        return session.setSetup(setup).has_value() && settled();
+        return session.job().setSetup(setup).has_value() && settled();
     }
     /// The newest frame is of the present setup.
     bool settled() {
         return QTest::qWaitFor(
-            [this] { return session.frame() && *session.frame()->setup == session.setup(); }, kPatience);
+            [this] {
+                return session.simulation().frame() &&
+                       *session.simulation().frame()->setup == session.job().setup();
+            },
+            kPatience);
     }
     template<class Widget>
     Widget& find(const char* name) {
         return *panel.findChild<Widget*>(QLatin1String(name));
     }
     bool tells(const char* id) const {
-        return std::ranges::any_of(session.problems(),
+        return std::ranges::any_of(session.problems().all(),
                                    [id](const Diagnostic& d) { return std::string_view(d.id) == id; });
     }
     /// A sentence on the panel, as the user sees it.
@@ -87,20 +91,20 @@ private slots:
         auto& tool = at.find<QComboBox>("start-tool");
         QTRY_COMPARE_WITH_TIMEOUT(tool.currentText(), QStringLiteral("Not set: T1 is assumed"), kPatience);
         QVERIFY(at.tells("tool-assumed"));
-        QVERIFY(at.session.frame()->toolAssumed);
+        QVERIFY(at.session.simulation().frame()->toolAssumed);
         tool.setFocus();
         QTest::keyClick(&tool, Qt::Key_Down); // the empty spindle
-        QTRY_COMPARE_WITH_TIMEOUT(at.session.setup().startTool, std::optional(0), kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(at.session.job().setup().startTool, std::optional(0), kPatience);
         QTRY_VERIFY_WITH_TIMEOUT(at.tells("no-tool"), kPatience);
         QTest::keyClick(&tool, Qt::Key_Down);
-        QTRY_COMPARE_WITH_TIMEOUT(at.session.setup().startTool, std::optional(1), kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(at.session.job().setup().startTool, std::optional(1), kPatience);
         QCOMPARE(tool.currentText(), QStringLiteral("T1"));
-        QTRY_VERIFY_WITH_TIMEOUT(at.settled() && at.session.frame()->tool == 1, kPatience);
-        QVERIFY(!at.session.frame()->toolAssumed);
+        QTRY_VERIFY_WITH_TIMEOUT(at.settled() && at.session.simulation().frame()->tool == 1, kPatience);
+        QVERIFY(!at.session.simulation().frame()->toolAssumed);
         QVERIFY(!at.tells("tool-assumed") && !at.tells("no-tool"));
 
         const QString job = at.folder.filePath(QStringLiteral("p.proveout"));
-        QVERIFY(at.session.saveJobAs(job));
+        QVERIFY(at.session.document().saveJobAs(job));
         Opened other;
         QVERIFY(opened(other.session, job));
         QCOMPARE(other.find<QComboBox>("start-tool").currentText(), QStringLiteral("T1"));
@@ -116,10 +120,12 @@ private slots:
         QTest::keyClick(&known, Qt::Key_Space);
         QVERIFY(z.isVisible());
         type(z, QStringLiteral("12.5"));
-        QTRY_VERIFY_WITH_TIMEOUT(at.session.setup().start == std::optional(Vec3(0, 0, 12.5)), kPatience);
-        QTRY_VERIFY_WITH_TIMEOUT(at.session.program() && at.session.program()->motion(0).known(), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(at.session.job().setup().start == std::optional(Vec3(0, 0, 12.5)),
+                                 kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            at.session.program().current() && at.session.program().current()->motion(0).known(), kPatience);
         QTest::keyClick(&known, Qt::Key_Space);
-        QTRY_VERIFY_WITH_TIMEOUT(!at.session.setup().start, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(!at.session.job().setup().start, kPatience);
     }
 
     void theGridIsAutomaticUntilASpacingIsTyped() {
@@ -131,51 +137,51 @@ private slots:
         QVERIFY(!automatic.isChecked());
         automatic.setFocus();
         QTest::keyClick(&automatic, Qt::Key_Space);
-        QTRY_VERIFY_WITH_TIMEOUT(at.session.setup().automaticGrid, kPatience);
-        QVERIFY(at.session.setup().spacing <= 0.4); // a tenth of the cutter
-        QCOMPARE(spacing.value(), at.session.setup().spacing);
+        QTRY_VERIFY_WITH_TIMEOUT(at.session.job().setup().automaticGrid, kPatience);
+        QVERIFY(at.session.job().setup().spacing <= 0.4); // a tenth of the cutter
+        QCOMPARE(spacing.value(), at.session.job().setup().spacing);
         QVERIFY(tuning.findChild<QCheckBox*>(QStringLiteral("grid-automatic"))->isChecked());
         // A smaller cutter makes it finer.
-        const double before = at.session.setup().spacing;
-        Setup setup = at.session.setup();
+        const double before = at.session.job().setup().spacing;
+        Setup setup = at.session.job().setup();
         setup.tools.set(1, parseCutter("flat:d=0.2").value());
-        QVERIFY(at.session.setSetup(setup).has_value());
-        QVERIFY(at.session.setup().spacing < before);
-        QCOMPARE(spacing.value(), at.session.setup().spacing);
+        QVERIFY(at.session.job().setSetup(setup).has_value());
+        QVERIFY(at.session.job().setup().spacing < before);
+        QCOMPARE(spacing.value(), at.session.job().setup().spacing);
 
         type(spacing, QStringLiteral("2"));
         QVERIFY(!automatic.isChecked());
-        QTRY_COMPARE_WITH_TIMEOUT(at.session.setup().spacing, 2.0, kPatience);
-        QVERIFY(!at.session.setup().automaticGrid);
+        QTRY_COMPARE_WITH_TIMEOUT(at.session.job().setup().spacing, 2.0, kPatience);
+        QVERIFY(!at.session.job().setup().automaticGrid);
         QTRY_VERIFY_WITH_TIMEOUT(at.tells("grid-coarse"), kPatience);
     }
 
     void aNewProgramHasAnAutomaticGrid() {
         Opened at;
         Session& session = at.session;
-        QVERIFY(session.setup().automaticGrid);
+        QVERIFY(session.job().setup().automaticGrid);
         QVERIFY(at.open());
-        session.newFile();
-        QVERIFY(session.setup().automaticGrid);
+        session.document().newFile();
+        QVERIFY(session.job().setup().automaticGrid);
     }
 
     void aShapeWithoutItsFileSaysSoAndNothingIsSimulatedUnderItsName() {
         Opened at;
         QVERIFY(at.open());
         auto& shape = at.find<QComboBox>("stock-shape");
-        QVERIFY(at.session.frame() != nullptr);
+        QVERIFY(at.session.simulation().frame() != nullptr);
         shape.setFocus();
         QTest::keyClick(&shape, Qt::Key_End); // a saved stock
-        QTRY_COMPARE_WITH_TIMEOUT(at.session.setup().shape.kind, StockKind::saved, kPatience);
-        QVERIFY(at.session.frame() == nullptr);
+        QTRY_COMPARE_WITH_TIMEOUT(at.session.job().setup().shape.kind, StockKind::saved, kPatience);
+        QVERIFY(at.session.simulation().frame() == nullptr);
         QVERIFY(at.tells("stock-incomplete"));
         QVERIFY(at.shows(QStringLiteral("The stock has no file yet; nothing is simulated.")));
         // Nor under the name of a file that cannot be read.
         auto& file = at.find<QLineEdit>("stock-file-file");
         type(file, at.folder.filePath(QStringLiteral("none.pvstock")));
         QTRY_VERIFY_WITH_TIMEOUT(at.shows(QStringLiteral("none.pvstock")), kPatience);
-        QTRY_VERIFY_WITH_TIMEOUT(!at.session.setup().shape.file.empty(), kPatience);
-        QVERIFY(at.session.frame() == nullptr);
+        QTRY_VERIFY_WITH_TIMEOUT(!at.session.job().setup().shape.file.empty(), kPatience);
+        QVERIFY(at.session.simulation().frame() == nullptr);
         QTest::keyClick(&shape, Qt::Key_Home); // a box again
         QVERIFY(at.settled());
         QVERIFY(!at.tells("stock-incomplete"));
@@ -223,8 +229,8 @@ private slots:
         if (box == nullptr)
             box = tuning.findChild<QAbstractSpinBox*>(name);
         QVERIFY(box != nullptr);
-        const Setup setup = at.session.setup();
-        const DecimationParameters parameters = at.session.parameters();
+        const Setup setup = at.session.job().setup();
+        const DecimationParameters parameters = at.session.job().parameters();
         const QString shown = box->text();
         connect(box, SIGNAL(refused(QString)), this, SLOT(take(QString)));
         m_refused.clear();
@@ -232,9 +238,9 @@ private slots:
         QVERIFY2(m_refused.contains(range), qPrintable(m_refused));
         QCOMPARE(box->text(), shown);
         QTest::qWait(400); // the rest after which edits are applied
-        QVERIFY(at.session.setup() == setup);
-        QVERIFY(at.session.parameters() == parameters);
-        QVERIFY(!at.session.machine());
+        QVERIFY(at.session.job().setup() == setup);
+        QVERIFY(at.session.job().parameters() == parameters);
+        QVERIFY(!at.session.job().machine());
     }
 
     void take(const QString& sentence) { m_refused = sentence; }
@@ -242,55 +248,55 @@ private slots:
     void aGridThatIsRefusedLeavesTheFormAndBlocksNothing() {
         Opened at;
         QVERIFY(at.open());
-        Setup wide = at.session.setup();
+        Setup wide = at.session.job().setup();
         wide.stock = {Vec3(0), 5000, 5000, 10}; // 25e12 points at 0.001 mm
         wide.spacing = 5;
-        QVERIFY(at.session.setSetup(wide).has_value());
+        QVERIFY(at.session.job().setSetup(wide).has_value());
         auto& spacing = at.find<QDoubleSpinBox>("spacing");
         auto& blockDelete = *at.panel.findChildren<QCheckBox*>().front();
-        QVERIFY(!at.session.setup().blockDelete);
+        QVERIFY(!at.session.job().setup().blockDelete);
         type(spacing, QStringLiteral("0.001"));
         blockDelete.setFocus();
         QTest::keyClick(&blockDelete, Qt::Key_Space); // together with what is refused
         QTRY_COMPARE_WITH_TIMEOUT(spacing.value(), 5.0, kPatience);
-        QCOMPARE(at.session.setup().spacing, 5.0);
-        QVERIFY(at.session.setup().blockDelete);
+        QCOMPARE(at.session.job().setup().spacing, 5.0);
+        QVERIFY(at.session.job().setup().blockDelete);
         QVERIFY(at.shows(QStringLiteral("memory")) || at.shows(QStringLiteral("points")));
         QVERIFY(at.settled());
         auto& z = at.find<QDoubleSpinBox>("corner-z");
         type(z, QStringLiteral("3"));
-        QTRY_COMPARE_WITH_TIMEOUT(at.session.setup().stock.corner.z, 3.0, kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(at.session.job().setup().stock.corner.z, 3.0, kPatience);
     }
 
     void aFineSpacingIsReadToItsLastDigit() {
         Opened at;
         QVERIFY(at.open());
-        Setup tiny = at.session.setup();
+        Setup tiny = at.session.job().setup();
         tiny.stock = {Vec3(0), 2, 2, 1};
         tiny.spacing = 0.0052;
-        QVERIFY(at.session.setSetup(tiny).has_value());
+        QVERIFY(at.session.job().setSetup(tiny).has_value());
         QCOMPARE(at.find<QDoubleSpinBox>("spacing").cleanText(), QStringLiteral("0.0052"));
         type(at.find<QDoubleSpinBox>("spacing"), QStringLiteral("0.0054"));
-        QTRY_COMPARE_WITH_TIMEOUT(at.session.setup().spacing, 0.0054, kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(at.session.job().setup().spacing, 0.0054, kPatience);
     }
 
     /// The forms reach as far as job files do; what is beyond is shown, not bent.
     void aValueFromAFileIsNotBent() {
         Opened at;
         QVERIFY(at.open());
-        Setup setup = at.session.setup();
+        Setup setup = at.session.job().setup();
         setup.stock.width = 250'000;
         setup.spacing = 1500;
         setup.stock.depth = 3000;
         setup.stock.corner.x = -5e6;
-        QVERIFY(at.session.setSetup(setup).has_value());
+        QVERIFY(at.session.job().setSetup(setup).has_value());
         auto& blockDelete = *at.panel.findChildren<QCheckBox*>().front();
         blockDelete.setFocus();
         QTest::keyClick(&blockDelete, Qt::Key_Space); // another edit carries all fields along
-        QTRY_VERIFY_WITH_TIMEOUT(!(at.session.setup() == setup), kPatience);
-        QCOMPARE(at.session.setup().stock.width, 250'000.0);
-        QCOMPARE(at.session.setup().spacing, 1500.0);
-        QCOMPARE(at.session.setup().stock.corner.x, -5e6);
+        QTRY_VERIFY_WITH_TIMEOUT(!(at.session.job().setup() == setup), kPatience);
+        QCOMPARE(at.session.job().setup().stock.width, 250'000.0);
+        QCOMPARE(at.session.job().setup().spacing, 1500.0);
+        QCOMPARE(at.session.job().setup().stock.corner.x, -5e6);
     }
 
 private:

@@ -53,7 +53,7 @@ private:
         auto session = std::make_unique<Session>();
         [&] {
             QVERIFY(opened(*session, job.fileName()));
-            QTRY_VERIFY_WITH_TIMEOUT(session->blockCount() > 0, kLong);
+            QTRY_VERIFY_WITH_TIMEOUT(session->program().blockCount() > 0, kLong);
         }();
         return session;
     }
@@ -91,7 +91,7 @@ private slots:
         panel.runner().cancel();
         QTRY_COMPARE_WITH_TIMEOUT(ended.count(), 1, 5000);
         QVERIFY(ran.count() < static_cast<int>(studiedAllowances().size()));
-        QVERIFY2(session->problems().empty(), "what the user asked for is no problem");
+        QVERIFY2(session->problems().all().empty(), "what the user asked for is no problem");
     }
 
     void endsWithThePanel() {

@@ -97,9 +97,9 @@ private slots:
         panel.show();
         QVERIFY(
             opened(session, QStringLiteral(PROVEOUT_SOURCE_DIR "/resources/samples/core-insert.proveout")));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kOpeningPatience);
-        session.seek(120);
-        QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{120}, kOpeningPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kOpeningPatience);
+        session.playback().seek(120);
+        QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), std::size_t{120}, kOpeningPatience);
         TimelineScale& scale = panel.scale();
         constexpr int kInStrip = 28;
         const QColor ground = scale.palette().color(QPalette::Base);
@@ -115,7 +115,7 @@ private slots:
         QCOMPARE(ink(200), ground); // not simulated yet
         QTest::mouseClick(&scale, Qt::LeftButton, {},
                           QPoint(static_cast<int>(std::lround(scale.positionOf(200))), kInStrip));
-        QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{200}, kOpeningPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), std::size_t{200}, kOpeningPatience);
         QTRY_VERIFY_WITH_TIMEOUT(ink(190) != ground, kOpeningPatience);
         QHelpEvent help(QEvent::ToolTip, middleOf(60), scale.mapToGlobal(middleOf(60)));
         QApplication::sendEvent(&scale, &help);
@@ -136,7 +136,7 @@ private slots:
         panel.resize(1400, panel.sizeHint().height());
         panel.show();
         QVERIFY(opened(session, file.fileName()));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, kOpeningPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kOpeningPatience);
         const auto tip = [&] {
             TimelineScale& scale = panel.scale();
             const QPoint place(static_cast<int>(scale.positionOf(2)), 12);
@@ -145,16 +145,16 @@ private slots:
             return QToolTip::text();
         };
         QVERIFY2(tip().contains(QStringLiteral("line 4 · T1 (assumed)")), qPrintable(tip()));
-        Setup setup = session.setup();
+        Setup setup = session.job().setup();
         setup.startTool = 1;
-        QSignalSpy read(&session, &Session::programChanged);
-        QVERIFY(session.setSetup(setup).has_value());
+        QSignalSpy read(&session.program(), &ProgramHub::changed);
+        QVERIFY(session.job().setSetup(setup).has_value());
         QTRY_VERIFY_WITH_TIMEOUT(!read.isEmpty(), kOpeningPatience);
         QVERIFY2(tip().contains(QStringLiteral("line 4 · T1<")) || tip().contains(QStringLiteral("T1</p>")),
                  qPrintable(tip()));
         setup.startTool = 0;
         read.clear();
-        QVERIFY(session.setSetup(setup).has_value());
+        QVERIFY(session.job().setSetup(setup).has_value());
         QTRY_VERIFY_WITH_TIMEOUT(!read.isEmpty(), kOpeningPatience);
         QVERIFY2(tip().contains(QStringLiteral("line 4 · no tool")), qPrintable(tip()));
     }
@@ -189,7 +189,7 @@ private slots:
         emit session.tick(frame); // keeps its speed
         QVERIFY(!lag.isVisible());
         const QRect before = panel.scale().geometry();
-        session.setSpeed(1000 * kUnitBlocksPerSecond);
+        session.playback().setSpeed(1000 * kUnitBlocksPerSecond);
         for (const auto& [kept, told] : {std::pair{0.5, "500×"},
                                          {0.1234, "120×"},
                                          {0.0012, "1.2×"},

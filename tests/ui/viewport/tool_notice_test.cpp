@@ -31,13 +31,17 @@ struct Bench {
         const bool written = file.open(QIODevice::WriteOnly) && file.write(text) == text.size();
         file.close();
         return written && opened(session, name) &&
-               QTest::qWaitFor([this] { return session.frame() != nullptr; }, kPatience);
+               QTest::qWaitFor([this] { return session.simulation().frame() != nullptr; }, kPatience);
     }
     /// Plays to the end, so that every finding is there.
     bool finish() {
-        session.seek(session.blockCount());
-        return QTest::qWaitFor([this] { return session.block() == session.blockCount() && !session.work(); },
-                               kPatience);
+        session.playback().seek(session.program().blockCount());
+        return QTest::qWaitFor(
+            [this] {
+                return session.simulation().block() == session.program().blockCount() &&
+                       !session.work().current();
+            },
+            kPatience);
     }
     [[nodiscard]] QString text() const {
         return notice.findChild<QLabel*>(QStringLiteral("noticeText"))->text();
@@ -47,7 +51,7 @@ struct Bench {
     }
     [[nodiscard]] bool isShown() const { return !notice.isHidden(); }
     [[nodiscard]] bool has(Severity severity) const {
-        const Diagnostics& problems = session.problems();
+        const Diagnostics& problems = session.problems().all();
         return std::ranges::any_of(problems, [&](const Diagnostic& d) { return d.severity == severity; });
     }
 };
@@ -70,19 +74,19 @@ private slots:
         QCOMPARE(bench.text(),
                  QStringLiteral("Nothing is cut. T3 is not in the tool table; its moves are not "
                                 "simulated."));
-        QVERIFY(!bench.session.problems().empty()); // so the panel says nothing of "No problems"
+        QVERIFY(!bench.session.problems().all().empty()); // so the panel says nothing of "No problems"
 
-        QSignalSpy asked(&bench.session, &Session::toolRequested);
+        QSignalSpy asked(&bench.session.navigation(), &NavigationHub::toolRequested);
         bench.click("toolNoticeDefine");
         QCOMPARE(asked.size(), 1);
         QCOMPARE(asked[0][0].toInt(), 3);
 
         bench.click("toolNoticeMend");
-        const ToolTable& tools = bench.session.setup().tools;
+        const ToolTable& tools = bench.session.job().setup().tools;
         QVERIFY(tools.find(3) != nullptr);
         QCOMPARE(tools.unconfirmedOrigin(3)->source, ToolSource::assumed);
         QVERIFY(bench.finish());
-        QVERIFY(bench.session.frame()->removedMm3 > 0);
+        QVERIFY(bench.session.simulation().frame()->removedMm3 > 0);
         QVERIFY(bench.isShown());
         QVERIFY(bench.text().startsWith(QStringLiteral("The sizes of T3 are assumed")));
         QVERIFY(!bench.has(Severity::fault));
@@ -102,17 +106,17 @@ private slots:
     void aToolOfACommentIsUsedAtOnceAndConfirmed() {
         Bench bench;
         QVERIFY(bench.open(kCommented));
-        QVERIFY(!bench.session.modified());
-        QCOMPARE(bench.session.setup().tools.find(3)->spec(), std::string("flat:d=6"));
+        QVERIFY(!bench.session.document().modified());
+        QCOMPARE(bench.session.job().setup().tools.find(3)->spec(), std::string("flat:d=6"));
         QVERIFY(bench.finish());
-        QVERIFY(bench.session.frame()->removedMm3 > 0);
+        QVERIFY(bench.session.simulation().frame()->removedMm3 > 0);
         QTRY_VERIFY(bench.isShown());
         QVERIFY(bench.text().startsWith(QStringLiteral("T3 is read from the comment in line 1")));
         QVERIFY(!bench.has(Severity::fault)); // the rapid cuts, with a tool that nobody has confirmed
         QVERIFY(bench.has(Severity::warning));
 
         bench.click("toolNoticeMend");
-        QVERIFY(bench.session.setup().tools.unconfirmed().empty());
+        QVERIFY(bench.session.job().setup().tools.unconfirmed().empty());
         QTRY_VERIFY_WITH_TIMEOUT(bench.has(Severity::fault), kPatience);
         QVERIFY(!bench.isShown());
     }
@@ -120,25 +124,25 @@ private slots:
     void aGivenToolOutranksTheComment() {
         Bench bench;
         QVERIFY(bench.open(kCommented));
-        Setup setup = bench.session.setup();
+        Setup setup = bench.session.job().setup();
         setup.tools.set(3, parseCutter("ball:d=4").value());
-        QVERIFY(bench.session.setSetup(setup).has_value());
-        bench.session.applyEdit(0, 0, "(T3 D=8. FLAT)\n");
-        QSignalSpy read(&bench.session, &Session::programChanged);
+        QVERIFY(bench.session.job().setSetup(setup).has_value());
+        bench.session.document().applyEdit(0, 0, "(T3 D=8. FLAT)\n");
+        QSignalSpy read(&bench.session.program(), &ProgramHub::changed);
         QTRY_VERIFY_WITH_TIMEOUT(!read.isEmpty(), kPatience);
-        QCOMPARE(bench.session.setup().tools.find(3)->spec(), std::string("ball:d=4"));
+        QCOMPARE(bench.session.job().setup().tools.find(3)->spec(), std::string("ball:d=4"));
     }
 
     void aRemovedToolStaysAwayWhenTheProgramIsEdited() {
         Bench bench;
         QVERIFY(bench.open(kCommented));
-        Setup setup = bench.session.setup();
+        Setup setup = bench.session.job().setup();
         setup.tools.remove(3);
-        QVERIFY(bench.session.setSetup(setup).has_value());
-        QSignalSpy read(&bench.session, &Session::programChanged);
-        bench.session.applyEdit(0, 0, "(shifted)\n");
+        QVERIFY(bench.session.job().setSetup(setup).has_value());
+        QSignalSpy read(&bench.session.program(), &ProgramHub::changed);
+        bench.session.document().applyEdit(0, 0, "(shifted)\n");
         QTRY_VERIFY_WITH_TIMEOUT(!read.isEmpty(), kPatience);
-        QVERIFY(bench.session.setup().tools.find(3) == nullptr);
+        QVERIFY(bench.session.job().setup().tools.find(3) == nullptr);
         QTRY_VERIFY(bench.isShown());
         QVERIFY(bench.text().contains(QStringLiteral("T3 is not in the tool table")));
     }
@@ -149,9 +153,9 @@ private slots:
         QTRY_VERIFY(bench.isShown());
         QTest::mouseClick(bench.notice.findChild<QToolButton*>(), Qt::LeftButton);
         QVERIFY(!bench.isShown());
-        Setup setup = bench.session.setup();
+        Setup setup = bench.session.job().setup();
         setup.tools.remove(3);
-        QVERIFY(bench.session.setSetup(setup).has_value());
+        QVERIFY(bench.session.job().setSetup(setup).has_value());
         QVERIFY(bench.isShown());
     }
 

@@ -47,29 +47,29 @@ void waitUntil(const std::function<bool()>& done, double seconds) {
 void play(Session& session, Viewport& viewport, DecimationMethod method, double seconds) {
     DecimationParameters parameters;
     parameters.method = method;
-    session.setParameters(parameters);
-    session.pause();
-    session.seek(0);
-    waitUntil([&] { return session.block() == 0; }, 60);
-    session.setSpeed(kBlocksPerSecond);
-    session.play();
-    waitUntil([&] { return session.block() > 500; }, 60);
+    session.job().setParameters(parameters);
+    session.playback().pause();
+    session.playback().seek(0);
+    waitUntil([&] { return session.simulation().block() == 0; }, 60);
+    session.playback().setSpeed(kBlocksPerSecond);
+    session.playback().play();
+    waitUntil([&] { return session.simulation().block() > 500; }, 60);
 
     int pictures = 0;
     const auto counting = QObject::connect(&viewport, &QOpenGLWidget::frameSwapped, [&] { ++pictures; });
-    const std::size_t firstBlock = session.block();
-    const std::size_t firstRow = session.frameStatistics().size();
+    const std::size_t firstBlock = session.simulation().block();
+    const std::size_t firstRow = session.playback().frameStatistics().size();
     QElapsedTimer timer;
     timer.start();
     waitUntil([] { return false; }, seconds);
     const double elapsed = static_cast<double>(timer.nsecsElapsed()) * 1e-9;
     QObject::disconnect(counting);
-    const std::size_t blocks = session.block() - firstBlock;
-    session.pause();
+    const std::size_t blocks = session.simulation().block() - firstBlock;
+    session.playback().pause();
 
     double upload = 0;
     double draw = 0;
-    const auto& rows = session.frameStatistics();
+    const auto& rows = session.playback().frameStatistics();
     for (std::size_t row = firstRow; row < rows.size(); ++row) {
         upload += double{rows[row].uploadSeconds};
         draw += double{rows[row].drawSeconds};
@@ -77,8 +77,9 @@ void play(Session& session, Viewport& viewport, DecimationMethod method, double 
     const double count = std::max(1.0, static_cast<double>(rows.size() - firstRow));
     std::printf("%-18s %6.1f frames/s  upload %6.2f ms  draw %6.2f ms  %zu of %zu triangles  %.0f blocks/s\n",
                 method == DecimationMethod::none ? "without decimation" : "with decimation",
-                pictures / elapsed, 1e3 * upload / count, 1e3 * draw / count, session.frame()->surface.faces,
-                session.frame()->surface.facesFull, static_cast<double>(blocks) / elapsed);
+                pictures / elapsed, 1e3 * upload / count, 1e3 * draw / count,
+                session.simulation().frame()->surface.faces, session.simulation().frame()->surface.facesFull,
+                static_cast<double>(blocks) / elapsed);
 }
 
 } // namespace
@@ -102,16 +103,21 @@ int main(int argc, char** argv) {
     viewport->setFixedSize(1280, 800);
     window.setCentralWidget(viewport);
     window.show();
-    session.openFile(file);
-    waitUntil([&] { return session.frame() != nullptr; }, 30);
-    Setup setup = session.setup();
+    session.document().openFile(file);
+    waitUntil([&] { return session.simulation().frame() != nullptr; }, 30);
+    Setup setup = session.job().setup();
     setup.stock = {{0, 0, 0}, kSide, kSide, 40};
     setup.automaticGrid = false;
     setup.spacing = 1;
     setup.tools.set(1, parseCutter("ball:d=20,l=60").value());
-    if (!session.setSetup(setup))
+    if (!session.job().setSetup(setup))
         return 3;
-    waitUntil([&] { return session.frame() != nullptr && session.frame()->zmap.grid().nx == 501; }, 60);
+    waitUntil(
+        [&] {
+            return session.simulation().frame() != nullptr &&
+                   session.simulation().frame()->zmap.grid().nx == 501;
+        },
+        60);
     play(session, *viewport, DecimationMethod::lee, seconds);
     play(session, *viewport, DecimationMethod::none, seconds);
     return 0;

@@ -30,10 +30,10 @@ void ViewportMessageTest::paperModeGoesOnWithoutAPicture() {
     Session session;
     const std::unique_ptr<QWidget> view(createViewport(session, GlSupport{}, nullptr));
     QVERIFY(opened(session, QStringLiteral(PROVEOUT_SOURCE_DIR "/resources/samples/core-insert.proveout")));
-    QTRY_VERIFY_WITH_TIMEOUT(session.frame() != nullptr, 10000);
-    session.setSpeed(1e9, true);
-    session.play();
-    QTRY_VERIFY_WITH_TIMEOUT(session.block() > 5, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, 10000);
+    session.playback().setSpeed(1e9, true);
+    session.playback().play();
+    QTRY_VERIFY_WITH_TIMEOUT(session.simulation().block() > 5, 10000);
 }
 
 void ViewportMessageTest::knowsSoftwareByName() {

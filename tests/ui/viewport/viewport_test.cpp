@@ -98,9 +98,9 @@ void ViewportTest::init() {
     QVERIFY(QTest::qWaitForWindowActive(m_window.get()));
     m_view->setFocus();
     QVERIFY(opened(*m_session, kSample));
-    QTRY_VERIFY_WITH_TIMEOUT(m_session->frame() != nullptr, 10000);
-    m_session->seek(100);
-    QTRY_COMPARE_WITH_TIMEOUT(m_session->block(), std::size_t{100}, 10000);
+    QTRY_VERIFY_WITH_TIMEOUT(m_session->simulation().frame() != nullptr, 10000);
+    m_session->playback().seek(100);
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->simulation().block(), std::size_t{100}, 10000);
 }
 
 void ViewportTest::cleanup() {
@@ -109,7 +109,7 @@ void ViewportTest::cleanup() {
 }
 
 void ViewportTest::fitsTheStockAtFirst() {
-    const StockBox& stock = m_session->frame()->zmap.stock();
+    const StockBox& stock = m_session->simulation().frame()->zmap.stock();
     const double ratio = m_view->devicePixelRatioF();
     for (const double x : {stock.corner.x, stock.corner.x + stock.width})
         for (const double y : {stock.corner.y, stock.corner.y + stock.depth}) {
@@ -120,9 +120,9 @@ void ViewportTest::fitsTheStockAtFirst() {
 }
 
 void ViewportTest::tellsTheSessionWhatDrawingTook() {
-    QTRY_VERIFY_WITH_TIMEOUT(!m_session->frameStatistics().empty(), kPatience);
-    QTRY_COMPARE_WITH_TIMEOUT(m_session->frameStatistics().back().lastBlock, 100u, kPatience);
-    QVERIFY(m_session->frameStatistics().back().drawSeconds > 0);
+    QTRY_VERIFY_WITH_TIMEOUT(!m_session->playback().frameStatistics().empty(), kPatience);
+    QTRY_COMPARE_WITH_TIMEOUT(m_session->playback().frameStatistics().back().lastBlock, 100u, kPatience);
+    QVERIFY(m_session->playback().frameStatistics().back().drawSeconds > 0);
 }
 
 void ViewportTest::wheelKeepsThePointUnderThePointer() {
@@ -132,7 +132,7 @@ void ViewportTest::wheelKeepsThePointUnderThePointer() {
             m_view->fit();
             const double ratio = m_view->devicePixelRatioF();
             const Ray ray = m_view->camera().ray(at.x() * ratio, at.y() * ratio);
-            const auto point = pickStock(m_session->frame()->zmap, ray);
+            const auto point = pickStock(m_session->simulation().frame()->zmap, ray);
             QVERIFY(point.has_value());
             for (const int angle : {120, 120, -120, 240, -360}) {
                 wheel(*m_view, at, angle);
@@ -167,8 +167,8 @@ void ViewportTest::dragsTurnAndMove() {
 void ViewportTest::doubleMiddleClickCentres() {
     const QPoint at(380, 340);
     const double ratio = m_view->devicePixelRatioF();
-    const auto point =
-        pickStock(m_session->frame()->zmap, m_view->camera().ray(at.x() * ratio, at.y() * ratio));
+    const auto point = pickStock(m_session->simulation().frame()->zmap,
+                                 m_view->camera().ray(at.x() * ratio, at.y() * ratio));
     QVERIFY(point.has_value());
     QTest::mouseDClick(m_view, Qt::MiddleButton, {}, at);
     const Vec2 now = m_view->camera().project(*point);
@@ -217,12 +217,12 @@ void ViewportTest::repaintsOnNewFramesOnly() {
     painted = 0;
     QSignalSpy ticks(m_session.get(), &Session::tick);
     for (int k = 1; k <= 3; ++k) {
-        m_session->requestTick();
+        m_session->playback().requestTick();
         QTRY_COMPARE_WITH_TIMEOUT(ticks.count(), k, kPatience);
         QTest::qWait(kQuiet); // paints what the tick has asked for
     }
     QCOMPARE(painted, 0);
-    m_session->step(1);
+    m_session->playback().step(1);
     QTRY_VERIFY_WITH_TIMEOUT(painted > 0, kPatience);
 }
 
@@ -270,8 +270,8 @@ void ViewportTest::followsThePalette() {
 void ViewportTest::aClickLooksCloser() {
     const QPoint at(450, 330);
     const double ratio = m_view->devicePixelRatioF();
-    const auto point =
-        pickStock(m_session->frame()->zmap, m_view->camera().ray(at.x() * ratio, at.y() * ratio));
+    const auto point = pickStock(m_session->simulation().frame()->zmap,
+                                 m_view->camera().ray(at.x() * ratio, at.y() * ratio));
     QVERIFY(point.has_value());
     m_view->setLegendShown(false);
     const QImage before = m_view->grabFramebuffer();
@@ -304,14 +304,14 @@ void ViewportTest::aClickLooksCloser() {
     QVERIFY(std::abs(look.box()->box.hi.x - look.box()->box.lo.x - 6) < 1e-9);
 
     // Another block: nothing old is there, and in the end the new one.
-    m_session->seek(60);
+    m_session->playback().seek(60);
     QTRY_VERIFY_WITH_TIMEOUT(look.picture() != nullptr && look.picture()->block == 60, kPatience);
     QTest::keyClick(m_view, Qt::Key_Escape);
     QVERIFY(!look.box() && !m_view->looksCloser() && !spacing->isVisible());
     QVERIFY(!command(*m_view, "look-closer")->isChecked());
-    m_session->seek(100);
-    QTRY_VERIFY_WITH_TIMEOUT(m_session->frame()->block == 100 && m_view->grabFramebuffer() == before,
-                             kPatience);
+    m_session->playback().seek(100);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        m_session->simulation().frame()->block == 100 && m_view->grabFramebuffer() == before, kPatience);
 }
 
 QTEST_MAIN(ViewportTest)

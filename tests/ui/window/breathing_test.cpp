@@ -97,13 +97,14 @@ private slots:
     void theEventLoopBreathesWhilePlaying() {
         Workstation station(true);
         openLargeSample(station);
-        const std::size_t from = station.session.block();
+        const std::size_t from = station.session.simulation().block();
         Breath breath;
-        station.session.play();
+        station.session.playback().play();
         QTest::qWait(4000);
         // On a busy machine fewer beats fit into that time: some more, so that 1 % of them is some.
-        QTRY_VERIFY_WITH_TIMEOUT(breath.isLong() && station.session.block() > from + 500, kPatience);
-        station.session.pause();
+        QTRY_VERIFY_WITH_TIMEOUT(breath.isLong() && station.session.simulation().block() > from + 500,
+                                 kPatience);
+        station.session.playback().pause();
         QVERIFY2(breath.isEven(), "too long gaps while playing");
     }
 
@@ -116,34 +117,34 @@ private slots:
         int seeks = 0;
         QTimer storm;
         connect(&storm, &QTimer::timeout, this, [&] {
-            station.session.seek(random() % (station.session.blockCount() + 1));
+            station.session.playback().seek(random() % (station.session.program().blockCount() + 1));
             if (++seeks == 500)
                 storm.stop();
         });
         storm.start(4);
         QTRY_VERIFY_WITH_TIMEOUT(seeks == 500 && breath.isLong(), kPatience);
-        station.session.seek(4321);
-        QTRY_COMPARE_WITH_TIMEOUT(station.session.block(), std::size_t{4321}, kPatience);
+        station.session.playback().seek(4321);
+        QTRY_COMPARE_WITH_TIMEOUT(station.session.simulation().block(), std::size_t{4321}, kPatience);
         QVERIFY2(breath.isEven(), "too long gaps in a storm of seeks");
     }
 
     void theEventLoopBreathesWhileTheGridChanges() {
         Workstation station(true);
         openLargeSample(station);
-        station.session.play();
+        station.session.playback().play();
         Breath breath;
         for (const double spacing : {0.5, 0.3, 0.8, 0.4}) {
-            Setup setup = station.session.setup();
+            Setup setup = station.session.job().setup();
             setup.automaticGrid = false;
             setup.spacing = spacing;
-            QVERIFY(station.session.setSetup(setup).has_value());
+            QVERIFY(station.session.job().setSetup(setup).has_value());
             QTest::qWait(600);
-            QVERIFY(station.session.playback().playing);
+            QVERIFY(station.session.playback().state().playing);
         }
         QTRY_VERIFY_WITH_TIMEOUT(breath.isLong(), kPatience);
         // It goes on where it was, on the new map.
-        QTRY_COMPARE_WITH_TIMEOUT(station.session.frame()->setup->spacing, 0.4, kPatience);
-        station.session.pause();
+        QTRY_COMPARE_WITH_TIMEOUT(station.session.simulation().frame()->setup->spacing, 0.4, kPatience);
+        station.session.playback().pause();
         QVERIFY2(breath.isEven(), "too long gaps while the grid changes");
     }
 
@@ -152,16 +153,16 @@ private slots:
         openLargeSample(station);
         Breath breath;
         for (int run = 0; run < 5; ++run) {
-            station.session.seek(0);
+            station.session.playback().seek(0);
             QTest::qWait(100);
-            station.session.seek(station.session.blockCount());
+            station.session.playback().seek(station.session.program().blockCount());
             QTest::qWait(100 + 60 * run);
-            station.session.cancelWork();
+            station.session.work().cancel();
             QTest::qWait(200);
         }
         QTRY_VERIFY_WITH_TIMEOUT(breath.isLong(), kPatience);
-        station.session.seek(100);
-        QTRY_COMPARE_WITH_TIMEOUT(station.session.block(), std::size_t{100}, kPatience);
+        station.session.playback().seek(100);
+        QTRY_COMPARE_WITH_TIMEOUT(station.session.simulation().block(), std::size_t{100}, kPatience);
         QVERIFY2(breath.isEven(), "too long gaps through a cancel");
     }
 
@@ -192,34 +193,35 @@ private slots:
         QFETCH(QByteArray, text);
         QFETCH(QByteArray, id);
         const auto isTold = [&](const Session& session) {
-            return std::ranges::any_of(session.problems(), [&](const Diagnostic& problem) {
-                return id == problem.id && Session::isInText(problem);
+            return std::ranges::any_of(session.problems().all(), [&](const Diagnostic& problem) {
+                return id == problem.id && ProblemsHub::isInText(problem);
             });
         };
         constexpr std::size_t kFew = 10'000; // motions; an end by repeated messages leaves some thousand
         Workstation station(true);
         QTest::qWait(1000); // the first picture compiles shaders
-        const FramePtr before = station.session.frame();
+        const FramePtr before = station.session.simulation().frame();
         {
             Breath breath;
-            station.session.applyEdit(0, station.session.document().text.size(), text.toStdString());
-            QVERIFY(station.session.frame() == before); // until the new program is known
+            station.session.document().applyEdit(0, station.session.document().text().text.size(),
+                                                 text.toStdString());
+            QVERIFY(station.session.simulation().frame() == before); // until the new program is known
             QTRY_VERIFY_WITH_TIMEOUT(isTold(station.session), kPatience);
             QTest::qWait(1000); // it is cut and drawn
             QVERIFY2(breath.longestComputed() <= kLongestGapMs,
                      qPrintable(QString::number(breath.longestComputed())));
         }
-        QVERIFY(station.session.program()->motionCount() < kFew);
+        QVERIFY(station.session.program().current()->motionCount() < kFew);
 
         QTemporaryDir folder;
         QFile file(folder.filePath(QStringLiteral("endless.ngc")));
         QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
         file.close();
         const auto openEndless = [&] {
-            station.session.openFile(file.fileName());
+            station.session.document().openFile(file.fileName());
             return QTest::qWaitFor(
                 [&] {
-                    return station.session.document().path == file.fileName().toStdString() &&
+                    return station.session.document().text().path == file.fileName().toStdString() &&
                            isTold(station.session);
                 },
                 kPatience);
@@ -234,18 +236,18 @@ private slots:
         QTest::qWait(1000);
         QVERIFY2(breath.longestComputed() <= kLongestGapMs,
                  qPrintable(QString::number(breath.longestComputed())));
-        QCOMPARE(QByteArray::fromStdString(station.session.document().text.toString()), text);
+        QCOMPARE(QByteArray::fromStdString(station.session.document().text().text.toString()), text);
     }
 
 private:
     static void openLargeSample(Workstation& station) {
         station.open(sampleJobs().back().file);
-        if (station.session.blockCount() != 10'273)
+        if (station.session.program().blockCount() != 10'273)
             qFatal("this is another sample");
         // By blocks: by time the program would be through before a busy machine has changed the grid four
         // times.
-        station.session.setPlayBy(PlayBy::blocks);
-        station.session.setSpeed(1000);
+        station.session.playback().setPlayBy(PlayBy::blocks);
+        station.session.playback().setSpeed(1000);
         QTest::qWait(1000); // the first picture compiles shaders
     }
 

@@ -112,7 +112,7 @@ private slots:
             QCOMPARE(nameOf(dialog).text(), QStringLiteral("core-insert.stl"));
             dialog.reject();
         });
-        QVERIFY(!station.session.work());
+        QVERIFY(!station.session.work().current());
     }
 
     void everyFormatIsWritten_data() {
@@ -133,7 +133,7 @@ private slots:
         QCOMPARE(meshFormats().size(), std::size_t{5}); // a new format belongs into the table above
         QTemporaryDir folder;
         Workstation station(true);
-        QSignalSpy exported(&station.session, &Session::exported);
+        QSignalSpy exported(&station.session.exports(), &ExportHub::exported);
         const QString wanted =
             folder.filePath(QStringLiteral("part") + QLatin1String(format.extensions.front()));
         inDialog(station.window, "export-mesh", [&](QFileDialog& dialog) {
@@ -142,7 +142,7 @@ private slots:
             save(dialog);
         });
         QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, kPatience);
-        const ExportSummary& summary = *station.session.lastExport();
+        const ExportSummary& summary = *station.session.exports().last();
         QCOMPARE(summary.file, wanted);
         QCOMPARE(static_cast<qint64>(summary.bytes), QFileInfo(wanted).size());
         QVERIFY(summary.triangles > 0);
@@ -163,22 +163,22 @@ private slots:
         const QString file = folder.filePath(QStringLiteral("part.ply"));
         Workstation station(true);
         const auto toldAfter = [&](const ExportOptions& options) {
-            QSignalSpy exported(&station.session, &Session::exported);
-            station.session.exportMesh(file, options);
+            QSignalSpy exported(&station.session.exports(), &ExportHub::exported);
+            station.session.exports().exportMesh(file, options);
             return QTest::qWaitFor([&] { return exported.count() == 1; }, kPatience)
                        ? station.window.statusBar()->currentMessage()
                        : QString();
         };
-        DecimationParameters parameters = station.session.parameters();
+        DecimationParameters parameters = station.session.job().parameters();
         parameters.allowance = 0.0325;
-        station.session.setParameters(parameters);
-        QTRY_COMPARE_WITH_TIMEOUT(station.session.frame()->parameters, parameters, kPatience);
+        station.session.job().setParameters(parameters);
+        QTRY_COMPARE_WITH_TIMEOUT(station.session.simulation().frame()->parameters, parameters, kPatience);
         QVERIFY(toldAfter({}).endsWith(QLatin1String("certified within 0.0325 mm everywhere")));
         QVERIFY(toldAfter({false}).endsWith(QLatin1String("with every z-map point")));
         const auto toldWith = [&] {
-            station.session.setParameters(parameters);
-            const bool taken =
-                QTest::qWaitFor([&] { return station.session.frame()->parameters == parameters; }, kPatience);
+            station.session.job().setParameters(parameters);
+            const bool taken = QTest::qWaitFor(
+                [&] { return station.session.simulation().frame()->parameters == parameters; }, kPatience);
             return taken ? toldAfter({}) : QString();
         };
         parameters.level = ErrorLevel::sample;
@@ -193,9 +193,9 @@ private slots:
         QTemporaryDir folder;
         Workstation station(true);
         Session& session = station.session;
-        session.seek(3);
-        QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{3}, kPatience);
-        const QString of = QStringLiteral("3 of %1").arg(session.blockCount());
+        session.playback().seek(3);
+        QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), std::size_t{3}, kPatience);
+        const QString of = QStringLiteral("3 of %1").arg(session.program().blockCount());
         QString asked;
         QString title;
         whenOpen<QMessageBox>([&](QMessageBox& question) {
@@ -207,16 +207,16 @@ private slots:
                 save(dialog);
             });
         });
-        QSignalSpy exported(&session, &Session::exported);
+        QSignalSpy exported(&session.exports(), &ExportHub::exported);
         station.window.action(QStringLiteral("export-mesh"))->trigger();
         QVERIFY2(asked.contains(of), qPrintable(asked));
         QVERIFY2(title.contains(of), qPrintable(title));
         QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, kPatience);
-        QCOMPARE(session.lastExport()->block, std::size_t{3});
+        QCOMPARE(session.exports().last()->block, std::size_t{3});
         const QString told = station.window.statusBar()->currentMessage();
         QVERIFY2(told.contains(of), qPrintable(told));
         // A message about the past goes when something else is open.
-        session.newFile();
+        session.document().newFile();
         QTRY_VERIFY_WITH_TIMEOUT(station.window.statusBar()->currentMessage() != told, kPatience);
     }
 
@@ -233,8 +233,8 @@ private slots:
         QTemporaryDir folder;
         Workstation station(true);
         Session& session = station.session;
-        session.seek(3);
-        QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{3}, kPatience);
+        session.playback().seek(3);
+        QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), std::size_t{3}, kPatience);
         whenOpen<QMessageBox>([&](QMessageBox& question) {
             press(question, QStringLiteral("Run to the End First"));
             whenOpen<QFileDialog>([&](QFileDialog& dialog) {
@@ -242,11 +242,11 @@ private slots:
                 save(dialog);
             });
         });
-        QSignalSpy exported(&session, &Session::exported);
+        QSignalSpy exported(&session.exports(), &ExportHub::exported);
         station.window.action(action)->trigger();
         QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, kPatience);
-        QCOMPARE(session.block(), session.blockCount());
-        QCOMPARE(session.lastExport()->block, session.blockCount());
+        QCOMPARE(session.simulation().block(), session.program().blockCount());
+        QCOMPARE(session.exports().last()->block, session.program().blockCount());
         QVERIFY(!station.window.statusBar()->currentMessage().contains(QLatin1String(" of ")));
         QVERIFY(QFileInfo::exists(folder.filePath(file)));
     }
@@ -254,42 +254,42 @@ private slots:
     void runningToTheEndCanBeCancelled() {
         Workstation station(true);
         Session& session = station.session;
-        Setup setup = session.setup();
+        Setup setup = session.job().setup();
         setup.spacing = 0.1; // seconds of work
-        QVERIFY(session.setSetup(setup));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame()->zmap.grid().nx > 1000, kPatience);
-        session.seek(0);
-        QTRY_COMPARE_WITH_TIMEOUT(session.block(), std::size_t{0}, kPatience);
+        QVERIFY(session.job().setSetup(setup));
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame()->zmap.grid().nx > 1000, kPatience);
+        session.playback().seek(0);
+        QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), std::size_t{0}, kPatience);
         whenOpen<QMessageBox>([&](QMessageBox& question) {
             press(question, QStringLiteral("Run to the End First"));
             whenOpen<RunToEnd>([](RunToEnd& dialog) {
                 dialog.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Cancel)->click();
             });
         });
-        QSignalSpy exported(&session, &Session::exported);
+        QSignalSpy exported(&session.exports(), &ExportHub::exported);
         station.window.action(QStringLiteral("export-mesh"))->trigger();
         QVERIFY(isHalfRun(session));
-        QVERIFY(!session.exporting());
+        QVERIFY(!session.exports().isRunning());
         QCOMPARE(exported.count(), 0);
     }
 
     void anEndingThatIsTypedOutranksTheFilter() {
         QTemporaryDir folder;
         Workstation station(true);
-        QSignalSpy exported(&station.session, &Session::exported);
+        QSignalSpy exported(&station.session.exports(), &ExportHub::exported);
         inDialog(station.window, "export-full-mesh", [&](QFileDialog& dialog) {
             nameOf(dialog).setText(folder.filePath(QStringLiteral("part.PLY")));
             save(dialog);
         });
         QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, kPatience);
         QVERIFY(readFile(toPath(folder.filePath(QStringLiteral("part.PLY"))))->starts_with("ply\n"));
-        QCOMPARE(station.session.lastExport()->largestErrorMm, 0.0); // in double, with every point
+        QCOMPARE(station.session.exports().last()->largestErrorMm, 0.0); // in double, with every point
     }
 
     void aNameWithoutAnEndingGetsThatOfTheFilter() {
         QTemporaryDir folder;
         Workstation station(true);
-        QSignalSpy exported(&station.session, &Session::exported);
+        QSignalSpy exported(&station.session.exports(), &ExportHub::exported);
         inDialog(station.window, "export-mesh", [&](QFileDialog& dialog) {
             chooseFilter(dialog, 2);
             nameOf(dialog).setText(folder.filePath(QStringLiteral("part")));
@@ -306,7 +306,7 @@ private slots:
         int done = 0;
         for (const auto& [typed, written] :
              {std::pair{"Hülse 1.5", "Hülse 1.5.stl"}, {"part.nc", "part.nc.stl"}, {"금형.", "금형.stl"}}) {
-            QSignalSpy exported(&station.session, &Session::exported);
+            QSignalSpy exported(&station.session.exports(), &ExportHub::exported);
             inDialog(station.window, "export-mesh", [&, name = typed](QFileDialog& dialog) {
                 nameOf(dialog).setText(folder.filePath(QString::fromUtf8(name)));
                 save(dialog);
@@ -323,7 +323,7 @@ private slots:
         for (const bool replace : {false, true}) {
             QVERIFY(writeFile(toPath(file), "mine"));
             Workstation station(true);
-            QSignalSpy exported(&station.session, &Session::exported);
+            QSignalSpy exported(&station.session.exports(), &ExportHub::exported);
             inDialog(station.window, "export-mesh", [&](QFileDialog& dialog) {
                 nameOf(dialog).setText(folder.filePath(QStringLiteral("part")));
                 save(dialog);
@@ -335,7 +335,7 @@ private slots:
             });
             if (replace)
                 QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, kPatience);
-            QVERIFY(!station.session.work());
+            QVERIFY(!station.session.work().current());
             QCOMPARE(*readFile(toPath(file)) == "mine", !replace);
         }
     }
@@ -346,18 +346,19 @@ private slots:
         QVERIFY(writeFile(toPath(file), "mine"));
         Workstation station(true);
         Session& session = station.session;
-        Setup setup = session.setup();
+        Setup setup = session.job().setup();
         setup.automaticGrid = false;
         setup.spacing = 0.1;
-        QVERIFY(session.setSetup(setup));
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame()->zmap.grid().nx > 1000, kPatience);
+        QVERIFY(session.job().setSetup(setup));
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame()->zmap.grid().nx > 1000, kPatience);
         for (const double from : {0.0, 0.7}) { // while it is decimated, and while it is written
-            session.exportMesh(file, {false});
-            QTRY_VERIFY_WITH_TIMEOUT(!session.work() || session.work()->done > from, kPatience);
-            QVERIFY2(session.work(), "done before it could be cancelled");
-            session.cancelWork();
-            QTRY_VERIFY_WITH_TIMEOUT(!session.work(), kPatience);
-            QCOMPARE(session.problems().front().id, "cancelled");
+            session.exports().exportMesh(file, {false});
+            QTRY_VERIFY_WITH_TIMEOUT(!session.work().current() || session.work().current()->done > from,
+                                     kPatience);
+            QVERIFY2(session.work().current(), "done before it could be cancelled");
+            session.work().cancel();
+            QTRY_VERIFY_WITH_TIMEOUT(!session.work().current(), kPatience);
+            QCOMPARE(session.problems().all().front().id, "cancelled");
             QCOMPARE(*readFile(toPath(file)), "mine");
             QCOMPARE(
                 QDir(folder.path()).entryList(QDir::AllEntries | QDir::Hidden | QDir::NoDotAndDotDot).size(),
@@ -382,28 +383,31 @@ private slots:
         QVERIFY(writeFile(toPath(program), "T1 M6\nG0 X2000005 Y5 Z5\nG1 Z-2 F100\nX2000030\nG0 Z5\nM30\n"));
         Workstation station(false);
         station.open(program);
-        Setup setup = station.session.setup();
+        Setup setup = station.session.job().setup();
         setup.stock = {{2000000.05, 0, 0}, 40, 30, 10};
         setup.automaticGrid = false;
         setup.spacing = 0.5;
         setup.tools.set(1, parseCutter("ball:d=4,l=20").value());
-        QVERIFY(station.session.setSetup(setup));
-        station.session.seek(station.session.blockCount());
-        QTRY_VERIFY_WITH_TIMEOUT(station.session.frame() && station.session.block() == 4, kPatience);
-        QSignalSpy exported(&station.session, &Session::exported);
+        QVERIFY(station.session.job().setSetup(setup));
+        station.session.playback().seek(station.session.program().blockCount());
+        QTRY_VERIFY_WITH_TIMEOUT(
+            station.session.simulation().frame() && station.session.simulation().block() == 4, kPatience);
+        QSignalSpy exported(&station.session.exports(), &ExportHub::exported);
         const auto warned = [&] {
-            return std::ranges::any_of(station.session.problems(), [](const Diagnostic& problem) {
+            return std::ranges::any_of(station.session.problems().all(), [](const Diagnostic& problem) {
                 return QByteArray(problem.id) == "export-rounded-beyond";
             });
         };
-        station.session.exportMesh(folder.filePath(QStringLiteral("far.obj")), {});
+        station.session.exports().exportMesh(folder.filePath(QStringLiteral("far.obj")), {});
         QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, kPatience);
         QVERIFY(!warned());
-        QVERIFY(station.session.lastExport()->largestErrorMm <= station.session.parameters().allowance);
-        station.session.exportMesh(folder.filePath(QStringLiteral("far.stl")), {});
+        QVERIFY(station.session.exports().last()->largestErrorMm <=
+                station.session.job().parameters().allowance);
+        station.session.exports().exportMesh(folder.filePath(QStringLiteral("far.stl")), {});
         QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 2, kPatience);
         QVERIFY(warned());
-        QVERIFY(station.session.lastExport()->largestErrorMm > station.session.parameters().allowance);
+        QVERIFY(station.session.exports().last()->largestErrorMm >
+                station.session.job().parameters().allowance);
         const QString told = station.window.statusBar()->currentMessage();
         QVERIFY2(told.endsWith(QLatin1String("beyond the allowance of 0.05 mm")), qPrintable(told));
     }

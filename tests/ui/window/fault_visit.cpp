@@ -52,16 +52,17 @@ private:
 class Opening {
 public:
     explicit Opening(Session& session) : m_session(session) {
-        QObject::connect(&session, &Session::opened, &m_context, [this] { m_opened = true; });
-        QObject::connect(&session, &Session::troubled, &m_context, [this] { m_troubled = true; });
+        QObject::connect(&session.document(), &DocumentHub::opened, &m_context, [this] { m_opened = true; });
+        QObject::connect(&session.problems(), &ProblemsHub::troubled, &m_context,
+                         [this] { m_troubled = true; });
     }
     [[nodiscard]] bool isOver() const {
-        if (m_session.isOpening() || m_session.work())
+        if (m_session.document().isOpening() || m_session.work().current())
             return false;
         if (!m_opened)
             return m_troubled;
-        return m_session.program() && !m_session.isReading() &&
-               (m_session.frame() || m_session.isForeign() || m_troubled);
+        return m_session.program().current() && !m_session.program().isReading() &&
+               (m_session.simulation().frame() || m_session.program().isForeign() || m_troubled);
     }
 
 private:
@@ -87,11 +88,13 @@ double secondsUntil(const std::function<bool()>& done) {
 }
 
 bool goesTo(Session& session, std::size_t block) {
-    if (!session.frame())
+    if (!session.simulation().frame())
         return true;
-    session.seek(block);
-    return secondsUntil([&] { return !session.work() && (!session.frame() || session.block() == block); }) >=
-           0;
+    session.playback().seek(block);
+    return secondsUntil([&] {
+               return !session.work().current() &&
+                      (!session.simulation().frame() || session.simulation().block() == block);
+           }) >= 0;
 }
 
 /// Whether the session has noticed.
@@ -100,7 +103,8 @@ bool disturb(const Session& session, const FaultCase& fault) {
         return true;
     QObject context;
     bool noticed = false;
-    QObject::connect(&session, &Session::fileChangedOnDisk, &context, [&noticed] { noticed = true; });
+    QObject::connect(&session.document(), &DocumentHub::fileChangedOnDisk, &context,
+                     [&noticed] { noticed = true; });
     if (fault.whileOpen == WhileOpen::removed)
         std::filesystem::remove(fault.file);
     else if (fault.whileOpen == WhileOpen::shrunk)
@@ -112,34 +116,36 @@ bool disturb(const Session& session, const FaultCase& fault) {
 
 /// A program without a tool cuts nothing: it gets one, as from the button that adds what is missing.
 void giveTool(Session& session) {
-    if (!session.jobFile().isEmpty() || !session.frame())
+    if (!session.document().jobFile().isEmpty() || !session.simulation().frame())
         return;
-    Setup setup = session.setup();
+    Setup setup = session.job().setup();
     setup.tools.set(1, parseCutter("flat:d=4,l=20").value());
-    if (!session.setup().startTool)
+    if (!session.job().setup().startTool)
         setup.startTool = 1;
-    if (!session.setSetup(setup))
+    if (!session.job().setSetup(setup))
         return; // the stock is too large
     const auto isCut = [&] {
-        return session.frame() && session.frame()->program == session.program() &&
-               session.frame()->setup->tools == session.setup().tools;
+        return session.simulation().frame() &&
+               session.simulation().frame()->program == session.program().current() &&
+               session.simulation().frame()->setup->tools == session.job().setup().tools;
     };
-    static_cast<void>(secondsUntil([&] { return !session.work() && (isCut() || session.isForeign()); }));
+    static_cast<void>(secondsUntil(
+        [&] { return !session.work().current() && (isCut() || session.program().isForeign()); }));
 }
 
 /// Whatever has become of the file of the case: without the question that the window would ask.
 void goBack(Session& session) {
     const Opening opening(session);
-    session.openFile(sampleJobs().front().file);
+    session.document().openFile(sampleJobs().front().file);
     if (secondsUntil([&] { return opening.isOver(); }) < 0)
         qFatal("the sample does not come back");
 }
 
 std::vector<std::string> messagesOf(const Session& session) {
     std::vector<std::string> messages;
-    for (Diagnostic problem : session.problems()) {
-        if (Session::isInText(problem))
-            problem.file = session.document().path.filename().string();
+    for (Diagnostic problem : session.problems().all()) {
+        if (ProblemsHub::isInText(problem))
+            problem.file = session.document().text().path.filename().string();
         messages.push_back(oneLine(problem));
     }
     return messages;
@@ -156,12 +162,12 @@ FaultVisit visitFault(Workstation& station, const FaultCase& fault) {
         const DialogCloser closer;
         const Opening opening(session);
         Heartbeat heart;
-        session.openFile(toQString(fault.file));
+        session.document().openFile(toQString(fault.file));
         visit.seconds = secondsUntil([&] { return opening.isOver(); });
         visit.messages = messagesOf(session);
-        visit.blocks = session.blockCount();
+        visit.blocks = session.program().blockCount();
         giveTool(session);
-        visit.settled = visit.seconds >= 0 && goesTo(session, session.blockCount());
+        visit.settled = visit.seconds >= 0 && goesTo(session, session.program().blockCount());
         visit.cutMessages = messagesOf(session);
         visit.noticed = disturb(session, fault);
         visit.settled = goesTo(session, 0) && visit.settled;

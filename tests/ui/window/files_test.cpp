@@ -84,21 +84,22 @@ private:
 /// The full mesh of a fine grid: seconds of work. Nothing is left unsaved.
 QString startLongExport(Workstation& station, const QTemporaryDir& folder) {
     station.open(sampleJobs().front().file);
-    Setup setup = station.session.setup();
+    Setup setup = station.session.job().setup();
     setup.automaticGrid = false;
     setup.spacing = 0.1;
     const QString file = folder.filePath(QStringLiteral("part.stl"));
-    if (!station.session.setSetup(setup) ||
-        !station.session.saveJobAs(folder.filePath(QStringLiteral("fine.proveout"))))
+    if (!station.session.job().setSetup(setup) ||
+        !station.session.document().saveJobAs(folder.filePath(QStringLiteral("fine.proveout"))))
         qFatal("the grid cannot be set");
     const auto fine = [&] {
-        return station.session.frame() && station.session.frame()->zmap.grid().hx < 0.11;
+        return station.session.simulation().frame() &&
+               station.session.simulation().frame()->zmap.grid().hx < 0.11;
     };
     if (!QTest::qWaitFor(fine, kPatience))
         qFatal("no frame of the fine grid");
     ExportOptions full;
     full.decimated = false;
-    station.session.exportMesh(file, full);
+    station.session.exports().exportMesh(file, full);
     return file;
 }
 
@@ -123,22 +124,22 @@ private slots:
                  qPrintable(questionOf(station.window)));
         QVERIFY(!questionOf(station.window).contains(QLatin1String("job")));
 
-        DecimationParameters parameters = station.session.parameters();
+        DecimationParameters parameters = station.session.job().parameters();
         parameters.allowance = 0.3;
-        station.session.setParameters(parameters);
-        Setup setup = station.session.setup();
+        station.session.job().setParameters(parameters);
+        Setup setup = station.session.job().setup();
         setup.automaticGrid = false;
         setup.spacing *= 2;
-        QVERIFY(station.session.setSetup(setup));
+        QVERIFY(station.session.job().setSetup(setup));
         QString question = questionOf(station.window);
         QVERIFY2(question.contains(QLatin1String("bracket.nc")), qPrintable(question));
         QVERIFY2(question.contains(QLatin1String("not been saved as a job")), qPrintable(question));
 
-        QVERIFY(station.session.saveJobAs(folder.filePath(QStringLiteral("fixture.proveout"))));
-        QVERIFY(station.session.save());
+        QVERIFY(station.session.document().saveJobAs(folder.filePath(QStringLiteral("fixture.proveout"))));
+        QVERIFY(station.session.document().save());
         QVERIFY(questionOf(station.window).isEmpty());
         parameters.allowance = 0.2;
-        station.session.setParameters(parameters);
+        station.session.job().setParameters(parameters);
         question = questionOf(station.window);
         QVERIFY2(question.contains(QLatin1String("fixture.proveout")), qPrintable(question));
         QVERIFY2(!question.contains(QLatin1String("bracket.nc")), qPrintable(question));
@@ -146,11 +147,11 @@ private slots:
 
     void aTextWithoutANameIsCalledNew() {
         Workstation station(false);
-        station.session.newFile();
+        station.session.document().newFile();
         station.window.editor().editor().insertAt(QStringLiteral("G0 X1\n"), 0, 0);
         QVERIFY2(questionOf(station.window).contains(QLatin1String("new program")),
                  qPrintable(questionOf(station.window)));
-        station.session.setTextModified(false);
+        station.session.document().setTextModified(false);
     }
 
     void aJobIsNotOverwrittenWithoutAQuestion() {
@@ -236,7 +237,7 @@ private slots:
         QTemporaryDir folder;
         Workstation station(false);
         const QString file = startLongExport(station, folder);
-        QSignalSpy exported(&station.session, &Session::exported);
+        QSignalSpy exported(&station.session.exports(), &ExportHub::exported);
         {
             AnswerTo answer(QStringLiteral("Cancel"));
             QVERIFY(!station.window.close());
@@ -247,7 +248,7 @@ private slots:
             QVERIFY(!station.window.close());
             QCOMPARE(answer.asked(), 1);
         }
-        QVERIFY(station.session.exporting());
+        QVERIFY(station.session.exports().isRunning());
         QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, kPatience);
         QTRY_VERIFY_WITH_TIMEOUT(station.window.isHidden(), kPatience);
         QVERIFY(QFile::exists(file));
@@ -260,7 +261,7 @@ private slots:
         AnswerTo answer(QStringLiteral("Drop the Export"));
         QVERIFY(station.window.close());
         QCOMPARE(answer.asked(), 1);
-        QTRY_VERIFY_WITH_TIMEOUT(!station.session.exporting(), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(!station.session.exports().isRunning(), kPatience);
         QVERIFY(!QFile::exists(file));
     }
 

@@ -43,10 +43,10 @@ struct Playing {
         play();
     }
     void play() {
-        station.session.setSpeed(200);
-        station.session.play();
-        const std::size_t from = station.session.block();
-        if (!QTest::qWaitFor([&] { return station.session.block() > from + 10; }, kPatience))
+        station.session.playback().setSpeed(200);
+        station.session.playback().play();
+        const std::size_t from = station.session.simulation().block();
+        if (!QTest::qWaitFor([&] { return station.session.simulation().block() > from + 10; }, kPatience))
             qFatal("it does not play");
     }
     [[nodiscard]] long firstLine() const { return editor.SendScintilla(NcEditor::SCI_GETFIRSTVISIBLELINE); }
@@ -122,12 +122,12 @@ private slots:
             {1, [&] { playing.click(static_cast<int>(playing.firstLine()) + 3); }},
             {2, [&] { QTest::keyClick(&editor, Qt::Key_Down); }},
             {3, [&] { editor.verticalScrollBar()->triggerAction(QAbstractSlider::SliderPageStepAdd); }},
-            {4, [&] { emit playing.station.session.lineRequested(12, 1); }},
+            {4, [&] { emit playing.station.session.navigation().lineRequested(12, 1); }},
             {5, [&] { editor.selectBytes(30, 34); }},
             {6, [&] { playing.turnWheel(); }},
             {7, [&] { playing.doubleClickProblem(); }}};
         works.at(work)();
-        QVERIFY(playing.station.session.playback().playing);
+        QVERIFY(playing.station.session.playback().state().playing);
         QTest::qWait(300); // a click goes to its line first
         const long first = playing.firstLine();
         QVERIFY(!playing.follow().isChecked());
@@ -140,16 +140,16 @@ private slots:
     void followingIsTurnedOnAgainByItsButtonOrByPlayingAgain() {
         Playing playing;
         Session& session = playing.station.session;
-        emit session.lineRequested(3, 1);
+        emit session.navigation().lineRequested(3, 1);
         QVERIFY(playing.playsOutOfSight());
         QVERIFY(!playing.follows());
         QTest::mouseClick(&playing.again, Qt::LeftButton);
         QVERIFY(playing.follow().isChecked());
         QVERIFY(playing.follows());
         QVERIFY(!playing.again.isVisible());
-        emit session.lineRequested(3, 1);
+        emit session.navigation().lineRequested(3, 1);
         QVERIFY(!playing.follow().isChecked());
-        session.pause();
+        session.playback().pause();
         QVERIFY(!playing.again.isVisible());
         playing.play();
         QVERIFY(playing.follow().isChecked());
@@ -157,7 +157,7 @@ private slots:
         // What the user turned off himself stays off.
         playing.follow().trigger();
         QVERIFY(!playing.follow().isChecked());
-        session.pause();
+        session.playback().pause();
         playing.play();
         QVERIFY(!playing.follow().isChecked());
         QVERIFY(playing.again.isVisible());

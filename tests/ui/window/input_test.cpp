@@ -124,13 +124,13 @@ private slots:
         QDockWidget& dock = dockOf(station, "dock-breakpoints");
         dock.raise();
         auto* list = dock.findChild<QTreeWidget*>();
-        session.setBreakpoints({atLine(12), onCondition("Z < -2"), atLine(30)});
+        session.breakpoints().set({atLine(12), onCondition("Z < -2"), atLine(30)});
         QTRY_VERIFY_WITH_TIMEOUT(list->isVisible() && list->topLevelItemCount() == 3, kPatience);
         const QTreeWidgetItem* second = list->topLevelItem(1);
         for (const bool on : {false, true, false}) {
             QTest::mouseClick(list->viewport(), Qt::LeftButton, {}, checkBoxOf(*list, 1));
-            QCOMPARE(session.breakpoints()[1].enabled, on);
-            QVERIFY(session.breakpoints()[0].enabled && session.breakpoints()[2].enabled);
+            QCOMPARE(session.breakpoints().all()[1].enabled, on);
+            QVERIFY(session.breakpoints().all()[0].enabled && session.breakpoints().all()[2].enabled);
             QCOMPARE(list->topLevelItem(1), second); // it lives through its own change
             QCOMPARE(second->checkState(0) == Qt::Checked, on);
         }
@@ -138,18 +138,18 @@ private slots:
         list->setFocus();
         list->setCurrentItem(list->topLevelItem(1));
         QTest::keyClick(list, Qt::Key_Space);
-        QVERIFY(session.breakpoints()[1].enabled);
+        QVERIFY(session.breakpoints().all()[1].enabled);
         QCOMPARE(list->selectedItems(), QList<QTreeWidgetItem*>{list->topLevelItem(1)});
         QTest::keyClick(list, Qt::Key_Delete);
-        QCOMPARE(session.breakpoints().size(), std::size_t{2});
-        QCOMPARE(session.breakpoints()[1].line, 30U);
+        QCOMPARE(session.breakpoints().all().size(), std::size_t{2});
+        QCOMPARE(session.breakpoints().all()[1].line, 30U);
         QVERIFY(list->selectedItems().isEmpty()); // else another Delete would take one nobody chose
     }
 
     /// Every row, box and switch is worked once: what is rebuilt meanwhile must not be what is being handled.
     void workingEveryInputBreaksNothing() {
         Workstation station(true);
-        station.session.setBreakpoints({atLine(12), onCondition("Z < -2")});
+        station.session.breakpoints().set({atLine(12), onCondition("Z < -2")});
         for (QDockWidget* dock : station.window.findChildren<QDockWidget*>()) {
             dock->show();
             dock->raise();
@@ -172,7 +172,7 @@ private slots:
             }
         }
         QTest::qWait(600); // what rests before it is applied
-        QTRY_VERIFY_WITH_TIMEOUT(station.session.program() != nullptr, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(station.session.program().current() != nullptr, kPatience);
         QVERIFY(station.window.isVisible());
     }
 
@@ -241,15 +241,15 @@ private slots:
 
     void theTimelineTakesTheWheelOnlyWithTheFocus() {
         Workstation station(true);
-        station.session.seek(20);
-        QTRY_COMPARE_WITH_TIMEOUT(station.session.block(), std::size_t{20}, kPatience);
+        station.session.playback().seek(20);
+        QTRY_COMPARE_WITH_TIMEOUT(station.session.simulation().block(), std::size_t{20}, kPatience);
         station.window.viewport().setFocus();
         turnWheel(station.scale(), -kNotch);
         QTest::qWait(200);
-        QCOMPARE(station.session.block(), std::size_t{20});
+        QCOMPARE(station.session.simulation().block(), std::size_t{20});
         station.scale().setFocus();
         turnWheel(station.scale(), -kNotch);
-        QTRY_COMPARE_WITH_TIMEOUT(station.session.block(), std::size_t{21}, kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(station.session.simulation().block(), std::size_t{21}, kPatience);
     }
 
     void widgetsMadeLaterAndDialogsAreNoExceptions() {

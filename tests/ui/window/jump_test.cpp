@@ -95,7 +95,7 @@ private slots:
         QVERIFY(back->isEnabled());
         view().setFocus();
         QTest::keyClick(&view(), Qt::Key_Backspace);
-        QTRY_COMPARE_WITH_TIMEOUT(session().block(), kStart, kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(session().simulation().block(), kStart, kPatience);
         QVERIFY(!back->isEnabled());
     }
 
@@ -152,8 +152,8 @@ private slots:
 
     void thePointerShowsThePlaceAndItsLine() {
         const QPoint at = placeOf(true);
-        const std::uint32_t line = session().program()->blockLine(expectedAt(at) - 1);
-        const auto place = pickSurface(session().frame(), nullptr, rayAt(at));
+        const std::uint32_t line = session().program().current()->blockLine(expectedAt(at) - 1);
+        const auto place = pickSurface(session().simulation().frame(), nullptr, rayAt(at));
         QTest::mouseMove(&view(), at);
         const QString position = QStringLiteral("X %1  Y %2  Z %3 mm (G54)")
                                      .arg(number(place->at.x), number(place->at.y), number(place->at.z));
@@ -185,7 +185,7 @@ private slots:
         QTRY_VERIFY2_WITH_TIMEOUT(status().contains(QLatin1String("Raw stock")), qPrintable(status()),
                                   kPatience);
         view().setStandardView(StandardView::front);
-        const StockBox stock = session().frame()->zmap.stock();
+        const StockBox stock = session().simulation().frame()->zmap.stock();
         const Vec2 side = view().camera().project(
             {stock.corner.x + 0.4 * stock.width, stock.corner.y, stock.floorZ() + 0.3 * stock.height});
         QTest::mouseMove(&view(), (QPointF(side.x, side.y) / view().devicePixelRatioF()).toPoint());
@@ -195,12 +195,13 @@ private slots:
         goTo(kStart);
         view().setStandardView(StandardView::top);
         const QPoint at = placeOf(true);
-        const auto coarse = pickSurface(session().frame(), nullptr, rayAt(at));
+        const auto coarse = pickSurface(session().simulation().frame(), nullptr, rayAt(at));
         view().closerLook().look({boxAbout(Vec2(coarse->at), {6, 6}, stock), 0.05});
         QTRY_VERIFY_WITH_TIMEOUT(view().closerLook().picture() != nullptr, kPatience);
         QTest::mouseMove(&view(), at + QPoint(1, 0));
         QTest::mouseMove(&view(), at);
-        const auto fine = pickSurface(session().frame(), view().closerLook().picture(), rayAt(at));
+        const auto fine =
+            pickSurface(session().simulation().frame(), view().closerLook().picture(), rayAt(at));
         QTRY_VERIFY2_WITH_TIMEOUT(status().contains(QStringLiteral("Z %1 mm").arg(number(fine->at.z))) &&
                                       status().contains(QLatin1String("Line ")),
                                   qPrintable(status()), kPatience);
@@ -212,7 +213,7 @@ private slots:
         int drawn = 0;
         int ticks = 0;
         QObject context;
-        QObject::connect(&session(), &Session::tick, &context, [&] { ++ticks; });
+        QObject::connect(&session().playback(), &PlaybackHub::tick, &context, [&] { ++ticks; });
         // Not what is composed: without a compositor the label uncovers parts of the window at every move.
         const PaintCounter counter(view(), drawn);
         const QPoint from = placeOf(true);
@@ -226,15 +227,16 @@ private slots:
 
     void thePointerDoesNotHoldUpPlayback() {
         const QPoint at = placeOf(true);
-        session().seek(0);
-        QTRY_COMPARE_WITH_TIMEOUT(session().block(), std::size_t{0}, kPatience);
-        session().setSpeed(2000);
-        session().play();
+        session().playback().seek(0);
+        QTRY_COMPARE_WITH_TIMEOUT(session().simulation().block(), std::size_t{0}, kPatience);
+        session().playback().setSpeed(2000);
+        session().playback().play();
         QTest::mouseMove(&view(), at);
-        QTRY_VERIFY_WITH_TIMEOUT(session().block() > 150, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(session().simulation().block() > 150, kPatience);
         QTest::mouseMove(&view(), at + QPoint(1, 1));
-        QTRY_VERIFY_WITH_TIMEOUT(session().block() == session().blockCount(), kPatience);
-        session().pause();
+        QTRY_VERIFY_WITH_TIMEOUT(session().simulation().block() == session().program().blockCount(),
+                                 kPatience);
+        session().playback().pause();
         QTRY_VERIFY2_WITH_TIMEOUT(status().contains(QLatin1String("Line ")), qPrintable(status()), kPatience);
     }
 
@@ -247,7 +249,7 @@ private slots:
         QTest::mouseClick(&view(), Qt::LeftButton, Qt::ControlModifier, QPoint(view().width() - 4, 4));
         QTRY_VERIFY2_WITH_TIMEOUT(message().startsWith(QLatin1String("No stock")), qPrintable(message()),
                                   kPatience);
-        QCOMPARE(session().block(), kFacing);
+        QCOMPARE(session().simulation().block(), kFacing);
     }
 
     void aCloserLookCanBeAsked() {
@@ -284,14 +286,14 @@ private:
     static QString number(double value) { return QLocale().toString(value, 'f', 3); }
 
     void goTo(std::size_t block) {
-        session().seek(block);
-        QTRY_COMPARE_WITH_TIMEOUT(session().block(), block, kPatience);
+        session().playback().seek(block);
+        QTRY_COMPARE_WITH_TIMEOUT(session().simulation().block(), block, kPatience);
         QTRY_VERIFY_WITH_TIMEOUT(view().atRest(), kPatience);
     }
 
     PickedPlace pick(const QPoint& at) {
         const double ratio = view().devicePixelRatioF();
-        return pickPlace(session().frame(), view().closerLook().picture(),
+        return pickPlace(session().simulation().frame(), view().closerLook().picture(),
                          view().camera().ray(at.x() * ratio, at.y() * ratio));
     }
 
@@ -320,8 +322,8 @@ private:
     }
 
     void wentTo(std::size_t block) {
-        QTRY_COMPARE_WITH_TIMEOUT(session().block(), block, kPatience);
-        const auto line = static_cast<int>(session().program()->blockLine(block - 1));
+        QTRY_COMPARE_WITH_TIMEOUT(session().simulation().block(), block, kPatience);
+        const auto line = static_cast<int>(session().program().current()->blockLine(block - 1));
         NcEditor& editor = m_station->window.editor().editor();
         QCOMPARE(editor.caretLine(), line);
         QTRY_COMPARE_WITH_TIMEOUT(editor.markerFindNext(0, 1 << 1), line - 1, kPatience);

@@ -131,9 +131,10 @@ private slots:
 
     void everyLayoutFitsASmallScreenInEveryLanguage() {
         Workstation station(true);
-        station.session.seek(station.session.blockCount());
-        QTRY_COMPARE_WITH_TIMEOUT(station.session.block(), station.session.blockCount(), kPatience);
-        QTRY_VERIFY_WITH_TIMEOUT(station.session.times() != nullptr, kPatience);
+        station.session.playback().seek(station.session.program().blockCount());
+        QTRY_COMPARE_WITH_TIMEOUT(station.session.simulation().block(),
+                                  station.session.program().blockCount(), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(station.session.program().times() != nullptr, kPatience);
         for (const DockLayout& layout : dockLayouts()) {
             station.window.action(QStringLiteral("layout-") + layout.id)->trigger();
             for (const Language& language : languages()) {
@@ -161,20 +162,21 @@ private slots:
                                                                            .arg(station.window.width())
                                                                            .arg(leastSizes(station.window))));
             station.open(sampleJobs().back().file); // while it is read, the status bar says so
-            station.session.seek(station.session.blockCount());
-            QTRY_COMPARE_WITH_TIMEOUT(station.session.block(), station.session.blockCount(), kPatience);
+            station.session.playback().seek(station.session.program().blockCount());
+            QTRY_COMPARE_WITH_TIMEOUT(station.session.simulation().block(),
+                                      station.session.program().blockCount(), kPatience);
             QCOMPARE(station.window.size(), kSmallScreen);
         }
     }
 
     void noTextIsClippedInAnyLanguage() {
         Workstation station(true);
-        Setup setup = station.session.setup(); // so that there are problems, with long sentences
-        for (const auto& [number, cutter] : station.session.setup().tools.tools())
+        Setup setup = station.session.job().setup(); // so that there are problems, with long sentences
+        for (const auto& [number, cutter] : station.session.job().setup().tools.tools())
             setup.tools.set(number, cutter, {ToolSource::assumed});
-        QVERIFY(station.session.setSetup(setup));
-        QTRY_VERIFY_WITH_TIMEOUT(!station.session.problems().empty(), kPatience);
-        station.session.seek(station.session.blockCount());
+        QVERIFY(station.session.job().setSetup(setup));
+        QTRY_VERIFY_WITH_TIMEOUT(!station.session.problems().all().empty(), kPatience);
+        station.session.playback().seek(station.session.program().blockCount());
         for (const Language& language : languages()) {
             station.appearance.setLanguage(language.code);
             for (QDockWidget* dock : station.window.findChildren<QDockWidget*>()) {
@@ -196,11 +198,11 @@ private slots:
         for (const char* id : {"dock-program", "dock-setup", "dock-problems", "dock-timeline"})
             QVERIFY2(!dockOf(station, id)->visibleRegion().isEmpty(), id);
         QVERIFY(dockOf(station, "dock-tuning")->visibleRegion().isEmpty());
-        QVERIFY(station.session.playback().by == PlayBy::time);
+        QVERIFY(station.session.playback().state().by == PlayBy::time);
         station.window.action(QStringLiteral("layout-research"))->trigger();
         QTRY_VERIFY(!dockOf(station, "dock-tuning")->visibleRegion().isEmpty());
         QTRY_VERIFY(!dockOf(station, "dock-plots")->visibleRegion().isEmpty());
-        QVERIFY(station.session.playback().by == PlayBy::blocks);
+        QVERIFY(station.session.playback().state().by == PlayBy::blocks);
     }
 
     void chosenLayoutComesBack() {

@@ -74,8 +74,8 @@ private slots:
         QVERIFY2(answer.questions().front().contains(QFileInfo(m_program).canonicalFilePath()),
                  qPrintable(answer.questions().front()));
         QVERIFY(openingIsOver(station.session));
-        QVERIFY(!station.session.hasDocument());
-        QCOMPARE(station.session.problems().front().id, "job-outside");
+        QVERIFY(!station.session.document().isOpen());
+        QCOMPARE(station.session.problems().all().front().id, "job-outside");
     }
 
     void whatIsAllowedIsRemembered() {
@@ -83,9 +83,10 @@ private slots:
             Workstation station(false);
             Answer answer(QStringLiteral("Allow and Open"));
             station.window.files().open(m_job);
-            QTRY_VERIFY_WITH_TIMEOUT(station.session.frame() != nullptr, kPatience);
+            QTRY_VERIFY_WITH_TIMEOUT(station.session.simulation().frame() != nullptr, kPatience);
             QCOMPARE(answer.questions().size(), 1);
-            QCOMPARE(QFileInfo(station.session.jobFile()).fileName(), QStringLiteral("bracket.proveout"));
+            QCOMPARE(QFileInfo(station.session.document().jobFile()).fileName(),
+                     QStringLiteral("bracket.proveout"));
         }
         Workstation station(false);
         Answer answer(QStringLiteral("Cancel"));
@@ -106,11 +107,11 @@ private slots:
         {
             Workstation station(false);
             station.open(m_program);
-            QVERIFY(station.session.saveJobAs(job));
+            QVERIFY(station.session.document().saveJobAs(job));
         }
         Workstation station(false);
         station.open(job);
-        QCOMPARE(station.session.jobFile(), job);
+        QCOMPARE(station.session.document().jobFile(), job);
         QCOMPARE(answer.questions().size(), 0);
     }
 

@@ -156,7 +156,7 @@ private slots:
         panels.dock("dock-setup").raise();
         QTest::qWait(20);
         QVERIFY(!program.widget()->isVisible());
-        emit panels.station.session.lineRequested(5, 1);
+        emit panels.station.session.navigation().lineRequested(5, 1);
         QVERIFY(program.widget()->isVisible());
     }
 

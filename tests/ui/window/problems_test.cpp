@@ -45,7 +45,7 @@ void open(Workstation& station, const QByteArray& text) {
 }
 
 int rowOf(const Session& session, const char* id) {
-    const Diagnostics& all = session.problems();
+    const Diagnostics& all = session.problems().all();
     const auto found = std::ranges::find_if(
         all, [&](const Diagnostic& problem) { return std::string_view(problem.id) == id; });
     return found == all.end() ? -1 : static_cast<int>(found - all.begin());
@@ -152,17 +152,17 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(rowOf(station.session, "code-unknown") >= 0, kPatience);
         QTreeView& list = listOf(station);
         QVERIFY(choose(list, rowOf(station.session, "code-unknown"), "ignore-all-m-codes"));
-        QCOMPARE(station.session.setup().ignoredM, (std::set<int>{16, 161, 171}));
+        QCOMPARE(station.session.job().setup().ignoredM, (std::set<int>{16, 161, 171}));
         QTRY_VERIFY_WITH_TIMEOUT(rowOf(station.session, "code-ignored") >= 0, kPatience);
         QCOMPARE(rowOf(station.session, "code-unknown"), -1);
         // One step back.
-        station.session.undoStep();
-        QVERIFY(station.session.setup().ignoredM.empty());
+        station.session.job().undoStep();
+        QVERIFY(station.session.job().setup().ignoredM.empty());
     }
 
     void aTextOfAnotherControlIsNamedInTheView() {
         Workstation station(true);
-        QTRY_VERIFY_WITH_TIMEOUT(station.session.frame() != nullptr, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(station.session.simulation().frame() != nullptr, kPatience);
         open(station, kSiemens);
         QTRY_VERIFY_WITH_TIMEOUT(rowOf(station.session, "dialect-foreign") >= 0, kPatience);
         auto* notice = station.window.viewport().findChild<QWidget*>(QStringLiteral("foreignNotice"));
@@ -173,14 +173,14 @@ private slots:
         station.window.action(QStringLiteral("play"))->trigger();
         station.window.action(QStringLiteral("to-end"))->trigger();
         QTest::qWait(500);
-        QVERIFY(station.session.frame() == nullptr);
-        QVERIFY(!station.session.playback().playing);
-        QCOMPARE(station.session.problems().size(), std::size_t{1});
+        QVERIFY(station.session.simulation().frame() == nullptr);
+        QVERIFY(!station.session.playback().state().playing);
+        QCOMPARE(station.session.problems().all().size(), std::size_t{1});
 
         // Read in a dialect that the user chooses, which is a step of its own.
-        Setup setup = station.session.setup();
+        Setup setup = station.session.job().setup();
         setup.blockDelete = true;
-        QVERIFY(station.session.setSetup(setup).has_value());
+        QVERIFY(station.session.job().setSetup(setup).has_value());
         auto* readAs = notice->findChild<QPushButton*>(QStringLiteral("foreignNoticeReadAs"));
         QTimer::singleShot(200, this, [] {
             auto* menu = qobject_cast<QMenu*>(QApplication::activePopupWidget());
@@ -190,12 +190,12 @@ private slots:
                     menu->actionGeometry(menu->actions().at(static_cast<int>(DialectId::fanuc))).center());
         });
         QTest::mouseClick(readAs, Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(station.session.frame() != nullptr, kPatience);
-        QVERIFY(station.session.setup().dialect == DialectId::fanuc);
+        QTRY_VERIFY_WITH_TIMEOUT(station.session.simulation().frame() != nullptr, kPatience);
+        QVERIFY(station.session.job().setup().dialect == DialectId::fanuc);
         QVERIFY(!notice->isVisible());
-        station.session.undoStep();
-        QVERIFY(!station.session.setup().dialect.has_value());
-        QVERIFY(station.session.setup().blockDelete);
+        station.session.job().undoStep();
+        QVERIFY(!station.session.job().setup().dialect.has_value());
+        QVERIFY(station.session.job().setup().blockDelete);
     }
 
 private:

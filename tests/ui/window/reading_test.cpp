@@ -100,18 +100,20 @@ private slots:
         QFETCH(QString, language);
         Workstation station(true);
         station.appearance.setLanguage(language);
-        Setup setup = station.session.setup();
+        Setup setup = station.session.job().setup();
         setup.automaticGrid = false;
         setup.spacing = 0.12;
-        QVERIFY(station.session.setSetup(setup));
-        DecimationParameters never = station.session.parameters();
+        QVERIFY(station.session.job().setSetup(setup));
+        DecimationParameters never = station.session.job().parameters();
         never.period = 0;
-        station.session.setParameters(never);
+        station.session.job().setParameters(never);
         const auto fine = [&] {
-            return station.session.frame() && station.session.frame()->surface.faces > 1'000'000;
+            return station.session.simulation().frame() &&
+                   station.session.simulation().frame()->surface.faces > 1'000'000;
         };
         QVERIFY(QTest::qWaitFor(fine, kPatience));
-        const QString faces = QLocale().toString(qulonglong{station.session.frame()->surface.facesFull});
+        const QString faces =
+            QLocale().toString(qulonglong{station.session.simulation().frame()->surface.facesFull});
         const auto find = [&]() -> const QLabel* {
             for (const QLabel* label : station.window.statusBar()->findChildren<QLabel*>())
                 if (label->text().endsWith(faces))

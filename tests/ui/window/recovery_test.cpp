@@ -60,11 +60,11 @@ int victim(const QString& root, const QString& program) {
     editor.setFocus();
     editor.setCursorPosition(0, 0);
     QTest::keyClicks(&editor, QString::fromLatin1(kTyped));
-    Setup setup = station.session.setup();
+    Setup setup = station.session.job().setup();
     setup.tools.set(7, parseCutter("flat:d=6,l=20").value());
-    if (!station.session.setSetup(setup))
+    if (!station.session.job().setSetup(setup))
         return 1;
-    station.session.toggleBreakpoint(3);
+    station.session.breakpoints().toggle(3);
     return QApplication::exec();
 }
 
@@ -129,14 +129,15 @@ private slots:
         QVERIFY(barOf(station).isVisible());
         QCOMPARE(buttons(station, QStringLiteral("Restore")).size(), 1);
         QTest::mouseClick(buttons(station, QStringLiteral("Restore")).front(), Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(station.session.hasDocument(), kPatience);
-        QCOMPARE(QByteArray::fromStdString(station.session.document().text.toString()), kTyped + kProgram);
-        QVERIFY(station.session.document().modified);
-        QCOMPARE(toQString(station.session.document().path), m_program);
-        QVERIFY(station.session.setup().tools.find(7) != nullptr);
-        QVERIFY(station.session.jobModified());
-        QCOMPARE(station.session.breakpoints().size(), std::size_t{1});
-        QCOMPARE(station.session.breakpoints().front().line, 3U);
+        QTRY_VERIFY_WITH_TIMEOUT(station.session.document().isOpen(), kPatience);
+        QCOMPARE(QByteArray::fromStdString(station.session.document().text().text.toString()),
+                 kTyped + kProgram);
+        QVERIFY(station.session.document().text().modified);
+        QCOMPARE(toQString(station.session.document().text().path), m_program);
+        QVERIFY(station.session.job().setup().tools.find(7) != nullptr);
+        QVERIFY(station.session.document().jobModified());
+        QCOMPARE(station.session.breakpoints().all().size(), std::size_t{1});
+        QCOMPARE(station.session.breakpoints().all().front().line, 3U);
         QCOMPARE(read(m_program), kProgram);
         // The work is in the folder of this session now, and in no other.
         QTRY_VERIFY_WITH_TIMEOUT(!barOf(station).isVisible(), kPatience);
@@ -154,9 +155,9 @@ private slots:
         Recovery recovery(station.window, m_root);
         QCOMPARE(buttons(station, QStringLiteral("Restore")).size(), 2);
         QTest::mouseClick(buttons(station, QStringLiteral("Restore")).front(), Qt::LeftButton); // the newer
-        QTRY_VERIFY_WITH_TIMEOUT(station.session.hasDocument(), kPatience);
-        QVERIFY(station.session.document().path.empty());
-        QCOMPARE(QByteArray::fromStdString(station.session.document().text.toString()), kTyped);
+        QTRY_VERIFY_WITH_TIMEOUT(station.session.document().isOpen(), kPatience);
+        QVERIFY(station.session.document().text().path.empty());
+        QCOMPARE(QByteArray::fromStdString(station.session.document().text().text.toString()), kTyped);
         QTRY_COMPARE_WITH_TIMEOUT(buttons(station, QStringLiteral("Restore")).size(), 1, kPatience);
         recovery.end();
     }
@@ -183,7 +184,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(!barOf(station).isVisible(), kPatience);
         QCOMPARE(read(m_program), kProgram);
         QVERIFY(foldersIn(m_root).size() <= 1);
-        QVERIFY(!station.session.hasDocument());
+        QVERIFY(!station.session.document().isOpen());
         recovery.end();
     }
 
@@ -193,9 +194,9 @@ private slots:
         Workstation station(false);
         Recovery recovery(station.window, m_root);
         QTest::mouseClick(buttons(station, QStringLiteral("Restore")).front(), Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(station.session.hasDocument(), kPatience);
-        QVERIFY(station.session.conflict());
-        QVERIFY(!station.session.save());
+        QTRY_VERIFY_WITH_TIMEOUT(station.session.document().isOpen(), kPatience);
+        QVERIFY(station.session.document().conflict());
+        QVERIFY(!station.session.document().save());
         QCOMPARE(read(m_program), QByteArray("G21\n"));
         recovery.end();
     }
@@ -204,8 +205,8 @@ private slots:
         Workstation first(false);
         Recovery running(first.window, m_root);
         first.open(m_program);
-        first.session.applyEdit(0, 0, "(first)");
-        first.session.setTextModified(true);
+        first.session.document().applyEdit(0, 0, "(first)");
+        first.session.document().setTextModified(true);
         bool kept = false;
         running.autosave().keepNow([&] { kept = true; });
         QTRY_VERIFY_WITH_TIMEOUT(kept, kPatience);
@@ -225,12 +226,12 @@ private slots:
         Workstation station(false);
         Recovery recovery(station.window, m_root);
         station.open(m_program);
-        station.session.applyEdit(0, 0, "(mine)");
-        station.session.setTextModified(true);
+        station.session.document().applyEdit(0, 0, "(mine)");
+        station.session.document().setTextModified(true);
         const QString folder = m_root + u'/' + foldersIn(m_root).front();
         QTRY_VERIFY_WITH_TIMEOUT(QFile::exists(folder + QStringLiteral("/program.nc")),
                                  2 * Autosave::kIntervalMs + kPatience);
-        QVERIFY(station.session.save());
+        QVERIFY(station.session.document().save());
         QTRY_VERIFY_WITH_TIMEOUT(!QFile::exists(folder + QStringLiteral("/program.nc")),
                                  2 * Autosave::kIntervalMs + kPatience);
         recovery.end();
@@ -246,9 +247,9 @@ private slots:
         Recovery recovery(station.window, m_root);
         QCOMPARE(buttons(station, QStringLiteral("Restore")).size(), 1);
         QTest::mouseClick(buttons(station, QStringLiteral("Restore")).front(), Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(station.session.hasDocument(), kPatience);
-        QCOMPARE(QByteArray::fromStdString(station.session.document().text.toString()), kProgram);
-        QVERIFY(station.session.document().path.empty());
+        QTRY_VERIFY_WITH_TIMEOUT(station.session.document().isOpen(), kPatience);
+        QCOMPARE(QByteArray::fromStdString(station.session.document().text().text.toString()), kProgram);
+        QVERIFY(station.session.document().text().path.empty());
         recovery.end();
     }
 
@@ -257,11 +258,11 @@ private slots:
         write(m_program, bytes);
         Workstation station(false);
         station.open(m_program);
-        station.session.applyEdit(0, 0, "%");
-        station.session.setTextModified(true);
+        station.session.document().applyEdit(0, 0, "%");
+        station.session.document().setTextModified(true);
         const QString folder = m_folder->filePath(QStringLiteral("kept"));
         QVERIFY(QDir().mkpath(folder));
-        QVERIFY(keepSession(folder, station.session.job(), {{}, "layout"}));
+        QVERIFY(keepSession(folder, station.session.document().job(), {{}, "layout"}));
         const auto kept = readKeptSession(folder);
         QVERIFY(kept);
         QCOMPARE(kept->state.layout, QByteArray("layout"));
@@ -270,9 +271,9 @@ private slots:
         QVERIFY(restored->text().modified);
         QVERIFY(restored->text().byteOrderMark);
         QCOMPARE(restored->text().lineEnd, LineEnd::crLf);
-        QCOMPARE(restored->text().text.toString(), station.session.document().text.toString());
+        QCOMPARE(restored->text().text.toString(), station.session.document().text().text.toString());
         QVERIFY(!restored->conflict(FilePart::text));
-        station.session.setTextModified(false);
+        station.session.document().setTextModified(false);
     }
 
     void theLayoutComesBack() {
@@ -282,7 +283,7 @@ private slots:
             station.window.findChild<QWidget*>(QStringLiteral("dock-tuning"))->hide();
             const QString folder = m_root + QStringLiteral("/killed");
             QVERIFY(QDir().mkpath(folder));
-            QVERIFY(keepSession(folder, station.session.job(), {{}, station.window.layout()}));
+            QVERIFY(keepSession(folder, station.session.document().job(), {{}, station.window.layout()}));
         }
         Workstation station(false);
         QVERIFY(station.window.findChild<QWidget*>(QStringLiteral("dock-tuning"))->isVisible());

@@ -83,7 +83,7 @@ void type(Workstation& station, const QString& text) {
     editor.setFocus();
     editor.setCursorPosition(0, 0);
     QTest::keyClicks(&editor, text);
-    if (!QTest::qWaitFor([&] { return station.session.document().modified; }, kPatience))
+    if (!QTest::qWaitFor([&] { return station.session.document().text().modified; }, kPatience))
         qFatal("nothing was typed");
 }
 
@@ -129,10 +129,10 @@ private slots:
         QVERIFY2(answers.questions().front().contains(QLatin1String("bracket.nc has changed on disk")),
                  qPrintable(answers.questions().front()));
         QCOMPARE(read(m_program), kTheirs);
-        QVERIFY(station.session.document().modified);
-        QVERIFY(!station.session.save()); // below the question too
+        QVERIFY(station.session.document().text().modified);
+        QVERIFY(!station.session.document().save()); // below the question too
         QCOMPARE(read(m_program), kTheirs);
-        station.session.setTextModified(false);
+        station.session.document().setTextModified(false);
     }
 
     void aChangeOfTheSameSizeAndTimeIsSeen() {
@@ -157,7 +157,7 @@ private slots:
         pressSave(station);
         QCOMPARE(answers.questions().size(), 1);
         QCOMPARE(read(m_program), "(mine)" + kProgram);
-        QVERIFY(!station.session.modified());
+        QVERIFY(!station.session.document().modified());
         QTest::qWait(400); // the watcher has told it by now
         QVERIFY(!bar(station, FilePart::text)->isVisible());
         type(station, QStringLiteral("(more)"));
@@ -178,7 +178,7 @@ private slots:
         QCOMPARE(read(m_program), kTheirs);
         QCOMPARE(read(m_folder->filePath(QStringLiteral("bracket-2.nc"))), QByteArray("taken"));
         QCOMPARE(read(beside), "(mine)" + kProgram);
-        QVERIFY(!station.session.modified());
+        QVERIFY(!station.session.document().modified());
         QVERIFY(station.window.windowTitle().startsWith(QLatin1String("bracket-3.nc")));
         const QString message = station.window.statusBar()->currentMessage();
         QVERIFY2(message.contains(QLatin1String("bracket-3.nc")), qPrintable(message));
@@ -202,11 +202,11 @@ private slots:
         Workstation station(false);
         station.open(m_program);
         const QString job = m_folder->filePath(QStringLiteral("bracket.proveout"));
-        QVERIFY(station.session.saveJobAs(job));
+        QVERIFY(station.session.document().saveJobAs(job));
         const QByteArray before = read(job);
-        DecimationParameters parameters = station.session.parameters();
+        DecimationParameters parameters = station.session.job().parameters();
         parameters.allowance = 0.25;
-        station.session.setParameters(parameters);
+        station.session.job().setParameters(parameters);
         const QByteArray theirs =
             QByteArray(before).replace("\"blockDelete\": false", "\"blockDelete\": true");
         QVERIFY(theirs != before);
@@ -222,24 +222,25 @@ private slots:
         Answers answers({QStringLiteral("Keep Both")});
         pressSave(station);
         QCOMPARE(read(job), theirs);
-        QCOMPARE(QFileInfo(station.session.jobFile()).fileName(), QStringLiteral("bracket-2.proveout"));
-        QVERIFY(read(station.session.jobFile()).contains("0.25"));
-        QVERIFY(!station.session.modified());
+        QCOMPARE(QFileInfo(station.session.document().jobFile()).fileName(),
+                 QStringLiteral("bracket-2.proveout"));
+        QVERIFY(read(station.session.document().jobFile()).contains("0.25"));
+        QVERIFY(!station.session.document().modified());
     }
 
     void aChangedJobIsShownInTheSetupAndReadAgain() {
         Workstation station(false);
         station.open(m_program);
         const QString job = m_folder->filePath(QStringLiteral("bracket.proveout"));
-        QVERIFY(station.session.saveJobAs(job));
+        QVERIFY(station.session.document().saveJobAs(job));
         FileChangedBar* told = bar(station, FilePart::job);
         QVERIFY(told->isHidden());
         write(job, read(job).replace("\"blockDelete\": false", "\"blockDelete\": true"));
         QTRY_VERIFY_WITH_TIMEOUT(!told->isHidden(), kPatience);
         press(*told, QStringLiteral("Reload"));
-        QTRY_VERIFY_WITH_TIMEOUT(station.session.setup().blockDelete, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(station.session.job().setup().blockDelete, kPatience);
         QVERIFY(told->isHidden());
-        QVERIFY(!station.session.modified());
+        QVERIFY(!station.session.document().modified());
     }
 
     void twoWindowsOnOneFileDoNotOverwriteEachOther() {
@@ -258,7 +259,7 @@ private slots:
         QCOMPARE(answers.questions().size(), 1);
         QCOMPARE(read(m_program), "(second)" + kProgram);
         QTRY_VERIFY_WITH_TIMEOUT(bar(first, FilePart::text)->isVisible(), kPatience);
-        first.session.setTextModified(false);
+        first.session.document().setTextModified(false);
     }
 
     void afterKeepMyVersionTheSaveDoesNotAskAgain() {
@@ -267,7 +268,7 @@ private slots:
         write(m_program, kTheirs);
         QTRY_VERIFY_WITH_TIMEOUT(bar(station, FilePart::text)->isVisible(), kPatience);
         press(*bar(station, FilePart::text), QStringLiteral("Keep My Version"));
-        QVERIFY(station.session.document().modified);
+        QVERIFY(station.session.document().text().modified);
         Answers answers({});
         pressSave(station);
         QCOMPARE(answers.questions().size(), 0);
@@ -276,13 +277,13 @@ private slots:
         type(station, QStringLiteral("(mine)"));
         pressSave(station); // that is another change
         QCOMPARE(answers.questions().size(), 1);
-        station.session.setTextModified(false);
+        station.session.document().setTextModified(false);
     }
 
     void theSameContentWrittenAgainIsNoNews() {
         Workstation station(false);
         station.open(m_program);
-        QSignalSpy changed(&station.session, &Session::fileChangedOnDisk);
+        QSignalSpy changed(&station.session.document(), &DocumentHub::fileChangedOnDisk);
         write(m_program, kProgram);
         QTest::qWait(600);
         QCOMPARE(changed.count(), 0);
@@ -297,19 +298,19 @@ private slots:
         Workstation station(false);
         station.open(m_program);
         const QString job = m_folder->filePath(QStringLiteral("bracket.proveout"));
-        QVERIFY(station.session.saveJobAs(job));
+        QVERIFY(station.session.document().saveJobAs(job));
         type(station, QStringLiteral("(mine)"));
         write(m_program, "(mine)" + kProgram);
         const QByteArray before = read(job);
-        Setup setup = station.session.setup();
+        Setup setup = station.session.job().setup();
         setup.blockDelete = true;
-        QVERIFY(station.session.setSetup(setup).has_value());
+        QVERIFY(station.session.job().setSetup(setup).has_value());
         write(job, QByteArray(before).replace("\"blockDelete\": false", "\"blockDelete\": true"));
         QVERIFY(read(job) != before);
         Answers answers({});
         pressSave(station);
         QCOMPARE(answers.questions(), QStringList());
-        QVERIFY(!station.session.modified());
+        QVERIFY(!station.session.document().modified());
         QCOMPARE(read(m_program), "(mine)" + kProgram);
     }
 
@@ -317,7 +318,7 @@ private slots:
         Workstation station(false);
         station.open(m_program);
         QVERIFY(QFile::remove(m_program));
-        QTRY_VERIFY_WITH_TIMEOUT(station.session.modified(), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(station.session.document().modified(), kPatience);
         QVERIFY(bar(station, FilePart::text)->isVisible());
         Answers answers({});
         pressSave(station);
@@ -334,25 +335,25 @@ private slots:
         Answers answers({});
         pressSave(station);
         QCOMPARE(read(m_program), kProgram);
-        QVERIFY(!station.session.problems().empty());
-        QCOMPARE(station.session.problems().front().id, "file-unwritable");
-        QVERIFY(*station.session.problems().front().hint != '\0');
+        QVERIFY(!station.session.problems().all().empty());
+        QCOMPARE(station.session.problems().all().front().id, "file-unwritable");
+        QVERIFY(*station.session.problems().all().front().hint != '\0');
 
         QVERIFY(QFile::remove(m_program));
         QVERIFY(QDir().mkpath(m_program));
         pressSave(station);
-        QCOMPARE(station.session.problems().front().id, "file-not-regular");
-        QVERIFY(station.session.document().modified);
+        QCOMPARE(station.session.problems().all().front().id, "file-not-regular");
+        QVERIFY(station.session.document().text().modified);
         QVERIFY(QDir(m_program).exists());
         QCOMPARE(answers.questions().size(), 0);
-        station.session.setTextModified(false);
+        station.session.document().setTextModified(false);
     }
 
     void theStarIsOnWhatIsUnsaved() {
         Workstation station(false);
         station.open(m_program);
         const QString job = m_folder->filePath(QStringLiteral("bracket.proveout"));
-        QVERIFY(station.session.saveJobAs(job));
+        QVERIFY(station.session.document().saveJobAs(job));
         const auto dock = [&](const char* id) {
             return station.window.findChild<QWidget*>(QLatin1String(id))->windowTitle();
         };
@@ -367,38 +368,38 @@ private slots:
         pressSave(station);
         QVERIFY(!station.window.isWindowModified());
 
-        Setup setup = station.session.setup();
+        Setup setup = station.session.job().setup();
         setup.tools.set(7, parseCutter("flat:d=6,l=20").value());
-        QVERIFY(station.session.setSetup(setup));
+        QVERIFY(station.session.job().setSetup(setup));
         QCOMPARE(station.window.windowTitle(),
                  QStringLiteral("bracket.nc (bracket.proveout[*]) \u2013 Proveout"));
         QCOMPARE(dock("dock-program"), QStringLiteral("NC Program"));
         QCOMPARE(dock("dock-setup"), QStringLiteral("Setup*"));
-        QVERIFY(station.session.job().toolsModified());
+        QVERIFY(station.session.document().job().toolsModified());
         pressSave(station); // the text is saved already
         QVERIFY(read(job).contains("\"7\""));
         QVERIFY(!station.window.isWindowModified());
         QVERIFY2(station.window.statusBar()->currentMessage().contains(QLatin1String("bracket.proveout")),
                  qPrintable(station.window.statusBar()->currentMessage()));
 
-        const Setup saved = station.session.setup();
+        const Setup saved = station.session.job().setup();
         setup.automaticGrid = false;
         setup.spacing *= 2;
-        QVERIFY(station.session.setSetup(setup));
-        QVERIFY(station.session.jobModified());
-        QVERIFY(station.session.setSetup(saved)); // as undo does
-        QVERIFY(!station.session.jobModified());
+        QVERIFY(station.session.job().setSetup(setup));
+        QVERIFY(station.session.document().jobModified());
+        QVERIFY(station.session.job().setSetup(saved)); // as undo does
+        QVERIFY(!station.session.document().jobModified());
     }
 
     void aSecondWindowSaysThatTheFileIsEditedInTheFirst() {
         const QString job = m_folder->filePath(QStringLiteral("bracket.proveout"));
         Workstation first(false);
         first.open(m_program);
-        QVERIFY(first.session.saveJobAs(job));
+        QVERIFY(first.session.document().saveJobAs(job));
         type(first, QStringLiteral("(mine)"));
-        Setup setup = first.session.setup();
+        Setup setup = first.session.job().setup();
         setup.blockDelete = !setup.blockDelete;
-        QVERIFY(first.session.setSetup(setup));
+        QVERIFY(first.session.job().setSetup(setup));
         Workstation second(false);
         second.open(job);
         const auto shown = [&](const QWidget& panel) {
@@ -413,18 +414,18 @@ private slots:
         QVERIFY2(shown(panel).startsWith(QLatin1String("bracket.proveout has unsaved changes")),
                  qPrintable(shown(panel)));
         QVERIFY(shown(first.window.editor()).isEmpty());
-        QVERIFY(first.session.save());
+        QVERIFY(first.session.document().save());
         QTRY_VERIFY_WITH_TIMEOUT(shown(editor).isEmpty() && shown(panel).isEmpty(), kPatience);
     }
 
     void aNewProgramCanBeTypedAtOnce() {
         Workstation station(false);
         QTest::keyClick(&station.window, Qt::Key_N, Qt::ControlModifier);
-        QVERIFY(station.session.hasDocument());
+        QVERIFY(station.session.document().isOpen());
         QTRY_VERIFY_WITH_TIMEOUT(station.window.editor().editor().hasFocus(), kPatience);
         QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("G0 X1"));
-        QCOMPARE(station.session.document().text.toString(), std::string("G0 X1"));
-        station.session.setTextModified(false);
+        QCOMPARE(station.session.document().text().text.toString(), std::string("G0 X1"));
+        station.session.document().setTextModified(false);
     }
 
 private:

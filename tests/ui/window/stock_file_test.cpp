@@ -85,12 +85,12 @@ struct Bench {
         const QString program = folder.filePath(QStringLiteral("p.nc"));
         write(program, kProgram);
         station.open(program);
-        Setup setup = session.setup();
+        Setup setup = session.job().setup();
         setup.tools.set(1, parseCutter("flat:d=4,l=20").value());
         setup.stock = {Vec3(0), 40, 20, 10};
         setup.automaticGrid = false;
         setup.spacing = 1;
-        if (!session.setSetup(setup))
+        if (!session.job().setSetup(setup))
             qFatal("the setup is refused");
         first = saved(3);
         deeper = saved(5);
@@ -99,11 +99,11 @@ struct Bench {
         auto* dock = station.window.findChild<QDockWidget*>(QStringLiteral("dock-setup"));
         dock->show();
         dock->raise();
-        if (!session.saveJobAs(folder.filePath(QStringLiteral("p.proveout"))))
+        if (!session.document().saveJobAs(folder.filePath(QStringLiteral("p.proveout"))))
             qFatal("the job cannot be saved");
     }
     [[nodiscard]] bool hasProblem() const {
-        return std::ranges::any_of(session.problems(), [](const Diagnostic& problem) {
+        return std::ranges::any_of(session.problems().all(), [](const Diagnostic& problem) {
             return std::string_view(problem.id) == "stock-changed-on-disk";
         });
     }
@@ -114,15 +114,17 @@ struct Bench {
     }
     /// Of the uncut stock in the slot that an earlier setup has cut.
     [[nodiscard]] double heightInSlot() const {
-        return session.frame() == nullptr ? 0.0 : session.frame()->zmap.height(20, 10);
+        return session.simulation().frame() == nullptr ? 0.0
+                                                       : session.simulation().frame()->zmap.height(20, 10);
     }
     /// Goes there, as the view does.
     bool seek(std::size_t block) const {
-        session.seek(block);
+        session.playback().seek(block);
         return QTest::qWaitFor(
             [&] {
-                const FramePtr& frame = session.frame();
-                return frame && frame->setup.get() == session.job().setup().get() && frame->block == block;
+                const FramePtr& frame = session.simulation().frame();
+                return frame && frame->setup.get() == session.document().job().setup().get() &&
+                       frame->block == block;
             },
             kPatience);
     }
@@ -132,8 +134,8 @@ private:
     QByteArray saved(std::size_t blocks) {
         if (!seek(blocks))
             qFatal("the program does not run");
-        QSignalSpy exported(&session, &Session::exported);
-        session.saveStock(stock);
+        QSignalSpy exported(&session.exports(), &ExportHub::exported);
+        session.exports().saveStock(stock);
         if (!QTest::qWaitFor([&] { return !exported.isEmpty(); }, kPatience))
             qFatal("the stock is not saved");
         return read(stock);
@@ -144,10 +146,10 @@ private:
         spec.shape.file = toPath(stock);
         if (!makeStock(spec, std::nullopt))
             qFatal("the stock cannot be read");
-        Setup setup = session.setup();
+        Setup setup = session.job().setup();
         setup.stock = spec.box;
         setup.shape = spec.shape;
-        if (!session.setSetup(setup) || !seek(0))
+        if (!session.job().setSetup(setup) || !seek(0))
             qFatal("the stock is refused");
     }
 };
@@ -176,7 +178,7 @@ private slots:
         QTRY_COMPARE_WITH_TIMEOUT(bench.heightInSlot(), -4.0, kPatience);
         QVERIFY(bench.bar().isHidden());
         QVERIFY(!bench.hasProblem());
-        QVERIFY(!bench.session.modified()); // the job names the same file
+        QVERIFY(!bench.session.document().modified()); // the job names the same file
     }
 
     void keptItStaysUntilItIsChangedAgain() {
@@ -186,9 +188,9 @@ private slots:
         bench.press("stock-keep");
         QVERIFY(bench.bar().isHidden());
         QVERIFY(!bench.hasProblem());
-        Setup setup = bench.session.setup();
+        Setup setup = bench.session.job().setup();
         setup.tools.set(2, parseCutter("flat:d=6").value());
-        QVERIFY(bench.session.setSetup(setup).has_value());
+        QVERIFY(bench.session.job().setSetup(setup).has_value());
         QTest::qWait(600);
         QVERIFY(bench.bar().isHidden()); // nothing new has happened
         QCOMPARE(bench.heightInSlot(), -2.0);
@@ -196,7 +198,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(bench.bar().isVisible(), kPatience);
         QVERIFY2(bench.told().contains(QStringLiteral("was deleted or renamed")), qPrintable(bench.told()));
         QVERIFY(bench.bar().findChild<QPushButton*>(QStringLiteral("stock-reload"))->isHidden());
-        bench.session.newFile(); // another document has nothing to do with it
+        bench.session.document().newFile(); // another document has nothing to do with it
         QVERIFY(bench.bar().isHidden());
         QVERIFY(!bench.hasProblem());
     }
@@ -210,7 +212,7 @@ private slots:
     void itIsNotOverwrittenByItsOwnResultWithoutAQuestion() {
         QFETCH(QString, button);
         Bench bench;
-        QVERIFY(bench.seek(bench.session.blockCount()));
+        QVERIFY(bench.seek(bench.session.program().blockCount()));
         // By another name of the same file.
         const QString link = bench.folder.filePath(QStringLiteral("other.pvstock"));
         QVERIFY(QFile::link(bench.stock, link));
@@ -220,7 +222,7 @@ private slots:
         QVERIFY2(answers.questions().back().contains(QStringLiteral("is the stock of the open job")),
                  qPrintable(answers.questions().back()));
         if (button == QStringLiteral("Cancel")) {
-            QVERIFY(!bench.session.exporting());
+            QVERIFY(!bench.session.exports().isRunning());
             QCOMPARE(read(bench.stock), bench.first);
             return;
         }

@@ -124,20 +124,21 @@ Opening open(Session& session, const NcEditor& editor, const QString& file) {
     Opening opening;
     QElapsedTimer clock;
     clock.start();
-    session.openFile(file);
+    session.document().openFile(file);
     const auto note = [&](double& when, bool there) {
         if (there && when == 0)
             when = static_cast<double>(clock.nsecsElapsed()) * 1e-6;
         return when > 0;
     };
-    until([&] { return note(opening.read, !session.isOpening()); }, kOpeningMs);
-    if (session.document().path != file.toStdString())
+    until([&] { return note(opening.read, !session.document().isOpening()); }, kOpeningMs);
+    if (session.document().text().path != file.toStdString())
         std::exit(EXIT_FAILURE);
     const auto all = [&] {
         const bool seen = note(opening.seen, !editor.isFilling());
-        const bool first = note(opening.first, session.program() != nullptr);
-        const bool whole = session.program() && !session.isReading() && session.frame() &&
-                           session.frame()->program == session.program();
+        const bool first = note(opening.first, session.program().current() != nullptr);
+        const bool whole = session.program().current() && !session.program().isReading() &&
+                           session.simulation().frame() &&
+                           session.simulation().frame()->program == session.program().current();
         return note(opening.whole, whole) && seen && first;
     };
     until(all, kOpeningMs);
@@ -184,7 +185,7 @@ int main(int argc, char** argv) {
     std::printf("read after %.0f ms, seen after %.0f ms, first motions after %.0f ms, all after %.0f ms\n",
                 opening.read, opening.seen, opening.first, opening.whole);
 
-    if (named || session.document().readOnly)
+    if (named || session.document().text().readOnly)
         return EXIT_SUCCESS;
 
     std::mt19937 random(1);
@@ -196,7 +197,7 @@ int main(int argc, char** argv) {
         marked.push_back(until([&] { return isMarked(editor, line); }));
         QTest::keyClick(&editor, Qt::Key_Backspace);
         // What is wrong is gone with its mark; the next key shall find nothing under way.
-        until([&] { return session.program()->diagnostics().empty(); });
+        until([&] { return session.program().current()->diagnostics().empty(); });
     }
     tell("from a key to its squiggle", marked);
     return *std::ranges::max_element(marked) < kPatienceMs ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -31,8 +31,8 @@ struct Bench {
     Workstation station{true};
 
     Bench() {
-        if (!session().saveAs(folder.filePath(QStringLiteral("part.nc"))) ||
-            !session().saveJobAs(folder.filePath(QStringLiteral("part.proveout"))))
+        if (!session().document().saveAs(folder.filePath(QStringLiteral("part.nc"))) ||
+            !session().document().saveJobAs(folder.filePath(QStringLiteral("part.proveout"))))
             qFatal("the job cannot be saved");
     }
     template<class Input = QDoubleSpinBox>
@@ -55,12 +55,12 @@ struct Bench {
         return input;
     }
     Session& session() { return station.session; }
-    const Setup& setup() { return session().setup(); }
+    const Setup& setup() { return session().job().setup(); }
     /// Others change the setup, as the reading of a program does.
     void changeSetup(const std::function<void(Setup&)>& edit) {
         Setup changed = setup();
         edit(changed);
-        if (!session().setSetup(changed))
+        if (!session().job().setSetup(changed))
             qFatal("the setup is refused");
     }
     void addTool(int number) {
@@ -209,7 +209,7 @@ private slots:
         bench.addTool(77);
         QTest::qWait(kRest);
         QCOMPARE(codes.text(), QStringLiteral("1x"));
-        bench.session().newFile();
+        bench.session().document().newFile();
         QVERIFY(codes.text().isEmpty());
     }
 
@@ -237,11 +237,11 @@ private slots:
         auto& allowance = bench.reached("dock-tuning", "allowance");
         keys(allowance, QStringLiteral("0.2"));
         QTest::keyClick(&allowance, Qt::Key_Return);
-        DecimationParameters others = bench.session().parameters();
+        DecimationParameters others = bench.session().job().parameters();
         others.period = 9;
-        bench.session().setParameters(others);
-        QTRY_COMPARE_WITH_TIMEOUT(bench.session().parameters().allowance, 0.2, kPatience);
-        QCOMPARE(bench.session().parameters().period, 9);
+        bench.session().job().setParameters(others);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.session().job().parameters().allowance, 0.2, kPatience);
+        QCOMPARE(bench.session().job().parameters().period, 9);
         auto& grid = bench.reached("dock-tuning", "grid");
         keys(grid, QStringLiteral("2"));
         QTest::keyClick(&grid, Qt::Key_Return);
@@ -255,12 +255,12 @@ private slots:
         Bench bench;
         auto& corner = bench.reached("dock-setup", "corner-x");
         QTest::keyClick(&corner, Qt::Key_Up);
-        bench.session().newFile();
+        bench.session().document().newFile();
         Setup fresh = bench.setup();
         QTest::qWait(kRest);
         fresh.spacing = bench.setup().spacing; // found once the new text is read
         QVERIFY(bench.setup() == fresh);
-        QVERIFY(!bench.session().modified());
+        QVERIFY(!bench.session().document().modified());
     }
 
     void saveAndCloseTakeWhatIsTyped_data() {
@@ -292,12 +292,12 @@ private slots:
         }
         QVERIFY(bench.station.window.isVisible());
         bench.station.press(Qt::Key_S, Qt::ControlModifier);
-        QFile job(bench.session().jobFile());
+        QFile job(bench.session().document().jobFile());
         QVERIFY(job.open(QIODevice::ReadOnly));
         QVERIFY2(job.readAll().contains(saved), saved.constData());
-        QVERIFY(!bench.session().modified());
+        QVERIFY(!bench.session().document().modified());
         QTest::qWait(kRest);
-        QVERIFY(!bench.session().modified()); // the star does not come back
+        QVERIFY(!bench.session().document().modified()); // the star does not come back
     }
 
     void aValueOutOfRangeWidensNoRange() {

@@ -57,7 +57,7 @@ struct Bench {
         station.open(file.fileName());
     }
     Session& session() { return station.session; }
-    double topZ() { return session().setup().stock.corner.z; }
+    double topZ() { return session().job().setup().stock.corner.z; }
 };
 
 /// Cuts with tools that its comments describe.
@@ -91,23 +91,24 @@ private slots:
         Bench::type(top, QStringLiteral("-3"));
         QTRY_COMPARE_WITH_TIMEOUT(bench.topZ(), -3.0, kPatience);
         QCOMPARE(bench.undoText(), QStringLiteral("Undo Top Z"));
-        QVERIFY(bench.session().modified());
+        QVERIFY(bench.session().document().modified());
         Bench::pressUndo(top);
         QCOMPARE(bench.topZ(), before);
         QCOMPARE(top.value(), before);
-        QVERIFY(!bench.session().modified());
+        QVERIFY(!bench.session().document().modified());
         QVERIFY(!bench.station.window.isWindowModified());
         QVERIFY(!bench.action("edit-undo").isEnabled());
         QCOMPARE(bench.redoText(), QStringLiteral("Redo Top Z"));
         Bench::pressRedo(top);
         QCOMPARE(bench.topZ(), -3.0);
-        QVERIFY(bench.session().modified());
+        QVERIFY(bench.session().document().modified());
         QTest::keyClick(&top, Qt::Key_Z, Qt::ControlModifier);
         QTest::keyClick(&top, Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier);
         QCOMPARE(bench.topZ(), -3.0);
         // The simulation runs on it.
-        QTRY_VERIFY_WITH_TIMEOUT(
-            bench.session().frame() && bench.session().frame()->setup->stock.corner.z == -3.0, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(bench.session().simulation().frame() &&
+                                     bench.session().simulation().frame()->setup->stock.corner.z == -3.0,
+                                 kPatience);
     }
 
     void stepsInOneBoxAreOneAndThoseInTwoAreTwo() {
@@ -121,9 +122,9 @@ private slots:
         auto& left = bench.box("dock-setup", "corner-x");
         const double leftBefore = left.value();
         QTest::keyClick(&left, Qt::Key_Up);
-        QTRY_COMPARE_WITH_TIMEOUT(bench.session().setup().stock.corner.x, leftBefore + 1, kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.session().job().setup().stock.corner.x, leftBefore + 1, kPatience);
         Bench::pressUndo(left);
-        QCOMPARE(bench.session().setup().stock.corner.x, leftBefore);
+        QCOMPARE(bench.session().job().setup().stock.corner.x, leftBefore);
         QCOMPARE(bench.topZ(), before + 3);
         Bench::pressUndo(left);
         QCOMPARE(bench.topZ(), before);
@@ -143,7 +144,7 @@ private slots:
         QCOMPARE(left.value(), leftBefore);
         QCOMPARE(bench.topZ(), -3.0);
         QTest::qWait(400);
-        QCOMPARE(bench.session().setup().stock.corner.x, leftBefore);
+        QCOMPARE(bench.session().job().setup().stock.corner.x, leftBefore);
         Bench::pressUndo(left);
         QCOMPARE(bench.topZ(), before);
     }
@@ -151,28 +152,29 @@ private slots:
     void tuningAndMachineHaveUndo() {
         Bench bench;
         auto& allowance = bench.box("dock-tuning", "allowance");
-        const double before = bench.session().parameters().allowance;
+        const double before = bench.session().job().parameters().allowance;
         Bench::type(allowance, QStringLiteral("0.5"));
-        QTRY_COMPARE_WITH_TIMEOUT(bench.session().parameters().allowance, 0.5, kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.session().job().parameters().allowance, 0.5, kPatience);
         QCOMPARE(bench.undoText(), QStringLiteral("Undo Error allowance"));
         auto& method = bench.box<QComboBox>("dock-tuning", "method");
-        const DecimationParameters withMethod = bench.session().parameters();
+        const DecimationParameters withMethod = bench.session().job().parameters();
         QTest::keyClick(&method, Qt::Key_Down);
-        QTRY_COMPARE_WITH_TIMEOUT(bench.session().parameters().method, DecimationMethod::lee, kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(bench.session().job().parameters().method, DecimationMethod::lee,
+                                  kPatience);
         QCOMPARE(bench.undoText(), QStringLiteral("Undo Decimation method"));
         auto& rapid = bench.box("dock-setup", "rapidZ");
-        const auto machine = bench.session().machine();
+        const auto machine = bench.session().job().machine();
         Bench::type(rapid, QStringLiteral("9000"));
-        QTRY_VERIFY_WITH_TIMEOUT(bench.session().machine() && bench.session().machine()->rapidZ == 9000,
-                                 kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            bench.session().job().machine() && bench.session().job().machine()->rapidZ == 9000, kPatience);
         QCOMPARE(bench.undoText(), QStringLiteral("Undo Rapid Z"));
         Bench::pressUndo(rapid);
-        QVERIFY(bench.session().machine() == machine);
+        QVERIFY(bench.session().job().machine() == machine);
         Bench::pressUndo(rapid);
-        QVERIFY(bench.session().parameters() == withMethod);
+        QVERIFY(bench.session().job().parameters() == withMethod);
         Bench::pressUndo(rapid);
-        QCOMPARE(bench.session().parameters().allowance, before);
-        QVERIFY(!bench.session().modified());
+        QCOMPARE(bench.session().job().parameters().allowance, before);
+        QVERIFY(!bench.session().document().modified());
     }
 
     void theKeysFollowTheFocus() {
@@ -215,60 +217,61 @@ private slots:
 
     void commandsOfMenusAreStepsAndAJobLoadEndsAll() {
         Bench bench;
-        DecimationParameters parameters = bench.session().parameters();
+        DecimationParameters parameters = bench.session().job().parameters();
         parameters.allowance = 0.4;
         parameters.period = 7;
-        bench.session().setParameters(parameters);
+        bench.session().job().setParameters(parameters);
         QCOMPARE(bench.undoText(), QStringLiteral("Undo Decimation parameters"));
-        Setup setup = bench.session().setup();
+        Setup setup = bench.session().job().setup();
         setup.tools.set(41, parseCutter("ball:d=10,l=30").value());
-        QVERIFY(bench.session().setSetup(setup).has_value());
+        QVERIFY(bench.session().job().setSetup(setup).has_value());
         QCOMPARE(bench.undoText(), QStringLiteral("Undo Tool T41"));
         setup.stock.width += 5;
         setup.stock.corner.x -= 5;
-        QVERIFY(bench.session().setSetup(setup).has_value());
+        QVERIFY(bench.session().job().setSetup(setup).has_value());
         QCOMPARE(bench.undoText(), QStringLiteral("Undo Stock"));
         bench.action("edit-undo").trigger();
         bench.action("edit-undo").trigger();
-        QVERIFY(bench.session().setup().tools.find(41) == nullptr);
-        QVERIFY(bench.session().history().canRedo());
-        bench.session().newFile();
-        QVERIFY(!bench.session().history().canRedo());
+        QVERIFY(bench.session().job().setup().tools.find(41) == nullptr);
+        QVERIFY(bench.session().job().history().canRedo());
+        bench.session().document().newFile();
+        QVERIFY(!bench.session().job().history().canRedo());
         QVERIFY(!bench.action("edit-undo").isEnabled() && !bench.action("edit-redo").isEnabled());
-        QVERIFY(!bench.session().modified());
+        QVERIFY(!bench.session().document().modified());
     }
 
     void aDefaultThatIsBroughtBackIsAStepOfItsOwn() {
         Bench bench;
         Session& session = bench.session();
         auto& allowance = bench.box("dock-tuning", "allowance");
-        const double standard = session.parameters().allowance;
+        const double standard = session.job().parameters().allowance;
         const auto setAllowance = [&](const char* text) {
             Bench::type(allowance, QLatin1String(text));
-            QTRY_COMPARE_WITH_TIMEOUT(session.parameters().allowance, QString(text).toDouble(), kPatience);
+            QTRY_COMPARE_WITH_TIMEOUT(session.job().parameters().allowance, QString(text).toDouble(),
+                                      kPatience);
         };
         setAllowance("0.2");
         QToolButton* reset = resetOf(bench);
         QTest::mouseClick(reset, Qt::LeftButton);
-        QTRY_COMPARE_WITH_TIMEOUT(session.parameters().allowance, standard, kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(session.job().parameters().allowance, standard, kPatience);
         // The button is gone with what it resets; the keys still belong to the panel.
         QWidget* const focus = QApplication::focusWidget();
         QVERIFY(focus != nullptr);
         QVERIFY(bench.station.window.findChild<QDockWidget*>("dock-tuning")->isAncestorOf(focus));
         Bench::pressUndo(*focus);
-        QCOMPARE(session.parameters().allowance, 0.2);
+        QCOMPARE(session.job().parameters().allowance, 0.2);
         Bench::pressRedo(allowance);
-        QCOMPARE(session.parameters().allowance, standard);
+        QCOMPARE(session.job().parameters().allowance, standard);
         Bench::pressUndo(allowance);
         QTRY_VERIFY_WITH_TIMEOUT(reset->isVisible(), kPatience);
         // Typed, and never entered: it is a step all the same.
         allowance.selectAll();
         QTest::keyClicks(&allowance, QStringLiteral("0.3"));
         QTest::mouseClick(reset, Qt::LeftButton);
-        QCOMPARE(session.parameters().allowance, standard);
+        QCOMPARE(session.job().parameters().allowance, standard);
         QCOMPARE(allowance.value(), standard);
         Bench::pressUndo(allowance);
-        QCOMPARE(session.parameters().allowance, 0.3);
+        QCOMPARE(session.job().parameters().allowance, 0.3);
     }
 
     void theDefaultsOfTheMenuAreAStepOfTheirOwn() {
@@ -276,15 +279,15 @@ private slots:
         Session& session = bench.session();
         auto& allowance = bench.box("dock-tuning", "allowance");
         bench.action("default-parameters").trigger(); // so that all else is a default already
-        const double standard = session.parameters().allowance;
+        const double standard = session.job().parameters().allowance;
         Bench::type(allowance, QStringLiteral("0.2"));
         bench.action("default-parameters").trigger(); // before the value is applied by itself
-        QCOMPARE(session.parameters().allowance, standard);
+        QCOMPARE(session.job().parameters().allowance, standard);
         QTest::qWait(400);
-        QCOMPARE(session.parameters().allowance, standard);
+        QCOMPARE(session.job().parameters().allowance, standard);
         QCOMPARE(allowance.value(), standard);
         Bench::pressUndo(allowance);
-        QCOMPARE(session.parameters().allowance, 0.2);
+        QCOMPARE(session.job().parameters().allowance, 0.2);
     }
 
     void assumingAToolAndConfirmingItAreTwoSteps() {
@@ -295,14 +298,15 @@ private slots:
         auto* mend = bench.station.window.findChild<QPushButton*>(QStringLiteral("toolNoticeMend"));
         QTRY_VERIFY_WITH_TIMEOUT(mend->isVisible(), kPatience);
         QTest::mouseClick(mend, Qt::LeftButton);
-        QVERIFY(session.setup().tools.unconfirmedOrigin(7) != nullptr);
+        QVERIFY(session.job().setup().tools.unconfirmedOrigin(7) != nullptr);
         QTRY_VERIFY_WITH_TIMEOUT(mend->isVisible(), kPatience);
         QTest::mouseClick(mend, Qt::LeftButton);
-        QVERIFY(session.setup().tools.find(7) != nullptr && session.setup().tools.unconfirmed().empty());
-        session.undoStep();
-        QVERIFY(session.setup().tools.unconfirmedOrigin(7) != nullptr);
-        session.undoStep();
-        QVERIFY(session.setup().tools.find(7) == nullptr);
+        QVERIFY(session.job().setup().tools.find(7) != nullptr &&
+                session.job().setup().tools.unconfirmed().empty());
+        session.job().undoStep();
+        QVERIFY(session.job().setup().tools.unconfirmedOrigin(7) != nullptr);
+        session.job().undoStep();
+        QVERIFY(session.job().setup().tools.find(7) == nullptr);
     }
 
     void undoKeepsWhatCommentsHaveChangedSince() {
@@ -311,22 +315,23 @@ private slots:
         bench.open(folder, commented("D6", ""));
         Session& session = bench.session();
         const auto spec = [&](int number) {
-            const Cutter* cutter = session.setup().tools.find(number);
+            const Cutter* cutter = session.job().setup().tools.find(number);
             return cutter == nullptr ? std::string() : std::string(cutter->spec());
         };
         QCOMPARE(spec(2), std::string("flat:d=6"));
-        Setup setup = session.setup();
+        Setup setup = session.job().setup();
         setup.tools.set(1, parseCutter("flat:d=12").value());
-        QVERIFY(session.setSetup(setup).has_value());
-        session.applyEdit(0, session.document().text.size(), commented("D5", "(T3 D3 FLAT)\n"));
+        QVERIFY(session.job().setSetup(setup).has_value());
+        session.document().applyEdit(0, session.document().text().text.size(),
+                                     commented("D5", "(T3 D3 FLAT)\n"));
         QTRY_COMPARE_WITH_TIMEOUT(spec(3), std::string("flat:d=3"), kPatience);
         QCOMPARE(spec(2), std::string("flat:d=5"));
-        session.undoStep();
+        session.job().undoStep();
         QCOMPARE(spec(1), std::string("flat:d=10"));
         QCOMPARE(spec(2), std::string("flat:d=5"));
         QCOMPARE(spec(3), std::string("flat:d=3"));
-        QVERIFY(!session.jobModified());
-        session.redoStep();
+        QVERIFY(!session.document().jobModified());
+        session.job().redoStep();
         QCOMPARE(spec(1), std::string("flat:d=12"));
         QCOMPARE(spec(3), std::string("flat:d=3"));
     }
@@ -336,13 +341,14 @@ private slots:
         Bench bench;
         bench.open(folder, commented("D6", ""));
         Session& session = bench.session();
-        Setup setup = session.setup();
+        Setup setup = session.job().setup();
         setup.tools.set(2, parseCutter("flat:d=12").value());
-        QVERIFY(session.setSetup(setup).has_value());
-        session.applyEdit(0, session.document().text.size(), commented("D5", "(T3 D3 FLAT)\n"));
-        QTRY_VERIFY_WITH_TIMEOUT(session.setup().tools.find(3) != nullptr, kPatience);
-        session.undoStep();
-        QCOMPARE(std::string(session.setup().tools.find(2)->spec()), std::string("flat:d=5"));
+        QVERIFY(session.job().setSetup(setup).has_value());
+        session.document().applyEdit(0, session.document().text().text.size(),
+                                     commented("D5", "(T3 D3 FLAT)\n"));
+        QTRY_VERIFY_WITH_TIMEOUT(session.job().setup().tools.find(3) != nullptr, kPatience);
+        session.job().undoStep();
+        QCOMPARE(std::string(session.job().setup().tools.find(2)->spec()), std::string("flat:d=5"));
     }
 
     void undoLeavesTheAutomaticGridAsFineAsTheCutters() {
@@ -350,36 +356,40 @@ private slots:
         Bench bench;
         bench.open(folder, commented("D6", ""));
         Session& session = bench.session();
-        QVERIFY(session.setup().automaticGrid);
-        Setup setup = session.setup();
+        QVERIFY(session.job().setup().automaticGrid);
+        Setup setup = session.job().setup();
         setup.stock.corner.x -= 1; // so that the stock is the user's, and is not fitted again
-        QVERIFY(session.setSetup(setup).has_value());
+        QVERIFY(session.job().setSetup(setup).has_value());
         setup.stock.width += 20;
-        QVERIFY(session.setSetup(setup).has_value());
-        session.applyEdit(0, session.document().text.size(), commented("D0.5", ""));
-        QTRY_VERIFY_WITH_TIMEOUT(session.setup().spacing <= 0.05 && session.program(), kPatience);
-        session.undoStep();
-        QCOMPARE(session.setup().stock.width, setup.stock.width - 20);
-        QVERIFY2(session.setup().spacing <= 0.05, qPrintable(QString::number(session.setup().spacing)));
-        QTRY_VERIFY_WITH_TIMEOUT(
-            session.frame() && session.frame()->setup->spacing == session.setup().spacing, kPatience);
+        QVERIFY(session.job().setSetup(setup).has_value());
+        session.document().applyEdit(0, session.document().text().text.size(), commented("D0.5", ""));
+        QTRY_VERIFY_WITH_TIMEOUT(session.job().setup().spacing <= 0.05 && session.program().current(),
+                                 kPatience);
+        session.job().undoStep();
+        QCOMPARE(session.job().setup().stock.width, setup.stock.width - 20);
+        QVERIFY2(session.job().setup().spacing <= 0.05,
+                 qPrintable(QString::number(session.job().setup().spacing)));
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() &&
+                                     session.simulation().frame()->setup->spacing ==
+                                         session.job().setup().spacing,
+                                 kPatience);
     }
 
     void whatIsSavedIsNotModifiedWhereverUndoLeads() {
         QTemporaryDir folder;
         Bench bench;
         Session& session = bench.session();
-        QVERIFY(session.saveAs(folder.filePath("part.nc")));
-        DecimationParameters parameters = session.parameters();
+        QVERIFY(session.document().saveAs(folder.filePath("part.nc")));
+        DecimationParameters parameters = session.job().parameters();
         parameters.allowance = 0.4;
-        session.setParameters(parameters);
-        session.history().closeStep();
-        QVERIFY(session.saveJobAs(folder.filePath("part.proveout")));
-        QVERIFY(!session.jobModified());
-        session.undoStep();
-        QVERIFY(session.jobModified()); // the file has the other
-        session.redoStep();
-        QVERIFY(!session.jobModified());
+        session.job().setParameters(parameters);
+        session.job().history().closeStep();
+        QVERIFY(session.document().saveJobAs(folder.filePath("part.proveout")));
+        QVERIFY(!session.document().jobModified());
+        session.job().undoStep();
+        QVERIFY(session.document().jobModified()); // the file has the other
+        session.job().redoStep();
+        QVERIFY(!session.document().jobModified());
     }
 
 private:

@@ -41,7 +41,7 @@
 #include "ui/file_paths.h"
 #include "ui/main_window.h"
 #include "ui/resource_paths.h"
-#include "ui/session.h"
+#include "ui/session/session.h"
 #include "ui/start_page.h"
 #include "ui/timeline/timeline_scale.h"
 
@@ -82,8 +82,8 @@ private slots:
         });
         QVERIFY(sample != buttons.end());
         QTest::mouseClick(*sample, Qt::LeftButton);
-        QTRY_VERIFY_WITH_TIMEOUT(station.session.frame() != nullptr, kPatience);
-        QCOMPARE(station.session.blockCount(), std::size_t{255});
+        QTRY_VERIFY_WITH_TIMEOUT(station.session.simulation().frame() != nullptr, kPatience);
+        QCOMPARE(station.session.program().blockCount(), std::size_t{255});
         QVERIFY(!station.window.viewport().isHidden());
         QCOMPARE(station.window.files().recent().files().size(), 1);
     }
@@ -98,9 +98,9 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(back->text().startsWith(QStringLiteral("Zurück")), kPatience);
         station.appearance.setLanguage(QStringLiteral("en"));
         QTRY_COMPARE_WITH_TIMEOUT(back->text(), QStringLiteral("Back to core-insert.nc"), kPatience);
-        DecimationParameters parameters = station.session.parameters();
+        DecimationParameters parameters = station.session.job().parameters();
         parameters.allowance = 0.3;
-        station.session.setParameters(parameters); // the document is modified now
+        station.session.job().setParameters(parameters); // the document is modified now
         QVERIFY(page->isVisible());
         QTest::keyClick(page, Qt::Key_Escape);
         QTRY_VERIFY_WITH_TIMEOUT(station.window.viewport().isVisible(), kPatience);
@@ -121,10 +121,10 @@ private slots:
             return sample.open(QIODevice::ReadOnly) ? sample.readAll() : QByteArray();
         };
         const QByteArray before = contents();
-        DecimationParameters parameters = station.session.parameters();
+        DecimationParameters parameters = station.session.job().parameters();
         parameters.allowance = 0.3;
-        station.session.setParameters(parameters);
-        QVERIFY(station.session.modified());
+        station.session.job().setParameters(parameters);
+        QVERIFY(station.session.document().modified());
 
         QString proposed; // the folder
         QTimer refusal;
@@ -140,7 +140,7 @@ private slots:
         QVERIFY2(proposed != QFileInfo(sampleJobs().front().file).canonicalPath(), qPrintable(proposed));
         QVERIFY(!before.isEmpty());
         QCOMPARE(contents(), before);
-        QVERIFY(station.session.modified());
+        QVERIFY(station.session.document().modified());
     }
 
     void theWholeLoop() {
@@ -149,52 +149,54 @@ private slots:
         // Play by the space bar, pause by it.
         station.scale().setFocus();
         QTest::keyClick(&station.scale(), Qt::Key_Space);
-        QTRY_VERIFY_WITH_TIMEOUT(session.block() > 5, kPatience);
-        QVERIFY(session.playback().playing);
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().block() > 5, kPatience);
+        QVERIFY(session.playback().state().playing);
         QTest::keyClick(&station.scale(), Qt::Key_Space);
-        QVERIFY(!session.playback().playing);
-        QTRY_VERIFY_WITH_TIMEOUT(!session.frame()->playing, kPatience);
+        QVERIFY(!session.playback().state().playing);
+        QTRY_VERIFY_WITH_TIMEOUT(!session.simulation().frame()->playing, kPatience);
         // Step back by the arrow key: exactly one block, shown by timeline and editor.
-        const std::size_t before = session.block();
+        const std::size_t before = session.simulation().block();
         QTest::keyClick(&station.scale(), Qt::Key_Left);
-        QTRY_COMPARE_WITH_TIMEOUT(session.block(), before - 1, kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), before - 1, kPatience);
         // So does a plot that has the focus.
         auto* plot = station.window.findChild<QWidget*>(QStringLiteral("faces"));
         plot->setFocus();
         QTest::keyClick(plot, Qt::Key_Right);
-        QTRY_COMPARE_WITH_TIMEOUT(session.block(), before, kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), before, kPatience);
         station.scale().setFocus();
         QTest::keyClick(&station.scale(), Qt::Key_End);
-        QTRY_COMPARE_WITH_TIMEOUT(session.block(), session.blockCount(), kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), session.program().blockCount(), kPatience);
         NcEditor& editor = station.window.editor().editor();
         QTRY_COMPARE_WITH_TIMEOUT(
             editor.markerFindNext(0, 1 << 1),
-            static_cast<int>(session.program()->blockLine(session.blockCount() - 1)) - 1, kPatience);
+            static_cast<int>(session.program().current()->blockLine(session.program().blockCount() - 1)) - 1,
+            kPatience);
         // Edit in the editor, behind the last motion: one motion more.
-        const std::size_t blocks = session.blockCount();
-        const int line = static_cast<int>(session.program()->blockLine(blocks - 1));
+        const std::size_t blocks = session.program().blockCount();
+        const int line = static_cast<int>(session.program().current()->blockLine(blocks - 1));
         editor.insertAt(QStringLiteral("G91 G1 Z1.\n"), line, 0);
-        QTRY_COMPARE_WITH_TIMEOUT(session.blockCount(), blocks + 1, kPatience);
-        QTRY_VERIFY_WITH_TIMEOUT(
-            session.frame()->program == session.program() && session.block() == blocks + 1, kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(session.program().blockCount(), blocks + 1, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame()->program == session.program().current() &&
+                                     session.simulation().block() == blocks + 1,
+                                 kPatience);
         QVERIFY(station.window.isWindowModified());
         // Change ε in its box: fewer faces.
-        const std::size_t faces = session.frame()->surface.faces;
+        const std::size_t faces = session.simulation().frame()->surface.faces;
         auto* allowance = station.window.findChild<QDoubleSpinBox*>(QStringLiteral("allowance"));
         allowance->setValue(0.5);
-        QTRY_VERIFY_WITH_TIMEOUT(session.frame()->surface.faces < faces, kPatience);
-        QCOMPARE(session.frame()->parameters.allowance, 0.5);
+        QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame()->surface.faces < faces, kPatience);
+        QCOMPARE(session.simulation().frame()->parameters.allowance, 0.5);
         // Export, and read the file again.
         QTemporaryDir folder;
         const QString file = folder.filePath("part.stl");
-        QSignalSpy exported(&session, &Session::exported);
-        session.exportMesh(file, {});
+        QSignalSpy exported(&session.exports(), &ExportHub::exported);
+        session.exports().exportMesh(file, {});
         QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, kPatience);
         const Result<TriangleMesh> mesh = readStl(toPath(file));
         QVERIFY(mesh.has_value());
-        QCOMPARE(std::uint64_t{mesh->triangles.size()}, session.lastExport()->triangles);
+        QCOMPARE(std::uint64_t{mesh->triangles.size()}, session.exports().last()->triangles);
         QVERIFY(station.window.statusBar()->toolTip().contains(file));
-        session.setTextModified(false);
+        session.document().setTextModified(false);
     }
 
     void everyDockHasANameAndAKey() {
@@ -280,7 +282,7 @@ private slots:
         }
         station.window.files().open(folder.filePath("missing.nc"));
         QVERIFY(openingIsOver(station.session));
-        QVERIFY(sentence(station.session.problems().front()).startsWith(QLatin1String("missing.nc: ")));
+        QVERIFY(sentence(station.session.problems().all().front()).startsWith(QLatin1String("missing.nc: ")));
         QVERIFY(QApplication::activeModalWidget() == nullptr);
     }
 
@@ -297,13 +299,13 @@ private slots:
         problems->raise();
         auto* list = problems->findChild<QTreeView*>();
         const auto rowOf = [&](const char* id) {
-            const Diagnostics& all = station.session.problems();
+            const Diagnostics& all = station.session.problems().all();
             const auto found = std::ranges::find_if(
                 all, [&](const Diagnostic& problem) { return std::string_view(problem.id) == id; });
             return found == all.end() ? -1 : static_cast<int>(found - all.begin());
         };
         QTRY_VERIFY_WITH_TIMEOUT(rowOf("code-unknown") >= 0, kPatience);
-        QVERIFY(station.session.program()->unverified());
+        QVERIFY(station.session.program().current()->unverified());
         const QModelIndex index = list->model()->index(rowOf("code-unknown"), 2);
         list->scrollTo(index);
         const QPoint at = list->visualRect(index).center();
@@ -316,8 +318,8 @@ private slots:
         QTest::mouseClick(menu, Qt::LeftButton, Qt::NoModifier, menu->actionGeometry(ignore).center());
         QTRY_VERIFY_WITH_TIMEOUT(rowOf("code-ignored") >= 0, kPatience);
         QCOMPARE(rowOf("code-unknown"), -1);
-        QCOMPARE(station.session.setup().ignoredM, std::set<int>{16});
-        QVERIFY(!station.session.program()->unverified());
+        QCOMPARE(station.session.job().setup().ignoredM, std::set<int>{16});
+        QVERIFY(!station.session.program().current()->unverified());
     }
 
     void aProgramOfAnotherControlIsShownAndNamedOnce() {
@@ -329,15 +331,15 @@ private slots:
         Workstation station(false);
         station.window.files().open(file.fileName());
         QVERIFY(openingIsOver(station.session));
-        QTRY_COMPARE_WITH_TIMEOUT(station.session.problems().size(), std::size_t{1}, kPatience);
-        QCOMPARE(station.session.problems().front().id, "dialect-foreign");
-        QCOMPARE(station.session.blockCount(), std::size_t{0});
+        QTRY_COMPARE_WITH_TIMEOUT(station.session.problems().all().size(), std::size_t{1}, kPatience);
+        QCOMPARE(station.session.problems().all().front().id, "dialect-foreign");
+        QCOMPARE(station.session.program().blockCount(), std::size_t{0});
         const auto* editor = station.window.findChild<NcEditor*>();
         QVERIFY(editor->text().startsWith(QLatin1String("0 BEGIN PGM A MM")));
         // Values under the pointer are asked for by line; there are none.
         QTest::mouseMove(editor->viewport(), QPoint(60, 8));
         QTest::qWait(1500);
-        QCOMPARE(station.session.problems().size(), std::size_t{1});
+        QCOMPARE(station.session.problems().all().size(), std::size_t{1});
     }
 
     void dropsAreJudgedBeforeTheyLand() {

@@ -13,7 +13,7 @@
 #include "ui/appearance.h"
 #include "ui/main_window.h"
 #include "ui/resource_paths.h"
-#include "ui/session.h"
+#include "ui/session/session.h"
 #include "ui/timeline/timeline_scale.h"
 
 namespace proveout {
@@ -53,7 +53,7 @@ struct Workstation {
         window.files().open(file);
         // A test cannot go on without a frame, and a macro of Qt Test would return from here only.
         if (!openingIsOver(session) ||
-            !QTest::qWaitFor([this] { return session.frame() != nullptr; }, kPatience))
+            !QTest::qWaitFor([this] { return session.simulation().frame() != nullptr; }, kPatience))
             qFatal("no frame of %s", qPrintable(file));
     }
     /// A shortcut of the window. It reaches an active window only, and after a question the window manager

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/document_hub.h"
+
+#include <string>
+#include <utility>
+
+#include <QFileInfo>
+
+#include "core/base/text.h"
+#include "ui/file_paths.h"
+#include "ui/job_permissions.h"
+#include "ui/session/problems_hub.h"
+#include "ui/session/work_hub.h"
+
+namespace proveout {
+
+DocumentHub::DocumentHub(ProblemsHub& problems, WorkHub& work) : m_problems(problems) {
+    work.setCancel(WorkKind::opening, [this] { m_reader.cancel(); });
+    connect(&m_reader, &DocumentReader::progressChanged, this,
+            [this, &work] { work.set(WorkKind::opening, m_reader.progress()); });
+    connect(&m_watch, &FileWatch::changed, this, &DocumentHub::watchedFileChanged);
+    connect(&m_jobWatch, &FileWatch::changed, this, &DocumentHub::watchedJobChanged);
+}
+
+// Opening.
+
+void DocumentHub::openFile(const QString& file) {
+    m_reader.open(file, [this, file](Result<JobDocument> job) {
+        if (!job)
+            return refuseOpening(file, job.error());
+        adopt(std::move(*job));
+        m_problems.report(m_job.warnings());
+        emit opened(file);
+    });
+}
+
+/// Whoever allows the files is asked to open the job again.
+void DocumentHub::refuseOpening(const QString& file, const Diagnostics& errors) {
+    m_problems.report(errors);
+    std::vector<std::filesystem::path> outside;
+    bool otherwise = false; // it cannot be opened anyway
+    for (const Diagnostic& error : errors) {
+        if (std::string_view(error.id) == "job-outside")
+            outside.emplace_back(error.arguments.at(1));
+        else
+            otherwise = otherwise || error.severity == Severity::error; // warnings of the job follow
+    }
+    if (!otherwise)
+        emit outsideFilesNamed(file, outside);
+}
+
+void DocumentHub::newFile() {
+    m_reader.cancel();
+    adopt({});
+}
+
+void DocumentHub::restore(const KeptWork& kept, std::function<void()> done) {
+    m_reader.restore(kept, [this, done = std::move(done)](Result<JobDocument> job) {
+        if (!job)
+            return m_problems.report(job.error());
+        adopt(std::move(*job));
+        m_problems.report(m_job.warnings());
+        if (conflict(FilePart::text))
+            emit fileChangedOnDisk();
+        if (conflict(FilePart::job))
+            emit jobChangedOnDisk(true);
+        done();
+    });
+}
+
+void DocumentHub::adopt(JobDocument job) {
+    m_job = std::move(job);
+    m_isOpen = true;
+    emit adopted();
+}
+
+void DocumentHub::stopOpening() {
+    if (!m_reader.isReading())
+        return;
+    m_reader.cancel();
+    m_problems.report(failure("opening-stopped",
+                              PROVEOUT_TEXT("Core", "The file was not opened, because the open program was "
+                                                    "changed while the file was being read."))
+                          .value());
+}
+
+// The text.
+
+void DocumentHub::applyEdit(std::size_t offset, std::size_t removed, std::string_view inserted) {
+    stopOpening();
+    m_job.edit(offset, removed, inserted);
+    emit edited();
+}
+
+void DocumentHub::setTextModified(bool modified) {
+    if (m_job.setTextModified(modified))
+        emit changed();
+}
+
+// Saving.
+
+bool DocumentHub::save() {
+    if (text().path.empty())
+        return false;
+    const bool textBefore = text().modified;
+    const bool jobBefore = jobModified();
+    const Result<void> written = m_job.save();
+    return saved(written, textBefore && !text().modified, jobBefore && !jobModified());
+}
+
+bool DocumentHub::saveAs(const QString& file) {
+    const Result<void> written = m_job.saveTextAs(file);
+    return saved(written, written.has_value(), false);
+}
+
+bool DocumentHub::saveJobAs(const QString& file) {
+    const Result<void> written = m_job.saveJobAs(file);
+    return saved(written, false, written.has_value());
+}
+
+std::optional<DiskConflict> DocumentHub::conflict() const {
+    std::optional<DiskConflict> found;
+    if (text().modified)
+        found = conflict(FilePart::text);
+    return !found && jobModified() ? conflict(FilePart::job) : found;
+}
+
+bool DocumentHub::saveBeside(FilePart part) {
+    const Result<void> written = m_job.saveBeside(part);
+    return saved(written, written.has_value() && part == FilePart::text,
+                 written.has_value() && part == FilePart::job);
+}
+
+void DocumentHub::detachJob() {
+    m_job.detachJob();
+    emit changed();
+}
+
+bool DocumentHub::saved(const Result<void>& written, bool textToo, bool jobToo) {
+    if (textToo) {
+        m_watch.watch(toQString(text().path)); // from what we have written on
+        emit fileWritten();
+    }
+    if (jobToo) {
+        m_jobWatch.watch(jobFile());
+        allowOutside(jobFile(), outsideFiles(toPath(jobFile()), m_job.job())); // who has saved it trusts it
+        emit jobChangedOnDisk(false);
+    }
+    emit changed();
+    return reported(written);
+}
+
+bool DocumentHub::reported(const Result<void>& result) {
+    m_problems.report(result ? Diagnostics() : result.error());
+    return result.has_value();
+}
+
+// The files on the disk.
+
+void DocumentHub::watchFiles() {
+    m_watch.watch(toQString(text().path), text().onDisk);
+    m_jobWatch.watch(jobFile(), m_job.jobState());
+    emit jobChangedOnDisk(false);
+}
+
+void DocumentHub::reload() {
+    m_reader.readText(text().path, [this](const Result<Document>& read) { textRead(read); });
+}
+
+void DocumentHub::textRead(const Result<Document>& read) {
+    if (!read)
+        m_job.keepMine();
+    else if (read->path == text().path) { // else it was saved elsewhere in the meantime
+        m_job.replaceText(*read);
+        m_watch.watch(toQString(text().path), text().onDisk);
+        emit textReplaced();
+    }
+    reported(read ? Result<void>() : tl::unexpected(read.error()));
+    emit changed();
+}
+
+void DocumentHub::keepMine() {
+    stopOpening();
+    if (const auto present = conflict(FilePart::text))
+        m_job.acceptDisk(*present);
+    m_job.keepMine();
+    emit changed();
+}
+
+/// A file that was written again with the same content is no news.
+void DocumentHub::watchedFileChanged() {
+    const bool quick = text().text.size() <= kEditableBytes;
+    const Result<DiskState> state =
+        quick ? m_job.textOnDisk().compare(text().path) : Result<DiskState>(DiskState::changed);
+    if (state && *state == DiskState::same) {
+        emit fileWritten();
+        return;
+    }
+    if (!QFileInfo::exists(toQString(text().path)))
+        keepMine(); // the window holds the last copy
+    emit fileChangedOnDisk();
+}
+
+void DocumentHub::reloadJob() {
+    m_reader.open(jobFile(),
+                  [this, file = jobFile()](Result<JobDocument> read) { jobRead(file, std::move(read)); });
+}
+
+void DocumentHub::jobRead(const QString& file, Result<JobDocument> read) {
+    if (read && file == jobFile()) {
+        const bool sameProgram = read->text().path == text().path;
+        if (!sameProgram && !text().modified)
+            return adopt(std::move(*read));
+        const DecimationParameters before = m_job.parameters();
+        m_job.replaceJob(*read);
+        if (!sameProgram)
+            m_job.keepMyJob(); // it must name the program of the window
+        m_jobWatch.watch(file, m_job.jobState());
+        emit jobChangedOnDisk(false);
+        emit jobReread(before);
+    }
+    m_problems.report(read ? m_job.warnings() : read.error());
+    emit changed();
+}
+
+void DocumentHub::keepMyJob() {
+    if (const auto present = conflict(FilePart::job))
+        m_job.acceptDisk(*present);
+    m_job.keepMyJob();
+    emit jobChangedOnDisk(false);
+    emit changed();
+}
+
+void DocumentHub::watchedJobChanged() {
+    const Result<DiskState> state = m_job.jobOnDisk().compare(toPath(jobFile()));
+    if (state && *state == DiskState::missing)
+        m_job.keepMyJob(); // the window holds the last copy
+    emit jobChangedOnDisk(!state || *state != DiskState::same);
+    emit changed();
+}
+
+} // namespace proveout

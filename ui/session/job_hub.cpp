@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/job_hub.h"
+
+#include <memory>
+#include <utility>
+
+#include "core/base/memory.h"
+#include "core/decimation/surface/map_memory.h"
+#include "core/simulation/run/interpretation.h"
+#include "core/simulation/setup/automatic_grid.h"
+#include "ui/program_index.h"
+#include "ui/session/playback_hub.h"
+#include "ui/session/program_hub.h"
+
+namespace proveout {
+
+JobHub::JobHub(DocumentHub& document, ProgramHub& program, PlaybackHub& playback)
+    : m_document(document), m_program(program), m_playback(playback),
+      m_history([this](const JobValues& from, const JobValues& to) { change(from, to); }) {}
+
+// The user's changes.
+
+Result<void> JobHub::setSetup(const Setup& wanted) {
+    const JobValues before = m_document.job().values();
+    Setup setup = withGrid(wanted);
+    if (setup == *before.setup)
+        return {};
+    if (Result<void> fits = checkMap(setup); !fits)
+        return fits;
+    m_document.stopOpening();
+    m_document.editJob().setSetup(std::make_shared<const Setup>(std::move(setup)));
+    runOn(*before.setup);
+    reportSetup(before.parameters);
+    emit m_document.changed();
+    m_history.record(before, m_document.job().values());
+    return {};
+}
+
+void JobHub::setParameters(const DecimationParameters& parameters) {
+    if (parameters == this->parameters())
+        return;
+    m_document.stopOpening();
+    const JobValues before = m_document.job().values();
+    m_document.editJob().setParameters(parameters);
+    m_playback.adoptParameters();
+    emit parametersChanged();
+    emit m_document.changed();
+    m_history.record(before, m_document.job().values());
+}
+
+void JobHub::setMachine(const Machine& machine) {
+    if (this->machine() == machine)
+        return;
+    m_document.stopOpening();
+    const JobValues before = m_document.job().values();
+    m_document.editJob().setMachine(machine);
+    m_program.measure();
+    emit machineChanged();
+    emit m_document.changed();
+    m_history.record(before, m_document.job().values());
+}
+
+/// Whether its z-map can be made.
+Result<void> JobHub::checkMap(const Setup& setup) const {
+    const Result<Grid> grid = makeGrid(setup.stock, setup.spacing);
+    if (!grid)
+        return tl::unexpected(grid.error());
+    return checkMapMemory(setup.stock, *grid, parameters(), {}, static_cast<double>(memoryLimitBytes()));
+}
+
+/// The setup is another than `before`.
+void JobHub::runOn(const Setup& before) {
+    const auto& program = m_program.current();
+    if (m_document.job().wantsStock() || !program || !interpretedAlike(*program, setup(), before))
+        m_program.interpret();
+    else
+        m_playback.load();
+}
+
+/// The region size may have followed the map.
+void JobHub::reportSetup(const DecimationParameters& before) {
+    emit setupChanged();
+    if (!(before == parameters()))
+        emit parametersChanged();
+}
+
+// Steps.
+
+void JobHub::asOneStep(const std::function<void()>& command) {
+    emit inputWanted();
+    m_history.closeStep();
+    command();
+    m_history.closeStep();
+}
+
+void JobHub::undoStep() {
+    emit inputWanted();
+    m_history.undo();
+}
+
+void JobHub::redoStep() {
+    emit inputWanted(); // which leaves nothing to redo where it is a step itself
+    m_history.redo();
+}
+
+/// A step is undone or redone. What we have found out by ourselves since it was made counts on.
+void JobHub::change(const JobValues& from, const JobValues& to) {
+    const JobValues before = m_document.job().values();
+    m_document.stopOpening();
+    m_document.editJob().change(from, to);
+    fitUndone();
+    if (before.setup != m_document.job().setup()) {
+        runOn(*before.setup);
+        emit setupChanged();
+    }
+    if (!(before.parameters == parameters())) {
+        m_playback.adoptParameters();
+        emit parametersChanged();
+    }
+    if (before.machine != machine()) {
+        m_program.measure();
+        emit machineChanged();
+    }
+    emit m_document.changed();
+}
+
+// What we find out by ourselves: nothing that the user would miss.
+
+Setup JobHub::withGrid(Setup setup) const {
+    if (const auto& program = m_program.current())
+        setup.spacing = gridSpacing(setup, *program, gridLimits(parameters()));
+    return setup;
+}
+
+/// Tools of comments as the comments are now, and the automatic grid for them.
+void JobHub::fitUndone() {
+    Setup fitted = setup();
+    addProposals(fitted.tools, m_program.proposals(), m_program.proposals());
+    fitted = withGrid(std::move(fitted));
+    if (!(fitted == setup()))
+        m_document.editJob().fitSetup(std::make_shared<const Setup>(std::move(fitted)), true);
+}
+
+void JobHub::adoptProposals(const ToolProposals& before) {
+    Setup with = setup();
+    addProposals(with.tools, m_program.proposals(), before);
+    if (with.tools == setup().tools)
+        return;
+    const DecimationParameters parametersBefore = parameters();
+    m_document.editJob().fitSetup(std::make_shared<const Setup>(std::move(with)), true);
+    reportSetup(parametersBefore);
+}
+
+Result<void> JobHub::adoptSetup(const Setup& read) {
+    const JobValues before = m_document.job().values();
+    Setup fitted = withGrid(read);
+    if (Result<void> fits = checkMap(fitted); !fits)
+        return fits;
+    m_document.editJob().fitSetup(std::make_shared<const Setup>(std::move(fitted)));
+    runOn(*before.setup);
+    reportSetup(before.parameters);
+    emit m_document.changed();
+    return {};
+}
+
+StockBox JobHub::stockFittedToProgram() const {
+    const auto& program = m_program.current();
+    return program ? fittedStock(m_program.cutting(), setup(), ToolChoice(*program, setup())) : setup().stock;
+}
+
+void JobHub::fitStock(bool forNow) {
+    Setup fitted = setup();
+    fitted.stock = stockFittedToProgram();
+    fitted = withGrid(std::move(fitted));
+    const DecimationParameters before = parameters();
+    // The same again is no reason to simulate again.
+    const bool same = fitted == setup();
+    m_document.editJob().fitSetup(
+        same ? m_document.job().setup() : std::make_shared<const Setup>(std::move(fitted)), forNow);
+    reportSetup(before);
+}
+
+/// The program may use other cutters than before.
+void JobHub::fitGrid() {
+    Setup fitted = withGrid(setup());
+    if (fitted == setup())
+        return;
+    const DecimationParameters before = parameters();
+    m_document.editJob().fitSetup(std::make_shared<const Setup>(std::move(fitted)), true);
+    reportSetup(before);
+}
+
+} // namespace proveout

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include <QObject>
+
+#include "core/simulation/setup/setup.h"
+#include "ui/file_watch.h"
+#include "ui/newest_task.h"
+
+namespace proveout {
+
+class JobHub;
+class ProblemsHub;
+
+/// The file that the stock of the setup was read from: a change on the disk is a problem until the user
+/// decides. Thread: the UI thread; the file is read in the background.
+class StockFileHub final : public QObject {
+    Q_OBJECT
+
+public:
+    /// Both outlive it.
+    StockFileHub(JobHub& job, ProblemsHub& problems);
+
+    /// Reads the stock again.
+    void reload();
+    /// Its body stays what it was until it is read again.
+    void keep();
+
+signals:
+    /// The file is no longer what was read; false: it is again, or another is watched.
+    void changedOnDisk(bool changed);
+
+private:
+    void watch();
+    void watchedChanged();
+    void report(bool changed);
+    void adopt(const StockBox& box, const StockShape& shape);
+
+    JobHub& m_job;
+    ProblemsHub& m_problems;
+    FileWatch m_watch;
+    std::shared_ptr<const StockBody> m_watched; ///< that was read from the file of m_watch
+    NewestTask m_reading;
+};
+
+} // namespace proveout

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/session/work_hub.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace proveout {
+
+namespace {
+
+/// In the order of WorkKind.
+constexpr std::array<const char*, kWorkKinds> kLabels{
+    QT_TRANSLATE_NOOP("WorkHub", "Exporting"),
+    QT_TRANSLATE_NOOP("WorkHub", "Opening the file"),
+    QT_TRANSLATE_NOOP("WorkHub", "Reading the program"),
+    QT_TRANSLATE_NOOP("WorkHub", "Looking for the block"),
+    QT_TRANSLATE_NOOP("WorkHub", "Simulating"),
+};
+
+} // namespace
+
+std::size_t WorkHub::shown() const {
+    const auto found = std::ranges::find_if(m_work, [](const State& each) { return each.done.has_value(); });
+    return static_cast<std::size_t>(found - m_work.begin());
+}
+
+void WorkHub::cancel() {
+    const std::size_t kind = std::min(shown(), static_cast<std::size_t>(WorkKind::simulating));
+    if (const auto& cancel = m_work.at(kind).cancel)
+        cancel();
+}
+
+void WorkHub::setCancel(WorkKind kind, std::function<void()> cancel) {
+    m_work.at(static_cast<std::size_t>(kind)).cancel = std::move(cancel);
+}
+
+void WorkHub::set(WorkKind kind, std::optional<double> done) {
+    m_work.at(static_cast<std::size_t>(kind)).done = done;
+    std::optional<Work> current;
+    if (const std::size_t index = shown(); index < kWorkKinds)
+        current = Work{tr(kLabels.at(index)), m_work.at(index).done.value_or(0)};
+    if (current == m_current)
+        return;
+    m_current = std::move(current);
+    emit changed();
+}
+
+} // namespace proveout
