@@ -22,12 +22,12 @@ missing_of() {
 
 give_up() {
     echo "Proveout needs these packages: $*" >&2
-    echo "They could not be installed. Please install them by hand and start again." >&2
+    echo "They could not be installed. Install them manually and start again." >&2
     exit 1
 }
 
 if ! command -v dpkg-query >/dev/null; then
-    echo "This is not a Debian system: packages are taken as installed (see app/packages.txt)." >&2
+    echo "This is not a Debian system: assuming that the packages in app/packages.txt are installed." >&2
     exit 0
 fi
 
@@ -46,7 +46,7 @@ if [ "$(id -u)" -ne 0 ]; then
     as_root=(sudo)
     if ! command -v sudo >/dev/null; then
         if [ "${#missing[@]}" -eq 0 ]; then
-            echo "Going on without: ${optional[*]}" >&2
+            echo "Continuing without: ${optional[*]}" >&2
             exit 0
         fi
         give_up "${missing[@]}"
@@ -69,6 +69,6 @@ fi
 # Each by itself: one that cannot be had keeps no other away, and none of them stops the run.
 for package in "${optional[@]}"; do
     if apt-cache show "$package" >/dev/null 2>&1; then
-        install "$package" || echo "Going on without $package." >&2
+        install "$package" || echo "Continuing without $package." >&2
     fi
 done

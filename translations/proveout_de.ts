@@ -8,12 +8,12 @@
         <translation>Fährt dreiachsige Fräsprogramme ein, bevor sie Metall berühren.</translation>
     </message>
     <message>
-        <source>The shown surface is decimated locally, by the method of Lee and Lee, while it is cut.</source>
-        <translation>Die gezeigte Fläche wird während des Fräsens örtlich dezimiert, nach dem Verfahren von Lee und Lee.</translation>
+        <source>The displayed surface is decimated locally while it is cut, by the method of Lee and Lee.</source>
+        <translation>Die angezeigte Oberfläche wird während des Fräsens lokal dezimiert, nach dem Verfahren von Lee und Lee.</translation>
     </message>
     <message>
-        <source>Free software under the GNU General Public License, version 3 or later. It comes with no warranty; nothing here replaces care at the machine.</source>
-        <translation>Freie Software unter der GNU General Public License, Version 3 oder später. Ohne Gewähr; nichts hier ersetzt die Sorgfalt an der Maschine.</translation>
+        <source>Free software under the GNU General Public License, version 3 or later. There is no warranty. Prove out every new program at the machine, too.</source>
+        <translation>Freie Software unter der GNU General Public License, Version 3 oder später. Ohne Gewähr. Fahren Sie jedes neue Programm auch an der Maschine vorsichtig ein.</translation>
     </message>
     <message>
         <source>About Proveout</source>
@@ -40,16 +40,16 @@
         <translation>Drehen</translation>
     </message>
     <message>
-        <source>Left button</source>
-        <translation>Linke Taste</translation>
+        <source>Left drag, or Alt+arrow keys</source>
+        <translation>Linke Taste ziehen oder Alt+Pfeiltasten</translation>
     </message>
     <message>
         <source>Pan</source>
         <translation>Verschieben</translation>
     </message>
     <message>
-        <source>Middle button, or Shift and left button</source>
-        <translation>Mittlere Taste oder Umschalt und linke Taste</translation>
+        <source>Middle drag, or Shift+left drag</source>
+        <translation>Mittlere Taste ziehen oder Umschalt+linke Taste ziehen</translation>
     </message>
     <message>
         <source>Zoom</source>
@@ -60,12 +60,28 @@
         <translation>Rad</translation>
     </message>
     <message>
-        <source>Go to the block that made this</source>
-        <translation>Zum Satz, der dies gefräst hat</translation>
+        <source>Go to the cutting block of a point</source>
+        <translation>Zum Satz gehen, der eine Stelle gefräst hat</translation>
     </message>
     <message>
-        <source>Ctrl and left button, or the menu of the right button</source>
-        <translation>Strg und linke Taste oder das Menü der rechten Taste</translation>
+        <source>Ctrl+click, or G and click, or right-click</source>
+        <translation>Strg+Klick, G und Klick oder Rechtsklick</translation>
+    </message>
+    <message>
+        <source>Centre a point and orbit about it</source>
+        <translation>Eine Stelle zentrieren und um sie drehen</translation>
+    </message>
+    <message>
+        <source>Double-click with the middle button</source>
+        <translation>Doppelklick mit der mittleren Taste</translation>
+    </message>
+    <message>
+        <source>Magnify a detail</source>
+        <translation>Ein Detail vergrößern</translation>
+    </message>
+    <message>
+        <source>B and drag a box, or B and click</source>
+        <translation>B und Ausschnitt aufziehen oder B und Klick</translation>
     </message>
 </context>
 <context>
@@ -75,8 +91,8 @@
         <translation>Fräsen</translation>
     </message>
     <message>
-        <source>Feed through air</source>
-        <translation>Vorschub durch Luft</translation>
+        <source>Air cut</source>
+        <translation>Luftschnitt</translation>
     </message>
     <message>
         <source>Rapid</source>
@@ -95,30 +111,30 @@
         <translation>Noch nicht simuliert</translation>
     </message>
     <message>
-        <source>Blocks %1 to %2, shares of the machine&apos;s time:</source>
-        <translation>Sätze %1 bis %2, Anteile an der Maschinenzeit:</translation>
+        <source>Blocks %1 to %2, share of machine time:</source>
+        <translation>Sätze %1 bis %2, Anteil an der Maschinenzeit:</translation>
     </message>
     <message>
         <source>Block %1: %2</source>
         <translation>Satz %1: %2</translation>
     </message>
     <message>
-        <source>Simulated so far: cutting %1, air %2, rapids %3 of the time</source>
-        <translation>Bisher simuliert: Fräsen %1, Luft %2, Eilgang %3 der Zeit</translation>
+        <source>Simulated so far: cutting %1, air cut %2, rapid %3 of the time</source>
+        <translation>Bisher simuliert: Fräsen %1, Luftschnitt %2, Eilgang %3 der Zeit</translation>
     </message>
 </context>
 <context>
     <name>BreakpointsPanel</name>
     <message>
-        <source>Comparisons (&lt; &lt;= &gt; &gt;= == !=) joined by &amp;&amp; || ! and parentheses of:</source>
-        <translation>Vergleiche (&lt; &lt;= &gt; &gt;= == !=), verbunden durch &amp;&amp; || ! und Klammern, von:</translation>
+        <source>Compare with &lt; &lt;= &gt; &gt;= == != and combine with &amp;&amp; || ! and parentheses. Values:</source>
+        <translation>Vergleichen mit &lt; &lt;= &gt; &gt;= == !=, verknüpfen mit &amp;&amp; || ! und Klammern. Werte:</translation>
     </message>
     <message>
         <source>Condition</source>
         <translation>Bedingung</translation>
     </message>
     <message>
-        <source>Kind of breakpoint</source>
+        <source>Breakpoint type</source>
         <translation>Art des Haltepunkts</translation>
     </message>
     <message>
@@ -126,10 +142,10 @@
         <translation>Zeile</translation>
     </message>
     <message>
-        <source>The line to stop before
+        <source>Stop before this line
 Range: 1 to %1
 Default: 1</source>
-        <translation>Die Zeile, vor der gehalten wird
+        <translation>Vor dieser Zeile anhalten
 Bereich: 1 bis %1
 Vorgabe: 1</translation>
     </message>
@@ -138,10 +154,10 @@ Vorgabe: 1</translation>
         <translation>Höhe</translation>
     </message>
     <message>
-        <source>The run stops before a block that goes below this height
+        <source>Stop before a block that moves below this height
 Range: %1 to %2 mm
 Default: 0 mm</source>
-        <translation>Der Lauf hält vor einem Satz, der unter diese Höhe geht
+        <translation>Vor einem Satz anhalten, der unter diese Höhe fährt
 Bereich: %1 bis %2 mm
 Vorgabe: 0 mm</translation>
     </message>
@@ -150,8 +166,8 @@ Vorgabe: 0 mm</translation>
         <translation>Hinzufügen</translation>
     </message>
     <message>
-        <source>Add this breakpoint; a click beside a line of the program adds one there</source>
-        <translation>Diesen Haltepunkt hinzufügen; ein Klick neben eine Zeile des Programms setzt dort einen</translation>
+        <source>Add this breakpoint; to add one in the editor, click a line number</source>
+        <translation>Diesen Haltepunkt hinzufügen; im Editor auf eine Zeilennummer klicken, um dort einen zu setzen</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -184,7 +200,7 @@ Vorgabe: 0 mm</translation>
 <context>
     <name>CloserLook</name>
     <message>
-        <source>Drag a box on the stock, or click a place.</source>
+        <source>Drag a box on the stock, or click a point.</source>
         <translation>Auf dem Rohteil einen Ausschnitt aufziehen oder eine Stelle anklicken.</translation>
     </message>
     <message>
@@ -192,7 +208,7 @@ Vorgabe: 0 mm</translation>
         <translation>Bei Satz %1: wird gefräst …</translation>
     </message>
     <message>
-        <source>At block %1: %2 × %3 points, %4 mm apart; %5 triangles, %6 s</source>
+        <source>At block %1: %2 × %3 points, spacing %4 mm; %5 triangles, %6 s</source>
         <translation>Bei Satz %1: %2 × %3 Punkte im Abstand von %4 mm; %5 Dreiecke, %6 s</translation>
     </message>
     <message>
@@ -203,8 +219,8 @@ Vorgabe: 0 mm</translation>
 <context>
     <name>CloserLookForm</name>
     <message>
-        <source>Closer look</source>
-        <translation>Genauer Blick</translation>
+        <source>Magnifier</source>
+        <translation>Detaillupe</translation>
     </message>
     <message>
         <source>Box:</source>
@@ -215,12 +231,12 @@ Vorgabe: 0 mm</translation>
         <translation>Rasterweite:</translation>
     </message>
     <message>
-        <source>Size of the box along X</source>
-        <translation>Größe des Ausschnitts entlang X</translation>
+        <source>Box size in X</source>
+        <translation>Größe des Ausschnitts in X</translation>
     </message>
     <message>
-        <source>Size of the box along Y</source>
-        <translation>Größe des Ausschnitts entlang Y</translation>
+        <source>Box size in Y</source>
+        <translation>Größe des Ausschnitts in Y</translation>
     </message>
     <message>
         <source>Grid spacing in the box</source>
@@ -231,24 +247,24 @@ Vorgabe: 0 mm</translation>
         <translation>%1 Von %2 bis %3 mm. Vorgabe: %4 mm.</translation>
     </message>
     <message>
-        <source>How far the box reaches along X; a click makes one of this size.</source>
-        <translation>Wie weit der Ausschnitt entlang X reicht; ein Klick setzt einen dieser Größe.</translation>
+        <source>Size of the box in X; a click makes a box of this size.</source>
+        <translation>Größe des Ausschnitts in X; ein Klick setzt einen Ausschnitt dieser Größe.</translation>
     </message>
     <message>
-        <source>How far the box reaches along Y; a click makes one of this size.</source>
-        <translation>Wie weit der Ausschnitt entlang Y reicht; ein Klick setzt einen dieser Größe.</translation>
+        <source>Size of the box in Y; a click makes a box of this size.</source>
+        <translation>Größe des Ausschnitts in Y; ein Klick setzt einen Ausschnitt dieser Größe.</translation>
     </message>
     <message>
-        <source>How far the points of the grid in the box lie apart.</source>
-        <translation>Wie weit die Punkte des Rasters im Ausschnitt auseinanderliegen.</translation>
+        <source>Distance between the grid points in the box.</source>
+        <translation>Abstand der Rasterpunkte im Ausschnitt.</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Stop this work</source>
-        <translation>Diese Arbeit abbrechen</translation>
+        <source>Cancel this task</source>
+        <translation>Diesen Vorgang abbrechen</translation>
     </message>
     <message>
         <source>Close</source>
@@ -263,8 +279,8 @@ Vorgabe: 0 mm</translation>
         <translation>Noch einmal fräsen</translation>
     </message>
     <message>
-        <source>Cut the box that was cancelled</source>
-        <translation>Den abgebrochenen Ausschnitt fräsen</translation>
+        <source>Cut the cancelled box again</source>
+        <translation>Den abgebrochenen Ausschnitt noch einmal fräsen</translation>
     </message>
 </context>
 <context>
@@ -309,7 +325,7 @@ Vorgabe: 0 mm</translation>
 <context>
     <name>ControlPanel</name>
     <message>
-        <source>State of the control</source>
+        <source>Control state</source>
         <translation>Zustand der Steuerung</translation>
     </message>
     <message>
@@ -1592,8 +1608,8 @@ Vorgabe: 0 mm</translation>
         <translation>Der Export wurde abgebrochen.</translation>
     </message>
     <message>
-        <source>Nothing of the stock is left to export.</source>
-        <translation>Vom Rohteil ist nichts zum Exportieren übrig.</translation>
+        <source>There is no stock left to export.</source>
+        <translation>Es ist kein Rohteil mehr da, das exportiert werden kann.</translation>
     </message>
     <message>
         <source>The export failed: {}.</source>
@@ -1648,16 +1664,16 @@ Vorgabe: 0 mm</translation>
         <translation>„{}“ ist kein Schlüssel eines Werkzeugs; vielleicht ist „{}“ gemeint.</translation>
     </message>
     <message>
-        <source>The program needs more memory to be interpreted than there is.</source>
-        <translation>Das Programm braucht zum Interpretieren mehr Speicher, als vorhanden ist.</translation>
+        <source>There is not enough memory to interpret the program.</source>
+        <translation>Der Speicher reicht nicht, um das Programm zu interpretieren.</translation>
     </message>
     <message>
-        <source>The interpretation had to stop: {}.</source>
-        <translation>Die Interpretation musste abgebrochen werden: {}.</translation>
+        <source>Interpreting the program failed: {}.</source>
+        <translation>Das Interpretieren des Programms ist fehlgeschlagen: {}.</translation>
     </message>
     <message>
-        <source>An export is still being written; wait for its end or cancel it.</source>
-        <translation>Ein Export wird noch geschrieben; warten Sie auf sein Ende oder brechen Sie ihn ab.</translation>
+        <source>A file is still being written. Wait for it, or cancel it.</source>
+        <translation>Eine Datei wird noch geschrieben. Warten Sie darauf, oder brechen Sie ab.</translation>
     </message>
     <message>
         <source>The value of {}, “{}”, is not a number.</source>
@@ -1996,12 +2012,12 @@ Vorgabe: 0 mm</translation>
         <translation>Das ist ein Ordner, keine Datei.</translation>
     </message>
     <message>
-        <source>The export needs {}; {} may be taken, which is enough for a grid spacing of {} mm.</source>
-        <translation>Der Export braucht {}; {} dürfen belegt werden, was für eine Rasterweite von {} mm reicht.</translation>
+        <source>The export needs {} of memory; only {} is available, enough for a grid spacing of {} mm.</source>
+        <translation>Der Export braucht {} Speicher; nur {} sind verfügbar, genug für eine Rasterweite von {} mm.</translation>
     </message>
     <message>
-        <source>The export needs {}; {} may be taken.</source>
-        <translation>Der Export braucht {}; {} dürfen belegt werden.</translation>
+        <source>The export needs {} of memory; only {} is available.</source>
+        <translation>Der Export braucht {} Speicher; nur {} sind verfügbar.</translation>
     </message>
     <message>
         <source>Wavefront OBJ</source>
@@ -2200,16 +2216,16 @@ Vorgabe: 0 mm</translation>
         <translation>Nur ein Verfahren, das Region für Region dezimiert, mit einem zulässigen Fehler über 0, hat eine Regionsgröße und eine Periode zu wählen.</translation>
     </message>
     <message>
-        <source>The study needs more memory than there is.</source>
-        <translation>Die Studie braucht mehr Speicher, als da ist.</translation>
+        <source>There is not enough memory for the study.</source>
+        <translation>Der Speicher reicht nicht für die Studie.</translation>
     </message>
     <message>
-        <source>The study had to stop: {}.</source>
-        <translation>Die Studie musste abgebrochen werden: {}.</translation>
+        <source>The study failed: {}.</source>
+        <translation>Die Studie ist fehlgeschlagen: {}.</translation>
     </message>
     <message>
-        <source>OpenGL 3.3 is not to be had on this display.</source>
-        <translation>OpenGL 3.3 ist auf dieser Anzeige nicht verfügbar.</translation>
+        <source>OpenGL 3.3 is not available.</source>
+        <translation>OpenGL 3.3 ist nicht verfügbar.</translation>
     </message>
     <message>
         <source>The motions of the program need more than {} of memory; interpretation ends here.</source>
@@ -2240,8 +2256,8 @@ Vorgabe: 0 mm</translation>
         <translation>Ein Raster von {} × {} Punkten braucht {}; {} dürfen belegt werden, was für eine Rasterweite von {} mm reicht.</translation>
     </message>
     <message>
-        <source>Choose a wider grid spacing, or close programs.</source>
-        <translation>Wählen Sie eine größere Rasterweite, oder schließen Sie Programme.</translation>
+        <source>Increase the grid spacing, or close other programs.</source>
+        <translation>Vergrößern Sie die Rasterweite, oder schließen Sie andere Programme.</translation>
     </message>
     <message>
         <source>polar radius</source>
@@ -4304,16 +4320,16 @@ Vorgabe: 0 mm</translation>
         <translation>Das Lesen der Datei wurde abgebrochen.</translation>
     </message>
     <message>
-        <source>The file needs more memory to be read than there is.</source>
-        <translation>Zum Lesen der Datei ist mehr Speicher nötig, als vorhanden ist.</translation>
+        <source>There is not enough memory to read the file.</source>
+        <translation>Der Speicher reicht nicht, um die Datei zu lesen.</translation>
     </message>
     <message>
-        <source>Reading the file had to stop: {}.</source>
-        <translation>Das Lesen der Datei musste abgebrochen werden: {}.</translation>
+        <source>Reading the file failed: {}.</source>
+        <translation>Das Lesen der Datei ist fehlgeschlagen: {}.</translation>
     </message>
     <message>
-        <source>The file was not opened, because the open program was changed while the file was being read.</source>
-        <translation>Die Datei wurde nicht geöffnet, weil das offene Programm geändert wurde, während sie gelesen wurde.</translation>
+        <source>The file was not opened because the open program was edited while the file was being read.</source>
+        <translation>Die Datei wurde nicht geöffnet, weil das geöffnete Programm währenddessen bearbeitet wurde.</translation>
     </message>
     <message>
         <source>More than five brackets stand within each other; the control gives alarm 118.</source>
@@ -4792,8 +4808,8 @@ Vorgabe: 0 mm</translation>
         <translation>Prüfen Sie auf andere Weise, was das Programm über solchen Lücken tut.</translation>
     </message>
     <message>
-        <source>The stock needs more memory than there is.</source>
-        <translation>Das Rohteil braucht mehr Speicher, als da ist.</translation>
+        <source>There is not enough memory for the stock.</source>
+        <translation>Der Speicher reicht nicht für das Rohteil.</translation>
     </message>
     <message>
         <source>Line</source>
@@ -4996,15 +5012,15 @@ Vorgabe: 0 mm</translation>
         <translation>Von Span zu Span.</translation>
     </message>
     <message>
-        <source>The box needs more memory than there is.</source>
-        <translation>Der Ausschnitt braucht mehr Speicher, als da ist.</translation>
+        <source>There is not enough memory for the detail region.</source>
+        <translation>Der Speicher reicht nicht für den Detailbereich.</translation>
     </message>
     <message>
-        <source>The box could not be cut: {}.</source>
-        <translation>Der Ausschnitt ließ sich nicht fräsen: {}.</translation>
+        <source>The detail region could not be cut: {}.</source>
+        <translation>Der Detailbereich ließ sich nicht fräsen: {}.</translation>
     </message>
     <message>
-        <source>The block that made this place could not be found: {}.</source>
+        <source>The block that cut this point could not be found: {}.</source>
         <translation>Der Satz, der diese Stelle gefräst hat, ließ sich nicht finden: {}.</translation>
     </message>
     <message>
@@ -5548,8 +5564,8 @@ Vorgabe: 0 mm</translation>
         <translation>Wählen Sie die Datei des Rohteils oder eine andere Form.</translation>
     </message>
     <message>
-        <source>Keeping unsaved changes had to stop: {}.</source>
-        <translation>Das Sichern nicht gespeicherter Änderungen musste enden: {}.</translation>
+        <source>Unsaved changes are no longer backed up: {}.</source>
+        <translation>Nicht gespeicherte Änderungen werden nicht mehr gesichert: {}.</translation>
     </message>
     <message>
         <source>Save under another name (File &gt; Save As).</source>
@@ -5560,8 +5576,8 @@ Vorgabe: 0 mm</translation>
         <translation>Die Datei hat sich auf dem Datenträger geändert; sie wurde nicht überschrieben.</translation>
     </message>
     <message>
-        <source>The record of the session is damaged.</source>
-        <translation>Die Aufzeichnung der Sitzung ist beschädigt.</translation>
+        <source>The backup of this session is damaged.</source>
+        <translation>Die Sicherung dieser Sitzung ist beschädigt.</translation>
     </message>
     <message>
         <source>{} of {} facets are duplicates of another facet.</source>
@@ -5608,12 +5624,12 @@ Vorgabe: 0 mm</translation>
         <translation>Das Programm ruft kein Werkzeug auf; seine Bewegungen werden nicht simuliert.</translation>
     </message>
     <message>
-        <source>The file of the stock has changed on disk; the simulation starts from what it held before.</source>
-        <translation>Die Datei des Rohteils wurde auf dem Datenträger geändert; die Simulation geht von ihrem früheren Inhalt aus.</translation>
+        <source>The stock file has changed on disk; the simulation still uses the version read before.</source>
+        <translation>Die Rohteildatei hat sich auf dem Datenträger geändert; die Simulation verwendet noch die zuvor gelesene Version.</translation>
     </message>
     <message>
-        <source>Reload the stock in the setup, or keep it as it is.</source>
-        <translation>Laden Sie das Rohteil in der Aufspannung neu, oder behalten Sie es, wie es ist.</translation>
+        <source>Reload the stock in the Setup panel, or keep the current version.</source>
+        <translation>Laden Sie das Rohteil unter „Aufspannung“ neu, oder behalten Sie die aktuelle Version.</translation>
     </message>
     <message>
         <source>rpm</source>
@@ -7343,7 +7359,7 @@ Vorgabe: 0 mm</translation>
 <context>
     <name>CycleTime</name>
     <message>
-        <source>Cycle time up to this block / of the program</source>
+        <source>Cycle time to this block / of the program</source>
         <translation>Laufzeit bis zu diesem Satz / des Programms</translation>
     </message>
     <message>
@@ -7351,12 +7367,12 @@ Vorgabe: 0 mm</translation>
         <translation>Vorschub %1, Eilgang %2, Verweilen %3, Werkzeugwechsel %4</translation>
     </message>
     <message>
-        <source>The machine is assumed; describe yours in the Setup panel.</source>
-        <translation>Die Maschine ist angenommen; beschreiben Sie Ihre unter „Aufspannung“.</translation>
+        <source>Default machine values; enter those of your machine in the Setup panel.</source>
+        <translation>Vorgabewerte der Maschine; tragen Sie die Ihrer Maschine unter „Aufspannung“ ein.</translation>
     </message>
     <message>
-        <source>%1 motions have no feed; the largest is taken.</source>
-        <translation>%1 Bewegungen haben keinen Vorschub; angenommen ist der größte.</translation>
+        <source>%1 moves have no feed rate; the maximum is assumed.</source>
+        <translation>%1 Bewegungen haben keinen Vorschub; der maximale wird angenommen.</translation>
     </message>
 </context>
 <context>
@@ -7451,8 +7467,8 @@ Vorgabe: 0 mm</translation>
         <translation>&amp;Einfügen</translation>
     </message>
     <message>
-        <source>Insert the text of the clipboard</source>
-        <translation>Den Text der Zwischenablage einfügen</translation>
+        <source>Insert the text from the clipboard</source>
+        <translation>Den Text aus der Zwischenablage einfügen</translation>
     </message>
     <message>
         <source>&amp;Delete</source>
@@ -7467,7 +7483,7 @@ Vorgabe: 0 mm</translation>
         <translation>Alles &amp;markieren</translation>
     </message>
     <message>
-        <source>Select the whole text</source>
+        <source>Select all of the text</source>
         <translation>Den ganzen Text markieren</translation>
     </message>
     <message>
@@ -7504,27 +7520,27 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Run to Cur&amp;sor</source>
-        <translation>Bis zur &amp;Zeile der Schreibmarke</translation>
+        <translation>Bis zum &amp;Cursor ausführen</translation>
     </message>
     <message>
-        <source>Show the stock after the line of the cursor</source>
-        <translation>Das Rohteil nach der Zeile der Schreibmarke zeigen</translation>
+        <source>Show the stock after the cursor line</source>
+        <translation>Das Rohteil nach der Cursorzeile zeigen</translation>
     </message>
     <message>
         <source>Toggle &amp;Breakpoint</source>
         <translation>&amp;Haltepunkt umschalten</translation>
     </message>
     <message>
-        <source>Set or remove a breakpoint at the line of the cursor</source>
-        <translation>Einen Haltepunkt in der Zeile der Schreibmarke setzen oder entfernen</translation>
+        <source>Set or remove a breakpoint at the cursor line</source>
+        <translation>Einen Haltepunkt in der Cursorzeile setzen oder entfernen</translation>
     </message>
     <message>
-        <source>Undo the last change where the focus is: in the text, or in setup, tuning and machine</source>
-        <translation>Die letzte Änderung dort zurücknehmen, wo der Fokus ist: im Text oder in Aufspannung, Abstimmung und Maschine</translation>
+        <source>Undo the last change where the focus is: program text, or setup, tuning and machine</source>
+        <translation>Die letzte Änderung dort rückgängig machen, wo der Fokus ist: Programmtext oder Aufspannung, Abstimmung und Maschine</translation>
     </message>
     <message>
-        <source>Redo the change that was undone last</source>
-        <translation>Die zuletzt zurückgenommene Änderung wiederholen</translation>
+        <source>Redo the last undone change</source>
+        <translation>Die zuletzt rückgängig gemachte Änderung wiederholen</translation>
     </message>
 </context>
 <context>
@@ -7541,47 +7557,47 @@ Vorgabe: 0 mm</translation>
         <translation>NC-Programm</translation>
     </message>
     <message>
-        <source>Shown read-only and with its lines cut off, because line %1 has more than %2 characters.</source>
-        <translation>Nur zum Lesen und mit abgeschnittenen Zeilen gezeigt, da Zeile %1 mehr als %2 Zeichen hat.</translation>
+        <source>Read-only, with lines truncated: line %1 has more than %2 characters.</source>
+        <translation>Schreibgeschützt, mit gekürzten Zeilen: Zeile %1 hat mehr als %2 Zeichen.</translation>
     </message>
     <message>
-        <source>Shown read-only, because the file is larger than 10 MB.</source>
-        <translation>Nur zum Lesen gezeigt, da die Datei größer als 10 MB ist.</translation>
+        <source>Read-only: the file is larger than 10 MB.</source>
+        <translation>Schreibgeschützt: Die Datei ist größer als 10 MB.</translation>
     </message>
     <message>
         <source>F&amp;ollow Program</source>
         <translation>Dem Pr&amp;ogramm folgen</translation>
     </message>
     <message>
-        <source>Keep the current line in sight while the program plays; typing, clicking or scrolling in the text turns this off until playback is started again</source>
-        <translation>Die aktuelle Zeile beim Abspielen im Blick halten; Tippen, Klicken oder Rollen im Text schaltet dies aus, bis das Abspielen neu gestartet wird</translation>
+        <source>Keep the current line in view during playback; typing, clicking or scrolling in the text turns this off until playback is restarted</source>
+        <translation>Die aktuelle Zeile beim Abspielen sichtbar halten; Tippen, Klicken oder Rollen im Text schaltet dies aus, bis das Abspielen neu gestartet wird</translation>
     </message>
 </context>
 <context>
     <name>Export</name>
     <message>
-        <source>largest error %1 mm, with every z-map point</source>
-        <translation>größter Fehler %1 mm, mit jedem Z-Map-Punkt</translation>
+        <source>full resolution, largest error %1 mm</source>
+        <translation>volle Auflösung, größter Fehler %1 mm</translation>
     </message>
     <message>
-        <source>largest error measured %1 mm, not a bound</source>
-        <translation>größter Fehler %1 mm gemessen, keine Schranke</translation>
+        <source>largest measured error %1 mm, not guaranteed</source>
+        <translation>größter gemessener Fehler %1 mm, nicht garantiert</translation>
     </message>
     <message>
-        <source>largest error %1 mm, beyond the allowance of %2 mm</source>
-        <translation>größter Fehler %1 mm, über den zulässigen %2 mm</translation>
+        <source>largest error %1 mm exceeds the allowance of %2 mm</source>
+        <translation>größter Fehler %1 mm überschreitet die zulässigen %2 mm</translation>
     </message>
     <message>
         <source>largest error %1 mm, certified within %2 mm at every z-map point</source>
         <translation>größter Fehler %1 mm, zertifiziert bis %2 mm an jedem Z-Map-Punkt</translation>
     </message>
     <message>
-        <source>%1 exists already. Replace it?</source>
+        <source>%1 already exists. Replace it?</source>
         <translation>%1 gibt es schon. Ersetzen?</translation>
     </message>
     <message>
-        <source>Wrote %1: %2</source>
-        <translation>%1 geschrieben: %2</translation>
+        <source>Exported %1: %2</source>
+        <translation>%1 exportiert: %2</translation>
     </message>
     <message>
         <source>%1: %2 triangles, %3</source>
@@ -7603,12 +7619,12 @@ Vorgabe: 0 mm</translation>
 <context>
     <name>FileChangedBar</name>
     <message>
-        <source>Read the file again; changes made here are lost</source>
-        <translation>Die Datei neu lesen; hier gemachte Änderungen gehen verloren</translation>
+        <source>Read the file again; your unsaved changes are lost</source>
+        <translation>Die Datei neu lesen; Ihre nicht gespeicherten Änderungen gehen verloren</translation>
     </message>
     <message>
-        <source>%1 was deleted or renamed on disk. Saving writes it again.</source>
-        <translation>%1 wurde auf dem Datenträger gelöscht oder umbenannt. Speichern schreibt die Datei neu.</translation>
+        <source>%1 was deleted or renamed on disk. Saving creates it again.</source>
+        <translation>%1 wurde auf dem Datenträger gelöscht oder umbenannt. Speichern legt die Datei wieder an.</translation>
     </message>
     <message>
         <source>%1 is no longer a file. Save under another name.</source>
@@ -7631,7 +7647,7 @@ Vorgabe: 0 mm</translation>
         <translation>&amp;Meine Version behalten</translation>
     </message>
     <message>
-        <source>Continue with the version of this window</source>
+        <source>Continue with the version in this window</source>
         <translation>Mit der Version dieses Fensters weiterarbeiten</translation>
     </message>
     <message>
@@ -7639,8 +7655,8 @@ Vorgabe: 0 mm</translation>
         <translation>&amp;Vergleichen …</translation>
     </message>
     <message>
-        <source>Show where the file and this window differ</source>
-        <translation>Zeigen, wo sich die Datei und dieses Fenster unterscheiden</translation>
+        <source>Show the differences between the file and this window</source>
+        <translation>Die Unterschiede zwischen der Datei und diesem Fenster zeigen</translation>
     </message>
 </context>
 <context>
@@ -7650,8 +7666,8 @@ Vorgabe: 0 mm</translation>
         <translation>&amp;Neu</translation>
     </message>
     <message>
-        <source>Begin an empty NC program</source>
-        <translation>Ein leeres NC-Programm beginnen</translation>
+        <source>Create an empty NC program</source>
+        <translation>Ein leeres NC-Programm anlegen</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
@@ -7666,8 +7682,8 @@ Vorgabe: 0 mm</translation>
         <translation>&amp;Speichern</translation>
     </message>
     <message>
-        <source>Save the NC program, and its job where it has one</source>
-        <translation>Das NC-Programm speichern, und seinen Auftrag, wo es einen hat</translation>
+        <source>Save the NC program, and its job if it has one</source>
+        <translation>Das NC-Programm und, falls vorhanden, seinen Auftrag speichern</translation>
     </message>
     <message>
         <source>Save &amp;As…</source>
@@ -7682,8 +7698,8 @@ Vorgabe: 0 mm</translation>
         <translation>Auf&amp;trag speichern unter …</translation>
     </message>
     <message>
-        <source>Save stock, tools and parameters with the name of the program</source>
-        <translation>Rohteil, Werkzeuge und Parameter mit dem Namen des Programms speichern</translation>
+        <source>Save stock, tools and parameters of the program as a job</source>
+        <translation>Rohteil, Werkzeuge und Parameter des Programms als Auftrag speichern</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
@@ -7698,8 +7714,8 @@ Vorgabe: 0 mm</translation>
         <translation>&amp;Rohteil speichern …</translation>
     </message>
     <message>
-        <source>Save what is left of the stock, for the next setup</source>
-        <translation>Speichern, was vom Rohteil übrig ist, für die nächste Aufspannung</translation>
+        <source>Save the remaining stock for the next setup</source>
+        <translation>Das verbleibende Rohteil für die nächste Aufspannung speichern</translation>
     </message>
 </context>
 <context>
@@ -7733,16 +7749,16 @@ Vorgabe: 0 mm</translation>
         <translation>Nicht gespeicherte Änderungen</translation>
     </message>
     <message>
-        <source>Drop one file of this computer.</source>
-        <translation>Legen Sie eine Datei dieses Rechners ab.</translation>
+        <source>Drop a single file from this computer.</source>
+        <translation>Legen Sie eine einzelne Datei von diesem Rechner ab.</translation>
     </message>
     <message>
         <source>A folder cannot be opened; drop an NC program or a job.</source>
         <translation>Ein Ordner lässt sich nicht öffnen; legen Sie ein NC-Programm oder einen Auftrag ab.</translation>
     </message>
     <message>
-        <source>A mesh is not a program. To cut it, choose it as the stock in the setup.</source>
-        <translation>Ein Netz ist kein Programm. Wählen Sie es unter Aufspannung als Rohteil, um es zu bearbeiten.</translation>
+        <source>A mesh is not a program. To cut it, choose it as the stock in the Setup panel.</source>
+        <translation>Ein Netz ist kein Programm. Wählen Sie es unter „Aufspannung“ als Rohteil, um es zu bearbeiten.</translation>
     </message>
     <message>
         <source>Export Decimated Mesh</source>
@@ -7753,24 +7769,24 @@ Vorgabe: 0 mm</translation>
         <translation>Netz in voller Auflösung exportieren</translation>
     </message>
     <message>
-        <source>Export under way</source>
+        <source>Export in progress</source>
         <translation>Laufender Export</translation>
     </message>
     <message>
-        <source>An export is still being written.</source>
-        <translation>Ein Export wird noch geschrieben.</translation>
+        <source>A file is still being written.</source>
+        <translation>Eine Datei wird noch geschrieben.</translation>
     </message>
     <message>
-        <source>Close when the file is written, or now, without it?</source>
-        <translation>Schließen, wenn die Datei geschrieben ist, oder jetzt, ohne sie?</translation>
+        <source>Close after the file is written, or discard the file and close now?</source>
+        <translation>Nach dem Schreiben der Datei schließen, oder die Datei verwerfen und jetzt schließen?</translation>
     </message>
     <message>
         <source>&amp;Wait for the File</source>
         <translation>Auf die Datei &amp;warten</translation>
     </message>
     <message>
-        <source>&amp;Drop the Export</source>
-        <translation>Export &amp;verwerfen</translation>
+        <source>&amp;Discard the File</source>
+        <translation>Datei &amp;verwerfen</translation>
     </message>
     <message>
         <source>Save Stock</source>
@@ -7781,8 +7797,8 @@ Vorgabe: 0 mm</translation>
         <translation>Proveout-Rohteil (*.pvstock)</translation>
     </message>
     <message>
-        <source>Saved as %1; %2 keeps the other version.</source>
-        <translation>Als %1 gespeichert; %2 behält die andere Version.</translation>
+        <source>Saved as %1; the other version is still in %2.</source>
+        <translation>Als %1 gespeichert; die andere Version bleibt in %2.</translation>
     </message>
     <message>
         <source>Saved %1</source>
@@ -7928,8 +7944,8 @@ Vorgabe: automatisch</translation>
         <translation>Automatische Rasterweite</translation>
     </message>
     <message>
-        <source>A tenth of the diameter of the smallest cutter, with 1 to 4 million points</source>
-        <translation>Ein Zehntel des Durchmessers des kleinsten Fräsers, bei 1 bis 4 Millionen Punkten</translation>
+        <source>One tenth of the smallest cutter diameter, with 1 to 4 million points</source>
+        <translation>Ein Zehntel des kleinsten Fräserdurchmessers, bei 1 bis 4 Millionen Punkten</translation>
     </message>
 </context>
 <context>
@@ -7947,11 +7963,11 @@ Vorgabe: automatisch</translation>
         <translation>Vor →</translation>
     </message>
     <message>
-        <source>Pages of the user guide</source>
+        <source>User guide pages</source>
         <translation>Seiten des Benutzerhandbuchs</translation>
     </message>
     <message>
-        <source>Page of the user guide</source>
+        <source>User guide page</source>
         <translation>Seite des Benutzerhandbuchs</translation>
     </message>
 </context>
@@ -7970,8 +7986,8 @@ Vorgabe: automatisch</translation>
         <translation>&amp;Tasten und Maus</translation>
     </message>
     <message>
-        <source>List all keys of the program</source>
-        <translation>Alle Tasten des Programms auflisten</translation>
+        <source>List all keyboard shortcuts and mouse actions</source>
+        <translation>Alle Tasten und Mausaktionen auflisten</translation>
     </message>
     <message>
         <source>&amp;Start Page</source>
@@ -7994,7 +8010,7 @@ Vorgabe: automatisch</translation>
         <translation>Über &amp;Qt</translation>
     </message>
     <message>
-        <source>About the library of the user interface</source>
+        <source>About the user interface library</source>
         <translation>Über die Bibliothek der Oberfläche</translation>
     </message>
 </context>
@@ -8021,8 +8037,8 @@ Vorgabe: automatisch</translation>
         <translation>zum Beispiel 16, 24, 25</translation>
     </message>
     <message>
-        <source>M codes that move no axis on this machine: clamps, doors, air, chip conveyor. They are ignored and listed; other unknown codes leave the rest unverified.</source>
-        <translation>M-Befehle, die an dieser Maschine keine Achse bewegen: Spanner, Türen, Luft, Späneförderer. Sie werden ignoriert und aufgelistet; nach anderen unbekannten Befehlen bleibt der Rest ungeprüft.</translation>
+        <source>M codes that move no axis on this machine: clamps, doors, air, chip conveyor. They are ignored and listed as notes. Results after any other unknown code are unverified.</source>
+        <translation>M-Befehle, die an dieser Maschine keine Achse bewegen: Spanner, Türen, Luft, Späneförderer. Sie werden ignoriert und als Hinweise aufgeführt. Ergebnisse nach jedem anderen unbekannten Befehl sind ungeprüft.</translation>
     </message>
 </context>
 <context>
@@ -8069,7 +8085,7 @@ Vorgabe: automatisch</translation>
     </message>
     <message>
         <source>Cutter compensation start-up</source>
-        <translation>Beginn der Fräserradiuskorrektur</translation>
+        <translation>Anfahren der Fräserradiuskorrektur</translation>
     </message>
     <message>
         <source>Tool T%1</source>
@@ -8123,7 +8139,7 @@ Vorgabe: automatisch</translation>
     <name>MachineForm</name>
     <message>
         <source>Default machine values.</source>
-        <translation>Standardwerte der Maschine.</translation>
+        <translation>Vorgabewerte der Maschine.</translation>
     </message>
     <message>
         <source>Cycle time %1: feed %2, rapid %3, dwell %4, tool changes %5</source>
@@ -8141,7 +8157,7 @@ Vorgabe: %4 %5</translation>
 <context>
     <name>MainWindow</name>
     <message>
-        <source>As the &amp;System</source>
+        <source>Same as &amp;System</source>
         <translation>Wie das &amp;System</translation>
     </message>
     <message>
@@ -8153,7 +8169,7 @@ Vorgabe: %4 %5</translation>
         <translation>&amp;Dunkel</translation>
     </message>
     <message>
-        <source>Tool bar</source>
+        <source>Toolbar</source>
         <translation>Werkzeugleiste</translation>
     </message>
 </context>
@@ -8219,28 +8235,28 @@ Vorgabe: %4 %5</translation>
 <context>
     <name>MeshCommands</name>
     <message>
-        <source>Write the decimated stock as a closed solid</source>
-        <translation>Das dezimierte Rohteil als geschlossenen Körper schreiben</translation>
+        <source>Export the decimated mesh as a closed solid</source>
+        <translation>Das dezimierte Netz als geschlossenen Körper exportieren</translation>
     </message>
     <message>
-        <source>Write the stock with every point of the z-map</source>
-        <translation>Das Rohteil mit jedem Punkt der Z-Map schreiben</translation>
+        <source>Export the mesh with every z-map point</source>
+        <translation>Das Netz mit jedem Z-Map-Punkt exportieren</translation>
     </message>
     <message>
         <source>&amp;Tune Decimation</source>
         <translation>Dezimierung &amp;abstimmen</translation>
     </message>
     <message>
-        <source>Show the parameters of decimation</source>
-        <translation>Die Parameter der Dezimierung zeigen</translation>
+        <source>Show the decimation parameters</source>
+        <translation>Die Dezimierungsparameter zeigen</translation>
     </message>
     <message>
         <source>&amp;Default Parameters</source>
-        <translation>&amp;Standardparameter</translation>
+        <translation>Vor&amp;gabeparameter</translation>
     </message>
     <message>
-        <source>Bring all parameters of decimation back to their defaults</source>
-        <translation>Alle Parameter der Dezimierung auf ihre Vorgaben zurücksetzen</translation>
+        <source>Reset all decimation parameters to their defaults</source>
+        <translation>Alle Dezimierungsparameter auf ihre Vorgaben zurücksetzen</translation>
     </message>
     <message>
         <source>&amp;Export Mesh…</source>
@@ -8324,7 +8340,7 @@ Vorgabe: %4 %5</translation>
         <translation>Noch nicht gezeichnet</translation>
     </message>
     <message>
-        <source>Upload and drawing: mean of blocks %1 to %2 (one picture)</source>
+        <source>Upload and drawing: mean of blocks %1 to %2 (one frame)</source>
         <translation>Übertragen und Zeichnen: Mittel der Sätze %1 bis %2 (ein Bild)</translation>
     </message>
 </context>
@@ -8395,16 +8411,16 @@ Vorgabe: %4 %5</translation>
         <translation>Axiale Zustellung</translation>
     </message>
     <message>
-        <source>Depth (mm)</source>
-        <translation>Tiefe (mm)</translation>
+        <source>Depth ap (mm)</source>
+        <translation>Tiefe ap (mm)</translation>
     </message>
     <message>
         <source>Radial Engagement</source>
         <translation>Radialer Eingriff</translation>
     </message>
     <message>
-        <source>Width (mm)</source>
-        <translation>Breite (mm)</translation>
+        <source>Width ae (mm)</source>
+        <translation>Breite ae (mm)</translation>
     </message>
     <message>
         <source>Removal rate</source>
@@ -8419,8 +8435,8 @@ Vorgabe: %4 %5</translation>
         <translation>Zeitspanvolumen</translation>
     </message>
     <message>
-        <source>Rate (mm³/min)</source>
-        <translation>Rate (mm³/min)</translation>
+        <source>MRR (mm³/min)</source>
+        <translation>Q (mm³/min)</translation>
     </message>
     <message>
         <source>Volume per Length</source>
@@ -8446,8 +8462,8 @@ Vorgabe: %4 %5</translation>
         <translation>Mitlaufen</translation>
     </message>
     <message>
-        <source>Keep the current block in the picture; dragging a plot stops it</source>
-        <translation>Den aktuellen Satz im Bild halten; Ziehen eines Diagramms beendet dies</translation>
+        <source>Keep the current block in view; dragging a plot turns this off</source>
+        <translation>Den aktuellen Satz sichtbar halten; Ziehen eines Diagramms schaltet dies aus</translation>
     </message>
     <message>
         <source>Export Plot</source>
@@ -8582,8 +8598,8 @@ Vorgabe: %4 %5</translation>
         <translation>%1 (fehlt)</translation>
     </message>
     <message>
-        <source>This file is no longer there.</source>
-        <translation>Diese Datei ist nicht mehr da.</translation>
+        <source>File not found.</source>
+        <translation>Datei nicht gefunden.</translation>
     </message>
 </context>
 <context>
@@ -8593,8 +8609,8 @@ Vorgabe: %4 %5</translation>
         <translation>unbenannt</translation>
     </message>
     <message>
-        <source>in the kept version</source>
-        <translation>in der aufbewahrten Version</translation>
+        <source>in the backup</source>
+        <translation>in der Sicherung</translation>
     </message>
     <message>
         <source>Setup</source>
@@ -8609,8 +8625,8 @@ Vorgabe: %4 %5</translation>
         <translation>Die nicht gespeicherten Änderungen von %1 verwerfen?</translation>
     </message>
     <message>
-        <source>The kept version is deleted. The file on disk stays as it is.</source>
-        <translation>Die aufbewahrte Version wird gelöscht. Die Datei auf dem Datenträger bleibt, wie sie ist.</translation>
+        <source>The backup will be deleted. The file on disk is not changed.</source>
+        <translation>Die Sicherung wird gelöscht. Die Datei auf dem Datenträger wird nicht geändert.</translation>
     </message>
 </context>
 <context>
@@ -8644,24 +8660,24 @@ Vorgabe: %4 %5</translation>
         <translation>Wiederherstellen</translation>
     </message>
     <message>
-        <source>Open the kept version as unsaved changes; the file stays as it is</source>
-        <translation>Die aufbewahrte Version als nicht gespeicherte Änderungen öffnen; die Datei bleibt, wie sie ist</translation>
+        <source>Open the backup as unsaved changes; the file is not changed</source>
+        <translation>Die Sicherung als nicht gespeicherte Änderungen öffnen; die Datei wird nicht geändert</translation>
     </message>
     <message>
         <source>Compare…</source>
         <translation>Vergleichen …</translation>
     </message>
     <message>
-        <source>Show where the kept version and the file differ</source>
-        <translation>Zeigen, wo sich die aufbewahrte Version und die Datei unterscheiden</translation>
+        <source>Show the differences between the backup and the file</source>
+        <translation>Die Unterschiede zwischen der Sicherung und der Datei zeigen</translation>
     </message>
     <message>
         <source>Discard</source>
         <translation>Verwerfen</translation>
     </message>
     <message>
-        <source>Delete the kept version; the file stays as it is</source>
-        <translation>Die aufbewahrte Version löschen; die Datei bleibt, wie sie ist</translation>
+        <source>Delete the backup; the file is not changed</source>
+        <translation>Die Sicherung löschen; die Datei wird nicht geändert</translation>
     </message>
 </context>
 <context>
@@ -8671,7 +8687,7 @@ Vorgabe: %4 %5</translation>
         <translation>Rohteil nach Satz %1 von %2</translation>
     </message>
     <message>
-        <source>Program not run to its end</source>
+        <source>Program not run to the end</source>
         <translation>Programm nicht bis zum Ende ausgeführt</translation>
     </message>
     <message>
@@ -8679,24 +8695,24 @@ Vorgabe: %4 %5</translation>
         <translation>Die Simulation steht bei Satz %1 von %2.</translation>
     </message>
     <message>
-        <source>Export the stock as it is now, or run the program to the end first?</source>
-        <translation>Das Rohteil im jetzigen Stand exportieren oder das Programm zuerst bis zum Ende ausführen?</translation>
+        <source>Use the stock as it is now, or run the program to the end first?</source>
+        <translation>Das Rohteil im jetzigen Stand verwenden oder das Programm zuerst bis zum Ende ausführen?</translation>
     </message>
     <message>
         <source>&amp;Run to the End First</source>
         <translation>&amp;Zuerst bis zum Ende ausführen</translation>
     </message>
     <message>
-        <source>&amp;Export This Block</source>
-        <translation>&amp;Diesen Stand exportieren</translation>
+        <source>&amp;Use Stock as Is</source>
+        <translation>&amp;Jetzigen Stand verwenden</translation>
     </message>
     <message>
         <source>Run to the End</source>
         <translation>Bis zum Ende ausführen</translation>
     </message>
     <message>
-        <source>The program runs to its end before the export.</source>
-        <translation>Das Programm läuft vor dem Export bis zum Ende.</translation>
+        <source>Running the program to the end…</source>
+        <translation>Das Programm wird bis zum Ende ausgeführt …</translation>
     </message>
 </context>
 <context>
@@ -8723,10 +8739,10 @@ Vorgabe: %4 %5</translation>
     <message>
         <source>Another program or window wrote it at %1. Saving here would overwrite those changes.
 
-Keep Both saves your version as a new file beside it.</source>
-        <translation>Ein anderes Programm oder Fenster hat sie um %1 geschrieben. Speichern würde diese Änderungen hier überschreiben.
+Keep Both saves your version as a new file in the same folder.</source>
+        <translation>Ein anderes Programm oder Fenster hat sie um %1 geschrieben. Speichern würde diese Änderungen überschreiben.
 
-„Beide behalten“ speichert Ihre Version als neue Datei daneben.</translation>
+„Beide behalten“ speichert Ihre Version als neue Datei im selben Ordner.</translation>
     </message>
     <message>
         <source>&amp;Overwrite</source>
@@ -8749,7 +8765,7 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>%1 ist das Rohteil des geöffneten Auftrags.</translation>
     </message>
     <message>
-        <source>If you overwrite it, the job starts from its own result the next time it is opened.</source>
+        <source>If you overwrite it, the job will start from its own result the next time it is opened.</source>
         <translation>Wenn Sie es überschreiben, geht der Auftrag beim nächsten Öffnen von seinem eigenen Ergebnis aus.</translation>
     </message>
 </context>
@@ -8772,14 +8788,14 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>Datei wird geöffnet</translation>
     </message>
     <message>
-        <source>Looking for the block</source>
+        <source>Searching for the block</source>
         <translation>Satz wird gesucht</translation>
     </message>
 </context>
 <context>
     <name>SetupPanel</name>
     <message>
-        <source>%1 × %2 points, %3 × %4 mm apart; needs about %5</source>
+        <source>%1 × %2 points, spacing %3 × %4 mm; needs about %5</source>
         <translation>%1 × %2 Punkte im Abstand von %3 × %4 mm; braucht etwa %5</translation>
     </message>
     <message>
@@ -8803,16 +8819,16 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>Ausblendsätze (/)</translation>
     </message>
     <message>
-        <source>Block delete, as the switch on the control</source>
-        <translation>Sätze ausblenden, wie der Schalter an der Steuerung</translation>
+        <source>Skip blocks that start with /, like the switch on the control</source>
+        <translation>Sätze überspringen, die mit / beginnen, wie mit dem Schalter an der Steuerung</translation>
     </message>
     <message>
         <source>Control</source>
         <translation>Steuerung</translation>
     </message>
     <message>
-        <source>How the program is read: arcs, cycles, offsets and numbers differ from control to control</source>
-        <translation>Wie das Programm gelesen wird: Kreisbögen, Zyklen, Korrekturen und Zahlen unterscheiden sich von Steuerung zu Steuerung</translation>
+        <source>The control that the program is written for; arcs, cycles, offsets and numbers differ from control to control</source>
+        <translation>Die Steuerung, für die das Programm geschrieben ist; Kreisbögen, Zyklen, Korrekturen und Zahlen unterscheiden sich von Steuerung zu Steuerung</translation>
     </message>
     <message>
         <source>Automatic: %1</source>
@@ -8839,11 +8855,11 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>Typ B: um Außenecken herum</translation>
     </message>
     <message>
-        <source>How compensation begins and ends at outside corners, as set on the control: SUP in parameter 5003 of Fanuc, setting 43 of Haas</source>
-        <translation>Wie die Korrektur an Außenecken beginnt und endet, wie an der Steuerung eingestellt: SUP in Parameter 5003 von Fanuc, Einstellung 43 von Haas</translation>
+        <source>Start-up and cancel of cutter compensation at outside corners, as set on the control: Fanuc parameter 5003 (SUP), Haas setting 43</source>
+        <translation>An- und Wegfahren der Fräserradiuskorrektur an Außenecken, wie an der Steuerung eingestellt: Fanuc-Parameter 5003 (SUP), Haas-Einstellung 43</translation>
     </message>
     <message>
-        <source>Reading %1 …</source>
+        <source>Reading %1…</source>
         <translation>%1 wird gelesen …</translation>
     </message>
     <message>
@@ -8882,8 +8898,8 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>Fehler</translation>
     </message>
     <message>
-        <source>Fault</source>
-        <translation>Störung</translation>
+        <source>Machining fault</source>
+        <translation>Bearbeitungsfehler</translation>
     </message>
 </context>
 <context>
@@ -8965,16 +8981,16 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>Vorheriger &amp;Werkzeugwechsel</translation>
     </message>
     <message>
-        <source>Go back to the last tool change</source>
-        <translation>Zum letzten Werkzeugwechsel zurückgehen</translation>
+        <source>Go back to the previous tool change</source>
+        <translation>Zum vorherigen Werkzeugwechsel zurückgehen</translation>
     </message>
     <message>
         <source>Next T&amp;ool Change</source>
         <translation>Nächster Werkzeugwe&amp;chsel</translation>
     </message>
     <message>
-        <source>Go on to the next tool change</source>
-        <translation>Zum nächsten Werkzeugwechsel weitergehen</translation>
+        <source>Go to the next tool change</source>
+        <translation>Zum nächsten Werkzeugwechsel gehen</translation>
     </message>
     <message>
         <source>S&amp;lower</source>
@@ -9001,8 +9017,8 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>Zu&amp;rück zur vorherigen Position</translation>
     </message>
     <message>
-        <source>Go back to where you were before you went to the block that made a place</source>
-        <translation>Dorthin zurückkehren, wo Sie vor dem Sprung zum Satz einer Stelle waren</translation>
+        <source>Go back to the position before the jump to a cutting block</source>
+        <translation>Zur Position vor dem Sprung zum Satz einer Stelle zurückgehen</translation>
     </message>
 </context>
 <context>
@@ -9068,8 +9084,8 @@ Vorgabe: 0 mm</translation>
         <translation>Neues Programm</translation>
     </message>
     <message>
-        <source>Begin an empty NC program</source>
-        <translation>Ein leeres NC-Programm beginnen</translation>
+        <source>Create an empty NC program</source>
+        <translation>Ein leeres NC-Programm anlegen</translation>
     </message>
     <message>
         <source>Samples</source>
@@ -9088,22 +9104,22 @@ Vorgabe: 0 mm</translation>
         <translation>Sprache</translation>
     </message>
     <message>
-        <source>Language of the program</source>
-        <translation>Sprache des Programms</translation>
+        <source>Language of the user interface</source>
+        <translation>Sprache der Bedienoberfläche</translation>
     </message>
     <message>
         <source>%1
-This file is no longer there.</source>
+File not found.</source>
         <translation>%1
-Diese Datei ist nicht mehr da.</translation>
+Datei nicht gefunden.</translation>
     </message>
     <message>
         <source>Back to %1</source>
         <translation>Zurück zu %1</translation>
     </message>
     <message>
-        <source>Show what is open again (Esc)</source>
-        <translation>Wieder zeigen, was geöffnet ist (Esc)</translation>
+        <source>Go back to the open document (Esc)</source>
+        <translation>Zurück zum geöffneten Dokument (Esc)</translation>
     </message>
 </context>
 <context>
@@ -9113,11 +9129,11 @@ Diese Datei ist nicht mehr da.</translation>
         <translation>Abbrechen</translation>
     </message>
     <message>
-        <source>Stop this work</source>
-        <translation>Diese Arbeit abbrechen</translation>
+        <source>Cancel this task</source>
+        <translation>Diesen Vorgang abbrechen</translation>
     </message>
     <message>
-        <source>Feed, mm/min</source>
+        <source>Feed rate, mm/min</source>
         <translation>Vorschub, mm/min</translation>
     </message>
     <message>
@@ -9129,8 +9145,8 @@ Diese Datei ist nicht mehr da.</translation>
         <translation>Werkzeug in der Spindel</translation>
     </message>
     <message>
-        <source>Blocks executed of those that move</source>
-        <translation>Ausgeführte Sätze von denen, die sich bewegen</translation>
+        <source>Motion blocks executed / total</source>
+        <translation>Bewegungssätze ausgeführt / gesamt</translation>
     </message>
     <message>
         <source>Triangles shown</source>
@@ -9149,16 +9165,16 @@ Diese Datei ist nicht mehr da.</translation>
         <translation>F Eilgang</translation>
     </message>
     <message>
-        <source>No stock at this place.</source>
+        <source>There is no stock at this point.</source>
         <translation>An dieser Stelle ist kein Rohteil.</translation>
     </message>
     <message>
-        <source>Never cut: up to block %1 this is raw stock.</source>
-        <translation>Nie gefräst: bis Satz %1 ist dies unberührtes Rohteil.</translation>
+        <source>Raw stock: not cut up to block %1.</source>
+        <translation>Unberührtes Rohteil: bis Satz %1 nicht gefräst.</translation>
     </message>
     <message>
-        <source>The program or its setup has changed: ask again in a moment.</source>
-        <translation>Programm oder Aufspannung sind geändert: gleich noch einmal fragen.</translation>
+        <source>The program or setup has changed. Try again in a moment.</source>
+        <translation>Programm oder Aufspannung wurde geändert. Versuchen Sie es gleich noch einmal.</translation>
     </message>
     <message>
         <source>Tool tip X in the active work offset, mm</source>
@@ -9211,8 +9227,8 @@ Vorgabe: %4 mm</translation>
         <translation>Gemessen, gewählt</translation>
     </message>
     <message>
-        <source>Measured, as set</source>
-        <translation>Gemessen, wie eingestellt</translation>
+        <source>Measured, current</source>
+        <translation>Gemessen, aktuell</translation>
     </message>
     <message>
         <source>Rendering time</source>
@@ -9223,16 +9239,16 @@ Vorgabe: %4 mm</translation>
         <translation>Abb. %1</translation>
     </message>
     <message>
-        <source>The present method has nothing that this sweep could go through.</source>
-        <translation>Das jetzige Verfahren hat nichts, was diese Messreihe durchlaufen könnte.</translation>
+        <source>This sweep does not apply to the current decimation method.</source>
+        <translation>Diese Messreihe passt nicht zum aktuellen Dezimierungsverfahren.</translation>
     </message>
     <message>
         <source>Region size %1, period %2: predicted %3 s, without decimation %4 s</source>
         <translation>Regionsgröße %1, Periode %2: vorhergesagt %3 s, ohne Dezimierung %4 s</translation>
     </message>
     <message>
-        <source>measured %1 s, with the present parameters %2 s</source>
-        <translation>gemessen %1 s, mit den jetzigen Parametern %2 s</translation>
+        <source>measured %1 s, with the current parameters %2 s</source>
+        <translation>gemessen %1 s, mit den aktuellen Parametern %2 s</translation>
     </message>
     <message>
         <source>Export Figure</source>
@@ -9247,16 +9263,16 @@ Vorgabe: %4 mm</translation>
         <translation>Studie</translation>
     </message>
     <message>
-        <source>What the sweep goes through</source>
-        <translation>Was die Messreihe durchläuft</translation>
+        <source>What the sweep varies</source>
+        <translation>Was die Messreihe variiert</translation>
     </message>
     <message>
-        <source>Run a sweep: its figures are drawn here while it runs.</source>
-        <translation>Eine Messreihe starten: Ihre Abbildungen werden hier gezeichnet, während sie läuft.</translation>
+        <source>Run a sweep to see its figures here.</source>
+        <translation>Starten Sie eine Messreihe, um ihre Abbildungen hier zu sehen.</translation>
     </message>
     <message>
-        <source>The figure of the paper that is drawn</source>
-        <translation>Die Abbildung des Aufsatzes, die gezeichnet wird</translation>
+        <source>Figure of the paper to draw</source>
+        <translation>Zu zeichnende Abbildung des Aufsatzes</translation>
     </message>
     <message>
         <source>&amp;Run Sweep</source>
@@ -9271,15 +9287,15 @@ Vorgabe: %4 mm</translation>
         <translation>&amp;Optimieren</translation>
     </message>
     <message>
-        <source>Choose region size and period from a short rehearsal, then measure the choice</source>
-        <translation>Regionsgröße und Periode nach einer kurzen Probe wählen, dann die Wahl messen</translation>
+        <source>Choose region size and period from a short trial run, then measure them</source>
+        <translation>Regionsgröße und Periode nach einem kurzen Probelauf wählen, dann messen</translation>
     </message>
     <message>
         <source>&amp;Use</source>
         <translation>Über&amp;nehmen</translation>
     </message>
     <message>
-        <source>Take the chosen region size and period</source>
+        <source>Use the chosen region size and period</source>
         <translation>Die gewählte Regionsgröße und Periode übernehmen</translation>
     </message>
     <message>
@@ -9313,20 +9329,20 @@ Vorgabe: %4 mm</translation>
         <translation>Zeitleiste</translation>
     </message>
     <message>
-        <source>Drag to see the stock after any block; wheel or arrow keys: one block, with Shift: more</source>
-        <translation>Ziehen zeigt das Rohteil nach jedem Satz; Rad oder Pfeiltasten: ein Satz, mit Umschalt: mehr</translation>
+        <source>Drag to go to any block; wheel or arrow keys: one block, with Shift: more</source>
+        <translation>Ziehen, um zu einem Satz zu gehen; Rad oder Pfeiltasten: ein Satz, mit Umschalt: mehr</translation>
     </message>
     <message>
         <source>Speed</source>
         <translation>Geschwindigkeit</translation>
     </message>
     <message>
-        <source>Playing speed; 1× is %1 blocks a second</source>
+        <source>Playback speed; 1× is %1 blocks per second</source>
         <translation>Abspielgeschwindigkeit; 1× sind %1 Sätze je Sekunde</translation>
     </message>
     <message>
-        <source>Blocks executed / blocks that move</source>
-        <translation>Ausgeführte Sätze / Sätze mit Bewegung</translation>
+        <source>Motion blocks executed / total</source>
+        <translation>Bewegungssätze ausgeführt / gesamt</translation>
     </message>
     <message>
         <source>As fast as possible</source>
@@ -9353,12 +9369,12 @@ Vorgabe: %4 mm</translation>
         <translation>Abspielen nach</translation>
     </message>
     <message>
-        <source>What is even: each block, each millimetre of the path, or the time of the machine</source>
-        <translation>Was gleichmäßig läuft: jeder Satz, jeder Millimeter der Bahn oder die Zeit der Maschine</translation>
+        <source>Pace of playback: by block, by path length or by machine time</source>
+        <translation>Takt des Abspielens: nach Sätzen, Bahnlänge oder Maschinenzeit</translation>
     </message>
     <message>
-        <source>Cutting takes longer than the speed allows: the program is played more slowly, and the stock is right at every moment</source>
-        <translation>Das Abtragen dauert länger, als die Geschwindigkeit erlaubt: Das Programm läuft langsamer, und das Rohteil stimmt in jedem Augenblick</translation>
+        <source>Cutting takes longer than this speed allows: playback is slower, but the stock is always correct</source>
+        <translation>Das Fräsen dauert länger, als diese Geschwindigkeit erlaubt: Das Abspielen ist langsamer, aber das Rohteil stimmt immer</translation>
     </message>
     <message>
         <source>Blocks</source>
@@ -9377,20 +9393,20 @@ Vorgabe: %4 mm</translation>
         <translation>%1× (%2 mm/s)</translation>
     </message>
     <message>
-        <source>%1× the machine</source>
+        <source>%1× machine</source>
         <translation>%1× Maschine</translation>
     </message>
     <message>
-        <source>Playing speed; 1× is %1 mm of path a second</source>
-        <translation>Geschwindigkeit; 1× sind %1 mm Bahn in der Sekunde</translation>
+        <source>Playback speed; 1× is %1 mm of path per second</source>
+        <translation>Abspielgeschwindigkeit; 1× sind %1 mm Bahn je Sekunde</translation>
     </message>
     <message>
-        <source>Playing speed; 1× is that of the machine</source>
-        <translation>Geschwindigkeit; 1× ist die der Maschine</translation>
+        <source>Playback speed; 1× is the speed of the machine</source>
+        <translation>Abspielgeschwindigkeit; 1× ist die der Maschine</translation>
     </message>
     <message>
-        <source>Lags: %1×</source>
-        <translation>Hinkt nach: %1×</translation>
+        <source>Actual speed %1×</source>
+        <translation>Tatsächlich %1×</translation>
     </message>
     <message>
         <source>Block %1 · line %2 · %3</source>
@@ -9404,8 +9420,8 @@ Vorgabe: %4 mm</translation>
         <translation>Form</translation>
     </message>
     <message>
-        <source>The profile of the cutter</source>
-        <translation>Das Profil des Fräsers</translation>
+        <source>Cutter shape</source>
+        <translation>Form des Fräsers</translation>
     </message>
     <message>
         <source>%1
@@ -9416,9 +9432,9 @@ Bereich: %2 bis %3 %4
 Vorgabe: %5 %4</translation>
     </message>
     <message>
-        <source>An arc to a point is told by its centre or its radius, as in %1 or %2; a radius below zero is a hollow.
+        <source>For an arc, add the centre or the radius to its end point, as in %1 or %2; a negative radius is concave.
 Default: %3</source>
-        <translation>Ein Bogen zu einem Punkt wird durch seinen Mittelpunkt oder seinen Radius angegeben, wie in %1 oder %2; ein Radius unter null ist eine Höhlung.
+        <translation>Für einen Bogen den Mittelpunkt oder Radius an den Endpunkt anfügen, wie in %1 oder %2; ein negativer Radius ist konkav.
 Vorgabe: %3</translation>
     </message>
 </context>
@@ -9445,8 +9461,8 @@ Vorgabe: %3</translation>
         <translation>Es wird nichts gefräst.</translation>
     </message>
     <message>
-        <source>Define T%1 …</source>
-        <translation>T%1 festlegen …</translation>
+        <source>Define T%1…</source>
+        <translation>T%1 definieren …</translation>
     </message>
     <message>
         <source>Add T%1 to the tool table and enter its sizes</source>
@@ -9457,7 +9473,7 @@ Vorgabe: %3</translation>
         <translation>⌀ 10 mm annehmen</translation>
     </message>
     <message>
-        <source>Add the missing tools as flat end mills of 10 mm, marked as assumed</source>
+        <source>Add the missing tools as 10 mm flat end mills, marked as assumed</source>
         <translation>Die fehlenden Werkzeuge als Schaftfräser von 10 mm aufnehmen, als angenommen gekennzeichnet</translation>
     </message>
     <message>
@@ -9465,15 +9481,15 @@ Vorgabe: %3</translation>
         <translation>Die Maße von %1 sind nicht bestätigt.</translation>
     </message>
     <message>
-        <source>T%1 is read from the comment in line %2: %3.</source>
-        <translation>T%1 ist aus dem Kommentar in Zeile %2 gelesen: %3.</translation>
+        <source>T%1 was read from the comment in line %2: %3.</source>
+        <translation>T%1 wurde aus dem Kommentar in Zeile %2 gelesen: %3.</translation>
     </message>
     <message>
         <source>The sizes of T%1 are assumed: %2.</source>
         <translation>Die Maße von T%1 sind angenommen: %2.</translation>
     </message>
     <message>
-        <source>Check …</source>
+        <source>Check…</source>
         <translation>Prüfen …</translation>
     </message>
     <message>
@@ -9489,8 +9505,8 @@ Vorgabe: %3</translation>
         <translation>Bestätigen</translation>
     </message>
     <message>
-        <source>The sizes in the tool table are right</source>
-        <translation>Die Maße in der Werkzeugtabelle stimmen</translation>
+        <source>Confirm the sizes in the tool table</source>
+        <translation>Die Maße in der Werkzeugtabelle bestätigen</translation>
     </message>
     <message>
         <source>The program calls no tool; its moves are not simulated.</source>
@@ -9548,8 +9564,8 @@ Vorgabe: %3</translation>
         <translation>Form</translation>
     </message>
     <message>
-        <source>Given</source>
-        <translation>Angegeben</translation>
+        <source>Defined</source>
+        <translation>Definiert</translation>
     </message>
     <message>
         <source>Comment, line %1</source>
@@ -9572,8 +9588,8 @@ Vorgabe: %3</translation>
         <translation>Aus dem Kommentar in &lt;a href=&quot;%1&quot;&gt;Zeile %1&lt;/a&gt;: &lt;i&gt;%2&lt;/i&gt;</translation>
     </message>
     <message>
-        <source>Not stated there, defaults: %1</source>
-        <translation>Dort nicht angegeben, Vorgaben: %1</translation>
+        <source>Not in the comment, defaults used: %1</source>
+        <translation>Nicht im Kommentar, Vorgaben verwendet: %1</translation>
     </message>
     <message>
         <source>Entered: %1</source>
@@ -9588,16 +9604,16 @@ Vorgabe: %3</translation>
         <translation>Bestätigen</translation>
     </message>
     <message>
-        <source>The sizes of the selected tool are right</source>
-        <translation>Die Maße des gewählten Werkzeugs stimmen</translation>
+        <source>Confirm the sizes of the selected tool</source>
+        <translation>Die Maße des gewählten Werkzeugs bestätigen</translation>
     </message>
     <message>
         <source>Confirm All</source>
         <translation>Alle bestätigen</translation>
     </message>
     <message>
-        <source>The sizes of all tools are right</source>
-        <translation>Die Maße aller Werkzeuge stimmen</translation>
+        <source>Confirm the sizes of all tools</source>
+        <translation>Die Maße aller Werkzeuge bestätigen</translation>
     </message>
     <message>
         <source>The T word that calls this tool (no unit)
@@ -9611,8 +9627,8 @@ Vorgabe: die nächste freie Nummer</translation>
 <context>
     <name>TuningPanel</name>
     <message>
-        <source>Open a program to see it.</source>
-        <translation>Öffnen Sie ein Programm, um es zu sehen.</translation>
+        <source>Open a program to see the measured effect.</source>
+        <translation>Öffnen Sie ein Programm, um die gemessene Wirkung zu sehen.</translation>
     </message>
     <message>
         <source>Triangles shown: %1 of %2 (%3 %)</source>
@@ -9623,8 +9639,8 @@ Vorgabe: die nächste freie Nummer</translation>
         <translation>Aus der Z-Map gezeichnete Regionen: %1 von %2</translation>
     </message>
     <message>
-        <source>Largest error: %1 mm beside an allowance of %2 mm, which is not a bound while Certify is off</source>
-        <translation>Größter Fehler: %1 mm neben zulässigen %2 mm, die ohne Zertifizieren keine Schranke sind</translation>
+        <source>Largest error: %1 mm; the allowance of %2 mm is not guaranteed while Certify is off</source>
+        <translation>Größter Fehler: %1 mm; die zulässigen %2 mm sind ohne Zertifizieren nicht garantiert</translation>
     </message>
     <message>
         <source>Measured effect</source>
@@ -9639,12 +9655,12 @@ Vorgabe: die nächste freie Nummer</translation>
         <translation>Größter Fehler: %1 mm an den Punkten der Z-Map, innerhalb der zulässigen %2 mm</translation>
     </message>
     <message>
-        <source>Decimation is held back while playing: a frame takes %1 ms without it and %2 ms with it.</source>
-        <translation>Die Dezimierung wird beim Abspielen zurückgehalten: Ein Bild dauert ohne sie %1 ms und mit ihr %2 ms.</translation>
+        <source>Decimation is off during playback: a frame takes %1 ms without it and %2 ms with it.</source>
+        <translation>Die Dezimierung ist beim Abspielen ausgeschaltet: Ein Bild dauert ohne sie %1 ms und mit ihr %2 ms.</translation>
     </message>
     <message>
-        <source>Decimation is held back while playing: there are only %1 triangles to draw without it.</source>
-        <translation>Die Dezimierung wird beim Abspielen zurückgehalten: Ohne sie sind nur %1 Dreiecke zu zeichnen.</translation>
+        <source>Decimation is off during playback: there are only %1 triangles to draw without it.</source>
+        <translation>Die Dezimierung ist beim Abspielen ausgeschaltet: Ohne sie sind nur %1 Dreiecke zu zeichnen.</translation>
     </message>
 </context>
 <context>
@@ -9665,16 +9681,16 @@ Vorgabe: die nächste freie Nummer</translation>
 <context>
     <name>Viewport</name>
     <message>
-        <source>This display has no OpenGL; the 3D view is switched off.</source>
-        <translation>Diese Anzeige hat kein OpenGL; die 3D-Ansicht ist abgeschaltet.</translation>
+        <source>OpenGL is not available on this display; the 3D view is off.</source>
+        <translation>OpenGL ist auf dieser Anzeige nicht verfügbar; die 3D-Ansicht ist ausgeschaltet.</translation>
     </message>
     <message>
-        <source>No OpenGL context could be created; the 3D view is switched off.</source>
-        <translation>Es ließ sich kein OpenGL-Kontext anlegen; die 3D-Ansicht ist abgeschaltet.</translation>
+        <source>The OpenGL context could not be created; the 3D view is off.</source>
+        <translation>Der OpenGL-Kontext ließ sich nicht anlegen; die 3D-Ansicht ist ausgeschaltet.</translation>
     </message>
     <message>
-        <source>The graphics driver offers less than OpenGL 3.3; the 3D view is switched off.</source>
-        <translation>Der Grafiktreiber bietet weniger als OpenGL 3.3; die 3D-Ansicht ist abgeschaltet.</translation>
+        <source>The graphics driver does not support OpenGL 3.3; the 3D view is off.</source>
+        <translation>Der Grafiktreiber unterstützt OpenGL 3.3 nicht; die 3D-Ansicht ist ausgeschaltet.</translation>
     </message>
     <message>
         <source>%1 of %2 triangles</source>
@@ -9713,19 +9729,19 @@ Vorgabe: die nächste freie Nummer</translation>
         <translation>3D-Ansicht</translation>
     </message>
     <message>
-        <source>The graphics driver refused a shader; the log has its words.</source>
-        <translation>Der Grafiktreiber hat einen Shader abgelehnt; das Protokoll nennt den Grund.</translation>
+        <source>A shader failed to compile; see the log.</source>
+        <translation>Ein Shader ließ sich nicht kompilieren; siehe Protokoll.</translation>
     </message>
     <message>
-        <source>The grid has more points along a side than the graphics driver can take; the stock is not drawn. A wider grid spacing brings it back.</source>
-        <translation>Das Raster hat auf einer Seite mehr Punkte, als der Grafiktreiber fasst; das Rohteil wird nicht gezeichnet. Eine größere Rasterweite bringt es zurück.</translation>
+        <source>The grid is too large for the graphics driver; the stock is not drawn. Increase the grid spacing.</source>
+        <translation>Das Raster ist zu groß für den Grafiktreiber; das Rohteil wird nicht gezeichnet. Vergrößern Sie die Rasterweite.</translation>
     </message>
     <message>
-        <source>The box has more points along a side than the graphics driver can take; it is not drawn. A wider spacing or a smaller box brings it back.</source>
-        <translation>Der Ausschnitt hat auf einer Seite mehr Punkte, als der Grafiktreiber fasst; er wird nicht gezeichnet. Eine größere Rasterweite oder ein kleinerer Ausschnitt bringt ihn zurück.</translation>
+        <source>The detail region is too large for the graphics driver and is not drawn. Increase its grid spacing or make the box smaller.</source>
+        <translation>Der Detailbereich ist zu groß für den Grafiktreiber und wird nicht gezeichnet. Vergrößern Sie seine Rasterweite oder verkleinern Sie den Ausschnitt.</translation>
     </message>
     <message>
-        <source>Click a place of the stock.</source>
+        <source>Click a point on the stock.</source>
         <translation>Klicken Sie eine Stelle des Rohteils an.</translation>
     </message>
     <message>
@@ -9748,7 +9764,7 @@ Vorgabe: die nächste freie Nummer</translation>
         <translation>&amp;Isometrisch</translation>
     </message>
     <message>
-        <source>Look from the right, front and above</source>
+        <source>View from the right, front and top</source>
         <translation>Von rechts vorn oben blicken</translation>
     </message>
     <message>
@@ -9756,7 +9772,7 @@ Vorgabe: die nächste freie Nummer</translation>
         <translation>&amp;Oben</translation>
     </message>
     <message>
-        <source>Look along -Z</source>
+        <source>View along -Z</source>
         <translation>Längs -Z blicken</translation>
     </message>
     <message>
@@ -9764,7 +9780,7 @@ Vorgabe: die nächste freie Nummer</translation>
         <translation>&amp;Unten</translation>
     </message>
     <message>
-        <source>Look along +Z</source>
+        <source>View along +Z</source>
         <translation>Längs +Z blicken</translation>
     </message>
     <message>
@@ -9772,7 +9788,7 @@ Vorgabe: die nächste freie Nummer</translation>
         <translation>&amp;Vorn</translation>
     </message>
     <message>
-        <source>Look along +Y</source>
+        <source>View along +Y</source>
         <translation>Längs +Y blicken</translation>
     </message>
     <message>
@@ -9780,7 +9796,7 @@ Vorgabe: die nächste freie Nummer</translation>
         <translation>&amp;Hinten</translation>
     </message>
     <message>
-        <source>Look along -Y</source>
+        <source>View along -Y</source>
         <translation>Längs -Y blicken</translation>
     </message>
     <message>
@@ -9788,7 +9804,7 @@ Vorgabe: die nächste freie Nummer</translation>
         <translation>&amp;Links</translation>
     </message>
     <message>
-        <source>Look along +X</source>
+        <source>View along +X</source>
         <translation>Längs +X blicken</translation>
     </message>
     <message>
@@ -9796,7 +9812,7 @@ Vorgabe: die nächste freie Nummer</translation>
         <translation>&amp;Rechts</translation>
     </message>
     <message>
-        <source>Look along -X</source>
+        <source>View along -X</source>
         <translation>Längs -X blicken</translation>
     </message>
     <message>
@@ -9820,8 +9836,8 @@ Vorgabe: die nächste freie Nummer</translation>
         <translation>Re&amp;gionen färben</translation>
     </message>
     <message>
-        <source>Tell regions drawn from the z-map from decimated ones</source>
-        <translation>Aus der Z-Map gezeichnete Regionen von dezimierten unterscheiden</translation>
+        <source>Colour decimated and undecimated regions differently</source>
+        <translation>Dezimierte und nicht dezimierte Regionen verschieden färben</translation>
     </message>
     <message>
         <source>Lege&amp;nd</source>
@@ -9840,12 +9856,12 @@ Vorgabe: die nächste freie Nummer</translation>
         <translation>Keinen Werkzeugweg zeichnen</translation>
     </message>
     <message>
-        <source>Toolpath Near the &amp;Cutter</source>
+        <source>Toolp&amp;ath Near the Cutter</source>
         <translation>Werkzeugweg nahe dem &amp;Fräser</translation>
     </message>
     <message>
-        <source>Draw the toolpath of the blocks just behind and ahead</source>
-        <translation>Den Werkzeugweg der Sätze kurz davor und danach zeichnen</translation>
+        <source>Draw the toolpath of the blocks just before and after the current one</source>
+        <translation>Den Werkzeugweg der Sätze kurz vor und nach dem aktuellen zeichnen</translation>
     </message>
     <message>
         <source>Wh&amp;ole Toolpath</source>
@@ -9860,8 +9876,8 @@ Vorgabe: die nächste freie Nummer</translation>
         <translation>Durchsi&amp;chtiger Fräser</translation>
     </message>
     <message>
-        <source>Let the stock show through the cutter</source>
-        <translation>Das Rohteil durch den Fräser scheinen lassen</translation>
+        <source>Make the cutter transparent</source>
+        <translation>Den Fräser durchsichtig zeichnen</translation>
     </message>
     <message>
         <source>Hi&amp;de Cutter</source>
@@ -9872,28 +9888,28 @@ Vorgabe: die nächste freie Nummer</translation>
         <translation>Keinen Fräser zeichnen</translation>
     </message>
     <message>
-        <source>Look Clo&amp;ser</source>
-        <translation>Genauer hin&amp;sehen</translation>
+        <source>&amp;Magnifier</source>
+        <translation>De&amp;taillupe</translation>
     </message>
     <message>
-        <source>Cut a box of the stock on a much finer grid, and show it in place</source>
-        <translation>Einen Ausschnitt des Rohteils auf einem viel feineren Raster fräsen und an Ort und Stelle zeigen</translation>
+        <source>Cut a box of the stock again on a much finer grid</source>
+        <translation>Einen Ausschnitt des Rohteils noch einmal auf einem viel feineren Raster fräsen</translation>
     </message>
     <message>
-        <source>Go to the Block That &amp;Made This</source>
-        <translation>Zu&amp;m Satz, der dies gefräst hat</translation>
+        <source>Go to &amp;Cutting Block</source>
+        <translation>Zu&amp;m fräsenden Satz gehen</translation>
     </message>
     <message>
-        <source>Click a place of the stock, and see the block that cut it</source>
-        <translation>Eine Stelle des Rohteils anklicken und den Satz sehen, der sie gefräst hat</translation>
+        <source>Click a point on the stock to go to the block that cut it</source>
+        <translation>Eine Stelle des Rohteils anklicken, um zum Satz zu gehen, der sie gefräst hat</translation>
     </message>
     <message>
         <source>P&amp;osition at Pointer</source>
         <translation>Positio&amp;n am Zeiger</translation>
     </message>
     <message>
-        <source>Show the coordinates under the pointer, and the line that cut there</source>
-        <translation>Die Koordinaten unter dem Zeiger zeigen und die Zeile, die dort gefräst hat</translation>
+        <source>Show the coordinates under the pointer, and the line that cut this point</source>
+        <translation>Die Koordinaten unter dem Zeiger zeigen und die Zeile, die diese Stelle gefräst hat</translation>
     </message>
     <message>
         <source>Toolpath Through Stoc&amp;k</source>
@@ -9911,23 +9927,23 @@ Vorgabe: die nächste freie Nummer</translation>
         <translation>&amp;Vollbild</translation>
     </message>
     <message>
-        <source>Fill the screen with the window, or leave it</source>
-        <translation>Den Bildschirm mit dem Fenster füllen oder dies verlassen</translation>
+        <source>Enter or leave full screen</source>
+        <translation>Vollbild ein- oder ausschalten</translation>
     </message>
     <message>
         <source>&amp;Reset Layout</source>
         <translation>&amp;Anordnung zurücksetzen</translation>
     </message>
     <message>
-        <source>Bring all panels and view options back to how they were at first</source>
-        <translation>Alle Bereiche und Ansichtsoptionen wieder so einstellen wie am Anfang</translation>
+        <source>Restore the default panels and view options</source>
+        <translation>Bereiche und Ansichtsoptionen auf die Vorgaben zurücksetzen</translation>
     </message>
 </context>
 <context>
     <name>WordTip</name>
     <message>
-        <source>%1: not known on %2</source>
-        <translation>%1: auf %2 nicht bekannt</translation>
+        <source>%1: unknown (%2)</source>
+        <translation>%1: unbekannt (%2)</translation>
     </message>
     <message>
         <source>%1: %2 (%3)</source>
@@ -9938,8 +9954,8 @@ Vorgabe: die nächste freie Nummer</translation>
         <translation>Modale Gruppe: %1</translation>
     </message>
     <message>
-        <source>Not carried out: the program is unverified from here</source>
-        <translation>Wird nicht ausgeführt: Ab hier ist das Programm ungeprüft</translation>
+        <source>Not supported: results after this block are unverified</source>
+        <translation>Nicht unterstützt: Ergebnisse nach diesem Satz sind ungeprüft</translation>
     </message>
     <message>
         <source>Value: %1</source>
@@ -9950,16 +9966,16 @@ Vorgabe: die nächste freie Nummer</translation>
         <translation>Nicht gesetzt</translation>
     </message>
     <message>
-        <source>Behind this line: %1</source>
+        <source>After this line: %1</source>
         <translation>Nach dieser Zeile: %1</translation>
     </message>
     <message>
-        <source>In force before and behind: %1</source>
-        <translation>Vorher und nachher wirksam: %1</translation>
+        <source>Active before and after: %1</source>
+        <translation>Vorher und nachher aktiv: %1</translation>
     </message>
     <message>
-        <source>In force before: %1</source>
-        <translation>Vorher wirksam: %1</translation>
+        <source>Active before: %1</source>
+        <translation>Vorher aktiv: %1</translation>
     </message>
     <message>
         <source>This line is not executed</source>
@@ -9984,12 +10000,12 @@ Vorgabe: die nächste freie Nummer</translation>
 <context>
     <name>StockChangedBar</name>
     <message>
-        <source>%1 has changed on disk. The simulation starts from what it held before.</source>
-        <translation>%1 wurde auf dem Datenträger geändert. Die Simulation geht vom früheren Inhalt aus.</translation>
+        <source>%1 has changed on disk. The simulation still uses the version read before.</source>
+        <translation>%1 wurde auf dem Datenträger geändert. Die Simulation verwendet noch die zuvor gelesene Version.</translation>
     </message>
     <message>
-        <source>%1 was deleted or renamed on disk. The simulation starts from what it held before; the job cannot be opened without it.</source>
-        <translation>%1 wurde auf dem Datenträger gelöscht oder umbenannt. Die Simulation geht vom früheren Inhalt aus; ohne die Datei lässt sich der Auftrag nicht öffnen.</translation>
+        <source>%1 was deleted or renamed on disk. The simulation still uses the version read before, but the job cannot be opened without the file.</source>
+        <translation>%1 wurde auf dem Datenträger gelöscht oder umbenannt. Die Simulation verwendet noch die zuvor gelesene Version; ohne die Datei lässt sich der Auftrag aber nicht öffnen.</translation>
     </message>
     <message>
         <source>&amp;Reload</source>
@@ -10004,8 +10020,8 @@ Vorgabe: die nächste freie Nummer</translation>
         <translation>Diese Version &amp;behalten</translation>
     </message>
     <message>
-        <source>Continue with the stock as it was read</source>
-        <translation>Mit dem Rohteil fortfahren, wie es gelesen wurde</translation>
+        <source>Continue with the stock read before</source>
+        <translation>Mit dem zuvor gelesenen Rohteil fortfahren</translation>
     </message>
 </context>
 </TS>

@@ -8,12 +8,12 @@
         <translation>3축 밀링 프로그램을 실제 가공 전에 검증합니다.</translation>
     </message>
     <message>
-        <source>The shown surface is decimated locally, by the method of Lee and Lee, while it is cut.</source>
+        <source>The displayed surface is decimated locally while it is cut, by the method of Lee and Lee.</source>
         <translation>표시되는 곡면은 절삭되는 동안 Lee와 Lee의 방법으로 국소적으로 간략화됩니다.</translation>
     </message>
     <message>
-        <source>Free software under the GNU General Public License, version 3 or later. It comes with no warranty; nothing here replaces care at the machine.</source>
-        <translation>GNU 일반 공중 사용 허가서 버전 3 이상의 자유 소프트웨어입니다. 어떠한 보증도 없으며 기계 앞에서의 주의를 대신하지 못합니다.</translation>
+        <source>Free software under the GNU General Public License, version 3 or later. There is no warranty. Prove out every new program at the machine, too.</source>
+        <translation>GNU 일반 공중 사용 허가서 버전 3 이상의 자유 소프트웨어입니다. 어떠한 보증도 없습니다. 새 프로그램은 기계에서도 반드시 검증하십시오.</translation>
     </message>
     <message>
         <source>About Proveout</source>
@@ -40,16 +40,16 @@
         <translation>회전</translation>
     </message>
     <message>
-        <source>Left button</source>
-        <translation>왼쪽 버튼</translation>
+        <source>Left drag, or Alt+arrow keys</source>
+        <translation>왼쪽 버튼으로 끌기 또는 Alt+화살표 키</translation>
     </message>
     <message>
         <source>Pan</source>
         <translation>이동</translation>
     </message>
     <message>
-        <source>Middle button, or Shift and left button</source>
-        <translation>가운데 버튼 또는 Shift+왼쪽 버튼</translation>
+        <source>Middle drag, or Shift+left drag</source>
+        <translation>가운데 버튼으로 끌기 또는 Shift+왼쪽 버튼으로 끌기</translation>
     </message>
     <message>
         <source>Zoom</source>
@@ -60,12 +60,28 @@
         <translation>휠</translation>
     </message>
     <message>
-        <source>Go to the block that made this</source>
-        <translation>이곳을 가공한 블록으로 이동</translation>
+        <source>Go to the cutting block of a point</source>
+        <translation>지점을 절삭한 블록으로 이동</translation>
     </message>
     <message>
-        <source>Ctrl and left button, or the menu of the right button</source>
-        <translation>Ctrl+왼쪽 버튼 또는 오른쪽 버튼 메뉴</translation>
+        <source>Ctrl+click, or G and click, or right-click</source>
+        <translation>Ctrl+클릭, G를 누르고 클릭 또는 오른쪽 클릭</translation>
+    </message>
+    <message>
+        <source>Centre a point and orbit about it</source>
+        <translation>한 지점을 중앙에 놓고 그 둘레로 회전</translation>
+    </message>
+    <message>
+        <source>Double-click with the middle button</source>
+        <translation>가운데 버튼 더블 클릭</translation>
+    </message>
+    <message>
+        <source>Magnify a detail</source>
+        <translation>상세 부분 확대</translation>
+    </message>
+    <message>
+        <source>B and drag a box, or B and click</source>
+        <translation>B를 누르고 상자를 끌거나 클릭</translation>
     </message>
 </context>
 <context>
@@ -75,8 +91,8 @@
         <translation>절삭</translation>
     </message>
     <message>
-        <source>Feed through air</source>
-        <translation>공중 이송</translation>
+        <source>Air cut</source>
+        <translation>공중 절삭</translation>
     </message>
     <message>
         <source>Rapid</source>
@@ -95,7 +111,7 @@
         <translation>아직 시뮬레이션하지 않음</translation>
     </message>
     <message>
-        <source>Blocks %1 to %2, shares of the machine&apos;s time:</source>
+        <source>Blocks %1 to %2, share of machine time:</source>
         <translation>블록 %1~%2, 기계 시간 비율:</translation>
     </message>
     <message>
@@ -103,22 +119,22 @@
         <translation>블록 %1: %2</translation>
     </message>
     <message>
-        <source>Simulated so far: cutting %1, air %2, rapids %3 of the time</source>
-        <translation>지금까지 시뮬레이션: 절삭 %1, 공중 이송 %2, 급속 이송 %3(시간 기준)</translation>
+        <source>Simulated so far: cutting %1, air cut %2, rapid %3 of the time</source>
+        <translation>지금까지 시뮬레이션: 절삭 %1, 공중 절삭 %2, 급속 이송 %3(시간 기준)</translation>
     </message>
 </context>
 <context>
     <name>BreakpointsPanel</name>
     <message>
-        <source>Comparisons (&lt; &lt;= &gt; &gt;= == !=) joined by &amp;&amp; || ! and parentheses of:</source>
-        <translation>비교(&lt; &lt;= &gt; &gt;= == !=)를 &amp;&amp; || ! 와 괄호로 잇습니다:</translation>
+        <source>Compare with &lt; &lt;= &gt; &gt;= == != and combine with &amp;&amp; || ! and parentheses. Values:</source>
+        <translation>&lt; &lt;= &gt; &gt;= == !=로 비교하고 &amp;&amp; || ! 와 괄호로 조합합니다. 값:</translation>
     </message>
     <message>
         <source>Condition</source>
         <translation>조건</translation>
     </message>
     <message>
-        <source>Kind of breakpoint</source>
+        <source>Breakpoint type</source>
         <translation>중단점 종류</translation>
     </message>
     <message>
@@ -126,10 +142,10 @@
         <translation>줄</translation>
     </message>
     <message>
-        <source>The line to stop before
+        <source>Stop before this line
 Range: 1 to %1
 Default: 1</source>
-        <translation>그 앞에서 멈출 줄
+        <translation>이 줄 앞에서 멈춥니다
 범위: 1 ~ %1
 기본값: 1</translation>
     </message>
@@ -138,7 +154,7 @@ Default: 1</source>
         <translation>높이</translation>
     </message>
     <message>
-        <source>The run stops before a block that goes below this height
+        <source>Stop before a block that moves below this height
 Range: %1 to %2 mm
 Default: 0 mm</source>
         <translation>이 높이보다 아래로 내려가는 블록 앞에서 멈춥니다
@@ -150,8 +166,8 @@ Default: 0 mm</source>
         <translation>추가</translation>
     </message>
     <message>
-        <source>Add this breakpoint; a click beside a line of the program adds one there</source>
-        <translation>이 중단점을 추가합니다. 프로그램 줄 옆을 클릭하면 그곳에 추가됩니다</translation>
+        <source>Add this breakpoint; to add one in the editor, click a line number</source>
+        <translation>이 중단점을 추가합니다. 편집기에서는 줄 번호를 클릭하면 추가됩니다</translation>
     </message>
     <message>
         <source>Remove</source>
@@ -184,15 +200,15 @@ Default: 0 mm</source>
 <context>
     <name>CloserLook</name>
     <message>
-        <source>Drag a box on the stock, or click a place.</source>
-        <translation>소재 위에서 상자를 끌어 그리거나 한 곳을 클릭하세요.</translation>
+        <source>Drag a box on the stock, or click a point.</source>
+        <translation>소재 위에서 상자를 끌어 그리거나 한 지점을 클릭하십시오.</translation>
     </message>
     <message>
         <source>At block %1: cutting…</source>
         <translation>블록 %1: 절삭하는 중…</translation>
     </message>
     <message>
-        <source>At block %1: %2 × %3 points, %4 mm apart; %5 triangles, %6 s</source>
+        <source>At block %1: %2 × %3 points, spacing %4 mm; %5 triangles, %6 s</source>
         <translation>블록 %1: %2 × %3개의 점, 간격 %4 mm, 삼각형 %5개, %6초</translation>
     </message>
     <message>
@@ -203,8 +219,8 @@ Default: 0 mm</source>
 <context>
     <name>CloserLookForm</name>
     <message>
-        <source>Closer look</source>
-        <translation>자세히 보기</translation>
+        <source>Magnifier</source>
+        <translation>돋보기</translation>
     </message>
     <message>
         <source>Box:</source>
@@ -215,11 +231,11 @@ Default: 0 mm</source>
         <translation>격자 간격:</translation>
     </message>
     <message>
-        <source>Size of the box along X</source>
+        <source>Box size in X</source>
         <translation>X 방향 상자 크기</translation>
     </message>
     <message>
-        <source>Size of the box along Y</source>
+        <source>Box size in Y</source>
         <translation>Y 방향 상자 크기</translation>
     </message>
     <message>
@@ -231,15 +247,15 @@ Default: 0 mm</source>
         <translation>%1 %2~%3 mm. 기본값: %4 mm.</translation>
     </message>
     <message>
-        <source>How far the box reaches along X; a click makes one of this size.</source>
-        <translation>상자가 X 방향으로 미치는 길이입니다. 클릭하면 이 크기의 상자가 생깁니다.</translation>
+        <source>Size of the box in X; a click makes a box of this size.</source>
+        <translation>X 방향 상자 크기입니다. 클릭하면 이 크기의 상자가 생깁니다.</translation>
     </message>
     <message>
-        <source>How far the box reaches along Y; a click makes one of this size.</source>
-        <translation>상자가 Y 방향으로 미치는 길이입니다. 클릭하면 이 크기의 상자가 생깁니다.</translation>
+        <source>Size of the box in Y; a click makes a box of this size.</source>
+        <translation>Y 방향 상자 크기입니다. 클릭하면 이 크기의 상자가 생깁니다.</translation>
     </message>
     <message>
-        <source>How far the points of the grid in the box lie apart.</source>
+        <source>Distance between the grid points in the box.</source>
         <translation>상자 안 격자점 사이의 거리입니다.</translation>
     </message>
     <message>
@@ -247,8 +263,8 @@ Default: 0 mm</source>
         <translation>취소</translation>
     </message>
     <message>
-        <source>Stop this work</source>
-        <translation>이 작업을 중단합니다</translation>
+        <source>Cancel this task</source>
+        <translation>진행 중인 동작을 취소합니다</translation>
     </message>
     <message>
         <source>Close</source>
@@ -263,8 +279,8 @@ Default: 0 mm</source>
         <translation>다시 절삭</translation>
     </message>
     <message>
-        <source>Cut the box that was cancelled</source>
-        <translation>취소한 상자를 절삭합니다</translation>
+        <source>Cut the cancelled box again</source>
+        <translation>취소한 상자를 다시 절삭합니다</translation>
     </message>
 </context>
 <context>
@@ -309,7 +325,7 @@ Default: 0 mm</source>
 <context>
     <name>ControlPanel</name>
     <message>
-        <source>State of the control</source>
+        <source>Control state</source>
         <translation>제어기 상태</translation>
     </message>
     <message>
@@ -1592,7 +1608,7 @@ Default: 0 mm</source>
         <translation>내보내기가 취소되었습니다.</translation>
     </message>
     <message>
-        <source>Nothing of the stock is left to export.</source>
+        <source>There is no stock left to export.</source>
         <translation>내보낼 소재가 남아 있지 않습니다.</translation>
     </message>
     <message>
@@ -1648,16 +1664,16 @@ Default: 0 mm</source>
         <translation>&quot;{}&quot;은(는) 공구의 키가 아닙니다. &quot;{}&quot;을(를) 뜻한 것일 수 있습니다.</translation>
     </message>
     <message>
-        <source>The program needs more memory to be interpreted than there is.</source>
-        <translation>프로그램을 해석하는 데 필요한 메모리가 있는 메모리보다 많습니다.</translation>
+        <source>There is not enough memory to interpret the program.</source>
+        <translation>프로그램을 해석하는 데 필요한 메모리가 부족합니다.</translation>
     </message>
     <message>
-        <source>The interpretation had to stop: {}.</source>
-        <translation>해석을 중단해야 했습니다: {}.</translation>
+        <source>Interpreting the program failed: {}.</source>
+        <translation>프로그램 해석에 실패했습니다: {}.</translation>
     </message>
     <message>
-        <source>An export is still being written; wait for its end or cancel it.</source>
-        <translation>내보내기가 아직 진행 중입니다. 끝날 때까지 기다리거나 취소하십시오.</translation>
+        <source>A file is still being written. Wait for it, or cancel it.</source>
+        <translation>파일을 아직 쓰는 중입니다. 끝날 때까지 기다리거나 취소하십시오.</translation>
     </message>
     <message>
         <source>The value of {}, “{}”, is not a number.</source>
@@ -1996,11 +2012,11 @@ Default: 0 mm</source>
         <translation>파일이 아니라 폴더입니다.</translation>
     </message>
     <message>
-        <source>The export needs {}; {} may be taken, which is enough for a grid spacing of {} mm.</source>
+        <source>The export needs {} of memory; only {} is available, enough for a grid spacing of {} mm.</source>
         <translation>내보내기에는 {}가 필요하지만 사용할 수 있는 메모리는 {}입니다. 이 메모리로는 격자 간격 {} mm까지 가능합니다.</translation>
     </message>
     <message>
-        <source>The export needs {}; {} may be taken.</source>
+        <source>The export needs {} of memory; only {} is available.</source>
         <translation>내보내기에는 {}가 필요하지만 사용할 수 있는 메모리는 {}입니다.</translation>
     </message>
     <message>
@@ -2200,16 +2216,16 @@ Default: 0 mm</source>
         <translation>영역별로 간략화하고 허용 오차가 0보다 큰 방법에서만 영역 크기와 주기를 고를 수 있습니다.</translation>
     </message>
     <message>
-        <source>The study needs more memory than there is.</source>
+        <source>There is not enough memory for the study.</source>
         <translation>연구에 필요한 메모리가 부족합니다.</translation>
     </message>
     <message>
-        <source>The study had to stop: {}.</source>
-        <translation>연구를 중단해야 했습니다: {}.</translation>
+        <source>The study failed: {}.</source>
+        <translation>연구에 실패했습니다: {}.</translation>
     </message>
     <message>
-        <source>OpenGL 3.3 is not to be had on this display.</source>
-        <translation>이 디스플레이에서는 OpenGL 3.3을 사용할 수 없습니다.</translation>
+        <source>OpenGL 3.3 is not available.</source>
+        <translation>OpenGL 3.3을 사용할 수 없습니다.</translation>
     </message>
     <message>
         <source>The motions of the program need more than {} of memory; interpretation ends here.</source>
@@ -2240,7 +2256,7 @@ Default: 0 mm</source>
         <translation>{} × {}점의 격자에는 {}가 필요하지만 사용할 수 있는 메모리는 {}입니다. 이 메모리로는 {} mm 간격까지 가능합니다.</translation>
     </message>
     <message>
-        <source>Choose a wider grid spacing, or close programs.</source>
+        <source>Increase the grid spacing, or close other programs.</source>
         <translation>격자 간격을 넓히거나 다른 프로그램을 닫으십시오.</translation>
     </message>
     <message>
@@ -4304,15 +4320,15 @@ Default: 0 mm</source>
         <translation>파일 읽기를 취소했습니다.</translation>
     </message>
     <message>
-        <source>The file needs more memory to be read than there is.</source>
+        <source>There is not enough memory to read the file.</source>
         <translation>파일을 읽는 데 필요한 메모리가 부족합니다.</translation>
     </message>
     <message>
-        <source>Reading the file had to stop: {}.</source>
-        <translation>파일 읽기를 중단해야 했습니다: {}.</translation>
+        <source>Reading the file failed: {}.</source>
+        <translation>파일 읽기에 실패했습니다: {}.</translation>
     </message>
     <message>
-        <source>The file was not opened, because the open program was changed while the file was being read.</source>
+        <source>The file was not opened because the open program was edited while the file was being read.</source>
         <translation>파일을 읽는 동안 열려 있는 프로그램이 변경되어 파일을 열지 않았습니다.</translation>
     </message>
     <message>
@@ -4792,7 +4808,7 @@ Default: 0 mm</source>
         <translation>이런 틈 위에서 프로그램이 하는 일은 다른 방법으로 확인하십시오.</translation>
     </message>
     <message>
-        <source>The stock needs more memory than there is.</source>
+        <source>There is not enough memory for the stock.</source>
         <translation>소재에 필요한 메모리가 부족합니다.</translation>
     </message>
     <message>
@@ -4996,16 +5012,16 @@ Default: 0 mm</source>
         <translation>절삭에서 다음 절삭까지의 시간입니다.</translation>
     </message>
     <message>
-        <source>The box needs more memory than there is.</source>
-        <translation>상자에 필요한 메모리가 남은 메모리보다 큽니다.</translation>
+        <source>There is not enough memory for the detail region.</source>
+        <translation>상세 영역에 필요한 메모리가 부족합니다.</translation>
     </message>
     <message>
-        <source>The box could not be cut: {}.</source>
-        <translation>상자를 절삭하지 못했습니다: {}.</translation>
+        <source>The detail region could not be cut: {}.</source>
+        <translation>상세 영역을 절삭하지 못했습니다: {}.</translation>
     </message>
     <message>
-        <source>The block that made this place could not be found: {}.</source>
-        <translation>이곳을 가공한 블록을 찾지 못했습니다: {}.</translation>
+        <source>The block that cut this point could not be found: {}.</source>
+        <translation>이 지점을 절삭한 블록을 찾지 못했습니다: {}.</translation>
     </message>
     <message>
         <source>“{}” does not begin with a tool number from {} to {}, as in {}.</source>
@@ -5548,8 +5564,8 @@ Default: 0 mm</source>
         <translation>소재 파일을 고르거나 다른 형상을 선택하십시오.</translation>
     </message>
     <message>
-        <source>Keeping unsaved changes had to stop: {}.</source>
-        <translation>저장하지 않은 변경의 보관을 중단해야 했습니다: {}.</translation>
+        <source>Unsaved changes are no longer backed up: {}.</source>
+        <translation>저장하지 않은 변경이 더 이상 백업되지 않습니다: {}.</translation>
     </message>
     <message>
         <source>Save under another name (File &gt; Save As).</source>
@@ -5560,8 +5576,8 @@ Default: 0 mm</source>
         <translation>디스크의 파일이 변경되어 덮어쓰지 않았습니다.</translation>
     </message>
     <message>
-        <source>The record of the session is damaged.</source>
-        <translation>세션 기록이 손상되었습니다.</translation>
+        <source>The backup of this session is damaged.</source>
+        <translation>이 세션의 백업이 손상되었습니다.</translation>
     </message>
     <message>
         <source>{} of {} facets are duplicates of another facet.</source>
@@ -5608,12 +5624,12 @@ Default: 0 mm</source>
         <translation>프로그램이 공구를 호출하지 않습니다. 이송을 시뮬레이션하지 않습니다.</translation>
     </message>
     <message>
-        <source>The file of the stock has changed on disk; the simulation starts from what it held before.</source>
-        <translation>디스크에서 소재 파일이 변경되었습니다. 시뮬레이션은 이전 내용에서 시작합니다.</translation>
+        <source>The stock file has changed on disk; the simulation still uses the version read before.</source>
+        <translation>디스크에서 소재 파일이 변경되었습니다. 시뮬레이션은 이전에 읽은 버전을 사용합니다.</translation>
     </message>
     <message>
-        <source>Reload the stock in the setup, or keep it as it is.</source>
-        <translation>셋업에서 소재를 다시 읽거나 그대로 유지하십시오.</translation>
+        <source>Reload the stock in the Setup panel, or keep the current version.</source>
+        <translation>셋업 패널에서 소재를 다시 읽거나 현재 버전을 유지하십시오.</translation>
     </message>
     <message>
         <source>rpm</source>
@@ -7343,7 +7359,7 @@ Default: 0 mm</source>
 <context>
     <name>CycleTime</name>
     <message>
-        <source>Cycle time up to this block / of the program</source>
+        <source>Cycle time to this block / of the program</source>
         <translation>이 블록까지의 가공 시간 / 전체 가공 시간</translation>
     </message>
     <message>
@@ -7351,12 +7367,12 @@ Default: 0 mm</source>
         <translation>절삭 %1, 급속 %2, 드웰 %3, 공구 교환 %4</translation>
     </message>
     <message>
-        <source>The machine is assumed; describe yours in the Setup panel.</source>
-        <translation>기계 값은 가정한 것입니다. 셋업 패널에서 기계를 입력하세요.</translation>
+        <source>Default machine values; enter those of your machine in the Setup panel.</source>
+        <translation>기본 기계 값입니다. 셋업 패널에서 실제 기계의 값을 입력하십시오.</translation>
     </message>
     <message>
-        <source>%1 motions have no feed; the largest is taken.</source>
-        <translation>동작 %1개에 이송이 없어 최대 이송을 썼습니다.</translation>
+        <source>%1 moves have no feed rate; the maximum is assumed.</source>
+        <translation>이송 속도가 없는 동작 %1개는 최대 이송 속도로 가정합니다.</translation>
     </message>
 </context>
 <context>
@@ -7451,7 +7467,7 @@ Default: 0 mm</source>
         <translation>붙여넣기(&amp;P)</translation>
     </message>
     <message>
-        <source>Insert the text of the clipboard</source>
+        <source>Insert the text from the clipboard</source>
         <translation>클립보드의 텍스트를 넣습니다</translation>
     </message>
     <message>
@@ -7467,7 +7483,7 @@ Default: 0 mm</source>
         <translation>모두 선택(&amp;A)</translation>
     </message>
     <message>
-        <source>Select the whole text</source>
+        <source>Select all of the text</source>
         <translation>텍스트 전체를 선택합니다</translation>
     </message>
     <message>
@@ -7507,7 +7523,7 @@ Default: 0 mm</source>
         <translation>커서까지 실행(&amp;S)</translation>
     </message>
     <message>
-        <source>Show the stock after the line of the cursor</source>
+        <source>Show the stock after the cursor line</source>
         <translation>커서가 있는 줄까지 가공한 소재를 표시합니다</translation>
     </message>
     <message>
@@ -7515,15 +7531,15 @@ Default: 0 mm</source>
         <translation>중단점 전환(&amp;B)</translation>
     </message>
     <message>
-        <source>Set or remove a breakpoint at the line of the cursor</source>
+        <source>Set or remove a breakpoint at the cursor line</source>
         <translation>커서가 있는 줄에 중단점을 설정하거나 제거합니다</translation>
     </message>
     <message>
-        <source>Undo the last change where the focus is: in the text, or in setup, tuning and machine</source>
+        <source>Undo the last change where the focus is: program text, or setup, tuning and machine</source>
         <translation>포커스가 있는 곳(텍스트 또는 셋업, 조정, 기계)의 마지막 변경을 실행 취소합니다</translation>
     </message>
     <message>
-        <source>Redo the change that was undone last</source>
+        <source>Redo the last undone change</source>
         <translation>마지막으로 실행 취소한 변경을 다시 실행합니다</translation>
     </message>
 </context>
@@ -7541,34 +7557,34 @@ Default: 0 mm</source>
         <translation>NC 프로그램</translation>
     </message>
     <message>
-        <source>Shown read-only and with its lines cut off, because line %1 has more than %2 characters.</source>
-        <translation>%1번째 줄이 %2자를 넘으므로 읽기 전용으로, 줄을 잘라서 표시합니다.</translation>
+        <source>Read-only, with lines truncated: line %1 has more than %2 characters.</source>
+        <translation>읽기 전용이며 줄을 잘라 표시합니다. %1번째 줄이 %2자를 넘습니다.</translation>
     </message>
     <message>
-        <source>Shown read-only, because the file is larger than 10 MB.</source>
-        <translation>파일이 10 MB보다 커서 읽기 전용으로 표시합니다.</translation>
+        <source>Read-only: the file is larger than 10 MB.</source>
+        <translation>읽기 전용: 파일이 10 MB보다 큽니다.</translation>
     </message>
     <message>
         <source>F&amp;ollow Program</source>
         <translation>프로그램 따라가기(&amp;O)</translation>
     </message>
     <message>
-        <source>Keep the current line in sight while the program plays; typing, clicking or scrolling in the text turns this off until playback is started again</source>
+        <source>Keep the current line in view during playback; typing, clicking or scrolling in the text turns this off until playback is restarted</source>
         <translation>프로그램을 재생하는 동안 현재 줄이 보이도록 유지합니다. 텍스트에서 입력, 클릭 또는 스크롤하면 재생을 다시 시작할 때까지 꺼집니다</translation>
     </message>
 </context>
 <context>
     <name>Export</name>
     <message>
-        <source>largest error %1 mm, with every z-map point</source>
-        <translation>최대 오차 %1 mm, 모든 Z맵 점 포함</translation>
+        <source>full resolution, largest error %1 mm</source>
+        <translation>전체 해상도, 최대 오차 %1 mm</translation>
     </message>
     <message>
-        <source>largest error measured %1 mm, not a bound</source>
-        <translation>측정된 최대 오차 %1 mm, 한계로 보장되지 않음</translation>
+        <source>largest measured error %1 mm, not guaranteed</source>
+        <translation>측정된 최대 오차 %1 mm, 보장되지 않음</translation>
     </message>
     <message>
-        <source>largest error %1 mm, beyond the allowance of %2 mm</source>
+        <source>largest error %1 mm exceeds the allowance of %2 mm</source>
         <translation>최대 오차 %1 mm, 허용 오차 %2 mm 초과</translation>
     </message>
     <message>
@@ -7576,12 +7592,12 @@ Default: 0 mm</source>
         <translation>최대 오차 %1 mm, 모든 Z맵 점에서 %2 mm 이내 보증</translation>
     </message>
     <message>
-        <source>%1 exists already. Replace it?</source>
+        <source>%1 already exists. Replace it?</source>
         <translation>%1 파일이 이미 있습니다. 바꿀까요?</translation>
     </message>
     <message>
-        <source>Wrote %1: %2</source>
-        <translation>%1 저장됨: %2</translation>
+        <source>Exported %1: %2</source>
+        <translation>%1 내보냄: %2</translation>
     </message>
     <message>
         <source>%1: %2 triangles, %3</source>
@@ -7603,11 +7619,11 @@ Default: 0 mm</source>
 <context>
     <name>FileChangedBar</name>
     <message>
-        <source>Read the file again; changes made here are lost</source>
-        <translation>파일을 다시 읽습니다. 여기서 변경한 내용은 없어집니다</translation>
+        <source>Read the file again; your unsaved changes are lost</source>
+        <translation>파일을 다시 읽습니다. 저장하지 않은 변경은 없어집니다</translation>
     </message>
     <message>
-        <source>%1 was deleted or renamed on disk. Saving writes it again.</source>
+        <source>%1 was deleted or renamed on disk. Saving creates it again.</source>
         <translation>디스크에서 %1이(가) 삭제되었거나 이름이 바뀌었습니다. 저장하면 다시 만듭니다.</translation>
     </message>
     <message>
@@ -7631,7 +7647,7 @@ Default: 0 mm</source>
         <translation>내 버전 유지(&amp;K)</translation>
     </message>
     <message>
-        <source>Continue with the version of this window</source>
+        <source>Continue with the version in this window</source>
         <translation>이 창의 버전으로 계속합니다</translation>
     </message>
     <message>
@@ -7639,7 +7655,7 @@ Default: 0 mm</source>
         <translation>비교(&amp;C)…</translation>
     </message>
     <message>
-        <source>Show where the file and this window differ</source>
+        <source>Show the differences between the file and this window</source>
         <translation>파일과 이 창의 차이를 표시합니다</translation>
     </message>
 </context>
@@ -7650,8 +7666,8 @@ Default: 0 mm</source>
         <translation>새로 만들기(&amp;N)</translation>
     </message>
     <message>
-        <source>Begin an empty NC program</source>
-        <translation>빈 NC 프로그램을 시작합니다</translation>
+        <source>Create an empty NC program</source>
+        <translation>빈 NC 프로그램을 만듭니다</translation>
     </message>
     <message>
         <source>&amp;Open…</source>
@@ -7666,7 +7682,7 @@ Default: 0 mm</source>
         <translation>저장(&amp;S)</translation>
     </message>
     <message>
-        <source>Save the NC program, and its job where it has one</source>
+        <source>Save the NC program, and its job if it has one</source>
         <translation>NC 프로그램과, 있으면 그 작업을 저장합니다</translation>
     </message>
     <message>
@@ -7682,8 +7698,8 @@ Default: 0 mm</source>
         <translation>작업을 다른 이름으로 저장(&amp;J)…</translation>
     </message>
     <message>
-        <source>Save stock, tools and parameters with the name of the program</source>
-        <translation>소재, 공구, 매개변수를 프로그램 이름과 함께 저장합니다</translation>
+        <source>Save stock, tools and parameters of the program as a job</source>
+        <translation>프로그램의 소재, 공구, 파라미터를 작업으로 저장합니다</translation>
     </message>
     <message>
         <source>&amp;Quit</source>
@@ -7698,8 +7714,8 @@ Default: 0 mm</source>
         <translation>소재 저장(&amp;T)…</translation>
     </message>
     <message>
-        <source>Save what is left of the stock, for the next setup</source>
-        <translation>다음 셋업을 위해 소재에서 남은 것을 저장</translation>
+        <source>Save the remaining stock for the next setup</source>
+        <translation>남은 소재를 다음 셋업용으로 저장합니다</translation>
     </message>
 </context>
 <context>
@@ -7733,7 +7749,7 @@ Default: 0 mm</source>
         <translation>저장하지 않은 변경</translation>
     </message>
     <message>
-        <source>Drop one file of this computer.</source>
+        <source>Drop a single file from this computer.</source>
         <translation>이 컴퓨터의 파일 하나를 끌어다 놓으십시오.</translation>
     </message>
     <message>
@@ -7741,8 +7757,8 @@ Default: 0 mm</source>
         <translation>폴더는 열 수 없습니다. NC 프로그램이나 작업을 끌어다 놓으십시오.</translation>
     </message>
     <message>
-        <source>A mesh is not a program. To cut it, choose it as the stock in the setup.</source>
-        <translation>메시는 프로그램이 아닙니다. 가공하려면 설정에서 소재로 선택하십시오.</translation>
+        <source>A mesh is not a program. To cut it, choose it as the stock in the Setup panel.</source>
+        <translation>메시는 프로그램이 아닙니다. 가공하려면 셋업 패널에서 소재로 선택하십시오.</translation>
     </message>
     <message>
         <source>Export Decimated Mesh</source>
@@ -7753,24 +7769,24 @@ Default: 0 mm</source>
         <translation>전체 해상도 메시 내보내기</translation>
     </message>
     <message>
-        <source>Export under way</source>
+        <source>Export in progress</source>
         <translation>내보내기 진행 중</translation>
     </message>
     <message>
-        <source>An export is still being written.</source>
-        <translation>내보내기가 아직 진행 중입니다.</translation>
+        <source>A file is still being written.</source>
+        <translation>파일을 아직 쓰는 중입니다.</translation>
     </message>
     <message>
-        <source>Close when the file is written, or now, without it?</source>
-        <translation>파일을 다 쓴 뒤에 닫을까요, 아니면 파일 없이 지금 닫을까요?</translation>
+        <source>Close after the file is written, or discard the file and close now?</source>
+        <translation>파일을 다 쓴 뒤에 닫을까요, 아니면 파일을 버리고 지금 닫을까요?</translation>
     </message>
     <message>
         <source>&amp;Wait for the File</source>
         <translation>파일을 기다리기(&amp;W)</translation>
     </message>
     <message>
-        <source>&amp;Drop the Export</source>
-        <translation>내보내기 버리기(&amp;D)</translation>
+        <source>&amp;Discard the File</source>
+        <translation>파일 버리기(&amp;D)</translation>
     </message>
     <message>
         <source>Save Stock</source>
@@ -7781,7 +7797,7 @@ Default: 0 mm</source>
         <translation>Proveout 소재 (*.pvstock)</translation>
     </message>
     <message>
-        <source>Saved as %1; %2 keeps the other version.</source>
+        <source>Saved as %1; the other version is still in %2.</source>
         <translation>%1(으)로 저장했습니다. 다른 버전은 %2에 남아 있습니다.</translation>
     </message>
     <message>
@@ -7901,7 +7917,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Choose the dialect of the program</source>
-        <translation>프로그램의 방언을 선택합니다</translation>
+        <translation>프로그램의 제어기 방식을 선택합니다</translation>
     </message>
 </context>
 <context>
@@ -7927,7 +7943,7 @@ Default: automatic</source>
         <translation>자동 격자 간격</translation>
     </message>
     <message>
-        <source>A tenth of the diameter of the smallest cutter, with 1 to 4 million points</source>
+        <source>One tenth of the smallest cutter diameter, with 1 to 4 million points</source>
         <translation>가장 작은 공구 지름의 10분의 1, 점 100만~400만 개</translation>
     </message>
 </context>
@@ -7946,11 +7962,11 @@ Default: automatic</source>
         <translation>앞으로 →</translation>
     </message>
     <message>
-        <source>Pages of the user guide</source>
+        <source>User guide pages</source>
         <translation>사용 설명서의 페이지 목록</translation>
     </message>
     <message>
-        <source>Page of the user guide</source>
+        <source>User guide page</source>
         <translation>사용 설명서의 페이지</translation>
     </message>
 </context>
@@ -7969,8 +7985,8 @@ Default: automatic</source>
         <translation>키와 마우스(&amp;K)</translation>
     </message>
     <message>
-        <source>List all keys of the program</source>
-        <translation>프로그램의 모든 단축키를 나열합니다</translation>
+        <source>List all keyboard shortcuts and mouse actions</source>
+        <translation>모든 단축키와 마우스 동작을 표시합니다</translation>
     </message>
     <message>
         <source>&amp;Start Page</source>
@@ -7993,7 +8009,7 @@ Default: automatic</source>
         <translation>Qt 정보(&amp;Q)</translation>
     </message>
     <message>
-        <source>About the library of the user interface</source>
+        <source>About the user interface library</source>
         <translation>사용자 인터페이스 라이브러리 정보</translation>
     </message>
 </context>
@@ -8020,8 +8036,8 @@ Default: automatic</source>
         <translation>예: 16, 24, 25</translation>
     </message>
     <message>
-        <source>M codes that move no axis on this machine: clamps, doors, air, chip conveyor. They are ignored and listed; other unknown codes leave the rest unverified.</source>
-        <translation>이 기계에서 축을 움직이지 않는 M 코드입니다: 클램프, 도어, 에어, 칩 컨베이어. 무시하고 목록에 표시합니다. 알 수 없는 다른 코드가 있으면 그 뒤는 검증되지 않습니다.</translation>
+        <source>M codes that move no axis on this machine: clamps, doors, air, chip conveyor. They are ignored and listed as notes. Results after any other unknown code are unverified.</source>
+        <translation>이 기계에서 축을 움직이지 않는 M 코드입니다: 클램프, 도어, 에어, 칩 컨베이어. 무시하고 참고로 표시합니다. 그 밖의 알 수 없는 코드 이후의 결과는 검증되지 않습니다.</translation>
     </message>
 </context>
 <context>
@@ -8068,7 +8084,7 @@ Default: automatic</source>
     </message>
     <message>
         <source>Cutter compensation start-up</source>
-        <translation>공구경 보정 시작 방식</translation>
+        <translation>공구경 보정 스타트업</translation>
     </message>
     <message>
         <source>Tool T%1</source>
@@ -8092,7 +8108,7 @@ Default: automatic</source>
     </message>
     <message>
         <source>Decimation parameters</source>
-        <translation>간략화 매개변수</translation>
+        <translation>간략화 파라미터</translation>
     </message>
     <message>
         <source>Machine</source>
@@ -8140,7 +8156,7 @@ Default: %4 %5</source>
 <context>
     <name>MainWindow</name>
     <message>
-        <source>As the &amp;System</source>
+        <source>Same as &amp;System</source>
         <translation>시스템 설정(&amp;S)</translation>
     </message>
     <message>
@@ -8152,7 +8168,7 @@ Default: %4 %5</source>
         <translation>어둡게(&amp;D)</translation>
     </message>
     <message>
-        <source>Tool bar</source>
+        <source>Toolbar</source>
         <translation>도구 모음</translation>
     </message>
 </context>
@@ -8218,28 +8234,28 @@ Default: %4 %5</source>
 <context>
     <name>MeshCommands</name>
     <message>
-        <source>Write the decimated stock as a closed solid</source>
-        <translation>간략화된 소재를 닫힌 솔리드로 저장합니다</translation>
+        <source>Export the decimated mesh as a closed solid</source>
+        <translation>간략화된 메시를 닫힌 솔리드로 내보냅니다</translation>
     </message>
     <message>
-        <source>Write the stock with every point of the z-map</source>
-        <translation>Z맵의 모든 점으로 소재를 저장합니다</translation>
+        <source>Export the mesh with every z-map point</source>
+        <translation>모든 Z맵 점을 포함한 메시를 내보냅니다</translation>
     </message>
     <message>
         <source>&amp;Tune Decimation</source>
         <translation>간략화 조정(&amp;T)</translation>
     </message>
     <message>
-        <source>Show the parameters of decimation</source>
-        <translation>간략화 매개변수를 표시합니다</translation>
+        <source>Show the decimation parameters</source>
+        <translation>간략화 파라미터를 표시합니다</translation>
     </message>
     <message>
         <source>&amp;Default Parameters</source>
-        <translation>기본 매개변수(&amp;D)</translation>
+        <translation>기본 파라미터(&amp;D)</translation>
     </message>
     <message>
-        <source>Bring all parameters of decimation back to their defaults</source>
-        <translation>간략화 매개변수를 모두 기본값으로 되돌립니다</translation>
+        <source>Reset all decimation parameters to their defaults</source>
+        <translation>간략화 파라미터를 모두 기본값으로 되돌립니다</translation>
     </message>
     <message>
         <source>&amp;Export Mesh…</source>
@@ -8312,7 +8328,7 @@ Default: %4 %5</source>
     </message>
     <message>
         <source>Parameters changed here</source>
-        <translation>여기서 매개변수가 바뀌었습니다</translation>
+        <translation>여기서 파라미터가 바뀌었습니다</translation>
     </message>
     <message>
         <source>%1 (log)</source>
@@ -8323,8 +8339,8 @@ Default: %4 %5</source>
         <translation>아직 그리지 않음</translation>
     </message>
     <message>
-        <source>Upload and drawing: mean of blocks %1 to %2 (one picture)</source>
-        <translation>업로드와 그리기: 블록 %1~%2의 평균(한 화면)</translation>
+        <source>Upload and drawing: mean of blocks %1 to %2 (one frame)</source>
+        <translation>전송과 그리기: 블록 %1~%2의 평균(한 화면)</translation>
     </message>
 </context>
 <context>
@@ -8394,16 +8410,16 @@ Default: %4 %5</source>
         <translation>축방향 깊이</translation>
     </message>
     <message>
-        <source>Depth (mm)</source>
-        <translation>깊이 (mm)</translation>
+        <source>Depth ap (mm)</source>
+        <translation>깊이 ap (mm)</translation>
     </message>
     <message>
         <source>Radial Engagement</source>
         <translation>반경방향 물림</translation>
     </message>
     <message>
-        <source>Width (mm)</source>
-        <translation>폭 (mm)</translation>
+        <source>Width ae (mm)</source>
+        <translation>폭 ae (mm)</translation>
     </message>
     <message>
         <source>Removal rate</source>
@@ -8418,8 +8434,8 @@ Default: %4 %5</source>
         <translation>절삭률</translation>
     </message>
     <message>
-        <source>Rate (mm³/min)</source>
-        <translation>절삭률 (mm³/min)</translation>
+        <source>MRR (mm³/min)</source>
+        <translation>MRR (mm³/min)</translation>
     </message>
     <message>
         <source>Volume per Length</source>
@@ -8445,8 +8461,8 @@ Default: %4 %5</source>
         <translation>따라가기</translation>
     </message>
     <message>
-        <source>Keep the current block in the picture; dragging a plot stops it</source>
-        <translation>현재 블록이 보이도록 유지합니다. 그래프를 끌면 멈춥니다</translation>
+        <source>Keep the current block in view; dragging a plot turns this off</source>
+        <translation>현재 블록이 보이도록 유지합니다. 그래프를 끌면 꺼집니다</translation>
     </message>
     <message>
         <source>Export Plot</source>
@@ -8581,8 +8597,8 @@ Default: %4 %5</source>
         <translation>%1(없음)</translation>
     </message>
     <message>
-        <source>This file is no longer there.</source>
-        <translation>이 파일은 더 이상 없습니다.</translation>
+        <source>File not found.</source>
+        <translation>파일을 찾을 수 없습니다.</translation>
     </message>
 </context>
 <context>
@@ -8592,8 +8608,8 @@ Default: %4 %5</source>
         <translation>제목 없음</translation>
     </message>
     <message>
-        <source>in the kept version</source>
-        <translation>보관된 버전에</translation>
+        <source>in the backup</source>
+        <translation>백업에</translation>
     </message>
     <message>
         <source>Setup</source>
@@ -8608,8 +8624,8 @@ Default: %4 %5</source>
         <translation>%1의 저장하지 않은 변경을 버릴까요?</translation>
     </message>
     <message>
-        <source>The kept version is deleted. The file on disk stays as it is.</source>
-        <translation>보관된 버전이 삭제됩니다. 디스크의 파일은 그대로 유지됩니다.</translation>
+        <source>The backup will be deleted. The file on disk is not changed.</source>
+        <translation>백업이 삭제됩니다. 디스크의 파일은 변경되지 않습니다.</translation>
     </message>
 </context>
 <context>
@@ -8643,24 +8659,24 @@ Default: %4 %5</source>
         <translation>복원</translation>
     </message>
     <message>
-        <source>Open the kept version as unsaved changes; the file stays as it is</source>
-        <translation>보관된 버전을 저장하지 않은 변경으로 엽니다. 파일은 그대로 유지됩니다</translation>
+        <source>Open the backup as unsaved changes; the file is not changed</source>
+        <translation>백업을 저장하지 않은 변경으로 엽니다. 파일은 변경되지 않습니다</translation>
     </message>
     <message>
         <source>Compare…</source>
         <translation>비교…</translation>
     </message>
     <message>
-        <source>Show where the kept version and the file differ</source>
-        <translation>보관된 버전과 파일의 차이를 표시합니다</translation>
+        <source>Show the differences between the backup and the file</source>
+        <translation>백업과 파일의 차이를 표시합니다</translation>
     </message>
     <message>
         <source>Discard</source>
         <translation>버리기</translation>
     </message>
     <message>
-        <source>Delete the kept version; the file stays as it is</source>
-        <translation>보관된 버전을 삭제합니다. 파일은 그대로 유지됩니다</translation>
+        <source>Delete the backup; the file is not changed</source>
+        <translation>백업을 삭제합니다. 파일은 변경되지 않습니다</translation>
     </message>
 </context>
 <context>
@@ -8670,7 +8686,7 @@ Default: %4 %5</source>
         <translation>소재(블록 %1/%2 이후)</translation>
     </message>
     <message>
-        <source>Program not run to its end</source>
+        <source>Program not run to the end</source>
         <translation>프로그램이 끝까지 실행되지 않음</translation>
     </message>
     <message>
@@ -8678,24 +8694,24 @@ Default: %4 %5</source>
         <translation>시뮬레이션이 블록 %1/%2에 있습니다.</translation>
     </message>
     <message>
-        <source>Export the stock as it is now, or run the program to the end first?</source>
-        <translation>소재를 지금 상태로 내보낼까요, 아니면 먼저 프로그램을 끝까지 실행할까요?</translation>
+        <source>Use the stock as it is now, or run the program to the end first?</source>
+        <translation>소재를 지금 상태로 사용할까요, 아니면 먼저 프로그램을 끝까지 실행할까요?</translation>
     </message>
     <message>
         <source>&amp;Run to the End First</source>
         <translation>먼저 끝까지 실행(&amp;R)</translation>
     </message>
     <message>
-        <source>&amp;Export This Block</source>
-        <translation>이 블록 내보내기(&amp;E)</translation>
+        <source>&amp;Use Stock as Is</source>
+        <translation>지금 상태 사용(&amp;U)</translation>
     </message>
     <message>
         <source>Run to the End</source>
         <translation>끝까지 실행</translation>
     </message>
     <message>
-        <source>The program runs to its end before the export.</source>
-        <translation>내보내기 전에 프로그램을 끝까지 실행합니다.</translation>
+        <source>Running the program to the end…</source>
+        <translation>프로그램을 끝까지 실행하는 중…</translation>
     </message>
 </context>
 <context>
@@ -8722,7 +8738,7 @@ Default: %4 %5</source>
     <message>
         <source>Another program or window wrote it at %1. Saving here would overwrite those changes.
 
-Keep Both saves your version as a new file beside it.</source>
+Keep Both saves your version as a new file in the same folder.</source>
         <translation>%1에 다른 프로그램이나 창이 이 파일을 저장했습니다. 여기서 저장하면 그 변경을 덮어씁니다.
 
 ‘둘 다 유지’를 선택하면 현재 버전을 같은 폴더에 새 파일로 저장합니다.</translation>
@@ -8748,7 +8764,7 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>%1은(는) 열려 있는 작업의 소재입니다.</translation>
     </message>
     <message>
-        <source>If you overwrite it, the job starts from its own result the next time it is opened.</source>
+        <source>If you overwrite it, the job will start from its own result the next time it is opened.</source>
         <translation>덮어쓰면 다음에 작업을 열 때 자신의 결과에서 시작합니다.</translation>
     </message>
 </context>
@@ -8771,14 +8787,14 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>파일 여는 중</translation>
     </message>
     <message>
-        <source>Looking for the block</source>
+        <source>Searching for the block</source>
         <translation>블록을 찾는 중</translation>
     </message>
 </context>
 <context>
     <name>SetupPanel</name>
     <message>
-        <source>%1 × %2 points, %3 × %4 mm apart; needs about %5</source>
+        <source>%1 × %2 points, spacing %3 × %4 mm; needs about %5</source>
         <translation>%1 × %2점, 간격 %3 × %4 mm, 약 %5 필요</translation>
     </message>
     <message>
@@ -8802,16 +8818,16 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>블록 스킵(/)</translation>
     </message>
     <message>
-        <source>Block delete, as the switch on the control</source>
-        <translation>제어기의 블록 스킵 스위치와 같습니다</translation>
+        <source>Skip blocks that start with /, like the switch on the control</source>
+        <translation>제어기의 블록 스킵 스위치처럼 /로 시작하는 블록을 건너뜁니다</translation>
     </message>
     <message>
         <source>Control</source>
         <translation>제어기</translation>
     </message>
     <message>
-        <source>How the program is read: arcs, cycles, offsets and numbers differ from control to control</source>
-        <translation>프로그램을 읽는 방식입니다. 원호, 사이클, 옵셋, 숫자는 제어기마다 다르게 읽습니다</translation>
+        <source>The control that the program is written for; arcs, cycles, offsets and numbers differ from control to control</source>
+        <translation>프로그램을 작성한 대상 제어기입니다. 원호, 사이클, 옵셋, 숫자를 읽는 방식은 제어기마다 다릅니다</translation>
     </message>
     <message>
         <source>Automatic: %1</source>
@@ -8838,11 +8854,11 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>B형: 바깥쪽 코너를 돌아서</translation>
     </message>
     <message>
-        <source>How compensation begins and ends at outside corners, as set on the control: SUP in parameter 5003 of Fanuc, setting 43 of Haas</source>
-        <translation>바깥쪽 코너에서 보정을 시작하고 끝내는 방식으로, 제어기 설정과 같습니다. Fanuc은 파라미터 5003의 SUP, Haas는 설정 43입니다</translation>
+        <source>Start-up and cancel of cutter compensation at outside corners, as set on the control: Fanuc parameter 5003 (SUP), Haas setting 43</source>
+        <translation>바깥쪽 코너에서 공구경 보정의 스타트업과 취소 방식으로, 제어기 설정과 같습니다: Fanuc 파라미터 5003(SUP), Haas 설정 43</translation>
     </message>
     <message>
-        <source>Reading %1 …</source>
+        <source>Reading %1…</source>
         <translation>%1 읽는 중…</translation>
     </message>
     <message>
@@ -8881,8 +8897,8 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>오류</translation>
     </message>
     <message>
-        <source>Fault</source>
-        <translation>결함</translation>
+        <source>Machining fault</source>
+        <translation>가공 결함</translation>
     </message>
 </context>
 <context>
@@ -8964,15 +8980,15 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>이전 공구 교환(&amp;T)</translation>
     </message>
     <message>
-        <source>Go back to the last tool change</source>
-        <translation>직전 공구 교환으로 돌아갑니다</translation>
+        <source>Go back to the previous tool change</source>
+        <translation>이전 공구 교환으로 돌아갑니다</translation>
     </message>
     <message>
         <source>Next T&amp;ool Change</source>
         <translation>다음 공구 교환(&amp;O)</translation>
     </message>
     <message>
-        <source>Go on to the next tool change</source>
+        <source>Go to the next tool change</source>
         <translation>다음 공구 교환으로 이동합니다</translation>
     </message>
     <message>
@@ -9000,8 +9016,8 @@ Keep Both saves your version as a new file beside it.</source>
         <translation>이전 위치로 돌아가기(&amp;U)</translation>
     </message>
     <message>
-        <source>Go back to where you were before you went to the block that made a place</source>
-        <translation>어떤 곳을 가공한 블록으로 이동하기 전의 위치로 돌아갑니다</translation>
+        <source>Go back to the position before the jump to a cutting block</source>
+        <translation>절삭한 블록으로 이동하기 전의 위치로 돌아갑니다</translation>
     </message>
 </context>
 <context>
@@ -9067,8 +9083,8 @@ Default: 0 mm</source>
         <translation>새 프로그램</translation>
     </message>
     <message>
-        <source>Begin an empty NC program</source>
-        <translation>빈 NC 프로그램을 시작합니다</translation>
+        <source>Create an empty NC program</source>
+        <translation>빈 NC 프로그램을 만듭니다</translation>
     </message>
     <message>
         <source>Samples</source>
@@ -9087,22 +9103,22 @@ Default: 0 mm</source>
         <translation>언어</translation>
     </message>
     <message>
-        <source>Language of the program</source>
-        <translation>프로그램 언어</translation>
+        <source>Language of the user interface</source>
+        <translation>사용자 인터페이스 언어</translation>
     </message>
     <message>
         <source>%1
-This file is no longer there.</source>
+File not found.</source>
         <translation>%1
-이 파일은 더 이상 없습니다.</translation>
+파일을 찾을 수 없습니다.</translation>
     </message>
     <message>
         <source>Back to %1</source>
         <translation>%1(으)로 돌아가기</translation>
     </message>
     <message>
-        <source>Show what is open again (Esc)</source>
-        <translation>열려 있는 문서를 다시 표시합니다 (Esc)</translation>
+        <source>Go back to the open document (Esc)</source>
+        <translation>열려 있는 문서로 돌아갑니다 (Esc)</translation>
     </message>
 </context>
 <context>
@@ -9112,11 +9128,11 @@ This file is no longer there.</source>
         <translation>취소</translation>
     </message>
     <message>
-        <source>Stop this work</source>
-        <translation>이 작업을 중단합니다</translation>
+        <source>Cancel this task</source>
+        <translation>진행 중인 동작을 취소합니다</translation>
     </message>
     <message>
-        <source>Feed, mm/min</source>
+        <source>Feed rate, mm/min</source>
         <translation>이송 속도, mm/min</translation>
     </message>
     <message>
@@ -9128,8 +9144,8 @@ This file is no longer there.</source>
         <translation>주축의 공구</translation>
     </message>
     <message>
-        <source>Blocks executed of those that move</source>
-        <translation>이송 블록 중 실행한 블록</translation>
+        <source>Motion blocks executed / total</source>
+        <translation>실행한 이동 블록 / 전체</translation>
     </message>
     <message>
         <source>Triangles shown</source>
@@ -9148,16 +9164,16 @@ This file is no longer there.</source>
         <translation>F 급속</translation>
     </message>
     <message>
-        <source>No stock at this place.</source>
+        <source>There is no stock at this point.</source>
         <translation>이 위치에는 소재가 없습니다.</translation>
     </message>
     <message>
-        <source>Never cut: up to block %1 this is raw stock.</source>
-        <translation>절삭된 적 없음: 블록 %1까지 원소재 그대로입니다.</translation>
+        <source>Raw stock: not cut up to block %1.</source>
+        <translation>원소재: 블록 %1까지 절삭되지 않았습니다.</translation>
     </message>
     <message>
-        <source>The program or its setup has changed: ask again in a moment.</source>
-        <translation>프로그램이나 셋업이 바뀌었습니다. 잠시 후 다시 물어보세요.</translation>
+        <source>The program or setup has changed. Try again in a moment.</source>
+        <translation>프로그램이나 셋업이 바뀌었습니다. 잠시 후 다시 시도하십시오.</translation>
     </message>
     <message>
         <source>Tool tip X in the active work offset, mm</source>
@@ -9173,7 +9189,7 @@ This file is no longer there.</source>
     </message>
     <message>
         <source>Cut by block %1: line %2, tool %3.</source>
-        <translation>블록 %1에서 절삭: %2행, 공구 %3.</translation>
+        <translation>블록 %1에서 절삭: %2번 줄, 공구 %3.</translation>
     </message>
 </context>
 <context>
@@ -9210,8 +9226,8 @@ Default: %4 mm</source>
         <translation>측정값, 선택됨</translation>
     </message>
     <message>
-        <source>Measured, as set</source>
-        <translation>측정값, 현재 설정</translation>
+        <source>Measured, current</source>
+        <translation>측정값, 현재</translation>
     </message>
     <message>
         <source>Rendering time</source>
@@ -9222,16 +9238,16 @@ Default: %4 mm</source>
         <translation>그림 %1</translation>
     </message>
     <message>
-        <source>The present method has nothing that this sweep could go through.</source>
-        <translation>현재 방법에는 이 스윕이 바꿀 항목이 없습니다.</translation>
+        <source>This sweep does not apply to the current decimation method.</source>
+        <translation>현재 간략화 방법에는 이 스윕을 적용할 수 없습니다.</translation>
     </message>
     <message>
         <source>Region size %1, period %2: predicted %3 s, without decimation %4 s</source>
         <translation>영역 크기 %1, 주기 %2: 예측 %3 s, 간략화 없이 %4 s</translation>
     </message>
     <message>
-        <source>measured %1 s, with the present parameters %2 s</source>
-        <translation>측정 %1 s, 현재 매개변수로 %2 s</translation>
+        <source>measured %1 s, with the current parameters %2 s</source>
+        <translation>측정 %1 s, 현재 파라미터로 %2 s</translation>
     </message>
     <message>
         <source>Export Figure</source>
@@ -9246,16 +9262,16 @@ Default: %4 mm</source>
         <translation>연구</translation>
     </message>
     <message>
-        <source>What the sweep goes through</source>
+        <source>What the sweep varies</source>
         <translation>스윕에서 변화시키는 값</translation>
     </message>
     <message>
-        <source>Run a sweep: its figures are drawn here while it runs.</source>
-        <translation>스윕을 실행하면 실행되는 동안 그림이 여기에 그려집니다.</translation>
+        <source>Run a sweep to see its figures here.</source>
+        <translation>스윕을 실행하면 그림이 여기에 표시됩니다.</translation>
     </message>
     <message>
-        <source>The figure of the paper that is drawn</source>
-        <translation>그려지는 논문의 그림</translation>
+        <source>Figure of the paper to draw</source>
+        <translation>그릴 논문의 그림</translation>
     </message>
     <message>
         <source>&amp;Run Sweep</source>
@@ -9270,15 +9286,15 @@ Default: %4 mm</source>
         <translation>최적화(&amp;O)</translation>
     </message>
     <message>
-        <source>Choose region size and period from a short rehearsal, then measure the choice</source>
-        <translation>짧은 예행으로 영역 크기와 주기를 고른 다음 그 선택을 측정합니다</translation>
+        <source>Choose region size and period from a short trial run, then measure them</source>
+        <translation>짧은 시험 실행으로 영역 크기와 주기를 고른 다음 측정합니다</translation>
     </message>
     <message>
         <source>&amp;Use</source>
         <translation>적용(&amp;U)</translation>
     </message>
     <message>
-        <source>Take the chosen region size and period</source>
+        <source>Use the chosen region size and period</source>
         <translation>선택된 영역 크기와 주기를 적용합니다</translation>
     </message>
     <message>
@@ -9312,20 +9328,20 @@ Default: %4 mm</source>
         <translation>타임라인</translation>
     </message>
     <message>
-        <source>Drag to see the stock after any block; wheel or arrow keys: one block, with Shift: more</source>
-        <translation>끌어서 임의 블록 뒤의 소재를 봅니다. 휠 또는 화살표 키: 한 블록, Shift와 함께: 여러 블록</translation>
+        <source>Drag to go to any block; wheel or arrow keys: one block, with Shift: more</source>
+        <translation>끌어서 원하는 블록으로 이동합니다. 휠 또는 화살표 키: 한 블록, Shift와 함께: 여러 블록</translation>
     </message>
     <message>
         <source>Speed</source>
         <translation>속도</translation>
     </message>
     <message>
-        <source>Playing speed; 1× is %1 blocks a second</source>
+        <source>Playback speed; 1× is %1 blocks per second</source>
         <translation>재생 속도입니다. 1×는 초당 %1블록입니다</translation>
     </message>
     <message>
-        <source>Blocks executed / blocks that move</source>
-        <translation>실행한 블록 / 이송 블록</translation>
+        <source>Motion blocks executed / total</source>
+        <translation>실행한 이동 블록 / 전체</translation>
     </message>
     <message>
         <source>As fast as possible</source>
@@ -9352,11 +9368,11 @@ Default: %4 mm</source>
         <translation>재생 기준</translation>
     </message>
     <message>
-        <source>What is even: each block, each millimetre of the path, or the time of the machine</source>
-        <translation>고르게 재생할 기준: 블록, 경로 길이, 기계 시간</translation>
+        <source>Pace of playback: by block, by path length or by machine time</source>
+        <translation>재생 기준: 블록, 경로 길이 또는 기계 시간</translation>
     </message>
     <message>
-        <source>Cutting takes longer than the speed allows: the program is played more slowly, and the stock is right at every moment</source>
+        <source>Cutting takes longer than this speed allows: playback is slower, but the stock is always correct</source>
         <translation>절삭 계산이 재생 속도를 따라가지 못해 더 느리게 재생합니다. 소재는 언제나 정확합니다</translation>
     </message>
     <message>
@@ -9376,20 +9392,20 @@ Default: %4 mm</source>
         <translation>%1×(%2 mm/s)</translation>
     </message>
     <message>
-        <source>%1× the machine</source>
+        <source>%1× machine</source>
         <translation>기계의 %1×</translation>
     </message>
     <message>
-        <source>Playing speed; 1× is %1 mm of path a second</source>
+        <source>Playback speed; 1× is %1 mm of path per second</source>
         <translation>재생 속도. 1×는 초당 경로 %1 mm입니다</translation>
     </message>
     <message>
-        <source>Playing speed; 1× is that of the machine</source>
+        <source>Playback speed; 1× is the speed of the machine</source>
         <translation>재생 속도. 1×는 기계의 속도입니다</translation>
     </message>
     <message>
-        <source>Lags: %1×</source>
-        <translation>지연: %1×</translation>
+        <source>Actual speed %1×</source>
+        <translation>실제 속도 %1×</translation>
     </message>
     <message>
         <source>Block %1 · line %2 · %3</source>
@@ -9403,8 +9419,8 @@ Default: %4 mm</source>
         <translation>형상</translation>
     </message>
     <message>
-        <source>The profile of the cutter</source>
-        <translation>공구의 윤곽</translation>
+        <source>Cutter shape</source>
+        <translation>커터 형상</translation>
     </message>
     <message>
         <source>%1
@@ -9415,9 +9431,9 @@ Default: %5 %4</source>
 기본값: %5 %4</translation>
     </message>
     <message>
-        <source>An arc to a point is told by its centre or its radius, as in %1 or %2; a radius below zero is a hollow.
+        <source>For an arc, add the centre or the radius to its end point, as in %1 or %2; a negative radius is concave.
 Default: %3</source>
-        <translation>점까지의 원호는 %1 또는 %2처럼 중심이나 반경으로 지정합니다. 0보다 작은 반경은 오목한 원호입니다.
+        <translation>원호는 %1 또는 %2처럼 끝점에 중심이나 반경을 덧붙입니다. 음수 반경은 오목한 원호입니다.
 기본값: %3</translation>
     </message>
 </context>
@@ -9444,8 +9460,8 @@ Default: %3</source>
         <translation>아무것도 절삭하지 않습니다.</translation>
     </message>
     <message>
-        <source>Define T%1 …</source>
-        <translation>T%1 정의 …</translation>
+        <source>Define T%1…</source>
+        <translation>T%1 정의…</translation>
     </message>
     <message>
         <source>Add T%1 to the tool table and enter its sizes</source>
@@ -9456,7 +9472,7 @@ Default: %3</source>
         <translation>⌀ 10 mm로 가정</translation>
     </message>
     <message>
-        <source>Add the missing tools as flat end mills of 10 mm, marked as assumed</source>
+        <source>Add the missing tools as 10 mm flat end mills, marked as assumed</source>
         <translation>없는 공구를 10 mm 평 엔드밀로 추가하고 가정한 값으로 표시합니다</translation>
     </message>
     <message>
@@ -9464,7 +9480,7 @@ Default: %3</source>
         <translation>%1의 치수가 확인되지 않았습니다.</translation>
     </message>
     <message>
-        <source>T%1 is read from the comment in line %2: %3.</source>
+        <source>T%1 was read from the comment in line %2: %3.</source>
         <translation>T%1은(는) %2번 줄의 주석에서 읽었습니다: %3.</translation>
     </message>
     <message>
@@ -9472,8 +9488,8 @@ Default: %3</source>
         <translation>T%1의 치수는 가정한 값입니다: %2.</translation>
     </message>
     <message>
-        <source>Check …</source>
-        <translation>점검 …</translation>
+        <source>Check…</source>
+        <translation>점검…</translation>
     </message>
     <message>
         <source>Show T%1 in the tool table</source>
@@ -9488,8 +9504,8 @@ Default: %3</source>
         <translation>확인</translation>
     </message>
     <message>
-        <source>The sizes in the tool table are right</source>
-        <translation>공구 테이블의 치수가 맞습니다</translation>
+        <source>Confirm the sizes in the tool table</source>
+        <translation>공구 테이블의 치수를 확인합니다</translation>
     </message>
     <message>
         <source>The program calls no tool; its moves are not simulated.</source>
@@ -9547,8 +9563,8 @@ Default: %3</source>
         <translation>형상</translation>
     </message>
     <message>
-        <source>Given</source>
-        <translation>지정됨</translation>
+        <source>Defined</source>
+        <translation>정의됨</translation>
     </message>
     <message>
         <source>Comment, line %1</source>
@@ -9571,7 +9587,7 @@ Default: %3</source>
         <translation>&lt;a href=&quot;%1&quot;&gt;%1번 줄&lt;/a&gt;의 주석에서: &lt;i&gt;%2&lt;/i&gt;</translation>
     </message>
     <message>
-        <source>Not stated there, defaults: %1</source>
+        <source>Not in the comment, defaults used: %1</source>
         <translation>주석에 없어 기본값 사용: %1</translation>
     </message>
     <message>
@@ -9587,16 +9603,16 @@ Default: %3</source>
         <translation>확인</translation>
     </message>
     <message>
-        <source>The sizes of the selected tool are right</source>
-        <translation>선택한 공구의 치수가 맞습니다</translation>
+        <source>Confirm the sizes of the selected tool</source>
+        <translation>선택한 공구의 치수를 확인합니다</translation>
     </message>
     <message>
         <source>Confirm All</source>
         <translation>모두 확인</translation>
     </message>
     <message>
-        <source>The sizes of all tools are right</source>
-        <translation>모든 공구의 치수가 맞습니다</translation>
+        <source>Confirm the sizes of all tools</source>
+        <translation>모든 공구의 치수를 확인합니다</translation>
     </message>
     <message>
         <source>The T word that calls this tool (no unit)
@@ -9610,8 +9626,8 @@ Default: the next free number</source>
 <context>
     <name>TuningPanel</name>
     <message>
-        <source>Open a program to see it.</source>
-        <translation>프로그램을 열면 표시됩니다.</translation>
+        <source>Open a program to see the measured effect.</source>
+        <translation>프로그램을 열면 측정된 효과가 표시됩니다.</translation>
     </message>
     <message>
         <source>Triangles shown: %1 of %2 (%3 %)</source>
@@ -9622,8 +9638,8 @@ Default: the next free number</source>
         <translation>Z맵으로 그린 영역: %2개 중 %1개</translation>
     </message>
     <message>
-        <source>Largest error: %1 mm beside an allowance of %2 mm, which is not a bound while Certify is off</source>
-        <translation>최대 오차: %1 mm. 오차 보증이 꺼져 있어 허용 오차 %2 mm가 한계로 보장되지 않습니다</translation>
+        <source>Largest error: %1 mm; the allowance of %2 mm is not guaranteed while Certify is off</source>
+        <translation>최대 오차: %1 mm. 오차 보증이 꺼져 있어 허용 오차 %2 mm가 보장되지 않습니다</translation>
     </message>
     <message>
         <source>Measured effect</source>
@@ -9638,12 +9654,12 @@ Default: the next free number</source>
         <translation>최대 오차: Z맵 점에서 %1 mm, 허용 오차 %2 mm 이내</translation>
     </message>
     <message>
-        <source>Decimation is held back while playing: a frame takes %1 ms without it and %2 ms with it.</source>
-        <translation>재생하는 동안 간략화를 보류합니다. 한 프레임에 간략화 없이 %1 ms, 간략화하면 %2 ms가 걸립니다.</translation>
+        <source>Decimation is off during playback: a frame takes %1 ms without it and %2 ms with it.</source>
+        <translation>재생하는 동안 간략화를 끕니다. 한 프레임에 간략화 없이 %1 ms, 간략화하면 %2 ms가 걸립니다.</translation>
     </message>
     <message>
-        <source>Decimation is held back while playing: there are only %1 triangles to draw without it.</source>
-        <translation>재생하는 동안 간략화를 보류합니다. 간략화하지 않아도 그릴 삼각형이 %1개뿐입니다.</translation>
+        <source>Decimation is off during playback: there are only %1 triangles to draw without it.</source>
+        <translation>재생하는 동안 간략화를 끕니다. 간략화하지 않아도 그릴 삼각형이 %1개뿐입니다.</translation>
     </message>
 </context>
 <context>
@@ -9664,15 +9680,15 @@ Default: the next free number</source>
 <context>
     <name>Viewport</name>
     <message>
-        <source>This display has no OpenGL; the 3D view is switched off.</source>
+        <source>OpenGL is not available on this display; the 3D view is off.</source>
         <translation>이 화면에서는 OpenGL을 쓸 수 없어 3D 보기를 껐습니다.</translation>
     </message>
     <message>
-        <source>No OpenGL context could be created; the 3D view is switched off.</source>
+        <source>The OpenGL context could not be created; the 3D view is off.</source>
         <translation>OpenGL 컨텍스트를 만들 수 없어 3D 보기를 껐습니다.</translation>
     </message>
     <message>
-        <source>The graphics driver offers less than OpenGL 3.3; the 3D view is switched off.</source>
+        <source>The graphics driver does not support OpenGL 3.3; the 3D view is off.</source>
         <translation>그래픽 드라이버가 OpenGL 3.3을 지원하지 않아 3D 보기를 껐습니다.</translation>
     </message>
     <message>
@@ -9712,20 +9728,20 @@ Default: the next free number</source>
         <translation>3D 보기</translation>
     </message>
     <message>
-        <source>The graphics driver refused a shader; the log has its words.</source>
-        <translation>그래픽 드라이버가 셰이더를 거부했습니다. 로그에서 내용을 확인하십시오.</translation>
+        <source>A shader failed to compile; see the log.</source>
+        <translation>셰이더를 컴파일하지 못했습니다. 로그를 확인하십시오.</translation>
     </message>
     <message>
-        <source>The grid has more points along a side than the graphics driver can take; the stock is not drawn. A wider grid spacing brings it back.</source>
-        <translation>격자 한 변의 점이 그래픽 드라이버의 한도를 넘어 소재를 그리지 않습니다. 격자 간격을 넓히면 다시 표시됩니다.</translation>
+        <source>The grid is too large for the graphics driver; the stock is not drawn. Increase the grid spacing.</source>
+        <translation>격자가 그래픽 드라이버의 한도를 넘어 소재를 그리지 않습니다. 격자 간격을 넓히십시오.</translation>
     </message>
     <message>
-        <source>The box has more points along a side than the graphics driver can take; it is not drawn. A wider spacing or a smaller box brings it back.</source>
-        <translation>상자 한 변의 점이 그래픽 드라이버가 다룰 수 있는 수보다 많아 그리지 않습니다. 격자 간격을 넓히거나 상자를 줄이면 다시 나타납니다.</translation>
+        <source>The detail region is too large for the graphics driver and is not drawn. Increase its grid spacing or make the box smaller.</source>
+        <translation>상세 영역이 그래픽 드라이버의 한도를 넘어 그리지 않습니다. 격자 간격을 넓히거나 상자를 줄이십시오.</translation>
     </message>
     <message>
-        <source>Click a place of the stock.</source>
-        <translation>소재의 한 곳을 클릭하세요.</translation>
+        <source>Click a point on the stock.</source>
+        <translation>소재의 한 지점을 클릭하십시오.</translation>
     </message>
     <message>
         <source>Ctrl+click</source>
@@ -9747,7 +9763,7 @@ Default: the next free number</source>
         <translation>등각(&amp;I)</translation>
     </message>
     <message>
-        <source>Look from the right, front and above</source>
+        <source>View from the right, front and top</source>
         <translation>오른쪽 앞 위에서 봅니다</translation>
     </message>
     <message>
@@ -9755,7 +9771,7 @@ Default: the next free number</source>
         <translation>위(&amp;T)</translation>
     </message>
     <message>
-        <source>Look along -Z</source>
+        <source>View along -Z</source>
         <translation>-Z 방향으로 봅니다</translation>
     </message>
     <message>
@@ -9763,7 +9779,7 @@ Default: the next free number</source>
         <translation>아래(&amp;B)</translation>
     </message>
     <message>
-        <source>Look along +Z</source>
+        <source>View along +Z</source>
         <translation>+Z 방향으로 봅니다</translation>
     </message>
     <message>
@@ -9771,7 +9787,7 @@ Default: the next free number</source>
         <translation>앞(&amp;R)</translation>
     </message>
     <message>
-        <source>Look along +Y</source>
+        <source>View along +Y</source>
         <translation>+Y 방향으로 봅니다</translation>
     </message>
     <message>
@@ -9779,7 +9795,7 @@ Default: the next free number</source>
         <translation>뒤(&amp;K)</translation>
     </message>
     <message>
-        <source>Look along -Y</source>
+        <source>View along -Y</source>
         <translation>-Y 방향으로 봅니다</translation>
     </message>
     <message>
@@ -9787,7 +9803,7 @@ Default: the next free number</source>
         <translation>왼쪽(&amp;L)</translation>
     </message>
     <message>
-        <source>Look along +X</source>
+        <source>View along +X</source>
         <translation>+X 방향으로 봅니다</translation>
     </message>
     <message>
@@ -9795,7 +9811,7 @@ Default: the next free number</source>
         <translation>오른쪽(&amp;G)</translation>
     </message>
     <message>
-        <source>Look along -X</source>
+        <source>View along -X</source>
         <translation>-X 방향으로 봅니다</translation>
     </message>
     <message>
@@ -9819,8 +9835,8 @@ Default: the next free number</source>
         <translation>영역 색 구분(&amp;E)</translation>
     </message>
     <message>
-        <source>Tell regions drawn from the z-map from decimated ones</source>
-        <translation>Z맵으로 그린 영역과 간략화된 영역을 구별합니다</translation>
+        <source>Colour decimated and undecimated regions differently</source>
+        <translation>간략화된 영역과 간략화되지 않은 영역을 다른 색으로 표시합니다</translation>
     </message>
     <message>
         <source>Lege&amp;nd</source>
@@ -9839,12 +9855,12 @@ Default: the next free number</source>
         <translation>공구 경로를 그리지 않습니다</translation>
     </message>
     <message>
-        <source>Toolpath Near the &amp;Cutter</source>
-        <translation>커터 주변 공구 경로(&amp;C)</translation>
+        <source>Toolp&amp;ath Near the Cutter</source>
+        <translation>커터 주변 공구 경로(&amp;A)</translation>
     </message>
     <message>
-        <source>Draw the toolpath of the blocks just behind and ahead</source>
-        <translation>바로 앞뒤 블록의 공구 경로를 그립니다</translation>
+        <source>Draw the toolpath of the blocks just before and after the current one</source>
+        <translation>현재 블록 바로 앞뒤의 공구 경로를 그립니다</translation>
     </message>
     <message>
         <source>Wh&amp;ole Toolpath</source>
@@ -9859,8 +9875,8 @@ Default: the next free number</source>
         <translation>반투명 커터(&amp;U)</translation>
     </message>
     <message>
-        <source>Let the stock show through the cutter</source>
-        <translation>커터를 통해 소재가 보이게 합니다</translation>
+        <source>Make the cutter transparent</source>
+        <translation>커터를 투명하게 그립니다</translation>
     </message>
     <message>
         <source>Hi&amp;de Cutter</source>
@@ -9871,28 +9887,28 @@ Default: the next free number</source>
         <translation>커터를 그리지 않습니다</translation>
     </message>
     <message>
-        <source>Look Clo&amp;ser</source>
-        <translation>자세히 보기(&amp;S)</translation>
+        <source>&amp;Magnifier</source>
+        <translation>돋보기(&amp;M)</translation>
     </message>
     <message>
-        <source>Cut a box of the stock on a much finer grid, and show it in place</source>
-        <translation>소재의 한 상자를 훨씬 촘촘한 격자로 절삭하여 제자리에 보여 줍니다</translation>
+        <source>Cut a box of the stock again on a much finer grid</source>
+        <translation>소재의 한 부분을 훨씬 촘촘한 격자로 다시 절삭합니다</translation>
     </message>
     <message>
-        <source>Go to the Block That &amp;Made This</source>
-        <translation>이곳을 가공한 블록으로 이동(&amp;M)</translation>
+        <source>Go to &amp;Cutting Block</source>
+        <translation>절삭한 블록으로 이동(&amp;C)</translation>
     </message>
     <message>
-        <source>Click a place of the stock, and see the block that cut it</source>
-        <translation>소재의 한 곳을 클릭하면 그곳을 절삭한 블록을 봅니다</translation>
+        <source>Click a point on the stock to go to the block that cut it</source>
+        <translation>소재의 한 지점을 클릭하면 그곳을 절삭한 블록으로 이동합니다</translation>
     </message>
     <message>
         <source>P&amp;osition at Pointer</source>
         <translation>포인터 위치(&amp;O)</translation>
     </message>
     <message>
-        <source>Show the coordinates under the pointer, and the line that cut there</source>
-        <translation>포인터 아래의 좌표와 그곳을 절삭한 줄을 표시합니다</translation>
+        <source>Show the coordinates under the pointer, and the line that cut this point</source>
+        <translation>포인터 아래의 좌표와 그 지점을 절삭한 줄을 표시합니다</translation>
     </message>
     <message>
         <source>Toolpath Through Stoc&amp;k</source>
@@ -9910,23 +9926,23 @@ Default: the next free number</source>
         <translation>전체 화면(&amp;F)</translation>
     </message>
     <message>
-        <source>Fill the screen with the window, or leave it</source>
-        <translation>창을 화면 전체에 채우거나 되돌립니다</translation>
+        <source>Enter or leave full screen</source>
+        <translation>전체 화면을 켜거나 끕니다</translation>
     </message>
     <message>
         <source>&amp;Reset Layout</source>
         <translation>배치 초기화(&amp;R)</translation>
     </message>
     <message>
-        <source>Bring all panels and view options back to how they were at first</source>
-        <translation>모든 패널과 보기 옵션을 처음 상태로 되돌립니다</translation>
+        <source>Restore the default panels and view options</source>
+        <translation>패널과 보기 옵션을 기본값으로 되돌립니다</translation>
     </message>
 </context>
 <context>
     <name>WordTip</name>
     <message>
-        <source>%1: not known on %2</source>
-        <translation>%1: %2에서 알 수 없는 코드</translation>
+        <source>%1: unknown (%2)</source>
+        <translation>%1: 알 수 없음 (%2)</translation>
     </message>
     <message>
         <source>%1: %2 (%3)</source>
@@ -9937,8 +9953,8 @@ Default: the next free number</source>
         <translation>모달 그룹: %1</translation>
     </message>
     <message>
-        <source>Not carried out: the program is unverified from here</source>
-        <translation>실행하지 않습니다. 여기부터 프로그램을 검증할 수 없습니다</translation>
+        <source>Not supported: results after this block are unverified</source>
+        <translation>지원하지 않음: 이 블록 이후의 결과는 검증되지 않습니다</translation>
     </message>
     <message>
         <source>Value: %1</source>
@@ -9949,15 +9965,15 @@ Default: the next free number</source>
         <translation>설정되지 않음</translation>
     </message>
     <message>
-        <source>Behind this line: %1</source>
+        <source>After this line: %1</source>
         <translation>이 줄 다음: %1</translation>
     </message>
     <message>
-        <source>In force before and behind: %1</source>
+        <source>Active before and after: %1</source>
         <translation>이전과 이후 유효: %1</translation>
     </message>
     <message>
-        <source>In force before: %1</source>
+        <source>Active before: %1</source>
         <translation>이전 유효: %1</translation>
     </message>
     <message>
@@ -9983,12 +9999,12 @@ Default: the next free number</source>
 <context>
     <name>StockChangedBar</name>
     <message>
-        <source>%1 has changed on disk. The simulation starts from what it held before.</source>
-        <translation>디스크에서 %1이(가) 변경되었습니다. 시뮬레이션은 이전 내용에서 시작합니다.</translation>
+        <source>%1 has changed on disk. The simulation still uses the version read before.</source>
+        <translation>디스크에서 %1이(가) 변경되었습니다. 시뮬레이션은 이전에 읽은 버전을 사용합니다.</translation>
     </message>
     <message>
-        <source>%1 was deleted or renamed on disk. The simulation starts from what it held before; the job cannot be opened without it.</source>
-        <translation>디스크에서 %1이(가) 삭제되었거나 이름이 바뀌었습니다. 시뮬레이션은 이전 내용에서 시작하며, 이 파일이 없으면 작업을 열 수 없습니다.</translation>
+        <source>%1 was deleted or renamed on disk. The simulation still uses the version read before, but the job cannot be opened without the file.</source>
+        <translation>디스크에서 %1이(가) 삭제되었거나 이름이 바뀌었습니다. 시뮬레이션은 이전에 읽은 버전을 사용하지만, 이 파일이 없으면 작업을 열 수 없습니다.</translation>
     </message>
     <message>
         <source>&amp;Reload</source>
@@ -10003,8 +10019,8 @@ Default: the next free number</source>
         <translation>이 버전 유지(&amp;K)</translation>
     </message>
     <message>
-        <source>Continue with the stock as it was read</source>
-        <translation>읽은 소재 그대로 계속합니다</translation>
+        <source>Continue with the stock read before</source>
+        <translation>이전에 읽은 소재로 계속합니다</translation>
     </message>
 </context>
 </TS>

@@ -46,12 +46,11 @@ void showAbout(QWidget& window) {
             .arg(QCoreApplication::applicationVersion(),
                  translated(QT_TRANSLATE_NOOP(
                      "About", "Proves out three-axis milling programs before they touch metal.")),
-                 translated(QT_TRANSLATE_NOOP("About", "The shown surface is decimated locally, by the "
-                                                       "method of Lee and Lee, while it is cut.")),
-                 translated(QT_TRANSLATE_NOOP("About",
-                                              "Free software under the GNU General Public License, version 3 "
-                                              "or later. It comes with no "
-                                              "warranty; nothing here replaces care at the machine.")));
+                 translated(QT_TRANSLATE_NOOP("About", "The displayed surface is decimated locally while it "
+                                                       "is cut, by the method of Lee and Lee.")),
+                 translated(QT_TRANSLATE_NOOP(
+                     "About", "Free software under the GNU General Public License, version 3 or later. There "
+                              "is no warranty. Prove out every new program at the machine, too.")));
     QMessageBox::about(&window, translated(QT_TRANSLATE_NOOP("About", "About Proveout")), text);
 }
 
@@ -72,12 +71,16 @@ void showShortcutList(QWidget& window, const QMenuBar& menus) {
         new QTreeWidgetItem(mouse, {what, how});
     };
     addMouse(translated(QT_TRANSLATE_NOOP("About", "Orbit")),
-             translated(QT_TRANSLATE_NOOP("About", "Left button")));
+             translated(QT_TRANSLATE_NOOP("About", "Left drag, or Alt+arrow keys")));
     addMouse(translated(QT_TRANSLATE_NOOP("About", "Pan")),
-             translated(QT_TRANSLATE_NOOP("About", "Middle button, or Shift and left button")));
+             translated(QT_TRANSLATE_NOOP("About", "Middle drag, or Shift+left drag")));
     addMouse(translated(QT_TRANSLATE_NOOP("About", "Zoom")), translated(QT_TRANSLATE_NOOP("About", "Wheel")));
-    addMouse(translated(QT_TRANSLATE_NOOP("About", "Go to the block that made this")),
-             translated(QT_TRANSLATE_NOOP("About", "Ctrl and left button, or the menu of the right button")));
+    addMouse(translated(QT_TRANSLATE_NOOP("About", "Centre a point and orbit about it")),
+             translated(QT_TRANSLATE_NOOP("About", "Double-click with the middle button")));
+    addMouse(translated(QT_TRANSLATE_NOOP("About", "Go to the cutting block of a point")),
+             translated(QT_TRANSLATE_NOOP("About", "Ctrl+click, or G and click, or right-click")));
+    addMouse(translated(QT_TRANSLATE_NOOP("About", "Magnify a detail")),
+             translated(QT_TRANSLATE_NOOP("About", "B and drag a box, or B and click")));
     mouse->setExpanded(true);
     list->header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
     auto* layout = new QVBoxLayout(dialog);

@@ -15,7 +15,8 @@ Result<void> keepOrTell(const QString& folder, const JobDocument& document, cons
     try {
         return keepSession(folder, document, state);
     } catch (const std::exception& problem) {
-        return failure("internal-error", PROVEOUT_TEXT("Core", "Keeping unsaved changes had to stop: {}."),
+        return failure("internal-error",
+                       PROVEOUT_TEXT("Core", "Unsaved changes are no longer backed up: {}."),
                        {problem.what()});
     }
 }

@@ -76,7 +76,7 @@ void BlockSearch::carryOut(const FramePtr& moment, const MapPoint& point, const 
         });
     } catch (const std::exception& exception) {
         auto errors = failure("internal-error",
-                              PROVEOUT_TEXT("Core", "The block that made this place could not be found: {}."),
+                              PROVEOUT_TEXT("Core", "The block that cut this point could not be found: {}."),
                               {exception.what()})
                           .value();
         reply.post([this, errors = std::move(errors)] {

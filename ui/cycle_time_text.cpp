@@ -33,7 +33,7 @@ QString clockText(double seconds) {
 }
 
 QString timeTip(const MachineTimes& times, bool assumed, const ToolChoice& choice, const ToolTable& tools) {
-    QStringList lines{text(QT_TRANSLATE_NOOP("CycleTime", "Cycle time up to this block / of the program")),
+    QStringList lines{text(QT_TRANSLATE_NOOP("CycleTime", "Cycle time to this block / of the program")),
                       text(QT_TRANSLATE_NOOP("CycleTime", "Feed %1, rapid %2, dwell %3, tool changes %4"))
                           .arg(clockText(times.parts.feed), clockText(times.parts.rapid),
                                clockText(times.parts.dwell), clockText(times.parts.toolChange))};
@@ -43,10 +43,10 @@ QString timeTip(const MachineTimes& times, bool assumed, const ToolChoice& choic
                          clockText(tool.parts.total());
     }
     if (assumed)
-        lines << text(
-            QT_TRANSLATE_NOOP("CycleTime", "The machine is assumed; describe yours in the Setup panel."));
+        lines << text(QT_TRANSLATE_NOOP(
+            "CycleTime", "Default machine values; enter those of your machine in the Setup panel."));
     if (times.motionsWithoutFeed > 0)
-        lines << text(QT_TRANSLATE_NOOP("CycleTime", "%1 motions have no feed; the largest is taken."))
+        lines << text(QT_TRANSLATE_NOOP("CycleTime", "%1 moves have no feed rate; the maximum is assumed."))
                      .arg(QLocale().toString(static_cast<qulonglong>(times.motionsWithoutFeed)));
     return lines.join(QLatin1Char('\n'));
 }

@@ -54,7 +54,7 @@ QString severityName(Severity severity) {
     case Severity::error:
         return QCoreApplication::translate("Severity", "Error");
     case Severity::fault:
-        return QCoreApplication::translate("Severity", "Fault");
+        return QCoreApplication::translate("Severity", "Machining fault");
     }
     return {};
 }

@@ -21,9 +21,9 @@ Result<T> readOrTell(const std::function<Result<T>(const WorkContext&)>& read, c
         return read(context);
     } catch (const std::bad_alloc&) {
         return failure("out-of-memory",
-                       PROVEOUT_TEXT("Core", "The file needs more memory to be read than there is."));
+                       PROVEOUT_TEXT("Core", "There is not enough memory to read the file."));
     } catch (const std::exception& exception) {
-        return failure("internal-error", PROVEOUT_TEXT("Core", "Reading the file had to stop: {}."),
+        return failure("internal-error", PROVEOUT_TEXT("Core", "Reading the file failed: {}."),
                        {exception.what()});
     }
 }

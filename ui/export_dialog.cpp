@@ -75,7 +75,7 @@ ExportTarget targetOf(const QString& typed, const FileFormat& chosen) {
 
 bool mayReplace(QWidget& dialog, const QString& file) {
     QMessageBox question(QMessageBox::Warning, dialog.windowTitle(),
-                         QCoreApplication::translate("Export", "%1 exists already. Replace it?")
+                         QCoreApplication::translate("Export", "%1 already exists. Replace it?")
                              .arg(QFileInfo(file).fileName()),
                          QMessageBox::Yes | QMessageBox::No, &dialog);
     question.setTextFormat(Qt::PlainText); // the name is the user's

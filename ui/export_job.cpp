@@ -51,13 +51,14 @@ Result<void> checkMeshMemory(const Frame& frame, const ExportOptions& options, d
     const auto would = finestSpacing(frame.zmap.stock(), limitBytes + zmapBytes(grid), bytesPerPoint);
     auto refused =
         would ? failure("export-needs-too-much-memory",
-                        PROVEOUT_TEXT("Core", "The export needs {}; {} may be taken, which is enough for a "
-                                              "grid spacing of {} mm."),
+                        PROVEOUT_TEXT("Core", "The export needs {} of memory; only {} is available, enough "
+                                              "for a grid spacing of {} mm."),
                         {readableBytes(needed), readableBytes(limitBytes), fmt::format("{:g}", *would)})
               : failure("export-needs-too-much-memory",
-                        PROVEOUT_TEXT("Core", "The export needs {}; {} may be taken."),
+                        PROVEOUT_TEXT("Core", "The export needs {} of memory; only {} is available."),
                         {readableBytes(needed), readableBytes(limitBytes)});
-    refused.value().front().hint = PROVEOUT_TEXT("Core", "Choose a wider grid spacing, or close programs.");
+    refused.value().front().hint =
+        PROVEOUT_TEXT("Core", "Increase the grid spacing, or close other programs.");
     return refused;
 }
 
@@ -104,7 +105,7 @@ Result<ExportSummary> write(const Frame& frame, const QString& file, const Expor
     if (context.stopped())
         return cancelled();
     if (solid.triangles.empty())
-        return failure("nothing-left", PROVEOUT_TEXT("Core", "Nothing of the stock is left to export."));
+        return failure("nothing-left", PROVEOUT_TEXT("Core", "There is no stock left to export."));
     if (Result<void> unchanged = checkUnchanged(file, chosen); !unchanged)
         return tl::unexpected(std::move(unchanged.error()));
     auto exported = exportSolid(toPath(file), *(*format)->meshWriter(), solid, frame.zmap,

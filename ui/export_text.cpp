@@ -38,13 +38,12 @@ QString errorText(const ExportSummary& summary, const QLocale& locale) {
     const QString error = locale.toString(summary.largestErrorMm, 'f', kErrorDecimals);
     const QString allowance = locale.toString(summary.allowanceMm);
     if (summary.allowanceMm == 0)
-        return translated(QT_TRANSLATE_NOOP("Export", "largest error %1 mm, with every z-map point"))
-            .arg(error);
+        return translated(QT_TRANSLATE_NOOP("Export", "full resolution, largest error %1 mm")).arg(error);
     if (!summary.certified)
-        return translated(QT_TRANSLATE_NOOP("Export", "largest error measured %1 mm, not a bound"))
+        return translated(QT_TRANSLATE_NOOP("Export", "largest measured error %1 mm, not guaranteed"))
             .arg(error);
     if (summary.largestErrorMm > summary.allowanceMm)
-        return translated(QT_TRANSLATE_NOOP("Export", "largest error %1 mm, beyond the allowance of %2 mm"))
+        return translated(QT_TRANSLATE_NOOP("Export", "largest error %1 mm exceeds the allowance of %2 mm"))
             .arg(error, allowance);
     if (summary.level == ErrorLevel::surface)
         return translated(
@@ -61,7 +60,7 @@ QString exportText(const ExportSummary& summary, const QLocale& locale) {
     const QString name = shortName(summary.file) + momentOf(summary, locale);
     if (summary.stock)
         return translated(QT_TRANSLATE_NOOP("Export", "Saved %1: the stock for the next setup")).arg(name);
-    return translated(QT_TRANSLATE_NOOP("Export", "Wrote %1: %2")).arg(name, errorText(summary, locale));
+    return translated(QT_TRANSLATE_NOOP("Export", "Exported %1: %2")).arg(name, errorText(summary, locale));
 }
 
 QString exportDetails(const ExportSummary& summary, const QLocale& locale) {

@@ -63,7 +63,7 @@ void FileChangedBar::writeSentence() {
     m_compare->setVisible(readable);
     if (!info.exists())
         m_text->setText(
-            tr("%1 was deleted or renamed on disk. Saving writes it again.").arg(info.fileName()));
+            tr("%1 was deleted or renamed on disk. Saving creates it again.").arg(info.fileName()));
     else if (!readable)
         m_text->setText(tr("%1 is no longer a file. Save under another name.").arg(info.fileName()));
     else if (modified)
@@ -97,11 +97,11 @@ void FileChangedBar::compare() {
 
 void FileChangedBar::retranslate() {
     m_reload->setText(tr("&Reload"));
-    m_reload->setToolTip(tr("Read the file again; changes made here are lost"));
+    m_reload->setToolTip(tr("Read the file again; your unsaved changes are lost"));
     m_keep->setText(tr("&Keep My Version"));
-    m_keep->setToolTip(tr("Continue with the version of this window"));
+    m_keep->setToolTip(tr("Continue with the version in this window"));
     m_compare->setText(tr("&Compare…"));
-    m_compare->setToolTip(tr("Show where the file and this window differ"));
+    m_compare->setToolTip(tr("Show the differences between the file and this window"));
     writeSentence();
 }
 

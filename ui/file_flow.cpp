@@ -94,7 +94,7 @@ bool FileFlow::settle(const std::function<std::optional<DiskConflict>()>& next) 
         const QString beside = conflict->part == FilePart::text ? toQString(m_session.document().text().path)
                                                                 : m_session.document().jobFile();
         m_recent.add(beside);
-        emit saved(tr("Saved as %1; %2 keeps the other version.")
+        emit saved(tr("Saved as %1; the other version is still in %2.")
                        .arg(QFileInfo(beside).fileName(), QFileInfo(toQString(conflict->file)).fileName()));
     }
     return true;
@@ -258,11 +258,11 @@ bool FileFlow::mayDiscard() {
 }
 
 FileFlow::ExportAnswer FileFlow::askAboutExport() {
-    QMessageBox question(QMessageBox::Warning, tr("Export under way"),
-                         tr("An export is still being written."), QMessageBox::Cancel, &m_window);
-    question.setInformativeText(tr("Close when the file is written, or now, without it?"));
+    QMessageBox question(QMessageBox::Warning, tr("Export in progress"), tr("A file is still being written."),
+                         QMessageBox::Cancel, &m_window);
+    question.setInformativeText(tr("Close after the file is written, or discard the file and close now?"));
     const QPushButton* wait = question.addButton(tr("&Wait for the File"), QMessageBox::AcceptRole);
-    const QPushButton* drop = question.addButton(tr("&Drop the Export"), QMessageBox::DestructiveRole);
+    const QPushButton* drop = question.addButton(tr("&Discard the File"), QMessageBox::DestructiveRole);
     question.setDefaultButton(QMessageBox::Cancel);
     bool failed = false; // while the question was read
     connect(&m_session.problems(), &ProblemsHub::troubled, &question, [&failed] { failed = true; });
@@ -288,7 +288,7 @@ bool FileFlow::mayClose() {
 QString FileFlow::droppedFile(const QMimeData& data, QString& reason) {
     const QList<QUrl> urls = data.urls();
     if (urls.size() != 1 || !urls.front().isLocalFile()) {
-        reason = tr("Drop one file of this computer.");
+        reason = tr("Drop a single file from this computer.");
         return {};
     }
     const QFileInfo file(urls.front().toLocalFile());
@@ -297,7 +297,7 @@ QString FileFlow::droppedFile(const QMimeData& data, QString& reason) {
         return {};
     }
     if (meshFormatOf(toPath(file.fileName()))) {
-        reason = tr("A mesh is not a program. To cut it, choose it as the stock in the setup.");
+        reason = tr("A mesh is not a program. To cut it, choose it as the stock in the Setup panel.");
         return {};
     }
     return file.absoluteFilePath();

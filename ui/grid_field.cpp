@@ -66,7 +66,7 @@ void GridField::retranslate() {
             .arg(coreText(field.help), locale().toString(field.minimum), locale().toString(field.maximum)));
     m_automatic->setText(tr("Automatic"));
     m_automatic->setAccessibleName(tr("Automatic grid spacing"));
-    m_automatic->setToolTip(tr("A tenth of the diameter of the smallest cutter, with 1 to 4 million points"));
+    m_automatic->setToolTip(tr("One tenth of the smallest cutter diameter, with 1 to 4 million points"));
 }
 
 void GridField::changeEvent(QEvent* event) {

@@ -147,8 +147,8 @@ void GuideWindow::retranslate() {
     setWindowTitle(tr("User Guide – Proveout"));
     m_back->setText(tr("← Back"));
     m_forward->setText(tr("Forward →"));
-    m_pages->setAccessibleName(tr("Pages of the user guide"));
-    m_text->setAccessibleName(tr("Page of the user guide"));
+    m_pages->setAccessibleName(tr("User guide pages"));
+    m_text->setAccessibleName(tr("User guide page"));
 }
 
 QString guidePageOf(const QWidget* widget) {

@@ -93,7 +93,7 @@ Result<KeptSession> readKeptSession(const QString& folder) {
         bytes ? QJsonDocument::fromJson(QByteArray::fromStdString(*bytes)).object() : QJsonObject();
     // A damaged record does not take the text along.
     if (record.isEmpty() && !QFile::exists(in(folder, kText)))
-        return failure("record-unreadable", PROVEOUT_TEXT("Core", "The record of the session is damaged."),
+        return failure("record-unreadable", PROVEOUT_TEXT("Core", "The backup of this session is damaged."),
                        {}, toPath(folder).string());
     const auto text = [&record](const char* key) { return record.value(QLatin1String(key)).toString(); };
     KeptSession kept;

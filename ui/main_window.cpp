@@ -206,7 +206,7 @@ void MainWindow::retranslate() {
     m_undo->retranslate();
     m_status->retranslate();
     m_layoutMenu->retranslate();
-    m_toolBar->setWindowTitle(tr("Tool bar"));
+    m_toolBar->setWindowTitle(tr("Toolbar"));
     m_toolBar->toggleViewAction()->setVisible(false); // it stays
     fillChoices();
     fillSamples();

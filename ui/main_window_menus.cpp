@@ -103,7 +103,7 @@ void MainWindow::fillChoices() {
         }
     };
     fill(m_themeMenu,
-         {{themeKey(Theme::system), tr("As the &System")},
+         {{themeKey(Theme::system), tr("Same as &System")},
           {themeKey(Theme::light), tr("&Light")},
           {themeKey(Theme::dark), tr("&Dark")}},
          themeKey(m_appearance.theme()),

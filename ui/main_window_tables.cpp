@@ -68,23 +68,23 @@ std::span<const char* const> MainWindow::toolBarIds() {
 std::span<const Command<MainWindow>> MainWindow::fileCommands() {
     static const std::array<Command<MainWindow>, 9> kCommands{{
         {"file-new", QT_TRANSLATE_NOOP("FileCommands", "&New"),
-         QT_TRANSLATE_NOOP("FileCommands", "Begin an empty NC program"), "new", "Ctrl+N", Reach::window,
+         QT_TRANSLATE_NOOP("FileCommands", "Create an empty NC program"), "new", "Ctrl+N", Reach::window,
          [](MainWindow& window) { window.files().newFile(); }},
         {"file-open", QT_TRANSLATE_NOOP("FileCommands", "&Open…"),
          QT_TRANSLATE_NOOP("FileCommands", "Open an NC program or a job"), "open", "Ctrl+O", Reach::window,
          [](MainWindow& window) { window.files().openByDialog(); }},
         separator<MainWindow>(),
         {"file-save", QT_TRANSLATE_NOOP("FileCommands", "&Save"),
-         QT_TRANSLATE_NOOP("FileCommands", "Save the NC program, and its job where it has one"), "save",
+         QT_TRANSLATE_NOOP("FileCommands", "Save the NC program, and its job if it has one"), "save",
          "Ctrl+S", Reach::window, [](MainWindow& window) { window.files().save(); }},
         {"file-save-as", QT_TRANSLATE_NOOP("FileCommands", "Save &As…"),
          QT_TRANSLATE_NOOP("FileCommands", "Save the NC program under another name"), "", "Ctrl+Shift+S",
          Reach::window, [](MainWindow& window) { window.files().saveAs(); }},
         {"file-save-job-as", QT_TRANSLATE_NOOP("FileCommands", "Save &Job As…"),
-         QT_TRANSLATE_NOOP("FileCommands", "Save stock, tools and parameters with the name of the program"),
-         "", "", Reach::window, [](MainWindow& window) { window.files().saveJobAs(); }},
+         QT_TRANSLATE_NOOP("FileCommands", "Save stock, tools and parameters of the program as a job"), "",
+         "", Reach::window, [](MainWindow& window) { window.files().saveJobAs(); }},
         {"file-save-stock", QT_TRANSLATE_NOOP("FileCommands", "Save S&tock…"),
-         QT_TRANSLATE_NOOP("FileCommands", "Save what is left of the stock, for the next setup"), "stock", "",
+         QT_TRANSLATE_NOOP("FileCommands", "Save the remaining stock for the next setup"), "stock", "",
          Reach::window, [](MainWindow& window) { window.files().saveStock(); }},
         separator<MainWindow>(),
         {"file-quit", QT_TRANSLATE_NOOP("FileCommands", "&Quit"),
@@ -97,21 +97,19 @@ std::span<const Command<MainWindow>> MainWindow::fileCommands() {
 std::span<const Command<MainWindow>> MainWindow::meshCommands() {
     static const std::array<Command<MainWindow>, 5> kCommands{{
         {"export-mesh", QT_TRANSLATE_NOOP("MeshCommands", "&Export Mesh…"),
-         QT_TRANSLATE_NOOP("MeshCommands", "Write the decimated stock as a closed solid"), "export", "Ctrl+E",
+         QT_TRANSLATE_NOOP("MeshCommands", "Export the decimated mesh as a closed solid"), "export", "Ctrl+E",
          Reach::window, [](MainWindow& window) { window.files().exportByDialog(true); }},
         {"export-full-mesh", QT_TRANSLATE_NOOP("MeshCommands", "Export &Full-Resolution Mesh…"),
-         QT_TRANSLATE_NOOP("MeshCommands", "Write the stock with every point of the z-map"), "",
-         "Ctrl+Shift+E", Reach::window, [](MainWindow& window) { window.files().exportByDialog(false); }},
+         QT_TRANSLATE_NOOP("MeshCommands", "Export the mesh with every z-map point"), "", "Ctrl+Shift+E",
+         Reach::window, [](MainWindow& window) { window.files().exportByDialog(false); }},
         separator<MainWindow>(),
         {"tune", QT_TRANSLATE_NOOP("MeshCommands", "&Tune Decimation"),
-         QT_TRANSLATE_NOOP("MeshCommands", "Show the parameters of decimation"), "tuning", "", Reach::window,
+         QT_TRANSLATE_NOOP("MeshCommands", "Show the decimation parameters"), "tuning", "", Reach::window,
          [](MainWindow& window) { window.showTuning(); }},
         {"default-parameters", QT_TRANSLATE_NOOP("MeshCommands", "&Default Parameters"),
-         QT_TRANSLATE_NOOP("MeshCommands", "Bring all parameters of decimation back to their defaults"), "",
-         "", Reach::window,
-         [](MainWindow& window) {
-             window.session().job().asOneStep([&] { window.session().job().setParameters({}); });
-         }},
+         QT_TRANSLATE_NOOP("MeshCommands", "Reset all decimation parameters to their defaults"), "", "",
+         Reach::window,
+         [](MainWindow& window) { window.session().job().asOneStep([&] { window.session().job().setParameters({}); }); }},
     }};
     return kCommands;
 }
@@ -119,12 +117,11 @@ std::span<const Command<MainWindow>> MainWindow::meshCommands() {
 std::span<const Command<MainWindow>> MainWindow::windowCommands() {
     static const std::array<Command<MainWindow>, 2> kCommands{{
         {"full-screen", QT_TRANSLATE_NOOP("WindowCommands", "&Full Screen"),
-         QT_TRANSLATE_NOOP("WindowCommands", "Fill the screen with the window, or leave it"), "", "F11",
-         Reach::window, [](MainWindow& window) { window.toggleFullScreen(); }},
+         QT_TRANSLATE_NOOP("WindowCommands", "Enter or leave full screen"), "", "F11", Reach::window,
+         [](MainWindow& window) { window.toggleFullScreen(); }},
         {"reset-layout", QT_TRANSLATE_NOOP("WindowCommands", "&Reset Layout"),
-         QT_TRANSLATE_NOOP("WindowCommands",
-                           "Bring all panels and view options back to how they were at first"),
-         "", "", Reach::window, [](MainWindow& window) { window.resetLayout(); }},
+         QT_TRANSLATE_NOOP("WindowCommands", "Restore the default panels and view options"), "", "",
+         Reach::window, [](MainWindow& window) { window.resetLayout(); }},
     }};
     return kCommands;
 }
@@ -138,8 +135,8 @@ std::span<const Command<MainWindow>> MainWindow::helpCommands() {
              openGuide(window, window.viewport(), window.session().document().isOpen());
          }},
         {"help-keys", QT_TRANSLATE_NOOP("HelpCommands", "&Keys and Mouse"),
-         QT_TRANSLATE_NOOP("HelpCommands", "List all keys of the program"), "", "Shift+F1", Reach::window,
-         [](MainWindow& window) { window.showShortcuts(); }},
+         QT_TRANSLATE_NOOP("HelpCommands", "List all keyboard shortcuts and mouse actions"), "", "Shift+F1",
+         Reach::window, [](MainWindow& window) { window.showShortcuts(); }},
         {"help-start-page", QT_TRANSLATE_NOOP("HelpCommands", "&Start Page"),
          QT_TRANSLATE_NOOP("HelpCommands", "Show samples and recent files"), "", "", Reach::window,
          [](MainWindow& window) { window.showStartPage(); }},
@@ -147,7 +144,7 @@ std::span<const Command<MainWindow>> MainWindow::helpCommands() {
          QT_TRANSLATE_NOOP("HelpCommands", "Version, licence and the paper"), "", "", Reach::window,
          [](MainWindow& window) { window.showAbout(); }},
         {"help-about-qt", QT_TRANSLATE_NOOP("HelpCommands", "About &Qt"),
-         QT_TRANSLATE_NOOP("HelpCommands", "About the library of the user interface"), "", "", Reach::window,
+         QT_TRANSLATE_NOOP("HelpCommands", "About the user interface library"), "", "", Reach::window,
          [](MainWindow&) { QApplication::aboutQt(); }},
     }};
     return kCommands;

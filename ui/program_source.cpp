@@ -78,11 +78,10 @@ Result<ProgramSource::Interpreted> ProgramSource::carryOut(const Request& reques
         const bool watching = request.options.watchedLine > 0;
         return Interpreted{program, watching ? CuttingExtent() : cuttingExtent(*program)};
     } catch (const std::bad_alloc&) {
-        return failure(
-            "out-of-memory",
-            PROVEOUT_TEXT("Core", "The program needs more memory to be interpreted than there is."));
+        return failure("out-of-memory",
+                       PROVEOUT_TEXT("Core", "There is not enough memory to interpret the program."));
     } catch (const std::exception& exception) {
-        return failure("internal-error", PROVEOUT_TEXT("Core", "The interpretation had to stop: {}."),
+        return failure("internal-error", PROVEOUT_TEXT("Core", "Interpreting the program failed: {}."),
                        {exception.what()});
     }
 }

@@ -41,7 +41,7 @@ void RecentMenu::greyMissing() {
         QString text = QDir::toNativeSeparators(file);
         text.replace(u'&', QStringLiteral("&&"));
         action->setText(missing ? tr("%1 (missing)").arg(text) : text);
-        action->setToolTip(missing ? tr("This file is no longer there.") : QString());
+        action->setToolTip(missing ? tr("File not found.") : QString());
         action->setEnabled(!missing);
     }
 }

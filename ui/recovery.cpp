@@ -34,7 +34,7 @@ NcText onDisk(const std::filesystem::path& file) {
 /// The kept versions beside those of the files.
 std::vector<Comparison> comparisonsOf(const KeptWork& work, const JobDocument& document) {
     std::vector<Comparison> comparisons;
-    const QString where = Recovery::tr("in the kept version");
+    const QString where = Recovery::tr("in the backup");
     if (!work.keptText.empty())
         comparisons.push_back({nameOf(work), onDisk(work.program), document.text().text, where});
     if (work.jobModified) {
@@ -136,7 +136,7 @@ void Recovery::discard(const QString& folder) {
                          tr("Discard the unsaved changes of %1?").arg(nameOf(left->session.work)),
                          QMessageBox::Discard | QMessageBox::Cancel, &m_window);
     question.setTextFormat(Qt::PlainText); // the name is the user's
-    question.setInformativeText(tr("The kept version is deleted. The file on disk stays as it is."));
+    question.setInformativeText(tr("The backup will be deleted. The file on disk is not changed."));
     question.setDefaultButton(QMessageBox::Cancel);
     if (question.exec() == QMessageBox::Discard)
         forget(folder);

@@ -81,12 +81,11 @@ void RecoveryBar::addRow(const RecoveryRow& row, int line) {
         connect(button, &QPushButton::clicked, this, [this, wanted, key = row.key] { (this->*wanted)(key); });
         grid->addWidget(button, line, column);
     };
-    add(1, tr("Restore"), tr("Open the kept version as unsaved changes; the file stays as it is"),
+    add(1, tr("Restore"), tr("Open the backup as unsaved changes; the file is not changed"),
         &RecoveryBar::restoreWanted);
-    add(2, tr("Compare…"), tr("Show where the kept version and the file differ"),
+    add(2, tr("Compare…"), tr("Show the differences between the backup and the file"),
         &RecoveryBar::compareWanted);
-    add(3, tr("Discard"), tr("Delete the kept version; the file stays as it is"),
-        &RecoveryBar::discardWanted);
+    add(3, tr("Discard"), tr("Delete the backup; the file is not changed"), &RecoveryBar::discardWanted);
 }
 
 void RecoveryBar::changeEvent(QEvent* event) {

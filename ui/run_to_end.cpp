@@ -48,17 +48,17 @@ bool settleHalfRun(QWidget& parent, Session& session) {
         session.playback().pause(); // the question is about this moment
     const QLocale locale = parent.locale();
     QMessageBox question(QMessageBox::Question,
-                         text(QT_TRANSLATE_NOOP("RunToEnd", "Program not run to its end")),
+                         text(QT_TRANSLATE_NOOP("RunToEnd", "Program not run to the end")),
                          text(QT_TRANSLATE_NOOP("RunToEnd", "The simulation is at block %1 of %2."))
                              .arg(number(locale, session.simulation().block()),
                                   number(locale, session.program().blockCount())),
                          QMessageBox::Cancel, &parent);
-    question.setInformativeText(text(QT_TRANSLATE_NOOP(
-        "RunToEnd", "Export the stock as it is now, or run the program to the end first?")));
+    question.setInformativeText(text(
+        QT_TRANSLATE_NOOP("RunToEnd", "Use the stock as it is now, or run the program to the end first?")));
     QPushButton* run = question.addButton(text(QT_TRANSLATE_NOOP("RunToEnd", "&Run to the End First")),
                                           QMessageBox::AcceptRole);
-    const QPushButton* now = question.addButton(text(QT_TRANSLATE_NOOP("RunToEnd", "&Export This Block")),
-                                                QMessageBox::ActionRole);
+    const QPushButton* now =
+        question.addButton(text(QT_TRANSLATE_NOOP("RunToEnd", "&Use Stock as Is")), QMessageBox::ActionRole);
     question.setDefaultButton(run);
     question.exec();
     if (question.clickedButton() == run)
@@ -74,7 +74,7 @@ RunToEnd::RunToEnd(Session& session, QWidget* parent)
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Cancel, this);
     connect(buttons, &QDialogButtonBox::rejected, this, &RunToEnd::reject);
     auto* layout = new QVBoxLayout(this);
-    layout->addWidget(new QLabel(tr("The program runs to its end before the export."), this));
+    layout->addWidget(new QLabel(tr("Running the program to the end…"), this));
     layout->addWidget(m_progress);
     layout->addWidget(buttons);
     connect(&session.playback(), &PlaybackHub::tick, this, &RunToEnd::look);

@@ -33,9 +33,8 @@ SaveAnswer askBeforeSave(QWidget& parent, const DiskConflict& conflict) {
     question.setTextFormat(Qt::PlainText); // the name is the user's
     question.setInformativeText(
         text(QT_TRANSLATE_NOOP("SaveQuestion",
-                               "Another program or window wrote it at %1. Saving here would "
-                               "overwrite those changes.\n\nKeep Both saves your version as a "
-                               "new file beside it."))
+                               "Another program or window wrote it at %1. Saving here would overwrite those "
+                               "changes.\n\nKeep Both saves your version as a new file in the same folder."))
             .arg(parent.locale().toString(file.lastModified(), QLocale::ShortFormat)));
     const QPushButton* overwrite = question.addButton(text(QT_TRANSLATE_NOOP("SaveQuestion", "&Overwrite")),
                                                       QMessageBox::DestructiveRole);
@@ -66,7 +65,7 @@ bool mayReplaceStock(QWidget& parent, const StockShape& stock, const QString& fi
     question.setTextFormat(Qt::PlainText); // the name is the user's
     question.setInformativeText(text(QT_TRANSLATE_NOOP(
         "SaveQuestion",
-        "If you overwrite it, the job starts from its own result the next time it is opened.")));
+        "If you overwrite it, the job will start from its own result the next time it is opened.")));
     const QPushButton* overwrite = question.addButton(text(QT_TRANSLATE_NOOP("SaveQuestion", "&Overwrite")),
                                                       QMessageBox::DestructiveRole);
     question.setDefaultButton(QMessageBox::Cancel);

@@ -161,7 +161,7 @@ void StartPage::refresh() {
         if (!m_recent.isMissing(file))
             continue;
         button->setText(tr("%1 (missing)").arg(name));
-        button->setToolTip(tr("%1\nThis file is no longer there.").arg(file));
+        button->setToolTip(tr("%1\nFile not found.").arg(file));
         button->setEnabled(false);
     }
     m_recentTitle->setVisible(!m_recent.files().isEmpty());
@@ -180,14 +180,14 @@ void StartPage::retranslate() {
     m_open->setText(tr("Open File…"));
     m_open->setToolTip(tr("Open an NC program or a job"));
     m_new->setText(tr("New Program"));
-    m_new->setToolTip(tr("Begin an empty NC program"));
-    m_back->setToolTip(tr("Show what is open again (Esc)"));
+    m_new->setToolTip(tr("Create an empty NC program"));
+    m_back->setToolTip(tr("Go back to the open document (Esc)"));
     setOpenDocument(m_openDocument);
     m_samplesTitle->setText(tr("Samples"));
     m_recentTitle->setText(tr("Recent files"));
     m_dropHint->setText(tr("Or drop a file anywhere on this window."));
     m_languageLabel->setText(tr("Language"));
-    m_language->setToolTip(tr("Language of the program"));
+    m_language->setToolTip(tr("Language of the user interface"));
     m_language->setCurrentIndex(m_language->findData(m_appearance.language()));
     refresh();
 }

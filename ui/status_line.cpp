@@ -123,11 +123,11 @@ void StatusLine::tellPlace(const PlaceAnswer& answer) {
     const QString text = [&]() -> QString {
         switch (answer.kind) {
         case PlaceAnswer::Kind::noStock:
-            return tr("No stock at this place.");
+            return tr("There is no stock at this point.");
         case PlaceAnswer::Kind::neverCut:
-            return tr("Never cut: up to block %1 this is raw stock.").arg(block);
+            return tr("Raw stock: not cut up to block %1.").arg(block);
         case PlaceAnswer::Kind::outdated:
-            return tr("The program or its setup has changed: ask again in a moment.");
+            return tr("The program or setup has changed. Try again in a moment.");
         case PlaceAnswer::Kind::cut:
             return tr("Cut by block %1: line %2, tool %3.")
                 .arg(block, QString::number(answer.line), proveout::toolText(answer));
@@ -181,14 +181,14 @@ void StatusLine::showPlace() {
 
 void StatusLine::retranslate() {
     m_cancel->setText(tr("Cancel"));
-    m_cancel->setToolTip(tr("Stop this work"));
+    m_cancel->setToolTip(tr("Cancel this task"));
     const std::array<QString, kFieldCount> tips{tr("Tool tip X in the active work offset, mm"),
                                                 tr("Tool tip Y in the active work offset, mm"),
                                                 tr("Tool tip Z in the active work offset, mm"),
-                                                tr("Feed, mm/min"),
+                                                tr("Feed rate, mm/min"),
                                                 tr("Spindle speed, rpm"),
                                                 tr("Tool in the spindle"),
-                                                tr("Blocks executed of those that move"),
+                                                tr("Motion blocks executed / total"),
                                                 tr("Triangles shown")};
     for (std::size_t i = 0; i < m_fields.size(); ++i)
         m_fields[i]->setToolTip(tips[i]);

@@ -23,12 +23,12 @@ constexpr const char* kContext = "EditCommands";
 
 const std::array<Command<UndoCommands>, 3> kCommands{{
     {"edit-undo", QT_TRANSLATE_NOOP("EditCommands", "&Undo"),
-     QT_TRANSLATE_NOOP("EditCommands", "Undo the last change where the focus is: in the text, or in setup, "
-                                       "tuning and machine"),
+     QT_TRANSLATE_NOOP("EditCommands",
+                       "Undo the last change where the focus is: program text, or setup, tuning and machine"),
      "undo", "Ctrl+Z", Reach::window, [](UndoCommands& commands) { commands.undo(); }},
     {"edit-redo", QT_TRANSLATE_NOOP("EditCommands", "&Redo"),
-     QT_TRANSLATE_NOOP("EditCommands", "Redo the change that was undone last"), "redo",
-     "Ctrl+Shift+Z; Ctrl+Y", Reach::window, [](UndoCommands& commands) { commands.redo(); }},
+     QT_TRANSLATE_NOOP("EditCommands", "Redo the last undone change"), "redo", "Ctrl+Shift+Z; Ctrl+Y",
+     Reach::window, [](UndoCommands& commands) { commands.redo(); }},
     separator<UndoCommands>(),
 }};
 

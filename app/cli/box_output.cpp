@@ -25,14 +25,14 @@ Result<PlanBox> parseBox(const std::string& text) {
     const char* const end = at + text.size();
     for (std::size_t k = 0; k < values.size(); ++k) {
         if (k > 0 && (at == end || *at++ != ','))
-            return failure("box-form", "“{}” is not a box of the form X0,Y0,X1,Y1 in mm.", {text});
+            return failure("box-form", "“{}” is not a box. Enter X0,Y0,X1,Y1 in mm.", {text});
         const auto [next, error] = std::from_chars(at, end, values[k]);
         if (error != std::errc{} || !std::isfinite(values[k]))
-            return failure("box-form", "“{}” is not a box of the form X0,Y0,X1,Y1 in mm.", {text});
+            return failure("box-form", "“{}” is not a box. Enter X0,Y0,X1,Y1 in mm.", {text});
         at = next;
     }
     if (at != end)
-        return failure("box-form", "“{}” is not a box of the form X0,Y0,X1,Y1 in mm.", {text});
+        return failure("box-form", "“{}” is not a box. Enter X0,Y0,X1,Y1 in mm.", {text});
     return PlanBox{{values[0], values[1]}, {values[2], values[3]}};
 }
 
@@ -41,13 +41,13 @@ Result<PlanBox> parseBox(const std::string& text) {
 void BoxOutput::addTo(CLI::App& command) {
     auto* box = command
                     .add_option("--box", m_box,
-                                "Cut this box of the stock once more on a finer grid, whose heights are "
-                                "those of the whole stock on that grid")
+                                "Cut this box of the stock again on a finer grid; its heights equal those of "
+                                "the whole stock on that grid")
                     ->type_name("X0,Y0,X1,Y1");
     command.add_option("--box-spacing", m_spacing, "Grid spacing in the box, mm (0.01)")
         ->type_name("H")
         ->needs(box);
-    command.add_option("--box-stl", m_stl, "Write the box as a closed solid, within half of its spacing")
+    command.add_option("--box-stl", m_stl, "Write the box as a closed solid, accurate to half its spacing")
         ->type_name("F.stl")
         ->needs(box);
     command.add_option("--box-heights", m_heights, "Write the heights in the box (NPY)")
@@ -130,7 +130,7 @@ void BoxOutput::print() const {
     if (!wanted())
         return;
     const Grid& grid = m_fine.zmap.grid();
-    fmt::print("box: {} × {} points, {:.4g} mm apart, cut by {} motions in {:.3f} s\n", grid.nx, grid.ny,
+    fmt::print("box: {} × {} points, spacing {:.4g} mm, cut by {} motions in {:.3f} s\n", grid.nx, grid.ny,
                grid.hx, m_fine.motions, m_fine.seconds);
     if (m_exported)
         fmt::print("{}: {} triangles, {}, largest vertical error {:.6f} mm\n", m_stl,

@@ -53,7 +53,7 @@ Result<ZMapSnapshot> prepare(const DecimateOptions& options, DecimationParameter
     if (!origin)
         return aboutOption(
             "--origin",
-            failure("point-form", "“{}” is not a point of the form X,Y in mm.", {options.origin}).value());
+            failure("point-form", "“{}” is not a point. Enter X,Y in mm.", {options.origin}).value());
     return readZMap(options.zmap, options.spacing, Vec2(*origin), options.floor,
                     [&](const StockBox& stock, const Grid& grid) {
                         options.decimation.apply(parameters, {}, static_cast<double>(grid.nx) * grid.ny);
@@ -111,15 +111,15 @@ ExitCode run(const DecimateOptions& options) {
 } // namespace
 
 void addDecimateCommand(CLI::App& app, ExitCode& exitCode) {
-    auto* command = app.add_subcommand("decimate", "Decimate a given z-map");
+    auto* command = app.add_subcommand("decimate", "Decimate a z-map");
     auto options = std::make_shared<DecimateOptions>();
-    command->add_option("ZMAP", options->zmap, "Z-map: NPY, absolute heights, row 0 at the least y")
+    command->add_option("ZMAP", options->zmap, "Z-map: NPY, absolute heights, row 0 at min Y")
         ->type_name("")
         ->required();
     command->add_option("--grid", options->spacing, "Grid spacing, mm")->type_name("H")->required();
     command->add_option("--origin", options->origin, "Position of row 0, column 0, mm (0,0)")
         ->type_name("X,Y");
-    command->add_option("--floor", options->floor, "Floor of the stock, mm (5 below the least height)")
+    command->add_option("--floor", options->floor, "Bottom of the stock, mm (5 mm below the lowest height)")
         ->type_name("Z");
     options->decimation.addTo(*command);
     options->threads.addTo(*command);

@@ -67,7 +67,7 @@ std::string standardOf(int DecimationMethodRow::*number) {
 template<class Value>
 std::string standardText(const Value& value, const Field& field) {
     if (std::string_view(field.key) == "region")
-        return fmt::format("{}; doubled, up to {}, where a map would have more than {} regions",
+        return fmt::format("{}; doubled up to {} if a map would have more than {} regions",
                            standardOf(&DecimationMethodRow::standardRegion), kLargestStandardRegion,
                            kMostStandardRegions);
     if (std::string_view(field.key) == "period")

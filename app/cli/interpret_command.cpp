@@ -100,7 +100,7 @@ void addInterpretCommand(CLI::App& app, ExitCode& exitCode) {
     addDialectOption(*command, options->dialect);
     command
         ->add_option("--compare-dialects", options->compared,
-                     "List the lines that move differently in two dialects instead")
+                     "Instead, list the lines whose motion differs between two dialects")
         ->delimiter(',')
         ->expected(2)
         ->check(CLI::IsMember(dialectKeys()))
@@ -108,7 +108,7 @@ void addInterpretCommand(CLI::App& app, ExitCode& exitCode) {
     options->tools.addTo(*command);
     options->stock.addTo(*command);
     options->start.addTo(*command, "0,0,0, assumed");
-    command->add_flag("--block-delete", options->blockDelete, "Skip blocks that begin with /");
+    command->add_flag("--block-delete", options->blockDelete, "Block delete: skip blocks that start with /");
     options->compensationStart.addTo(*command);
     options->ignoredM.addTo(*command);
     command->callback([options, &exitCode] { exitCode = run(*options); });

@@ -14,11 +14,12 @@ namespace proveout::cli {
 void MeshOutputs::addTo(CLI::App& command) {
     command
         .add_option("--export", m_exports,
-                    "Write the stock as a closed solid; the ending names the format (" + meshEndings() +
-                        "); repeatable")
+                    "Write the stock as a closed solid; the file name extension sets the format (" +
+                        meshEndings() + "); repeatable")
         ->type_name("FILE")
         ->allow_extra_args(false);
-    command.add_option("--stl", m_stl, "The same as STL, whatever the ending")->type_name("F.stl");
+    command.add_option("--stl", m_stl, "The same as STL, whatever the file name extension")
+        ->type_name("F.stl");
     command.add_flag("--ascii", m_asciiStl, "Write STL as text");
 }
 

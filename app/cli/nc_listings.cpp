@@ -60,8 +60,8 @@ ordered_json dialectsAsJson() {
 
 void printDialects() {
     for (const Dialect& dialect : dialects()) {
-        fmt::print("{:<10} {:<14} {:>4} codes, {}, 1 without a point is {:g} mm\n", dialect.key, dialect.name,
-                   supportedCodes(dialect), nameOf(dialect.macros).name, dialect.leastMm);
+        fmt::print("{:<10} {:<14} {:>4} codes, {}, 1 without a decimal point is {:g} mm\n", dialect.key,
+                   dialect.name, supportedCodes(dialect), nameOf(dialect.macros).name, dialect.leastMm);
     }
 }
 

@@ -49,7 +49,7 @@ Result<void> checkSpaceTogether(const std::vector<Output>& outputs) {
         const std::uint64_t together = needed[info.st_dev] += bytes;
         const auto space = std::filesystem::space(folder, error);
         if (!error && space.capacity > 0 && together > space.available)
-            return failure("outputs-lack-space", "The outputs need {} on this disk, which has {} free.",
+            return failure("outputs-lack-space", "The outputs need {} on this disk, but only {} is free.",
                            {readableBytes(static_cast<double>(together)),
                             readableBytes(static_cast<double>(space.available))},
                            file);
@@ -78,9 +78,9 @@ bool writesFullMesh(const DecimationParameters& parameters) {
 Result<void> checkExportable(const DecimationParameters& parameters) {
     if (parameters.borders == BorderRule::shared || parameters.method == DecimationMethod::none)
         return {};
-    return failure("borders-not-exported",
-                   "Borders decimated per region leave cracks: they are for studies and "
-                   "are not exported.");
+    return failure(
+        "borders-not-exported",
+        "Borders decimated per region leave cracks. They are for studies only and cannot be exported.");
 }
 
 } // namespace proveout::cli

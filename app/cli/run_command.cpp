@@ -22,7 +22,7 @@ ExitCode refuse(const CLI::App& app, std::string sentence) {
     const std::string name = chosen.empty() ? app.get_name() : app.get_name() + " " + command.get_name();
     if (!sentence.ends_with('.'))
         sentence += '.';
-    fmt::print(stderr, "{}: error: {} [usage]\n\n{}\nMore is told by {} --help\n", app.get_name(), sentence,
+    fmt::print(stderr, "{}: error: {} [usage]\n\n{}\nFor more, run {} --help\n", app.get_name(), sentence,
                CLI::Formatter().make_usage(&command, name), name);
     return ExitCode::unusable;
 }
@@ -49,8 +49,8 @@ void refuseEmptyValues(CLI::App& app) {
 ExitCode unwritableOutput(const CLI::App& app, int error) {
     const std::string reason =
         error == 0 ? std::string() : fmt::format(": {}", std::generic_category().message(error));
-    fmt::print(stderr, "{}: error: The standard output cannot be written{}. [output-unwritable]\n",
-               app.get_name(), reason);
+    fmt::print(stderr, "{}: error: Cannot write to standard output{}. [output-unwritable]\n", app.get_name(),
+               reason);
     return ExitCode::unusable;
 }
 

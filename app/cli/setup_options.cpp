@@ -47,7 +47,7 @@ void StockOptions::addTo(CLI::App& command) {
         ->type_name("WxDxH|SHAPE:key=value,…");
     command
         .add_option("--stock-origin", origin,
-                    "Least X, least Y and top Z of the stock, mm (0,0,0: its top is at Z0)")
+                    "Min X, min Y and top Z of the stock, mm (0,0,0: its top is at Z0)")
         ->type_name("MINX,MINY,TOPZ");
 }
 
@@ -107,7 +107,7 @@ Result<void> ToolOptions::apply(ToolTable& table) const {
         if (!named.insert(tool->first).second)
             return aboutOption(
                 "--tool",
-                failure("tool-twice", "Tool {} is given twice.", {std::to_string(tool->first)}).value());
+                failure("tool-twice", "Tool {} is specified twice.", {std::to_string(tool->first)}).value());
         table.set(tool->first, std::move(tool->second));
     }
     return {};
@@ -117,7 +117,7 @@ void StartOptions::addTo(CLI::App& command, const std::string& withoutPosition) 
     const Field& start = setup_field::kStartTool;
     command.add_option("--start", position, "Position before the first block, mm (" + withoutPosition + ")")
         ->type_name("X,Y,Z");
-    command.add_option("--start-tool", tool, std::string(start.help) + " (not known)")
+    command.add_option("--start-tool", tool, std::string(start.help) + " (unknown)")
         ->check(CLI::Range(static_cast<int>(start.minimum), static_cast<int>(start.maximum)))
         ->type_name("N");
 }
@@ -135,7 +135,7 @@ Result<void> StartOptions::apply(Setup& setup) const {
         if ((*start)[axis] < field.minimum || (*start)[axis] > field.maximum)
             return aboutOption(
                 "--start",
-                failure("start-out-of-range", "{}{} is out of range: positions are from {} to {} mm.",
+                failure("start-out-of-range", "{}{} is out of range; positions must be from {} to {} mm.",
                         {std::string(1, "XYZ"[axis]), fmt::format("{:g}", (*start)[axis]),
                          fmt::format("{:g}", field.minimum), fmt::format("{:g}", field.maximum)})
                     .value());
@@ -147,7 +147,7 @@ Result<void> StartOptions::apply(Setup& setup) const {
 void CompensationStart::addTo(CLI::App& command) {
     command
         .add_option("--compensation-start", type,
-                    "How cutter compensation of Fanuc and Haas begins and ends at outside corners: type a "
+                    "Start-up and cancel of Fanuc and Haas cutter compensation at outside corners: type a "
                     "straight, type b round them (a)")
         ->check(CLI::IsMember(std::vector<std::string>{"a", "b"}))
         ->type_name("T");
@@ -161,8 +161,8 @@ void CompensationStart::apply(bool& typeB) const {
 void IgnoredMOption::addTo(CLI::App& command) {
     command
         .add_option("--ignore-m", list,
-                    "M codes that move no axis on this machine (clamps, doors, air), e.g. 16,24,25: ignored, "
-                    "and listed")
+                    "M codes that move no axis on this machine (clamps, doors, air), e.g. 16,24,25; they are "
+                    "ignored and listed")
         ->type_name("N,…");
 }
 
@@ -180,7 +180,7 @@ Diagnostics unusedCompensationStart(bool typeB, const Program& program) {
         return {};
     Diagnostics told =
         failure("compensation-start-unused",
-                "Type B of the start of cutter compensation changes nothing: {} knows no types.", {row.name})
+                "Cutter compensation start-up type B has no effect: {} has no start-up types.", {row.name})
             .value();
     told.front().severity = Severity::warning;
     return told;
@@ -190,25 +190,24 @@ void SetupOptions::addTo(CLI::App& command) {
     command.add_option("PROG", m_program, "NC program")->type_name("");
     command.add_option("--job", m_jobFile, "Job file with program, stock, grid, tools and decimation")
         ->type_name("FILE");
-    command.add_flag("--allow-outside", m_allowOutside,
-                     "Read files outside the folder of the job where it names them");
+    command.add_flag("--allow-outside", m_allowOutside, "Allow the job to read files outside its folder");
     m_stock.addTo(command);
     command
         .add_option(
             "--grid", m_grid,
-            "Grid spacing, mm (auto: a tenth of the smallest cutter's diameter, 1 to 4 million points)")
+            "Grid spacing, mm (auto: one tenth of the smallest cutter diameter, 1 to 4 million points)")
         ->check(checkSpacingText)
         ->type_name("H|auto");
     m_tools.addTo(command);
-    m_start.addTo(command, "not known");
-    command.add_flag("--block-delete", m_blockDelete, "Skip blocks that begin with /");
+    m_start.addTo(command, "unknown");
+    command.add_flag("--block-delete", m_blockDelete, "Block delete: skip blocks that start with /");
     m_compensationStart.addTo(command);
     m_ignoredM.addTo(command);
     addDialectOption(command, m_dialect);
     command
         .add_option("--machine", m_machine,
-                    "How fast the machine is, e.g. rapidXY=20000,largestFeed=10000,accelerationXY=2000; also "
-                    "rapidZ, accelerationZ, cornerDeviation, toolChange (mm, minutes; seconds)")
+                    "Machine speeds, e.g. rapidXY=20000,largestFeed=10000,accelerationXY=2000; also rapidZ, "
+                    "accelerationZ, cornerDeviation, toolChange (mm/min, mm/s², mm, s)")
         ->type_name("key=value,…");
     m_decimation.addTo(command);
 }
@@ -218,7 +217,7 @@ Result<Job> SetupOptions::readJobFile() const {
     if (!job)
         for (Diagnostic& error : job.error())
             if (std::string_view(error.id) == "job-outside")
-                error.text = "The field \"{}\" names {}, which is outside the folder of the job; use "
+                error.text = "The field \"{}\" names {}, which is outside the job folder; use "
                              "--allow-outside if you trust the job.";
     return job;
 }
@@ -234,9 +233,9 @@ Result<Job> SetupOptions::job() const {
     if (!m_program.empty())
         job.program = m_program;
     if (job.program.empty())
-        return failure("no-program", "No program is given: name one, or a --job.", {}, "proveout-cli");
+        return failure("no-program", "No program: name an NC program or use --job.", {}, "proveout-cli");
     if (m_jobFile.empty() && m_stock.spec.empty())
-        return failure("no-stock", "No stock is given: use --stock WxDxH, or a --job.", {}, "proveout-cli");
+        return failure("no-stock", "No stock: use --stock WxDxH or --job.", {}, "proveout-cli");
     if (auto stock = m_stock.apply(job.setup); !stock)
         return tl::unexpected(std::move(stock.error()));
     if (m_jobFile.empty() || m_grid == kAutomatic)
@@ -318,7 +317,7 @@ std::set<std::string> dialectKeys() {
 void addDialectOption(CLI::App& command, std::string& key) {
     std::set<std::string> keys = dialectKeys();
     keys.insert(kGuessed);
-    command.add_option("--dialect", key, "Dialect of the program (auto: by its signs)")
+    command.add_option("--dialect", key, "Dialect of the program (auto: detected from the program)")
         ->check(CLI::IsMember(std::move(keys)))
         ->type_name("D");
 }

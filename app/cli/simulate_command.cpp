@@ -350,9 +350,9 @@ private:
     }
 
     void printSummary() const {
-        fmt::print("{} of {} moving blocks, {:.1f} mm³ removed, {:.3f} s; {} on {} machine\n", m_frame.block,
+        fmt::print("{} of {} motion blocks, {:.1f} mm³ removed, {:.3f} s; {} on {} machine\n", m_frame.block,
                    m_program->blockCount(), m_frame.removedMm3, m_seconds.total,
-                   clockText(m_times->secondsAfter[m_frame.block]), m_job.machine ? "the" : "an assumed");
+                   clockText(m_times->secondsAfter[m_frame.block]), m_job.machine ? "the" : "the default");
         const Grid& grid = m_frame.zmap.grid();
         if (m_job.setup.automaticGrid)
             fmt::print("grid: {:g} mm (automatic), {} × {} points\n", m_job.setup.spacing, grid.nx, grid.ny);
@@ -379,34 +379,31 @@ private:
 } // namespace
 
 void addSimulateCommand(CLI::App& app, ExitCode& exitCode) {
-    auto* command = app.add_subcommand("simulate", "Cut a program, and write what is asked for");
+    auto* command = app.add_subcommand("simulate", "Simulate a program and write the requested outputs");
     auto options = std::make_shared<SimulateOptions>();
     options->setup.addTo(*command);
     options->threads.addTo(*command);
-    command
-        ->add_option("--until", options->until,
-                     "Stop after the N-th block that moves (from 1), or after line n")
+    command->add_option("--until", options->until, "Stop after motion block N (from 1), or after line n")
         ->type_name("N|L<n>")
         ->check([](const std::string& text) {
-            return parseStopBlock(text) ? std::string()
-                                        : "\"" + text + "\" is neither a block N nor a line L<n>";
+            return parseStopBlock(text) ? std::string() : "\"" + text + "\" is not a block N or a line L<n>";
         });
     command->add_option("--zmap", options->zmap, "Write the z-map (NPY)")->type_name("F.npy");
     command
         ->add_option("--provenance", options->provenance,
-                     "Write the source line that cut each point last (NPY of uint32, 0: uncut); cuts once "
-                     "more, and takes 13 bytes a point")
+                     "Write the program line that cut each point last (NPY of uint32, 0: uncut); cuts again, "
+                     "and needs 13 bytes per point")
         ->type_name("F.npy");
     options->meshes.addTo(*command);
-    command->add_option("--mesh", options->mesh, "The surface of the solid (decimated)")
+    command->add_option("--mesh", options->mesh, "Surface of the exported solid (decimated)")
         ->check(CLI::IsMember({"decimated", "full"}))
         ->type_name("M");
     options->box.addTo(*command);
-    command->add_option("--records", options->records, "Write one row a moving block (CSV)")
+    command->add_option("--records", options->records, "Write one row per motion block (CSV)")
         ->type_name("F.csv");
     command
         ->add_option("--save-stock", options->stock,
-                     "Write what is left of the stock, for the next setup (--stock file:file=…)")
+                     "Write the remaining stock for the next setup (--stock file:file=…)")
         ->type_name("F.pvstock");
     command->add_flag("--json", options->json, "Print one JSON object");
     command->callback([options, &exitCode] {

@@ -52,7 +52,7 @@ void printTableAsJson() {
 } // namespace
 
 void addStocksCommand(CLI::App& app, ExitCode& exitCode) {
-    auto* command = app.add_subcommand("stocks", "List the shapes of stock with their keys, for --stock");
+    auto* command = app.add_subcommand("stocks", "List the stock shapes and their keys, for --stock");
     auto json = std::make_shared<bool>(false);
     command->add_flag("--json", *json, "Print one JSON object");
     command->callback([json, &exitCode] {

@@ -61,7 +61,7 @@ PictureSize pictureSize(const std::string& text) {
 std::string checkPicture(const std::string& text) {
     if (pictureSize(text).width > 0)
         return {};
-    return fmt::format("{} is no size WxH from {} to {} pixels", text, kSmallestPicture, kLargestPicture);
+    return fmt::format("{} is not a size WxH from {} to {} pixels", text, kSmallestPicture, kLargestPicture);
 }
 
 std::string timeLabel(const StudyOptions& options) {
@@ -221,32 +221,34 @@ std::vector<std::string> sweepKeys() {
 } // namespace
 
 void addStudyCommand(CLI::App& app, ExitCode& exitCode, StudyEquipment equipment) {
-    auto* command = app.add_subcommand("study", "The paper's curves on a program, as tables and pictures");
+    auto* command = app.add_subcommand(
+        "study", "Reproduce the curves of the paper for a program, as tables and pictures");
     auto options = std::make_shared<StudyOptions>();
     options->equipment = std::move(equipment);
     options->setup.addTo(*command);
     options->threads.addTo(*command);
-    auto* sweep = command->add_option("--sweep", options->sweep, "What is gone through")
+    auto* sweep = command->add_option("--sweep", options->sweep, "What the sweep varies")
                       ->check(CLI::IsMember(sweepKeys()));
-    command->add_option("--out", options->out, "Folder of the tables and pictures (.)")->type_name("DIR");
+    command->add_option("--out", options->out, "Folder for the tables and pictures (.)")->type_name("DIR");
     auto* optimise = command->add_flag("--optimise", options->optimise, "Choose region size and period");
     sweep->excludes(optimise);
     command
         ->add_flag("--exhaustive", options->exhaustive,
-                   "Hold the choice against straight runs of all region sizes and periods")
+                   "Compare the choice with direct runs of all region sizes and periods")
         ->needs(optimise);
     command
         ->add_option("--repeats", options->repeats,
-                     "Runs a point, of which the median counts (1; with --optimise 3)")
+                     "Runs per point; the median is used (1; with --optimise 3)")
         ->check(CLI::Range(1, 99));
-    command->add_option("--draw-every", options->drawEvery, "Draw one block of each N, charge all (1)")
+    command
+        ->add_option("--draw-every", options->drawEvery, "Draw one block in N and count its time for all (1)")
         ->check(CLI::Range(1, 1000000));
     command
         ->add_option("--triangles-per-second", options->trianglesPerSecond,
-                     "Charge drawing at this rate and measure none")
+                     "Calculate drawing time at this rate instead of measuring it")
         ->check(CLI::Range(1.0, 1e15));
     if (options->equipment.renderer)
-        command->add_option("--picture", options->picture, "Size of the picture that is drawn (1280x800)")
+        command->add_option("--picture", options->picture, "Size of the drawn picture (1280x800)")
             ->check(checkPicture)
             ->type_name("WxH");
     command->add_flag("--json", options->json, "Print one JSON object");

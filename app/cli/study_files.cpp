@@ -19,7 +19,7 @@ Result<void> StudyFiles::prepare() const {
     std::error_code error;
     std::filesystem::create_directories(m_folder, error);
     if (error)
-        return failure("folder-unwritable", "The folder cannot be made: {}.", {error.message()},
+        return failure("folder-unwritable", "The folder cannot be created: {}.", {error.message()},
                        m_folder.string());
     // Found out by opening a file, before hours of sweeps: permissions alone do not tell (a full disk, root).
     auto ready = AtomicFile(m_folder / "runs.csv", kLeastBytes).ready();

@@ -114,20 +114,20 @@ nlohmann::ordered_json Optimised::json() const {
 
 void Optimised::print() const {
     const Forecast& chosen = cheapest(rehearsal);
-    fmt::print("chosen       region {}, period {} (rehearsed in {:.3f} s)\n", chosen.regionCells,
-               chosen.period, rehearsal.seconds);
+    fmt::print("chosen       region {}, period {} (trial run {:.3f} s)\n", chosen.regionCells, chosen.period,
+               rehearsal.seconds);
     fmt::print("predicted    {:.4f} s; {:.4f} s without decimation\n", chosen.seconds,
                rehearsal.undecimated.seconds);
     fmt::print("measured     {}\n", text(chosenMeasured));
-    fmt::print("as given     {}, region {}, period {}\n", text(givenMeasured), given.regionCells,
+    fmt::print("as set       {}, region {}, period {}\n", text(givenMeasured), given.regionCells,
                given.period);
     if (!exhaustive)
         return;
     const Forecast& best = exhaustive->best;
-    fmt::print("best of {}  region {}, period {}: {:.4f} s by its counts, measured {}\n",
+    fmt::print("best of {}  region {}, period {}: {:.4f} s from counts, measured {}\n",
                rehearsal.forecasts.size(), best.regionCells, best.period, best.seconds,
                text(exhaustive->bestMeasured));
-    fmt::print("chosen/best  {:.4f} by counts, {:.4f} measured\n", exhaustive->chosenSeconds / best.seconds,
+    fmt::print("chosen/best  {:.4f} from counts, {:.4f} measured\n", exhaustive->chosenSeconds / best.seconds,
                chosenMeasured.median / exhaustive->bestMeasured.median);
 }
 

@@ -15,7 +15,7 @@ ThreadLimit::ThreadLimit() = default;
 ThreadLimit::~ThreadLimit() = default;
 
 void ThreadLimit::addTo(CLI::App& command) {
-    command.add_option("--threads", m_threads, "Threads that work in parallel (all, if not given)")
+    command.add_option("--threads", m_threads, "Number of parallel threads (default: all)")
         ->check(CLI::Range(1, 1024).description("1 to 1024"))
         ->type_name("N");
 }

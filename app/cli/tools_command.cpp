@@ -92,10 +92,10 @@ ExitCode run(const ToolsOptions& options) {
 } // namespace
 
 void addToolsCommand(CLI::App& app, ExitCode& exitCode) {
-    auto* command = app.add_subcommand("tools", "List the shapes of cutters, or the tools of a table");
+    auto* command = app.add_subcommand("tools", "List the cutter shapes, or the tools of a table");
     auto options = std::make_shared<ToolsOptions>();
     command->add_option("FILE", options->file, "Tool table (TOML): print its tools")->type_name("");
-    command->add_flag("--shapes", options->shapes, "Print the shapes with their keys, for --tool");
+    command->add_flag("--shapes", options->shapes, "Print the shapes and their keys, for --tool");
     command->add_flag("--json", options->json, "Print one JSON object");
     command->callback([options, &exitCode] {
         if (options->file.empty() && !options->shapes)

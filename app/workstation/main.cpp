@@ -48,21 +48,21 @@ Options readOptions(const QStringList& arguments) {
     parser.addPositionalArgument(QStringLiteral("FILE"), QStringLiteral("An NC program or a .proveout job."),
                                  QStringLiteral("[FILE]"));
     const QCommandLineOption screenshot(QStringLiteral("screenshot"),
-                                        QStringLiteral("Write a picture of the window to PNG and exit."),
+                                        QStringLiteral("Save a screenshot of the window as PNG and exit."),
                                         QStringLiteral("PNG"));
     const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("Size of the window."),
                                   QStringLiteral("WxH"));
     const QCommandLineOption seek(QStringLiteral("seek"),
-                                  QStringLiteral("Go to the state after block N, or to the end."),
+                                  QStringLiteral("Go to the stock after block N, or to the end."),
                                   QStringLiteral("N|end"));
     const QCommandLineOption theme(QStringLiteral("theme"),
-                                   QStringLiteral("system, light or dark, for this run."),
+                                   QStringLiteral("Theme for this run: system, light or dark."),
                                    QStringLiteral("THEME"));
     const QCommandLineOption language(QStringLiteral("language"),
                                       QStringLiteral("Language for this run: en, ko, de."),
                                       QStringLiteral("CODE"));
     const QCommandLineOption action(QStringLiteral("action"),
-                                    QStringLiteral("Trigger a command of the menus by its id; repeatable."),
+                                    QStringLiteral("Run a menu command by its id; repeatable."),
                                     QStringLiteral("ID"));
     parser.addOptions({screenshot, size, seek, theme, language, action});
     parser.process(arguments);
@@ -94,7 +94,7 @@ bool trigger(MainWindow& window, const QStringList& ids) {
     for (const QString& id : ids) {
         QAction* action = window.action(id);
         if (action == nullptr) {
-            std::fprintf(stderr, "proveout: no command has the id %s\n", qPrintable(id));
+            std::fprintf(stderr, "proveout: there is no command with the id %s\n", qPrintable(id));
             return false;
         }
         action->trigger();

@@ -22,8 +22,7 @@ ScreenshotRun::ScreenshotRun(MainWindow& window, const QString& picture, std::op
     m_limit.setSingleShot(true);
     connect(&m_settle, &QTimer::timeout, this, &ScreenshotRun::take);
     connect(&m_limit, &QTimer::timeout, this, [this] {
-        giveUp(m_sought ? "the wanted block is not reached in 180 s"
-                        : "there is no stock to show after 180 s");
+        giveUp(m_sought ? "the requested block was not reached in 180 s" : "no stock to show after 180 s");
     });
     connect(&window.session().playback(), &PlaybackHub::tick, this, &ScreenshotRun::look);
     m_limit.start(kLimitMs);

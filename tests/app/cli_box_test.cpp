@@ -53,7 +53,8 @@ TEST_F(CliBox, GoesAsFarAsTheRun) {
 }
 
 TEST_F(CliBox, IsToldInTheSummary) {
-    EXPECT_THAT(simulate("--box 10,3,25,8").out, testing::HasSubstr("box: 1501 × 501 points, 0.01 mm apart"));
+    EXPECT_THAT(simulate("--box 10,3,25,8").out,
+                testing::HasSubstr("box: 1501 × 501 points, spacing 0.01 mm"));
 }
 
 TEST_F(CliBox, RefusesWhatCannotBe) {

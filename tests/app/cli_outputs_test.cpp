@@ -124,8 +124,9 @@ TEST_F(CliOutputs, SpaceIsAskedForAllTogether) {
     EXPECT_EQ(std::system(in(cli + "--zmap disk/a.npy").c_str()), 0) << read("stderr.txt");
     const int both = std::system(in(cli + "--zmap disk/a.npy --provenance disk/b.npy").c_str());
     EXPECT_EQ(WEXITSTATUS(both), 3);
-    EXPECT_EQ(read("stderr.txt"), "disk/b.npy: error: The outputs need 3.9 MB on this disk, which has 3.1 MB "
-                                  "free. [outputs-lack-space]\n");
+    EXPECT_EQ(read("stderr.txt"),
+              "disk/b.npy: error: The outputs need 3.9 MB on this disk, but only 3.1 MB is "
+              "free. [outputs-lack-space]\n");
     const int one = std::system(in(cli + "--mesh full --stl disk/a.stl").c_str());
     EXPECT_EQ(WEXITSTATUS(one), 3);
     EXPECT_EQ(read("stderr.txt"),
@@ -163,7 +164,7 @@ TEST_F(CliOutputs, AStandardOutputThatCannotBeWrittenIsAMessage) {
             const auto done = run(arguments, {}, out);
             EXPECT_EQ(done.exitCode, 3) << arguments << " >" << out << ", -1: ended by a signal";
             EXPECT_TRUE(
-                done.tells("proveout-cli: error: The standard output cannot be written", "output-unwritable"))
+                done.tells("proveout-cli: error: Cannot write to standard output", "output-unwritable"))
                 << arguments << " >" << out << done.err;
             if (!arguments.starts_with("interpret")) { // which finds out too late why
                 EXPECT_THAT(done.err, HasSubstr(why)) << arguments << " >" << out;

@@ -111,8 +111,8 @@ TEST_F(CliUsage, ErrorsOfOptionsNameTheOption) {
     }
     ASSERT_TRUE(writeNpy(folder / "flat.npy", {2, 2, {1, 1, 1, 1}}));
     told("--floor", "decimate flat.npy --grid 1 --floor 1", "floor-too-high");
-    EXPECT_TRUE(run("simulate").tells("proveout-cli: error: No program is given", "no-program"));
-    EXPECT_TRUE(run("simulate a.nc").tells("proveout-cli: error: No stock is given", "no-stock"));
+    EXPECT_TRUE(run("simulate").tells("proveout-cli: error: No program: name an NC program", "no-program"));
+    EXPECT_TRUE(run("simulate a.nc").tells("proveout-cli: error: No stock: use --stock", "no-stock"));
     told("--origin", "decimate a.npy --grid 1 --origin 1,2,3", "point-form");
 }
 

@@ -216,23 +216,23 @@ void BreakpointsPanel::goTo(const QTreeWidgetItem& item) {
 void BreakpointsPanel::retranslate() {
     for (int row = 0; row < m_kind->count(); ++row)
         m_kind->setItemText(row, coreText(breakpointRows()[static_cast<std::size_t>(row)].label));
-    QString letters = tr("Comparisons (< <= > >= == !=) joined by && || ! and parentheses of:");
+    QString letters = tr("Compare with < <= > >= == != and combine with && || ! and parentheses. Values:");
     for (const ConditionVariable& variable : conditionVariables())
         letters +=
             QStringLiteral("\n%1: %2").arg(QLatin1Char(variable.letter)).arg(coreText(variable.meaning));
     m_condition->setToolTip(letters);
     m_condition->setPlaceholderText(QStringLiteral("Z < -20 && T == 3"));
     m_condition->setAccessibleName(tr("Condition"));
-    m_kind->setAccessibleName(tr("Kind of breakpoint"));
+    m_kind->setAccessibleName(tr("Breakpoint type"));
     m_line->setAccessibleName(tr("Line"));
     m_line->setToolTip(
-        tr("The line to stop before\nRange: 1 to %1\nDefault: 1").arg(locale().toString(kLastLine)));
+        tr("Stop before this line\nRange: 1 to %1\nDefault: 1").arg(locale().toString(kLastLine)));
     m_height->setAccessibleName(tr("Height"));
     m_height->setToolTip(
-        tr("The run stops before a block that goes below this height\nRange: %1 to %2 mm\nDefault: 0 mm")
+        tr("Stop before a block that moves below this height\nRange: %1 to %2 mm\nDefault: 0 mm")
             .arg(locale().toString(-kFarthest), locale().toString(kFarthest)));
     m_add->setText(tr("Add"));
-    m_add->setToolTip(tr("Add this breakpoint; a click beside a line of the program adds one there"));
+    m_add->setToolTip(tr("Add this breakpoint; to add one in the editor, click a line number"));
     m_remove->setText(tr("Remove"));
     m_remove->setToolTip(tr("Remove the selected breakpoints"));
     m_list->setAccessibleName(tr("Breakpoints"));

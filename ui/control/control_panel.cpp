@@ -73,7 +73,7 @@ ControlPanel::ControlPanel(Session& session, QWidget* parent)
 }
 
 void ControlPanel::retranslate() {
-    m_tree->setAccessibleName(tr("State of the control"));
+    m_tree->setAccessibleName(tr("Control state"));
     m_tree->setHeaderLabels({tr("Name"), tr("Value"), tr("Meaning")});
     m_empty->setText(
         tr("Open a program to see the modal codes, offsets and variables at the current block."));

@@ -41,13 +41,13 @@ const std::array<Command<EditorPanel>, 12> EditorPanel::kCommands{{
      QT_TRANSLATE_NOOP("EditCommands", "Copy the selected text to the clipboard"), "", "Ctrl+C", Reach::focus,
      [](EditorPanel& panel) { panel.m_editor->copy(); }},
     {"edit-paste", QT_TRANSLATE_NOOP("EditCommands", "&Paste"),
-     QT_TRANSLATE_NOOP("EditCommands", "Insert the text of the clipboard"), "", "Ctrl+V", Reach::focus,
+     QT_TRANSLATE_NOOP("EditCommands", "Insert the text from the clipboard"), "", "Ctrl+V", Reach::focus,
      [](EditorPanel& panel) { panel.m_editor->paste(); }},
     {"edit-delete", QT_TRANSLATE_NOOP("EditCommands", "&Delete"),
      QT_TRANSLATE_NOOP("EditCommands", "Delete the selected text"), "", "", Reach::focus,
      [](EditorPanel& panel) { panel.m_editor->removeSelectedText(); }},
     {"edit-select-all", QT_TRANSLATE_NOOP("EditCommands", "Select &All"),
-     QT_TRANSLATE_NOOP("EditCommands", "Select the whole text"), "", "Ctrl+A", Reach::focus,
+     QT_TRANSLATE_NOOP("EditCommands", "Select all of the text"), "", "Ctrl+A", Reach::focus,
      [](EditorPanel& panel) { panel.m_editor->selectAll(); }},
     separator<EditorPanel>(),
     {"edit-find", QT_TRANSLATE_NOOP("EditCommands", "&Find…"),
@@ -63,13 +63,13 @@ const std::array<Command<EditorPanel>, 12> EditorPanel::kCommands{{
      QT_TRANSLATE_NOOP("EditCommands", "Go to the previous match"), "", "Shift+F3", Reach::window,
      [](EditorPanel& panel) { panel.m_find->find(false); }},
     {"toggle-breakpoint", QT_TRANSLATE_NOOP("EditCommands", "Toggle &Breakpoint"),
-     QT_TRANSLATE_NOOP("EditCommands", "Set or remove a breakpoint at the line of the cursor"), "", "F9",
+     QT_TRANSLATE_NOOP("EditCommands", "Set or remove a breakpoint at the cursor line"), "", "F9",
      Reach::window,
      [](EditorPanel& panel) {
          panel.m_session.breakpoints().toggle(static_cast<std::uint32_t>(panel.m_editor->caretLine()));
      }},
     {"edit-run-to-caret", QT_TRANSLATE_NOOP("EditCommands", "Run to Cur&sor"),
-     QT_TRANSLATE_NOOP("EditCommands", "Show the stock after the line of the cursor"), "", "Ctrl+Return",
+     QT_TRANSLATE_NOOP("EditCommands", "Show the stock after the cursor line"), "", "Ctrl+Return",
      Reach::focus,
      [](EditorPanel& panel) {
          panel.m_session.playback().seekToLine(static_cast<std::uint32_t>(panel.m_editor->caretLine()));
@@ -215,21 +215,19 @@ void EditorPanel::retranslate() {
     m_commands.retranslate();
     m_editor->setAccessibleName(tr("NC program"));
     m_follow->setText(tr("F&ollow Program"));
-    m_follow->setToolTip(tr("Keep the current line in sight while the program plays; typing, clicking or "
-                            "scrolling in the text turns this off until playback is started again"));
+    m_follow->setToolTip(tr("Keep the current line in view during playback; typing, clicking or scrolling in "
+                            "the text turns this off until playback is restarted"));
     tellReadOnly();
 }
 
 void EditorPanel::tellReadOnly() {
     const Document& document = m_session.document().text();
     m_readOnly->setVisible(document.readOnly);
-    m_readOnly->setText(
-        document.tooLongLine > 0
-            ? tr("Shown read-only and with its lines cut off, because line %1 has more than %2 "
-                 "characters.")
-                  .arg(locale().toString(static_cast<qulonglong>(document.tooLongLine)),
-                       locale().toString(static_cast<qulonglong>(kEditableLine)))
-            : tr("Shown read-only, because the file is larger than 10 MB."));
+    m_readOnly->setText(document.tooLongLine > 0
+                            ? tr("Read-only, with lines truncated: line %1 has more than %2 characters.")
+                                  .arg(locale().toString(static_cast<qulonglong>(document.tooLongLine)),
+                                       locale().toString(static_cast<qulonglong>(kEditableLine)))
+                            : tr("Read-only: the file is larger than 10 MB."));
 }
 
 void EditorPanel::loadText() {

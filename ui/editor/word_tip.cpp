@@ -17,14 +17,14 @@ QString readableHelp(const WordHelp& help, DialectId dialectId) {
     const QString control = QString::fromUtf8(dialect(dialectId).name);
     const QString word = QString::fromStdString(help.word);
     if (help.name == nullptr)
-        return QCoreApplication::translate("WordTip", "%1: not known on %2").arg(word, control);
+        return QCoreApplication::translate("WordTip", "%1: unknown (%2)").arg(word, control);
     QString text =
         QCoreApplication::translate("WordTip", "%1: %2 (%3)").arg(word, coreText(help.name), control);
     if (help.group != nullptr)
         text += u'\n' + QCoreApplication::translate("WordTip", "Modal group: %1").arg(coreText(help.group));
     if (!help.supported)
         text += u'\n' + QCoreApplication::translate("WordTip",
-                                                    "Not carried out: the program is unverified from here");
+                                                    "Not supported: results after this block are unverified");
     return text;
 }
 
@@ -59,7 +59,7 @@ QString parameterText(const WordHelp& help, const LineValues& values) {
     if (parameter->before == parameter->after || !parameter->after)
         return before;
     return before + u'\n' +
-           QCoreApplication::translate("WordTip", "Behind this line: %1").arg(shown(*parameter->after));
+           QCoreApplication::translate("WordTip", "After this line: %1").arg(shown(*parameter->after));
 }
 
 /// "G54 (work offset 1)"; several where a group has them.
@@ -77,9 +77,9 @@ QString codesText(const WordHelp& help, const LineValues& values) {
     if (before.isEmpty() && after.isEmpty())
         return {};
     if (before == after)
-        return QCoreApplication::translate("WordTip", "In force before and behind: %1").arg(before);
-    return QCoreApplication::translate("WordTip", "In force before: %1").arg(before) + u'\n' +
-           QCoreApplication::translate("WordTip", "Behind this line: %1").arg(after);
+        return QCoreApplication::translate("WordTip", "Active before and after: %1").arg(before);
+    return QCoreApplication::translate("WordTip", "Active before: %1").arg(before) + u'\n' +
+           QCoreApplication::translate("WordTip", "After this line: %1").arg(after);
 }
 
 } // namespace

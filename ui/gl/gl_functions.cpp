@@ -34,8 +34,8 @@ GlSupport probeGl() {
     // These platforms hand out contexts, but a QOpenGLWidget has nothing to draw on there and may crash.
     for (const char* platform : {"offscreen", "minimal", "vnc", "linuxfb"})
         if (QGuiApplication::platformName() == QLatin1String(platform))
-            return unusable(
-                QT_TRANSLATE_NOOP("Viewport", "This display has no OpenGL; the 3D view is switched off."));
+            return unusable(QT_TRANSLATE_NOOP(
+                "Viewport", "OpenGL is not available on this display; the 3D view is off."));
     QOpenGLContext context;
     QSurfaceFormat format;
     format.setVersion(3, 3);
@@ -45,8 +45,8 @@ GlSupport probeGl() {
     surface.setFormat(format);
     surface.create();
     if (!context.create() || !context.makeCurrent(&surface))
-        return unusable(QT_TRANSLATE_NOOP(
-            "Viewport", "No OpenGL context could be created; the 3D view is switched off."));
+        return unusable(
+            QT_TRANSLATE_NOOP("Viewport", "The OpenGL context could not be created; the 3D view is off."));
     GlSupport support;
     if (Gl* gl = currentGl()) {
         support.usable = true;
@@ -54,7 +54,7 @@ GlSupport probeGl() {
         support.software = isSoftwareRenderer(support.renderer);
     } else {
         support = unusable(QT_TRANSLATE_NOOP(
-            "Viewport", "The graphics driver offers less than OpenGL 3.3; the 3D view is switched off."));
+            "Viewport", "The graphics driver does not support OpenGL 3.3; the 3D view is off."));
     }
     context.doneCurrent();
     return support;

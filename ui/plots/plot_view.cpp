@@ -338,7 +338,7 @@ QString PlotView::pictureText(std::size_t row) const {
         return u'\n' + tr("Not drawn yet");
     if (picture.last - picture.first == 1)
         return {};
-    return u'\n' + tr("Upload and drawing: mean of blocks %1 to %2 (one picture)")
+    return u'\n' + tr("Upload and drawing: mean of blocks %1 to %2 (one frame)")
                        .arg(number(picture.first + 1.0), number(picture.last));
 }
 

@@ -98,7 +98,7 @@ void PlotsPanel::setTexts() {
         m_shown[index]->setToolTip(tr("Show or hide the plot \"%1\"").arg(title));
     }
     m_follow->setText(tr("Follow"));
-    m_follow->setToolTip(tr("Keep the current block in the picture; dragging a plot stops it"));
+    m_follow->setToolTip(tr("Keep the current block in view; dragging a plot turns this off"));
 }
 
 void PlotsPanel::addKeys(QAction* action) {

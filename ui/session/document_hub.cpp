@@ -79,8 +79,8 @@ void DocumentHub::stopOpening() {
         return;
     m_reader.cancel();
     m_problems.report(failure("opening-stopped",
-                              PROVEOUT_TEXT("Core", "The file was not opened, because the open program was "
-                                                    "changed while the file was being read."))
+                              PROVEOUT_TEXT("Core", "The file was not opened because the open program was edited "
+                                                    "while the file was being read."))
                           .value());
 }
 

@@ -25,7 +25,7 @@ void ExportHub::exportMesh(const QString& file, const ExportOptions& options) {
     if (m_running) {
         m_hubs.problems.report(
             failure("export-running",
-                    PROVEOUT_TEXT("Core", "An export is still being written; wait for its end or cancel it."))
+                    PROVEOUT_TEXT("Core", "A file is still being written. Wait for it, or cancel it."))
                 .value());
         return;
     }

@@ -18,9 +18,9 @@ Diagnostic changedOnDiskWarning(const std::string& file) {
     warning.severity = Severity::warning;
     warning.unverified = true;
     warning.id = "stock-changed-on-disk";
-    warning.text = PROVEOUT_TEXT("Core", "The file of the stock has changed on disk; the simulation "
-                                         "starts from what it held before.");
-    warning.hint = PROVEOUT_TEXT("Core", "Reload the stock in the setup, or keep it as it is.");
+    warning.text = PROVEOUT_TEXT("Core", "The stock file has changed on disk; the simulation still uses "
+                                         "the version read before.");
+    warning.hint = PROVEOUT_TEXT("Core", "Reload the stock in the Setup panel, or keep the current version.");
     warning.file = file;
     return warning;
 }
@@ -32,7 +32,7 @@ Result<StockSpec> readAgain(const Setup& setup) {
             return tl::unexpected(done.error());
     } catch (const std::bad_alloc&) {
         return failure("stock-out-of-memory",
-                       PROVEOUT_TEXT("Core", "The stock needs more memory than there is."));
+                       PROVEOUT_TEXT("Core", "There is not enough memory for the stock."));
     }
     return spec;
 }

@@ -13,7 +13,7 @@ constexpr std::array<const char*, kWorkKinds> kLabels{
     QT_TRANSLATE_NOOP("WorkHub", "Exporting"),
     QT_TRANSLATE_NOOP("WorkHub", "Opening the file"),
     QT_TRANSLATE_NOOP("WorkHub", "Reading the program"),
-    QT_TRANSLATE_NOOP("WorkHub", "Looking for the block"),
+    QT_TRANSLATE_NOOP("WorkHub", "Searching for the block"),
     QT_TRANSLATE_NOOP("WorkHub", "Simulating"),
 };
 

@@ -81,8 +81,9 @@ void IgnoredCodesField::retranslate() {
     m_label->setText(tr("Ignored M codes"));
     m_list->setPlaceholderText(tr("for example 16, 24, 25"));
     m_list->setAccessibleName(tr("Ignored M codes"));
-    m_list->setToolTip(tr("M codes that move no axis on this machine: clamps, doors, air, chip conveyor. "
-                          "They are ignored and listed; other unknown codes leave the rest unverified."));
+    m_list->setToolTip(
+        tr("M codes that move no axis on this machine: clamps, doors, air, chip conveyor. They are ignored "
+           "and listed as notes. Results after any other unknown code are unverified."));
 }
 
 void IgnoredCodesField::changeEvent(QEvent* event) {

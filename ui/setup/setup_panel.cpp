@@ -217,7 +217,7 @@ void SetupPanel::showMemory(const Setup& setup) {
         m_memory->clear();
         return;
     }
-    m_memory->setText(tr("%1 × %2 points, %3 × %4 mm apart; needs about %5")
+    m_memory->setText(tr("%1 × %2 points, spacing %3 × %4 mm; needs about %5")
                           .arg(locale().toString(grid->nx), locale().toString(grid->ny),
                                locale().toString(grid->hx, 'g', 5), locale().toString(grid->hy, 'g', 5),
                                QString::fromStdString(readableBytes(zmapBytes(*grid)))));
@@ -268,7 +268,7 @@ void SetupPanel::applyStock(Setup setup) {
 void SetupPanel::makeStock(const StockSpec& spec, const std::optional<Vec3>& corner) {
     m_problem->hide();
     if (!spec.shape.file.empty())
-        m_memory->setText(tr("Reading %1 …").arg(QFileInfo(toQString(spec.shape.file)).fileName()));
+        m_memory->setText(tr("Reading %1…").arg(QFileInfo(toQString(spec.shape.file)).fileName()));
     m_making.start([this, spec, corner](const NewestTask::Reply& reply) {
         StockSpec made = spec;
         Result<void> done;
@@ -276,7 +276,7 @@ void SetupPanel::makeStock(const StockSpec& spec, const std::optional<Vec3>& cor
             done = proveout::makeStock(made, corner);
         } catch (const std::bad_alloc&) {
             done = failure("stock-out-of-memory",
-                           PROVEOUT_TEXT("Core", "The stock needs more memory than there is."));
+                           PROVEOUT_TEXT("Core", "There is not enough memory for the stock."));
         }
         reply.post([this, made, done] {
             if (done)
@@ -351,14 +351,13 @@ void SetupPanel::showTool(int number) {
 void SetupPanel::retranslate() {
     m_programTitle->setText(tr("Control"));
     m_dialectLabel->setText(tr("Dialect of the program"));
-    m_dialect->setToolTip(
-        tr("How the program is read: arcs, cycles, offsets and numbers differ from control to control"));
+    m_dialect->setToolTip(tr("The control that the program is written for; arcs, cycles, offsets and numbers "
+                             "differ from control to control"));
     m_compensationLabel->setText(tr("Cutter comp start-up"));
     m_compensation->setItemText(0, tr("Type A: straight to the path"));
     m_compensation->setItemText(1, tr("Type B: round outside corners"));
-    m_compensation->setToolTip(
-        tr("How compensation begins and ends at outside corners, as set on the control: "
-           "SUP in parameter 5003 of Fanuc, setting 43 of Haas"));
+    m_compensation->setToolTip(tr("Start-up and cancel of cutter compensation at outside corners, as set on "
+                                  "the control: Fanuc parameter 5003 (SUP), Haas setting 43"));
     m_stockTitle->setText(tr("Stock and grid"));
     m_fit->setText(tr("Fit to program"));
     m_fit->setToolTip(tr("Fit the stock to the toolpath"));
@@ -367,7 +366,7 @@ void SetupPanel::retranslate() {
     m_define->setText(tr("Add missing tools (⌀ 10 mm assumed)"));
     m_define->setToolTip(tr("Add these tools; then enter the sizes of your cutters"));
     m_blockDelete->setText(tr("Block delete (/)"));
-    m_blockDelete->setToolTip(tr("Block delete, as the switch on the control"));
+    m_blockDelete->setToolTip(tr("Skip blocks that start with /, like the switch on the control"));
     nameAutomaticDialect();
     showMissingTools();
     showMemory(m_session.job().setup());

@@ -42,9 +42,10 @@ void StockChangedBar::writeSentence() {
     const QFileInfo info(toQString(m_session.job().setup().shape.file));
     const bool readable = info.isFile();
     m_reload->setVisible(readable);
-    m_text->setText((readable ? tr("%1 has changed on disk. The simulation starts from what it held before.")
-                              : tr("%1 was deleted or renamed on disk. The simulation starts from what it "
-                                   "held before; the job cannot be opened without it."))
+    m_text->setText((readable
+                         ? tr("%1 has changed on disk. The simulation still uses the version read before.")
+                         : tr("%1 was deleted or renamed on disk. The simulation still uses the version read "
+                              "before, but the job cannot be opened without the file."))
                         .arg(info.fileName()));
 }
 
@@ -52,7 +53,7 @@ void StockChangedBar::retranslate() {
     m_reload->setText(tr("&Reload"));
     m_reload->setToolTip(tr("Read the stock again and simulate with it"));
     m_keep->setText(tr("&Keep This Version"));
-    m_keep->setToolTip(tr("Continue with the stock as it was read"));
+    m_keep->setToolTip(tr("Continue with the stock read before"));
     writeSentence();
 }
 

@@ -48,7 +48,7 @@ ToolForm::ToolForm(QWidget* parent)
 
 void ToolForm::nameShapes() {
     m_shape->setAccessibleName(tr("Shape"));
-    m_shape->setToolTip(tr("The profile of the cutter"));
+    m_shape->setToolTip(tr("Cutter shape"));
     for (int i = 0; i < m_shape->count(); ++i)
         m_shape->setItemText(i, coreText(cutterShapes()[static_cast<std::size_t>(i)].label));
 }
@@ -130,8 +130,8 @@ QWidget* ToolForm::textBox(const ShapeKey& key) {
     auto* box = new QLineEdit(QString::fromStdString(m_spec.texts[key.key]), this);
     box->setToolTip(
         coreText(key.label) + u'\n' +
-        tr("An arc to a point is told by its centre or its radius, as in %1 or %2; a radius below "
-           "zero is a hollow.\nDefault: %3")
+        tr("For an arc, add the centre or the radius to its end point, as in %1 or %2; a negative radius is "
+           "concave.\nDefault: %3")
             .arg(QStringLiteral("4/1@3/1"), QStringLiteral("4/1@1"), QLatin1String(key.standardText)));
     connect(box, &QLineEdit::editingFinished, this, [this, box, name = std::string(key.key)] {
         box->setModified(false);

@@ -174,7 +174,7 @@ void ToolTableEditor::showTool(QTreeWidgetItem& item, int number) const {
         item.setFont(column, font);
     item.setIcon(2, origin == nullptr ? QIcon() : icon(QStringLiteral("warning")));
     if (origin == nullptr) {
-        item.setText(2, tr("Given"));
+        item.setText(2, tr("Defined"));
         item.setToolTip(2, QString());
     } else if (origin->source == ToolSource::comment) {
         item.setText(2, tr("Comment, line %1").arg(origin->line));
@@ -205,7 +205,7 @@ QString ToolTableEditor::originText(const Cutter& cutter, const ToolOrigin& orig
             : tr("From the comment in <a href=\"%1\">line %1</a>: <i>%2</i>")
                   .arg(QString::number(origin.line), QString::fromStdString(origin.comment).toHtmlEscaped());
     if (const QString defaults = labelsOf(cutter, origin.defaults); !defaults.isEmpty())
-        text += line + tr("Not stated there, defaults: %1").arg(defaults.toHtmlEscaped());
+        text += line + tr("Not in the comment, defaults used: %1").arg(defaults.toHtmlEscaped());
     if (const QString entered = labelsOf(cutter, origin.entered); !entered.isEmpty())
         text += line + tr("Entered: %1").arg(entered.toHtmlEscaped());
     return text;
@@ -280,9 +280,9 @@ void ToolTableEditor::removeSelected() {
 void ToolTableEditor::retranslate() {
     m_list->setHeaderLabels({tr("Tool"), tr("Cutter"), tr("Source")});
     m_confirm->setText(tr("Confirm"));
-    m_confirm->setToolTip(tr("The sizes of the selected tool are right"));
+    m_confirm->setToolTip(tr("Confirm the sizes of the selected tool"));
     m_confirmAll->setText(tr("Confirm All"));
-    m_confirmAll->setToolTip(tr("The sizes of all tools are right"));
+    m_confirmAll->setToolTip(tr("Confirm the sizes of all tools"));
     m_list->setAccessibleName(tr("Tools"));
     m_add->setText(tr("Add"));
     m_add->setToolTip(tr("Add a tool with the next free number"));

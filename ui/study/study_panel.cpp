@@ -89,7 +89,7 @@ StudyPanel::StudyPanel(Session& session, MakeDrawing makeDrawing, QWidget* paren
         m_measured = {
             {choice.regionCells, choice.period, chosen.median, tr("Measured, chosen").toStdString()},
             {m_subject.base.regionCells, m_subject.base.period, given.median,
-             tr("Measured, as set").toStdString()}};
+             tr("Measured, current").toStdString()}};
         showForecast();
     });
     connect(&m_runner, &StudyRunner::failed, &session.problems(), &ProblemsHub::report);
@@ -123,7 +123,7 @@ void StudyPanel::startSweep() {
             m_figures->addItem(tr("Fig. %1").arg(QLatin1String(figureTable()[k].paper)), static_cast<int>(k));
     std::vector<StudyPoint> points = sweep.points(m_subject);
     if (points.empty())
-        tell(tr("The present method has nothing that this sweep could go through."));
+        tell(tr("This sweep does not apply to the current decimation method."));
     else
         m_runner.sweep(m_subject.job, std::move(points));
     refresh();
@@ -165,7 +165,7 @@ void StudyPanel::showForecast() {
                        .arg(locale.toString(choice.seconds, 'f', 2),
                             locale.toString(m_rehearsal->undecimated.seconds, 'f', 2));
     if (!m_measured.empty())
-        text += QLatin1String("; ") + tr("measured %1 s, with the present parameters %2 s")
+        text += QLatin1String("; ") + tr("measured %1 s, with the current parameters %2 s")
                                           .arg(locale.toString(m_measured[0].seconds, 'f', 2),
                                                locale.toString(m_measured[1].seconds, 'f', 2));
     tell(text);
@@ -222,16 +222,15 @@ void StudyPanel::setTexts() {
     setAccessibleName(tr("Study"));
     for (std::size_t k = 0; k < sweepTable().size(); ++k)
         m_sweeps->setItemText(static_cast<int>(k), coreText(sweepTable()[k].title));
-    m_sweeps->setToolTip(tr("What the sweep goes through"));
-    m_view->setPlaceholder(tr("Run a sweep: its figures are drawn here while it runs."));
-    m_figures->setToolTip(tr("The figure of the paper that is drawn"));
+    m_sweeps->setToolTip(tr("What the sweep varies"));
+    m_view->setPlaceholder(tr("Run a sweep to see its figures here."));
+    m_figures->setToolTip(tr("Figure of the paper to draw"));
     m_run->setText(tr("&Run Sweep"));
     m_run->setToolTip(tr("Run the program once for each point of the paper's curves"));
     m_optimise->setText(tr("&Optimise"));
-    m_optimise->setToolTip(
-        tr("Choose region size and period from a short rehearsal, then measure the choice"));
+    m_optimise->setToolTip(tr("Choose region size and period from a short trial run, then measure them"));
     m_use->setText(tr("&Use"));
-    m_use->setToolTip(tr("Take the chosen region size and period"));
+    m_use->setToolTip(tr("Use the chosen region size and period"));
     m_cancel->setText(tr("&Cancel"));
     m_export->setText(tr("&Export…"));
 }

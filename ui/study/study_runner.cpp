@@ -25,10 +25,9 @@ Result<void> carriedOut(const Work& work, DrawCost& drawing, const WorkContext& 
     try {
         return work(drawing, context);
     } catch (const std::bad_alloc&) {
-        return failure("out-of-memory", PROVEOUT_TEXT("Core", "The study needs more memory than there is."));
+        return failure("out-of-memory", PROVEOUT_TEXT("Core", "There is not enough memory for the study."));
     } catch (const std::exception& exception) {
-        return failure("internal-error", PROVEOUT_TEXT("Core", "The study had to stop: {}."),
-                       {exception.what()});
+        return failure("internal-error", PROVEOUT_TEXT("Core", "The study failed: {}."), {exception.what()});
     }
 }
 

@@ -22,8 +22,7 @@ struct LegendRow {
 constexpr std::array kRows{
     LegendRow{Activity::cutting, &ActivityStrip::Colors::cutting, "■",
               QT_TRANSLATE_NOOP("Activity", "Cutting")},
-    LegendRow{Activity::air, &ActivityStrip::Colors::air, "■",
-              QT_TRANSLATE_NOOP("Activity", "Feed through air")},
+    LegendRow{Activity::air, &ActivityStrip::Colors::air, "■", QT_TRANSLATE_NOOP("Activity", "Air cut")},
     LegendRow{Activity::rapid, &ActivityStrip::Colors::rapid, "▒", QT_TRANSLATE_NOOP("Activity", "Rapid")},
     LegendRow{Activity::rapidInStock, &ActivityStrip::Colors::rapidInStock, "■",
               QT_TRANSLATE_NOOP("Activity", "Rapid through stock")},
@@ -63,7 +62,7 @@ QStringList activityLegend(const ActivityLog& log, const ActivityStrip::Stretch&
         return {};
     QStringList lines;
     if (!single)
-        lines << text(QT_TRANSLATE_NOOP("Activity", "Blocks %1 to %2, shares of the machine's time:"))
+        lines << text(QT_TRANSLATE_NOOP("Activity", "Blocks %1 to %2, share of machine time:"))
                      .arg(number(stretch.first + 1), number(last))
                      .toHtmlEscaped();
     for (const LegendRow& row : kRows) {
@@ -83,7 +82,8 @@ QString activitySummary(const ActivityLog& log) {
         return {};
     const auto share = [&](Activity activity) { return percent(sums.share(activity), sums.has(activity)); };
     const bool rapids = sums.has(Activity::rapid) || sums.has(Activity::rapidInStock);
-    return text(QT_TRANSLATE_NOOP("Activity", "Simulated so far: cutting %1, air %2, rapids %3 of the time"))
+    return text(QT_TRANSLATE_NOOP("Activity",
+                                  "Simulated so far: cutting %1, air cut %2, rapid %3 of the time"))
         .arg(share(Activity::cutting), share(Activity::air),
              percent(sums.share(Activity::rapid) + sums.share(Activity::rapidInStock), rapids));
 }

@@ -128,15 +128,14 @@ void TimelinePanel::addReadings(QHBoxLayout& layout) {
 
 void TimelinePanel::retranslate() {
     m_scale->setAccessibleName(tr("Timeline"));
-    m_scale->setStatusTip(
-        tr("Drag to see the stock after any block; wheel or arrow keys: one block, with Shift: more"));
+    m_scale->setStatusTip(tr("Drag to go to any block; wheel or arrow keys: one block, with Shift: more"));
     m_speedLabel->setText(tr("Speed"));
     m_speed->setAccessibleName(tr("Speed"));
     m_by->setAccessibleName(tr("Play by"));
-    m_by->setToolTip(tr("What is even: each block, each millimetre of the path, or the time of the machine"));
-    m_position->setToolTip(tr("Blocks executed / blocks that move"));
-    m_lag->setToolTip(tr("Cutting takes longer than the speed allows: the program is played more slowly, and "
-                         "the stock is right at every moment"));
+    m_by->setToolTip(tr("Pace of playback: by block, by path length or by machine time"));
+    m_position->setToolTip(tr("Motion blocks executed / total"));
+    m_lag->setToolTip(tr(
+        "Cutting takes longer than this speed allows: playback is slower, but the stock is always correct"));
     m_lag->setMinimumWidth(fontMetrics().horizontalAdvance(lagText(kWidestLag)) + 8);
     namePaces();
     nameSpeeds();
@@ -161,7 +160,7 @@ QString TimelinePanel::speedName(double speed, PlayBy by) const {
         return tr("%1× (%2 blocks/s)").arg(times, units);
     if (by == PlayBy::length)
         return tr("%1× (%2 mm/s)").arg(times, units);
-    return tr("%1× the machine").arg(times);
+    return tr("%1× machine").arg(times);
 }
 
 void TimelinePanel::nameSpeeds() {
@@ -171,9 +170,9 @@ void TimelinePanel::nameSpeeds() {
     m_speed->setItemText(kPaperMode, tr("Every block (paper mode)"));
     m_speed->setItemData(kPaperMode, tr("Each block is drawn before the next one is cut"), Qt::ToolTipRole);
     m_speed->setToolTip(
-        by == PlayBy::blocks   ? tr("Playing speed; 1× is %1 blocks a second").arg(unitSpeed(by))
-        : by == PlayBy::length ? tr("Playing speed; 1× is %1 mm of path a second").arg(unitSpeed(by))
-                               : tr("Playing speed; 1× is that of the machine"));
+        by == PlayBy::blocks   ? tr("Playback speed; 1× is %1 blocks per second").arg(unitSpeed(by))
+        : by == PlayBy::length ? tr("Playback speed; 1× is %1 mm of path per second").arg(unitSpeed(by))
+                               : tr("Playback speed; 1× is the speed of the machine"));
     m_namedFor = by;
 }
 
@@ -271,7 +270,7 @@ void TimelinePanel::tellShares() {
 }
 
 QString TimelinePanel::lagText(double speed) const {
-    return tr("Lags: %1×").arg(roundedText(locale(), speed));
+    return tr("Actual speed %1×").arg(roundedText(locale(), speed));
 }
 
 void TimelinePanel::showLag(const FramePtr& frame) {

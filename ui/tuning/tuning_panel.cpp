@@ -122,7 +122,7 @@ void TuningPanel::colourProblem() {
 
 void TuningPanel::showEffect(const FramePtr& frame) {
     if (!frame) {
-        m_faces->setText(tr("Open a program to see it."));
+        m_faces->setText(tr("Open a program to see the measured effect."));
         m_error->clear();
         m_regions->clear();
         m_heldBack->clear();
@@ -146,11 +146,11 @@ void TuningPanel::showEffect(const FramePtr& frame) {
         frame->level == ErrorLevel::surface
             ? tr("Largest error: %1 mm anywhere, within the allowance of %2 mm")
             : tr("Largest error: %1 mm at the z-map points, within the allowance of %2 mm");
-    m_error->setText(isBounded(frame->parameters)
-                         ? bounded.arg(error, allowance)
-                         : tr("Largest error: %1 mm beside an allowance of %2 mm, which is not a bound while "
-                              "Certify is off")
-                               .arg(error, allowance));
+    m_error->setText(
+        isBounded(frame->parameters)
+            ? bounded.arg(error, allowance)
+            : tr("Largest error: %1 mm; the allowance of %2 mm is not guaranteed while Certify is off")
+                  .arg(error, allowance));
 }
 
 QString TuningPanel::heldBackText(const Frame& frame) const {
@@ -161,9 +161,9 @@ QString TuningPanel::heldBackText(const Frame& frame) const {
     const auto without = heldBack->frameSeconds(true);
     const auto milliseconds = [this](double seconds) { return locale().toString(1e3 * seconds, 'f', 2); };
     if (with && without)
-        return tr("Decimation is held back while playing: a frame takes %1 ms without it and %2 ms with it.")
+        return tr("Decimation is off during playback: a frame takes %1 ms without it and %2 ms with it.")
             .arg(milliseconds(*without), milliseconds(*with));
-    return tr("Decimation is held back while playing: there are only %1 triangles to draw without it.")
+    return tr("Decimation is off during playback: there are only %1 triangles to draw without it.")
         .arg(locale().toString(static_cast<qulonglong>(frame.surface.facesFull)));
 }
 

@@ -26,9 +26,9 @@ Result<FramePtr> closerOrRefused(const Frame& frame, const BoxOfInterest& box, c
         return closerFrame(frame, box, context);
     } catch (const std::bad_alloc&) {
         return failure("box-out-of-memory",
-                       PROVEOUT_TEXT("Core", "The box needs more memory than there is."));
+                       PROVEOUT_TEXT("Core", "There is not enough memory for the detail region."));
     } catch (const std::exception& exception) {
-        return failure("internal-error", PROVEOUT_TEXT("Core", "The box could not be cut: {}."),
+        return failure("internal-error", PROVEOUT_TEXT("Core", "The detail region could not be cut: {}."),
                        {exception.what()});
     }
 }
@@ -147,7 +147,7 @@ void CloserLook::finished(const Result<FramePtr>& result, double seconds) {
 
 QString CloserLook::status() const {
     if (!m_box)
-        return tr("Drag a box on the stock, or click a place.");
+        return tr("Drag a box on the stock, or click a point.");
     if (!m_refused.empty())
         return sentence(m_refused.front());
     if (m_frame == nullptr)
@@ -159,7 +159,7 @@ QString CloserLook::status() const {
     if (!isCurrent())
         return tr("At block %1: cancelled.").arg(block);
     const Grid& grid = m_fine->zmap.grid();
-    return tr("At block %1: %2 × %3 points, %4 mm apart; %5 triangles, %6 s")
+    return tr("At block %1: %2 × %3 points, spacing %4 mm; %5 triangles, %6 s")
         .arg(block, locale.toString(grid.nx), locale.toString(grid.ny), locale.toString(grid.hx, 'g', 4),
              locale.toString(static_cast<qulonglong>(m_fine->surface.faces)),
              locale.toString(m_seconds, 'f', 2));

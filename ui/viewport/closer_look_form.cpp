@@ -97,11 +97,11 @@ double CloserLookForm::spacing() const {
 }
 
 void CloserLookForm::retranslate() {
-    setAccessibleName(tr("Closer look"));
+    setAccessibleName(tr("Magnifier"));
     m_sizeLabel->setText(tr("Box:"));
     m_spacingLabel->setText(tr("Grid spacing:"));
-    m_width->setAccessibleName(tr("Size of the box along X"));
-    m_depth->setAccessibleName(tr("Size of the box along Y"));
+    m_width->setAccessibleName(tr("Box size in X"));
+    m_depth->setAccessibleName(tr("Box size in Y"));
     m_spacing->setAccessibleName(tr("Grid spacing in the box"));
     const QLocale locale;
     const auto tip = [&](QDoubleSpinBox& box, const QString& what, double standard) {
@@ -109,13 +109,13 @@ void CloserLookForm::retranslate() {
                            .arg(what, locale.toString(box.minimum()), locale.toString(box.maximum()),
                                 locale.toString(standard)));
     };
-    tip(*m_width, tr("How far the box reaches along X; a click makes one of this size."), kStandardBox);
-    tip(*m_depth, tr("How far the box reaches along Y; a click makes one of this size."), kStandardBox);
-    tip(*m_spacing, tr("How far the points of the grid in the box lie apart."), BoxOfInterest().spacing);
+    tip(*m_width, tr("Size of the box in X; a click makes a box of this size."), kStandardBox);
+    tip(*m_depth, tr("Size of the box in Y; a click makes a box of this size."), kStandardBox);
+    tip(*m_spacing, tr("Distance between the grid points in the box."), BoxOfInterest().spacing);
     m_cancel->setText(tr("Cancel"));
-    m_cancel->setToolTip(tr("Stop this work"));
+    m_cancel->setToolTip(tr("Cancel this task"));
     m_again->setText(tr("Cut Again"));
-    m_again->setToolTip(tr("Cut the box that was cancelled"));
+    m_again->setToolTip(tr("Cut the cancelled box again"));
     m_close->setText(tr("Close"));
     m_close->setToolTip(tr("Close (Esc)"));
 }

@@ -58,8 +58,7 @@ Result<std::unique_ptr<DrawCost>> OffscreenDrawing::create(int width, int height
     if (current)
         state->context.doneCurrent();
     if (!usable)
-        return failure("opengl-missing",
-                       PROVEOUT_TEXT("Core", "OpenGL 3.3 is not to be had on this display."));
+        return failure("opengl-missing", PROVEOUT_TEXT("Core", "OpenGL 3.3 is not available."));
     if (thread != nullptr)
         state->context.moveToThread(thread);
     return std::unique_ptr<DrawCost>(new OffscreenDrawing(std::move(state)));

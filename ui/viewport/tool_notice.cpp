@@ -82,10 +82,10 @@ QString ToolNotice::missingText(const std::vector<int>& missing) {
         sentence = tr("T%1 is not in the tool table; its moves are not simulated.").arg(m_tool);
     else
         sentence = tr("%1 are not in the tool table; their moves are not simulated.").arg(toolList(missing));
-    m_define->setText(tr("Define T%1 …").arg(m_tool));
+    m_define->setText(tr("Define T%1…").arg(m_tool));
     m_define->setToolTip(tr("Add T%1 to the tool table and enter its sizes").arg(m_tool));
     m_mend->setText(tr("Assume ⌀ 10 mm"));
-    m_mend->setToolTip(tr("Add the missing tools as flat end mills of 10 mm, marked as assumed"));
+    m_mend->setToolTip(tr("Add the missing tools as 10 mm flat end mills, marked as assumed"));
     return cutsAnything(m_session) ? sentence : tr("Nothing is cut.") + u' ' + sentence;
 }
 
@@ -102,14 +102,14 @@ QString ToolNotice::unconfirmedText() {
     if (tools.size() > 1)
         sentence = tr("The sizes of %1 are not confirmed.").arg(toolList(numbers));
     else if (first.origin.source == ToolSource::comment)
-        sentence = tr("T%1 is read from the comment in line %2: %3.")
+        sentence = tr("T%1 was read from the comment in line %2: %3.")
                        .arg(QString::number(m_tool), locale().toString(first.origin.line), cutter);
     else
         sentence = tr("The sizes of T%1 are assumed: %2.").arg(QString::number(m_tool), cutter);
-    m_define->setText(tr("Check …"));
+    m_define->setText(tr("Check…"));
     m_define->setToolTip(tr("Show T%1 in the tool table").arg(m_tool));
     m_mend->setText(tools.size() > 1 ? tr("Confirm All") : tr("Confirm"));
-    m_mend->setToolTip(tr("The sizes in the tool table are right"));
+    m_mend->setToolTip(tr("Confirm the sizes in the tool table"));
     return sentence + u' ' + tr("Results are unverified until you confirm the sizes.");
 }
 

@@ -352,23 +352,21 @@ void Viewport::paintOverlay(const View& view) {
     painter.setFont(font());
     if (m_renderer == nullptr) {
         painter.fillRect(rect(), palette().window());
-        paintNotice(painter, rect(), tr("The graphics driver refused a shader; the log has its words."),
-                    palette());
+        paintNotice(painter, rect(), tr("A shader failed to compile; see the log."), palette());
         return;
     }
     paintAxes(painter, rect(), view, palette().color(QPalette::WindowText));
     if (m_frame == nullptr)
         return;
     if (!m_renderer->gridFits())
-        paintNotice(
-            painter, rect(),
-            tr("The grid has more points along a side than the graphics driver can take; the stock is "
-               "not drawn. A wider grid spacing brings it back."),
-            palette());
+        paintNotice(painter, rect(),
+                    tr("The grid is too large for the graphics driver; the stock is not drawn. Increase the "
+                       "grid spacing."),
+                    palette());
     if (!m_boxFits)
         paintNotice(painter, rect(),
-                    tr("The box has more points along a side than the graphics driver can take; it is not "
-                       "drawn. A wider spacing or a smaller box brings it back."),
+                    tr("The detail region is too large for the graphics driver and is not drawn. Increase "
+                       "its grid spacing or make the box smaller."),
                     palette());
     if (m_legend)
         paintLegend(painter, rect(), m_options,

@@ -34,7 +34,7 @@ void Viewport::toggleBlockSearch() {
     if (m_choosing == Choosing::box && !m_look.box())
         closeLook();
     choose(Choosing::place);
-    QStatusTipEvent tip(tr("Click a place of the stock."));
+    QStatusTipEvent tip(tr("Click a point on the stock."));
     QApplication::sendEvent(this, &tip);
 }
 

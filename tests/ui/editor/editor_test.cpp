@@ -337,7 +337,7 @@ private slots:
         QCOMPARE(tipAt(1), QStringLiteral("G54: work offset 1 (LinuxCNC)<br>Modal group: work offset"));
         QCOMPARE(tipAt(4), QStringLiteral("X: X coordinate (LinuxCNC)"));
         QVERIFY(tipAt(9).isEmpty());
-        QVERIFY(tipAt(12).contains(QLatin1String("Not carried out")));
+        QVERIFY(tipAt(12).contains(QLatin1String("Not supported")));
         editor.showDialect(DialectId::fanuc);
         QVERIFY2(tipAt(12).startsWith(QLatin1String("G76: fine boring cycle (Fanuc)")),
                  qPrintable(tipAt(12)));
@@ -382,10 +382,10 @@ private slots:
         point("#1+2");
         QTRY_VERIFY2(tells("#1: parameter (LinuxCNC)<br>Value: 10.5"), qPrintable(QToolTip::text()));
         point("G1 ");
-        QTRY_VERIFY2(tells("Behind this line: G1 (straight feed)"), qPrintable(QToolTip::text()));
-        QVERIFY2(tells("In force before: G80"), qPrintable(QToolTip::text()));
+        QTRY_VERIFY2(tells("After this line: G1 (straight feed)"), qPrintable(QToolTip::text()));
+        QVERIFY2(tells("Active before: G80"), qPrintable(QToolTip::text()));
         point("#1=[");
-        QTRY_VERIFY2(tells("Value: 10.5<br>Behind this line: 11.5"), qPrintable(QToolTip::text()));
+        QTRY_VERIFY2(tells("Value: 10.5<br>After this line: 11.5"), qPrintable(QToolTip::text()));
         QTRY_VERIFY2(tells("First of 3 executions"), qPrintable(QToolTip::text()));
         point("X1\n");
         QTRY_VERIFY2(tells("Value: 1 in (25.4 mm)"), qPrintable(QToolTip::text()));

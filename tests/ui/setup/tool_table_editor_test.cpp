@@ -51,7 +51,7 @@ private slots:
         editor.show(mixed());
         QCOMPARE(sourceOf(editor, 0), QStringLiteral("Comment, line 3"));
         QCOMPARE(sourceOf(editor, 1), QStringLiteral("Assumed"));
-        QCOMPARE(sourceOf(editor, 2), QStringLiteral("Given"));
+        QCOMPARE(sourceOf(editor, 2), QStringLiteral("Defined"));
         const auto* list = editor.findChild<QTreeWidget*>();
         QVERIFY(list->topLevelItem(0)->font(1).italic());
         QVERIFY(!list->topLevelItem(2)->font(1).italic());
@@ -68,7 +68,7 @@ private slots:
         QCOMPARE(edited.size(), 1);
         QVERIFY(editor.tools().unconfirmedOrigin(1) == nullptr);
         QVERIFY(editor.tools().unconfirmedOrigin(2) != nullptr);
-        QCOMPARE(sourceOf(editor, 0), QStringLiteral("Given"));
+        QCOMPARE(sourceOf(editor, 0), QStringLiteral("Defined"));
 
         editor.show(mixed());
         QTest::mouseClick(&button(editor, "tool-confirm-all"), Qt::LeftButton);
@@ -83,7 +83,7 @@ private slots:
         diameter->setValue(8);
         QCOMPARE(editor.tools().find(1)->spec(), std::string("flat:d=8"));
         QVERIFY(editor.tools().unconfirmedOrigin(1) == nullptr);
-        QCOMPARE(sourceOf(editor, 0), QStringLiteral("Given"));
+        QCOMPARE(sourceOf(editor, 0), QStringLiteral("Defined"));
     }
 
     void otherSizesThanTheDiameterConfirmNothing() {

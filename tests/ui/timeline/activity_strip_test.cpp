@@ -204,7 +204,7 @@ private slots:
         const QString three = lines(1, 4);
         QVERIFY2(three.contains(QStringLiteral("Blocks 2 to 4")), qPrintable(three));
         QVERIFY2(three.contains(QStringLiteral("Cutting: 33.")), qPrintable(three));
-        QVERIFY2(three.contains(QStringLiteral("Feed through air: 66.")), qPrintable(three));
+        QVERIFY2(three.contains(QStringLiteral("Air cut: 66.")), qPrintable(three));
         QVERIFY(!three.contains(QStringLiteral("Rapid")));
         QVERIFY(lines(3, 50).contains(QStringLiteral("Blocks 4 to 5"))); // as far as it is known
         QVERIFY(!activitySummary(log).isEmpty());

@@ -111,7 +111,7 @@ private slots:
         QVERIFY(bench.finish());
         QVERIFY(bench.session.simulation().frame()->removedMm3 > 0);
         QTRY_VERIFY(bench.isShown());
-        QVERIFY(bench.text().startsWith(QStringLiteral("T3 is read from the comment in line 1")));
+        QVERIFY(bench.text().startsWith(QStringLiteral("T3 was read from the comment in line 1")));
         QVERIFY(!bench.has(Severity::fault)); // the rapid cuts, with a tool that nobody has confirmed
         QVERIFY(bench.has(Severity::warning));
 

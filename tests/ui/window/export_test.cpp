@@ -86,7 +86,7 @@ void inDialog(MainWindow& window, const char* action, const std::function<void(Q
     });
     if (isHalfRun(window.session()))
         whenOpen<QMessageBox>(
-            [](QMessageBox& question) { press(question, QStringLiteral("Export This Block")); });
+            [](QMessageBox& question) { press(question, QStringLiteral("Use Stock as Is")); });
     window.action(QLatin1String(action))->trigger();
     QVERIFY(met);
 }
@@ -174,7 +174,7 @@ private slots:
         station.session.job().setParameters(parameters);
         QTRY_COMPARE_WITH_TIMEOUT(station.session.simulation().frame()->parameters, parameters, kPatience);
         QVERIFY(toldAfter({}).endsWith(QLatin1String("certified within 0.0325 mm everywhere")));
-        QVERIFY(toldAfter({false}).endsWith(QLatin1String("with every z-map point")));
+        QVERIFY(toldAfter({false}).contains(QLatin1String("full resolution")));
         const auto toldWith = [&] {
             station.session.job().setParameters(parameters);
             const bool taken = QTest::qWaitFor(
@@ -186,7 +186,7 @@ private slots:
         parameters.method = DecimationMethod::lee;
         QVERIFY(toldWith().endsWith(QLatin1String("certified within 0.0325 mm at every z-map point")));
         parameters.certify = false;
-        QVERIFY(toldWith().endsWith(QLatin1String("mm, not a bound")));
+        QVERIFY(toldWith().endsWith(QLatin1String("mm, not guaranteed")));
     }
 
     void aHalfRunProgramIsNamedAsSuch() {
@@ -200,7 +200,7 @@ private slots:
         QString title;
         whenOpen<QMessageBox>([&](QMessageBox& question) {
             asked = question.text();
-            press(question, QStringLiteral("Export This Block"));
+            press(question, QStringLiteral("Use Stock as Is"));
             whenOpen<QFileDialog>([&](QFileDialog& dialog) {
                 title = dialog.windowTitle();
                 nameOf(dialog).setText(folder.filePath(QStringLiteral("part.stl")));

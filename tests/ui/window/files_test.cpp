@@ -185,7 +185,7 @@ private slots:
         station.window.show(); // the page looks again whenever it is shown
         QTRY_VERIFY_WITH_TIMEOUT(buttonOf(*page, gone) != nullptr && !buttonOf(*page, gone)->isEnabled(),
                                  kPatience);
-        QVERIFY2(buttonOf(*page, gone)->toolTip().contains(QLatin1String("no longer")),
+        QVERIFY2(buttonOf(*page, gone)->toolTip().contains(QLatin1String("not found")),
                  qPrintable(buttonOf(*page, gone)->toolTip()));
         QVERIFY(buttonOf(*page, there)->isEnabled());
 
@@ -194,7 +194,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(entryOf(*menu, gone) != nullptr && !entryOf(*menu, gone)->isEnabled(),
                                  kPatience);
         QVERIFY(menu->toolTipsVisible());
-        QVERIFY(entryOf(*menu, gone)->toolTip().contains(QLatin1String("no longer")));
+        QVERIFY(entryOf(*menu, gone)->toolTip().contains(QLatin1String("not found")));
         QVERIFY(entryOf(*menu, there)->isEnabled());
         menu->close();
 
@@ -258,7 +258,7 @@ private slots:
         QTemporaryDir folder;
         Workstation station(false);
         const QString file = startLongExport(station, folder);
-        AnswerTo answer(QStringLiteral("Drop the Export"));
+        AnswerTo answer(QStringLiteral("Discard the File"));
         QVERIFY(station.window.close());
         QCOMPARE(answer.asked(), 1);
         QTRY_VERIFY_WITH_TIMEOUT(!station.session.exports().isRunning(), kPatience);

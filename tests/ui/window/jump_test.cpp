@@ -244,11 +244,11 @@ private slots:
         goTo(kFacing);
         const QPoint at = placeOf(false);
         QTest::mouseClick(&view(), Qt::LeftButton, Qt::ControlModifier, at);
-        QTRY_VERIFY2_WITH_TIMEOUT(message().startsWith(QLatin1String("Never cut")), qPrintable(message()),
+        QTRY_VERIFY2_WITH_TIMEOUT(message().startsWith(QLatin1String("Raw stock")), qPrintable(message()),
                                   kPatience);
         QTest::mouseClick(&view(), Qt::LeftButton, Qt::ControlModifier, QPoint(view().width() - 4, 4));
-        QTRY_VERIFY2_WITH_TIMEOUT(message().startsWith(QLatin1String("No stock")), qPrintable(message()),
-                                  kPatience);
+        QTRY_VERIFY2_WITH_TIMEOUT(message().startsWith(QLatin1String("There is no stock")),
+                                  qPrintable(message()), kPatience);
         QCOMPARE(session().simulation().block(), kFacing);
     }
 
