@@ -285,11 +285,11 @@ private slots:
         edited.replace("Z-1", "Z-2");
         Session fresh;
         QVERIFY(opened(fresh, write(folder, "edited.nc", edited)));
-        QTRY_VERIFY_WITH_TIMEOUT(fresh.frame() != nullptr, kPatience);
-        QVERIFY(fresh.setSetup(session.job().setup()).has_value());
-        fresh.seek(fresh.blockCount());
-        QTRY_COMPARE_WITH_TIMEOUT(fresh.block(), fresh.blockCount(), kPatience);
-        QCOMPARE(heightDifference(fresh.frame()->zmap, session.simulation().frame()->zmap), 0.0);
+        QTRY_VERIFY_WITH_TIMEOUT(fresh.simulation().frame() != nullptr, kPatience);
+        QVERIFY(fresh.job().setSetup(session.job().setup()).has_value());
+        fresh.playback().seek(fresh.program().blockCount());
+        QTRY_COMPARE_WITH_TIMEOUT(fresh.simulation().block(), fresh.program().blockCount(), kPatience);
+        QCOMPARE(heightDifference(fresh.simulation().frame()->zmap, session.simulation().frame()->zmap), 0.0);
     }
 
     void regionsFollowTheMapUnlessTheirSizeIsNamed() {
@@ -600,7 +600,7 @@ private slots:
         QVERIFY(session.document().save());
         Session again;
         QVERIFY(opened(again, folder.filePath("square.proveout")));
-        QCOMPARE(QFileInfo(toQString(again.document().path)).fileName(), QString("other.nc"));
+        QCOMPARE(QFileInfo(toQString(again.document().text().path)).fileName(), QString("other.nc"));
     }
 
     void tellsFieldsOfAJobThatAreNotKnown() {
@@ -678,7 +678,7 @@ private slots:
         QTemporaryDir folder;
         Session source;
         QVERIFY(opened(source, kSample));
-        QVERIFY(source.saveJobAs(folder.filePath("large.proveout")));
+        QVERIFY(source.document().saveJobAs(folder.filePath("large.proveout")));
         QJsonObject job = QJsonDocument::fromJson(bytesOf(folder.filePath("large.proveout"))).object();
         job["grid"] = 0.0005;
         Session session;

@@ -103,8 +103,8 @@ private slots:
 
         Session other;
         QVERIFY(opened(other, job));
-        QCOMPARE(other.setup().shape.kind, StockKind::cylinder);
-        QCOMPARE(other.setup().stock.width, 42.0);
+        QCOMPARE(other.job().setup().shape.kind, StockKind::cylinder);
+        QCOMPARE(other.job().setup().stock.width, 42.0);
     }
 
     void aToolThatIsAskedForIsSeenAndReadyToBeTyped() {
@@ -150,7 +150,7 @@ private slots:
         QCOMPARE(compensation(shown).currentIndex(), 0);
         QVERIFY(opened(other, job));
         QCOMPARE(compensation(shown).currentIndex(), 1);
-        other.newFile();
+        other.document().newFile();
         QCOMPARE(compensation(shown).currentIndex(), 0);
     }
 
@@ -190,7 +190,7 @@ private slots:
         SetupPanel shown(other);
         QVERIFY(opened(other, job));
         QCOMPARE(shown.findChild<QLineEdit*>(QStringLiteral("ignored-m"))->text(), QStringLiteral("16, 24"));
-        other.newFile();
+        other.document().newFile();
         QVERIFY(shown.findChild<QLineEdit*>(QStringLiteral("ignored-m"))->text().isEmpty());
     }
 

@@ -215,7 +215,7 @@ void ViewportTest::repaintsOnNewFramesOnly() {
     for (int before = -1; std::exchange(before, painted) != painted;)
         QTest::qWait(kQuiet);
     painted = 0;
-    QSignalSpy ticks(m_session.get(), &Session::tick);
+    QSignalSpy ticks(&m_session->playback(), &PlaybackHub::tick);
     for (int k = 1; k <= 3; ++k) {
         m_session->playback().requestTick();
         QTRY_COMPARE_WITH_TIMEOUT(ticks.count(), k, kPatience);
