@@ -428,7 +428,7 @@ Vorgabe: 0 mm</translation>
         <translation>Kegel- oder V-Fräser</translation>
     </message>
     <message>
-        <source>Tool {} stands in the table twice.</source>
+        <source>Tool {} is in the table twice.</source>
         <translation>Werkzeug {} steht zweimal in der Tabelle.</translation>
     </message>
     <message>
@@ -512,7 +512,7 @@ Vorgabe: 0 mm</translation>
         <translation>Zertifizieren</translation>
     </message>
     <message>
-        <source>Keep every z-map point within the error allowance; off: the paper to the letter, which gives no bound.</source>
+        <source>Keep every z-map point within the error allowance; off: exactly as in the paper, which gives no bound.</source>
         <translation>Hält jeden Punkt der Z-Map innerhalb des zulässigen Fehlers; aus: der Aufsatz wörtlich, ohne Schranke.</translation>
     </message>
     <message>
@@ -568,7 +568,7 @@ Vorgabe: 0 mm</translation>
         <translation>ein Programm mit Rohteil, Werkzeugen und Parametern</translation>
     </message>
     <message>
-        <source>The field &quot;{}&quot; is no cutter: {}</source>
+        <source>The field &quot;{}&quot; is not a cutter: {}</source>
         <translation>Das Feld „{}“ ist kein Fräser: {}</translation>
     </message>
     <message>
@@ -652,7 +652,7 @@ Vorgabe: 0 mm</translation>
         <translation>Die NPY-Datei hat die Form {}; nötig sind zwei Dimensionen (Zeilen, Spalten).</translation>
     </message>
     <message>
-        <source>The NPY file announces {} values ({}) and has {}.</source>
+        <source>The header of the NPY file specifies {} values ({}), but the file has {}.</source>
         <translation>Die NPY-Datei kündigt {} Werte an ({}) und hat {}.</translation>
     </message>
     <message>
@@ -680,23 +680,23 @@ Vorgabe: 0 mm</translation>
         <translation>Die NPY-Datei endet bei Byte {}, innerhalb ihres Kopfes von {} Bytes.</translation>
     </message>
     <message>
-        <source>The file ends where &quot;{}&quot; should stand.</source>
+        <source>Expected &quot;{}&quot; but the file ends.</source>
         <translation>Die Datei endet, wo „{}“ stehen sollte.</translation>
     </message>
     <message>
-        <source>&quot;{}&quot; stands where &quot;{}&quot; should.</source>
-        <translation>„{}“ steht, wo „{}“ stehen sollte.</translation>
+        <source>Expected &quot;{2}&quot; but found &quot;{1}&quot;.</source>
+        <translation>„{2}“ erwartet, aber „{1}“ gefunden.</translation>
     </message>
     <message>
         <source>The file ends without &quot;endsolid&quot;; it may have been cut off.</source>
         <translation>Die Datei endet ohne „endsolid“; vielleicht wurde sie abgeschnitten.</translation>
     </message>
     <message>
-        <source>The file announces {} facets and ends at byte {}, after {}.</source>
+        <source>The header specifies {} facets, but the file ends at byte {}, after {}.</source>
         <translation>Die Datei kündigt {} Facetten an und endet bei Byte {}, nach {}.</translation>
     </message>
     <message>
-        <source>The {} facets announced were read; {} bytes follow them from byte {}.</source>
+        <source>The {} facets specified in the header were read; {} bytes follow them from byte {}.</source>
         <translation>Die angekündigten {} Facetten wurden gelesen; ab Byte {3} folgen noch {2} Bytes.</translation>
     </message>
     <message>
@@ -708,11 +708,11 @@ Vorgabe: 0 mm</translation>
         <translation>Das ist keine STL-Datei: Sie endet bei Byte {}, innerhalb des Kopfes.</translation>
     </message>
     <message>
-        <source>{} of {} facets have a coordinate that is no finite number; they were left out.</source>
+        <source>{} of {} facets have a coordinate that is not a finite number; they were ignored.</source>
         <translation>{} von {} Facetten haben eine Koordinate, die keine endliche Zahl ist; sie wurden ausgelassen.</translation>
     </message>
     <message>
-        <source>{} of {} facets have no area; they were left out.</source>
+        <source>{} of {} facets have no area; they were ignored.</source>
         <translation>{} von {} Facetten haben keine Fläche; sie wurden ausgelassen.</translation>
     </message>
     <message>
@@ -720,7 +720,7 @@ Vorgabe: 0 mm</translation>
         <translation>Bei {} von {} Facetten widerspricht die Normale dem Umlaufsinn; es gilt der Umlaufsinn.</translation>
     </message>
     <message>
-        <source>The mesh lies {} mm from the origin, where an STL file holds steps of {} mm only.</source>
+        <source>The mesh is {} mm from the origin, where an STL file resolves steps of {} mm only.</source>
         <translation>Das Netz liegt {} mm vom Ursprung; dort löst eine STL-Datei nur noch {} mm auf.</translation>
     </message>
     <message>
@@ -732,7 +732,7 @@ Vorgabe: 0 mm</translation>
         <translation>Die Datei enthält keine brauchbare Facette ({} gelesen, {} nicht endlich, {} ohne Fläche).</translation>
     </message>
     <message>
-        <source>Nothing of the stock is left, so there is no mesh to write.</source>
+        <source>No stock is left, so there is no mesh to export.</source>
         <translation>Vom Rohteil ist nichts übrig, also gibt es kein Netz zu schreiben.</translation>
     </message>
     <message>
@@ -740,7 +740,7 @@ Vorgabe: 0 mm</translation>
         <translation>Das Netz hat {} Dreiecke; eine STL-Datei fasst 4294967295.</translation>
     </message>
     <message>
-        <source>A vertex lies at {}, {}, {}: STL cannot hold that.</source>
+        <source>The vertex {}, {}, {} is out of the range of STL.</source>
         <translation>Eine Ecke liegt bei {}, {}, {}: Das kann STL nicht darstellen.</translation>
     </message>
     <message>
@@ -848,7 +848,7 @@ Vorgabe: 0 mm</translation>
         <translation>Millimeter</translation>
     </message>
     <message>
-        <source>go to reference position</source>
+        <source>move to reference position</source>
         <translation>Referenzpunkt anfahren</translation>
     </message>
     <message>
@@ -856,7 +856,7 @@ Vorgabe: 0 mm</translation>
         <translation>Referenzpunkt speichern</translation>
     </message>
     <message>
-        <source>go to second reference position</source>
+        <source>move to second reference position</source>
         <translation>zweiten Referenzpunkt anfahren</translation>
     </message>
     <message>
@@ -1148,7 +1148,7 @@ Vorgabe: 0 mm</translation>
         <translation>Zyklen fahren auf die Ausgangsebene zurück</translation>
     </message>
     <message>
-        <source>cycles retract to the R level</source>
+        <source>cycles retract to the R plane</source>
         <translation>Zyklen fahren auf die R-Ebene zurück</translation>
     </message>
     <message>
@@ -1344,7 +1344,7 @@ Vorgabe: 0 mm</translation>
         <translation>Verweilzeit in Sekunden, Umläufe eines Kreises oder ein Parameter</translation>
     </message>
     <message>
-        <source>arc radius, or a retract level</source>
+        <source>arc radius, or the R plane</source>
         <translation>Kreisradius oder Rückzugsebene</translation>
     </message>
     <message>
@@ -1384,7 +1384,7 @@ Vorgabe: 0 mm</translation>
         <translation>Entfernen Sie das Zeichen, oder setzen Sie den Text in einen Kommentar: ( … ).</translation>
     </message>
     <message>
-        <source>Write the number behind the letter, for example X10.5.</source>
+        <source>Write the value after the letter, for example X10.5.</source>
         <translation>Schreiben Sie die Zahl hinter den Buchstaben, zum Beispiel X10.5.</translation>
     </message>
     <message>
@@ -1432,7 +1432,7 @@ Vorgabe: 0 mm</translation>
         <translation>LinuxCNC lehnt das ab; schreiben Sie „%“ auch in die erste Zeile oder gar nicht.</translation>
     </message>
     <message>
-        <source>Controls skip what is before it, or what is behind it; keep one program in a file.</source>
+        <source>Controls skip what is before or after it; keep one program per file.</source>
         <translation>Steuerungen überspringen, was davor oder was dahinter steht; halten Sie ein Programm je Datei.</translation>
     </message>
     <message>
@@ -1444,7 +1444,7 @@ Vorgabe: 0 mm</translation>
         <translation>Prüfen Sie, ob das die richtige Datei ist und ob sie vollständig ist.</translation>
     </message>
     <message>
-        <source>Harmless here; save the file as plain text to be rid of them.</source>
+        <source>Harmless here; save the file as plain text to remove them.</source>
         <translation>Hier harmlos; als reiner Text gespeichert ist die Datei frei davon.</translation>
     </message>
     <message>
@@ -1460,7 +1460,7 @@ Vorgabe: 0 mm</translation>
         <translation>Teilen Sie die Zeile.</translation>
     </message>
     <message>
-        <source>It is a label only; number the blocks anew.</source>
+        <source>It is a label only; renumber the blocks.</source>
         <translation>Sie ist nur eine Marke; nummerieren Sie die Sätze neu.</translation>
     </message>
     <message>
@@ -1468,7 +1468,7 @@ Vorgabe: 0 mm</translation>
         <translation>Erhöhen Sie die Grenze, oder teilen Sie das Programm.</translation>
     </message>
     <message>
-        <source>Without its effect nothing behind it can be vouched for.</source>
+        <source>Results after this block are unverified.</source>
         <translation>Ohne seine Wirkung ist alles dahinter ungewiss.</translation>
     </message>
     <message>
@@ -1532,7 +1532,7 @@ Vorgabe: 0 mm</translation>
         <translation>Ergänzen Sie das fehlende Wort, oder verwenden Sie G91.1.</translation>
     </message>
     <message>
-        <source>Controls differ in which one they take; keep one.</source>
+        <source>Controls differ in which one they use; keep one.</source>
         <translation>Steuerungen nehmen verschiedene davon; behalten Sie eines.</translation>
     </message>
     <message>
@@ -1540,11 +1540,11 @@ Vorgabe: 0 mm</translation>
         <translation>Entfernen Sie das Wort, oder wählen Sie die gemeinte Ebene.</translation>
     </message>
     <message>
-        <source>The centre lies on the start or the end point.</source>
+        <source>The centre is at the start or end point.</source>
         <translation>Der Mittelpunkt liegt auf dem Anfangs- oder dem Endpunkt.</translation>
     </message>
     <message>
-        <source>Check the centre: I J K count from the start point, after G90.1 from the origin.</source>
+        <source>Check the centre: I J K are from the start point, with G90.1 from the origin.</source>
         <translation>Prüfen Sie den Mittelpunkt: I J K zählen vom Anfangspunkt, nach G90.1 vom Nullpunkt.</translation>
     </message>
     <message>
@@ -1572,7 +1572,7 @@ Vorgabe: 0 mm</translation>
         <translation>Wählen Sie die Textdatei, die die Maschine ausführen würde.</translation>
     </message>
     <message>
-        <source>The rapid motion removes material, {} mm deep.</source>
+        <source>Rapid move cuts stock ({} mm deep).</source>
         <translation>Der Eilgang trägt Material ab, {} mm tief.</translation>
     </message>
     <message>
@@ -1592,15 +1592,15 @@ Vorgabe: 0 mm</translation>
         <translation>{} weitere Befunde der Simulation werden nicht gezeigt.</translation>
     </message>
     <message>
-        <source>The parameter &quot;{}&quot; is {}; it must lie in {} … {}.</source>
+        <source>The parameter &quot;{}&quot; is {}; it must be in {} … {}.</source>
         <translation>Der Parameter „{}“ ist {}; er muss in {} … {} liegen.</translation>
     </message>
     <message>
-        <source>The simulation needs more memory than there is.</source>
+        <source>There is not enough memory for the simulation.</source>
         <translation>Die Simulation braucht mehr Speicher, als vorhanden ist.</translation>
     </message>
     <message>
-        <source>The simulation had to stop: {}.</source>
+        <source>The simulation failed: {}.</source>
         <translation>Die Simulation musste anhalten: {}.</translation>
     </message>
     <message>
@@ -1628,7 +1628,7 @@ Vorgabe: 0 mm</translation>
         <translation>Sätze</translation>
     </message>
     <message>
-        <source>The rapid motion comes from an unknown position and ends {} mm below the top of the stock; what it cuts is not known.</source>
+        <source>The rapid move comes from an unknown position and ends {} mm below the top of the stock; what it cuts is unknown.</source>
         <translation>Der Eilgang kommt von einer unbekannten Position und endet {} mm unter der Oberseite des Rohteils; was er schneidet, ist nicht bekannt.</translation>
     </message>
     <message>
@@ -1648,19 +1648,19 @@ Vorgabe: 0 mm</translation>
         <translation>Berichtigen Sie den Namen oder entfernen Sie das Feld.</translation>
     </message>
     <message>
-        <source>“{}” is no table of a tool file; each tool is a [[tool]].</source>
+        <source>“{}” is not a table of a tool file; each tool is a [[tool]].</source>
         <translation>„{}“ ist keine Tabelle einer Werkzeugdatei; jedes Werkzeug ist ein [[tool]].</translation>
     </message>
     <message>
-        <source>“{}” is no table of a tool file; perhaps “{}” is meant.</source>
+        <source>“{}” is not a table of a tool file; perhaps “{}” is meant.</source>
         <translation>„{}“ ist keine Tabelle einer Werkzeugdatei; vielleicht ist „{}“ gemeint.</translation>
     </message>
     <message>
-        <source>“{}” is no key of a tool; there are {}.</source>
+        <source>“{}” is not a key of a tool; there are {}.</source>
         <translation>„{}“ ist kein Schlüssel eines Werkzeugs; es gibt {}.</translation>
     </message>
     <message>
-        <source>“{}” is no key of a tool; perhaps “{}” is meant.</source>
+        <source>“{}” is not a key of a tool; perhaps “{}” is meant.</source>
         <translation>„{}“ ist kein Schlüssel eines Werkzeugs; vielleicht ist „{}“ gemeint.</translation>
     </message>
     <message>
@@ -1680,15 +1680,15 @@ Vorgabe: 0 mm</translation>
         <translation>Der Wert von {}, „{}“, ist keine Zahl.</translation>
     </message>
     <message>
-        <source>{}={} is out of its limits, {} to {} {}.</source>
+        <source>{}={} is out of range, {} to {} {}.</source>
         <translation>{}={} liegt außerhalb der Grenzen {} bis {} {}.</translation>
     </message>
     <message>
-        <source>The key {} is given twice.</source>
+        <source>The key {} is specified twice.</source>
         <translation>Der Schlüssel {} ist doppelt angegeben.</translation>
     </message>
     <message>
-        <source>“{}” is no key of this cutter shape; there are {}.</source>
+        <source>“{}” is not a key of this cutter shape; there are {}.</source>
         <translation>„{}“ ist kein Schlüssel dieser Fräserform; es gibt {}.</translation>
     </message>
     <message>
@@ -1696,7 +1696,7 @@ Vorgabe: 0 mm</translation>
         <translation>Ein Fräser der Form {} braucht den Schlüssel {} ({}, {} bis {} {}).</translation>
     </message>
     <message>
-        <source>“{}” is no cutter shape; there are {}.</source>
+        <source>“{}” is not a cutter shape; there are {}.</source>
         <translation>„{}“ ist keine Fräserform; es gibt {}.</translation>
     </message>
     <message>
@@ -1716,19 +1716,19 @@ Vorgabe: 0 mm</translation>
         <translation>„{}“ hat hier keine Bedeutung.</translation>
     </message>
     <message>
-        <source>The word {} has no number.</source>
+        <source>{} word without a value.</source>
         <translation>Das Wort {} hat keine Zahl.</translation>
     </message>
     <message>
-        <source>The number of {} has two signs.</source>
+        <source>The value of {} has two signs.</source>
         <translation>Die Zahl von {} hat zwei Vorzeichen.</translation>
     </message>
     <message>
-        <source>The number of {} has two decimal points.</source>
+        <source>The value of {} has two decimal points.</source>
         <translation>Die Zahl von {} hat zwei Dezimalpunkte.</translation>
     </message>
     <message>
-        <source>The number of {} is out of range: larger than 1e12.</source>
+        <source>The value of {} is out of range: larger than 1e12.</source>
         <translation>Die Zahl von {} ist zu groß: über 1e12.</translation>
     </message>
     <message>
@@ -1736,11 +1736,11 @@ Vorgabe: 0 mm</translation>
         <translation>Der Kommentar ist nicht geschlossen.</translation>
     </message>
     <message>
-        <source>A comment stands within a comment.</source>
+        <source>A comment is nested in a comment.</source>
         <translation>Ein Kommentar steht in einem Kommentar.</translation>
     </message>
     <message>
-        <source>The block has two {} words.</source>
+        <source>Duplicate {} word.</source>
         <translation>Der Satz hat zwei Wörter {}.</translation>
     </message>
     <message>
@@ -1756,7 +1756,7 @@ Vorgabe: 0 mm</translation>
         <translation>Die Satznummer ist negativ.</translation>
     </message>
     <message>
-        <source>&quot;%&quot; marks the beginning and the end of a tape and must stand on a line of its own.</source>
+        <source>&quot;%&quot; marks the beginning and the end of a tape and must be alone on its line.</source>
         <translation>„%“ bezeichnet Anfang und Ende eines Lochstreifens und muss in einer eigenen Zeile stehen.</translation>
     </message>
     <message>
@@ -1764,15 +1764,15 @@ Vorgabe: 0 mm</translation>
         <translation>Das Programm endet mit „%“, beginnt aber nicht damit.</translation>
     </message>
     <message>
-        <source>&quot;%&quot; stands in the middle of the program.</source>
+        <source>&quot;%&quot; is in the middle of the program.</source>
         <translation>„%“ steht mitten im Programm.</translation>
     </message>
     <message>
-        <source>The text behind the second &quot;%&quot; is not run.</source>
+        <source>The text after the second &quot;%&quot; is not run.</source>
         <translation>Der Text hinter dem zweiten „%“ wird nicht ausgeführt.</translation>
     </message>
     <message>
-        <source>The blocks behind the end of the program are not run.</source>
+        <source>The blocks after the program end are not run.</source>
         <translation>Die Sätze hinter dem Programmende werden nicht ausgeführt.</translation>
     </message>
     <message>
@@ -1788,11 +1788,11 @@ Vorgabe: 0 mm</translation>
         <translation>Steuerzeichen eines Lochstreifens oder einer seriellen Leitung wurden übersprungen.</translation>
     </message>
     <message>
-        <source>The file begins with a byte order mark, which controls refuse.</source>
+        <source>The file begins with a byte order mark, which controls reject.</source>
         <translation>Die Datei beginnt mit einer Bytereihenfolge-Marke (BOM), die Steuerungen ablehnen.</translation>
     </message>
     <message>
-        <source>The line ends with CR alone, which LinuxCNC takes for no line end.</source>
+        <source>The line ends with CR alone, which LinuxCNC does not accept as a line end.</source>
         <translation>Die Zeile endet mit CR allein, was LinuxCNC nicht als Zeilenende liest.</translation>
     </message>
     <message>
@@ -1820,11 +1820,11 @@ Vorgabe: 0 mm</translation>
         <translation>{} ({}) wird noch nicht unterstützt.</translation>
     </message>
     <message>
-        <source>{} and {} exclude each other in one block.</source>
+        <source>{} and {} cannot be used in one block.</source>
         <translation>{} und {} schließen einander in einem Satz aus.</translation>
     </message>
     <message>
-        <source>The axis {} does not exist on a three-axis machine.</source>
+        <source>{} axis ignored (three-axis machine).</source>
         <translation>Die Achse {} gibt es an einer Dreiachsmaschine nicht.</translation>
     </message>
     <message>
@@ -1832,7 +1832,7 @@ Vorgabe: 0 mm</translation>
         <translation>Kein Befehl dieses Satzes verwendet das Wort {}.</translation>
     </message>
     <message>
-        <source>No motion code is in force for the word {}.</source>
+        <source>No motion code is active for the word {}.</source>
         <translation>Für das Wort {} ist kein Bewegungsbefehl wirksam.</translation>
     </message>
     <message>
@@ -1844,11 +1844,11 @@ Vorgabe: 0 mm</translation>
         <translation>{} braucht das Wort {}.</translation>
     </message>
     <message>
-        <source>The number of {} must not be negative.</source>
+        <source>The value of {} must not be negative.</source>
         <translation>Die Zahl von {} darf nicht negativ sein.</translation>
     </message>
     <message>
-        <source>The number of {} must be a whole number from {} to {}.</source>
+        <source>The value of {} must be a whole number from {} to {}.</source>
         <translation>Die Zahl von {} muss eine ganze Zahl von {} bis {} sein.</translation>
     </message>
     <message>
@@ -1864,11 +1864,11 @@ Vorgabe: 0 mm</translation>
         <translation>Eine Vorschubbewegung hat keinen Vorschub.</translation>
     </message>
     <message>
-        <source>The position of {} is not known, so this motion cuts nothing.</source>
+        <source>{} position unknown; move not simulated.</source>
         <translation>Die Position von {} ist nicht bekannt; diese Bewegung fräst daher nichts.</translation>
     </message>
     <message>
-        <source>{} moves by a distance from a place that is not known.</source>
+        <source>{} moves by an incremental distance from an unknown position.</source>
         <translation>{} fährt um eine Strecke von einem unbekannten Ort aus.</translation>
     </message>
     <message>
@@ -1900,7 +1900,7 @@ Vorgabe: 0 mm</translation>
         <translation>Ein Kreisbogen mit R kann nicht an seinem Anfang enden.</translation>
     </message>
     <message>
-        <source>The radius {} mm is too small: the end lies {} mm from the start, {} mm more than 2 R.</source>
+        <source>The radius {} mm is too small: the end is {} mm from the start, {} mm more than 2 R.</source>
         <translation>Der Radius {} mm ist zu klein: Das Ende liegt {} mm vom Anfang, {} mm mehr als 2 R.</translation>
     </message>
     <message>
@@ -1944,7 +1944,7 @@ Vorgabe: 0 mm</translation>
         <translation>Der Ausschnitt {} liegt nicht innerhalb des Rohteils, {}.</translation>
     </message>
     <message>
-        <source>A box of {} × {} points needs {}; {} may be taken, which is enough for a spacing of {} mm.</source>
+        <source>A detail region of {} × {} points needs {}; {} is available, enough for a spacing of {} mm.</source>
         <translation>Ein Ausschnitt von {} × {} Punkten braucht {}; {} dürfen belegt werden, was für eine Rasterweite von {} mm reicht.</translation>
     </message>
     <message>
@@ -1972,11 +1972,11 @@ Vorgabe: 0 mm</translation>
         <translation>„{}“ ist kein Punkt der Form X,Y,Z in mm.</translation>
     </message>
     <message>
-        <source>The motion ends farther than {} mm from the machine&apos;s zero, along {}.</source>
+        <source>The motion ends more than {} mm from machine zero, along {}.</source>
         <translation>Die Bewegung endet mehr als {} mm vom Maschinennullpunkt entfernt, entlang {}.</translation>
     </message>
     <message>
-        <source>Check the numbers, the scaling and what is repeated.</source>
+        <source>Check the values, the scaling and the repeats.</source>
         <translation>Zahlen, Skalierung und Wiederholungen prüfen.</translation>
     </message>
     <message>
@@ -1996,11 +1996,11 @@ Vorgabe: 0 mm</translation>
         <translation>Spiralbohrer</translation>
     </message>
     <message>
-        <source>The program never says where {} stands, so what it cuts is not known.</source>
+        <source>The program never positions {}, so what it cuts is unknown.</source>
         <translation>Das Programm sagt nie, wo {} steht; was es schneidet, ist daher nicht bekannt.</translation>
     </message>
     <message>
-        <source>The rapid motion passes over the stock at a height that is not known; whether it cuts is not known.</source>
+        <source>The rapid move passes over the stock at an unknown height; whether it cuts is unknown.</source>
         <translation>Die Eilgangbewegung führt in unbekannter Höhe über das Rohteil; ob sie schneidet, ist nicht bekannt.</translation>
     </message>
     <message>
@@ -2032,11 +2032,11 @@ Vorgabe: 0 mm</translation>
         <translation>3MF</translation>
     </message>
     <message>
-        <source>The ending of this name is that of no mesh format; there are {}.</source>
+        <source>The extension of this name is not that of a mesh format; there are {}.</source>
         <translation>Die Endung dieses Namens ist die keines Netzformats; es gibt {}.</translation>
     </message>
     <message>
-        <source>A vertex lies at {}, {}, {}: a mesh file holds finite numbers only.</source>
+        <source>The vertex {}, {}, {} is not finite: a mesh file holds finite numbers only.</source>
         <translation>Ein Eckpunkt liegt bei {}, {}, {}: eine Netzdatei hält nur endliche Zahlen.</translation>
     </message>
     <message>
@@ -2044,7 +2044,7 @@ Vorgabe: 0 mm</translation>
         <translation>Exportieren Sie OBJ oder PLY: sie halten Koordinaten in doppelter Genauigkeit.</translation>
     </message>
     <message>
-        <source>Rounded to single precision, the file lies up to {} mm from the z-map, beyond the error allowance of {} mm; OBJ or PLY would keep {} mm.</source>
+        <source>Rounded to single precision, the mesh deviates from the z-map by up to {} mm, more than the error allowance of {} mm; OBJ or PLY would keep {} mm.</source>
         <translation>Auf einfache Genauigkeit gerundet, liegt die Datei bis zu {} mm neben der Z-Map, mehr als der zulässige Fehler von {} mm; OBJ oder PLY blieben bei {} mm.</translation>
     </message>
     <message>
@@ -2080,7 +2080,7 @@ Vorgabe: 0 mm</translation>
         <translation>mit Zertifikat</translation>
     </message>
     <message>
-        <source>to the letter</source>
+        <source>as in the paper</source>
         <translation>buchstabengetreu</translation>
     </message>
     <message>
@@ -2240,7 +2240,7 @@ Vorgabe: 0 mm</translation>
         <translation>Das Programm hat mehr als {} Werkzeugwechsel, Halte, Verweilzeiten und dergleichen; die Interpretation endet hier.</translation>
     </message>
     <message>
-        <source>&quot;{}&quot; is a tool that the table has already.</source>
+        <source>Tool &quot;{}&quot; is in the table already.</source>
         <translation>„{}“ ist ein Werkzeug, das die Tabelle schon hat.</translation>
     </message>
     <message>
@@ -2248,11 +2248,11 @@ Vorgabe: 0 mm</translation>
         <translation>Das Verfahren „{}“ arbeitet auf Karten mit höchstens {} Punkten; diese hat {}.</translation>
     </message>
     <message>
-        <source>The z-map needs {}; {} may be taken.</source>
+        <source>The z-map needs {}; {} is available.</source>
         <translation>Die Z-Map braucht {}; {} dürfen belegt werden.</translation>
     </message>
     <message>
-        <source>A grid of {} × {} points needs {}; {} may be taken, which is enough for a spacing of {} mm.</source>
+        <source>A grid of {} × {} points needs {}; {} is available, enough for a spacing of {} mm.</source>
         <translation>Ein Raster von {} × {} Punkten braucht {}; {} dürfen belegt werden, was für eine Rasterweite von {} mm reicht.</translation>
     </message>
     <message>
@@ -2284,7 +2284,7 @@ Vorgabe: 0 mm</translation>
         <translation>Setzen Sie ihn zuerst; ein Name ohne _ am Anfang gilt nur in seinem eigenen Unterprogramm.</translation>
     </message>
     <message>
-        <source>{} is not a whole number, so that it names no parameter.</source>
+        <source>{} is not a whole number, so it is not a parameter number.</source>
         <translation>{} ist keine ganze Zahl und bezeichnet daher keinen Parameter.</translation>
     </message>
     <message>
@@ -2352,7 +2352,7 @@ Vorgabe: 0 mm</translation>
         <translation>Schreiben Sie zum Beispiel SIN[30].</translation>
     </message>
     <message>
-        <source>&quot;{}&quot; stands where an operator or &quot;]&quot; belongs.</source>
+        <source>Expected an operator or &quot;]&quot; but found &quot;{}&quot;.</source>
         <translation>„{}“ steht, wo ein Operator oder „]“ hingehört.</translation>
     </message>
     <message>
@@ -2380,11 +2380,11 @@ Vorgabe: 0 mm</translation>
         <translation>Auf {} folgen nicht „=“ und ein Wert.</translation>
     </message>
     <message>
-        <source>A parameter at the beginning of a word is set, for example #1=10.</source>
+        <source>A parameter at the beginning of a word is an assignment, for example #1=10.</source>
         <translation>Ein Parameter am Anfang eines Wortes wird gesetzt, zum Beispiel #1=10.</translation>
     </message>
     <message>
-        <source>The number behind O is no whole number from 0 on.</source>
+        <source>The number after O is not a whole number from 0 up.</source>
         <translation>Die Zahl hinter O ist keine ganze Zahl ab 0.</translation>
     </message>
     <message>
@@ -2392,7 +2392,7 @@ Vorgabe: 0 mm</translation>
         <translation>Verwenden Sie eine ganze Zahl oder einen Namen: O&lt;Name&gt;.</translation>
     </message>
     <message>
-        <source>&quot;{}&quot; is none of the words that may follow an O word.</source>
+        <source>&quot;{}&quot; is not an O-word keyword.</source>
         <translation>„{}“ ist keines der Schlüsselwörter, die auf ein O-Wort folgen dürfen.</translation>
     </message>
     <message>
@@ -2408,11 +2408,11 @@ Vorgabe: 0 mm</translation>
         <translation>Schreiben Sie es in eine eigene Zeile.</translation>
     </message>
     <message>
-        <source>&quot;{}&quot; stands behind the O word and its arguments.</source>
+        <source>Unexpected &quot;{}&quot; after the O word and its arguments.</source>
         <translation>„{}“ steht hinter dem O-Wort und seinen Argumenten.</translation>
     </message>
     <message>
-        <source>O{} {} has no {} that belongs to it.</source>
+        <source>O{} {} has no matching {}.</source>
         <translation>Zu O{} {} gibt es kein zugehöriges {}.</translation>
     </message>
     <message>
@@ -2432,7 +2432,7 @@ Vorgabe: 0 mm</translation>
         <translation>Nach continue in einer do-Schleife durchläuft LinuxCNC eine repeat-Schleife unter Umständen doppelt so oft, wie sie angibt.</translation>
     </message>
     <message>
-        <source>Leave out the rest of the round with if and endif in place of continue.</source>
+        <source>Skip the rest of the pass with if and endif instead of continue.</source>
         <translation>Lassen Sie den Rest des Durchlaufs mit if und endif statt mit continue aus.</translation>
     </message>
     <message>
@@ -2444,7 +2444,7 @@ Vorgabe: 0 mm</translation>
         <translation>Lassen Sie den Aufruf weg.</translation>
     </message>
     <message>
-        <source>O{} sub stands within another subprogram.</source>
+        <source>O{} sub is inside another subprogram.</source>
         <translation>O{} sub steht innerhalb eines anderen Unterprogramms.</translation>
     </message>
     <message>
@@ -2468,7 +2468,7 @@ Vorgabe: 0 mm</translation>
         <translation>Prüfen Sie den Namen und die Unterprogrammordner.</translation>
     </message>
     <message>
-        <source>The subprogram {} is not opened: its name leads out of the folders of subprograms.</source>
+        <source>The subprogram {} is not opened: its name leads outside the subprogram folders.</source>
         <translation>Das Unterprogramm {} wird nicht geöffnet: Sein Name führt aus den Unterprogrammordnern hinaus.</translation>
     </message>
     <message>
@@ -2496,7 +2496,7 @@ Vorgabe: 0 mm</translation>
         <translation>Unterprogramme rufen einander tiefer als {} Ebenen auf: {}.</translation>
     </message>
     <message>
-        <source>Check for a subprogram that calls itself without end.</source>
+        <source>Check for a subprogram that calls itself endlessly.</source>
         <translation>Prüfen Sie, ob ein Unterprogramm sich endlos selbst aufruft.</translation>
     </message>
     <message>
@@ -2508,7 +2508,7 @@ Vorgabe: 0 mm</translation>
         <translation>Übergeben Sie die übrigen in globalen Parametern.</translation>
     </message>
     <message>
-        <source>{} stands outside of a subprogram.</source>
+        <source>{} is outside a subprogram.</source>
         <translation>{} steht außerhalb eines Unterprogramms.</translation>
     </message>
     <message>
@@ -2516,11 +2516,11 @@ Vorgabe: 0 mm</translation>
         <translation>Entfernen Sie es, oder setzen Sie es zwischen sub und endsub.</translation>
     </message>
     <message>
-        <source>M99 ends the main program: the control starts it again, without end.</source>
+        <source>M99 ends the main program: the control restarts it, endlessly.</source>
         <translation>M99 beendet das Hauptprogramm: Die Steuerung startet es endlos immer wieder.</translation>
     </message>
     <message>
-        <source>It is run once here; end it with M30 if that was meant.</source>
+        <source>It is run once here; use M30 if the program should end.</source>
         <translation>Hier wird es einmal ausgeführt; beenden Sie es mit M30, wenn das gemeint war.</translation>
     </message>
     <message>
@@ -2536,11 +2536,11 @@ Vorgabe: 0 mm</translation>
         <translation>M99 steht nicht allein im Satz; LinuxCNC hält dort mit einem Fehler an.</translation>
     </message>
     <message>
-        <source>Repeated lines and their motions are more than {}; interpretation ends in line {}.</source>
+        <source>The repeated lines and their motions exceed {}; interpretation ends in line {}.</source>
         <translation>Wiederholte Zeilen und ihre Bewegungen sind mehr als {}; die Interpretation endet in Zeile {}.</translation>
     </message>
     <message>
-        <source>Check loops and repeat counts. What this repetition makes is not shown.</source>
+        <source>Check loops and repeat counts. The motions of this repetition are not shown.</source>
         <translation>Prüfen Sie Schleifen und Wiederholungszahlen. Was diese Wiederholung erzeugt, wird nicht angezeigt.</translation>
     </message>
     <message>
@@ -2552,11 +2552,11 @@ Vorgabe: 0 mm</translation>
         <translation>Prüfen Sie, ob die Schleife ein Ende hat.</translation>
     </message>
     <message>
-        <source>This loop never ends: line {} jumps back to line {} and no variable changes from one round to the next.</source>
+        <source>This loop never ends: line {} jumps back to line {} and no variable changes from one pass to the next.</source>
         <translation>Diese Schleife endet nie: Zeile {} springt zurück zu Zeile {}, und von einem Durchlauf zum nächsten ändert sich keine Variable.</translation>
     </message>
     <message>
-        <source>Check the condition of the loop. Only its first rounds are shown.</source>
+        <source>Check the loop condition. Only the first passes are shown.</source>
         <translation>Prüfen Sie die Bedingung der Schleife. Nur ihre ersten Durchläufe werden angezeigt.</translation>
     </message>
     <message>
@@ -2660,7 +2660,7 @@ Vorgabe: 0 mm</translation>
         <translation>Der Zyklus hat kein Achswort.</translation>
     </message>
     <message>
-        <source>Name the place of the first hole.</source>
+        <source>Program the position of the first hole.</source>
         <translation>Geben Sie die Lage der ersten Bohrung an.</translation>
     </message>
     <message>
@@ -2688,7 +2688,7 @@ Vorgabe: 0 mm</translation>
         <translation>Schalten Sie die Spindel ein, oder schreiben Sie G94 und einen Vorschub je Minute.</translation>
     </message>
     <message>
-        <source>The R level lies below the bottom of the hole.</source>
+        <source>The R plane is below the hole bottom.</source>
         <translation>Die R-Ebene liegt unter dem Grund der Bohrung.</translation>
     </message>
     <message>
@@ -2712,11 +2712,11 @@ Vorgabe: 0 mm</translation>
         <translation>Schalten Sie sie in einem Satz davor ein; der Zyklus bohrt nichts.</translation>
     </message>
     <message>
-        <source>G87 cuts from below, which a z-map cannot hold.</source>
+        <source>G87 cuts from below, which a z-map cannot represent.</source>
         <translation>G87 schneidet von unten, was eine Z-Map nicht darstellen kann.</translation>
     </message>
     <message>
-        <source>The motions are shown; what they cut from below cannot be vouched for.</source>
+        <source>The motions are shown; what they cut from below is unverified.</source>
         <translation>Die Bewegungen werden gezeigt; was sie von unten schneiden, ist ungewiss.</translation>
     </message>
     <message>
@@ -2748,7 +2748,7 @@ Vorgabe: 0 mm</translation>
         <translation>Die Fräserradiuskorrektur in G18 bei einer Drehung um Z wird nicht unterstützt.</translation>
     </message>
     <message>
-        <source>Take the rotation out of the work offset; the code has no effect.</source>
+        <source>Remove the rotation from the work offset; the code has no effect.</source>
         <translation>Nehmen Sie die Drehung aus der Nullpunktverschiebung heraus; der Befehl hat keine Wirkung.</translation>
     </message>
     <message>
@@ -2808,7 +2808,7 @@ Vorgabe: 0 mm</translation>
         <translation>Das Werkzeug mit {} mm Radius verletzt die Kontur zwischen den Innenecken der Bewegung von Zeile {}.</translation>
     </message>
     <message>
-        <source>Use a smaller tool, or leave the short motion out.</source>
+        <source>Use a smaller tool, or remove the short motion.</source>
         <translation>Verwenden Sie ein kleineres Werkzeug, oder lassen Sie die kurze Bewegung weg.</translation>
     </message>
     <message>
@@ -2816,7 +2816,7 @@ Vorgabe: 0 mm</translation>
         <translation>Das Werkzeug mit {} mm Radius fährt in der Bewegung von Zeile {} rückwärts und verletzt die Kontur; LinuxCNC bemerkt das nicht.</translation>
     </message>
     <message>
-        <source>A stop stands before this inside corner, so the tool goes too far and gouges.</source>
+        <source>A stop before this inside corner makes the tool overrun it and gouge.</source>
         <translation>Vor dieser Innenecke steht ein Halt; das Werkzeug fährt daher zu weit und verletzt die Kontur.</translation>
     </message>
     <message>
@@ -2848,11 +2848,11 @@ Vorgabe: 0 mm</translation>
         <translation>M70 oder M73 davor schreiben, im selben Unterprogramm.</translation>
     </message>
     <message>
-        <source>Other words stand beside M72.</source>
+        <source>M72 is not alone in its block.</source>
         <translation>Neben M72 stehen andere Wörter.</translation>
     </message>
     <message>
-        <source>LinuxCNC drops what comes after the restoring; give M72 a block of its own.</source>
+        <source>LinuxCNC ignores the rest of the block after restoring; give M72 a block of its own.</source>
         <translation>LinuxCNC lässt weg, was nach dem Wiederherstellen käme; M72 in einen eigenen Satz schreiben.</translation>
     </message>
     <message>
@@ -2868,7 +2868,7 @@ Vorgabe: 0 mm</translation>
         <translation>Mit G96 folgt die Spindel X; angenommen wird ihre Grenze D, {} 1/min.</translation>
     </message>
     <message>
-        <source>X is no diameter on a mill: write G97 and a speed.</source>
+        <source>X is not a diameter on a mill: write G97 and a speed.</source>
         <translation>Auf einer Fräsmaschine ist X kein Durchmesser: G97 und eine Drehzahl schreiben.</translation>
     </message>
     <message>
@@ -2896,7 +2896,7 @@ Vorgabe: 0 mm</translation>
         <translation>L entfernen oder L0 schreiben.</translation>
     </message>
     <message>
-        <source>What M66 reads is known to the machine only; #5399 is taken to be {}.</source>
+        <source>Input value of M66 unknown; #5399 is assumed to be {}.</source>
         <translation>Was M66 liest, weiß nur die Maschine; für #5399 wird {} angenommen.</translation>
     </message>
     <message>
@@ -2908,7 +2908,7 @@ Vorgabe: 0 mm</translation>
         <translation>Diese Zeile liest #5399 und damit einen Eingang der Maschine.</translation>
     </message>
     <message>
-        <source>What follows may depend on it and cannot be vouched for.</source>
+        <source>Results that depend on it are unverified.</source>
         <translation>Was folgt, kann davon abhängen; dafür lässt sich nicht einstehen.</translation>
     </message>
     <message>
@@ -2952,23 +2952,19 @@ Vorgabe: 0 mm</translation>
         <translation>Die Achswörter prüfen.</translation>
     </message>
     <message>
-        <source>Where the probe meets the part is known to the machine only.</source>
+        <source>The position where the probe meets the part is unknown.</source>
         <translation>Wo der Taster das Teil berührt, weiß nur die Maschine.</translation>
-    </message>
-    <message>
-        <source>{} draws in the XY plane only.</source>
-        <translation>{} zeichnet nur in der XY-Ebene.</translation>
     </message>
     <message>
         <source>Write G17 before it.</source>
         <translation>G17 davor schreiben.</translation>
     </message>
     <message>
-        <source>G5 without I and J goes on from a G5, but the motion before it was none.</source>
+        <source>G5 without I and J continues a G5, but the motion before it is not a G5.</source>
         <translation>G5 ohne I und J setzt ein G5 fort, aber die Bewegung davor war keines.</translation>
     </message>
     <message>
-        <source>Give I and J; LinuxCNC would take what some block before it left.</source>
+        <source>Program I and J; LinuxCNC would use values left by an earlier block.</source>
         <translation>I und J angeben; LinuxCNC nähme, was irgendein Satz davor hinterließ.</translation>
     </message>
     <message>
@@ -2984,7 +2980,7 @@ Vorgabe: 0 mm</translation>
         <translation>Ein Kontrollpunkt braucht X und Y.</translation>
     </message>
     <message>
-        <source>Add the missing word; the point is left out.</source>
+        <source>Add the missing word; the point is ignored.</source>
         <translation>Das fehlende Wort ergänzen; der Punkt entfällt.</translation>
     </message>
     <message>
@@ -2992,7 +2988,7 @@ Vorgabe: 0 mm</translation>
         <translation>Ein Kontrollpunkt braucht ein Gewicht P größer als 0.</translation>
     </message>
     <message>
-        <source>Write P1 for an ordinary point; the point is left out.</source>
+        <source>Write P1 for an ordinary point; the point is ignored.</source>
         <translation>Für einen gewöhnlichen Punkt P1 schreiben; der Punkt entfällt.</translation>
     </message>
     <message>
@@ -3016,15 +3012,15 @@ Vorgabe: 0 mm</translation>
         <translation>G5.3 schließt einen NURBS-Block, aber keiner ist offen.</translation>
     </message>
     <message>
-        <source>Begin it with G5.2; other motions in between end it.</source>
+        <source>Start it with G5.2; other motions in between end it.</source>
         <translation>Mit G5.2 beginnen; andere Bewegungen dazwischen beenden ihn.</translation>
     </message>
     <message>
-        <source>A NURBS block was begun by G5.2 but not closed: nothing moves along it.</source>
+        <source>A NURBS block was started by G5.2 but not closed: it makes no motion.</source>
         <translation>Ein NURBS-Block wurde mit G5.2 begonnen, aber nicht geschlossen: nichts bewegt sich darauf.</translation>
     </message>
     <message>
-        <source>Write G5.3 behind its last control point.</source>
+        <source>Write G5.3 after its last control point.</source>
         <translation>G5.3 hinter den letzten Kontrollpunkt schreiben.</translation>
     </message>
     <message>
@@ -3168,11 +3164,11 @@ Vorgabe: 0 mm</translation>
         <translation>Schreiben Sie ATAN[y]/[x].</translation>
     </message>
     <message>
-        <source>The target of the jump is no whole number from 0 to 99999999.</source>
+        <source>The jump target is not a whole number from 0 to 99999999.</source>
         <translation>Das Sprungziel ist keine ganze Zahl von 0 bis 99999999.</translation>
     </message>
     <message>
-        <source>Jump to a block number that stands behind an N.</source>
+        <source>Jump to a block number that follows an N.</source>
         <translation>Springen Sie zu einer Satznummer, die hinter einem N steht.</translation>
     </message>
     <message>
@@ -3196,7 +3192,7 @@ Vorgabe: 0 mm</translation>
         <translation>Die Anweisung steht nicht am Anfang des Satzes.</translation>
     </message>
     <message>
-        <source>The loop has no {} with its number.</source>
+        <source>The loop has no matching {}.</source>
         <translation>Die Schleife hat kein {} mit ihrer Nummer.</translation>
     </message>
     <message>
@@ -3216,7 +3212,7 @@ Vorgabe: 0 mm</translation>
         <translation>Der Wert von {} hängt von der Maschine ab, die das Programm ausführt.</translation>
     </message>
     <message>
-        <source>What follows from it cannot be verified.</source>
+        <source>What follows from it is unverified.</source>
         <translation>Was daraus folgt, lässt sich nicht prüfen.</translation>
     </message>
     <message>
@@ -3224,7 +3220,7 @@ Vorgabe: 0 mm</translation>
         <translation>Die Position {} ist hier nicht bekannt.</translation>
     </message>
     <message>
-        <source>Position the axis first, or state a start position in the setup.</source>
+        <source>Position the axis first, or enter a start position in the setup.</source>
         <translation>Positionieren Sie die Achse zuerst, oder geben Sie in der Aufspannung eine Startposition an.</translation>
     </message>
     <message>
@@ -3232,7 +3228,7 @@ Vorgabe: 0 mm</translation>
         <translation>Das Programm hält sich selbst mit Alarm {} an.</translation>
     </message>
     <message>
-        <source>The comment beside it says why; nothing behind it is run.</source>
+        <source>The comment beside it says why; the program ends here.</source>
         <translation>Der Kommentar daneben sagt, warum; was dahinter steht, wird nicht ausgeführt.</translation>
     </message>
     <message>
@@ -3248,7 +3244,7 @@ Vorgabe: 0 mm</translation>
         <translation>Der Text vor dem ersten „%“ wird nicht ausgeführt.</translation>
     </message>
     <message>
-        <source>{} and {} exclude each other in one block; the last one counts.</source>
+        <source>{} and {} cannot be used in one block; the last one counts.</source>
         <translation>{} und {} schließen sich in einem Satz gegenseitig aus; der letzte Befehl gilt.</translation>
     </message>
     <message>
@@ -3256,7 +3252,7 @@ Vorgabe: 0 mm</translation>
         <translation>Manche Steuerungen geben stattdessen einen Alarm aus; behalten Sie eines von beiden.</translation>
     </message>
     <message>
-        <source>The block has two {} words; the last one counts.</source>
+        <source>Duplicate {} word; the last one counts.</source>
         <translation>Der Satz hat zwei {}-Wörter; das letzte gilt.</translation>
     </message>
     <message>
@@ -3268,7 +3264,7 @@ Vorgabe: 0 mm</translation>
         <translation>Entfernen Sie es, oder ergänzen Sie den Befehl, zu dem es gehört.</translation>
     </message>
     <message>
-        <source>Behind G80 the axis {} moves without a motion code: in rapid.</source>
+        <source>After G80, {} moves without a motion code, at rapid.</source>
         <translation>Hinter G80 bewegt sich die Achse {} ohne Wegbefehl: im Eilgang.</translation>
     </message>
     <message>
@@ -3296,27 +3292,27 @@ Vorgabe: 0 mm</translation>
         <translation>Geben Sie F einen Wert über 0.</translation>
     </message>
     <message>
-        <source>Tool {} begins to cut without a tool length offset of its own.</source>
+        <source>T{} cuts without its own tool length offset.</source>
         <translation>Werkzeug {} beginnt ohne eigene Werkzeuglängenkorrektur zu schneiden.</translation>
     </message>
     <message>
-        <source>Write G43 behind the tool change: the offset of the tool before it is still in force.</source>
+        <source>Write G43 after the tool change: the offset of the previous tool is still active.</source>
         <translation>Schreiben Sie G43 hinter den Werkzeugwechsel: Noch gilt die Korrektur des vorigen Werkzeugs.</translation>
     </message>
     <message>
-        <source>The program cuts without having chosen a work offset.</source>
+        <source>The program cuts before it selects a work offset.</source>
         <translation>Das Programm schneidet, ohne eine Nullpunktverschiebung gewählt zu haben.</translation>
     </message>
     <message>
-        <source>Write G54, or the one that the part is set up in.</source>
+        <source>Write G54, or the work offset of the part.</source>
         <translation>Schreiben Sie G54 oder die, in der das Werkstück eingerichtet ist.</translation>
     </message>
     <message>
-        <source>The tool length offset H{} is not that of tool {}.</source>
+        <source>The tool length offset H{} does not match tool {}.</source>
         <translation>Die Werkzeuglängenkorrektur H{} ist nicht die von Werkzeug {}.</translation>
     </message>
     <message>
-        <source>Use the number of the tool, if that was not meant.</source>
+        <source>Use the tool number, unless another offset is intended.</source>
         <translation>Verwenden Sie die Nummer des Werkzeugs, falls das nicht gemeint war.</translation>
     </message>
     <message>
@@ -3324,7 +3320,7 @@ Vorgabe: 0 mm</translation>
         <translation>{} hat kein D-Wort.</translation>
     </message>
     <message>
-        <source>Write the number of the offset: the one used last is in force.</source>
+        <source>Write the offset number: the last one used is active.</source>
         <translation>Schreiben Sie die Nummer der Korrektur: Es gilt die zuletzt verwendete.</translation>
     </message>
     <message>
@@ -3340,11 +3336,11 @@ Vorgabe: 0 mm</translation>
         <translation>{} wechselt mitten im Programm die Maßeinheit.</translation>
     </message>
     <message>
-        <source>Keep to one unit; lengths that are in force keep their old one.</source>
+        <source>Keep to one unit; active lengths keep the old one.</source>
         <translation>Bleiben Sie bei einer Einheit; geltende Längen behalten ihre alte.</translation>
     </message>
     <message>
-        <source>Still in force here: {}.</source>
+        <source>Still active here: {}.</source>
         <translation>Hier noch wirksam: {}.</translation>
     </message>
     <message>
@@ -3352,7 +3348,7 @@ Vorgabe: 0 mm</translation>
         <translation>Beenden Sie es vor dem Werkzeugwechsel und vor dem Programmende.</translation>
     </message>
     <message>
-        <source>The tool is changed at Z{}, not above Z{}, where it was fed.</source>
+        <source>The tool is changed at Z{}, not above Z{}, where it cut.</source>
         <translation>Das Werkzeug wird bei Z{} gewechselt, nicht oberhalb von Z{}, wo es im Vorschub war.</translation>
     </message>
     <message>
@@ -3372,7 +3368,7 @@ Vorgabe: 0 mm</translation>
         <translation>Der über den Radius angegebene Kreisbogen ist fast ein Halbkreis, {} Grad.</translation>
     </message>
     <message>
-        <source>Give the centre by I, J and K: here the last digit of R moves it far.</source>
+        <source>Program the centre with I, J and K: here the last digit of R moves it far.</source>
         <translation>Geben Sie den Mittelpunkt mit I, J und K an: Hier verschiebt ihn die letzte Ziffer von R weit.</translation>
     </message>
     <message>
@@ -3388,11 +3384,11 @@ Vorgabe: 0 mm</translation>
         <translation>Ebene</translation>
     </message>
     <message>
-        <source>distances</source>
+        <source>distance mode</source>
         <translation>Maße</translation>
     </message>
     <message>
-        <source>distances of arc centres</source>
+        <source>arc distance mode</source>
         <translation>Maße der Kreismittelpunkte</translation>
     </message>
     <message>
@@ -3412,7 +3408,7 @@ Vorgabe: 0 mm</translation>
         <translation>Werkzeuglänge</translation>
     </message>
     <message>
-        <source>retract level</source>
+        <source>canned-cycle return</source>
         <translation>Rückzugsebene</translation>
     </message>
     <message>
@@ -3472,7 +3468,7 @@ Vorgabe: 0 mm</translation>
         <translation>Gewindebohren</translation>
     </message>
     <message>
-        <source>Lines that repeat were told about {} times; interpretation ends here.</source>
+        <source>Repeated lines gave {} messages; interpretation ends here.</source>
         <translation>Zu sich wiederholenden Zeilen gab es {} Meldungen; die Interpretation endet hier.</translation>
     </message>
     <message>
@@ -3520,19 +3516,19 @@ Vorgabe: 0 mm</translation>
         <translation>Die Bohrstange fährt vor dem Verlassen der Bohrung zur Seite, wird aber als voller Zylinder geschnitten.</translation>
     </message>
     <message>
-        <source>What it seems to touch on its way out cannot be vouched for.</source>
+        <source>Contacts shown during the retract are unverified.</source>
         <translation>Was sie auf dem Weg hinaus zu berühren scheint, ist nicht gesichert.</translation>
     </message>
     <message>
-        <source>The operator takes the tool out of the hole by hand.</source>
+        <source>The operator retracts the tool from the hole by hand.</source>
         <translation>Der Bediener fährt das Werkzeug von Hand aus der Bohrung.</translation>
     </message>
     <message>
-        <source>Shown is the straight way out; what follows cannot be vouched for.</source>
+        <source>A straight retract is shown; results after this block are unverified.</source>
         <translation>Gezeigt wird der gerade Weg hinaus; was folgt, ist nicht gesichert.</translation>
     </message>
     <message>
-        <source>Back boring goes up from R, but the depth does not lie above R.</source>
+        <source>Back boring feeds up from R, but the depth is not above R.</source>
         <translation>Rückwärtsbohren geht von R nach oben, aber die Tiefe liegt nicht über R.</translation>
     </message>
     <message>
@@ -3548,7 +3544,7 @@ Vorgabe: 0 mm</translation>
         <translation>Schreiben Sie G98 davor.</translation>
     </message>
     <message>
-        <source>G98 returns to the initial level, which is not known; shown is R.</source>
+        <source>G98 returns to the initial level, which is unknown; a return to R is shown.</source>
         <translation>G98 kehrt auf die Ausgangsebene zurück, die nicht bekannt ist; gezeigt wird R.</translation>
     </message>
     <message>
@@ -3564,23 +3560,23 @@ Vorgabe: 0 mm</translation>
         <translation>Neuere Steuerungen halten stattdessen mit einem Alarm an; geben Sie die Zustelltiefe an.</translation>
     </message>
     <message>
-        <source>The spindle stands, and no M29 orders rigid tapping.</source>
+        <source>The spindle is stopped and M29 (rigid tapping) is not active.</source>
         <translation>Die Spindel steht, und kein M29 verlangt Gewindebohren ohne Ausgleichsfutter.</translation>
     </message>
     <message>
-        <source>Some machines tap rigidly without M29, as is shown; write M29 before the cycle.</source>
+        <source>Some machines tap rigidly without M29, as shown here; write M29 before the cycle.</source>
         <translation>Manche Maschinen tun das, wie gezeigt, auch ohne M29; schreiben Sie M29 vor den Zyklus.</translation>
     </message>
     <message>
-        <source>With 0 repeats the cycle is only stored; {} of this block is not moved to.</source>
+        <source>With 0 repeats the cycle is only stored; the {} of this block is not moved to.</source>
         <translation>Mit 0 Wiederholungen wird der Zyklus nur gespeichert; {} dieses Satzes wird nicht angefahren.</translation>
     </message>
     <message>
-        <source>Some controls move there; name the place in another block.</source>
+        <source>Some controls move there; program the position in another block.</source>
         <translation>Manche Steuerungen fahren hin; nennen Sie den Ort in einem anderen Satz.</translation>
     </message>
     <message>
-        <source>{} drills with the canned cycle in force, but there is none.</source>
+        <source>{} drills with the active canned cycle, but no cycle is active.</source>
         <translation>{} bohrt mit dem wirksamen Bohrzyklus, aber es ist keiner wirksam.</translation>
     </message>
     <message>
@@ -3588,7 +3584,7 @@ Vorgabe: 0 mm</translation>
         <translation>Schreiben Sie den Zyklus mit L0 in einen Satz davor; das Bohrbild bohrt nichts.</translation>
     </message>
     <message>
-        <source>The first hole of G72 is taken to be where the tool stands.</source>
+        <source>The first hole of G72 is assumed to be at the current position.</source>
         <translation>Als erste Bohrung von G72 gilt der Ort, an dem das Werkzeug steht.</translation>
     </message>
     <message>
@@ -3596,7 +3592,7 @@ Vorgabe: 0 mm</translation>
         <translation>Prüfen Sie es im Handbuch der Steuerung.</translation>
     </message>
     <message>
-        <source>How the control moves from circle to circle of the pocket is not documented; shown are half circles.</source>
+        <source>How the control moves from circle to circle of the pocket is not documented; half circles are shown.</source>
         <translation>Wie die Steuerung von Kreis zu Kreis der Tasche fährt, ist nicht dokumentiert; gezeigt werden Halbkreise.</translation>
     </message>
     <message>
@@ -3612,23 +3608,23 @@ Vorgabe: 0 mm</translation>
         <translation>Prüfen Sie I, K und D; die Tasche wird nicht gefräst.</translation>
     </message>
     <message>
-        <source>G29 returns by the intermediate point of G28, which is not known for {}.</source>
+        <source>G29 returns through the intermediate point of G28, which is unknown for {}.</source>
         <translation>G29 kehrt über den Zwischenpunkt von G28 zurück, der für {} nicht bekannt ist.</translation>
     </message>
     <message>
-        <source>Position the axis before G28 and name it there.</source>
+        <source>Position the axis before G28 and program it there.</source>
         <translation>Positionieren Sie die Achse vor G28, und nennen Sie sie dort.</translation>
     </message>
     <message>
-        <source>G60 overshoots by a distance that is set in the machine; it is shown without.</source>
+        <source>G60 overshoots by a distance set in the machine; it is shown without the overshoot.</source>
         <translation>G60 fährt um eine in der Maschine eingestellte Strecke über das Ziel hinaus; gezeigt wird es ohne sie.</translation>
     </message>
     <message>
-        <source>Make sure that there is room behind the target.</source>
+        <source>Make sure that there is room beyond the target.</source>
         <translation>Sorgen Sie für Platz hinter dem Ziel.</translation>
     </message>
     <message>
-        <source>The skip motion is shown to its end; where a signal stops it, only the machine finds out.</source>
+        <source>The skip motion is shown to its end; where a signal stops it is unknown.</source>
         <translation>Die Bewegung mit Löschen des Restwegs wird bis zu ihrem Ende gezeigt; wo ein Signal sie anhält, stellt erst die Maschine fest.</translation>
     </message>
     <message>
@@ -3652,11 +3648,11 @@ Vorgabe: 0 mm</translation>
         <translation>Geben Sie den Mittelpunkt mit I, J oder K oder den Radius mit R an.</translation>
     </message>
     <message>
-        <source>Position in the program</source>
+        <source>Program position</source>
         <translation>Position im Programm</translation>
     </message>
     <message>
-        <source>Zero of the work offset</source>
+        <source>Work offset</source>
         <translation>Nullpunkt der Verschiebung</translation>
     </message>
     <message>
@@ -3680,23 +3676,23 @@ Vorgabe: 0 mm</translation>
         <translation>Werkzeug in der Spindel</translation>
     </message>
     <message>
-        <source>Tool selected next</source>
+        <source>Next tool</source>
         <translation>Vorgewähltes Werkzeug</translation>
     </message>
     <message>
-        <source>G68 turns another plane than that of the arc, which then lies in no plane of the machine.</source>
+        <source>G68 rotates in another plane than that of the arc, which then is in no plane of the machine.</source>
         <translation>G68 dreht eine andere Ebene als die des Bogens, der damit in keiner Ebene der Maschine liegt.</translation>
     </message>
     <message>
-        <source>Keep the plane that was in force at G68.</source>
+        <source>Keep the plane that was active at G68.</source>
         <translation>Behalten Sie die Ebene bei, die bei G68 galt.</translation>
     </message>
     <message>
-        <source>Scaled by different factors along the axes of its plane, the arc is none any more.</source>
+        <source>Different scale factors along the axes of its plane turn this arc into an ellipse.</source>
         <translation>Mit verschiedenen Faktoren entlang der Achsen seiner Ebene skaliert, ist der Bogen keiner mehr.</translation>
     </message>
     <message>
-        <source>Use one factor for both axes, or let the CAM system write it as lines.</source>
+        <source>Use one factor for both axes, or let the CAM system output lines.</source>
         <translation>Verwenden Sie einen Faktor für beide Achsen, oder lassen Sie das CAM-System Geraden schreiben.</translation>
     </message>
     <message>
@@ -3708,19 +3704,19 @@ Vorgabe: 0 mm</translation>
         <translation>Prüfen Sie die Zahl; der Befehl hat keine Wirkung.</translation>
     </message>
     <message>
-        <source>{} stands within {}: the control wants mirror image, scaling and rotation begun in this order and ended in the opposite one.</source>
+        <source>{} is inside {}: the control needs mirror image, scaling and rotation started in this order and cancelled in the opposite one.</source>
         <translation>{} steht innerhalb von {}: Die Steuerung verlangt, Spiegelung, Skalierung und Drehung in dieser Reihenfolge zu beginnen und in der umgekehrten zu beenden.</translation>
     </message>
     <message>
-        <source>End the inner one first.</source>
+        <source>Cancel the inner one first.</source>
         <translation>Beenden Sie zuerst den inneren Befehl.</translation>
     </message>
     <message>
-        <source>The first motion behind {} does not say where both axes of the rotation go; controls differ here.</source>
+        <source>The first motion after {} does not program both axes of the rotation; controls differ here.</source>
         <translation>Die erste Bewegung nach {} sagt nicht, wohin beide Achsen der Drehung fahren; Steuerungen verhalten sich hier verschieden.</translation>
     </message>
     <message>
-        <source>Position both axes in G90 behind it.</source>
+        <source>Position both axes in G90 after it.</source>
         <translation>Positionieren Sie danach beide Achsen in G90.</translation>
     </message>
     <message>
@@ -3740,7 +3736,7 @@ Vorgabe: 0 mm</translation>
         <translation>G10 mit L{} beginnt, Daten der Steuerung zu setzen; die Sätze bis G11 werden übersprungen.</translation>
     </message>
     <message>
-        <source>What depends on these data cannot be vouched for.</source>
+        <source>What depends on these data is unverified.</source>
         <translation>Was von diesen Daten abhängt, lässt sich nicht gewährleisten.</translation>
     </message>
     <message>
@@ -3752,11 +3748,11 @@ Vorgabe: 0 mm</translation>
         <translation>Das Werkzeug mit seiner Nummer füllt es, oder G10; fügen Sie das Werkzeug hinzu, oder berichtigen Sie die Nummer.</translation>
     </message>
     <message>
-        <source>{} changes the tool length without a Z word; some machines move by the difference, others stand still.</source>
+        <source>{} changes the tool length without a Z word; some machines move by the difference, others do not.</source>
         <translation>{} ändert die Werkzeuglänge ohne Z-Wort; manche Maschinen fahren um die Differenz, andere stehen still.</translation>
     </message>
     <message>
-        <source>Position Z in the same block; here it stands still.</source>
+        <source>Position Z in the same block; here Z does not move.</source>
         <translation>Positionieren Sie Z im selben Satz; hier steht die Achse still.</translation>
     </message>
     <message>
@@ -3772,7 +3768,7 @@ Vorgabe: 0 mm</translation>
         <translation>Fahren Sie mit G0 oder G1 an; der Bogen wird übersprungen.</translation>
     </message>
     <message>
-        <source>The corner before this motion is not compensated: the tool stands square beside the block before it, and goes on from there.</source>
+        <source>The corner before this motion is not compensated: the tool stops square to the end of the block before it, and continues from there.</source>
         <translation>Die Ecke vor dieser Bewegung wird nicht korrigiert: Das Werkzeug steht rechtwinklig neben dem Satz davor und fährt von dort weiter.</translation>
     </message>
     <message>
@@ -3780,7 +3776,7 @@ Vorgabe: 0 mm</translation>
         <translation>Halten Sie Stopps, wiederholte Codes und Sätze ohne Bewegung von Ecken fern.</translation>
     </message>
     <message>
-        <source>The tool changes its side between paths that do not meet.</source>
+        <source>The tool changes side between paths that do not meet.</source>
         <translation>Das Werkzeug wechselt die Seite zwischen Bahnen, die sich nicht treffen.</translation>
     </message>
     <message>
@@ -3804,107 +3800,107 @@ Vorgabe: 0 mm</translation>
         <translation>Die Interpretation wurde vor dieser Zeile angehalten; die letzte war {}.</translation>
     </message>
     <message>
-        <source>The program is still being read; what stands from this line on is missing.</source>
+        <source>The program is still being read; the lines from here on are missing.</source>
         <translation>Das Programm wird noch gelesen; was ab dieser Zeile steht, fehlt noch.</translation>
     </message>
     <message>
-        <source>The control answers error:20 (unsupported command) and drops the block; take it out.</source>
+        <source>The control reports error:20 (unsupported command) and skips the block; remove it.</source>
         <translation>Die Steuerung antwortet error:20 (Befehl nicht unterstützt) und verwirft den Satz; nehmen Sie ihn heraus.</translation>
     </message>
     <message>
-        <source>The control answers error:1 (letter expected) and drops the block; remove the character.</source>
+        <source>The control reports error:1 (letter expected) and skips the block; remove the character.</source>
         <translation>Die Steuerung antwortet error:1 (Buchstabe erwartet) und verwirft den Satz; entfernen Sie das Zeichen.</translation>
     </message>
     <message>
-        <source>The control answers error:2 (bad number) and drops the block; write the number.</source>
+        <source>The control reports error:2 (bad number) and skips the block; write the number.</source>
         <translation>Die Steuerung antwortet error:2 (keine Zahl) und verwirft den Satz; schreiben Sie die Zahl.</translation>
     </message>
     <message>
-        <source>The control answers error:2 (bad number) and drops the block; write one sign.</source>
+        <source>The control reports error:2 (bad number) and skips the block; write one sign.</source>
         <translation>Die Steuerung antwortet error:2 (keine Zahl) und verwirft den Satz; schreiben Sie ein Vorzeichen.</translation>
     </message>
     <message>
-        <source>The control answers error:2 (bad number) and drops the block; keep one point.</source>
+        <source>The control reports error:2 (bad number) and skips the block; keep one point.</source>
         <translation>Die Steuerung antwortet error:2 (keine Zahl) und verwirft den Satz; lassen Sie einen Punkt stehen.</translation>
     </message>
     <message>
-        <source>The control answers error:1 or error:2 and drops the block; let the CAM system write plain numbers.</source>
+        <source>The control reports error:1 or error:2 and skips the block; let the CAM system write plain numbers.</source>
         <translation>Die Steuerung antwortet error:1 oder error:2 und verwirft den Satz; lassen Sie das CAM-System einfache Zahlen schreiben.</translation>
     </message>
     <message>
-        <source>The control answers error:4 (negative value) and drops the block; correct the number.</source>
+        <source>The control reports error:4 (negative value) and skips the block; correct the number.</source>
         <translation>Die Steuerung antwortet error:4 (negativer Wert) und verwirft den Satz; berichtigen Sie die Zahl.</translation>
     </message>
     <message>
-        <source>The control answers error:21 (two codes of one group) and drops the block; make two blocks.</source>
+        <source>The control reports error:21 (two codes of one group) and skips the block; make two blocks.</source>
         <translation>Die Steuerung antwortet error:21 (zwei Befehle einer Gruppe) und verwirft den Satz; machen Sie zwei Sätze daraus.</translation>
     </message>
     <message>
-        <source>The control answers error:22 (no feed rate) and drops the block, its motion code too; give F.</source>
+        <source>The control reports error:22 (no feed rate) and skips the block, its motion code too; give F.</source>
         <translation>Die Steuerung antwortet error:22 (kein Vorschub) und verwirft den Satz samt seinem Wegbefehl; geben Sie F an.</translation>
     </message>
     <message>
-        <source>The control answers error:20 or error:23 and drops the block; take the code out.</source>
+        <source>The control reports error:20 or error:23 and skips the block; remove the code.</source>
         <translation>Die Steuerung antwortet error:20 oder error:23 und verwirft den Satz; nehmen Sie den Befehl heraus.</translation>
     </message>
     <message>
-        <source>The control answers error:24 (two codes use the axis words) and drops the block; make two blocks.</source>
+        <source>The control reports error:24 (two codes use the axis words) and skips the block; make two blocks.</source>
         <translation>Die Steuerung antwortet error:24 (zwei Befehle brauchen die Achswörter) und verwirft den Satz; machen Sie zwei Sätze daraus.</translation>
     </message>
     <message>
-        <source>The control answers error:25 (repeated word) and drops the block; make two blocks.</source>
+        <source>The control reports error:25 (repeated word) and skips the block; make two blocks.</source>
         <translation>Die Steuerung antwortet error:25 (Wort doppelt) und verwirft den Satz; machen Sie zwei Sätze daraus.</translation>
     </message>
     <message>
-        <source>The control answers error:26 (no axis words) or error:28 (a word is missing) and drops the block; add the word.</source>
+        <source>The control reports error:26 (no axis words) or error:28 (a word is missing) and skips the block; add the word.</source>
         <translation>Die Steuerung antwortet error:26 (keine Achswörter) oder error:28 (ein Wort fehlt) und verwirft den Satz; ergänzen Sie das Wort.</translation>
     </message>
     <message>
-        <source>The control answers error:29 to P of G10, error:38 to T, and drops the block; correct the number.</source>
+        <source>The control reports error:29 to P of G10, error:38 to T, and skips the block; correct the number.</source>
         <translation>Die Steuerung antwortet error:29 bei P von G10, error:38 bei T, und verwirft den Satz; berichtigen Sie die Zahl.</translation>
     </message>
     <message>
-        <source>The control answers error:30 (G53 needs G0 or G1) and drops the block; write G53 G0 or G53 G1.</source>
+        <source>The control reports error:30 (G53 needs G0 or G1) and skips the block; write G53 G0 or G53 G1.</source>
         <translation>Die Steuerung antwortet error:30 (G53 braucht G0 oder G1) und verwirft den Satz; schreiben Sie G53 G0 oder G53 G1.</translation>
     </message>
     <message>
-        <source>The control answers error:31 (axis words without a motion) and drops the block; write G0 or G1.</source>
+        <source>The control reports error:31 (axis words without a motion) and skips the block; write G0 or G1.</source>
         <translation>Die Steuerung antwortet error:31 (Achswörter ohne Weg) und verwirft den Satz; schreiben Sie G0 oder G1.</translation>
     </message>
     <message>
-        <source>The control answers error:26 or error:32 and drops the block; write the end point, also of a full circle.</source>
+        <source>The control reports error:26 or error:32 and skips the block; write the end point, also of a full circle.</source>
         <translation>Die Steuerung antwortet error:26 oder error:32 und verwirft den Satz; schreiben Sie den Endpunkt, auch bei einem Vollkreis.</translation>
     </message>
     <message>
-        <source>The control answers error:33 (invalid target): the radii may differ by 0.005 mm, and by 0.1 % up to 0.5 mm; check the centre.</source>
+        <source>The control reports error:33 (invalid target): the radii may differ by 0.005 mm, and by 0.1 % up to 0.5 mm; check the centre.</source>
         <translation>Die Steuerung antwortet error:33 (ungültiges Ziel): die Radien dürfen um 0.005 mm abweichen, und um 0.1 % bis zu 0.5 mm; prüfen Sie den Mittelpunkt.</translation>
     </message>
     <message>
-        <source>The control answers error:33 (invalid target) and drops the block; give a full circle its centre.</source>
+        <source>The control reports error:33 (invalid target) and skips the block; give a full circle its centre.</source>
         <translation>Die Steuerung antwortet error:33 (ungültiges Ziel) und verwirft den Satz; geben Sie einem Vollkreis seinen Mittelpunkt.</translation>
     </message>
     <message>
-        <source>The control answers error:33 (invalid target) and drops the block; check the axis words.</source>
+        <source>The control reports error:33 (invalid target) and skips the block; check the axis words.</source>
         <translation>Die Steuerung antwortet error:33 (ungültiges Ziel) und verwirft den Satz; prüfen Sie die Achswörter.</translation>
     </message>
     <message>
-        <source>The control answers error:34 (arc radius) and drops the block; check R and the end point.</source>
+        <source>The control reports error:34 (arc radius) and skips the block; check R and the end point.</source>
         <translation>Die Steuerung antwortet error:34 (Bogenradius) und verwirft den Satz; prüfen Sie R und den Endpunkt.</translation>
     </message>
     <message>
-        <source>The control answers error:35 (no centre in the plane) and drops the block; give I, J or K of the plane, or R.</source>
+        <source>The control reports error:35 (no centre in the plane) and skips the block; give I, J or K of the plane, or R.</source>
         <translation>Die Steuerung antwortet error:35 (kein Mittelpunkt in der Ebene) und verwirft den Satz; geben Sie I, J oder K der Ebene an, oder R.</translation>
     </message>
     <message>
-        <source>The control answers error:36 (unused words) and drops the block; keep the centre or the radius.</source>
+        <source>The control reports error:36 (unused words) and skips the block; keep the centre or the radius.</source>
         <translation>Die Steuerung antwortet error:36 (unbenutzte Wörter) und verwirft den Satz; lassen Sie Mittelpunkt oder Radius stehen.</translation>
     </message>
     <message>
-        <source>The control answers error:36 (unused words) and drops the block; take the word out.</source>
+        <source>The control reports error:36 (unused words) and skips the block; remove the word.</source>
         <translation>Die Steuerung antwortet error:36 (unbenutzte Wörter) und verwirft den Satz; nehmen Sie das Wort heraus.</translation>
     </message>
     <message>
-        <source>The control answers error:37 and drops the block; write G43.1 Z… alone.</source>
+        <source>The control reports error:37 and skips the block; write G43.1 Z… alone.</source>
         <translation>Die Steuerung antwortet error:37 und verwirft den Satz; schreiben Sie G43.1 Z… allein.</translation>
     </message>
     <message>
@@ -3912,11 +3908,11 @@ Vorgabe: 0 mm</translation>
         <translation>Referenzschalter anfahren</translation>
     </message>
     <message>
-        <source>work offset 6, or by its number</source>
+        <source>work offset 6, or by number</source>
         <translation>Nullpunktverschiebung 6, oder nach ihrer Nummer</translation>
     </message>
     <message>
-        <source>begin the program again</source>
+        <source>restart the program</source>
         <translation>Programm von vorn beginnen</translation>
     </message>
     <message>
@@ -3932,15 +3928,15 @@ Vorgabe: 0 mm</translation>
         <translation>{} gehört zu keiner modalen Gruppe des Fräsens, die die Handbücher nennen.</translation>
     </message>
     <message>
-        <source>Only the control itself can tell its value; what follows from it cannot be verified.</source>
+        <source>Only the control knows its value; what follows from it is unverified.</source>
         <translation>Nur die Steuerung selbst kennt den Wert; was daraus folgt, lässt sich nicht prüfen.</translation>
     </message>
     <message>
-        <source>{} is no order of this control.</source>
+        <source>{} is not supported by this control.</source>
         <translation>{} ist kein Befehl dieser Steuerung.</translation>
     </message>
     <message>
-        <source>The control drops the block, and so does the simulation; take the code out.</source>
+        <source>The control skips the block, and so does the simulation; remove the code.</source>
         <translation>Die Steuerung verwirft den Satz, und die Simulation ebenso; nehmen Sie den Befehl heraus.</translation>
     </message>
     <message>
@@ -3948,7 +3944,7 @@ Vorgabe: 0 mm</translation>
         <translation>Diese Steuerung hat kein Wort {}.</translation>
     </message>
     <message>
-        <source>The control drops the block, and so does the simulation; take the word out.</source>
+        <source>The control skips the block, and so does the simulation; remove the word.</source>
         <translation>Die Steuerung verwirft den Satz, und die Simulation ebenso; nehmen Sie das Wort heraus.</translation>
     </message>
     <message>
@@ -3964,7 +3960,7 @@ Vorgabe: 0 mm</translation>
         <translation>Die Zeile hat {} Zeichen ohne Leerzeichen und Kommentare; die Steuerung liest nicht mehr als {}.</translation>
     </message>
     <message>
-        <source>The control answers error:11 and drops the line; split it.</source>
+        <source>The control reports error:11 and skips the line; split it.</source>
         <translation>Die Steuerung antwortet error:11 und verwirft die Zeile; teilen Sie sie.</translation>
     </message>
     <message>
@@ -3972,11 +3968,11 @@ Vorgabe: 0 mm</translation>
         <translation>Die Satznummer ist größer als {}.</translation>
     </message>
     <message>
-        <source>The control answers error:27 and drops the block; number the blocks anew.</source>
+        <source>The control reports error:27 and skips the block; renumber the blocks.</source>
         <translation>Die Steuerung antwortet error:27 und verwirft den Satz; nummerieren Sie die Sätze neu.</translation>
     </message>
     <message>
-        <source>{} is an order to the control itself; it is not carried out here.</source>
+        <source>{} is a command to the control itself; it is not simulated.</source>
         <translation>{} ist ein Befehl an die Steuerung selbst; er wird hier nicht ausgeführt.</translation>
     </message>
     <message>
@@ -3984,11 +3980,11 @@ Vorgabe: 0 mm</translation>
         <translation>Er kann Achsen bewegen, Einstellungen ändern oder Verschiebungen löschen; senden Sie ihn getrennt vom Programm.</translation>
     </message>
     <message>
-        <source>The character {} is an order to the control that counts wherever it stands, also in comments.</source>
+        <source>The character {} is a real-time command that acts anywhere, even in comments.</source>
         <translation>Das Zeichen {} ist ein Befehl an die Steuerung, der überall gilt, auch in Kommentaren.</translation>
     </message>
     <message>
-        <source>It may stop the machine or change an override; take it out.</source>
+        <source>It may stop the machine or change an override; remove it.</source>
         <translation>Es kann die Maschine anhalten oder einen Override ändern; nehmen Sie es heraus.</translation>
     </message>
     <message>
@@ -3996,15 +3992,15 @@ Vorgabe: 0 mm</translation>
         <translation>Das Zeichen {} setzt die Steuerung zurück oder hält sie mitten im Programm an.</translation>
     </message>
     <message>
-        <source>Take it out.</source>
+        <source>Remove it.</source>
         <translation>Nehmen Sie es heraus.</translation>
     </message>
     <message>
-        <source>This control has no block delete: it runs what stands behind &quot;/&quot;.</source>
+        <source>This control has no block delete: it runs what follows &quot;/&quot;.</source>
         <translation>Diese Steuerung hat kein Ausblenden von Sätzen: sie führt aus, was hinter „/“ steht.</translation>
     </message>
     <message>
-        <source>Take the blocks out that are not to run.</source>
+        <source>Remove the blocks that must not run.</source>
         <translation>Nehmen Sie die Sätze heraus, die nicht laufen sollen.</translation>
     </message>
     <message>
@@ -4012,7 +4008,7 @@ Vorgabe: 0 mm</translation>
         <translation>Diese Steuerung kennt „%“ nicht.</translation>
     </message>
     <message>
-        <source>The control answers error:1 unless the sender keeps the line back; remove it.</source>
+        <source>The control reports error:1 unless the sender filters the line; remove it.</source>
         <translation>Die Steuerung antwortet error:1, wenn das Sendeprogramm die Zeile nicht zurückhält; entfernen Sie sie.</translation>
     </message>
     <message>
@@ -4020,7 +4016,7 @@ Vorgabe: 0 mm</translation>
         <translation>T{} wird gelesen, ändert aber nichts: diese Steuerung hat keinen Werkzeugwechsel.</translation>
     </message>
     <message>
-        <source>Make one program for each tool, or change it by hand behind M0.</source>
+        <source>Make one program per tool, or change the tool by hand after M0.</source>
         <translation>Machen Sie ein Programm für jedes Werkzeug, oder wechseln Sie von Hand hinter M0.</translation>
     </message>
     <message>
@@ -4028,7 +4024,7 @@ Vorgabe: 0 mm</translation>
         <translation>Diese Steuerung hält bei M1 nicht an.</translation>
     </message>
     <message>
-        <source>Write M0 where it has to stop.</source>
+        <source>Write M0 where it must stop.</source>
         <translation>Schreiben Sie M0, wo sie anhalten muss.</translation>
     </message>
     <message>
@@ -4036,15 +4032,15 @@ Vorgabe: 0 mm</translation>
         <translation>M7 ist nur bekannt, wo grbl mit Sprühkühlung gebaut wurde.</translation>
     </message>
     <message>
-        <source>Otherwise grbl answers error:20 and drops the block; give M7 a block of its own.</source>
+        <source>Otherwise grbl reports error:20 and skips the block; give M7 a block of its own.</source>
         <translation>Sonst antwortet grbl error:20 und verwirft den Satz; geben Sie M7 einen eigenen Satz.</translation>
     </message>
     <message>
-        <source>The centre word {} lies outside the plane of the arc; the control ignores it.</source>
+        <source>The centre word {} is outside the plane of the arc; the control ignores it.</source>
         <translation>Das Mittelpunktwort {} liegt außerhalb der Ebene des Bogens; die Steuerung übergeht es.</translation>
     </message>
     <message>
-        <source>The arc names no axis of its plane as its end.</source>
+        <source>The arc has no end point in its plane.</source>
         <translation>Der Bogen nennt keine Achse seiner Ebene als Ende.</translation>
     </message>
     <message>
@@ -4076,7 +4072,7 @@ Vorgabe: 0 mm</translation>
         <translation>Prüfen Sie an der Steuerung, ob P Sekunden oder Millisekunden zählt.</translation>
     </message>
     <message>
-        <source>The arc fits with its centre counted from the start point and also from the origin; a setting of the control decides, and it is taken from the start point.</source>
+        <source>The arc fits with its centre from the start point and also from the origin; a setting of the control decides. The start point is assumed.</source>
         <translation>Der Bogen passt mit einem Mittelpunkt, der vom Startpunkt zählt, und auch mit einem vom Nullpunkt; eine Einstellung der Steuerung entscheidet, angenommen wird der Startpunkt.</translation>
     </message>
     <message>
@@ -4084,7 +4080,7 @@ Vorgabe: 0 mm</translation>
         <translation>Schreiben Sie G91.1 oder G90.1 an den Anfang des Programms.</translation>
     </message>
     <message>
-        <source>Mach3 takes the place of the tool for the pole of G16, Mach4 the origin; it is taken as Mach3 does.</source>
+        <source>Mach3 uses the tool position as the pole of G16, Mach4 the origin; Mach3 is assumed.</source>
         <translation>Mach3 nimmt den Ort des Werkzeugs als Pol von G16, Mach4 den Nullpunkt; angenommen wird es wie bei Mach3.</translation>
     </message>
     <message>
@@ -4092,7 +4088,7 @@ Vorgabe: 0 mm</translation>
         <translation>Beginnen Sie die Polarkoordinaten, wo beide gleich sind: bei X0 Y0.</translation>
     </message>
     <message>
-        <source>Polar coordinates are meant for G0 and G1 in the XY plane; what {} does in them is not written.</source>
+        <source>Polar coordinates are for G0 and G1 in the XY plane; their effect on {} is not documented.</source>
         <translation>Polarkoordinaten sind für G0 und G1 in der XY-Ebene gedacht; was {} darin tut, ist nicht beschrieben.</translation>
     </message>
     <message>
@@ -4100,7 +4096,7 @@ Vorgabe: 0 mm</translation>
         <translation>Schreiben Sie G15 davor.</translation>
     </message>
     <message>
-        <source>Whether G51 scales the word {} is not written; it is taken to scale it.</source>
+        <source>Whether G51 scales the word {} is not documented; it is assumed to.</source>
         <translation>Ob G51 das Wort {} skaliert, ist nicht beschrieben; angenommen wird, dass es das tut.</translation>
     </message>
     <message>
@@ -4120,15 +4116,15 @@ Vorgabe: 0 mm</translation>
         <translation>{} ohne H oder mit H0 setzt die Werkzeuglängenkorrektur auf 0.</translation>
     </message>
     <message>
-        <source>Write the number of the tool behind H.</source>
+        <source>Write the tool number after H.</source>
         <translation>Schreiben Sie die Nummer des Werkzeugs hinter H.</translation>
     </message>
     <message>
-        <source>M47 begins the program again, without end.</source>
+        <source>M47 restarts the program, endlessly.</source>
         <translation>M47 beginnt das Programm von vorn, ohne Ende.</translation>
     </message>
     <message>
-        <source>{} seeks the reference switches; where the axes stand afterwards, only the machine knows.</source>
+        <source>{} seeks the reference switches; the axis positions afterwards are unknown.</source>
         <translation>{} fährt die Referenzschalter an; wo die Achsen danach stehen, weiß nur die Maschine.</translation>
     </message>
     <message>
@@ -4136,11 +4132,11 @@ Vorgabe: 0 mm</translation>
         <translation>Positionieren Sie die Achsen vor dem nächsten Schnitt.</translation>
     </message>
     <message>
-        <source>Nothing leads to this line: line {} leaves the blocks before it for good.</source>
+        <source>This block is unreachable: line {} always jumps past it.</source>
         <translation>Nichts führt zu dieser Zeile: Zeile {} verlässt die Sätze davor endgültig.</translation>
     </message>
     <message>
-        <source>Remove it, or give it the block number or the label that something jumps to.</source>
+        <source>Remove it, or give it the block number or label of a jump.</source>
         <translation>Entfernen Sie sie, oder geben Sie ihr die Satznummer oder Marke, zu der gesprungen wird.</translation>
     </message>
     <message>
@@ -4160,11 +4156,11 @@ Vorgabe: 0 mm</translation>
         <translation>Eckenradius</translation>
     </message>
     <message>
-        <source>No straight or circular motion stands on both sides of the chamfer or corner radius (alarm 051).</source>
+        <source>The chamfer or corner radius is not between two straight or circular motions (alarm 051).</source>
         <translation>Fase oder Eckenradius steht nicht zwischen zwei Geraden oder Bögen (Alarm 051).</translation>
     </message>
     <message>
-        <source>Let G1, G2 or G3 in the plane follow; the corner stays sharp.</source>
+        <source>Program G1, G2 or G3 in the plane next; the corner stays sharp.</source>
         <translation>Lassen Sie G1, G2 oder G3 in der Ebene folgen; die Ecke bleibt scharf.</translation>
     </message>
     <message>
@@ -4176,7 +4172,7 @@ Vorgabe: 0 mm</translation>
         <translation>Nehmen Sie ein kleineres Maß; die Ecke bleibt scharf.</translation>
     </message>
     <message>
-        <source>A chamfer or corner radius stands between motions in one plane only.</source>
+        <source>A chamfer or corner radius needs motions in one plane on both sides.</source>
         <translation>Eine Fase oder ein Eckenradius steht nur zwischen Bewegungen in einer Ebene.</translation>
     </message>
     <message>
@@ -4184,7 +4180,7 @@ Vorgabe: 0 mm</translation>
         <translation>Bewegen Sie die dritte Achse in einem anderen Satz; die Ecke bleibt scharf.</translation>
     </message>
     <message>
-        <source>The manuals do not tell how a chamfer counts along an arc; here it is the straight distance from the corner.</source>
+        <source>The manuals do not say how a chamfer is measured along an arc; here it is the straight distance from the corner.</source>
         <translation>Die Handbücher sagen nicht, wie eine Fase entlang eines Bogens zählt; hier ist es der gerade Abstand von der Ecke.</translation>
     </message>
     <message>
@@ -4196,7 +4192,7 @@ Vorgabe: 0 mm</translation>
         <translation>#5061 bis #5063 enthalten diesen Endpunkt. Mit einem Rohteil und einem Fräser für ihr Werkzeug hält sie am Rohteil.</translation>
     </message>
     <message>
-        <source>It is taken to go to its programmed end; #5061 to #5069 hold that, #5070 is 0. With a stock and a cutter for its tool it stops at the stock.</source>
+        <source>It is assumed to move to its programmed end; #5061 to #5069 hold that, #5070 is 0. With a stock and a cutter for its tool it stops at the stock.</source>
         <translation>Angenommen wird, dass er bis zum programmierten Ende fährt; #5061 bis #5069 enthalten es, #5070 ist 0. Mit einem Rohteil und einem Fräser für sein Werkzeug hält er am Rohteil.</translation>
     </message>
     <message>
@@ -4204,7 +4200,7 @@ Vorgabe: 0 mm</translation>
         <translation>Angenommen wird, dass der Taster bei X{} Y{} Z{} mm hält, wo er das simulierte Rohteil berührt.</translation>
     </message>
     <message>
-        <source>On the machine the part decides; what follows is verified as long as it does not go on from there or read the result.</source>
+        <source>On the machine the part decides; results are verified as long as the program does not continue from there or read the result.</source>
         <translation>An der Maschine entscheidet das Teil; was folgt, ist geprüft, solange es nicht von dort weitergeht oder das Ergebnis liest.</translation>
     </message>
     <message>
@@ -4212,11 +4208,11 @@ Vorgabe: 0 mm</translation>
         <translation>Angenommen wird, dass der Taster bei X{} Y{} Z{} mm hält, wo er das simulierte Rohteil verlässt.</translation>
     </message>
     <message>
-        <source>This line uses what a probing motion has found, which is assumed from the simulated stock.</source>
+        <source>This line uses a probing result, which is assumed from the simulated stock.</source>
         <translation>Diese Zeile benutzt, was eine Tastbewegung gefunden hat; das ist nach dem simulierten Rohteil angenommen.</translation>
     </message>
     <message>
-        <source>What follows is shown for that; it cannot be vouched for on another part.</source>
+        <source>Results are shown for that stop; on another part they are unverified.</source>
         <translation>Was folgt, wird dafür gezeigt; für ein anderes Teil lässt es sich nicht gewährleisten.</translation>
     </message>
     <message>
@@ -4256,15 +4252,15 @@ Vorgabe: 0 mm</translation>
         <translation>Parameter</translation>
     </message>
     <message>
-        <source>The block behind the chamfer or corner radius orders neither G1, G2 nor G3 (alarm 052, on newer controls 051).</source>
+        <source>The block after the chamfer or corner radius has no G1, G2 or G3 (alarm 052, on newer controls 051).</source>
         <translation>Der Satz hinter der Fase oder dem Eckenradius verlangt weder G1, G2 noch G3 (Alarm 052, bei neueren Steuerungen 051).</translation>
     </message>
     <message>
-        <source>Only one dwell in a block of its own may stand between; the corner stays sharp.</source>
+        <source>Only one dwell, in a block of its own, is allowed between them; the corner stays sharp.</source>
         <translation>Dazwischen darf nur eine Verweilzeit in einem eigenen Satz stehen; die Ecke bleibt scharf.</translation>
     </message>
     <message>
-        <source>The block orders a chamfer and a corner radius (alarm 053).</source>
+        <source>The block has both a chamfer and a corner radius (alarm 053).</source>
         <translation>Der Satz verlangt eine Fase und einen Eckenradius (Alarm 053).</translation>
     </message>
     <message>
@@ -4272,7 +4268,7 @@ Vorgabe: 0 mm</translation>
         <translation>Behalten Sie eines davon; die Ecke bleibt scharf.</translation>
     </message>
     <message>
-        <source>Neither C nor R stands behind the comma (alarm 053).</source>
+        <source>Expected C or R after the comma (alarm 053).</source>
         <translation>Hinter dem Komma steht weder C noch R (Alarm 053).</translation>
     </message>
     <message>
@@ -4288,11 +4284,11 @@ Vorgabe: 0 mm</translation>
         <translation>Schreiben Sie das Maß ohne Vorzeichen; die Ecke bleibt scharf.</translation>
     </message>
     <message>
-        <source>The manuals do not tell whether G51 scales chamfers and corner radii too; here it does not.</source>
+        <source>The manuals do not say whether G51 also scales chamfers and corner radii; here it does not.</source>
         <translation>Die Handbücher sagen nicht, ob G51 auch Fasen und Eckenradien skaliert; hier tut es das nicht.</translation>
     </message>
     <message>
-        <source>A setting of the control says whether G68 with G91 adds its angle to the one in force (Fanuc: parameter 5400#0, Haas: setting 73); here the angle is {} degrees.</source>
+        <source>A setting of the control decides whether G68 with G91 adds its angle to the active one (Fanuc: parameter 5400#0, Haas: setting 73); here the angle is {} degrees.</source>
         <translation>Eine Einstellung der Steuerung sagt, ob G68 bei G91 seinen Winkel zum wirksamen addiert (Fanuc: Parameter 5400#0, Haas: Einstellung 73); hier beträgt der Winkel {} Grad.</translation>
     </message>
     <message>
@@ -4300,7 +4296,7 @@ Vorgabe: 0 mm</translation>
         <translation>Schreiben Sie G90 vor G68 oder G69 dazwischen.</translation>
     </message>
     <message>
-        <source>{} stands within a canned cycle (alarm 044).</source>
+        <source>{} is not allowed while a canned cycle is active (alarm 044).</source>
         <translation>{} steht in einem Festzyklus (Alarm 044).</translation>
     </message>
     <message>
@@ -4308,7 +4304,7 @@ Vorgabe: 0 mm</translation>
         <translation>Beenden Sie den Zyklus vorher mit G80.</translation>
     </message>
     <message>
-        <source>A chamfer or corner radius stands where cutter compensation begins, ends or changes its side (alarm 039).</source>
+        <source>A chamfer or corner radius is not allowed where cutter compensation starts, ends or changes side (alarm 039).</source>
         <translation>Eine Fase oder ein Eckenradius steht dort, wo die Fräserradiuskorrektur beginnt, endet oder die Seite wechselt (Alarm 039).</translation>
     </message>
     <message>
@@ -4332,15 +4328,15 @@ Vorgabe: 0 mm</translation>
         <translation>Die Datei wurde nicht geöffnet, weil das geöffnete Programm währenddessen bearbeitet wurde.</translation>
     </message>
     <message>
-        <source>More than five brackets stand within each other; the control gives alarm 118.</source>
+        <source>More than five brackets are nested; the control gives alarm 118.</source>
         <translation>Mehr als fünf Klammern stehen ineinander; die Steuerung meldet Alarm 118.</translation>
     </message>
     <message>
-        <source>The centre of {} is where the tool stands, which is not known for {}.</source>
+        <source>The centre of {} is the current position, which is unknown for {}.</source>
         <translation>Der Mittelpunkt von {} liegt dort, wo das Werkzeug steht; das ist für {} nicht bekannt.</translation>
     </message>
     <message>
-        <source>Write the centre, or position the tool before.</source>
+        <source>Program the centre, or position the tool first.</source>
         <translation>Geben Sie den Mittelpunkt an, oder positionieren Sie das Werkzeug vorher.</translation>
     </message>
     <message>
@@ -4348,7 +4344,7 @@ Vorgabe: 0 mm</translation>
         <translation>Das Profil bei Zeichen {} hat keine Breite.</translation>
     </message>
     <message>
-        <source>The profile goes on at character {} after {} points; it may have no more.</source>
+        <source>The profile continues at character {} after {} points; it may have no more.</source>
         <translation>Das Profil geht bei Zeichen {} nach {} Punkten weiter; mehr darf es nicht haben.</translation>
     </message>
     <message>
@@ -4356,7 +4352,7 @@ Vorgabe: 0 mm</translation>
         <translation>Bei Zeichen {} kehrt das Profil zur Achse zurück.</translation>
     </message>
     <message>
-        <source>At character {}, “{}” is no point of a profile; a point is written as {}, an arc to it as {} or {}.</source>
+        <source>At character {}, “{}” is not a profile point; a point is written as {}, an arc to it as {} or {}.</source>
         <translation>Bei Zeichen {}: „{}“ ist kein Punkt eines Profils; ein Punkt wird wie {} geschrieben, ein Bogen dorthin wie {} oder {}.</translation>
     </message>
     <message>
@@ -4536,7 +4532,7 @@ Vorgabe: 0 mm</translation>
         <translation>Formfräser</translation>
     </message>
     <message>
-        <source>The neck of the cutter goes through {} mm of stock above its head.</source>
+        <source>The neck of the cutter passes through {} mm of stock above its head.</source>
         <translation>Der Hals des Fräsers geht über dem Kopf durch {} mm Rohteil.</translation>
     </message>
     <message>
@@ -4544,11 +4540,11 @@ Vorgabe: 0 mm</translation>
         <translation>Fräsen Sie zuerst eine Nut für den Hals, oder wählen Sie ein Werkzeug mit dünnerem Hals.</translation>
     </message>
     <message>
-        <source>Above the head of the cutter {} mm³ of stock stay, which the z-map shows as removed; the layer is highest at X{} Y{} Z{}.</source>
+        <source>Above the head of the cutter {} mm³ of stock remain, which the z-map shows as removed; the layer is highest at X{} Y{} Z{}.</source>
         <translation>Über dem Kopf des Fräsers bleiben {} mm³ Rohteil stehen, die die Z-Map als abgetragen zeigt; am höchsten ist die Schicht bei X{} Y{} Z{}.</translation>
     </message>
     <message>
-        <source>Check by other means what is done there from here on.</source>
+        <source>Check by other means what is cut there from here on.</source>
         <translation>Prüfen Sie auf andere Weise, was dort von hier an geschieht.</translation>
     </message>
     <message>
@@ -4556,11 +4552,11 @@ Vorgabe: 0 mm</translation>
         <translation>Proveout-Rohteil</translation>
     </message>
     <message>
-        <source>what a setup has left of its stock</source>
+        <source>the stock left by a setup</source>
         <translation>was eine Aufspannung von ihrem Rohteil übrig lässt</translation>
     </message>
     <message>
-        <source>This line is no point: X, Y and perhaps the bulge of an arc.</source>
+        <source>This line is not a point: X, Y and, for an arc, its bulge.</source>
         <translation>Diese Zeile ist kein Punkt: X, Y und vielleicht die Wölbung eines Bogens.</translation>
     </message>
     <message>
@@ -4572,11 +4568,11 @@ Vorgabe: 0 mm</translation>
         <translation>Der Umriss hat keine Punkte.</translation>
     </message>
     <message>
-        <source>“{}” is no key of this stock shape; there are {}.</source>
+        <source>“{}” is not a key of this stock shape; there are {}.</source>
         <translation>„{}“ ist kein Schlüssel dieser Rohteilform; es gibt {}.</translation>
     </message>
     <message>
-        <source>{}={} is no length above {} and at most {} mm.</source>
+        <source>{}={} is not a length above {} and at most {} mm.</source>
         <translation>{}={} ist keine Länge über {} und höchstens {} mm.</translation>
     </message>
     <message>
@@ -4592,7 +4588,7 @@ Vorgabe: 0 mm</translation>
         <translation>Ein Rohteil der Form {} braucht den Schlüssel {}, wie in {}.</translation>
     </message>
     <message>
-        <source>“{}” is no shape of stock; there are {}.</source>
+        <source>“{}” is not a stock shape; there are {}.</source>
         <translation>„{}“ ist keine Rohteilform; es gibt {}.</translation>
     </message>
     <message>
@@ -4608,7 +4604,7 @@ Vorgabe: 0 mm</translation>
         <translation>Das Rohteil stammt von einem neueren Proveout (Format {}); dieses liest bis Format {}.</translation>
     </message>
     <message>
-        <source>The saved stock tells of {} × {} points, but its size and spacing make {} × {}.</source>
+        <source>The saved stock specifies {} × {} points, but its size and spacing give {} × {}.</source>
         <translation>Das gespeicherte Rohteil nennt {} × {} Punkte, doch Größe und Rasterweite ergeben {} × {}.</translation>
     </message>
     <message>
@@ -4616,7 +4612,7 @@ Vorgabe: 0 mm</translation>
         <translation>Die Höhen des gespeicherten Rohteils sind nicht {} × {} Zahlen in float32.</translation>
     </message>
     <message>
-        <source>Row {}, column {} of the saved stock is no height within it.</source>
+        <source>Row {}, column {} of the saved stock is not a height within it.</source>
         <translation>Zeile {}, Spalte {} des gespeicherten Rohteils ist keine Höhe in ihm.</translation>
     </message>
     <message>
@@ -4652,7 +4648,7 @@ Vorgabe: 0 mm</translation>
         <translation>Umriss</translation>
     </message>
     <message>
-        <source>A text with a point X Y a line, and a third number for an arc to the next point: the tangent of a quarter of its angle. An empty line begins another loop.</source>
+        <source>A text file with one point X Y per line, and a third number for an arc to the next point: the tangent of a quarter of its angle. An empty line begins another loop.</source>
         <translation>Ein Text mit einem Punkt X Y je Zeile und einer dritten Zahl für einen Bogen zum nächsten Punkt: dem Tangens eines Viertels seines Winkels. Eine leere Zeile beginnt einen weiteren Umriss.</translation>
     </message>
     <message>
@@ -4660,7 +4656,7 @@ Vorgabe: 0 mm</translation>
         <translation>Netz</translation>
     </message>
     <message>
-        <source>A closed mesh, in mm; the stock is what lies under its upper surface.</source>
+        <source>A closed mesh, in mm; the stock is everything below its upper surface.</source>
         <translation>Ein geschlossenes Netz, in mm; Rohteil ist, was unter seiner oberen Fläche liegt.</translation>
     </message>
     <message>
@@ -4696,7 +4692,7 @@ Vorgabe: 0 mm</translation>
         <translation>Gespeichertes Rohteil</translation>
     </message>
     <message>
-        <source>What an earlier setup has left, as saved by File, Save Stock.</source>
+        <source>The stock left by an earlier setup, as saved by File, Save Stock.</source>
         <translation>Was eine frühere Aufspannung übrig ließ, wie mit Datei, Rohteil speichern gesichert.</translation>
     </message>
     <message>
@@ -4748,11 +4744,11 @@ Vorgabe: 0 mm</translation>
         <translation>Ein Guss- oder Schmiedeteil als geschlossenes Netz.</translation>
     </message>
     <message>
-        <source>What an earlier setup has left, also flipped or turned.</source>
+        <source>The stock left by an earlier setup, also flipped or turned.</source>
         <translation>Was eine frühere Aufspannung übrig ließ, auch gewendet oder gedreht.</translation>
     </message>
     <message>
-        <source>This is no ZIP archive, or one that cannot be read.</source>
+        <source>This is not a ZIP archive, or one that cannot be read.</source>
         <translation>Das ist kein ZIP-Archiv oder eines, das sich nicht lesen lässt.</translation>
     </message>
     <message>
@@ -4768,7 +4764,7 @@ Vorgabe: 0 mm</translation>
         <translation>Der Umriss schließt keine Fläche ein.</translation>
     </message>
     <message>
-        <source>The mesh of the stock is not closed: over {} of {} grid points it is not known what is material.</source>
+        <source>The mesh of the stock is not closed: at {} of {} grid points the material is unknown.</source>
         <translation>Das Netz des Rohteils ist nicht geschlossen: Über {} von {} Rasterpunkten ist nicht bekannt, was Material ist.</translation>
     </message>
     <message>
@@ -4784,27 +4780,27 @@ Vorgabe: 0 mm</translation>
         <translation>Das Netz des Rohteils schließt kein Volumen ein.</translation>
     </message>
     <message>
-        <source>The facets of the stock mesh lie in {} layers on average; at most {} can be read.</source>
+        <source>The facets of the stock mesh are in {} layers on average; at most {} can be read.</source>
         <translation>Die Facetten des Rohteilnetzes liegen im Mittel in {} Lagen; höchstens {} sind lesbar.</translation>
     </message>
     <message>
-        <source>The saved stock has points {} × {} mm apart, and is taken over to {} × {} mm: at none of its points lower, between them up to one spacing wider.</source>
+        <source>The saved stock has a spacing of {} × {} mm and is resampled to {} × {} mm: never lower at its points, between them up to one spacing wider.</source>
         <translation>Das gespeicherte Rohteil hat Punkte im Abstand von {} × {} mm und wird auf {} × {} mm übernommen: an keinem seiner Punkte niedriger, dazwischen bis zu eine Rasterweite breiter.</translation>
     </message>
     <message>
-        <source>The spacing of the saved stock, or a whole part of it, changes nothing.</source>
+        <source>Use the spacing of the saved stock, or a whole fraction of it, to avoid resampling.</source>
         <translation>Die Rasterweite des gespeicherten Rohteils oder ein ganzer Teil davon ändert nichts.</translation>
     </message>
     <message>
-        <source>Nothing of the saved stock is left.</source>
+        <source>No stock is left in the saved stock.</source>
         <translation>Vom gespeicherten Rohteil ist nichts übrig.</translation>
     </message>
     <message>
-        <source>Under the surface of the stock there are {} mm³ of air, which the z-map shows as material; the tallest gap, {} mm, begins at X{} Y{} Z{}.</source>
+        <source>Below the surface of the stock there are {} mm³ of air, which the z-map shows as material; the tallest gap, {} mm, starts at X{} Y{} Z{}.</source>
         <translation>Unter der Fläche des Rohteils sind {} mm³ Luft, die die Z-Map als Material zeigt; die höchste Lücke, {} mm, beginnt bei X{} Y{} Z{}.</translation>
     </message>
     <message>
-        <source>Check by other means what the program does over such gaps.</source>
+        <source>Check the program over such gaps by other means.</source>
         <translation>Prüfen Sie auf andere Weise, was das Programm über solchen Lücken tut.</translation>
     </message>
     <message>
@@ -4840,11 +4836,11 @@ Vorgabe: 0 mm</translation>
         <translation>M0 oder M1</translation>
     </message>
     <message>
-        <source>Stop where the program does, with M0, M1 or M60.</source>
+        <source>Stop at M0, M1 or M60.</source>
         <translation>Halten, wo das Programm mit M0, M1 oder M60 hält.</translation>
     </message>
     <message>
-        <source>Stopped at a stop of the program.</source>
+        <source>Program stop (M0/M1).</source>
         <translation>Bei einem Halt des Programms angehalten.</translation>
     </message>
     <message>
@@ -4872,15 +4868,15 @@ Vorgabe: 0 mm</translation>
         <translation>Nach dem ersten Kontakt des Werkzeugs angehalten.</translation>
     </message>
     <message>
-        <source>Any fault</source>
+        <source>On fault</source>
         <translation>Jeder Fehler</translation>
     </message>
     <message>
-        <source>Stop after a block at which the simulation found something wrong.</source>
+        <source>Stop after a block with a fault.</source>
         <translation>Nach einem Satz halten, bei dem die Simulation einen Fehler fand.</translation>
     </message>
     <message>
-        <source>Stopped after a block with a problem.</source>
+        <source>Stopped after a block with a fault.</source>
         <translation>Nach einem Satz mit einem Problem angehalten.</translation>
     </message>
     <message>
@@ -4888,11 +4884,11 @@ Vorgabe: 0 mm</translation>
         <translation>Bedingung</translation>
     </message>
     <message>
-        <source>Stop before a block at which a condition begins to hold.</source>
+        <source>Stop before a block where a condition becomes true.</source>
         <translation>Vor einem Satz halten, bei dem eine Bedingung wahr wird.</translation>
     </message>
     <message>
-        <source>Stopped because {} holds next.</source>
+        <source>Breakpoint: {}.</source>
         <translation>Angehalten, weil als Nächstes {} gilt.</translation>
     </message>
     <message>
@@ -4944,7 +4940,7 @@ Vorgabe: 0 mm</translation>
         <translation>Spalte {}: Hier wird eine schließende Klammer erwartet.</translation>
     </message>
     <message>
-        <source>Column {}: there are too many parentheses in each other.</source>
+        <source>Column {}: the parentheses are nested too deeply.</source>
         <translation>Spalte {}: Es sind zu viele Klammern ineinander.</translation>
     </message>
     <message>
@@ -4960,27 +4956,27 @@ Vorgabe: 0 mm</translation>
         <translation>Eine Maschine hat kein „{}“; sie hat {}.</translation>
     </message>
     <message>
-        <source>Rapid X, Y</source>
+        <source>Rapid traverse X/Y</source>
         <translation>Eilgang X, Y</translation>
     </message>
     <message>
-        <source>How fast X and Y each move at rapid.</source>
+        <source>Speed of X and of Y at rapid.</source>
         <translation>Wie schnell X und Y jeweils im Eilgang fahren.</translation>
     </message>
     <message>
-        <source>Rapid Z</source>
+        <source>Rapid traverse Z</source>
         <translation>Eilgang Z</translation>
     </message>
     <message>
-        <source>How fast Z moves at rapid.</source>
+        <source>Speed of Z at rapid.</source>
         <translation>Wie schnell Z im Eilgang fährt.</translation>
     </message>
     <message>
-        <source>Largest feed</source>
+        <source>Maximum feed rate</source>
         <translation>Größter Vorschub</translation>
     </message>
     <message>
-        <source>The machine feeds no faster, whatever F says.</source>
+        <source>The machine limits the feed rate to this, whatever F says.</source>
         <translation>Schneller fährt die Maschine nicht, was immer F sagt.</translation>
     </message>
     <message>
@@ -4988,7 +4984,7 @@ Vorgabe: 0 mm</translation>
         <translation>Beschleunigung X, Y</translation>
     </message>
     <message>
-        <source>How fast X and Y each gain and lose speed.</source>
+        <source>Acceleration of X and of Y.</source>
         <translation>Wie schnell X und Y jeweils beschleunigen und bremsen.</translation>
     </message>
     <message>
@@ -4996,19 +4992,19 @@ Vorgabe: 0 mm</translation>
         <translation>Beschleunigung Z</translation>
     </message>
     <message>
-        <source>How fast Z gains and loses speed.</source>
+        <source>Acceleration of Z.</source>
         <translation>Wie schnell Z beschleunigt und bremst.</translation>
     </message>
     <message>
-        <source>Corner deviation</source>
+        <source>Cornering tolerance</source>
         <translation>Eckenabweichung</translation>
     </message>
     <message>
-        <source>How far the path may be rounded at a corner; 0: it stops at each.</source>
+        <source>Largest deviation of a rounded corner; 0: exact stop at each corner.</source>
         <translation>Wie weit die Bahn an einer Ecke gerundet werden darf; 0: an jeder wird gehalten.</translation>
     </message>
     <message>
-        <source>From chip to chip.</source>
+        <source>Tool change time, chip to chip.</source>
         <translation>Von Span zu Span.</translation>
     </message>
     <message>
@@ -5036,7 +5032,7 @@ Vorgabe: 0 mm</translation>
         <translation>Die Herkunft eines Werkzeugs ist „given“, „comment“ oder „assumed“.</translation>
     </message>
     <message>
-        <source>The field &quot;{}&quot; and the fields minX, minY, topZ exclude each other; they are the same position.</source>
+        <source>The field &quot;{}&quot; and the fields minX, minY, topZ cannot be used together; they are the same position.</source>
         <translation>Das Feld „{}“ und die Felder minX, minY, topZ schließen einander aus; sie sind dieselbe Position.</translation>
     </message>
     <message>
@@ -5268,11 +5264,11 @@ Vorgabe: 0 mm</translation>
         <translation>Kühlmittel durch die Spindel aus</translation>
     </message>
     <message>
-        <source>picture shown on the display</source>
+        <source>image shown on the display</source>
         <translation>Bild auf der Anzeige gezeigt</translation>
     </message>
     <message>
-        <source>picture on the display closed</source>
+        <source>image on the display closed</source>
         <translation>Bild auf der Anzeige geschlossen</translation>
     </message>
     <message>
@@ -5316,11 +5312,11 @@ Vorgabe: 0 mm</translation>
         <translation>{} ({}) bewegt keine Achse und wird ignoriert ({}×, Zeile {}).</translation>
     </message>
     <message>
-        <source>The machine builder gives M codes their meaning; check it where it matters.</source>
+        <source>The machine builder defines M codes; check this one where it matters.</source>
         <translation>Der Maschinenhersteller bestimmt, was M-Befehle bedeuten; prüfen Sie es, wo es darauf ankommt.</translation>
     </message>
     <message>
-        <source>{} is ignored, because the setup lists it ({}×, line {}).</source>
+        <source>{} is ignored because the setup lists it ({}×, line {}).</source>
         <translation>{} wird ignoriert, weil die Aufspannung es aufführt ({}×, Zeile {}).</translation>
     </message>
     <message>
@@ -5328,7 +5324,7 @@ Vorgabe: 0 mm</translation>
         <translation>Nehmen Sie den Befehl aus den ignorierten M-Befehlen heraus, falls er eine Achse bewegt.</translation>
     </message>
     <message>
-        <source>{} ({}) is executed, although the setup lists it as ignored.</source>
+        <source>{} ({}) is executed although the setup lists it as ignored.</source>
         <translation>{} ({}) wird ausgeführt, obwohl die Aufspannung es als ignoriert aufführt.</translation>
     </message>
     <message>
@@ -5368,7 +5364,7 @@ Vorgabe: 0 mm</translation>
         <translation>Bohren Sie das Gewinde in G17, oder verwenden Sie G33.1.</translation>
     </message>
     <message>
-        <source>{} turns the work offset while G92 or G52 is in force: LinuxCNC then takes the tool to be at another place than it is.</source>
+        <source>{} rotates the work offset while G92 or G52 is active: LinuxCNC then assumes a wrong tool position.</source>
         <translation>{} dreht die Nullpunktverschiebung, während G92 oder G52 wirkt: LinuxCNC nimmt das Werkzeug danach an einem anderen Ort an, als es steht.</translation>
     </message>
     <message>
@@ -5376,7 +5372,7 @@ Vorgabe: 0 mm</translation>
         <translation>Heben Sie die Verschiebung vorher mit G92.1 auf, und setzen Sie sie danach neu.</translation>
     </message>
     <message>
-        <source>The control takes the tool to be elsewhere than it is at the beginning of this arc.</source>
+        <source>The control assumes another tool position than the real one at the start of this arc.</source>
         <translation>Am Anfang dieses Bogens steht das Werkzeug anderswo, als die Steuerung annimmt.</translation>
     </message>
     <message>
@@ -5424,11 +5420,11 @@ Vorgabe: 0 mm</translation>
         <translation>Die Rasterweite von {} mm ist zu grob für T{} (⌀{} mm): Auf den Durchmesser kommen nur {} Punkte.</translation>
     </message>
     <message>
-        <source>Choose a finer grid, or the automatic one; see details with View, Look Closer, or in a smaller stock.</source>
+        <source>Choose a finer grid, or the automatic one; see details with View, Magnifier, or in a smaller stock.</source>
         <translation>Wählen Sie ein feineres Raster oder das automatische; sehen Sie Einzelheiten mit Ansicht, Detaillupe an, oder in einem kleineren Rohteil.</translation>
     </message>
     <message>
-        <source>See details with View, Look Closer, or in a smaller stock, or enter a finer grid spacing.</source>
+        <source>See details with View, Magnifier, or in a smaller stock, or enter a finer grid spacing.</source>
         <translation>Sehen Sie Einzelheiten mit Ansicht, Detaillupe an, oder in einem kleineren Rohteil, oder geben Sie eine kleinere Rasterweite ein.</translation>
     </message>
     <message>
@@ -5540,15 +5536,15 @@ Vorgabe: 0 mm</translation>
         <translation>Werkzeug in der Spindel vor dem ersten Werkzeugwechsel; 0 ist eine leere Spindel oder T0 der Werkzeugtabelle.</translation>
     </message>
     <message>
-        <source>Check size and position of the stock, and the work offset: the position of the stock names its top, not its bottom.</source>
+        <source>Check the size and position of the stock, and the work offset: the position of the stock is that of its top, not its bottom.</source>
         <translation>Prüfen Sie Größe und Position des Rohteils und die Nullpunktverschiebung: Die Position des Rohteils nennt seine Oberseite, nicht seine Unterseite.</translation>
     </message>
     <message>
-        <source>The program never cuts the stock: its moves at feed are within {}, the stock within {}.</source>
+        <source>The program never cuts the stock: its cutting moves are within {}, the stock within {}.</source>
         <translation>Das Programm fräst das Rohteil nirgends: Seine Vorschubbewegungen liegen in {}, das Rohteil in {}.</translation>
     </message>
     <message>
-        <source>Moves at feed go {} mm beyond the stock in {}, where it measures {} mm.</source>
+        <source>Cutting moves extend {} mm beyond the stock in {}, where it measures {} mm.</source>
         <translation>Vorschubbewegungen gehen {} mm über das Rohteil hinaus in {}, wo es {} mm misst.</translation>
     </message>
     <message>
@@ -5644,7 +5640,7 @@ Vorgabe: 0 mm</translation>
         <translation>{} ({}) bewegt keine Achse und wird ignoriert ({}×, Zeilen {}).</translation>
     </message>
     <message>
-        <source>{} is ignored, because the setup lists it ({}×, lines {}).</source>
+        <source>{} is ignored because the setup lists it ({}×, lines {}).</source>
         <translation>{} wird ignoriert, weil die Aufspannung es aufführt ({}×, Zeilen {}).</translation>
     </message>
     <message>

@@ -428,7 +428,7 @@ Default: 0 mm</source>
         <translation>원추형 또는 V형 커터</translation>
     </message>
     <message>
-        <source>Tool {} stands in the table twice.</source>
+        <source>Tool {} is in the table twice.</source>
         <translation>공구 {}이(가) 테이블에 두 번 있습니다.</translation>
     </message>
     <message>
@@ -512,7 +512,7 @@ Default: 0 mm</source>
         <translation>오차 보증</translation>
     </message>
     <message>
-        <source>Keep every z-map point within the error allowance; off: the paper to the letter, which gives no bound.</source>
+        <source>Keep every z-map point within the error allowance; off: exactly as in the paper, which gives no bound.</source>
         <translation>모든 Z맵 점을 허용 오차 안에 유지합니다. 끄면 논문 그대로이며 오차 한계를 보장하지 않습니다.</translation>
     </message>
     <message>
@@ -568,7 +568,7 @@ Default: 0 mm</source>
         <translation>소재, 공구, 파라미터를 포함한 프로그램</translation>
     </message>
     <message>
-        <source>The field &quot;{}&quot; is no cutter: {}</source>
+        <source>The field &quot;{}&quot; is not a cutter: {}</source>
         <translation>&quot;{}&quot; 필드는 공구가 아닙니다: {}</translation>
     </message>
     <message>
@@ -652,7 +652,7 @@ Default: 0 mm</source>
         <translation>NPY 파일의 형상이 {}입니다. 2차원(행, 열)이어야 합니다.</translation>
     </message>
     <message>
-        <source>The NPY file announces {} values ({}) and has {}.</source>
+        <source>The header of the NPY file specifies {} values ({}), but the file has {}.</source>
         <translation>NPY 파일에 {}개의 값({})이 있어야 하지만 {}입니다.</translation>
     </message>
     <message>
@@ -680,11 +680,11 @@ Default: 0 mm</source>
         <translation>NPY 파일이 {}바이트에서 끝나며 이는 {}바이트 헤더의 중간입니다.</translation>
     </message>
     <message>
-        <source>The file ends where &quot;{}&quot; should stand.</source>
+        <source>Expected &quot;{}&quot; but the file ends.</source>
         <translation>&quot;{}&quot;이(가) 있어야 할 곳에서 파일이 끝납니다.</translation>
     </message>
     <message>
-        <source>&quot;{}&quot; stands where &quot;{}&quot; should.</source>
+        <source>Expected &quot;{2}&quot; but found &quot;{1}&quot;.</source>
         <translation>&quot;{2}&quot;이(가) 있어야 할 곳에 &quot;{1}&quot;이(가) 있습니다.</translation>
     </message>
     <message>
@@ -692,11 +692,11 @@ Default: 0 mm</source>
         <translation>파일이 &quot;endsolid&quot; 없이 끝납니다. 잘렸을 수 있습니다.</translation>
     </message>
     <message>
-        <source>The file announces {} facets and ends at byte {}, after {}.</source>
+        <source>The header specifies {} facets, but the file ends at byte {}, after {}.</source>
         <translation>파일에 {}개의 면이 있어야 하지만 {}바이트, {} 뒤에서 끝납니다.</translation>
     </message>
     <message>
-        <source>The {} facets announced were read; {} bytes follow them from byte {}.</source>
+        <source>The {} facets specified in the header were read; {} bytes follow them from byte {}.</source>
         <translation>예고된 {}개의 면을 읽었으며, {3}바이트 위치부터 {2}바이트가 더 있습니다.</translation>
     </message>
     <message>
@@ -708,11 +708,11 @@ Default: 0 mm</source>
         <translation>STL 파일이 아닙니다. 헤더 안인 {}바이트에서 끝납니다.</translation>
     </message>
     <message>
-        <source>{} of {} facets have a coordinate that is no finite number; they were left out.</source>
+        <source>{} of {} facets have a coordinate that is not a finite number; they were ignored.</source>
         <translation>{2}개의 면 중 {1}개에 유한하지 않은 좌표가 있어 제외했습니다.</translation>
     </message>
     <message>
-        <source>{} of {} facets have no area; they were left out.</source>
+        <source>{} of {} facets have no area; they were ignored.</source>
         <translation>{2}개의 면 중 {1}개는 면적이 없어 제외했습니다.</translation>
     </message>
     <message>
@@ -720,7 +720,7 @@ Default: 0 mm</source>
         <translation>{2}개의 면 중 {1}개의 법선이 정점 순서와 반대입니다. 정점 순서를 따릅니다.</translation>
     </message>
     <message>
-        <source>The mesh lies {} mm from the origin, where an STL file holds steps of {} mm only.</source>
+        <source>The mesh is {} mm from the origin, where an STL file resolves steps of {} mm only.</source>
         <translation>메시가 원점에서 {} mm 떨어져 있어 STL 파일의 분해능이 {} mm에 그칩니다.</translation>
     </message>
     <message>
@@ -732,7 +732,7 @@ Default: 0 mm</source>
         <translation>파일에 쓸 수 있는 면이 없습니다({}개 읽음, {}개 유한하지 않음, {}개 면적 없음).</translation>
     </message>
     <message>
-        <source>Nothing of the stock is left, so there is no mesh to write.</source>
+        <source>No stock is left, so there is no mesh to export.</source>
         <translation>소재가 남아 있지 않아 기록할 메시가 없습니다.</translation>
     </message>
     <message>
@@ -740,7 +740,7 @@ Default: 0 mm</source>
         <translation>메시의 삼각형이 {}개입니다. STL 파일은 4294967295개까지 담습니다.</translation>
     </message>
     <message>
-        <source>A vertex lies at {}, {}, {}: STL cannot hold that.</source>
+        <source>The vertex {}, {}, {} is out of the range of STL.</source>
         <translation>정점이 {}, {}, {}에 있어 STL로 나타낼 수 없습니다.</translation>
     </message>
     <message>
@@ -848,7 +848,7 @@ Default: 0 mm</source>
         <translation>밀리미터</translation>
     </message>
     <message>
-        <source>go to reference position</source>
+        <source>move to reference position</source>
         <translation>원점 복귀</translation>
     </message>
     <message>
@@ -856,7 +856,7 @@ Default: 0 mm</source>
         <translation>원점 저장</translation>
     </message>
     <message>
-        <source>go to second reference position</source>
+        <source>move to second reference position</source>
         <translation>제2 원점 복귀</translation>
     </message>
     <message>
@@ -1148,7 +1148,7 @@ Default: 0 mm</source>
         <translation>사이클 후 초기점 복귀</translation>
     </message>
     <message>
-        <source>cycles retract to the R level</source>
+        <source>cycles retract to the R plane</source>
         <translation>사이클 후 R점 복귀</translation>
     </message>
     <message>
@@ -1344,7 +1344,7 @@ Default: 0 mm</source>
         <translation>드웰 시간(초), 원호 회전수 또는 파라미터</translation>
     </message>
     <message>
-        <source>arc radius, or a retract level</source>
+        <source>arc radius, or the R plane</source>
         <translation>원호 반경 또는 복귀 높이</translation>
     </message>
     <message>
@@ -1384,7 +1384,7 @@ Default: 0 mm</source>
         <translation>문자를 지우거나 텍스트를 주석 ( … ) 안에 넣으십시오.</translation>
     </message>
     <message>
-        <source>Write the number behind the letter, for example X10.5.</source>
+        <source>Write the value after the letter, for example X10.5.</source>
         <translation>문자 뒤에 숫자를 쓰십시오. 예: X10.5.</translation>
     </message>
     <message>
@@ -1432,7 +1432,7 @@ Default: 0 mm</source>
         <translation>LinuxCNC는 이를 거부합니다. 첫 줄에도 &quot;%&quot;를 쓰거나 모두 빼십시오.</translation>
     </message>
     <message>
-        <source>Controls skip what is before it, or what is behind it; keep one program in a file.</source>
+        <source>Controls skip what is before or after it; keep one program per file.</source>
         <translation>제어기에 따라 앞이나 뒤를 건너뜁니다. 파일 하나에 프로그램 하나만 두십시오.</translation>
     </message>
     <message>
@@ -1444,7 +1444,7 @@ Default: 0 mm</source>
         <translation>올바른 파일인지, 온전한지 확인하십시오.</translation>
     </message>
     <message>
-        <source>Harmless here; save the file as plain text to be rid of them.</source>
+        <source>Harmless here; save the file as plain text to remove them.</source>
         <translation>여기서는 문제가 없습니다. 일반 텍스트로 저장하면 없어집니다.</translation>
     </message>
     <message>
@@ -1460,7 +1460,7 @@ Default: 0 mm</source>
         <translation>줄을 나누십시오.</translation>
     </message>
     <message>
-        <source>It is a label only; number the blocks anew.</source>
+        <source>It is a label only; renumber the blocks.</source>
         <translation>표시일 뿐입니다. 블록 번호를 다시 매기십시오.</translation>
     </message>
     <message>
@@ -1468,7 +1468,7 @@ Default: 0 mm</source>
         <translation>한도를 늘리거나 프로그램을 나누십시오.</translation>
     </message>
     <message>
-        <source>Without its effect nothing behind it can be vouched for.</source>
+        <source>Results after this block are unverified.</source>
         <translation>이 코드의 효과 없이는 뒤의 내용을 보증할 수 없습니다.</translation>
     </message>
     <message>
@@ -1532,7 +1532,7 @@ Default: 0 mm</source>
         <translation>빠진 워드를 추가하거나 G91.1을 쓰십시오.</translation>
     </message>
     <message>
-        <source>Controls differ in which one they take; keep one.</source>
+        <source>Controls differ in which one they use; keep one.</source>
         <translation>제어기마다 쓰는 값이 다릅니다. 하나만 남기십시오.</translation>
     </message>
     <message>
@@ -1540,11 +1540,11 @@ Default: 0 mm</source>
         <translation>워드를 지우거나 의도한 평면을 선택하십시오.</translation>
     </message>
     <message>
-        <source>The centre lies on the start or the end point.</source>
+        <source>The centre is at the start or end point.</source>
         <translation>중심이 시작점 또는 끝점에 있습니다.</translation>
     </message>
     <message>
-        <source>Check the centre: I J K count from the start point, after G90.1 from the origin.</source>
+        <source>Check the centre: I J K are from the start point, with G90.1 from the origin.</source>
         <translation>중심을 확인하십시오. I J K는 시작점 기준이며 G90.1 뒤에는 원점 기준입니다.</translation>
     </message>
     <message>
@@ -1572,7 +1572,7 @@ Default: 0 mm</source>
         <translation>기계에서 실행할 텍스트 파일을 선택하십시오.</translation>
     </message>
     <message>
-        <source>The rapid motion removes material, {} mm deep.</source>
+        <source>Rapid move cuts stock ({} mm deep).</source>
         <translation>급속 이송이 소재를 {} mm 깊이로 절삭합니다.</translation>
     </message>
     <message>
@@ -1592,15 +1592,15 @@ Default: 0 mm</source>
         <translation>시뮬레이션 결과 {}건을 더 표시하지 않습니다.</translation>
     </message>
     <message>
-        <source>The parameter &quot;{}&quot; is {}; it must lie in {} … {}.</source>
+        <source>The parameter &quot;{}&quot; is {}; it must be in {} … {}.</source>
         <translation>파라미터 &quot;{}&quot;이(가) {}입니다. {} … {} 범위여야 합니다.</translation>
     </message>
     <message>
-        <source>The simulation needs more memory than there is.</source>
+        <source>There is not enough memory for the simulation.</source>
         <translation>시뮬레이션에 필요한 메모리가 부족합니다.</translation>
     </message>
     <message>
-        <source>The simulation had to stop: {}.</source>
+        <source>The simulation failed: {}.</source>
         <translation>시뮬레이션을 중단해야 했습니다: {}.</translation>
     </message>
     <message>
@@ -1628,7 +1628,7 @@ Default: 0 mm</source>
         <translation>블록</translation>
     </message>
     <message>
-        <source>The rapid motion comes from an unknown position and ends {} mm below the top of the stock; what it cuts is not known.</source>
+        <source>The rapid move comes from an unknown position and ends {} mm below the top of the stock; what it cuts is unknown.</source>
         <translation>급속 이송이 알 수 없는 위치에서 시작하여 소재 윗면보다 {} mm 아래에서 끝납니다. 무엇을 절삭하는지 알 수 없습니다.</translation>
     </message>
     <message>
@@ -1648,19 +1648,19 @@ Default: 0 mm</source>
         <translation>이름을 고치거나 필드를 삭제하십시오.</translation>
     </message>
     <message>
-        <source>“{}” is no table of a tool file; each tool is a [[tool]].</source>
+        <source>“{}” is not a table of a tool file; each tool is a [[tool]].</source>
         <translation>&quot;{}&quot;은(는) 공구 파일의 테이블이 아닙니다. 각 공구는 [[tool]]입니다.</translation>
     </message>
     <message>
-        <source>“{}” is no table of a tool file; perhaps “{}” is meant.</source>
+        <source>“{}” is not a table of a tool file; perhaps “{}” is meant.</source>
         <translation>&quot;{}&quot;은(는) 공구 파일의 테이블이 아닙니다. &quot;{}&quot;을(를) 뜻한 것일 수 있습니다.</translation>
     </message>
     <message>
-        <source>“{}” is no key of a tool; there are {}.</source>
+        <source>“{}” is not a key of a tool; there are {}.</source>
         <translation>&quot;{}&quot;은(는) 공구의 키가 아닙니다. 사용할 수 있는 키: {}.</translation>
     </message>
     <message>
-        <source>“{}” is no key of a tool; perhaps “{}” is meant.</source>
+        <source>“{}” is not a key of a tool; perhaps “{}” is meant.</source>
         <translation>&quot;{}&quot;은(는) 공구의 키가 아닙니다. &quot;{}&quot;을(를) 뜻한 것일 수 있습니다.</translation>
     </message>
     <message>
@@ -1680,15 +1680,15 @@ Default: 0 mm</source>
         <translation>{}의 값 “{}”은(는) 숫자가 아닙니다.</translation>
     </message>
     <message>
-        <source>{}={} is out of its limits, {} to {} {}.</source>
+        <source>{}={} is out of range, {} to {} {}.</source>
         <translation>{}={}은(는) 허용 범위 {}~{} {}를 벗어납니다.</translation>
     </message>
     <message>
-        <source>The key {} is given twice.</source>
+        <source>The key {} is specified twice.</source>
         <translation>키 {}이(가) 두 번 지정되었습니다.</translation>
     </message>
     <message>
-        <source>“{}” is no key of this cutter shape; there are {}.</source>
+        <source>“{}” is not a key of this cutter shape; there are {}.</source>
         <translation>“{}”은(는) 이 공구 형상의 키가 아닙니다. 사용할 수 있는 키: {}.</translation>
     </message>
     <message>
@@ -1696,7 +1696,7 @@ Default: 0 mm</source>
         <translation>{} 형상의 공구에는 키 {}이(가) 필요합니다({}, {}~{} {}).</translation>
     </message>
     <message>
-        <source>“{}” is no cutter shape; there are {}.</source>
+        <source>“{}” is not a cutter shape; there are {}.</source>
         <translation>“{}”은(는) 공구 형상이 아닙니다. 사용할 수 있는 형상: {}.</translation>
     </message>
     <message>
@@ -1716,19 +1716,19 @@ Default: 0 mm</source>
         <translation>&quot;{}&quot;은(는) 여기서 의미가 없습니다.</translation>
     </message>
     <message>
-        <source>The word {} has no number.</source>
+        <source>{} word without a value.</source>
         <translation>{} 워드에 숫자가 없습니다.</translation>
     </message>
     <message>
-        <source>The number of {} has two signs.</source>
+        <source>The value of {} has two signs.</source>
         <translation>{}의 숫자에 부호가 두 개 있습니다.</translation>
     </message>
     <message>
-        <source>The number of {} has two decimal points.</source>
+        <source>The value of {} has two decimal points.</source>
         <translation>{}의 숫자에 소수점이 두 개 있습니다.</translation>
     </message>
     <message>
-        <source>The number of {} is out of range: larger than 1e12.</source>
+        <source>The value of {} is out of range: larger than 1e12.</source>
         <translation>{}의 숫자가 범위를 벗어납니다(1e12 초과).</translation>
     </message>
     <message>
@@ -1736,11 +1736,11 @@ Default: 0 mm</source>
         <translation>주석이 닫히지 않았습니다.</translation>
     </message>
     <message>
-        <source>A comment stands within a comment.</source>
+        <source>A comment is nested in a comment.</source>
         <translation>주석 안에 주석이 있습니다.</translation>
     </message>
     <message>
-        <source>The block has two {} words.</source>
+        <source>Duplicate {} word.</source>
         <translation>블록에 {} 워드가 두 개 있습니다.</translation>
     </message>
     <message>
@@ -1756,7 +1756,7 @@ Default: 0 mm</source>
         <translation>블록 번호가 음수입니다.</translation>
     </message>
     <message>
-        <source>&quot;%&quot; marks the beginning and the end of a tape and must stand on a line of its own.</source>
+        <source>&quot;%&quot; marks the beginning and the end of a tape and must be alone on its line.</source>
         <translation>&quot;%&quot;는 테이프의 시작과 끝을 나타내며 별도의 줄에 있어야 합니다.</translation>
     </message>
     <message>
@@ -1764,15 +1764,15 @@ Default: 0 mm</source>
         <translation>프로그램이 &quot;%&quot;로 끝나지만 &quot;%&quot;로 시작하지 않습니다.</translation>
     </message>
     <message>
-        <source>&quot;%&quot; stands in the middle of the program.</source>
+        <source>&quot;%&quot; is in the middle of the program.</source>
         <translation>&quot;%&quot;가 프로그램 중간에 있습니다.</translation>
     </message>
     <message>
-        <source>The text behind the second &quot;%&quot; is not run.</source>
+        <source>The text after the second &quot;%&quot; is not run.</source>
         <translation>두 번째 &quot;%&quot; 뒤의 텍스트는 실행되지 않습니다.</translation>
     </message>
     <message>
-        <source>The blocks behind the end of the program are not run.</source>
+        <source>The blocks after the program end are not run.</source>
         <translation>프로그램 종료 뒤의 블록은 실행되지 않습니다.</translation>
     </message>
     <message>
@@ -1788,11 +1788,11 @@ Default: 0 mm</source>
         <translation>테이프 또는 시리얼 통신의 제어 문자를 건너뛰었습니다.</translation>
     </message>
     <message>
-        <source>The file begins with a byte order mark, which controls refuse.</source>
+        <source>The file begins with a byte order mark, which controls reject.</source>
         <translation>파일이 제어기가 거부하는 바이트 순서 표시(BOM)로 시작합니다.</translation>
     </message>
     <message>
-        <source>The line ends with CR alone, which LinuxCNC takes for no line end.</source>
+        <source>The line ends with CR alone, which LinuxCNC does not accept as a line end.</source>
         <translation>줄이 CR만으로 끝나며 LinuxCNC는 이를 줄 끝으로 보지 않습니다.</translation>
     </message>
     <message>
@@ -1820,11 +1820,11 @@ Default: 0 mm</source>
         <translation>{}({})은(는) 아직 지원하지 않습니다.</translation>
     </message>
     <message>
-        <source>{} and {} exclude each other in one block.</source>
+        <source>{} and {} cannot be used in one block.</source>
         <translation>한 블록에서 {}와(과) {}를 함께 쓸 수 없습니다.</translation>
     </message>
     <message>
-        <source>The axis {} does not exist on a three-axis machine.</source>
+        <source>{} axis ignored (three-axis machine).</source>
         <translation>{} 축은 3축 기계에 없습니다.</translation>
     </message>
     <message>
@@ -1832,7 +1832,7 @@ Default: 0 mm</source>
         <translation>이 블록에는 {} 워드를 쓰는 코드가 없습니다.</translation>
     </message>
     <message>
-        <source>No motion code is in force for the word {}.</source>
+        <source>No motion code is active for the word {}.</source>
         <translation>{} 워드에 대해 유효한 이송 코드가 없습니다.</translation>
     </message>
     <message>
@@ -1844,11 +1844,11 @@ Default: 0 mm</source>
         <translation>{}에는 {} 워드가 필요합니다.</translation>
     </message>
     <message>
-        <source>The number of {} must not be negative.</source>
+        <source>The value of {} must not be negative.</source>
         <translation>{}의 숫자는 음수일 수 없습니다.</translation>
     </message>
     <message>
-        <source>The number of {} must be a whole number from {} to {}.</source>
+        <source>The value of {} must be a whole number from {} to {}.</source>
         <translation>{}의 숫자는 {}에서 {} 사이의 정수여야 합니다.</translation>
     </message>
     <message>
@@ -1864,11 +1864,11 @@ Default: 0 mm</source>
         <translation>절삭 이송에 이송 속도가 없습니다.</translation>
     </message>
     <message>
-        <source>The position of {} is not known, so this motion cuts nothing.</source>
+        <source>{} position unknown; move not simulated.</source>
         <translation>{}의 위치를 알 수 없어 이 이송은 아무것도 절삭하지 않습니다.</translation>
     </message>
     <message>
-        <source>{} moves by a distance from a place that is not known.</source>
+        <source>{} moves by an incremental distance from an unknown position.</source>
         <translation>{}이(가) 알 수 없는 위치에서 증분 이송합니다.</translation>
     </message>
     <message>
@@ -1900,7 +1900,7 @@ Default: 0 mm</source>
         <translation>R을 쓰는 원호는 시작점에서 끝날 수 없습니다.</translation>
     </message>
     <message>
-        <source>The radius {} mm is too small: the end lies {} mm from the start, {} mm more than 2 R.</source>
+        <source>The radius {} mm is too small: the end is {} mm from the start, {} mm more than 2 R.</source>
         <translation>반경 {} mm가 너무 작습니다: 끝점이 시작점에서 {} mm 떨어져 2 R보다 {} mm 깁니다.</translation>
     </message>
     <message>
@@ -1944,7 +1944,7 @@ Default: 0 mm</source>
         <translation>상자 {}이(가) 소재 {} 안에 있지 않습니다.</translation>
     </message>
     <message>
-        <source>A box of {} × {} points needs {}; {} may be taken, which is enough for a spacing of {} mm.</source>
+        <source>A detail region of {} × {} points needs {}; {} is available, enough for a spacing of {} mm.</source>
         <translation>점 {} × {}개인 상자에는 {}이(가) 필요합니다. {}까지 쓸 수 있으며, 이는 간격 {} mm에 충분합니다.</translation>
     </message>
     <message>
@@ -1972,11 +1972,11 @@ Default: 0 mm</source>
         <translation>“{}”은(는) X,Y,Z 형식의 점(mm)이 아닙니다.</translation>
     </message>
     <message>
-        <source>The motion ends farther than {} mm from the machine&apos;s zero, along {}.</source>
+        <source>The motion ends more than {} mm from machine zero, along {}.</source>
         <translation>이동이 기계 원점에서 {} mm보다 먼 곳에서 끝납니다(축: {}).</translation>
     </message>
     <message>
-        <source>Check the numbers, the scaling and what is repeated.</source>
+        <source>Check the values, the scaling and the repeats.</source>
         <translation>숫자, 스케일링, 반복을 확인하십시오.</translation>
     </message>
     <message>
@@ -1996,11 +1996,11 @@ Default: 0 mm</source>
         <translation>드릴</translation>
     </message>
     <message>
-        <source>The program never says where {} stands, so what it cuts is not known.</source>
+        <source>The program never positions {}, so what it cuts is unknown.</source>
         <translation>프로그램이 {}의 위치를 한 번도 지정하지 않으므로 무엇을 깎는지 알 수 없습니다.</translation>
     </message>
     <message>
-        <source>The rapid motion passes over the stock at a height that is not known; whether it cuts is not known.</source>
+        <source>The rapid move passes over the stock at an unknown height; whether it cuts is unknown.</source>
         <translation>급속 이송이 알 수 없는 높이로 소재 위를 지나갑니다. 절삭하는지 알 수 없습니다.</translation>
     </message>
     <message>
@@ -2032,11 +2032,11 @@ Default: 0 mm</source>
         <translation>3MF</translation>
     </message>
     <message>
-        <source>The ending of this name is that of no mesh format; there are {}.</source>
+        <source>The extension of this name is not that of a mesh format; there are {}.</source>
         <translation>이 이름의 확장자에 해당하는 메시 형식이 없습니다. 사용할 수 있는 확장자: {}.</translation>
     </message>
     <message>
-        <source>A vertex lies at {}, {}, {}: a mesh file holds finite numbers only.</source>
+        <source>The vertex {}, {}, {} is not finite: a mesh file holds finite numbers only.</source>
         <translation>정점이 {}, {}, {}에 있습니다. 메시 파일은 유한한 수만 담을 수 있습니다.</translation>
     </message>
     <message>
@@ -2044,7 +2044,7 @@ Default: 0 mm</source>
         <translation>OBJ나 PLY로 내보내십시오. 좌표를 배정밀도로 담습니다.</translation>
     </message>
     <message>
-        <source>Rounded to single precision, the file lies up to {} mm from the z-map, beyond the error allowance of {} mm; OBJ or PLY would keep {} mm.</source>
+        <source>Rounded to single precision, the mesh deviates from the z-map by up to {} mm, more than the error allowance of {} mm; OBJ or PLY would keep {} mm.</source>
         <translation>단정밀도로 반올림하면 파일이 Z맵에서 최대 {} mm 벗어나 허용 오차 {} mm를 넘습니다. OBJ나 PLY라면 {} mm를 유지합니다.</translation>
     </message>
     <message>
@@ -2080,7 +2080,7 @@ Default: 0 mm</source>
         <translation>오차 보증</translation>
     </message>
     <message>
-        <source>to the letter</source>
+        <source>as in the paper</source>
         <translation>논문 그대로</translation>
     </message>
     <message>
@@ -2240,7 +2240,7 @@ Default: 0 mm</source>
         <translation>프로그램의 공구 교환, 정지, 드웰 등이 {}개를 넘어 여기서 해석을 끝냅니다.</translation>
     </message>
     <message>
-        <source>&quot;{}&quot; is a tool that the table has already.</source>
+        <source>Tool &quot;{}&quot; is in the table already.</source>
         <translation>&quot;{}&quot;은(는) 표에 이미 있는 공구입니다.</translation>
     </message>
     <message>
@@ -2248,11 +2248,11 @@ Default: 0 mm</source>
         <translation>“{}” 방법은 최대 {}점의 맵에서 동작합니다. 이 맵은 {}점입니다.</translation>
     </message>
     <message>
-        <source>The z-map needs {}; {} may be taken.</source>
+        <source>The z-map needs {}; {} is available.</source>
         <translation>Z맵에 {}가 필요하지만 사용할 수 있는 메모리는 {}입니다.</translation>
     </message>
     <message>
-        <source>A grid of {} × {} points needs {}; {} may be taken, which is enough for a spacing of {} mm.</source>
+        <source>A grid of {} × {} points needs {}; {} is available, enough for a spacing of {} mm.</source>
         <translation>{} × {}점의 격자에는 {}가 필요하지만 사용할 수 있는 메모리는 {}입니다. 이 메모리로는 {} mm 간격까지 가능합니다.</translation>
     </message>
     <message>
@@ -2284,7 +2284,7 @@ Default: 0 mm</source>
         <translation>먼저 값을 설정하십시오. 앞에 _가 없는 이름은 해당 서브프로그램 안에서만 유효합니다.</translation>
     </message>
     <message>
-        <source>{} is not a whole number, so that it names no parameter.</source>
+        <source>{} is not a whole number, so it is not a parameter number.</source>
         <translation>{}은(는) 정수가 아니어서 파라미터를 가리키지 않습니다.</translation>
     </message>
     <message>
@@ -2352,7 +2352,7 @@ Default: 0 mm</source>
         <translation>예를 들어 SIN[30]처럼 쓰십시오.</translation>
     </message>
     <message>
-        <source>&quot;{}&quot; stands where an operator or &quot;]&quot; belongs.</source>
+        <source>Expected an operator or &quot;]&quot; but found &quot;{}&quot;.</source>
         <translation>연산자나 &quot;]&quot;이(가) 있어야 할 곳에 &quot;{}&quot;이(가) 있습니다.</translation>
     </message>
     <message>
@@ -2380,11 +2380,11 @@ Default: 0 mm</source>
         <translation>{} 뒤에 &quot;=&quot;와 값이 없습니다.</translation>
     </message>
     <message>
-        <source>A parameter at the beginning of a word is set, for example #1=10.</source>
+        <source>A parameter at the beginning of a word is an assignment, for example #1=10.</source>
         <translation>워드 맨 앞의 파라미터에는 값을 대입합니다. 예: #1=10.</translation>
     </message>
     <message>
-        <source>The number behind O is no whole number from 0 on.</source>
+        <source>The number after O is not a whole number from 0 up.</source>
         <translation>O 뒤의 숫자가 0 이상의 정수가 아닙니다.</translation>
     </message>
     <message>
@@ -2392,7 +2392,7 @@ Default: 0 mm</source>
         <translation>정수나 이름을 쓰십시오: O&lt;이름&gt;.</translation>
     </message>
     <message>
-        <source>&quot;{}&quot; is none of the words that may follow an O word.</source>
+        <source>&quot;{}&quot; is not an O-word keyword.</source>
         <translation>&quot;{}&quot;은(는) O 워드 뒤에 올 수 있는 키워드가 아닙니다.</translation>
     </message>
     <message>
@@ -2408,11 +2408,11 @@ Default: 0 mm</source>
         <translation>별도의 줄에 두십시오.</translation>
     </message>
     <message>
-        <source>&quot;{}&quot; stands behind the O word and its arguments.</source>
+        <source>Unexpected &quot;{}&quot; after the O word and its arguments.</source>
         <translation>O 워드와 그 인수 뒤에 &quot;{}&quot;이(가) 있습니다.</translation>
     </message>
     <message>
-        <source>O{} {} has no {} that belongs to it.</source>
+        <source>O{} {} has no matching {}.</source>
         <translation>O{} {}에 짝이 되는 {}이(가) 없습니다.</translation>
     </message>
     <message>
@@ -2432,7 +2432,7 @@ Default: 0 mm</source>
         <translation>do 루프 안의 continue 다음에, LinuxCNC는 repeat 루프를 지정된 횟수의 두 배로 실행할 수 있습니다.</translation>
     </message>
     <message>
-        <source>Leave out the rest of the round with if and endif in place of continue.</source>
+        <source>Skip the rest of the pass with if and endif instead of continue.</source>
         <translation>continue 대신 if와 endif로 나머지 블록을 건너뛰십시오.</translation>
     </message>
     <message>
@@ -2444,7 +2444,7 @@ Default: 0 mm</source>
         <translation>호출을 빼십시오.</translation>
     </message>
     <message>
-        <source>O{} sub stands within another subprogram.</source>
+        <source>O{} sub is inside another subprogram.</source>
         <translation>O{} sub이(가) 다른 서브프로그램 안에 있습니다.</translation>
     </message>
     <message>
@@ -2468,7 +2468,7 @@ Default: 0 mm</source>
         <translation>이름과 서브프로그램 폴더를 확인하십시오.</translation>
     </message>
     <message>
-        <source>The subprogram {} is not opened: its name leads out of the folders of subprograms.</source>
+        <source>The subprogram {} is not opened: its name leads outside the subprogram folders.</source>
         <translation>서브프로그램 {}을(를) 열지 않습니다. 이름이 서브프로그램 폴더 밖을 가리킵니다.</translation>
     </message>
     <message>
@@ -2496,7 +2496,7 @@ Default: 0 mm</source>
         <translation>서브프로그램 호출이 {}단계보다 깊습니다: {}.</translation>
     </message>
     <message>
-        <source>Check for a subprogram that calls itself without end.</source>
+        <source>Check for a subprogram that calls itself endlessly.</source>
         <translation>자신을 끝없이 호출하는 서브프로그램이 있는지 확인하십시오.</translation>
     </message>
     <message>
@@ -2508,7 +2508,7 @@ Default: 0 mm</source>
         <translation>나머지는 전역 파라미터로 넘기십시오.</translation>
     </message>
     <message>
-        <source>{} stands outside of a subprogram.</source>
+        <source>{} is outside a subprogram.</source>
         <translation>{}이(가) 서브프로그램 밖에 있습니다.</translation>
     </message>
     <message>
@@ -2516,11 +2516,11 @@ Default: 0 mm</source>
         <translation>지우거나 sub와 endsub 사이에 두십시오.</translation>
     </message>
     <message>
-        <source>M99 ends the main program: the control starts it again, without end.</source>
+        <source>M99 ends the main program: the control restarts it, endlessly.</source>
         <translation>M99가 주프로그램을 끝냅니다. 제어기는 주프로그램을 처음부터 끝없이 다시 실행합니다.</translation>
     </message>
     <message>
-        <source>It is run once here; end it with M30 if that was meant.</source>
+        <source>It is run once here; use M30 if the program should end.</source>
         <translation>여기서는 한 번만 실행합니다. 한 번만 실행할 의도라면 M30으로 끝내십시오.</translation>
     </message>
     <message>
@@ -2536,11 +2536,11 @@ Default: 0 mm</source>
         <translation>M99가 블록에 단독으로 있지 않습니다. LinuxCNC는 여기서 오류로 멈춥니다.</translation>
     </message>
     <message>
-        <source>Repeated lines and their motions are more than {}; interpretation ends in line {}.</source>
+        <source>The repeated lines and their motions exceed {}; interpretation ends in line {}.</source>
         <translation>반복된 줄과 그 이송이 모두 {}개를 넘어 {}번 줄에서 해석을 끝냅니다.</translation>
     </message>
     <message>
-        <source>Check loops and repeat counts. What this repetition makes is not shown.</source>
+        <source>Check loops and repeat counts. The motions of this repetition are not shown.</source>
         <translation>루프와 반복 횟수를 확인하십시오. 이 반복이 만드는 것은 표시하지 않습니다.</translation>
     </message>
     <message>
@@ -2552,11 +2552,11 @@ Default: 0 mm</source>
         <translation>반복이 끝나는지 확인하십시오.</translation>
     </message>
     <message>
-        <source>This loop never ends: line {} jumps back to line {} and no variable changes from one round to the next.</source>
+        <source>This loop never ends: line {} jumps back to line {} and no variable changes from one pass to the next.</source>
         <translation>이 루프는 끝나지 않습니다. {}번 줄이 {}번 줄로 되돌아가고 회차마다 바뀌는 변수가 없습니다.</translation>
     </message>
     <message>
-        <source>Check the condition of the loop. Only its first rounds are shown.</source>
+        <source>Check the loop condition. Only the first passes are shown.</source>
         <translation>루프의 조건을 확인하십시오. 처음 몇 회만 표시합니다.</translation>
     </message>
     <message>
@@ -2660,7 +2660,7 @@ Default: 0 mm</source>
         <translation>사이클에 축 워드가 없습니다.</translation>
     </message>
     <message>
-        <source>Name the place of the first hole.</source>
+        <source>Program the position of the first hole.</source>
         <translation>첫 구멍의 위치를 지정하십시오.</translation>
     </message>
     <message>
@@ -2688,7 +2688,7 @@ Default: 0 mm</source>
         <translation>주축을 회전시키거나 G94와 분당 이송 속도를 쓰십시오.</translation>
     </message>
     <message>
-        <source>The R level lies below the bottom of the hole.</source>
+        <source>The R plane is below the hole bottom.</source>
         <translation>R점이 구멍 바닥보다 아래에 있습니다.</translation>
     </message>
     <message>
@@ -2712,11 +2712,11 @@ Default: 0 mm</source>
         <translation>앞 블록에서 주축을 회전시키십시오. 이 사이클은 아무것도 가공하지 않습니다.</translation>
     </message>
     <message>
-        <source>G87 cuts from below, which a z-map cannot hold.</source>
+        <source>G87 cuts from below, which a z-map cannot represent.</source>
         <translation>G87은 아래쪽에서 절삭하며, 이는 Z맵으로 나타낼 수 없습니다.</translation>
     </message>
     <message>
-        <source>The motions are shown; what they cut from below cannot be vouched for.</source>
+        <source>The motions are shown; what they cut from below is unverified.</source>
         <translation>이송은 표시하지만 아래쪽에서 절삭하는 부분은 보증할 수 없습니다.</translation>
     </message>
     <message>
@@ -2748,7 +2748,7 @@ Default: 0 mm</source>
         <translation>Z축을 중심으로 좌표를 회전한 상태에서는 G18의 공구경 보정을 지원하지 않습니다.</translation>
     </message>
     <message>
-        <source>Take the rotation out of the work offset; the code has no effect.</source>
+        <source>Remove the rotation from the work offset; the code has no effect.</source>
         <translation>공작물 좌표계에서 회전을 없애십시오. 이 코드는 효과를 내지 않습니다.</translation>
     </message>
     <message>
@@ -2808,7 +2808,7 @@ Default: 0 mm</source>
         <translation>반경 {} mm인 공구가 {}번 줄 이송의 안쪽 코너 사이에서 과절삭합니다.</translation>
     </message>
     <message>
-        <source>Use a smaller tool, or leave the short motion out.</source>
+        <source>Use a smaller tool, or remove the short motion.</source>
         <translation>더 작은 공구를 쓰거나 짧은 이송을 빼십시오.</translation>
     </message>
     <message>
@@ -2816,7 +2816,7 @@ Default: 0 mm</source>
         <translation>반경 {} mm인 공구가 {}번 줄의 이송에서 거꾸로 움직여 과절삭합니다. LinuxCNC는 이를 알아채지 못합니다.</translation>
     </message>
     <message>
-        <source>A stop stands before this inside corner, so the tool goes too far and gouges.</source>
+        <source>A stop before this inside corner makes the tool overrun it and gouge.</source>
         <translation>이 안쪽 코너 앞에 정지가 있어 공구가 지나치게 나아가 과절삭합니다.</translation>
     </message>
     <message>
@@ -2848,11 +2848,11 @@ Default: 0 mm</source>
         <translation>같은 서브프로그램 안에서 그 앞에 M70 또는 M73을 쓰십시오.</translation>
     </message>
     <message>
-        <source>Other words stand beside M72.</source>
+        <source>M72 is not alone in its block.</source>
         <translation>M72와 함께 다른 워드가 있습니다.</translation>
     </message>
     <message>
-        <source>LinuxCNC drops what comes after the restoring; give M72 a block of its own.</source>
+        <source>LinuxCNC ignores the rest of the block after restoring; give M72 a block of its own.</source>
         <translation>LinuxCNC는 복원 뒤에 오는 것을 버립니다. M72를 별도의 블록에 쓰십시오.</translation>
     </message>
     <message>
@@ -2868,7 +2868,7 @@ Default: 0 mm</source>
         <translation>G96에서는 주축이 X를 따릅니다. 한계값 D인 {} rpm으로 회전한다고 가정합니다.</translation>
     </message>
     <message>
-        <source>X is no diameter on a mill: write G97 and a speed.</source>
+        <source>X is not a diameter on a mill: write G97 and a speed.</source>
         <translation>밀링 머신에서 X는 지름이 아닙니다. G97과 회전수를 쓰십시오.</translation>
     </message>
     <message>
@@ -2896,7 +2896,7 @@ Default: 0 mm</source>
         <translation>L을 지우거나 L0을 쓰십시오.</translation>
     </message>
     <message>
-        <source>What M66 reads is known to the machine only; #5399 is taken to be {}.</source>
+        <source>Input value of M66 unknown; #5399 is assumed to be {}.</source>
         <translation>M66이 읽는 값은 기계만 압니다. #5399는 {}(으)로 가정합니다.</translation>
     </message>
     <message>
@@ -2908,7 +2908,7 @@ Default: 0 mm</source>
         <translation>이 줄은 기계의 입력이 담긴 #5399를 읽습니다.</translation>
     </message>
     <message>
-        <source>What follows may depend on it and cannot be vouched for.</source>
+        <source>Results that depend on it are unverified.</source>
         <translation>뒤의 내용은 이 값에 좌우될 수 있어 보증할 수 없습니다.</translation>
     </message>
     <message>
@@ -2952,23 +2952,19 @@ Default: 0 mm</source>
         <translation>축 워드를 확인하십시오.</translation>
     </message>
     <message>
-        <source>Where the probe meets the part is known to the machine only.</source>
+        <source>The position where the probe meets the part is unknown.</source>
         <translation>프로브가 어디에서 공작물에 닿는지는 기계만 압니다.</translation>
-    </message>
-    <message>
-        <source>{} draws in the XY plane only.</source>
-        <translation>{}은(는) XY 평면에서만 그립니다.</translation>
     </message>
     <message>
         <source>Write G17 before it.</source>
         <translation>그 앞에 G17을 쓰십시오.</translation>
     </message>
     <message>
-        <source>G5 without I and J goes on from a G5, but the motion before it was none.</source>
+        <source>G5 without I and J continues a G5, but the motion before it is not a G5.</source>
         <translation>I와 J 없는 G5는 앞의 G5를 잇지만, 바로 앞 이동은 G5가 아닙니다.</translation>
     </message>
     <message>
-        <source>Give I and J; LinuxCNC would take what some block before it left.</source>
+        <source>Program I and J; LinuxCNC would use values left by an earlier block.</source>
         <translation>I와 J를 지정하십시오. LinuxCNC는 앞의 어떤 블록이 남긴 값을 씁니다.</translation>
     </message>
     <message>
@@ -2984,7 +2980,7 @@ Default: 0 mm</source>
         <translation>제어점에는 X와 Y가 모두 필요합니다.</translation>
     </message>
     <message>
-        <source>Add the missing word; the point is left out.</source>
+        <source>Add the missing word; the point is ignored.</source>
         <translation>빠진 워드를 더하십시오. 이 점은 제외됩니다.</translation>
     </message>
     <message>
@@ -2992,7 +2988,7 @@ Default: 0 mm</source>
         <translation>제어점에는 0보다 큰 가중치 P가 필요합니다.</translation>
     </message>
     <message>
-        <source>Write P1 for an ordinary point; the point is left out.</source>
+        <source>Write P1 for an ordinary point; the point is ignored.</source>
         <translation>보통 점이면 P1을 쓰십시오. 이 점은 제외됩니다.</translation>
     </message>
     <message>
@@ -3016,15 +3012,15 @@ Default: 0 mm</source>
         <translation>G5.3은 NURBS 블록을 닫지만, 열린 블록이 없습니다.</translation>
     </message>
     <message>
-        <source>Begin it with G5.2; other motions in between end it.</source>
+        <source>Start it with G5.2; other motions in between end it.</source>
         <translation>G5.2로 시작하십시오. 사이의 다른 이동은 블록을 끝냅니다.</translation>
     </message>
     <message>
-        <source>A NURBS block was begun by G5.2 but not closed: nothing moves along it.</source>
+        <source>A NURBS block was started by G5.2 but not closed: it makes no motion.</source>
         <translation>G5.2로 시작한 NURBS 블록이 닫히지 않아, 그 위로는 아무것도 움직이지 않습니다.</translation>
     </message>
     <message>
-        <source>Write G5.3 behind its last control point.</source>
+        <source>Write G5.3 after its last control point.</source>
         <translation>마지막 제어점 뒤에 G5.3을 쓰십시오.</translation>
     </message>
     <message>
@@ -3168,11 +3164,11 @@ Default: 0 mm</source>
         <translation>ATAN[y]/[x]와 같이 쓰십시오.</translation>
     </message>
     <message>
-        <source>The target of the jump is no whole number from 0 to 99999999.</source>
+        <source>The jump target is not a whole number from 0 to 99999999.</source>
         <translation>점프 대상이 0부터 99999999까지의 정수가 아닙니다.</translation>
     </message>
     <message>
-        <source>Jump to a block number that stands behind an N.</source>
+        <source>Jump to a block number that follows an N.</source>
         <translation>N 뒤에 있는 블록 번호로 점프하십시오.</translation>
     </message>
     <message>
@@ -3196,7 +3192,7 @@ Default: 0 mm</source>
         <translation>매크로 문이 블록의 처음에 있지 않습니다.</translation>
     </message>
     <message>
-        <source>The loop has no {} with its number.</source>
+        <source>The loop has no matching {}.</source>
         <translation>반복문에 같은 번호의 {}이(가) 없습니다.</translation>
     </message>
     <message>
@@ -3216,7 +3212,7 @@ Default: 0 mm</source>
         <translation>{}의 값은 프로그램을 실행하는 기계에 따라 다릅니다.</translation>
     </message>
     <message>
-        <source>What follows from it cannot be verified.</source>
+        <source>What follows from it is unverified.</source>
         <translation>이 값에 따른 결과는 검증할 수 없습니다.</translation>
     </message>
     <message>
@@ -3224,7 +3220,7 @@ Default: 0 mm</source>
         <translation>여기에서는 위치 {}을(를) 알 수 없습니다.</translation>
     </message>
     <message>
-        <source>Position the axis first, or state a start position in the setup.</source>
+        <source>Position the axis first, or enter a start position in the setup.</source>
         <translation>먼저 축을 이동하여 위치를 정하거나, 셋업에서 시작 위치를 지정하십시오.</translation>
     </message>
     <message>
@@ -3232,7 +3228,7 @@ Default: 0 mm</source>
         <translation>프로그램이 알람 {}(으)로 스스로 정지합니다.</translation>
     </message>
     <message>
-        <source>The comment beside it says why; nothing behind it is run.</source>
+        <source>The comment beside it says why; the program ends here.</source>
         <translation>이유는 옆의 주석에 있습니다. 그 뒤는 실행되지 않습니다.</translation>
     </message>
     <message>
@@ -3248,7 +3244,7 @@ Default: 0 mm</source>
         <translation>첫 “%” 앞의 텍스트는 실행되지 않습니다.</translation>
     </message>
     <message>
-        <source>{} and {} exclude each other in one block; the last one counts.</source>
+        <source>{} and {} cannot be used in one block; the last one counts.</source>
         <translation>{}와(과) {}은(는) 한 블록에 함께 쓸 수 없습니다. 마지막 것이 적용됩니다.</translation>
     </message>
     <message>
@@ -3256,7 +3252,7 @@ Default: 0 mm</source>
         <translation>알람을 내는 제어기도 있으므로 하나만 남기십시오.</translation>
     </message>
     <message>
-        <source>The block has two {} words; the last one counts.</source>
+        <source>Duplicate {} word; the last one counts.</source>
         <translation>블록에 {} 워드가 두 개 있습니다. 마지막 것이 적용됩니다.</translation>
     </message>
     <message>
@@ -3268,7 +3264,7 @@ Default: 0 mm</source>
         <translation>삭제하거나, 이 워드를 쓰는 코드를 추가하십시오.</translation>
     </message>
     <message>
-        <source>Behind G80 the axis {} moves without a motion code: in rapid.</source>
+        <source>After G80, {} moves without a motion code, at rapid.</source>
         <translation>G80 뒤에서 {}축이 이동 코드 없이 급속으로 움직입니다.</translation>
     </message>
     <message>
@@ -3296,27 +3292,27 @@ Default: 0 mm</source>
         <translation>F에 0보다 큰 값을 주십시오.</translation>
     </message>
     <message>
-        <source>Tool {} begins to cut without a tool length offset of its own.</source>
+        <source>T{} cuts without its own tool length offset.</source>
         <translation>공구 {}이(가) 자신의 공구 길이 보정 없이 절삭을 시작합니다.</translation>
     </message>
     <message>
-        <source>Write G43 behind the tool change: the offset of the tool before it is still in force.</source>
+        <source>Write G43 after the tool change: the offset of the previous tool is still active.</source>
         <translation>공구 교환 뒤에 G43을 쓰십시오. 아직 이전 공구의 보정이 적용됩니다.</translation>
     </message>
     <message>
-        <source>The program cuts without having chosen a work offset.</source>
+        <source>The program cuts before it selects a work offset.</source>
         <translation>공작물 좌표계를 선택하지 않고 절삭합니다.</translation>
     </message>
     <message>
-        <source>Write G54, or the one that the part is set up in.</source>
+        <source>Write G54, or the work offset of the part.</source>
         <translation>G54 또는 공작물을 세팅한 좌표계를 쓰십시오.</translation>
     </message>
     <message>
-        <source>The tool length offset H{} is not that of tool {}.</source>
+        <source>The tool length offset H{} does not match tool {}.</source>
         <translation>공구 길이 보정 H{}은(는) 공구 {}의 것이 아닙니다.</translation>
     </message>
     <message>
-        <source>Use the number of the tool, if that was not meant.</source>
+        <source>Use the tool number, unless another offset is intended.</source>
         <translation>의도한 것이 아니라면 공구 번호를 쓰십시오.</translation>
     </message>
     <message>
@@ -3324,7 +3320,7 @@ Default: 0 mm</source>
         <translation>{}에 D 워드가 없습니다.</translation>
     </message>
     <message>
-        <source>Write the number of the offset: the one used last is in force.</source>
+        <source>Write the offset number: the last one used is active.</source>
         <translation>보정 번호를 쓰십시오. 마지막에 쓴 번호가 적용됩니다.</translation>
     </message>
     <message>
@@ -3340,11 +3336,11 @@ Default: 0 mm</source>
         <translation>{}이(가) 프로그램 중간에 단위를 바꿉니다.</translation>
     </message>
     <message>
-        <source>Keep to one unit; lengths that are in force keep their old one.</source>
+        <source>Keep to one unit; active lengths keep the old one.</source>
         <translation>한 가지 단위만 쓰십시오. 이미 적용 중인 길이는 이전 단위를 유지합니다.</translation>
     </message>
     <message>
-        <source>Still in force here: {}.</source>
+        <source>Still active here: {}.</source>
         <translation>여기까지 취소되지 않은 코드: {}.</translation>
     </message>
     <message>
@@ -3352,7 +3348,7 @@ Default: 0 mm</source>
         <translation>공구 교환과 프로그램 끝 전에 취소하십시오.</translation>
     </message>
     <message>
-        <source>The tool is changed at Z{}, not above Z{}, where it was fed.</source>
+        <source>The tool is changed at Z{}, not above Z{}, where it cut.</source>
         <translation>Z{}에서 공구를 교환합니다. 절삭 이송을 한 Z{}보다 높지 않습니다.</translation>
     </message>
     <message>
@@ -3372,7 +3368,7 @@ Default: 0 mm</source>
         <translation>반경으로 지정한 원호가 거의 반원({}도)입니다.</translation>
     </message>
     <message>
-        <source>Give the centre by I, J and K: here the last digit of R moves it far.</source>
+        <source>Program the centre with I, J and K: here the last digit of R moves it far.</source>
         <translation>중심을 I, J, K로 지정하십시오. 여기서는 R의 마지막 자리 숫자만으로도 중심이 크게 움직입니다.</translation>
     </message>
     <message>
@@ -3388,11 +3384,11 @@ Default: 0 mm</source>
         <translation>평면</translation>
     </message>
     <message>
-        <source>distances</source>
+        <source>distance mode</source>
         <translation>좌표 지령 방식</translation>
     </message>
     <message>
-        <source>distances of arc centres</source>
+        <source>arc distance mode</source>
         <translation>원호 중심 지령 방식</translation>
     </message>
     <message>
@@ -3412,7 +3408,7 @@ Default: 0 mm</source>
         <translation>공구 길이</translation>
     </message>
     <message>
-        <source>retract level</source>
+        <source>canned-cycle return</source>
         <translation>복귀 위치</translation>
     </message>
     <message>
@@ -3472,7 +3468,7 @@ Default: 0 mm</source>
         <translation>태핑</translation>
     </message>
     <message>
-        <source>Lines that repeat were told about {} times; interpretation ends here.</source>
+        <source>Repeated lines gave {} messages; interpretation ends here.</source>
         <translation>반복되는 줄에 대한 메시지가 {}개에 이르러 여기서 해석을 끝냅니다.</translation>
     </message>
     <message>
@@ -3520,19 +3516,19 @@ Default: 0 mm</source>
         <translation>보링 바는 구멍에서 나오기 전에 옆으로 이동하지만, 시뮬레이션에서는 완전한 원통으로 절삭합니다.</translation>
     </message>
     <message>
-        <source>What it seems to touch on its way out cannot be vouched for.</source>
+        <source>Contacts shown during the retract are unverified.</source>
         <translation>나오는 도중에 닿는 것처럼 보이는 부분은 보증할 수 없습니다.</translation>
     </message>
     <message>
-        <source>The operator takes the tool out of the hole by hand.</source>
+        <source>The operator retracts the tool from the hole by hand.</source>
         <translation>작업자가 수동으로 공구를 구멍에서 빼냅니다.</translation>
     </message>
     <message>
-        <source>Shown is the straight way out; what follows cannot be vouched for.</source>
+        <source>A straight retract is shown; results after this block are unverified.</source>
         <translation>곧게 빠져나오는 경로로 표시합니다. 그 뒤의 결과는 보증할 수 없습니다.</translation>
     </message>
     <message>
-        <source>Back boring goes up from R, but the depth does not lie above R.</source>
+        <source>Back boring feeds up from R, but the depth is not above R.</source>
         <translation>백 보링은 R에서 위로 진행하지만, 깊이가 R보다 위에 있지 않습니다.</translation>
     </message>
     <message>
@@ -3548,7 +3544,7 @@ Default: 0 mm</source>
         <translation>앞에 G98을 쓰십시오.</translation>
     </message>
     <message>
-        <source>G98 returns to the initial level, which is not known; shown is R.</source>
+        <source>G98 returns to the initial level, which is unknown; a return to R is shown.</source>
         <translation>G98은 초기점 높이로 복귀하지만 그 높이를 알 수 없어 R로 표시합니다.</translation>
     </message>
     <message>
@@ -3564,23 +3560,23 @@ Default: 0 mm</source>
         <translation>최신 제어기는 알람으로 정지합니다. 1회 절입량을 지정하십시오.</translation>
     </message>
     <message>
-        <source>The spindle stands, and no M29 orders rigid tapping.</source>
+        <source>The spindle is stopped and M29 (rigid tapping) is not active.</source>
         <translation>주축이 정지해 있고 리지드 탭을 지령하는 M29가 없습니다.</translation>
     </message>
     <message>
-        <source>Some machines tap rigidly without M29, as is shown; write M29 before the cycle.</source>
+        <source>Some machines tap rigidly without M29, as shown here; write M29 before the cycle.</source>
         <translation>M29 없이도 표시된 것처럼 리지드 탭을 하는 기계가 있습니다. 사이클 앞에 M29를 쓰십시오.</translation>
     </message>
     <message>
-        <source>With 0 repeats the cycle is only stored; {} of this block is not moved to.</source>
+        <source>With 0 repeats the cycle is only stored; the {} of this block is not moved to.</source>
         <translation>반복 횟수가 0이면 사이클을 기억하기만 하며, 이 블록의 {}(으)로는 이동하지 않습니다.</translation>
     </message>
     <message>
-        <source>Some controls move there; name the place in another block.</source>
+        <source>Some controls move there; program the position in another block.</source>
         <translation>그 위치로 이동하는 제어기도 있습니다. 위치는 다른 블록에 지정하십시오.</translation>
     </message>
     <message>
-        <source>{} drills with the canned cycle in force, but there is none.</source>
+        <source>{} drills with the active canned cycle, but no cycle is active.</source>
         <translation>{}은(는) 유효한 고정 사이클로 가공하지만, 유효한 사이클이 없습니다.</translation>
     </message>
     <message>
@@ -3588,7 +3584,7 @@ Default: 0 mm</source>
         <translation>앞 블록에 L0으로 사이클을 쓰십시오. 이 패턴은 아무것도 가공하지 않습니다.</translation>
     </message>
     <message>
-        <source>The first hole of G72 is taken to be where the tool stands.</source>
+        <source>The first hole of G72 is assumed to be at the current position.</source>
         <translation>G72의 첫 구멍은 공구의 현재 위치에 있는 것으로 봅니다.</translation>
     </message>
     <message>
@@ -3596,7 +3592,7 @@ Default: 0 mm</source>
         <translation>제어기 설명서에서 확인하십시오.</translation>
     </message>
     <message>
-        <source>How the control moves from circle to circle of the pocket is not documented; shown are half circles.</source>
+        <source>How the control moves from circle to circle of the pocket is not documented; half circles are shown.</source>
         <translation>포켓의 원에서 원으로 이동하는 방법은 문서에 없어 반원으로 표시합니다.</translation>
     </message>
     <message>
@@ -3612,23 +3608,23 @@ Default: 0 mm</source>
         <translation>I, K, D를 확인하십시오. 이 포켓은 가공하지 않습니다.</translation>
     </message>
     <message>
-        <source>G29 returns by the intermediate point of G28, which is not known for {}.</source>
+        <source>G29 returns through the intermediate point of G28, which is unknown for {}.</source>
         <translation>G29는 G28의 중간점을 거쳐 복귀하지만, {}의 중간점을 알 수 없습니다.</translation>
     </message>
     <message>
-        <source>Position the axis before G28 and name it there.</source>
+        <source>Position the axis before G28 and program it there.</source>
         <translation>G28 전에 축의 위치를 정하고 G28에 그 축을 지정하십시오.</translation>
     </message>
     <message>
-        <source>G60 overshoots by a distance that is set in the machine; it is shown without.</source>
+        <source>G60 overshoots by a distance set in the machine; it is shown without the overshoot.</source>
         <translation>G60은 기계에 설정된 거리만큼 지나쳤다가 돌아오지만, 여기서는 그 동작 없이 표시합니다.</translation>
     </message>
     <message>
-        <source>Make sure that there is room behind the target.</source>
+        <source>Make sure that there is room beyond the target.</source>
         <translation>목표 위치 뒤에 여유 공간이 있는지 확인하십시오.</translation>
     </message>
     <message>
-        <source>The skip motion is shown to its end; where a signal stops it, only the machine finds out.</source>
+        <source>The skip motion is shown to its end; where a signal stops it is unknown.</source>
         <translation>스킵 이동은 끝까지 표시합니다. 신호로 정지하는 위치는 기계에서만 알 수 있습니다.</translation>
     </message>
     <message>
@@ -3652,11 +3648,11 @@ Default: 0 mm</source>
         <translation>I, J, K로 중심을 지정하거나 R로 반경을 지정하십시오.</translation>
     </message>
     <message>
-        <source>Position in the program</source>
+        <source>Program position</source>
         <translation>프로그램 좌표의 위치</translation>
     </message>
     <message>
-        <source>Zero of the work offset</source>
+        <source>Work offset</source>
         <translation>공작물 좌표계의 원점</translation>
     </message>
     <message>
@@ -3680,23 +3676,23 @@ Default: 0 mm</source>
         <translation>주축의 공구</translation>
     </message>
     <message>
-        <source>Tool selected next</source>
+        <source>Next tool</source>
         <translation>다음으로 선택한 공구</translation>
     </message>
     <message>
-        <source>G68 turns another plane than that of the arc, which then lies in no plane of the machine.</source>
+        <source>G68 rotates in another plane than that of the arc, which then is in no plane of the machine.</source>
         <translation>G68이 원호의 평면이 아닌 다른 평면을 회전하므로 원호가 기계의 어느 평면에도 놓이지 않습니다.</translation>
     </message>
     <message>
-        <source>Keep the plane that was in force at G68.</source>
+        <source>Keep the plane that was active at G68.</source>
         <translation>G68을 지령할 때의 평면을 유지하십시오.</translation>
     </message>
     <message>
-        <source>Scaled by different factors along the axes of its plane, the arc is none any more.</source>
+        <source>Different scale factors along the axes of its plane turn this arc into an ellipse.</source>
         <translation>평면의 두 축에 서로 다른 배율이 적용되어 더 이상 원호가 아닙니다.</translation>
     </message>
     <message>
-        <source>Use one factor for both axes, or let the CAM system write it as lines.</source>
+        <source>Use one factor for both axes, or let the CAM system output lines.</source>
         <translation>두 축에 같은 배율을 사용하거나 CAM에서 직선으로 출력하십시오.</translation>
     </message>
     <message>
@@ -3708,19 +3704,19 @@ Default: 0 mm</source>
         <translation>숫자를 확인하십시오. 이 코드는 효력이 없습니다.</translation>
     </message>
     <message>
-        <source>{} stands within {}: the control wants mirror image, scaling and rotation begun in this order and ended in the opposite one.</source>
+        <source>{} is inside {}: the control needs mirror image, scaling and rotation started in this order and cancelled in the opposite one.</source>
         <translation>{}이(가) {} 안에 있습니다. 제어기는 미러 이미지, 스케일링, 회전을 이 순서로 시작하고 반대 순서로 끝내도록 요구합니다.</translation>
     </message>
     <message>
-        <source>End the inner one first.</source>
+        <source>Cancel the inner one first.</source>
         <translation>안쪽 지령을 먼저 끝내십시오.</translation>
     </message>
     <message>
-        <source>The first motion behind {} does not say where both axes of the rotation go; controls differ here.</source>
+        <source>The first motion after {} does not program both axes of the rotation; controls differ here.</source>
         <translation>{} 뒤의 첫 이동이 회전 평면의 두 축을 모두 지령하지 않습니다. 이 경우 제어기마다 동작이 다릅니다.</translation>
     </message>
     <message>
-        <source>Position both axes in G90 behind it.</source>
+        <source>Position both axes in G90 after it.</source>
         <translation>그 뒤에 G90으로 두 축의 위치를 모두 지령하십시오.</translation>
     </message>
     <message>
@@ -3740,7 +3736,7 @@ Default: 0 mm</source>
         <translation>G10 L{}은(는) 제어기 데이터 입력을 시작합니다. G11까지의 블록은 건너뜁니다.</translation>
     </message>
     <message>
-        <source>What depends on these data cannot be vouched for.</source>
+        <source>What depends on these data is unverified.</source>
         <translation>이 데이터에 따라 달라지는 결과는 보증할 수 없습니다.</translation>
     </message>
     <message>
@@ -3752,11 +3748,11 @@ Default: 0 mm</source>
         <translation>같은 번호의 공구나 G10이 이 값을 정합니다. 공구를 추가하거나 번호를 고치십시오.</translation>
     </message>
     <message>
-        <source>{} changes the tool length without a Z word; some machines move by the difference, others stand still.</source>
+        <source>{} changes the tool length without a Z word; some machines move by the difference, others do not.</source>
         <translation>{}이(가) Z 워드 없이 공구 길이를 바꿉니다. 차이만큼 움직이는 기계도 있고 정지해 있는 기계도 있습니다.</translation>
     </message>
     <message>
-        <source>Position Z in the same block; here it stands still.</source>
+        <source>Position Z in the same block; here Z does not move.</source>
         <translation>같은 블록에서 Z 위치를 지령하십시오. 여기서는 정지한 것으로 봅니다.</translation>
     </message>
     <message>
@@ -3772,7 +3768,7 @@ Default: 0 mm</source>
         <translation>G0 또는 G1로 진입하십시오. 원호는 건너뜁니다.</translation>
     </message>
     <message>
-        <source>The corner before this motion is not compensated: the tool stands square beside the block before it, and goes on from there.</source>
+        <source>The corner before this motion is not compensated: the tool stops square to the end of the block before it, and continues from there.</source>
         <translation>이 동작 앞의 모서리는 보정되지 않습니다. 공구는 앞 블록의 끝에서 직각 위치에 있다가 거기서 계속 이동합니다.</translation>
     </message>
     <message>
@@ -3780,7 +3776,7 @@ Default: 0 mm</source>
         <translation>정지, 반복된 코드, 동작이 없는 블록을 모서리에 두지 마십시오.</translation>
     </message>
     <message>
-        <source>The tool changes its side between paths that do not meet.</source>
+        <source>The tool changes side between paths that do not meet.</source>
         <translation>공구가 서로 만나지 않는 경로 사이에서 보정 방향을 바꿉니다.</translation>
     </message>
     <message>
@@ -3804,107 +3800,107 @@ Default: 0 mm</source>
         <translation>이 줄 앞에서 해석이 중단되었습니다. 마지막 줄은 {}입니다.</translation>
     </message>
     <message>
-        <source>The program is still being read; what stands from this line on is missing.</source>
+        <source>The program is still being read; the lines from here on are missing.</source>
         <translation>프로그램을 아직 읽는 중입니다. 이 줄부터의 내용은 아직 없습니다.</translation>
     </message>
     <message>
-        <source>The control answers error:20 (unsupported command) and drops the block; take it out.</source>
+        <source>The control reports error:20 (unsupported command) and skips the block; remove it.</source>
         <translation>제어기가 error:20(지원하지 않는 명령)으로 답하고 블록을 버립니다. 해당 부분을 빼십시오.</translation>
     </message>
     <message>
-        <source>The control answers error:1 (letter expected) and drops the block; remove the character.</source>
+        <source>The control reports error:1 (letter expected) and skips the block; remove the character.</source>
         <translation>제어기가 error:1(문자가 와야 함)로 답하고 블록을 버립니다. 그 글자를 지우십시오.</translation>
     </message>
     <message>
-        <source>The control answers error:2 (bad number) and drops the block; write the number.</source>
+        <source>The control reports error:2 (bad number) and skips the block; write the number.</source>
         <translation>제어기가 error:2(잘못된 숫자)로 답하고 블록을 버립니다. 숫자를 쓰십시오.</translation>
     </message>
     <message>
-        <source>The control answers error:2 (bad number) and drops the block; write one sign.</source>
+        <source>The control reports error:2 (bad number) and skips the block; write one sign.</source>
         <translation>제어기가 error:2(잘못된 숫자)로 답하고 블록을 버립니다. 부호를 하나만 쓰십시오.</translation>
     </message>
     <message>
-        <source>The control answers error:2 (bad number) and drops the block; keep one point.</source>
+        <source>The control reports error:2 (bad number) and skips the block; keep one point.</source>
         <translation>제어기가 error:2(잘못된 숫자)로 답하고 블록을 버립니다. 소수점을 하나만 남기십시오.</translation>
     </message>
     <message>
-        <source>The control answers error:1 or error:2 and drops the block; let the CAM system write plain numbers.</source>
+        <source>The control reports error:1 or error:2 and skips the block; let the CAM system write plain numbers.</source>
         <translation>제어기가 error:1 또는 error:2로 답하고 블록을 버립니다. CAM 시스템이 일반 숫자를 쓰게 하십시오.</translation>
     </message>
     <message>
-        <source>The control answers error:4 (negative value) and drops the block; correct the number.</source>
+        <source>The control reports error:4 (negative value) and skips the block; correct the number.</source>
         <translation>제어기가 error:4(음수 값)로 답하고 블록을 버립니다. 숫자를 고치십시오.</translation>
     </message>
     <message>
-        <source>The control answers error:21 (two codes of one group) and drops the block; make two blocks.</source>
+        <source>The control reports error:21 (two codes of one group) and skips the block; make two blocks.</source>
         <translation>제어기가 error:21(한 그룹의 코드가 둘)로 답하고 블록을 버립니다. 두 블록으로 나누십시오.</translation>
     </message>
     <message>
-        <source>The control answers error:22 (no feed rate) and drops the block, its motion code too; give F.</source>
+        <source>The control reports error:22 (no feed rate) and skips the block, its motion code too; give F.</source>
         <translation>제어기가 error:22(이송 속도 없음)로 답하고 이동 코드까지 포함해 블록을 버립니다. F를 지정하십시오.</translation>
     </message>
     <message>
-        <source>The control answers error:20 or error:23 and drops the block; take the code out.</source>
+        <source>The control reports error:20 or error:23 and skips the block; remove the code.</source>
         <translation>제어기가 error:20 또는 error:23으로 답하고 블록을 버립니다. 코드를 빼십시오.</translation>
     </message>
     <message>
-        <source>The control answers error:24 (two codes use the axis words) and drops the block; make two blocks.</source>
+        <source>The control reports error:24 (two codes use the axis words) and skips the block; make two blocks.</source>
         <translation>제어기가 error:24(두 코드가 축 워드를 사용)로 답하고 블록을 버립니다. 두 블록으로 나누십시오.</translation>
     </message>
     <message>
-        <source>The control answers error:25 (repeated word) and drops the block; make two blocks.</source>
+        <source>The control reports error:25 (repeated word) and skips the block; make two blocks.</source>
         <translation>제어기가 error:25(워드 반복)로 답하고 블록을 버립니다. 두 블록으로 나누십시오.</translation>
     </message>
     <message>
-        <source>The control answers error:26 (no axis words) or error:28 (a word is missing) and drops the block; add the word.</source>
+        <source>The control reports error:26 (no axis words) or error:28 (a word is missing) and skips the block; add the word.</source>
         <translation>제어기가 error:26(축 워드 없음) 또는 error:28(워드 누락)로 답하고 블록을 버립니다. 워드를 추가하십시오.</translation>
     </message>
     <message>
-        <source>The control answers error:29 to P of G10, error:38 to T, and drops the block; correct the number.</source>
+        <source>The control reports error:29 to P of G10, error:38 to T, and skips the block; correct the number.</source>
         <translation>제어기가 G10의 P에는 error:29, T에는 error:38로 답하고 블록을 버립니다. 숫자를 고치십시오.</translation>
     </message>
     <message>
-        <source>The control answers error:30 (G53 needs G0 or G1) and drops the block; write G53 G0 or G53 G1.</source>
+        <source>The control reports error:30 (G53 needs G0 or G1) and skips the block; write G53 G0 or G53 G1.</source>
         <translation>제어기가 error:30(G53에는 G0 또는 G1이 필요)으로 답하고 블록을 버립니다. G53 G0 또는 G53 G1을 쓰십시오.</translation>
     </message>
     <message>
-        <source>The control answers error:31 (axis words without a motion) and drops the block; write G0 or G1.</source>
+        <source>The control reports error:31 (axis words without a motion) and skips the block; write G0 or G1.</source>
         <translation>제어기가 error:31(이동 없는 축 워드)로 답하고 블록을 버립니다. G0 또는 G1을 쓰십시오.</translation>
     </message>
     <message>
-        <source>The control answers error:26 or error:32 and drops the block; write the end point, also of a full circle.</source>
+        <source>The control reports error:26 or error:32 and skips the block; write the end point, also of a full circle.</source>
         <translation>제어기가 error:26 또는 error:32로 답하고 블록을 버립니다. 완전한 원에도 끝점을 쓰십시오.</translation>
     </message>
     <message>
-        <source>The control answers error:33 (invalid target): the radii may differ by 0.005 mm, and by 0.1 % up to 0.5 mm; check the centre.</source>
+        <source>The control reports error:33 (invalid target): the radii may differ by 0.005 mm, and by 0.1 % up to 0.5 mm; check the centre.</source>
         <translation>제어기가 error:33(잘못된 목표)으로 답합니다. 반경은 0.005 mm까지, 그리고 0.5 mm 이내에서 0.1 %까지 다를 수 있습니다. 중심을 확인하십시오.</translation>
     </message>
     <message>
-        <source>The control answers error:33 (invalid target) and drops the block; give a full circle its centre.</source>
+        <source>The control reports error:33 (invalid target) and skips the block; give a full circle its centre.</source>
         <translation>제어기가 error:33(잘못된 목표)으로 답하고 블록을 버립니다. 완전한 원에는 중심을 지정하십시오.</translation>
     </message>
     <message>
-        <source>The control answers error:33 (invalid target) and drops the block; check the axis words.</source>
+        <source>The control reports error:33 (invalid target) and skips the block; check the axis words.</source>
         <translation>제어기가 error:33(잘못된 목표)으로 답하고 블록을 버립니다. 축 워드를 확인하십시오.</translation>
     </message>
     <message>
-        <source>The control answers error:34 (arc radius) and drops the block; check R and the end point.</source>
+        <source>The control reports error:34 (arc radius) and skips the block; check R and the end point.</source>
         <translation>제어기가 error:34(원호 반경)로 답하고 블록을 버립니다. R과 끝점을 확인하십시오.</translation>
     </message>
     <message>
-        <source>The control answers error:35 (no centre in the plane) and drops the block; give I, J or K of the plane, or R.</source>
+        <source>The control reports error:35 (no centre in the plane) and skips the block; give I, J or K of the plane, or R.</source>
         <translation>제어기가 error:35(평면에 중심 없음)로 답하고 블록을 버립니다. 평면의 I, J, K 또는 R을 지정하십시오.</translation>
     </message>
     <message>
-        <source>The control answers error:36 (unused words) and drops the block; keep the centre or the radius.</source>
+        <source>The control reports error:36 (unused words) and skips the block; keep the centre or the radius.</source>
         <translation>제어기가 error:36(사용되지 않은 워드)으로 답하고 블록을 버립니다. 중심이나 반경 중 하나만 남기십시오.</translation>
     </message>
     <message>
-        <source>The control answers error:36 (unused words) and drops the block; take the word out.</source>
+        <source>The control reports error:36 (unused words) and skips the block; remove the word.</source>
         <translation>제어기가 error:36(사용되지 않은 워드)으로 답하고 블록을 버립니다. 워드를 빼십시오.</translation>
     </message>
     <message>
-        <source>The control answers error:37 and drops the block; write G43.1 Z… alone.</source>
+        <source>The control reports error:37 and skips the block; write G43.1 Z… alone.</source>
         <translation>제어기가 error:37로 답하고 블록을 버립니다. G43.1 Z…만 쓰십시오.</translation>
     </message>
     <message>
@@ -3912,11 +3908,11 @@ Default: 0 mm</source>
         <translation>원점 스위치 찾기</translation>
     </message>
     <message>
-        <source>work offset 6, or by its number</source>
+        <source>work offset 6, or by number</source>
         <translation>공작물 좌표계 6, 또는 번호로 지정</translation>
     </message>
     <message>
-        <source>begin the program again</source>
+        <source>restart the program</source>
         <translation>프로그램 처음부터 다시 시작</translation>
     </message>
     <message>
@@ -3932,15 +3928,15 @@ Default: 0 mm</source>
         <translation>{} 변수는 설명서에 나오는 밀링용 모달 그룹에 속하지 않습니다.</translation>
     </message>
     <message>
-        <source>Only the control itself can tell its value; what follows from it cannot be verified.</source>
+        <source>Only the control knows its value; what follows from it is unverified.</source>
         <translation>그 값은 제어기만 알 수 있으므로 이에 따른 결과는 검증할 수 없습니다.</translation>
     </message>
     <message>
-        <source>{} is no order of this control.</source>
+        <source>{} is not supported by this control.</source>
         <translation>{} 코드는 이 제어기의 명령이 아닙니다.</translation>
     </message>
     <message>
-        <source>The control drops the block, and so does the simulation; take the code out.</source>
+        <source>The control skips the block, and so does the simulation; remove the code.</source>
         <translation>제어기가 블록을 버리며 시뮬레이션도 그렇게 합니다. 코드를 빼십시오.</translation>
     </message>
     <message>
@@ -3948,7 +3944,7 @@ Default: 0 mm</source>
         <translation>이 제어기에는 {} 워드가 없습니다.</translation>
     </message>
     <message>
-        <source>The control drops the block, and so does the simulation; take the word out.</source>
+        <source>The control skips the block, and so does the simulation; remove the word.</source>
         <translation>제어기가 블록을 버리며 시뮬레이션도 그렇게 합니다. 워드를 빼십시오.</translation>
     </message>
     <message>
@@ -3964,7 +3960,7 @@ Default: 0 mm</source>
         <translation>이 줄은 공백과 주석을 빼고 {}자인데 제어기는 {}자까지만 읽습니다.</translation>
     </message>
     <message>
-        <source>The control answers error:11 and drops the line; split it.</source>
+        <source>The control reports error:11 and skips the line; split it.</source>
         <translation>제어기가 error:11로 답하고 줄을 버립니다. 줄을 나누십시오.</translation>
     </message>
     <message>
@@ -3972,11 +3968,11 @@ Default: 0 mm</source>
         <translation>블록 번호가 {}보다 큽니다.</translation>
     </message>
     <message>
-        <source>The control answers error:27 and drops the block; number the blocks anew.</source>
+        <source>The control reports error:27 and skips the block; renumber the blocks.</source>
         <translation>제어기가 error:27로 답하고 블록을 버립니다. 블록 번호를 다시 매기십시오.</translation>
     </message>
     <message>
-        <source>{} is an order to the control itself; it is not carried out here.</source>
+        <source>{} is a command to the control itself; it is not simulated.</source>
         <translation>{} 명령은 제어기 자체에 대한 것이므로 여기서는 실행하지 않습니다.</translation>
     </message>
     <message>
@@ -3984,11 +3980,11 @@ Default: 0 mm</source>
         <translation>축을 움직이거나 설정을 바꾸거나 옵셋을 지울 수 있습니다. 프로그램과 따로 보내십시오.</translation>
     </message>
     <message>
-        <source>The character {} is an order to the control that counts wherever it stands, also in comments.</source>
+        <source>The character {} is a real-time command that acts anywhere, even in comments.</source>
         <translation>{} 문자는 어디에 있든, 주석 안에서도, 제어기에 대한 명령으로 작용합니다.</translation>
     </message>
     <message>
-        <source>It may stop the machine or change an override; take it out.</source>
+        <source>It may stop the machine or change an override; remove it.</source>
         <translation>기계를 멈추거나 오버라이드를 바꿀 수 있습니다. 빼십시오.</translation>
     </message>
     <message>
@@ -3996,15 +3992,15 @@ Default: 0 mm</source>
         <translation>{} 문자는 프로그램 도중에 제어기를 재설정하거나 멈춥니다.</translation>
     </message>
     <message>
-        <source>Take it out.</source>
+        <source>Remove it.</source>
         <translation>빼십시오.</translation>
     </message>
     <message>
-        <source>This control has no block delete: it runs what stands behind &quot;/&quot;.</source>
+        <source>This control has no block delete: it runs what follows &quot;/&quot;.</source>
         <translation>이 제어기에는 블록 건너뛰기가 없어 &quot;/&quot; 뒤의 내용을 실행합니다.</translation>
     </message>
     <message>
-        <source>Take the blocks out that are not to run.</source>
+        <source>Remove the blocks that must not run.</source>
         <translation>실행하지 않을 블록을 빼십시오.</translation>
     </message>
     <message>
@@ -4012,7 +4008,7 @@ Default: 0 mm</source>
         <translation>이 제어기는 &quot;%&quot;를 알지 못합니다.</translation>
     </message>
     <message>
-        <source>The control answers error:1 unless the sender keeps the line back; remove it.</source>
+        <source>The control reports error:1 unless the sender filters the line; remove it.</source>
         <translation>전송 프로그램이 그 줄을 빼지 않으면 제어기가 error:1로 답합니다. 줄을 지우십시오.</translation>
     </message>
     <message>
@@ -4020,7 +4016,7 @@ Default: 0 mm</source>
         <translation>T{} 워드를 읽지만 아무것도 바뀌지 않습니다. 이 제어기에는 공구 교환이 없습니다.</translation>
     </message>
     <message>
-        <source>Make one program for each tool, or change it by hand behind M0.</source>
+        <source>Make one program per tool, or change the tool by hand after M0.</source>
         <translation>공구마다 프로그램을 따로 만들거나 M0 뒤에서 손으로 교환하십시오.</translation>
     </message>
     <message>
@@ -4028,7 +4024,7 @@ Default: 0 mm</source>
         <translation>이 제어기는 M1에서 멈추지 않습니다.</translation>
     </message>
     <message>
-        <source>Write M0 where it has to stop.</source>
+        <source>Write M0 where it must stop.</source>
         <translation>멈춰야 하는 곳에 M0을 쓰십시오.</translation>
     </message>
     <message>
@@ -4036,15 +4032,15 @@ Default: 0 mm</source>
         <translation>M7은 미스트 냉각을 포함해 빌드한 grbl에서만 알려져 있습니다.</translation>
     </message>
     <message>
-        <source>Otherwise grbl answers error:20 and drops the block; give M7 a block of its own.</source>
+        <source>Otherwise grbl reports error:20 and skips the block; give M7 a block of its own.</source>
         <translation>그렇지 않으면 grbl이 error:20으로 답하고 블록을 버립니다. M7을 별도 블록에 쓰십시오.</translation>
     </message>
     <message>
-        <source>The centre word {} lies outside the plane of the arc; the control ignores it.</source>
+        <source>The centre word {} is outside the plane of the arc; the control ignores it.</source>
         <translation>중심 워드 {}는 원호의 평면 밖에 있어 제어기가 무시합니다.</translation>
     </message>
     <message>
-        <source>The arc names no axis of its plane as its end.</source>
+        <source>The arc has no end point in its plane.</source>
         <translation>원호가 평면의 축을 끝점으로 지정하지 않습니다.</translation>
     </message>
     <message>
@@ -4076,7 +4072,7 @@ Default: 0 mm</source>
         <translation>P가 초인지 밀리초인지 제어기에서 확인하십시오.</translation>
     </message>
     <message>
-        <source>The arc fits with its centre counted from the start point and also from the origin; a setting of the control decides, and it is taken from the start point.</source>
+        <source>The arc fits with its centre from the start point and also from the origin; a setting of the control decides. The start point is assumed.</source>
         <translation>원호의 중심을 시작점에서 세어도, 원점에서 세어도 맞습니다. 제어기 설정이 결정하며 여기서는 시작점 기준으로 봅니다.</translation>
     </message>
     <message>
@@ -4084,7 +4080,7 @@ Default: 0 mm</source>
         <translation>프로그램 처음에 G91.1 또는 G90.1을 쓰십시오.</translation>
     </message>
     <message>
-        <source>Mach3 takes the place of the tool for the pole of G16, Mach4 the origin; it is taken as Mach3 does.</source>
+        <source>Mach3 uses the tool position as the pole of G16, Mach4 the origin; Mach3 is assumed.</source>
         <translation>G16의 극점으로 Mach3는 공구 위치를, Mach4는 원점을 씁니다. 여기서는 Mach3처럼 봅니다.</translation>
     </message>
     <message>
@@ -4092,7 +4088,7 @@ Default: 0 mm</source>
         <translation>둘이 같은 곳인 X0 Y0에서 극좌표를 시작하십시오.</translation>
     </message>
     <message>
-        <source>Polar coordinates are meant for G0 and G1 in the XY plane; what {} does in them is not written.</source>
+        <source>Polar coordinates are for G0 and G1 in the XY plane; their effect on {} is not documented.</source>
         <translation>극좌표는 XY 평면의 G0과 G1을 위한 것이며 그 안에서 {} 코드가 하는 일은 문서에 없습니다.</translation>
     </message>
     <message>
@@ -4100,7 +4096,7 @@ Default: 0 mm</source>
         <translation>그 앞에 G15를 쓰십시오.</translation>
     </message>
     <message>
-        <source>Whether G51 scales the word {} is not written; it is taken to scale it.</source>
+        <source>Whether G51 scales the word {} is not documented; it is assumed to.</source>
         <translation>G51이 {} 워드의 크기를 조정하는지는 문서에 없습니다. 조정하는 것으로 봅니다.</translation>
     </message>
     <message>
@@ -4120,15 +4116,15 @@ Default: 0 mm</source>
         <translation>H가 없거나 H0인 {} 코드는 공구 길이 보정을 0으로 합니다.</translation>
     </message>
     <message>
-        <source>Write the number of the tool behind H.</source>
+        <source>Write the tool number after H.</source>
         <translation>H 뒤에 공구 번호를 쓰십시오.</translation>
     </message>
     <message>
-        <source>M47 begins the program again, without end.</source>
+        <source>M47 restarts the program, endlessly.</source>
         <translation>M47은 프로그램을 처음부터 끝없이 다시 시작합니다.</translation>
     </message>
     <message>
-        <source>{} seeks the reference switches; where the axes stand afterwards, only the machine knows.</source>
+        <source>{} seeks the reference switches; the axis positions afterwards are unknown.</source>
         <translation>{} 코드는 원점 스위치를 찾습니다. 그 뒤 축의 위치는 기계만 압니다.</translation>
     </message>
     <message>
@@ -4136,11 +4132,11 @@ Default: 0 mm</source>
         <translation>다음 절삭 전에 축의 위치를 정하십시오.</translation>
     </message>
     <message>
-        <source>Nothing leads to this line: line {} leaves the blocks before it for good.</source>
+        <source>This block is unreachable: line {} always jumps past it.</source>
         <translation>이 줄에 이르는 길이 없습니다. {}번 줄에서 앞의 블록을 완전히 벗어납니다.</translation>
     </message>
     <message>
-        <source>Remove it, or give it the block number or the label that something jumps to.</source>
+        <source>Remove it, or give it the block number or label of a jump.</source>
         <translation>줄을 지우거나 점프 목표인 블록 번호 또는 레이블을 붙이십시오.</translation>
     </message>
     <message>
@@ -4160,11 +4156,11 @@ Default: 0 mm</source>
         <translation>코너 반경</translation>
     </message>
     <message>
-        <source>No straight or circular motion stands on both sides of the chamfer or corner radius (alarm 051).</source>
+        <source>The chamfer or corner radius is not between two straight or circular motions (alarm 051).</source>
         <translation>모따기 또는 코너 반경의 양쪽에 직선 또는 원호 동작이 없습니다(알람 051).</translation>
     </message>
     <message>
-        <source>Let G1, G2 or G3 in the plane follow; the corner stays sharp.</source>
+        <source>Program G1, G2 or G3 in the plane next; the corner stays sharp.</source>
         <translation>평면 안의 G1, G2 또는 G3가 뒤따르게 하십시오. 모서리는 그대로 남습니다.</translation>
     </message>
     <message>
@@ -4176,7 +4172,7 @@ Default: 0 mm</source>
         <translation>더 작은 값을 쓰십시오. 모서리는 그대로 남습니다.</translation>
     </message>
     <message>
-        <source>A chamfer or corner radius stands between motions in one plane only.</source>
+        <source>A chamfer or corner radius needs motions in one plane on both sides.</source>
         <translation>모따기와 코너 반경은 한 평면 안의 동작 사이에만 쓸 수 있습니다.</translation>
     </message>
     <message>
@@ -4184,7 +4180,7 @@ Default: 0 mm</source>
         <translation>셋째 축은 다른 블록에서 움직이십시오. 모서리는 그대로 남습니다.</translation>
     </message>
     <message>
-        <source>The manuals do not tell how a chamfer counts along an arc; here it is the straight distance from the corner.</source>
+        <source>The manuals do not say how a chamfer is measured along an arc; here it is the straight distance from the corner.</source>
         <translation>원호에서 모따기를 어떻게 재는지는 설명서에 없습니다. 여기서는 모서리로부터의 직선 거리입니다.</translation>
     </message>
     <message>
@@ -4196,7 +4192,7 @@ Default: 0 mm</source>
         <translation>#5061에서 #5063까지는 이 끝점을 가집니다. 소재와 그 공구의 커터가 정의되어 있으면 소재에서 멈춥니다.</translation>
     </message>
     <message>
-        <source>It is taken to go to its programmed end; #5061 to #5069 hold that, #5070 is 0. With a stock and a cutter for its tool it stops at the stock.</source>
+        <source>It is assumed to move to its programmed end; #5061 to #5069 hold that, #5070 is 0. With a stock and a cutter for its tool it stops at the stock.</source>
         <translation>프로그램된 끝점까지 간다고 가정합니다. #5061에서 #5069까지 그 값을 가지며 #5070은 0입니다. 소재와 그 공구의 커터가 정의되어 있으면 소재에서 멈춥니다.</translation>
     </message>
     <message>
@@ -4204,7 +4200,7 @@ Default: 0 mm</source>
         <translation>프로브는 시뮬레이션된 소재에 닿는 X{} Y{} Z{} mm에서 멈춘다고 가정합니다.</translation>
     </message>
     <message>
-        <source>On the machine the part decides; what follows is verified as long as it does not go on from there or read the result.</source>
+        <source>On the machine the part decides; results are verified as long as the program does not continue from there or read the result.</source>
         <translation>기계에서는 공작물이 결정합니다. 그 위치에서 이어 가거나 결과를 읽지 않는 한 이후 내용은 검증됩니다.</translation>
     </message>
     <message>
@@ -4212,11 +4208,11 @@ Default: 0 mm</source>
         <translation>프로브는 시뮬레이션된 소재에서 떨어지는 X{} Y{} Z{} mm에서 멈춘다고 가정합니다.</translation>
     </message>
     <message>
-        <source>This line uses what a probing motion has found, which is assumed from the simulated stock.</source>
+        <source>This line uses a probing result, which is assumed from the simulated stock.</source>
         <translation>이 줄은 프로빙 동작이 찾은 값을 사용하며, 그 값은 시뮬레이션된 소재로부터 가정한 것입니다.</translation>
     </message>
     <message>
-        <source>What follows is shown for that; it cannot be vouched for on another part.</source>
+        <source>Results are shown for that stop; on another part they are unverified.</source>
         <translation>이후 내용은 그 값에 대해 표시됩니다. 다른 공작물에서는 보장할 수 없습니다.</translation>
     </message>
     <message>
@@ -4256,15 +4252,15 @@ Default: 0 mm</source>
         <translation>파라미터</translation>
     </message>
     <message>
-        <source>The block behind the chamfer or corner radius orders neither G1, G2 nor G3 (alarm 052, on newer controls 051).</source>
+        <source>The block after the chamfer or corner radius has no G1, G2 or G3 (alarm 052, on newer controls 051).</source>
         <translation>모따기 또는 코너 반경 다음 블록에 G1, G2, G3가 없습니다(알람 052, 새 제어기에서는 051).</translation>
     </message>
     <message>
-        <source>Only one dwell in a block of its own may stand between; the corner stays sharp.</source>
+        <source>Only one dwell, in a block of its own, is allowed between them; the corner stays sharp.</source>
         <translation>그 사이에는 단독 블록의 드웰 하나만 올 수 있습니다. 모서리는 그대로 남습니다.</translation>
     </message>
     <message>
-        <source>The block orders a chamfer and a corner radius (alarm 053).</source>
+        <source>The block has both a chamfer and a corner radius (alarm 053).</source>
         <translation>블록이 모따기와 코너 반경을 함께 지령합니다(알람 053).</translation>
     </message>
     <message>
@@ -4272,7 +4268,7 @@ Default: 0 mm</source>
         <translation>하나만 남기십시오. 모서리는 그대로 남습니다.</translation>
     </message>
     <message>
-        <source>Neither C nor R stands behind the comma (alarm 053).</source>
+        <source>Expected C or R after the comma (alarm 053).</source>
         <translation>쉼표 뒤에 C도 R도 없습니다(알람 053).</translation>
     </message>
     <message>
@@ -4288,11 +4284,11 @@ Default: 0 mm</source>
         <translation>부호 없이 쓰십시오. 모서리는 그대로 남습니다.</translation>
     </message>
     <message>
-        <source>The manuals do not tell whether G51 scales chamfers and corner radii too; here it does not.</source>
+        <source>The manuals do not say whether G51 also scales chamfers and corner radii; here it does not.</source>
         <translation>G51이 모따기와 코너 반경도 스케일링하는지 설명서에 없습니다. 여기서는 스케일링하지 않습니다.</translation>
     </message>
     <message>
-        <source>A setting of the control says whether G68 with G91 adds its angle to the one in force (Fanuc: parameter 5400#0, Haas: setting 73); here the angle is {} degrees.</source>
+        <source>A setting of the control decides whether G68 with G91 adds its angle to the active one (Fanuc: parameter 5400#0, Haas: setting 73); here the angle is {} degrees.</source>
         <translation>G91에서 G68이 각도를 현재 각도에 더하는지는 제어기의 설정에 달려 있습니다(Fanuc: 파라미터 5400#0, Haas: 세팅 73). 여기서 각도는 {}도입니다.</translation>
     </message>
     <message>
@@ -4300,7 +4296,7 @@ Default: 0 mm</source>
         <translation>G68 앞에 G90을 쓰거나 그 사이에 G69를 쓰십시오.</translation>
     </message>
     <message>
-        <source>{} stands within a canned cycle (alarm 044).</source>
+        <source>{} is not allowed while a canned cycle is active (alarm 044).</source>
         <translation>{}이(가) 고정 사이클 안에 있습니다(알람 044).</translation>
     </message>
     <message>
@@ -4308,7 +4304,7 @@ Default: 0 mm</source>
         <translation>그 앞에서 G80으로 사이클을 끝내십시오.</translation>
     </message>
     <message>
-        <source>A chamfer or corner radius stands where cutter compensation begins, ends or changes its side (alarm 039).</source>
+        <source>A chamfer or corner radius is not allowed where cutter compensation starts, ends or changes side (alarm 039).</source>
         <translation>공구경 보정이 시작되거나 끝나거나 방향을 바꾸는 곳에 모따기 또는 코너 반경이 있습니다(알람 039).</translation>
     </message>
     <message>
@@ -4332,15 +4328,15 @@ Default: 0 mm</source>
         <translation>파일을 읽는 동안 열려 있는 프로그램이 변경되어 파일을 열지 않았습니다.</translation>
     </message>
     <message>
-        <source>More than five brackets stand within each other; the control gives alarm 118.</source>
+        <source>More than five brackets are nested; the control gives alarm 118.</source>
         <translation>괄호가 다섯 겹을 넘습니다. 제어기는 알람 118을 냅니다.</translation>
     </message>
     <message>
-        <source>The centre of {} is where the tool stands, which is not known for {}.</source>
+        <source>The centre of {} is the current position, which is unknown for {}.</source>
         <translation>{}의 중심은 공구가 있는 위치인데, {} 축은 그 위치를 알 수 없습니다.</translation>
     </message>
     <message>
-        <source>Write the centre, or position the tool before.</source>
+        <source>Program the centre, or position the tool first.</source>
         <translation>중심을 적거나 먼저 공구를 위치 결정하십시오.</translation>
     </message>
     <message>
@@ -4348,7 +4344,7 @@ Default: 0 mm</source>
         <translation>{}번째 문자의 프로파일에 폭이 없습니다.</translation>
     </message>
     <message>
-        <source>The profile goes on at character {} after {} points; it may have no more.</source>
+        <source>The profile continues at character {} after {} points; it may have no more.</source>
         <translation>{}번째 문자에서 프로파일이 점 {}개를 넘습니다. 더 이상은 허용되지 않습니다.</translation>
     </message>
     <message>
@@ -4356,7 +4352,7 @@ Default: 0 mm</source>
         <translation>{}번째 문자에서 프로파일이 축 쪽으로 되돌아갑니다.</translation>
     </message>
     <message>
-        <source>At character {}, “{}” is no point of a profile; a point is written as {}, an arc to it as {} or {}.</source>
+        <source>At character {}, “{}” is not a profile point; a point is written as {}, an arc to it as {} or {}.</source>
         <translation>{}번째 문자의 “{}”은(는) 프로파일의 점이 아닙니다. 점은 {}처럼, 그 점까지의 원호는 {} 또는 {}처럼 씁니다.</translation>
     </message>
     <message>
@@ -4536,7 +4532,7 @@ Default: 0 mm</source>
         <translation>총형 커터</translation>
     </message>
     <message>
-        <source>The neck of the cutter goes through {} mm of stock above its head.</source>
+        <source>The neck of the cutter passes through {} mm of stock above its head.</source>
         <translation>공구의 목이 머리 위쪽 소재 {} mm를 지나갑니다.</translation>
     </message>
     <message>
@@ -4544,11 +4540,11 @@ Default: 0 mm</source>
         <translation>먼저 목이 지나갈 홈을 가공하거나 목이 더 가는 공구를 선택하십시오.</translation>
     </message>
     <message>
-        <source>Above the head of the cutter {} mm³ of stock stay, which the z-map shows as removed; the layer is highest at X{} Y{} Z{}.</source>
+        <source>Above the head of the cutter {} mm³ of stock remain, which the z-map shows as removed; the layer is highest at X{} Y{} Z{}.</source>
         <translation>공구 머리 위에 소재 {} mm³가 남지만 Z맵에는 제거된 것으로 표시됩니다. 남은 층은 X{} Y{} Z{}에서 가장 높습니다.</translation>
     </message>
     <message>
-        <source>Check by other means what is done there from here on.</source>
+        <source>Check by other means what is cut there from here on.</source>
         <translation>이후 그곳에서 이루어지는 가공은 다른 방법으로 확인하십시오.</translation>
     </message>
     <message>
@@ -4556,11 +4552,11 @@ Default: 0 mm</source>
         <translation>Proveout 소재</translation>
     </message>
     <message>
-        <source>what a setup has left of its stock</source>
+        <source>the stock left by a setup</source>
         <translation>한 셋업이 소재에서 남긴 것</translation>
     </message>
     <message>
-        <source>This line is no point: X, Y and perhaps the bulge of an arc.</source>
+        <source>This line is not a point: X, Y and, for an arc, its bulge.</source>
         <translation>이 줄은 점이 아닙니다: X, Y, 그리고 필요하면 원호의 벌지.</translation>
     </message>
     <message>
@@ -4572,11 +4568,11 @@ Default: 0 mm</source>
         <translation>윤곽에 점이 없습니다.</translation>
     </message>
     <message>
-        <source>“{}” is no key of this stock shape; there are {}.</source>
+        <source>“{}” is not a key of this stock shape; there are {}.</source>
         <translation>“{}”은(는) 이 소재 형상의 키가 아닙니다. 있는 키: {}.</translation>
     </message>
     <message>
-        <source>{}={} is no length above {} and at most {} mm.</source>
+        <source>{}={} is not a length above {} and at most {} mm.</source>
         <translation>{}={}은(는) {} 초과 {} mm 이하의 길이가 아닙니다.</translation>
     </message>
     <message>
@@ -4592,7 +4588,7 @@ Default: 0 mm</source>
         <translation>형상이 {}인 소재에는 키 {}이(가) 필요합니다. 예: {}.</translation>
     </message>
     <message>
-        <source>“{}” is no shape of stock; there are {}.</source>
+        <source>“{}” is not a stock shape; there are {}.</source>
         <translation>“{}”은(는) 소재 형상이 아닙니다. 있는 형상: {}.</translation>
     </message>
     <message>
@@ -4608,7 +4604,7 @@ Default: 0 mm</source>
         <translation>더 새로운 Proveout이 저장한 소재입니다(형식 {}). 이 버전은 형식 {}까지 읽습니다.</translation>
     </message>
     <message>
-        <source>The saved stock tells of {} × {} points, but its size and spacing make {} × {}.</source>
+        <source>The saved stock specifies {} × {} points, but its size and spacing give {} × {}.</source>
         <translation>저장된 소재는 {} × {}개의 점을 말하지만, 크기와 간격으로는 {} × {}개가 됩니다.</translation>
     </message>
     <message>
@@ -4616,7 +4612,7 @@ Default: 0 mm</source>
         <translation>저장된 소재의 높이가 float32 수 {} × {}개가 아닙니다.</translation>
     </message>
     <message>
-        <source>Row {}, column {} of the saved stock is no height within it.</source>
+        <source>Row {}, column {} of the saved stock is not a height within it.</source>
         <translation>저장된 소재의 {}행 {}열은 그 안의 높이가 아닙니다.</translation>
     </message>
     <message>
@@ -4652,7 +4648,7 @@ Default: 0 mm</source>
         <translation>윤곽</translation>
     </message>
     <message>
-        <source>A text with a point X Y a line, and a third number for an arc to the next point: the tangent of a quarter of its angle. An empty line begins another loop.</source>
+        <source>A text file with one point X Y per line, and a third number for an arc to the next point: the tangent of a quarter of its angle. An empty line begins another loop.</source>
         <translation>한 줄에 점 X Y가 하나씩 있는 텍스트입니다. 세 번째 수는 다음 점까지의 원호로, 그 각도의 4분의 1의 탄젠트입니다. 빈 줄은 다른 윤곽을 시작합니다.</translation>
     </message>
     <message>
@@ -4660,7 +4656,7 @@ Default: 0 mm</source>
         <translation>메시</translation>
     </message>
     <message>
-        <source>A closed mesh, in mm; the stock is what lies under its upper surface.</source>
+        <source>A closed mesh, in mm; the stock is everything below its upper surface.</source>
         <translation>닫힌 메시(mm)입니다. 그 윗면 아래가 소재입니다.</translation>
     </message>
     <message>
@@ -4696,7 +4692,7 @@ Default: 0 mm</source>
         <translation>저장된 소재</translation>
     </message>
     <message>
-        <source>What an earlier setup has left, as saved by File, Save Stock.</source>
+        <source>The stock left by an earlier setup, as saved by File, Save Stock.</source>
         <translation>이전 셋업이 남긴 것으로, 파일 메뉴의 소재 저장으로 저장한 것입니다.</translation>
     </message>
     <message>
@@ -4748,11 +4744,11 @@ Default: 0 mm</source>
         <translation>닫힌 메시로 된 주조품이나 단조품입니다.</translation>
     </message>
     <message>
-        <source>What an earlier setup has left, also flipped or turned.</source>
+        <source>The stock left by an earlier setup, also flipped or turned.</source>
         <translation>이전 셋업이 남긴 것으로, 뒤집거나 돌릴 수도 있습니다.</translation>
     </message>
     <message>
-        <source>This is no ZIP archive, or one that cannot be read.</source>
+        <source>This is not a ZIP archive, or one that cannot be read.</source>
         <translation>ZIP 보관 파일이 아니거나 읽을 수 없습니다.</translation>
     </message>
     <message>
@@ -4768,7 +4764,7 @@ Default: 0 mm</source>
         <translation>윤곽이 둘러싼 면적이 없습니다.</translation>
     </message>
     <message>
-        <source>The mesh of the stock is not closed: over {} of {} grid points it is not known what is material.</source>
+        <source>The mesh of the stock is not closed: at {} of {} grid points the material is unknown.</source>
         <translation>소재의 메시가 닫혀 있지 않습니다. 격자점 {1}개 (전체 {2}개) 위에서 무엇이 재료인지 알 수 없습니다.</translation>
     </message>
     <message>
@@ -4784,27 +4780,27 @@ Default: 0 mm</source>
         <translation>소재의 메시가 둘러싼 부피가 없습니다.</translation>
     </message>
     <message>
-        <source>The facets of the stock mesh lie in {} layers on average; at most {} can be read.</source>
+        <source>The facets of the stock mesh are in {} layers on average; at most {} can be read.</source>
         <translation>소재 메시의 면이 평균 {}겹입니다. 최대 {}겹까지 읽을 수 있습니다.</translation>
     </message>
     <message>
-        <source>The saved stock has points {} × {} mm apart, and is taken over to {} × {} mm: at none of its points lower, between them up to one spacing wider.</source>
+        <source>The saved stock has a spacing of {} × {} mm and is resampled to {} × {} mm: never lower at its points, between them up to one spacing wider.</source>
         <translation>저장된 소재의 점 간격은 {} × {} mm이고 {} × {} mm로 옮겨집니다. 어느 점에서도 더 낮아지지 않으며, 그 사이는 최대 한 간격만큼 넓어집니다.</translation>
     </message>
     <message>
-        <source>The spacing of the saved stock, or a whole part of it, changes nothing.</source>
+        <source>Use the spacing of the saved stock, or a whole fraction of it, to avoid resampling.</source>
         <translation>저장된 소재의 간격이나 그 정수분의 1을 쓰면 아무것도 바뀌지 않습니다.</translation>
     </message>
     <message>
-        <source>Nothing of the saved stock is left.</source>
+        <source>No stock is left in the saved stock.</source>
         <translation>저장된 소재에 남은 것이 없습니다.</translation>
     </message>
     <message>
-        <source>Under the surface of the stock there are {} mm³ of air, which the z-map shows as material; the tallest gap, {} mm, begins at X{} Y{} Z{}.</source>
+        <source>Below the surface of the stock there are {} mm³ of air, which the z-map shows as material; the tallest gap, {} mm, starts at X{} Y{} Z{}.</source>
         <translation>소재의 표면 아래에 {} mm³의 빈 공간이 있으나 Z맵은 이를 재료로 보입니다. 가장 높은 틈({} mm)은 X{} Y{} Z{}에서 시작합니다.</translation>
     </message>
     <message>
-        <source>Check by other means what the program does over such gaps.</source>
+        <source>Check the program over such gaps by other means.</source>
         <translation>이런 틈 위에서 프로그램이 하는 일은 다른 방법으로 확인하십시오.</translation>
     </message>
     <message>
@@ -4840,11 +4836,11 @@ Default: 0 mm</source>
         <translation>M0 또는 M1</translation>
     </message>
     <message>
-        <source>Stop where the program does, with M0, M1 or M60.</source>
+        <source>Stop at M0, M1 or M60.</source>
         <translation>프로그램이 M0, M1, M60으로 멈추는 곳에서 멈춥니다.</translation>
     </message>
     <message>
-        <source>Stopped at a stop of the program.</source>
+        <source>Program stop (M0/M1).</source>
         <translation>프로그램 정지에서 멈췄습니다.</translation>
     </message>
     <message>
@@ -4872,15 +4868,15 @@ Default: 0 mm</source>
         <translation>공구의 첫 접촉 뒤에 멈췄습니다.</translation>
     </message>
     <message>
-        <source>Any fault</source>
+        <source>On fault</source>
         <translation>모든 결함</translation>
     </message>
     <message>
-        <source>Stop after a block at which the simulation found something wrong.</source>
+        <source>Stop after a block with a fault.</source>
         <translation>시뮬레이션이 문제를 찾은 블록 뒤에서 멈춥니다.</translation>
     </message>
     <message>
-        <source>Stopped after a block with a problem.</source>
+        <source>Stopped after a block with a fault.</source>
         <translation>문제가 있는 블록 뒤에 멈췄습니다.</translation>
     </message>
     <message>
@@ -4888,11 +4884,11 @@ Default: 0 mm</source>
         <translation>조건</translation>
     </message>
     <message>
-        <source>Stop before a block at which a condition begins to hold.</source>
+        <source>Stop before a block where a condition becomes true.</source>
         <translation>조건이 성립하기 시작하는 블록 앞에서 멈춥니다.</translation>
     </message>
     <message>
-        <source>Stopped because {} holds next.</source>
+        <source>Breakpoint: {}.</source>
         <translation>다음에 {} 조건이 성립하므로 멈췄습니다.</translation>
     </message>
     <message>
@@ -4944,7 +4940,7 @@ Default: 0 mm</source>
         <translation>{}열: 여기에는 닫는 괄호가 와야 합니다.</translation>
     </message>
     <message>
-        <source>Column {}: there are too many parentheses in each other.</source>
+        <source>Column {}: the parentheses are nested too deeply.</source>
         <translation>{}열: 괄호가 너무 깊이 겹쳐 있습니다.</translation>
     </message>
     <message>
@@ -4960,27 +4956,27 @@ Default: 0 mm</source>
         <translation>기계에는 &quot;{}&quot;이(가) 없습니다. {}이(가) 있습니다.</translation>
     </message>
     <message>
-        <source>Rapid X, Y</source>
+        <source>Rapid traverse X/Y</source>
         <translation>급속 X, Y</translation>
     </message>
     <message>
-        <source>How fast X and Y each move at rapid.</source>
+        <source>Speed of X and of Y at rapid.</source>
         <translation>X와 Y 각 축의 급속 이송 속도입니다.</translation>
     </message>
     <message>
-        <source>Rapid Z</source>
+        <source>Rapid traverse Z</source>
         <translation>급속 Z</translation>
     </message>
     <message>
-        <source>How fast Z moves at rapid.</source>
+        <source>Speed of Z at rapid.</source>
         <translation>Z축의 급속 이송 속도입니다.</translation>
     </message>
     <message>
-        <source>Largest feed</source>
+        <source>Maximum feed rate</source>
         <translation>최대 이송</translation>
     </message>
     <message>
-        <source>The machine feeds no faster, whatever F says.</source>
+        <source>The machine limits the feed rate to this, whatever F says.</source>
         <translation>F 값과 관계없이 기계는 이보다 빠르게 이송하지 않습니다.</translation>
     </message>
     <message>
@@ -4988,7 +4984,7 @@ Default: 0 mm</source>
         <translation>가속도 X, Y</translation>
     </message>
     <message>
-        <source>How fast X and Y each gain and lose speed.</source>
+        <source>Acceleration of X and of Y.</source>
         <translation>X와 Y 각 축이 가속하고 감속하는 정도입니다.</translation>
     </message>
     <message>
@@ -4996,19 +4992,19 @@ Default: 0 mm</source>
         <translation>가속도 Z</translation>
     </message>
     <message>
-        <source>How fast Z gains and loses speed.</source>
+        <source>Acceleration of Z.</source>
         <translation>Z축이 가속하고 감속하는 정도입니다.</translation>
     </message>
     <message>
-        <source>Corner deviation</source>
+        <source>Cornering tolerance</source>
         <translation>모서리 편차</translation>
     </message>
     <message>
-        <source>How far the path may be rounded at a corner; 0: it stops at each.</source>
+        <source>Largest deviation of a rounded corner; 0: exact stop at each corner.</source>
         <translation>모서리에서 경로를 둥글게 해도 되는 거리. 0: 모서리마다 멈춥니다.</translation>
     </message>
     <message>
-        <source>From chip to chip.</source>
+        <source>Tool change time, chip to chip.</source>
         <translation>절삭에서 다음 절삭까지의 시간입니다.</translation>
     </message>
     <message>
@@ -5036,7 +5032,7 @@ Default: 0 mm</source>
         <translation>공구의 출처는 &quot;given&quot;, &quot;comment&quot;, &quot;assumed&quot; 중 하나여야 합니다.</translation>
     </message>
     <message>
-        <source>The field &quot;{}&quot; and the fields minX, minY, topZ exclude each other; they are the same position.</source>
+        <source>The field &quot;{}&quot; and the fields minX, minY, topZ cannot be used together; they are the same position.</source>
         <translation>&quot;{}&quot; 필드와 minX, minY, topZ 필드는 같은 위치를 나타내므로 함께 쓸 수 없습니다.</translation>
     </message>
     <message>
@@ -5268,11 +5264,11 @@ Default: 0 mm</source>
         <translation>주축 관통 절삭유 끄기</translation>
     </message>
     <message>
-        <source>picture shown on the display</source>
+        <source>image shown on the display</source>
         <translation>화면에 그림 표시</translation>
     </message>
     <message>
-        <source>picture on the display closed</source>
+        <source>image on the display closed</source>
         <translation>화면의 그림 닫기</translation>
     </message>
     <message>
@@ -5316,11 +5312,11 @@ Default: 0 mm</source>
         <translation>{}({})은(는) 축을 움직이지 않으므로 무시합니다({}회, {}번 줄).</translation>
     </message>
     <message>
-        <source>The machine builder gives M codes their meaning; check it where it matters.</source>
+        <source>The machine builder defines M codes; check this one where it matters.</source>
         <translation>M 코드의 의미는 기계 제조사가 정합니다. 중요한 곳에서는 확인하십시오.</translation>
     </message>
     <message>
-        <source>{} is ignored, because the setup lists it ({}×, line {}).</source>
+        <source>{} is ignored because the setup lists it ({}×, line {}).</source>
         <translation>{}은(는) 셋업의 목록에 있으므로 무시합니다({}회, {}번 줄).</translation>
     </message>
     <message>
@@ -5328,7 +5324,7 @@ Default: 0 mm</source>
         <translation>축을 움직이는 코드라면 무시할 M 코드에서 제거하십시오.</translation>
     </message>
     <message>
-        <source>{} ({}) is executed, although the setup lists it as ignored.</source>
+        <source>{} ({}) is executed although the setup lists it as ignored.</source>
         <translation>{}({})은(는) 셋업의 무시 목록에 있지만 실행합니다.</translation>
     </message>
     <message>
@@ -5368,7 +5364,7 @@ Default: 0 mm</source>
         <translation>G17에서 탭핑하거나 G33.1을 쓰십시오.</translation>
     </message>
     <message>
-        <source>{} turns the work offset while G92 or G52 is in force: LinuxCNC then takes the tool to be at another place than it is.</source>
+        <source>{} rotates the work offset while G92 or G52 is active: LinuxCNC then assumes a wrong tool position.</source>
         <translation>G92 또는 G52가 유효한 상태에서 {}이(가) 공작물 좌표계를 회전시킵니다. 그 뒤 LinuxCNC가 인식하는 공구 위치는 실제 위치와 다릅니다.</translation>
     </message>
     <message>
@@ -5376,7 +5372,7 @@ Default: 0 mm</source>
         <translation>먼저 G92.1로 시프트를 취소하고, 그 뒤에 다시 설정하십시오.</translation>
     </message>
     <message>
-        <source>The control takes the tool to be elsewhere than it is at the beginning of this arc.</source>
+        <source>The control assumes another tool position than the real one at the start of this arc.</source>
         <translation>이 원호의 시작점에서 실제 공구 위치가 제어기가 인식하는 위치와 다릅니다.</translation>
     </message>
     <message>
@@ -5424,11 +5420,11 @@ Default: 0 mm</source>
         <translation>격자 간격 {} mm는 T{}(⌀{} mm)에 너무 큽니다. 공구 지름에 걸치는 점이 {}개뿐입니다.</translation>
     </message>
     <message>
-        <source>Choose a finer grid, or the automatic one; see details with View, Look Closer, or in a smaller stock.</source>
+        <source>Choose a finer grid, or the automatic one; see details with View, Magnifier, or in a smaller stock.</source>
         <translation>더 작은 격자 간격이나 자동을 선택하십시오. 세부는 보기의 돋보기나 더 작은 소재에서 확인하십시오.</translation>
     </message>
     <message>
-        <source>See details with View, Look Closer, or in a smaller stock, or enter a finer grid spacing.</source>
+        <source>See details with View, Magnifier, or in a smaller stock, or enter a finer grid spacing.</source>
         <translation>세부는 보기의 돋보기나 더 작은 소재에서 확인하거나, 더 작은 격자 간격을 입력하십시오.</translation>
     </message>
     <message>
@@ -5540,15 +5536,15 @@ Default: 0 mm</source>
         <translation>첫 공구 교환 전에 주축에 있는 공구입니다. 0은 빈 주축 또는 공구 테이블의 T0입니다.</translation>
     </message>
     <message>
-        <source>Check size and position of the stock, and the work offset: the position of the stock names its top, not its bottom.</source>
+        <source>Check the size and position of the stock, and the work offset: the position of the stock is that of its top, not its bottom.</source>
         <translation>소재의 크기와 위치, 공작물 좌표계를 확인하십시오. 소재의 위치는 바닥이 아니라 윗면을 가리킵니다.</translation>
     </message>
     <message>
-        <source>The program never cuts the stock: its moves at feed are within {}, the stock within {}.</source>
+        <source>The program never cuts the stock: its cutting moves are within {}, the stock within {}.</source>
         <translation>프로그램이 소재를 전혀 절삭하지 않습니다. 절삭 이송의 범위는 {}, 소재의 범위는 {}입니다.</translation>
     </message>
     <message>
-        <source>Moves at feed go {} mm beyond the stock in {}, where it measures {} mm.</source>
+        <source>Cutting moves extend {} mm beyond the stock in {}, where it measures {} mm.</source>
         <translation>절삭 이송이 소재를 {} mm 벗어납니다({} 방향, 소재 크기 {} mm).</translation>
     </message>
     <message>
@@ -5644,7 +5640,7 @@ Default: 0 mm</source>
         <translation>{}({})은(는) 축을 움직이지 않으므로 무시합니다({}회, {}번 줄).</translation>
     </message>
     <message>
-        <source>{} is ignored, because the setup lists it ({}×, lines {}).</source>
+        <source>{} is ignored because the setup lists it ({}×, lines {}).</source>
         <translation>{}은(는) 셋업의 목록에 있으므로 무시합니다({}회, {}번 줄).</translation>
     </message>
     <message>

@@ -20,7 +20,7 @@ inline constexpr FindingRow kFormTooLong{
     false,
     "form-too-long",
     PROVEOUT_TEXT("Core", "Too many profile points"),
-    PROVEOUT_TEXT("Core", "The profile goes on at character {} after {} points; it may have no more."),
+    PROVEOUT_TEXT("Core", "The profile continues at character {} after {} points; it may have no more."),
     ""};
 inline constexpr FindingRow kFormTurnsBack{
     Severity::error,
@@ -34,8 +34,9 @@ inline constexpr FindingRow kFormUnreadable{
     false,
     "form-unreadable",
     PROVEOUT_TEXT("Core", "Invalid profile point"),
-    PROVEOUT_TEXT("Core", "At character {}, “{}” is no point of a profile; a point is written as {}, an arc "
-                          "to it as {} or {}."),
+    PROVEOUT_TEXT(
+        "Core",
+        "At character {}, “{}” is not a profile point; a point is written as {}, an arc to it as {} or {}."),
     ""};
 inline constexpr FindingRow kFormFalls{
     Severity::error,
@@ -163,20 +164,20 @@ inline constexpr FindingRow kCutterValueOutOfRange{
     false,
     "cutter-value-out-of-range",
     PROVEOUT_TEXT("Core", "Cutter value out of range"),
-    PROVEOUT_TEXT("Core", "{}={} is out of its limits, {} to {} {}."),
+    PROVEOUT_TEXT("Core", "{}={} is out of range, {} to {} {}."),
     ""};
 inline constexpr FindingRow kCutterKeyTwice{Severity::error,
                                             false,
                                             "cutter-key-twice",
                                             PROVEOUT_TEXT("Core", "Duplicate cutter key"),
-                                            PROVEOUT_TEXT("Core", "The key {} is given twice."),
+                                            PROVEOUT_TEXT("Core", "The key {} is specified twice."),
                                             ""};
 inline constexpr FindingRow kCutterKeyUnknown{
     Severity::error,
     false,
     "cutter-key-unknown",
     PROVEOUT_TEXT("Core", "Unknown cutter key"),
-    PROVEOUT_TEXT("Core", "“{}” is no key of this cutter shape; there are {}."),
+    PROVEOUT_TEXT("Core", "“{}” is not a key of this cutter shape; there are {}."),
     ""};
 inline constexpr FindingRow kCutterKeyMissing{
     Severity::error,
@@ -197,7 +198,7 @@ inline constexpr FindingRow kCutterShapeUnknown{
     false,
     "cutter-shape-unknown",
     PROVEOUT_TEXT("Core", "Unknown cutter shape"),
-    PROVEOUT_TEXT("Core", "“{}” is no cutter shape; there are {}."),
+    PROVEOUT_TEXT("Core", "“{}” is not a cutter shape; there are {}."),
     ""};
 inline constexpr FindingRow kFlutesTooShort{
     Severity::error,
@@ -236,7 +237,7 @@ inline constexpr FindingRow kToolTwice{Severity::error,
                                        false,
                                        "tool-twice",
                                        PROVEOUT_TEXT("Core", "Duplicate tool"),
-                                       PROVEOUT_TEXT("Core", "Tool {} stands in the table twice."),
+                                       PROVEOUT_TEXT("Core", "Tool {} is in the table twice."),
                                        ""};
 inline constexpr FindingRow kToolCutter{
     Severity::error,
@@ -263,27 +264,28 @@ inline constexpr FindingRow kToolKeyUnknownTable{
     false,
     "tool-key-unknown",
     PROVEOUT_TEXT("Core", "Unknown tool key"),
-    PROVEOUT_TEXT("Core", "“{}” is no table of a tool file; each tool is a [[tool]]."),
+    PROVEOUT_TEXT("Core", "“{}” is not a table of a tool file; each tool is a [[tool]]."),
     ""};
 inline constexpr FindingRow kToolKeyUnknownTableMeant{
     Severity::error,
     false,
     "tool-key-unknown",
     PROVEOUT_TEXT("Core", "Unknown tool key"),
-    PROVEOUT_TEXT("Core", "“{}” is no table of a tool file; perhaps “{}” is meant."),
+    PROVEOUT_TEXT("Core", "“{}” is not a table of a tool file; perhaps “{}” is meant."),
     ""};
-inline constexpr FindingRow kToolKeyUnknown{Severity::error,
-                                            false,
-                                            "tool-key-unknown",
-                                            PROVEOUT_TEXT("Core", "Unknown tool key"),
-                                            PROVEOUT_TEXT("Core", "“{}” is no key of a tool; there are {}."),
-                                            ""};
+inline constexpr FindingRow kToolKeyUnknown{
+    Severity::error,
+    false,
+    "tool-key-unknown",
+    PROVEOUT_TEXT("Core", "Unknown tool key"),
+    PROVEOUT_TEXT("Core", "“{}” is not a key of a tool; there are {}."),
+    ""};
 inline constexpr FindingRow kToolKeyUnknownMeant{
     Severity::error,
     false,
     "tool-key-unknown",
     PROVEOUT_TEXT("Core", "Unknown tool key"),
-    PROVEOUT_TEXT("Core", "“{}” is no key of a tool; perhaps “{}” is meant."),
+    PROVEOUT_TEXT("Core", "“{}” is not a key of a tool; perhaps “{}” is meant."),
     ""};
 
 inline constexpr std::array kCutterRows{&kFormNoWidth,

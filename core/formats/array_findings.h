@@ -43,7 +43,7 @@ inline constexpr FindingRow kNpyCutOff{
     false,
     "npy-cut-off",
     PROVEOUT_TEXT("Core", "NPY file cut off"),
-    PROVEOUT_TEXT("Core", "The NPY file announces {} values ({}) and has {}."),
+    PROVEOUT_TEXT("Core", "The header of the NPY file specifies {} values ({}), but the file has {}."),
     ""};
 inline constexpr FindingRow kNpyCutOffHeader{
     Severity::error,

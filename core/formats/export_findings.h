@@ -14,29 +14,29 @@ inline constexpr FindingRow kExportFormatUnknown{
     false,
     "export-format-unknown",
     PROVEOUT_TEXT("Core", "Unknown export format"),
-    PROVEOUT_TEXT("Core", "The ending of this name is that of no mesh format; there are {}."),
+    PROVEOUT_TEXT("Core", "The extension of this name is not that of a mesh format; there are {}."),
     ""};
 inline constexpr FindingRow kExportRoundedBeyond{
     Severity::warning,
     false,
     "export-rounded-beyond",
     PROVEOUT_TEXT("Core", "Export rounded too coarsely"),
-    PROVEOUT_TEXT("Core", "Rounded to single precision, the file lies up to {} mm from the z-map, beyond the "
-                          "error allowance of {} mm; OBJ or PLY would keep {} mm."),
+    PROVEOUT_TEXT("Core", "Rounded to single precision, the mesh deviates from the z-map by up to {} mm, "
+                          "more than the error allowance of {} mm; OBJ or PLY would keep {} mm."),
     PROVEOUT_TEXT("Core", "Export OBJ or PLY: they hold coordinates in double precision.")};
 inline constexpr FindingRow kNothingLeft{
     Severity::error,
     false,
     "nothing-left",
     PROVEOUT_TEXT("Core", "Nothing to export"),
-    PROVEOUT_TEXT("Core", "Nothing of the stock is left, so there is no mesh to write."),
+    PROVEOUT_TEXT("Core", "No stock is left, so there is no mesh to export."),
     ""};
 inline constexpr FindingRow kMeshCoordinate{
     Severity::error,
     false,
     "mesh-coordinate",
     PROVEOUT_TEXT("Core", "Coordinate not finite"),
-    PROVEOUT_TEXT("Core", "A vertex lies at {}, {}, {}: a mesh file holds finite numbers only."),
+    PROVEOUT_TEXT("Core", "The vertex {}, {}, {} is not finite: a mesh file holds finite numbers only."),
     ""};
 inline constexpr FindingRow kCancelledWriting{Severity::error,
                                               false,
@@ -65,7 +65,7 @@ inline constexpr FindingRow kStlCoordinate{
     false,
     "stl-coordinate",
     PROVEOUT_TEXT("Core", "Coordinate out of range"),
-    PROVEOUT_TEXT("Core", "A vertex lies at {}, {}, {}: STL cannot hold that."),
+    PROVEOUT_TEXT("Core", "The vertex {}, {}, {} is out of the range of STL."),
     ""};
 
 inline constexpr std::array kExportRows{&kExportFormatUnknown, &kExportRoundedBeyond, &kNothingLeft,

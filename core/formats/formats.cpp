@@ -49,8 +49,7 @@ constexpr std::array kFormats{
                PROVEOUT_TEXT("Core", "a program with its stock, tools and parameters"),
                JobFormat{readJob, writeJob}},
     FileFormat{"stock", PROVEOUT_TEXT("Core", "Proveout stock"), kStockExtensions,
-               PROVEOUT_TEXT("Core", "what a setup has left of its stock"),
-               StockFormat{readStock, writeStock}},
+               PROVEOUT_TEXT("Core", "the stock left by a setup"), StockFormat{readStock, writeStock}},
 };
 
 } // namespace

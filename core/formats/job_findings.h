@@ -150,9 +150,8 @@ inline constexpr FindingRow kJobFieldPosition{
     false,
     "job-field",
     PROVEOUT_TEXT("Core", "Invalid job field"),
-    PROVEOUT_TEXT(
-        "Core",
-        "The field \"{}\" and the fields minX, minY, topZ exclude each other; they are the same position."),
+    PROVEOUT_TEXT("Core", "The field \"{}\" and the fields minX, minY, topZ cannot be used together; they "
+                          "are the same position."),
     ""};
 inline constexpr FindingRow kJobFieldToolNumber{
     Severity::error,
@@ -161,18 +160,17 @@ inline constexpr FindingRow kJobFieldToolNumber{
     PROVEOUT_TEXT("Core", "Invalid job field"),
     PROVEOUT_TEXT("Core", "\"{}\" is not a tool number; these are whole numbers from {} to {}."),
     ""};
-inline constexpr FindingRow kJobFieldToolTwice{
-    Severity::error,
-    false,
-    "job-field",
-    PROVEOUT_TEXT("Core", "Invalid job field"),
-    PROVEOUT_TEXT("Core", "\"{}\" is a tool that the table has already."),
-    ""};
+inline constexpr FindingRow kJobFieldToolTwice{Severity::error,
+                                               false,
+                                               "job-field",
+                                               PROVEOUT_TEXT("Core", "Invalid job field"),
+                                               PROVEOUT_TEXT("Core", "Tool \"{}\" is in the table already."),
+                                               ""};
 inline constexpr FindingRow kJobFieldCutter{Severity::error,
                                             false,
                                             "job-field",
                                             PROVEOUT_TEXT("Core", "Invalid job field"),
-                                            PROVEOUT_TEXT("Core", "The field \"{}\" is no cutter: {}"),
+                                            PROVEOUT_TEXT("Core", "The field \"{}\" is not a cutter: {}"),
                                             ""};
 
 inline constexpr std::array kJobRows{

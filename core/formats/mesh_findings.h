@@ -14,7 +14,7 @@ inline constexpr FindingRow kStlCutOffFacets{
     false,
     "stl-cut-off",
     PROVEOUT_TEXT("Core", "STL file cut off"),
-    PROVEOUT_TEXT("Core", "The file announces {} facets and ends at byte {}, after {}."),
+    PROVEOUT_TEXT("Core", "The header specifies {} facets, but the file ends at byte {}, after {}."),
     ""};
 inline constexpr FindingRow kStlCutOffHeader{
     Severity::error,
@@ -27,13 +27,13 @@ inline constexpr FindingRow kStlCutOff{Severity::error,
                                        false,
                                        "stl-cut-off",
                                        PROVEOUT_TEXT("Core", "STL file cut off"),
-                                       PROVEOUT_TEXT("Core", "The file ends where \"{}\" should stand."),
+                                       PROVEOUT_TEXT("Core", "Expected \"{}\" but the file ends."),
                                        ""};
 inline constexpr FindingRow kStlSyntax{Severity::error,
                                        false,
                                        "stl-syntax",
                                        PROVEOUT_TEXT("Core", "STL syntax error"),
-                                       PROVEOUT_TEXT("Core", "\"{}\" stands where \"{}\" should."),
+                                       PROVEOUT_TEXT("Core", "Expected \"{2}\" but found \"{1}\"."),
                                        ""};
 inline constexpr FindingRow kNotStl{Severity::error,
                                     false,
@@ -54,7 +54,8 @@ inline constexpr FindingRow kStlTrailingBytes{
     false,
     "stl-trailing-bytes",
     PROVEOUT_TEXT("Core", "Data after STL end"),
-    PROVEOUT_TEXT("Core", "The {} facets announced were read; {} bytes follow them from byte {}."),
+    PROVEOUT_TEXT("Core",
+                  "The {} facets specified in the header were read; {} bytes follow them from byte {}."),
     ""};
 inline constexpr FindingRow kStlNoEndsolid{
     Severity::warning,
@@ -68,14 +69,15 @@ inline constexpr FindingRow kStlNotFinite{
     false,
     "stl-not-finite",
     PROVEOUT_TEXT("Core", "Facets not finite"),
-    PROVEOUT_TEXT("Core", "{} of {} facets have a coordinate that is no finite number; they were left out."),
+    PROVEOUT_TEXT("Core",
+                  "{} of {} facets have a coordinate that is not a finite number; they were ignored."),
     ""};
 inline constexpr FindingRow kStlDegenerate{
     Severity::warning,
     false,
     "stl-degenerate",
     PROVEOUT_TEXT("Core", "Degenerate facets"),
-    PROVEOUT_TEXT("Core", "{} of {} facets have no area; they were left out."),
+    PROVEOUT_TEXT("Core", "{} of {} facets have no area; they were ignored."),
     ""};
 inline constexpr FindingRow kStlOpposedNormals{
     Severity::warning,
@@ -126,7 +128,7 @@ inline constexpr FindingRow kStlFarOrigin{
     "stl-far-origin",
     PROVEOUT_TEXT("Core", "Mesh far from origin"),
     PROVEOUT_TEXT("Core",
-                  "The mesh lies {} mm from the origin, where an STL file holds steps of {} mm only."),
+                  "The mesh is {} mm from the origin, where an STL file resolves steps of {} mm only."),
     ""};
 inline constexpr FindingRow kStlNoSize{Severity::warning,
                                        false,
@@ -153,7 +155,7 @@ inline constexpr FindingRow kFileNotZip{
     false,
     "file-not-zip",
     PROVEOUT_TEXT("Core", "Not a ZIP archive"),
-    PROVEOUT_TEXT("Core", "This is no ZIP archive, or one that cannot be read."),
+    PROVEOUT_TEXT("Core", "This is not a ZIP archive, or one that cannot be read."),
     ""};
 
 inline constexpr std::array kMeshRows{

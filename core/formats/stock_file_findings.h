@@ -14,7 +14,7 @@ inline constexpr FindingRow kOutlineLine{
     false,
     "outline-line",
     PROVEOUT_TEXT("Core", "Invalid outline point"),
-    PROVEOUT_TEXT("Core", "This line is no point: X, Y and perhaps the bulge of an arc."),
+    PROVEOUT_TEXT("Core", "This line is not a point: X, Y and, for an arc, its bulge."),
     ""};
 inline constexpr FindingRow kOutlineLoop{Severity::error,
                                          false,
@@ -33,14 +33,14 @@ inline constexpr FindingRow kStockKeyUnknown{
     false,
     "stock-key-unknown",
     PROVEOUT_TEXT("Core", "Unknown stock key"),
-    PROVEOUT_TEXT("Core", "“{}” is no key of this stock shape; there are {}."),
+    PROVEOUT_TEXT("Core", "“{}” is not a key of this stock shape; there are {}."),
     ""};
 inline constexpr FindingRow kStockValueBad{
     Severity::error,
     false,
     "stock-value-bad",
     PROVEOUT_TEXT("Core", "Invalid stock value"),
-    PROVEOUT_TEXT("Core", "{}={} is no length above {} and at most {} mm."),
+    PROVEOUT_TEXT("Core", "{}={} is not a length above {} and at most {} mm."),
     ""};
 inline constexpr FindingRow kStockChoiceUnknown{Severity::error,
                                                 false,
@@ -58,7 +58,7 @@ inline constexpr FindingRow kStockKeyTwice{Severity::error,
                                            false,
                                            "stock-key-twice",
                                            PROVEOUT_TEXT("Core", "Duplicate stock key"),
-                                           PROVEOUT_TEXT("Core", "The key {} is given twice."),
+                                           PROVEOUT_TEXT("Core", "The key {} is specified twice."),
                                            ""};
 inline constexpr FindingRow kStockKeyMissing{
     Severity::error,
@@ -72,7 +72,7 @@ inline constexpr FindingRow kStockShapeUnknown{
     false,
     "stock-shape-unknown",
     PROVEOUT_TEXT("Core", "Unknown stock shape"),
-    PROVEOUT_TEXT("Core", "“{}” is no shape of stock; there are {}."),
+    PROVEOUT_TEXT("Core", "“{}” is not a stock shape; there are {}."),
     ""};
 inline constexpr FindingRow kStockFileBroken{
     Severity::error,
@@ -100,7 +100,7 @@ inline constexpr FindingRow kStockGridDiffers{
     false,
     "stock-grid-differs",
     PROVEOUT_TEXT("Core", "Saved grid mismatch"),
-    PROVEOUT_TEXT("Core", "The saved stock tells of {} × {} points, but its size and spacing make {} × {}."),
+    PROVEOUT_TEXT("Core", "The saved stock specifies {} × {} points, but its size and spacing give {} × {}."),
     ""};
 inline constexpr FindingRow kStockHeightsForm{
     Severity::error,
@@ -114,7 +114,7 @@ inline constexpr FindingRow kStockHeightBad{
     false,
     "stock-height-bad",
     PROVEOUT_TEXT("Core", "Saved height invalid"),
-    PROVEOUT_TEXT("Core", "Row {}, column {} of the saved stock is no height within it."),
+    PROVEOUT_TEXT("Core", "Row {}, column {} of the saved stock is not a height within it."),
     ""};
 inline constexpr FindingRow kStockNotUtf8{
     Severity::error,

@@ -45,17 +45,18 @@ constexpr std::array kCylinderFields{
     kHeight};
 
 constexpr std::array kOutlineFields{
-    StockField{"file", "file", PROVEOUT_TEXT("Core", "Outline"),
-               PROVEOUT_TEXT("Core", "A text with a point X Y a line, and a third number for an arc to the "
-                                     "next point: the tangent of a quarter of its angle. An empty line "
-                                     "begins another loop."),
-               StockFile{"*.csv *.txt"}},
+    StockField{
+        "file", "file", PROVEOUT_TEXT("Core", "Outline"),
+        PROVEOUT_TEXT("Core",
+                      "A text file with one point X Y per line, and a third number for an arc to the next "
+                      "point: the tangent of a quarter of its angle. An empty line begins another loop."),
+        StockFile{"*.csv *.txt"}},
     kHeight};
 
-constexpr std::array kMeshFields{
-    StockField{"file", "file", PROVEOUT_TEXT("Core", "Mesh"),
-               PROVEOUT_TEXT("Core", "A closed mesh, in mm; the stock is what lies under its upper surface."),
-               StockFile{"*.stl"}}};
+constexpr std::array kMeshFields{StockField{
+    "file", "file", PROVEOUT_TEXT("Core", "Mesh"),
+    PROVEOUT_TEXT("Core", "A closed mesh, in mm; the stock is everything below its upper surface."),
+    StockFile{"*.stl"}}};
 
 constexpr std::array<Choice, 4> kTurns{{{"0", PROVEOUT_TEXT("Core", "Not turned")},
                                         {"90", PROVEOUT_TEXT("Core", "90° to the left")},
@@ -67,7 +68,7 @@ constexpr std::array<Choice, 3> kFlips{{{"none", PROVEOUT_TEXT("Core", "Not flip
 
 constexpr std::array kSavedFields{
     StockField{"file", "file", PROVEOUT_TEXT("Core", "Saved stock"),
-               PROVEOUT_TEXT("Core", "What an earlier setup has left, as saved by File, Save Stock."),
+               PROVEOUT_TEXT("Core", "The stock left by an earlier setup, as saved by File, Save Stock."),
                StockFile{"*.pvstock"}},
     StockField{"flip", "flip", PROVEOUT_TEXT("Core", "Flipped"),
                PROVEOUT_TEXT("Core", "By half a turn, so that the underside is on top; before it is turned."),
@@ -124,7 +125,7 @@ constexpr std::array kShapes{
                   PROVEOUT_TEXT("Core", "A casting or a forging, as a closed mesh."), "stl:file=casting.stl",
                   kMeshFields, makeMesh},
     StockShapeRow{StockKind::saved, "file", PROVEOUT_TEXT("Core", "Saved stock"),
-                  PROVEOUT_TEXT("Core", "What an earlier setup has left, also flipped or turned."),
+                  PROVEOUT_TEXT("Core", "The stock left by an earlier setup, also flipped or turned."),
                   "file:file=side1.pvstock,flip=x,turn=90", kSavedFields, makeSaved},
 };
 

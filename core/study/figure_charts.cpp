@@ -40,7 +40,7 @@ std::string methodText(const StudySubject& subject) {
     std::string method = subject.words(kMethodChoices[static_cast<std::size_t>(base.method)].label);
     if (base.method == DecimationMethod::lee)
         method += ", " + subject.words(base.certify ? PROVEOUT_TEXT("Core", "with certificate")
-                                                    : PROVEOUT_TEXT("Core", "to the letter"));
+                                                    : PROVEOUT_TEXT("Core", "as in the paper"));
     return method;
 }
 

@@ -14,26 +14,26 @@ inline constexpr FindingRow kStockMeshOpen{
     true,
     "stock-mesh-open",
     PROVEOUT_TEXT("Core", "Stock mesh not closed"),
-    PROVEOUT_TEXT(
-        "Core",
-        "The mesh of the stock is not closed: over {} of {} grid points it is not known what is material."),
+    PROVEOUT_TEXT("Core",
+                  "The mesh of the stock is not closed: at {} of {} grid points the material is unknown."),
     PROVEOUT_TEXT("Core", "Export the stock as a closed solid.")};
 inline constexpr FindingRow kStockUndercut{
     Severity::error,
     true,
     "stock-undercut",
     PROVEOUT_TEXT("Core", "Undercut in stock"),
-    PROVEOUT_TEXT("Core", "Under the surface of the stock there are {} mm³ of air, which the z-map shows as "
-                          "material; the tallest gap, {} mm, begins at X{} Y{} Z{}."),
-    PROVEOUT_TEXT("Core", "Check by other means what the program does over such gaps.")};
+    PROVEOUT_TEXT("Core", "Below the surface of the stock there are {} mm³ of air, which the z-map shows as "
+                          "material; the tallest gap, {} mm, starts at X{} Y{} Z{}."),
+    PROVEOUT_TEXT("Core", "Check the program over such gaps by other means.")};
 inline constexpr FindingRow kStockResampled{
     Severity::note,
     false,
     "stock-resampled",
     PROVEOUT_TEXT("Core", "Stock resampled"),
-    PROVEOUT_TEXT("Core", "The saved stock has points {} × {} mm apart, and is taken over to {} × {} mm: at "
-                          "none of its points lower, between them up to one spacing wider."),
-    PROVEOUT_TEXT("Core", "The spacing of the saved stock, or a whole part of it, changes nothing.")};
+    PROVEOUT_TEXT("Core", "The saved stock has a spacing of {} × {} mm and is resampled to {} × {} mm: never "
+                          "lower at its points, between them up to one spacing wider."),
+    PROVEOUT_TEXT("Core",
+                  "Use the spacing of the saved stock, or a whole fraction of it, to avoid resampling.")};
 
 inline constexpr std::array kStockBodyRows{&kStockMeshOpen, &kStockUndercut, &kStockResampled};
 

@@ -85,16 +85,15 @@ inline constexpr FindingRow kMemoryTooSmall{Severity::error,
                                             false,
                                             "memory-too-small",
                                             PROVEOUT_TEXT("Core", "Not enough memory"),
-                                            PROVEOUT_TEXT("Core", "The z-map needs {}; {} may be taken."),
+                                            PROVEOUT_TEXT("Core", "The z-map needs {}; {} is available."),
                                             ""};
 inline constexpr FindingRow kGridNeedsTooMuchMemory{
     Severity::error,
     false,
     "grid-needs-too-much-memory",
     PROVEOUT_TEXT("Core", "Grid needs too much memory"),
-    PROVEOUT_TEXT(
-        "Core",
-        "A grid of {} × {} points needs {}; {} may be taken, which is enough for a spacing of {} mm."),
+    PROVEOUT_TEXT("Core",
+                  "A grid of {} × {} points needs {}; {} is available, enough for a spacing of {} mm."),
     ""};
 inline constexpr FindingRow kBoxWithoutArea{
     Severity::error,
@@ -129,13 +128,13 @@ inline constexpr FindingRow kStockMeshLayers{
     "stock-mesh-layers",
     PROVEOUT_TEXT("Core", "Too many mesh layers"),
     PROVEOUT_TEXT("Core",
-                  "The facets of the stock mesh lie in {} layers on average; at most {} can be read."),
+                  "The facets of the stock mesh are in {} layers on average; at most {} can be read."),
     ""};
 inline constexpr FindingRow kStockNothingLeft{Severity::error,
                                               false,
                                               "stock-nothing-left",
                                               PROVEOUT_TEXT("Core", "Saved stock empty"),
-                                              PROVEOUT_TEXT("Core", "Nothing of the saved stock is left."),
+                                              PROVEOUT_TEXT("Core", "No stock is left in the saved stock."),
                                               ""};
 inline constexpr FindingRow kStockSizeForm{
     Severity::error,

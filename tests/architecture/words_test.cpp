@@ -50,7 +50,7 @@ constexpr std::array kRules{
     WordRule{R"(\blargest feed\b)", "maximum feed rate"},
     WordRule{R"(\bcorner deviation\b)", "cornering tolerance"},
     WordRule{R"(\brapid X, Y\b)", "rapid traverse X/Y"},
-    WordRule{R"(\b1/min\b)", "rpm"},
+    WordRule{R"(\bspindle[^.]*\b1/min\b)", "rpm"},
     WordRule{R"(\bplay head\b)", "current block"},
     WordRule{R"(\bthe machine's (?:zero|time)\b)", "machine zero, machine time"},
     WordRule{R"(\bmemory than there is\b)", "There is not enough memory …"},

@@ -85,8 +85,8 @@ void describe(Params& params, Visitor&& visit) {
                 0, 10, 0.01});
     visit(params.certify,
           Field{"certify", PROVEOUT_TEXT("Core", "Certify"), "",
-                PROVEOUT_TEXT("Core", "Keep every z-map point within the error allowance; "
-                                      "off: the paper to the letter, which gives no bound.")});
+                PROVEOUT_TEXT("Core", "Keep every z-map point within the error allowance; off: exactly as in "
+                                      "the paper, which gives no bound.")});
     visit(params.borders, Field{"borders", PROVEOUT_TEXT("Core", "Borders"), "",
                                 PROVEOUT_TEXT("Core", "How the borders between regions are simplified."), 0,
                                 0, 0, kBorderChoices});

@@ -34,7 +34,7 @@ constexpr CodeRow kBasic[] = {
     {'G', 950, ModalGroup::feedMode, PROVEOUT_TEXT("Core", "feed per revolution"), feedPerRevolution, Step::feedMode},
     {'G', 970, ModalGroup::spindleMode, PROVEOUT_TEXT("Core", "constant spindle speed"), keepSpindleSpeed, Step::spindleMode},
     {'G', 980, ModalGroup::retract, PROVEOUT_TEXT("Core", "cycles retract to the initial level"), retractToInitialLevel, Step::retract},
-    {'G', 990, ModalGroup::retract, PROVEOUT_TEXT("Core", "cycles retract to the R level"), retractToRLevel, Step::retract},
+    {'G', 990, ModalGroup::retract, PROVEOUT_TEXT("Core", "cycles retract to the R plane"), retractToRLevel, Step::retract},
     {'M', 0, ModalGroup::stop, PROVEOUT_TEXT("Core", "program stop"), stopProgram, Step::stop},
     {'M', 10, ModalGroup::stop, PROVEOUT_TEXT("Core", "optional stop"), stopProgramOptionally, Step::stop},
     {'M', 20, ModalGroup::stop, PROVEOUT_TEXT("Core", "end of program"), endProgram, Step::stop},

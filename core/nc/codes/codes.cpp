@@ -31,7 +31,7 @@ constexpr LetterRow kLetters[] = {
     {'O', PROVEOUT_TEXT("Core", "program number")},
     {'P', PROVEOUT_TEXT("Core", "dwell in seconds, turns of an arc, or a parameter")},
     {'Q', PROVEOUT_TEXT("Core", "parameter of a code")},
-    {'R', PROVEOUT_TEXT("Core", "arc radius, or a retract level"), Quantity::length},
+    {'R', PROVEOUT_TEXT("Core", "arc radius, or the R plane"), Quantity::length},
     {'S', PROVEOUT_TEXT("Core", "spindle speed in revolutions per minute"), Quantity::speed, setSpindleSpeed,
      Step::spindleSpeed},
     {'T', PROVEOUT_TEXT("Core", "tool number"), Quantity::number, selectTool, Step::toolSelection},

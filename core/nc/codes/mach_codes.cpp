@@ -24,13 +24,13 @@ constexpr CodeRow kMachRows[] = {
     {'G', 440, ModalGroup::toolLength, PROVEOUT_TEXT("Core", "negative tool length offset"), subtractNumberedLength, Step::toolLength, LetterSet("H"), AxisUse::none, WithCompensation::refused},
     {'G', 510, ModalGroup::scaling, PROVEOUT_TEXT("Core", "scaling"), scaleByAxis, Step::scaling, LetterSet("XYZ"), AxisUse::takes, WithCompensation::refused},
     {'G', 541, ModalGroup::workOffset, PROVEOUT_TEXT("Core", "additional work offset"), selectNumberedSystem, Step::workOffset, LetterSet("P"), AxisUse::none, WithCompensation::refused},
-    {'G', 590, ModalGroup::workOffset, PROVEOUT_TEXT("Core", "work offset 6, or by its number"), selectNumberedSystem, Step::workOffset, LetterSet("P"), AxisUse::none, WithCompensation::refused},
+    {'G', 590, ModalGroup::workOffset, PROVEOUT_TEXT("Core", "work offset 6, or by number"), selectNumberedSystem, Step::workOffset, LetterSet("P"), AxisUse::none, WithCompensation::refused},
     {'G', 640, ModalGroup::pathControl, PROVEOUT_TEXT("Core", "path blending"), keepState, Step::pathControl, {}, AxisUse::none, WithCompensation::refused},
     {'G', 680, ModalGroup::rotation, PROVEOUT_TEXT("Core", "coordinate rotation"), turnByPoint, Step::rotation, LetterSet("ABXYRI"), AxisUse::takes, WithCompensation::refused},
     {'G', 690, ModalGroup::rotation, PROVEOUT_TEXT("Core", "coordinate rotation off"), endTurning, Step::rotation, {}, AxisUse::none, WithCompensation::refused},
     {'G', 700, ModalGroup::units, PROVEOUT_TEXT("Core", "inch"), setInch, Step::units},
     {'G', 710, ModalGroup::units, PROVEOUT_TEXT("Core", "millimetre"), setMillimetre, Step::units},
-    {'M', 470, ModalGroup::stop, PROVEOUT_TEXT("Core", "begin the program again"), beginAgain, Step::stop},
+    {'M', 470, ModalGroup::stop, PROVEOUT_TEXT("Core", "restart the program"), beginAgain, Step::stop},
     {'M', 980, ModalGroup::subprogram, PROVEOUT_TEXT("Core", "subprogram call"), callProgram, Step::subprogram, LetterSet("PLQ")},
 };
 // clang-format on

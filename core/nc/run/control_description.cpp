@@ -48,9 +48,8 @@ std::vector<ControlState::Mode> modesOf(const MachineState& state, const CodeTab
 
 std::vector<ControlState::Place> placesOf(const MachineState& state) {
     return {
-        {PROVEOUT_TEXT("Core", "Position in the program"), state.frame.toProgram(state.position),
-         state.known},
-        {PROVEOUT_TEXT("Core", "Zero of the work offset"), state.frame.offset, kAllAxes},
+        {PROVEOUT_TEXT("Core", "Program position"), state.frame.toProgram(state.position), state.known},
+        {PROVEOUT_TEXT("Core", "Work offset"), state.frame.offset, kAllAxes},
         {PROVEOUT_TEXT("Core", "Shift by G52 and G92"), state.frame.shift, kAllAxes},
         {PROVEOUT_TEXT("Core", "Tool length offset"), state.toolOffset, kAllAxes},
     };
@@ -63,8 +62,7 @@ std::vector<ControlState::Quantity> quantitiesOf(const MachineState& state) {
          kFeedUnits[static_cast<std::size_t>(state.feedMode)]},
         {PROVEOUT_TEXT("Core", "Spindle speed"), state.spindleRpm, PROVEOUT_TEXT("Core", "rpm")},
         {control_name::kSpindleTool, static_cast<double>(state.tool), ""},
-        {PROVEOUT_TEXT("Core", "Tool selected next"), static_cast<double>(std::max(state.selectedTool, 0)),
-         ""},
+        {PROVEOUT_TEXT("Core", "Next tool"), static_cast<double>(std::max(state.selectedTool, 0)), ""},
     };
 }
 

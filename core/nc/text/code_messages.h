@@ -9,13 +9,12 @@
 
 namespace proveout::nc_message {
 
-inline constexpr FindingRow kUnknownCode{
-    Severity::error,
-    true,
-    "code-unknown",
-    PROVEOUT_TEXT("Core", "Unknown code"),
-    PROVEOUT_TEXT("Core", "{} is not a known code."),
-    PROVEOUT_TEXT("Core", "Without its effect nothing behind it can be vouched for.")};
+inline constexpr FindingRow kUnknownCode{Severity::error,
+                                         true,
+                                         "code-unknown",
+                                         PROVEOUT_TEXT("Core", "Unknown code"),
+                                         PROVEOUT_TEXT("Core", "{} is not a known code."),
+                                         PROVEOUT_TEXT("Core", "Results after this block are unverified.")};
 inline constexpr FindingRow kUnknownMCode{
     Severity::error,
     true,
@@ -30,13 +29,13 @@ inline constexpr FindingRow kCodeIgnored{
     "code-ignored",
     PROVEOUT_TEXT("Core", "Code ignored"),
     PROVEOUT_TEXT("Core", "{} ({}) moves no axis and is ignored ({}×, line {})."),
-    PROVEOUT_TEXT("Core", "The machine builder gives M codes their meaning; check it where it matters.")};
+    PROVEOUT_TEXT("Core", "The machine builder defines M codes; check this one where it matters.")};
 inline constexpr FindingRow kCodeIgnoredByList{
     Severity::note,
     false,
     "code-ignored",
     PROVEOUT_TEXT("Core", "Code ignored"),
-    PROVEOUT_TEXT("Core", "{} is ignored, because the setup lists it ({}×, line {})."),
+    PROVEOUT_TEXT("Core", "{} is ignored because the setup lists it ({}×, line {})."),
     PROVEOUT_TEXT("Core", "Remove it from the ignored M codes if it moves an axis.")};
 inline constexpr FindingRow kCodeIgnoredInLines{
     Severity::note,
@@ -50,14 +49,14 @@ inline constexpr FindingRow kCodeIgnoredByListInLines{
     false,
     kCodeIgnoredByList.id,
     kCodeIgnoredByList.title,
-    PROVEOUT_TEXT("Core", "{} is ignored, because the setup lists it ({}×, lines {})."),
+    PROVEOUT_TEXT("Core", "{} is ignored because the setup lists it ({}×, lines {})."),
     kCodeIgnoredByList.hint};
 inline constexpr FindingRow kIgnoredExecuted{
     Severity::warning,
     false,
     "ignored-code-executed",
     PROVEOUT_TEXT("Core", "Listed code executed"),
-    PROVEOUT_TEXT("Core", "{} ({}) is executed, although the setup lists it as ignored."),
+    PROVEOUT_TEXT("Core", "{} ({}) is executed although the setup lists it as ignored."),
     PROVEOUT_TEXT("Core", "Remove it from the ignored M codes: only codes without a known effect can be "
                           "ignored.")};
 inline constexpr FindingRow kUnsupportedCode{
@@ -66,20 +65,20 @@ inline constexpr FindingRow kUnsupportedCode{
     "code-unsupported",
     PROVEOUT_TEXT("Core", "Unsupported code"),
     PROVEOUT_TEXT("Core", "{} ({}) is not supported yet."),
-    PROVEOUT_TEXT("Core", "Without its effect nothing behind it can be vouched for.")};
+    PROVEOUT_TEXT("Core", "Results after this block are unverified.")};
 inline constexpr FindingRow kModalConflict{
     Severity::error,
     true,
     "modal-conflict",
     PROVEOUT_TEXT("Core", "Conflicting codes"),
-    PROVEOUT_TEXT("Core", "{} and {} exclude each other in one block."),
+    PROVEOUT_TEXT("Core", "{} and {} cannot be used in one block."),
     PROVEOUT_TEXT("Core", "Keep one of them, or make two blocks; this block is skipped.")};
 inline constexpr FindingRow kLastCounts{
     Severity::warning,
     false,
     "last-counts",
     PROVEOUT_TEXT("Core", "Conflicting codes, last used"),
-    PROVEOUT_TEXT("Core", "{} and {} exclude each other in one block; the last one counts."),
+    PROVEOUT_TEXT("Core", "{} and {} cannot be used in one block; the last one counts."),
     PROVEOUT_TEXT("Core", "Some controls give an alarm instead; keep one of them.")};
 inline constexpr FindingRow kTooManyM{
     Severity::error,
@@ -88,13 +87,12 @@ inline constexpr FindingRow kTooManyM{
     PROVEOUT_TEXT("Core", "Too many M codes"),
     PROVEOUT_TEXT("Core", "The block has more than {} M words."),
     PROVEOUT_TEXT("Core", "Make several blocks of it; this block is skipped.")};
-inline constexpr FindingRow kAxisUnsupported{
-    Severity::error,
-    true,
-    "axis-unsupported",
-    PROVEOUT_TEXT("Core", "Axis ignored"),
-    PROVEOUT_TEXT("Core", "The axis {} does not exist on a three-axis machine."),
-    PROVEOUT_TEXT("Core", "The motion is shown without it.")};
+inline constexpr FindingRow kAxisUnsupported{Severity::error,
+                                             true,
+                                             "axis-unsupported",
+                                             PROVEOUT_TEXT("Core", "Axis ignored"),
+                                             PROVEOUT_TEXT("Core", "{} axis ignored (three-axis machine)."),
+                                             PROVEOUT_TEXT("Core", "The motion is shown without it.")};
 inline constexpr FindingRow kWordUnused{
     Severity::error,
     true,
@@ -121,7 +119,7 @@ inline constexpr FindingRow kAxisWithoutMotion{
     true,
     "axis-without-motion",
     PROVEOUT_TEXT("Core", "No motion code active"),
-    PROVEOUT_TEXT("Core", "No motion code is in force for the word {}."),
+    PROVEOUT_TEXT("Core", "No motion code is active for the word {}."),
     PROVEOUT_TEXT("Core", "Write G0, G1, G2 or G3 into the block; this block is skipped.")};
 inline constexpr FindingRow kG80WithAxis{
     Severity::error,
@@ -135,7 +133,7 @@ inline constexpr FindingRow kRapidAfterG80{
     false,
     "rapid-after-g80",
     PROVEOUT_TEXT("Core", "Rapid after G80"),
-    PROVEOUT_TEXT("Core", "Behind G80 the axis {} moves without a motion code: in rapid."),
+    PROVEOUT_TEXT("Core", "After G80, {} moves without a motion code, at rapid."),
     PROVEOUT_TEXT("Core", "Write G0 or G1 into the block; controls differ here.")};
 inline constexpr FindingRow kWordMissing{Severity::error,
                                          true,
@@ -147,14 +145,14 @@ inline constexpr FindingRow kNegative{Severity::error,
                                       true,
                                       "number-negative",
                                       PROVEOUT_TEXT("Core", "Negative number"),
-                                      PROVEOUT_TEXT("Core", "The number of {} must not be negative."),
+                                      PROVEOUT_TEXT("Core", "The value of {} must not be negative."),
                                       PROVEOUT_TEXT("Core", "The word is ignored.")};
 inline constexpr FindingRow kNotInteger{
     Severity::error,
     true,
     "number-not-integer",
     PROVEOUT_TEXT("Core", "Not a whole number"),
-    PROVEOUT_TEXT("Core", "The number of {} must be a whole number from {} to {}."),
+    PROVEOUT_TEXT("Core", "The value of {} must be a whole number from {} to {}."),
     PROVEOUT_TEXT("Core", "The word is ignored.")};
 inline constexpr FindingRow kAxesTwice{
     Severity::error,
@@ -175,8 +173,9 @@ inline constexpr FindingRow kRestoreNotAlone{
     true,
     "modal-restore-not-alone",
     PROVEOUT_TEXT("Core", "M72 not alone"),
-    PROVEOUT_TEXT("Core", "Other words stand beside M72."),
-    PROVEOUT_TEXT("Core", "LinuxCNC drops what comes after the restoring; give M72 a block of its own.")};
+    PROVEOUT_TEXT("Core", "M72 is not alone in its block."),
+    PROVEOUT_TEXT("Core",
+                  "LinuxCNC ignores the rest of the block after restoring; give M72 a block of its own.")};
 inline constexpr FindingRow kNoToolSelected{
     Severity::error,
     true,

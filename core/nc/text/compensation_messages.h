@@ -29,7 +29,7 @@ inline constexpr FindingRow kCompensationTurned{
     "compensation-turned",
     PROVEOUT_TEXT("Core", "Compensation under rotation"),
     PROVEOUT_TEXT("Core", "Cutter compensation in G18 under a rotation about Z is not supported."),
-    PROVEOUT_TEXT("Core", "Take the rotation out of the work offset; the code has no effect.")};
+    PROVEOUT_TEXT("Core", "Remove the rotation from the work offset; the code has no effect.")};
 inline constexpr FindingRow kCompensationForbids{
     Severity::error,
     true,
@@ -97,7 +97,7 @@ inline constexpr FindingRow kCompensationGouge{
     PROVEOUT_TEXT("Core", "Compensation gouge"),
     PROVEOUT_TEXT("Core", "The tool with a radius of {} mm gouges between the inside corners of the motion "
                           "of line {}."),
-    PROVEOUT_TEXT("Core", "Use a smaller tool, or leave the short motion out."),
+    PROVEOUT_TEXT("Core", "Use a smaller tool, or remove the short motion."),
     SeverityRule::warningIfAssumed};
 inline constexpr FindingRow kCompensationBackward{
     Severity::warning,
@@ -107,14 +107,14 @@ inline constexpr FindingRow kCompensationBackward{
     PROVEOUT_TEXT("Core",
                   "The tool with a radius of {} mm goes backward in the motion of line {} and gouges; "
                   "LinuxCNC does not notice."),
-    PROVEOUT_TEXT("Core", "Use a smaller tool, or leave the short motion out."),
+    PROVEOUT_TEXT("Core", "Use a smaller tool, or remove the short motion."),
     SeverityRule::warningIfAssumed};
 inline constexpr FindingRow kCompensationAfterStop{
     Severity::warning,
     true,
     "compensation-after-stop",
     PROVEOUT_TEXT("Core", "Stop before inside corner"),
-    PROVEOUT_TEXT("Core", "A stop stands before this inside corner, so the tool goes too far and gouges."),
+    PROVEOUT_TEXT("Core", "A stop before this inside corner makes the tool overrun it and gouge."),
     PROVEOUT_TEXT("Core", "Stop elsewhere: the corner is known only when the motion to it is done.")};
 inline constexpr FindingRow kCompensationExitArc{
     Severity::error,
@@ -136,16 +136,15 @@ inline constexpr FindingRow kCompensationSquare{
     false,
     "compensation-square",
     PROVEOUT_TEXT("Core", "Corner not compensated"),
-    PROVEOUT_TEXT("Core",
-                  "The corner before this motion is not compensated: the tool stands square beside the "
-                  "block before it, and goes on from there."),
+    PROVEOUT_TEXT("Core", "The corner before this motion is not compensated: the tool stops square to the "
+                          "end of the block before it, and continues from there."),
     PROVEOUT_TEXT("Core", "Keep stops, repeated codes and blocks without a motion away from corners.")};
 inline constexpr FindingRow kCompensationSideApart{
     Severity::warning,
     true,
     "compensation-side-apart",
     PROVEOUT_TEXT("Core", "Compensation side change"),
-    PROVEOUT_TEXT("Core", "The tool changes its side between paths that do not meet."),
+    PROVEOUT_TEXT("Core", "The tool changes side between paths that do not meet."),
     PROVEOUT_TEXT("Core", "Write G40 before the other side.")};
 inline constexpr FindingRow kCompensationErased{
     Severity::error,
@@ -155,7 +154,7 @@ inline constexpr FindingRow kCompensationErased{
     PROVEOUT_TEXT("Core",
                   "The tool with a radius of {} mm goes backward in the motion of line {}; the control "
                   "leaves out points of the corner before it, or stops (alarm 041)."),
-    PROVEOUT_TEXT("Core", "Use a smaller tool, or leave the short motion out."),
+    PROVEOUT_TEXT("Core", "Use a smaller tool, or remove the short motion."),
     SeverityRule::warningIfAssumed};
 inline constexpr FindingRow kCompensationOffCircle{
     Severity::warning,

@@ -14,41 +14,39 @@ inline constexpr FindingRow kCornerWithoutMotion{
     true,
     "corner-without-motion",
     PROVEOUT_TEXT("Core", "Corner without motions"),
-    PROVEOUT_TEXT("Core",
-                  "No straight or circular motion stands on both sides of the chamfer or corner radius "
-                  "(alarm 051)."),
-    PROVEOUT_TEXT("Core", "Let G1, G2 or G3 in the plane follow; the corner stays sharp.")};
+    PROVEOUT_TEXT(
+        "Core", "The chamfer or corner radius is not between two straight or circular motions (alarm 051)."),
+    PROVEOUT_TEXT("Core", "Program G1, G2 or G3 in the plane next; the corner stays sharp.")};
 inline constexpr FindingRow kCornerNextBlock{
     Severity::error,
     true,
     "corner-next-block",
     PROVEOUT_TEXT("Core", "Next corner motion missing"),
+    PROVEOUT_TEXT("Core", "The block after the chamfer or corner radius has no G1, G2 or G3 (alarm 052, on "
+                          "newer controls 051)."),
     PROVEOUT_TEXT("Core",
-                  "The block behind the chamfer or corner radius orders neither G1, G2 nor G3 (alarm 052, on "
-                  "newer controls 051)."),
-    PROVEOUT_TEXT("Core", "Only one dwell in a block of its own may stand between; the corner stays sharp.")};
+                  "Only one dwell, in a block of its own, is allowed between them; the corner stays sharp.")};
 inline constexpr FindingRow kCornerTwice{
     Severity::error,
     true,
     "corner-twice",
     PROVEOUT_TEXT("Core", "Chamfer and corner radius"),
-    PROVEOUT_TEXT("Core", "The block orders a chamfer and a corner radius (alarm 053)."),
+    PROVEOUT_TEXT("Core", "The block has both a chamfer and a corner radius (alarm 053)."),
     PROVEOUT_TEXT("Core", "Keep one of them; the corner stays sharp.")};
 inline constexpr FindingRow kCornerComma{
     Severity::error,
     true,
     "corner-comma",
     PROVEOUT_TEXT("Core", "Invalid comma word"),
-    PROVEOUT_TEXT("Core", "Neither C nor R stands behind the comma (alarm 053)."),
+    PROVEOUT_TEXT("Core", "Expected C or R after the comma (alarm 053)."),
     PROVEOUT_TEXT("Core", "Write ,C for a chamfer and ,R for a corner radius.")};
 inline constexpr FindingRow kCornerCompensation{
     Severity::error,
     true,
     "corner-compensation",
     PROVEOUT_TEXT("Core", "Corner at compensation change"),
-    PROVEOUT_TEXT("Core",
-                  "A chamfer or corner radius stands where cutter compensation begins, ends or changes its "
-                  "side (alarm 039)."),
+    PROVEOUT_TEXT("Core", "A chamfer or corner radius is not allowed where cutter compensation starts, ends "
+                          "or changes side (alarm 039)."),
     PROVEOUT_TEXT("Core", "Put it between other motions; the corner stays sharp.")};
 inline constexpr FindingRow kCornerNegative{
     Severity::error,
@@ -62,9 +60,9 @@ inline constexpr FindingRow kCornerScaled{
     true,
     "corner-scaled",
     PROVEOUT_TEXT("Core", "Corner scaling assumed"),
-    PROVEOUT_TEXT("Core",
-                  "The manuals do not tell whether G51 scales chamfers and corner radii too; here it does "
-                  "not."),
+    PROVEOUT_TEXT(
+        "Core",
+        "The manuals do not say whether G51 also scales chamfers and corner radii; here it does not."),
     PROVEOUT_TEXT("Core", "Write the motions out.")};
 inline constexpr FindingRow kCornerTooLarge{
     Severity::error,
@@ -79,16 +77,15 @@ inline constexpr FindingRow kCornerOffPlane{
     true,
     "corner-off-plane",
     PROVEOUT_TEXT("Core", "Corner outside plane"),
-    PROVEOUT_TEXT("Core", "A chamfer or corner radius stands between motions in one plane only."),
+    PROVEOUT_TEXT("Core", "A chamfer or corner radius needs motions in one plane on both sides."),
     PROVEOUT_TEXT("Core", "Move along the third axis in another block; the corner stays sharp.")};
 inline constexpr FindingRow kChamferOnArc{
     Severity::warning,
     true,
     "chamfer-on-arc",
     PROVEOUT_TEXT("Core", "Chamfer on arc"),
-    PROVEOUT_TEXT("Core",
-                  "The manuals do not tell how a chamfer counts along an arc; here it is the straight "
-                  "distance from the corner."),
+    PROVEOUT_TEXT("Core", "The manuals do not say how a chamfer is measured along an arc; here it is the "
+                          "straight distance from the corner."),
     PROVEOUT_TEXT("Core", "Write the motions out.")};
 
 inline constexpr std::array kCornerRows{

@@ -21,7 +21,7 @@ inline constexpr FindingRow kCycleNoAxis{Severity::error,
                                          "cycle-no-axis",
                                          PROVEOUT_TEXT("Core", "Cycle without a position"),
                                          PROVEOUT_TEXT("Core", "The cycle has no axis word."),
-                                         PROVEOUT_TEXT("Core", "Name the place of the first hole.")};
+                                         PROVEOUT_TEXT("Core", "Program the position of the first hole.")};
 inline constexpr FindingRow kCycleInverseTime{
     Severity::error,
     true,
@@ -34,7 +34,7 @@ inline constexpr FindingRow kCycleLevels{
     true,
     "cycle-levels",
     PROVEOUT_TEXT("Core", "R plane below hole bottom"),
-    PROVEOUT_TEXT("Core", "The R level lies below the bottom of the hole."),
+    PROVEOUT_TEXT("Core", "The R plane is below the hole bottom."),
     PROVEOUT_TEXT("Core", "Check R and the depth; the cycle drills nothing.")};
 inline constexpr FindingRow kCyclePeck{Severity::error,
                                        true,
@@ -61,14 +61,14 @@ inline constexpr FindingRow kBackBore{
     true,
     "back-bore",
     PROVEOUT_TEXT("Core", "Back boring not verified"),
-    PROVEOUT_TEXT("Core", "G87 cuts from below, which a z-map cannot hold."),
-    PROVEOUT_TEXT("Core", "The motions are shown; what they cut from below cannot be vouched for.")};
+    PROVEOUT_TEXT("Core", "G87 cuts from below, which a z-map cannot represent."),
+    PROVEOUT_TEXT("Core", "The motions are shown; what they cut from below is unverified.")};
 inline constexpr FindingRow kBackBoreLevels{
     Severity::error,
     true,
     "back-bore-levels",
     PROVEOUT_TEXT("Core", "Invalid back boring depth"),
-    PROVEOUT_TEXT("Core", "Back boring goes up from R, but the depth does not lie above R."),
+    PROVEOUT_TEXT("Core", "Back boring feeds up from R, but the depth is not above R."),
     PROVEOUT_TEXT("Core", "Check R and the depth; the cycle bores nothing.")};
 inline constexpr FindingRow kBackBoreReturn{
     Severity::warning,
@@ -93,57 +93,57 @@ inline constexpr FindingRow kFineBore{
     PROVEOUT_TEXT("Core", "Fine boring not verified"),
     PROVEOUT_TEXT("Core",
                   "The boring bar moves aside before it leaves the bore, but is cut as a full cylinder."),
-    PROVEOUT_TEXT("Core", "What it seems to touch on its way out cannot be vouched for.")};
+    PROVEOUT_TEXT("Core", "Contacts shown during the retract are unverified.")};
 inline constexpr FindingRow kManualExit{
     Severity::warning,
     true,
     "manual-exit",
     PROVEOUT_TEXT("Core", "Manual retract"),
-    PROVEOUT_TEXT("Core", "The operator takes the tool out of the hole by hand."),
-    PROVEOUT_TEXT("Core", "Shown is the straight way out; what follows cannot be vouched for.")};
+    PROVEOUT_TEXT("Core", "The operator retracts the tool from the hole by hand."),
+    PROVEOUT_TEXT("Core", "A straight retract is shown; results after this block are unverified.")};
 inline constexpr FindingRow kInitialLevelUnknown{
     Severity::warning,
     true,
     "initial-level-unknown",
     PROVEOUT_TEXT("Core", "Initial level unknown"),
-    PROVEOUT_TEXT("Core", "G98 returns to the initial level, which is not known; shown is R."),
+    PROVEOUT_TEXT("Core", "G98 returns to the initial level, which is unknown; a return to R is shown."),
     PROVEOUT_TEXT("Core", "Position the axis before the cycle.")};
 inline constexpr FindingRow kTapSpindle{
     Severity::warning,
     true,
     "tap-without-spindle",
     PROVEOUT_TEXT("Core", "Tapping with stopped spindle"),
-    PROVEOUT_TEXT("Core", "The spindle stands, and no M29 orders rigid tapping."),
-    PROVEOUT_TEXT("Core", "Some machines tap rigidly without M29, as is shown; write M29 before the cycle.")};
+    PROVEOUT_TEXT("Core", "The spindle is stopped and M29 (rigid tapping) is not active."),
+    PROVEOUT_TEXT("Core",
+                  "Some machines tap rigidly without M29, as shown here; write M29 before the cycle.")};
 inline constexpr FindingRow kCycleStoredPlace{
     Severity::warning,
     true,
     "cycle-stored-place",
     PROVEOUT_TEXT("Core", "Cycle only stored"),
-    PROVEOUT_TEXT("Core", "With 0 repeats the cycle is only stored; {} of this block is not moved to."),
-    PROVEOUT_TEXT("Core", "Some controls move there; name the place in another block.")};
+    PROVEOUT_TEXT("Core", "With 0 repeats the cycle is only stored; the {} of this block is not moved to."),
+    PROVEOUT_TEXT("Core", "Some controls move there; program the position in another block.")};
 inline constexpr FindingRow kPatternWithoutCycle{
     Severity::error,
     true,
     "pattern-without-cycle",
     PROVEOUT_TEXT("Core", "Pattern without a cycle"),
-    PROVEOUT_TEXT("Core", "{} drills with the canned cycle in force, but there is none."),
+    PROVEOUT_TEXT("Core", "{} drills with the active canned cycle, but no cycle is active."),
     PROVEOUT_TEXT("Core", "Write the cycle with L0 in a block before; the pattern drills nothing.")};
 inline constexpr FindingRow kBoltLineFirst{
     Severity::warning,
     true,
     "bolt-line-first",
     PROVEOUT_TEXT("Core", "First hole assumed"),
-    PROVEOUT_TEXT("Core", "The first hole of G72 is taken to be where the tool stands."),
+    PROVEOUT_TEXT("Core", "The first hole of G72 is assumed to be at the current position."),
     PROVEOUT_TEXT("Core", "Check it against the manual of the control.")};
 inline constexpr FindingRow kPocketWay{
     Severity::warning,
     false,
     "pocket-way",
     PROVEOUT_TEXT("Core", "Pocket path assumed"),
-    PROVEOUT_TEXT("Core",
-                  "How the control moves from circle to circle of the pocket is not documented; shown "
-                  "are half circles."),
+    PROVEOUT_TEXT("Core", "How the control moves from circle to circle of the pocket is not documented; half "
+                          "circles are shown."),
     PROVEOUT_TEXT("Core", "The finished pocket is the same.")};
 inline constexpr FindingRow kPocketSmall{
     Severity::error,

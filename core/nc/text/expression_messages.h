@@ -21,7 +21,7 @@ inline constexpr FindingRow kBracketsTooDeep{
     true,
     "brackets-too-deep",
     PROVEOUT_TEXT("Core", "Brackets nested too deeply"),
-    PROVEOUT_TEXT("Core", "More than five brackets stand within each other; the control gives alarm 118."),
+    PROVEOUT_TEXT("Core", "More than five brackets are nested; the control gives alarm 118."),
     PROVEOUT_TEXT("Core", "Compute it in several steps.")};
 inline constexpr FindingRow kParameterUnset{
     Severity::error,
@@ -43,7 +43,7 @@ inline constexpr FindingRow kParameterNotWhole{
     true,
     "parameter-not-whole",
     PROVEOUT_TEXT("Core", "Parameter number not whole"),
-    PROVEOUT_TEXT("Core", "{} is not a whole number, so that it names no parameter."),
+    PROVEOUT_TEXT("Core", "{} is not a whole number, so it is not a parameter number."),
     PROVEOUT_TEXT("Core", "Round it with FIX or ROUND.")};
 inline constexpr FindingRow kParameterNumber{
     Severity::error,
@@ -100,7 +100,7 @@ inline constexpr FindingRow kOperatorMissing{
     true,
     "operator-missing",
     PROVEOUT_TEXT("Core", "Operator missing"),
-    PROVEOUT_TEXT("Core", "\"{}\" stands where an operator or \"]\" belongs."),
+    PROVEOUT_TEXT("Core", "Expected an operator or \"]\" but found \"{}\"."),
     PROVEOUT_TEXT("Core", "Check the expression.")};
 inline constexpr FindingRow kNoResult{
     Severity::error,
@@ -129,22 +129,21 @@ inline constexpr FindingRow kAssignmentForm{
     "assignment-form",
     PROVEOUT_TEXT("Core", "Incomplete assignment"),
     PROVEOUT_TEXT("Core", "{} is not followed by \"=\" and a value."),
-    PROVEOUT_TEXT("Core", "A parameter at the beginning of a word is set, for example #1=10.")};
+    PROVEOUT_TEXT("Core", "A parameter at the beginning of a word is an assignment, for example #1=10.")};
 inline constexpr FindingRow kVariableWithoutGroup{
     Severity::error,
     true,
     "variable-without-group",
     PROVEOUT_TEXT("Core", "Undocumented modal variable"),
     PROVEOUT_TEXT("Core", "{} belongs to no modal group of milling that the manuals name."),
-    PROVEOUT_TEXT("Core",
-                  "Only the control itself can tell its value; what follows from it cannot be verified.")};
+    PROVEOUT_TEXT("Core", "Only the control knows its value; what follows from it is unverified.")};
 inline constexpr FindingRow kMachineVariable{
     Severity::error,
     true,
     "variable-of-machine",
     PROVEOUT_TEXT("Core", "Machine-dependent variable"),
     PROVEOUT_TEXT("Core", "The value of {} depends on the machine that runs the program."),
-    PROVEOUT_TEXT("Core", "What follows from it cannot be verified.")};
+    PROVEOUT_TEXT("Core", "What follows from it is unverified.")};
 inline constexpr FindingRow kVariableAssumed{
     Severity::note,
     false,
@@ -158,7 +157,7 @@ inline constexpr FindingRow kPositionUnknown{
     "position-unknown",
     PROVEOUT_TEXT("Core", "Position unknown"),
     PROVEOUT_TEXT("Core", "The position {} is not known here."),
-    PROVEOUT_TEXT("Core", "Position the axis first, or state a start position in the setup.")};
+    PROVEOUT_TEXT("Core", "Position the axis first, or enter a start position in the setup.")};
 inline constexpr FindingRow kOffsetNumberWritten{
     Severity::warning,
     false,

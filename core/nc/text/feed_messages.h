@@ -43,7 +43,7 @@ inline constexpr FindingRow kSurfaceSpeedLimited{
     "surface-speed-limited",
     PROVEOUT_TEXT("Core", "Surface speed at limit"),
     PROVEOUT_TEXT("Core", "With G96 the spindle follows X; it is taken to turn at its limit D, {} rpm."),
-    PROVEOUT_TEXT("Core", "X is no diameter on a mill: write G97 and a speed.")};
+    PROVEOUT_TEXT("Core", "X is not a diameter on a mill: write G97 and a speed.")};
 inline constexpr FindingRow kSurfaceSpeedUnknown{
     Severity::warning,
     false,
@@ -85,7 +85,7 @@ inline constexpr FindingRow kMistOption{
     PROVEOUT_TEXT("Core", "Mist coolant optional"),
     PROVEOUT_TEXT("Core", "M7 is known only where grbl was built with mist coolant."),
     PROVEOUT_TEXT("Core",
-                  "Otherwise grbl answers error:20 and drops the block; give M7 a block of its own.")};
+                  "Otherwise grbl reports error:20 and skips the block; give M7 a block of its own.")};
 inline constexpr FindingRow kDwellUnit{
     Severity::warning,
     false,

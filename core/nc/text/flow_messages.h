@@ -14,14 +14,14 @@ inline constexpr FindingRow kLabelNotWhole{
     true,
     "label-not-whole",
     PROVEOUT_TEXT("Core", "Invalid O number"),
-    PROVEOUT_TEXT("Core", "The number behind O is no whole number from 0 on."),
+    PROVEOUT_TEXT("Core", "The number after O is not a whole number from 0 up."),
     PROVEOUT_TEXT("Core", "Use a whole number, or a name: O<name>.")};
 inline constexpr FindingRow kFlowKeyword{
     Severity::error,
     true,
     "flow-keyword",
     PROVEOUT_TEXT("Core", "Unknown O-word keyword"),
-    PROVEOUT_TEXT("Core", "\"{}\" is none of the words that may follow an O word."),
+    PROVEOUT_TEXT("Core", "\"{}\" is not an O-word keyword."),
     PROVEOUT_TEXT("Core", "Use sub, endsub, call, return, if, elseif, else, endif, do, while, endwhile, "
                           "repeat, endrepeat, break or continue.")};
 inline constexpr FindingRow kFlowNotFirst{Severity::error,
@@ -35,14 +35,14 @@ inline constexpr FindingRow kFlowRest{
     true,
     "flow-rest",
     PROVEOUT_TEXT("Core", "Text after O word"),
-    PROVEOUT_TEXT("Core", "\"{}\" stands behind the O word and its arguments."),
+    PROVEOUT_TEXT("Core", "Unexpected \"{}\" after the O word and its arguments."),
     PROVEOUT_TEXT("Core", "Put it on a line of its own.")};
 inline constexpr FindingRow kFlowPartner{
     Severity::error,
     true,
     "flow-partner",
     PROVEOUT_TEXT("Core", "Unmatched O word"),
-    PROVEOUT_TEXT("Core", "O{} {} has no {} that belongs to it."),
+    PROVEOUT_TEXT("Core", "O{} {} has no matching {}."),
     PROVEOUT_TEXT("Core", "Both need the same label, in the same subprogram.")};
 inline constexpr FindingRow kLabelTwice{
     Severity::error,
@@ -58,12 +58,12 @@ inline constexpr FindingRow kContinueInDo{
     PROVEOUT_TEXT("Core", "Continue in a do loop"),
     PROVEOUT_TEXT("Core",
                   "After continue in a do loop, LinuxCNC may run a repeat loop twice as often as it says."),
-    PROVEOUT_TEXT("Core", "Leave out the rest of the round with if and endif in place of continue.")};
+    PROVEOUT_TEXT("Core", "Skip the rest of the pass with if and endif instead of continue.")};
 inline constexpr FindingRow kSubNested{Severity::error,
                                        true,
                                        "sub-nested",
                                        PROVEOUT_TEXT("Core", "Nested subprogram"),
-                                       PROVEOUT_TEXT("Core", "O{} sub stands within another subprogram."),
+                                       PROVEOUT_TEXT("Core", "O{} sub is inside another subprogram."),
                                        PROVEOUT_TEXT("Core", "Close the other one with endsub before it.")};
 inline constexpr FindingRow kFlowCondition{Severity::error,
                                            true,
@@ -83,8 +83,7 @@ inline constexpr FindingRow kSubFolder{
     true,
     "sub-folder",
     PROVEOUT_TEXT("Core", "Subprogram outside its folders"),
-    PROVEOUT_TEXT("Core",
-                  "The subprogram {} is not opened: its name leads out of the folders of subprograms."),
+    PROVEOUT_TEXT("Core", "The subprogram {} is not opened: its name leads outside the subprogram folders."),
     PROVEOUT_TEXT("Core", "Use a name without \"/\" and \"..\".")};
 inline constexpr FindingRow kSubUnreadable{Severity::error,
                                            true,
@@ -104,7 +103,7 @@ inline constexpr FindingRow kCallTooDeep{
     "call-too-deep",
     PROVEOUT_TEXT("Core", "Calls nested too deeply"),
     PROVEOUT_TEXT("Core", "Subprograms call each other deeper than {} levels: {}."),
-    PROVEOUT_TEXT("Core", "Check for a subprogram that calls itself without end.")};
+    PROVEOUT_TEXT("Core", "Check for a subprogram that calls itself endlessly.")};
 inline constexpr FindingRow kTooManyArguments{Severity::error,
                                               true,
                                               "too-many-arguments",
@@ -116,15 +115,15 @@ inline constexpr FindingRow kReturnOutside{
     true,
     "return-outside",
     PROVEOUT_TEXT("Core", "Return outside a subprogram"),
-    PROVEOUT_TEXT("Core", "{} stands outside of a subprogram."),
+    PROVEOUT_TEXT("Core", "{} is outside a subprogram."),
     PROVEOUT_TEXT("Core", "Remove it, or put it between sub and endsub.")};
 inline constexpr FindingRow kMainReturn{
     Severity::warning,
     false,
     "main-return",
     PROVEOUT_TEXT("Core", "Main program repeats"),
-    PROVEOUT_TEXT("Core", "M99 ends the main program: the control starts it again, without end."),
-    PROVEOUT_TEXT("Core", "It is run once here; end it with M30 if that was meant.")};
+    PROVEOUT_TEXT("Core", "M99 ends the main program: the control restarts it, endlessly."),
+    PROVEOUT_TEXT("Core", "It is run once here; use M30 if the program should end.")};
 inline constexpr FindingRow kCalledNever{
     Severity::warning,
     true,
@@ -152,16 +151,15 @@ inline constexpr FindingRow kTooManyAgain{
     true,
     "too-many-again",
     PROVEOUT_TEXT("Core", "Too many repeated messages"),
-    PROVEOUT_TEXT("Core", "Lines that repeat were told about {} times; interpretation ends here."),
+    PROVEOUT_TEXT("Core", "Repeated lines gave {} messages; interpretation ends here."),
     PROVEOUT_TEXT("Core", "Correct what is wrong in the loop.")};
 inline constexpr FindingRow kTooMuchRepeated{
     Severity::error,
     true,
     "too-many-steps",
     PROVEOUT_TEXT("Core", "Too many repeated blocks"),
-    PROVEOUT_TEXT("Core",
-                  "Repeated lines and their motions are more than {}; interpretation ends in line {}."),
-    PROVEOUT_TEXT("Core", "Check loops and repeat counts. What this repetition makes is not shown.")};
+    PROVEOUT_TEXT("Core", "The repeated lines and their motions exceed {}; interpretation ends in line {}."),
+    PROVEOUT_TEXT("Core", "Check loops and repeat counts. The motions of this repetition are not shown.")};
 inline constexpr FindingRow kIdleLoop{
     Severity::error,
     true,
@@ -175,10 +173,9 @@ inline constexpr FindingRow kEndlessLoop{
     true,
     "endless-loop",
     PROVEOUT_TEXT("Core", "Endless loop"),
-    PROVEOUT_TEXT("Core",
-                  "This loop never ends: line {} jumps back to line {} and no variable changes from one "
-                  "round to the next."),
-    PROVEOUT_TEXT("Core", "Check the condition of the loop. Only its first rounds are shown.")};
+    PROVEOUT_TEXT("Core", "This loop never ends: line {} jumps back to line {} and no variable changes from "
+                          "one pass to the next."),
+    PROVEOUT_TEXT("Core", "Check the loop condition. Only the first passes are shown.")};
 inline constexpr FindingRow kTooManyRounds{
     Severity::error,
     true,
@@ -198,8 +195,8 @@ inline constexpr FindingRow kBlockTarget{
     true,
     "block-target",
     PROVEOUT_TEXT("Core", "Invalid jump target"),
-    PROVEOUT_TEXT("Core", "The target of the jump is no whole number from 0 to 99999999."),
-    PROVEOUT_TEXT("Core", "Jump to a block number that stands behind an N.")};
+    PROVEOUT_TEXT("Core", "The jump target is not a whole number from 0 to 99999999."),
+    PROVEOUT_TEXT("Core", "Jump to a block number that follows an N.")};
 inline constexpr FindingRow kBlockUnknown{
     Severity::error,
     true,
@@ -233,7 +230,7 @@ inline constexpr FindingRow kLoopPartner{
     true,
     "loop-partner",
     PROVEOUT_TEXT("Core", "Unmatched loop"),
-    PROVEOUT_TEXT("Core", "The loop has no {} with its number."),
+    PROVEOUT_TEXT("Core", "The loop has no matching {}."),
     PROVEOUT_TEXT("Core", "DO 1 needs END 1 in the same program; loops do not cross each other.")};
 inline constexpr FindingRow kAlarm{
     Severity::error,
@@ -241,14 +238,14 @@ inline constexpr FindingRow kAlarm{
     "program-alarm",
     PROVEOUT_TEXT("Core", "Program alarm"),
     PROVEOUT_TEXT("Core", "The program stops itself with alarm {}."),
-    PROVEOUT_TEXT("Core", "The comment beside it says why; nothing behind it is run.")};
+    PROVEOUT_TEXT("Core", "The comment beside it says why; the program ends here.")};
 inline constexpr FindingRow kProgramRepeats{
     Severity::warning,
     false,
     "program-repeats",
     PROVEOUT_TEXT("Core", "Program repeats"),
-    PROVEOUT_TEXT("Core", "M47 begins the program again, without end."),
-    PROVEOUT_TEXT("Core", "It is run once here; end it with M30 if that was meant.")};
+    PROVEOUT_TEXT("Core", "M47 restarts the program, endlessly."),
+    PROVEOUT_TEXT("Core", "It is run once here; use M30 if the program should end.")};
 
 inline constexpr std::array kFlowRows{
     &kLabelNotWhole,     &kFlowKeyword,     &kFlowNotFirst,  &kFlowRest,      &kFlowPartner,

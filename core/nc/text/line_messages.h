@@ -21,27 +21,27 @@ inline constexpr FindingRow kNumberMissing{
     true,
     "number-missing",
     PROVEOUT_TEXT("Core", "Word without a value"),
-    PROVEOUT_TEXT("Core", "The word {} has no number."),
-    PROVEOUT_TEXT("Core", "Write the number behind the letter, for example X10.5.")};
+    PROVEOUT_TEXT("Core", "{} word without a value."),
+    PROVEOUT_TEXT("Core", "Write the value after the letter, for example X10.5.")};
 inline constexpr FindingRow kDoubleSign{
     Severity::error,
     true,
     "number-double-sign",
     PROVEOUT_TEXT("Core", "Number with two signs"),
-    PROVEOUT_TEXT("Core", "The number of {} has two signs."),
+    PROVEOUT_TEXT("Core", "The value of {} has two signs."),
     PROVEOUT_TEXT("Core", "Controls read this differently; write one sign.")};
 inline constexpr FindingRow kTwoPoints{Severity::error,
                                        true,
                                        "number-two-points",
                                        PROVEOUT_TEXT("Core", "Number with two points"),
-                                       PROVEOUT_TEXT("Core", "The number of {} has two decimal points."),
+                                       PROVEOUT_TEXT("Core", "The value of {} has two decimal points."),
                                        PROVEOUT_TEXT("Core", "Keep one point.")};
 inline constexpr FindingRow kNumberOutOfRange{
     Severity::error,
     true,
     "number-out-of-range",
     PROVEOUT_TEXT("Core", "Number out of range"),
-    PROVEOUT_TEXT("Core", "The number of {} is out of range: larger than 1e12."),
+    PROVEOUT_TEXT("Core", "The value of {} is out of range: larger than 1e12."),
     PROVEOUT_TEXT("Core", "Check the number.")};
 inline constexpr FindingRow kCommentUnclosed{Severity::error,
                                              true,
@@ -54,20 +54,20 @@ inline constexpr FindingRow kCommentNested{
     true,
     "comment-nested",
     PROVEOUT_TEXT("Core", "Nested comment"),
-    PROVEOUT_TEXT("Core", "A comment stands within a comment."),
+    PROVEOUT_TEXT("Core", "A comment is nested in a comment."),
     PROVEOUT_TEXT("Core", "Controls end it at different brackets; use no \"(\" within a comment.")};
 inline constexpr FindingRow kWordTwice{Severity::error,
                                        true,
                                        "word-twice",
                                        PROVEOUT_TEXT("Core", "Duplicate word"),
-                                       PROVEOUT_TEXT("Core", "The block has two {} words."),
+                                       PROVEOUT_TEXT("Core", "Duplicate {} word."),
                                        PROVEOUT_TEXT("Core", "Keep one of them, or make two blocks.")};
 inline constexpr FindingRow kLastWordCounts{
     Severity::warning,
     false,
     "last-word-counts",
     PROVEOUT_TEXT("Core", "Duplicate word, last used"),
-    PROVEOUT_TEXT("Core", "The block has two {} words; the last one counts."),
+    PROVEOUT_TEXT("Core", "Duplicate {} word; the last one counts."),
     PROVEOUT_TEXT("Core", "Some controls give an alarm instead; keep one of them.")};
 inline constexpr FindingRow kTooManyCodes{Severity::error,
                                           true,
@@ -94,14 +94,13 @@ inline constexpr FindingRow kBlockNumberLong{
     "n-long",
     PROVEOUT_TEXT("Core", "Block number too long"),
     PROVEOUT_TEXT("Core", "The block number has more than 15 digits, which controls cannot hold."),
-    PROVEOUT_TEXT("Core", "It is a label only; number the blocks anew.")};
+    PROVEOUT_TEXT("Core", "It is a label only; renumber the blocks.")};
 inline constexpr FindingRow kPercentNotAlone{
     Severity::error,
     true,
     "percent-not-alone",
     PROVEOUT_TEXT("Core", "\"%\" not alone"),
-    PROVEOUT_TEXT("Core",
-                  "\"%\" marks the beginning and the end of a tape and must stand on a line of its own."),
+    PROVEOUT_TEXT("Core", "\"%\" marks the beginning and the end of a tape and must be alone on its line."),
     PROVEOUT_TEXT("Core", "Move the rest to another line.")};
 inline constexpr FindingRow kLineLong{
     Severity::warning,
@@ -116,20 +115,20 @@ inline constexpr FindingRow kControlCode{
     "control-code",
     PROVEOUT_TEXT("Core", "Control codes skipped"),
     PROVEOUT_TEXT("Core", "Control codes of a tape or a serial line were skipped."),
-    PROVEOUT_TEXT("Core", "Harmless here; save the file as plain text to be rid of them.")};
+    PROVEOUT_TEXT("Core", "Harmless here; save the file as plain text to remove them.")};
 inline constexpr FindingRow kByteOrderMark{
     Severity::warning,
     false,
     "byte-order-mark",
     PROVEOUT_TEXT("Core", "Byte order mark"),
-    PROVEOUT_TEXT("Core", "The file begins with a byte order mark, which controls refuse."),
+    PROVEOUT_TEXT("Core", "The file begins with a byte order mark, which controls reject."),
     PROVEOUT_TEXT("Core", "Save it as UTF-8 without the mark, or as ASCII.")};
 inline constexpr FindingRow kLoneCr{
     Severity::warning,
     false,
     "cr-line-end",
     PROVEOUT_TEXT("Core", "CR line end"),
-    PROVEOUT_TEXT("Core", "The line ends with CR alone, which LinuxCNC takes for no line end."),
+    PROVEOUT_TEXT("Core", "The line ends with CR alone, which LinuxCNC does not accept as a line end."),
     PROVEOUT_TEXT("Core", "Save the file with LF or CR LF line ends.")};
 inline constexpr FindingRow kNoPoint{
     Severity::warning,

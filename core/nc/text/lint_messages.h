@@ -20,30 +20,30 @@ inline constexpr FindingRow kLengthMissing{
     false,
     "length-missing",
     PROVEOUT_TEXT("Core", "Tool length offset missing"),
-    PROVEOUT_TEXT("Core", "Tool {} begins to cut without a tool length offset of its own."),
+    PROVEOUT_TEXT("Core", "T{} cuts without its own tool length offset."),
     PROVEOUT_TEXT("Core",
-                  "Write G43 behind the tool change: the offset of the tool before it is still in force.")};
+                  "Write G43 after the tool change: the offset of the previous tool is still active.")};
 inline constexpr FindingRow kOffsetNeverChosen{
     Severity::note,
     false,
     "offset-never-chosen",
     PROVEOUT_TEXT("Core", "Work offset not selected"),
-    PROVEOUT_TEXT("Core", "The program cuts without having chosen a work offset."),
-    PROVEOUT_TEXT("Core", "Write G54, or the one that the part is set up in.")};
+    PROVEOUT_TEXT("Core", "The program cuts before it selects a work offset."),
+    PROVEOUT_TEXT("Core", "Write G54, or the work offset of the part.")};
 inline constexpr FindingRow kLengthOfOtherTool{
     Severity::warning,
     false,
     "length-of-other-tool",
     PROVEOUT_TEXT("Core", "Length offset mismatch"),
-    PROVEOUT_TEXT("Core", "The tool length offset H{} is not that of tool {}."),
-    PROVEOUT_TEXT("Core", "Use the number of the tool, if that was not meant.")};
+    PROVEOUT_TEXT("Core", "The tool length offset H{} does not match tool {}."),
+    PROVEOUT_TEXT("Core", "Use the tool number, unless another offset is intended.")};
 inline constexpr FindingRow kDiameterMissing{
     Severity::warning,
     false,
     "diameter-missing",
     PROVEOUT_TEXT("Core", "D word missing"),
     PROVEOUT_TEXT("Core", "{} has no D word."),
-    PROVEOUT_TEXT("Core", "Write the number of the offset: the one used last is in force.")};
+    PROVEOUT_TEXT("Core", "Write the offset number: the last one used is active.")};
 inline constexpr FindingRow kCompensationOnArc{
     Severity::warning,
     false,
@@ -57,20 +57,20 @@ inline constexpr FindingRow kUnitsMixed{
     "units-mixed",
     PROVEOUT_TEXT("Core", "Mixed units"),
     PROVEOUT_TEXT("Core", "{} changes the unit in the middle of the program."),
-    PROVEOUT_TEXT("Core", "Keep to one unit; lengths that are in force keep their old one.")};
+    PROVEOUT_TEXT("Core", "Keep to one unit; active lengths keep the old one.")};
 inline constexpr FindingRow kLeftOn{
     Severity::warning,
     false,
     "left-on",
     PROVEOUT_TEXT("Core", "Modal function left on"),
-    PROVEOUT_TEXT("Core", "Still in force here: {}."),
+    PROVEOUT_TEXT("Core", "Still active here: {}."),
     PROVEOUT_TEXT("Core", "End it before the tool change and before the end of the program.")};
 inline constexpr FindingRow kChangeLow{
     Severity::warning,
     false,
     "change-low",
     PROVEOUT_TEXT("Core", "Tool change too low"),
-    PROVEOUT_TEXT("Core", "The tool is changed at Z{}, not above Z{}, where it was fed."),
+    PROVEOUT_TEXT("Core", "The tool is changed at Z{}, not above Z{}, where it cut."),
     PROVEOUT_TEXT("Core", "Retract first.")};
 inline constexpr FindingRow kChangeTurning{
     Severity::note,
@@ -84,8 +84,8 @@ inline constexpr FindingRow kUnreachable{
     false,
     "unreachable",
     PROVEOUT_TEXT("Core", "Unreachable block"),
-    PROVEOUT_TEXT("Core", "Nothing leads to this line: line {} leaves the blocks before it for good."),
-    PROVEOUT_TEXT("Core", "Remove it, or give it the block number or the label that something jumps to.")};
+    PROVEOUT_TEXT("Core", "This block is unreachable: line {} always jumps past it."),
+    PROVEOUT_TEXT("Core", "Remove it, or give it the block number or label of a jump.")};
 inline constexpr FindingRow kToolNotInTable{
     Severity::warning,
     false,
@@ -99,7 +99,7 @@ inline constexpr FindingRow kNearlyHalfCircle{
     "nearly-half-circle",
     PROVEOUT_TEXT("Core", "Nearly a half circle"),
     PROVEOUT_TEXT("Core", "The arc by its radius is nearly a half circle, {} degrees."),
-    PROVEOUT_TEXT("Core", "Give the centre by I, J and K: here the last digit of R moves it far.")};
+    PROVEOUT_TEXT("Core", "Program the centre with I, J and K: here the last digit of R moves it far.")};
 
 inline constexpr std::array kLintRows{&kFeedZero,          &kLengthMissing,   &kOffsetNeverChosen,
                                       &kLengthOfOtherTool, &kDiameterMissing, &kCompensationOnArc,

@@ -14,36 +14,37 @@ inline constexpr FindingRow kTargetTooFar{
     true,
     "target-too-far",
     PROVEOUT_TEXT("Core", "Target too far"),
-    PROVEOUT_TEXT("Core", "The motion ends farther than {} mm from the machine's zero, along {}."),
-    PROVEOUT_TEXT("Core", "Check the numbers, the scaling and what is repeated.")};
+    PROVEOUT_TEXT("Core", "The motion ends more than {} mm from machine zero, along {}."),
+    PROVEOUT_TEXT("Core", "Check the values, the scaling and the repeats.")};
 inline constexpr FindingRow kStartUnknown{
     Severity::warning,
     true,
     "start-unknown",
     PROVEOUT_TEXT("Core", "Start position unknown"),
-    PROVEOUT_TEXT("Core", "The position of {} is not known, so this motion cuts nothing."),
+    PROVEOUT_TEXT("Core", "{} position unknown; move not simulated."),
     PROVEOUT_TEXT("Core", "Position all axes with G0 before the first cut.")};
 inline constexpr FindingRow kNeverKnown{
     Severity::warning,
     true,
     "position-never-known",
     PROVEOUT_TEXT("Core", "Axis never positioned"),
-    PROVEOUT_TEXT("Core", "The program never says where {} stands, so what it cuts is not known."),
+    PROVEOUT_TEXT("Core", "The program never positions {}, so what it cuts is unknown."),
     PROVEOUT_TEXT("Core", "Position all axes with G0 before the first cut.")};
 inline constexpr FindingRow kIncrementalUnknown{
     Severity::warning,
     true,
     "incremental-from-unknown",
     PROVEOUT_TEXT("Core", "Incremental from unknown position"),
-    PROVEOUT_TEXT("Core", "{} moves by a distance from a place that is not known."),
+    PROVEOUT_TEXT("Core", "{} moves by an incremental distance from an unknown position."),
     PROVEOUT_TEXT("Core", "Position the axis in G90 first.")};
 inline constexpr FindingRow kOneSided{
     Severity::warning,
     true,
     "one-sided-approach",
     PROVEOUT_TEXT("Core", "One-sided positioning"),
-    PROVEOUT_TEXT("Core", "G60 overshoots by a distance that is set in the machine; it is shown without."),
-    PROVEOUT_TEXT("Core", "Make sure that there is room behind the target.")};
+    PROVEOUT_TEXT("Core",
+                  "G60 overshoots by a distance set in the machine; it is shown without the overshoot."),
+    PROVEOUT_TEXT("Core", "Make sure that there is room beyond the target.")};
 inline constexpr FindingRow kArcNoCentre{
     Severity::error,
     true,
@@ -64,7 +65,7 @@ inline constexpr FindingRow kArcMixed{
     "arc-radius-and-centre",
     PROVEOUT_TEXT("Core", "Arc with R and centre"),
     PROVEOUT_TEXT("Core", "The arc has both a centre and a radius."),
-    PROVEOUT_TEXT("Core", "Controls differ in which one they take; keep one.")};
+    PROVEOUT_TEXT("Core", "Controls differ in which one they use; keep one.")};
 inline constexpr FindingRow kArcWrongWord{
     Severity::error,
     true,
@@ -72,21 +73,19 @@ inline constexpr FindingRow kArcWrongWord{
     PROVEOUT_TEXT("Core", "Arc word outside plane"),
     PROVEOUT_TEXT("Core", "The word {} does not belong to an arc in the plane of {}."),
     PROVEOUT_TEXT("Core", "Remove the word, or select the plane that was meant.")};
-inline constexpr FindingRow kArcZeroRadius{
-    Severity::error,
-    true,
-    "arc-zero-radius",
-    PROVEOUT_TEXT("Core", "Arc radius zero"),
-    PROVEOUT_TEXT("Core", "The arc has no radius: {} mm."),
-    PROVEOUT_TEXT("Core", "The centre lies on the start or the end point.")};
+inline constexpr FindingRow kArcZeroRadius{Severity::error,
+                                           true,
+                                           "arc-zero-radius",
+                                           PROVEOUT_TEXT("Core", "Arc radius zero"),
+                                           PROVEOUT_TEXT("Core", "The arc has no radius: {} mm."),
+                                           PROVEOUT_TEXT("Core", "The centre is at the start or end point.")};
 inline constexpr FindingRow kArcEndsDiffer{
     Severity::error,
     true,
     "arc-ends-differ",
     PROVEOUT_TEXT("Core", "Arc end radius mismatch"),
     PROVEOUT_TEXT("Core", "The arc does not fit: radius {} mm at its start, {} mm at its end, {} mm apart."),
-    PROVEOUT_TEXT("Core",
-                  "Check the centre: I J K count from the start point, after G90.1 from the origin.")};
+    PROVEOUT_TEXT("Core", "Check the centre: I J K are from the start point, with G90.1 from the origin.")};
 inline constexpr FindingRow kArcFullWithRadius{
     Severity::error,
     true,
@@ -100,7 +99,7 @@ inline constexpr FindingRow kArcRadiusSmall{
     "arc-radius-small",
     PROVEOUT_TEXT("Core", "Arc radius too small"),
     PROVEOUT_TEXT("Core",
-                  "The radius {} mm is too small: the end lies {} mm from the start, {} mm more than 2 R."),
+                  "The radius {} mm is too small: the end is {} mm from the start, {} mm more than 2 R."),
     PROVEOUT_TEXT("Core", "Check R and the end point.")};
 inline constexpr FindingRow kArcRadiusCounts{
     Severity::warning,
@@ -152,31 +151,29 @@ inline constexpr FindingRow kArcFromElsewhere{
     "arc-from-elsewhere",
     PROVEOUT_TEXT("Core", "Arc start mismatch"),
     PROVEOUT_TEXT("Core",
-                  "The control takes the tool to be elsewhere than it is at the beginning of this arc."),
+                  "The control assumes another tool position than the real one at the start of this arc."),
     PROVEOUT_TEXT("Core", "Program a straight move before the arc; the arc is skipped.")};
 inline constexpr FindingRow kArcWordIgnored{
     Severity::warning,
     false,
     "arc-word-ignored",
     PROVEOUT_TEXT("Core", "Arc word ignored"),
-    PROVEOUT_TEXT("Core", "The centre word {} lies outside the plane of the arc; the control ignores it."),
+    PROVEOUT_TEXT("Core", "The centre word {} is outside the plane of the arc; the control ignores it."),
     PROVEOUT_TEXT("Core", "Remove the word, or select the plane that was meant.")};
 inline constexpr FindingRow kArcAxisMissing{
     Severity::error,
     true,
     "arc-axis-missing",
     PROVEOUT_TEXT("Core", "Arc end point missing"),
-    PROVEOUT_TEXT("Core", "The arc names no axis of its plane as its end."),
+    PROVEOUT_TEXT("Core", "The arc has no end point in its plane."),
     PROVEOUT_TEXT("Core", "Write the end point, also of a full circle.")};
 inline constexpr FindingRow kArcCentreOpen{
     Severity::warning,
     true,
     "arc-centre-open",
     PROVEOUT_TEXT("Core", "Arc centre ambiguous"),
-    PROVEOUT_TEXT(
-        "Core",
-        "The arc fits with its centre counted from the start point and also from the origin; a setting "
-        "of the control decides, and it is taken from the start point."),
+    PROVEOUT_TEXT("Core", "The arc fits with its centre from the start point and also from the origin; a "
+                          "setting of the control decides. The start point is assumed."),
     PROVEOUT_TEXT("Core", "Write G91.1 or G90.1 at the beginning of the program.")};
 inline constexpr FindingRow kPolarPole{
     Severity::warning,
@@ -184,24 +181,22 @@ inline constexpr FindingRow kPolarPole{
     "polar-pole",
     PROVEOUT_TEXT("Core", "Polar centre ambiguous"),
     PROVEOUT_TEXT("Core",
-                  "Mach3 takes the place of the tool for the pole of G16, Mach4 the origin; it is taken "
-                  "as Mach3 does."),
+                  "Mach3 uses the tool position as the pole of G16, Mach4 the origin; Mach3 is assumed."),
     PROVEOUT_TEXT("Core", "Begin the polar coordinates where both are the same: at X0 Y0.")};
 inline constexpr FindingRow kPolarArc{
     Severity::warning,
     true,
     "polar-arc",
     PROVEOUT_TEXT("Core", "Polar motion undocumented"),
-    PROVEOUT_TEXT("Core",
-                  "Polar coordinates are meant for G0 and G1 in the XY plane; what {} does in them is "
-                  "not written."),
+    PROVEOUT_TEXT(
+        "Core", "Polar coordinates are for G0 and G1 in the XY plane; their effect on {} is not documented."),
     PROVEOUT_TEXT("Core", "Write G15 before it.")};
 inline constexpr FindingRow kRadiusScaled{
     Severity::warning,
     true,
     "radius-scaled",
     PROVEOUT_TEXT("Core", "Radius scaling assumed"),
-    PROVEOUT_TEXT("Core", "Whether G51 scales the word {} is not written; it is taken to scale it."),
+    PROVEOUT_TEXT("Core", "Whether G51 scales the word {} is not documented; it is assumed to."),
     PROVEOUT_TEXT("Core", "Write G50 before it, or give the centre of an arc by I and J.")};
 inline constexpr FindingRow kPlaneXyOnly{
     Severity::error,

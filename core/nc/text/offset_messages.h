@@ -83,16 +83,17 @@ inline constexpr FindingRow kArcTurned{
     "arc-turned",
     PROVEOUT_TEXT("Core", "Arc outside rotated plane"),
     PROVEOUT_TEXT(
-        "Core", "G68 turns another plane than that of the arc, which then lies in no plane of the machine."),
-    PROVEOUT_TEXT("Core", "Keep the plane that was in force at G68.")};
+        "Core",
+        "G68 rotates in another plane than that of the arc, which then is in no plane of the machine."),
+    PROVEOUT_TEXT("Core", "Keep the plane that was active at G68.")};
 inline constexpr FindingRow kArcScaled{
     Severity::error,
     true,
     "arc-scaled",
     PROVEOUT_TEXT("Core", "Arc scaled unevenly"),
     PROVEOUT_TEXT("Core",
-                  "Scaled by different factors along the axes of its plane, the arc is none any more."),
-    PROVEOUT_TEXT("Core", "Use one factor for both axes, or let the CAM system write it as lines.")};
+                  "Different scale factors along the axes of its plane turn this arc into an ellipse."),
+    PROVEOUT_TEXT("Core", "Use one factor for both axes, or let the CAM system output lines.")};
 inline constexpr FindingRow kScaleFactor{Severity::error,
                                          true,
                                          "scale-factor",
@@ -104,55 +105,54 @@ inline constexpr FindingRow kTransformationOrder{
     true,
     "transformation-order",
     PROVEOUT_TEXT("Core", "Transformation order"),
-    PROVEOUT_TEXT("Core",
-                  "{} stands within {}: the control wants mirror image, scaling and rotation begun in "
-                  "this order and ended in the opposite one."),
-    PROVEOUT_TEXT("Core", "End the inner one first.")};
+    PROVEOUT_TEXT("Core", "{} is inside {}: the control needs mirror image, scaling and rotation started in "
+                          "this order and cancelled in the opposite one."),
+    PROVEOUT_TEXT("Core", "Cancel the inner one first.")};
 inline constexpr FindingRow kCentreUnknown{
     Severity::warning,
     true,
     "centre-unknown",
     PROVEOUT_TEXT("Core", "Transformation centre unknown"),
-    PROVEOUT_TEXT("Core", "The centre of {} is where the tool stands, which is not known for {}."),
-    PROVEOUT_TEXT("Core", "Write the centre, or position the tool before.")};
+    PROVEOUT_TEXT("Core", "The centre of {} is the current position, which is unknown for {}."),
+    PROVEOUT_TEXT("Core", "Program the centre, or position the tool first.")};
 inline constexpr FindingRow kRotationOneAxis{
     Severity::warning,
     true,
     "rotation-one-axis",
     PROVEOUT_TEXT("Core", "Rotation start ambiguous"),
-    PROVEOUT_TEXT("Core", "The first motion behind {} does not say where both axes of the rotation go; "
-                          "controls differ here."),
-    PROVEOUT_TEXT("Core", "Position both axes in G90 behind it.")};
+    PROVEOUT_TEXT(
+        "Core",
+        "The first motion after {} does not program both axes of the rotation; controls differ here."),
+    PROVEOUT_TEXT("Core", "Position both axes in G90 after it.")};
 inline constexpr FindingRow kRotationSetting{
     Severity::warning,
     true,
     "rotation-setting",
     PROVEOUT_TEXT("Core", "Rotation angle ambiguous"),
-    PROVEOUT_TEXT("Core", "A setting of the control says whether G68 with G91 adds its angle to the one in "
-                          "force (Fanuc: parameter 5400#0, Haas: setting 73); here the angle is {} degrees."),
+    PROVEOUT_TEXT("Core",
+                  "A setting of the control decides whether G68 with G91 adds its angle to the active one "
+                  "(Fanuc: parameter 5400#0, Haas: setting 73); here the angle is {} degrees."),
     PROVEOUT_TEXT("Core", "Write G90 before G68, or G69 between them.")};
 inline constexpr FindingRow kReferenceInCycle{
     Severity::error,
     true,
     "reference-in-cycle",
     PROVEOUT_TEXT("Core", "Reference return in cycle"),
-    PROVEOUT_TEXT("Core", "{} stands within a canned cycle (alarm 044)."),
+    PROVEOUT_TEXT("Core", "{} is not allowed while a canned cycle is active (alarm 044)."),
     PROVEOUT_TEXT("Core", "End the cycle with G80 before it.")};
 inline constexpr FindingRow kNoIntermediate{
     Severity::error,
     true,
     "intermediate-unknown",
     PROVEOUT_TEXT("Core", "Intermediate point unknown"),
-    PROVEOUT_TEXT("Core", "G29 returns by the intermediate point of G28, which is not known for {}."),
-    PROVEOUT_TEXT("Core", "Position the axis before G28 and name it there.")};
+    PROVEOUT_TEXT("Core", "G29 returns through the intermediate point of G28, which is unknown for {}."),
+    PROVEOUT_TEXT("Core", "Position the axis before G28 and program it there.")};
 inline constexpr FindingRow kAxesReferenced{
     Severity::warning,
     true,
     "axes-referenced",
     PROVEOUT_TEXT("Core", "Homing cycle"),
-    PROVEOUT_TEXT("Core",
-                  "{} seeks the reference switches; where the axes stand afterwards, only the machine "
-                  "knows."),
+    PROVEOUT_TEXT("Core", "{} seeks the reference switches; the axis positions afterwards are unknown."),
     PROVEOUT_TEXT("Core", "Position the axes before the next cut.")};
 inline constexpr FindingRow kDataKind{Severity::error,
                                       true,
@@ -167,7 +167,7 @@ inline constexpr FindingRow kDataSkipped{
     PROVEOUT_TEXT("Core", "Control data skipped"),
     PROVEOUT_TEXT("Core",
                   "G10 with L{} begins to set data of the control; the blocks up to G11 are skipped."),
-    PROVEOUT_TEXT("Core", "What depends on these data cannot be vouched for.")};
+    PROVEOUT_TEXT("Core", "What depends on these data is unverified.")};
 inline constexpr FindingRow kRegisterUnknown{
     Severity::error,
     true,
@@ -180,17 +180,17 @@ inline constexpr FindingRow kLengthWithoutAxis{
     true,
     "length-without-axis",
     PROVEOUT_TEXT("Core", "Length offset without Z"),
-    PROVEOUT_TEXT("Core", "{} changes the tool length without a Z word; some machines move by the "
-                          "difference, others stand still."),
-    PROVEOUT_TEXT("Core", "Position Z in the same block; here it stands still.")};
+    PROVEOUT_TEXT(
+        "Core",
+        "{} changes the tool length without a Z word; some machines move by the difference, others do not."),
+    PROVEOUT_TEXT("Core", "Position Z in the same block; here Z does not move.")};
 inline constexpr FindingRow kShiftNotTurned{
     Severity::fault,
     false,
     "shift-not-turned",
     PROVEOUT_TEXT("Core", "Rotation with G92 active"),
-    PROVEOUT_TEXT("Core",
-                  "{} turns the work offset while G92 or G52 is in force: LinuxCNC then takes the tool to be "
-                  "at another place than it is."),
+    PROVEOUT_TEXT("Core", "{} rotates the work offset while G92 or G52 is active: LinuxCNC then assumes a "
+                          "wrong tool position."),
     PROVEOUT_TEXT("Core", "Cancel the shift with G92.1 first, and set it again afterwards.")};
 
 inline constexpr std::array kOffsetRows{

@@ -27,7 +27,7 @@ inline constexpr FindingRow kInputAssumed{
     false,
     "input-assumed",
     PROVEOUT_TEXT("Core", "Input value assumed"),
-    PROVEOUT_TEXT("Core", "What M66 reads is known to the machine only; #5399 is taken to be {}."),
+    PROVEOUT_TEXT("Core", "Input value of M66 unknown; #5399 is assumed to be {}."),
     PROVEOUT_TEXT("Core", "What follows is verified as long as it does not read #5399.")};
 inline constexpr FindingRow kInputUsed{
     Severity::warning,
@@ -35,7 +35,7 @@ inline constexpr FindingRow kInputUsed{
     "input-used",
     PROVEOUT_TEXT("Core", "Input value used"),
     PROVEOUT_TEXT("Core", "This line reads #5399, which holds an input of the machine."),
-    PROVEOUT_TEXT("Core", "What follows may depend on it and cannot be vouched for.")};
+    PROVEOUT_TEXT("Core", "Results that depend on it are unverified.")};
 inline constexpr FindingRow kProbePerRevolution{
     Severity::error,
     true,
@@ -54,8 +54,7 @@ inline constexpr FindingRow kSkipAssumed{
     true,
     "skip-assumed",
     PROVEOUT_TEXT("Core", "Skip signal unknown"),
-    PROVEOUT_TEXT(
-        "Core", "The skip motion is shown to its end; where a signal stops it, only the machine finds out."),
+    PROVEOUT_TEXT("Core", "The skip motion is shown to its end; where a signal stops it is unknown."),
     PROVEOUT_TEXT("Core",
                   "#5061 to #5063 hold that end. With a stock and a cutter for its tool it stops at the "
                   "stock.")};
@@ -64,10 +63,9 @@ inline constexpr FindingRow kProbeAssumed{
     true,
     "probe-assumed",
     PROVEOUT_TEXT("Core", "Probe contact unknown"),
-    PROVEOUT_TEXT("Core", "Where the probe meets the part is known to the machine only."),
-    PROVEOUT_TEXT("Core",
-                  "It is taken to go to its programmed end; #5061 to #5069 hold that, #5070 is 0. With a "
-                  "stock and a cutter for its tool it stops at the stock.")};
+    PROVEOUT_TEXT("Core", "The position where the probe meets the part is unknown."),
+    PROVEOUT_TEXT("Core", "It is assumed to move to its programmed end; #5061 to #5069 hold that, #5070 is "
+                          "0. With a stock and a cutter for its tool it stops at the stock.")};
 inline constexpr FindingRow kProbeContact{
     Severity::warning,
     false,
@@ -75,9 +73,8 @@ inline constexpr FindingRow kProbeContact{
     PROVEOUT_TEXT("Core", "Probe contact assumed"),
     PROVEOUT_TEXT("Core",
                   "The probe is assumed to stop at X{} Y{} Z{} mm, where it touches the simulated stock."),
-    PROVEOUT_TEXT("Core",
-                  "On the machine the part decides; what follows is verified as long as it does not go on "
-                  "from there or read the result.")};
+    PROVEOUT_TEXT("Core", "On the machine the part decides; results are verified as long as the program does "
+                          "not continue from there or read the result.")};
 inline constexpr FindingRow kProbeRelease{
     Severity::warning,
     false,
@@ -85,18 +82,15 @@ inline constexpr FindingRow kProbeRelease{
     PROVEOUT_TEXT("Core", "Probe release assumed"),
     PROVEOUT_TEXT("Core",
                   "The probe is assumed to stop at X{} Y{} Z{} mm, where it leaves the simulated stock."),
-    PROVEOUT_TEXT("Core",
-                  "On the machine the part decides; what follows is verified as long as it does not go on "
-                  "from there or read the result.")};
+    PROVEOUT_TEXT("Core", "On the machine the part decides; results are verified as long as the program does "
+                          "not continue from there or read the result.")};
 inline constexpr FindingRow kProbeUsed{
     Severity::warning,
     true,
     "probe-used",
     PROVEOUT_TEXT("Core", "Probe result used"),
-    PROVEOUT_TEXT("Core",
-                  "This line uses what a probing motion has found, which is assumed from the simulated "
-                  "stock."),
-    PROVEOUT_TEXT("Core", "What follows is shown for that; it cannot be vouched for on another part.")};
+    PROVEOUT_TEXT("Core", "This line uses a probing result, which is assumed from the simulated stock."),
+    PROVEOUT_TEXT("Core", "Results are shown for that stop; on another part they are unverified.")};
 inline constexpr FindingRow kProbeMissed{
     Severity::error,
     true,

@@ -50,23 +50,21 @@ inline constexpr FindingRow kPercentInside{
     true,
     "percent-inside",
     PROVEOUT_TEXT("Core", "\"%\" inside the program"),
-    PROVEOUT_TEXT("Core", "\"%\" stands in the middle of the program."),
-    PROVEOUT_TEXT("Core",
-                  "Controls skip what is before it, or what is behind it; keep one program in a file.")};
+    PROVEOUT_TEXT("Core", "\"%\" is in the middle of the program."),
+    PROVEOUT_TEXT("Core", "Controls skip what is before or after it; keep one program per file.")};
 inline constexpr FindingRow kAfterPercent{
     Severity::note,
     false,
     "after-percent",
     PROVEOUT_TEXT("Core", "Text after \"%\""),
-    PROVEOUT_TEXT("Core", "The text behind the second \"%\" is not run."),
+    PROVEOUT_TEXT("Core", "The text after the second \"%\" is not run."),
     ""};
-inline constexpr FindingRow kAfterEnd{
-    Severity::note,
-    false,
-    "after-program-end",
-    PROVEOUT_TEXT("Core", "Blocks after program end"),
-    PROVEOUT_TEXT("Core", "The blocks behind the end of the program are not run."),
-    ""};
+inline constexpr FindingRow kAfterEnd{Severity::note,
+                                      false,
+                                      "after-program-end",
+                                      PROVEOUT_TEXT("Core", "Blocks after program end"),
+                                      PROVEOUT_TEXT("Core", "The blocks after the program end are not run."),
+                                      ""};
 inline constexpr FindingRow kNoProgramEnd{
     Severity::warning,
     false,
@@ -116,7 +114,7 @@ inline constexpr FindingRow kStillReading{
     true,
     "still-reading",
     PROVEOUT_TEXT("Core", "Still reading"),
-    PROVEOUT_TEXT("Core", "The program is still being read; what stands from this line on is missing."),
+    PROVEOUT_TEXT("Core", "The program is still being read; the lines from here on are missing."),
     ""};
 
 inline constexpr std::array kProgramRows{

@@ -13,15 +13,15 @@ inline constexpr FindingRow kSplinePlane{Severity::error,
                                          true,
                                          "spline-plane",
                                          PROVEOUT_TEXT("Core", "Spline outside XY plane"),
-                                         PROVEOUT_TEXT("Core", "{} draws in the XY plane only."),
+                                         PROVEOUT_TEXT("Core", "{} works in the XY plane only."),
                                          PROVEOUT_TEXT("Core", "Write G17 before it.")};
 inline constexpr FindingRow kSplineHandle{
     Severity::error,
     true,
     "spline-handle",
     PROVEOUT_TEXT("Core", "Spline without I and J"),
-    PROVEOUT_TEXT("Core", "G5 without I and J goes on from a G5, but the motion before it was none."),
-    PROVEOUT_TEXT("Core", "Give I and J; LinuxCNC would take what some block before it left.")};
+    PROVEOUT_TEXT("Core", "G5 without I and J continues a G5, but the motion before it is not a G5."),
+    PROVEOUT_TEXT("Core", "Program I and J; LinuxCNC would use values left by an earlier block.")};
 inline constexpr FindingRow kSplineTooLong{
     Severity::error,
     true,
@@ -34,14 +34,14 @@ inline constexpr FindingRow kNurbsAxes{Severity::error,
                                        "nurbs-axes",
                                        PROVEOUT_TEXT("Core", "Control point incomplete"),
                                        PROVEOUT_TEXT("Core", "A control point needs both X and Y."),
-                                       PROVEOUT_TEXT("Core", "Add the missing word; the point is left out.")};
+                                       PROVEOUT_TEXT("Core", "Add the missing word; the point is ignored.")};
 inline constexpr FindingRow kNurbsWeight{
     Severity::error,
     true,
     "nurbs-weight",
     PROVEOUT_TEXT("Core", "Invalid control point weight"),
     PROVEOUT_TEXT("Core", "A control point needs a weight P greater than 0."),
-    PROVEOUT_TEXT("Core", "Write P1 for an ordinary point; the point is left out.")};
+    PROVEOUT_TEXT("Core", "Write P1 for an ordinary point; the point is ignored.")};
 inline constexpr FindingRow kNurbsWeightAlone{
     Severity::error,
     true,
@@ -62,14 +62,14 @@ inline constexpr FindingRow kNurbsNotOpen{
     "nurbs-not-open",
     PROVEOUT_TEXT("Core", "NURBS block not open"),
     PROVEOUT_TEXT("Core", "G5.3 closes a NURBS block, but none is open."),
-    PROVEOUT_TEXT("Core", "Begin it with G5.2; other motions in between end it.")};
+    PROVEOUT_TEXT("Core", "Start it with G5.2; other motions in between end it.")};
 inline constexpr FindingRow kNurbsOpen{
     Severity::error,
     true,
     "nurbs-open",
     PROVEOUT_TEXT("Core", "NURBS block not closed"),
-    PROVEOUT_TEXT("Core", "A NURBS block was begun by G5.2 but not closed: nothing moves along it."),
-    PROVEOUT_TEXT("Core", "Write G5.3 behind its last control point.")};
+    PROVEOUT_TEXT("Core", "A NURBS block was started by G5.2 but not closed: it makes no motion."),
+    PROVEOUT_TEXT("Core", "Write G5.3 after its last control point.")};
 
 inline constexpr std::array kSplineRows{&kSplinePlane, &kSplineHandle, &kSplineTooLong,
                                         &kNurbsAxes,   &kNurbsWeight,  &kNurbsWeightAlone,

@@ -15,7 +15,8 @@ inline constexpr FindingRow kBoxNeedsTooMuchMemory{
     "box-needs-too-much-memory",
     PROVEOUT_TEXT("Core", "Box needs too much memory"),
     PROVEOUT_TEXT(
-        "Core", "A box of {} × {} points needs {}; {} may be taken, which is enough for a spacing of {} mm."),
+        "Core",
+        "A detail region of {} × {} points needs {}; {} is available, enough for a spacing of {} mm."),
     ""};
 
 inline constexpr std::array kDetailRows{&kBoxNeedsTooMuchMemory};

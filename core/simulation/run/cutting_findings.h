@@ -14,7 +14,7 @@ inline constexpr FindingRow kRapidCuts{
     false,
     "rapid-cuts",
     PROVEOUT_TEXT("Core", "Rapid cuts stock"),
-    PROVEOUT_TEXT("Core", "The rapid motion removes material, {} mm deep."),
+    PROVEOUT_TEXT("Core", "Rapid move cuts stock ({} mm deep)."),
     PROVEOUT_TEXT("Core", "Retract above the stock before the rapid, or cut with G1."),
     SeverityRule::warningIfAssumed};
 inline constexpr FindingRow kRapidCutsUnconfirmed{
@@ -44,7 +44,7 @@ inline constexpr FindingRow kNeckInStock{
     false,
     "neck-in-stock",
     PROVEOUT_TEXT("Core", "Neck in stock"),
-    PROVEOUT_TEXT("Core", "The neck of the cutter goes through {} mm of stock above its head."),
+    PROVEOUT_TEXT("Core", "The neck of the cutter passes through {} mm of stock above its head."),
     PROVEOUT_TEXT("Core", "Cut a slot for the neck first, or choose a tool with a thinner neck."),
     SeverityRule::warningIfAssumed};
 inline constexpr FindingRow kNeckInStockUnconfirmed{
@@ -59,25 +59,25 @@ inline constexpr FindingRow kRapidUncheckedStart{
     true,
     "rapid-unchecked",
     PROVEOUT_TEXT("Core", "Rapid not checked"),
-    PROVEOUT_TEXT("Core", "The rapid motion comes from an unknown position and ends {} mm below the top of "
-                          "the stock; what it cuts is not known."),
+    PROVEOUT_TEXT("Core", "The rapid move comes from an unknown position and ends {} mm below the top of the "
+                          "stock; what it cuts is unknown."),
     PROVEOUT_TEXT("Core", "Retract above the stock before the rapid, or cut with G1.")};
 inline constexpr FindingRow kRapidUncheckedHeight{
     Severity::error,
     true,
     "rapid-unchecked",
     PROVEOUT_TEXT("Core", "Rapid not checked"),
-    PROVEOUT_TEXT("Core", "The rapid motion passes over the stock at a height that is not known; whether it "
-                          "cuts is not known."),
+    PROVEOUT_TEXT("Core",
+                  "The rapid move passes over the stock at an unknown height; whether it cuts is unknown."),
     PROVEOUT_TEXT("Core", "Position Z above the stock before the rapid.")};
 inline constexpr FindingRow kOverhangLost{
     Severity::error,
     true,
     "overhang-lost",
     PROVEOUT_TEXT("Core", "Stock above head not shown"),
-    PROVEOUT_TEXT("Core", "Above the head of the cutter {} mm³ of stock stay, which the z-map shows as "
+    PROVEOUT_TEXT("Core", "Above the head of the cutter {} mm³ of stock remain, which the z-map shows as "
                           "removed; the layer is highest at X{} Y{} Z{}."),
-    PROVEOUT_TEXT("Core", "Check by other means what is done there from here on.")};
+    PROVEOUT_TEXT("Core", "Check by other means what is cut there from here on.")};
 inline constexpr FindingRow kMoreFindings{
     Severity::note,
     false,

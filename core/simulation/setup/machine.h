@@ -29,25 +29,25 @@ void describe(Params& machine, Visitor&& visit) requires requires {
     machine.toolChangeSeconds;
 }
 {
-    visit(machine.rapidXY, Field{"rapidXY", PROVEOUT_TEXT("Core", "Rapid X, Y"), "mm/min",
-                                 PROVEOUT_TEXT("Core", "How fast X and Y each move at rapid."), 1, 1e6, 500});
-    visit(machine.rapidZ, Field{"rapidZ", PROVEOUT_TEXT("Core", "Rapid Z"), "mm/min",
-                                PROVEOUT_TEXT("Core", "How fast Z moves at rapid."), 1, 1e6, 500});
+    visit(machine.rapidXY, Field{"rapidXY", PROVEOUT_TEXT("Core", "Rapid traverse X/Y"), "mm/min",
+                                 PROVEOUT_TEXT("Core", "Speed of X and of Y at rapid."), 1, 1e6, 500});
+    visit(machine.rapidZ, Field{"rapidZ", PROVEOUT_TEXT("Core", "Rapid traverse Z"), "mm/min",
+                                PROVEOUT_TEXT("Core", "Speed of Z at rapid."), 1, 1e6, 500});
     visit(machine.largestFeed,
-          Field{"largestFeed", PROVEOUT_TEXT("Core", "Largest feed"), "mm/min",
-                PROVEOUT_TEXT("Core", "The machine feeds no faster, whatever F says."), 1, 1e6, 500});
-    visit(machine.accelerationXY,
-          Field{"accelerationXY", PROVEOUT_TEXT("Core", "Acceleration X, Y"), "mm/s²",
-                PROVEOUT_TEXT("Core", "How fast X and Y each gain and lose speed."), 1, 1e6, 100});
-    visit(machine.accelerationZ,
-          Field{"accelerationZ", PROVEOUT_TEXT("Core", "Acceleration Z"), "mm/s²",
-                PROVEOUT_TEXT("Core", "How fast Z gains and loses speed."), 1, 1e6, 100});
+          Field{"largestFeed", PROVEOUT_TEXT("Core", "Maximum feed rate"), "mm/min",
+                PROVEOUT_TEXT("Core", "The machine limits the feed rate to this, whatever F says."), 1, 1e6,
+                500});
+    visit(machine.accelerationXY, Field{"accelerationXY", PROVEOUT_TEXT("Core", "Acceleration X, Y"), "mm/s²",
+                                        PROVEOUT_TEXT("Core", "Acceleration of X and of Y."), 1, 1e6, 100});
+    visit(machine.accelerationZ, Field{"accelerationZ", PROVEOUT_TEXT("Core", "Acceleration Z"), "mm/s²",
+                                       PROVEOUT_TEXT("Core", "Acceleration of Z."), 1, 1e6, 100});
     visit(machine.cornerDeviation,
-          Field{"cornerDeviation", PROVEOUT_TEXT("Core", "Corner deviation"), "mm",
-                PROVEOUT_TEXT("Core", "How far the path may be rounded at a corner; 0: it stops at each."), 0,
-                10, 0.01});
-    visit(machine.toolChangeSeconds, Field{"toolChange", PROVEOUT_TEXT("Core", "Tool change"), "s",
-                                           PROVEOUT_TEXT("Core", "From chip to chip."), 0, 3600, 0.5});
+          Field{"cornerDeviation", PROVEOUT_TEXT("Core", "Cornering tolerance"), "mm",
+                PROVEOUT_TEXT("Core", "Largest deviation of a rounded corner; 0: exact stop at each corner."),
+                0, 10, 0.01});
+    visit(machine.toolChangeSeconds,
+          Field{"toolChange", PROVEOUT_TEXT("Core", "Tool change"), "s",
+                PROVEOUT_TEXT("Core", "Tool change time, chip to chip."), 0, 3600, 0.5});
 }
 
 /// The machine as `key=value,…` says, with the keys of describe(); what is not named stays. Errors: a key

@@ -27,7 +27,7 @@ inline constexpr FindingRow kParameterOutOfRange{
     false,
     "parameter-out-of-range",
     PROVEOUT_TEXT("Core", "Parameter out of range"),
-    PROVEOUT_TEXT("Core", "The parameter \"{}\" is {}; it must lie in {} … {}."),
+    PROVEOUT_TEXT("Core", "The parameter \"{}\" is {}; it must be in {} … {}."),
     ""};
 inline constexpr FindingRow kNeverCuts{
     Severity::warning,
@@ -35,17 +35,17 @@ inline constexpr FindingRow kNeverCuts{
     "never-cuts",
     PROVEOUT_TEXT("Core", "Program never cuts"),
     PROVEOUT_TEXT("Core",
-                  "The program never cuts the stock: its moves at feed are within {}, the stock within {}."),
-    PROVEOUT_TEXT("Core", "Check size and position of the stock, and the work offset: the position of the "
-                          "stock names its top, not its bottom.")};
+                  "The program never cuts the stock: its cutting moves are within {}, the stock within {}."),
+    PROVEOUT_TEXT("Core", "Check the size and position of the stock, and the work offset: the position of "
+                          "the stock is that of its top, not its bottom.")};
 inline constexpr FindingRow kStockMissed{
     Severity::warning,
     false,
     "stock-missed",
     PROVEOUT_TEXT("Core", "Stock missed"),
-    PROVEOUT_TEXT("Core", "Moves at feed go {} mm beyond the stock in {}, where it measures {} mm."),
-    PROVEOUT_TEXT("Core", "Check size and position of the stock, and the work offset: the position of the "
-                          "stock names its top, not its bottom.")};
+    PROVEOUT_TEXT("Core", "Cutting moves extend {} mm beyond the stock in {}, where it measures {} mm."),
+    PROVEOUT_TEXT("Core", "Check the size and position of the stock, and the work offset: the position of "
+                          "the stock is that of its top, not its bottom.")};
 inline constexpr FindingRow kGridCoarseAutomatic{
     Severity::warning,
     false,
@@ -53,8 +53,8 @@ inline constexpr FindingRow kGridCoarseAutomatic{
     PROVEOUT_TEXT("Core", "Grid coarse"),
     PROVEOUT_TEXT(
         "Core", "The grid spacing of {} mm is too coarse for T{} (⌀{} mm): it has only {} points across it."),
-    PROVEOUT_TEXT(
-        "Core", "See details with View, Look Closer, or in a smaller stock, or enter a finer grid spacing.")};
+    PROVEOUT_TEXT("Core",
+                  "See details with View, Magnifier, or in a smaller stock, or enter a finer grid spacing.")};
 inline constexpr FindingRow kGridCoarse{
     Severity::warning,
     false,
@@ -62,7 +62,7 @@ inline constexpr FindingRow kGridCoarse{
     PROVEOUT_TEXT("Core", "Grid coarse"),
     PROVEOUT_TEXT(
         "Core", "The grid spacing of {} mm is too coarse for T{} (⌀{} mm): it has only {} points across it."),
-    PROVEOUT_TEXT("Core", "Choose a finer grid, or the automatic one; see details with View, Look Closer, or "
+    PROVEOUT_TEXT("Core", "Choose a finer grid, or the automatic one; see details with View, Magnifier, or "
                           "in a smaller stock.")};
 
 inline constexpr std::array kSetupRows{&kMachineValue, &kMachineKey,  &kParameterOutOfRange,

@@ -47,7 +47,7 @@ inline constexpr FindingRow kConditionDepth{
     false,
     "condition",
     PROVEOUT_TEXT("Core", "Invalid condition"),
-    PROVEOUT_TEXT("Core", "Column {}: there are too many parentheses in each other."),
+    PROVEOUT_TEXT("Core", "Column {}: the parentheses are nested too deeply."),
     ""};
 
 inline constexpr std::array kConditionRows{&kConditionTooLong, &kConditionOperand,     &kConditionComparison,

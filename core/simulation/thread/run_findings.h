@@ -14,13 +14,13 @@ inline constexpr FindingRow kOutOfMemory{
     false,
     "out-of-memory",
     PROVEOUT_TEXT("Core", "Out of memory"),
-    PROVEOUT_TEXT("Core", "The simulation needs more memory than there is."),
+    PROVEOUT_TEXT("Core", "There is not enough memory for the simulation."),
     ""};
 inline constexpr FindingRow kInternalError{Severity::error,
                                            false,
                                            "internal-error",
                                            PROVEOUT_TEXT("Core", "Simulation stopped"),
-                                           PROVEOUT_TEXT("Core", "The simulation had to stop: {}."),
+                                           PROVEOUT_TEXT("Core", "The simulation failed: {}."),
                                            ""};
 
 inline constexpr std::array kRunRows{&kOutOfMemory, &kInternalError};
