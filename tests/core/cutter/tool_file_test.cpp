@@ -83,29 +83,29 @@ TEST_F(ToolFile, TellsAHundredErrorsAndHowManyMoreThereAre) {
 TEST_F(ToolFile, KeysOfARowThatAreNotKnownAreErrorsWithTheirPlace) {
     EXPECT_EQ(told("[[tool]]\nnumber = 1\ncuter = \"ball:d=4\"\n"),
               "1:1 Tool 1 needs a cutter, e.g. cutter = \"ball:d=11,l=50\". [tool-cutter]\n"
-              "3:1 “cuter” is no key of a tool; perhaps “cutter” is meant. [tool-key-unknown]\n");
+              "3:1 “cuter” is not a key of a tool; perhaps “cutter” is meant. [tool-key-unknown]\n");
     EXPECT_EQ(told("[[tool]]\nnumber = 1\ncutter = \"ball:d=4\"\n  flutes = 2\n"),
-              "4:3 “flutes” is no key of a tool; there are number, cutter, source. [tool-key-unknown]\n");
+              "4:3 “flutes” is not a key of a tool; there are number, cutter, source. [tool-key-unknown]\n");
     EXPECT_EQ(told("[[tool]]\nnumber = 1\ncutter = \"ball:d=4\"\nNumber = 2\n"),
-              "4:1 “Number” is no key of a tool; perhaps “number” is meant. [tool-key-unknown]\n");
+              "4:1 “Number” is not a key of a tool; perhaps “number” is meant. [tool-key-unknown]\n");
 }
 
 TEST_F(ToolFile, TablesThatAreNotKnownAreErrorsWithTheirPlace) {
     const std::string row = "[[tool]]\nnumber = 1\ncutter = \"ball:d=4\"\n";
     EXPECT_EQ(told(row + "[[tools]]\nnumber = 2\ncutter = \"ball:d=4\"\n"),
-              "4:3 “tools” is no table of a tool file; perhaps “tool” is meant. [tool-key-unknown]\n");
+              "4:3 “tools” is not a table of a tool file; perhaps “tool” is meant. [tool-key-unknown]\n");
     EXPECT_EQ(told("unit = \"mm\"\n" + row),
-              "1:1 “unit” is no table of a tool file; each tool is a [[tool]]. [tool-key-unknown]\n");
+              "1:1 “unit” is not a table of a tool file; each tool is a [[tool]]. [tool-key-unknown]\n");
     EXPECT_EQ(told(row + "[tool.holder]\nd = 40\n"),
-              "4:7 “holder” is no key of a tool; there are number, cutter, source. [tool-key-unknown]\n");
+              "4:7 “holder” is not a key of a tool; there are number, cutter, source. [tool-key-unknown]\n");
     EXPECT_EQ(told("[machine]\nname = \"x\"\n"),
               "0:0 The file holds no [[tool]] tables. [tool-file-empty]\n"
-              "1:2 “machine” is no table of a tool file; each tool is a [[tool]]. [tool-key-unknown]\n");
+              "1:2 “machine” is not a table of a tool file; each tool is a [[tool]]. [tool-key-unknown]\n");
 }
 
 TEST_F(ToolFile, KeysOfACutterThatAreNotKnownAreErrorsAtTheCutter) {
     EXPECT_THAT(told("[[tool]]\nnumber = 1\ncutter = \"ball:d=4,x=3\"\n"),
-                testing::MatchesRegex("3:10 .*“x” is no key .*\\[cutter-key-unknown\\]\n"));
+                testing::MatchesRegex("3:10 .*“x” is not a key .*\\[cutter-key-unknown\\]\n"));
 }
 
 TEST_F(ToolFile, AllErrorsAreToldAtOnceInTheOrderOfTheText) {
@@ -117,8 +117,8 @@ TEST_F(ToolFile, AllErrorsAreToldAtOnceInTheOrderOfTheText) {
               "2:10 A tool needs a number, a whole one from 0 to 99999999. [tool-number]\n"
               "4:1 Tool 3 needs a cutter, e.g. cutter = \"ball:d=11,l=50\". [tool-cutter]\n"
               "7:10 A tool needs a number, a whole one from 0 to 99999999. [tool-number]\n"
-              "8:1 “colour” is no key of a tool; there are number, cutter, source. [tool-key-unknown]\n"
-              "10:10 Tool 3 stands in the table twice. [tool-twice]\n"
+              "8:1 “colour” is not a key of a tool; there are number, cutter, source. [tool-key-unknown]\n"
+              "10:10 Tool 3 is in the table twice. [tool-twice]\n"
               "12:1 A tool needs a number, a whole one from 0 to 99999999. [tool-number]\n");
 }
 

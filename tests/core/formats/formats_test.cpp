@@ -37,10 +37,10 @@ TEST(Formats, TheEndingOfAMeshFileNamesItsFormat) {
     EXPECT_EQ(keyOf("a.3MF"), "3mf");
     for (const char* other : {"", "a", ".stl", "stl", "a.npy", "a.proveout", "a.stl.gz", "a.stl "})
         EXPECT_EQ(keyOf(other), "none") << other;
-    EXPECT_EQ(
-        oneLine(meshFormatOf("a.step").error().front()),
-        "a.step: error: The ending of this name is that of no mesh format; there are .stl .obj .ply .3mf. "
-        "[export-format-unknown]");
+    EXPECT_EQ(oneLine(meshFormatOf("a.step").error().front()),
+              "a.step: error: The extension of this name is not that of a mesh format; there are .stl .obj "
+              ".ply .3mf. "
+              "[export-format-unknown]");
 }
 
 TEST(Formats, StlAloneRoundsCoordinates) {

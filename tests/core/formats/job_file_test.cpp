@@ -245,7 +245,7 @@ TEST_F(JobFile, ErrorsNameTheFieldAndWhatIsAllowed) {
         HasSubstr("\"decimation.method\" must be one of \"certified\", \"lee\", \"global\", \"none\"."));
     EXPECT_THAT(told(with("\"global\"", "3")), HasSubstr("\"decimation.method\" must be one of"));
     EXPECT_THAT(told(with("false", "0")), HasSubstr("\"decimation.certify\" must be true or false."));
-    EXPECT_THAT(told(with("flat:d=6", "flat:d=-6")), HasSubstr("\"tools.12\" is no cutter: "));
+    EXPECT_THAT(told(with("flat:d=6", "flat:d=-6")), HasSubstr("\"tools.12\" is not a cutter: "));
     EXPECT_THAT(told(with("\"12\"", "\"T12\"")), HasSubstr("\"tools.T12\" is not a tool number"));
     EXPECT_THAT(told(with("\"12\"", "\"-1\"")), HasSubstr("\"tools.-1\" is not a tool number"));
     EXPECT_EQ(told(with("\"12\"", "\"0\"")), "") << "T0 is a cutter where the table says so";

@@ -97,16 +97,18 @@ protected:
 TEST_F(StlFaults, ACountIsCheckedAgainstTheFileBeforeAnythingIsTaken) {
     const auto start = std::chrono::steady_clock::now();
     EXPECT_EQ(told(binaryStl(0xffffffff, kTetrahedron)),
-              "error 0:0 The file announces 4294967295 facets and ends at byte 284, after 4. [stl-cut-off]");
+              "error 0:0 The header specifies 4294967295 facets, but the file ends at byte 284, after 4. "
+              "[stl-cut-off]");
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(50));
-    EXPECT_THAT(told(binaryStl(5, kTetrahedron)), HasSubstr("announces 5 facets"));
+    EXPECT_THAT(told(binaryStl(5, kTetrahedron)), HasSubstr("specifies 5 facets"));
     EXPECT_THAT(told(binaryStl(4, kTetrahedron).substr(0, 280)), HasSubstr("ends at byte 280, after 3"));
 }
 
 TEST_F(StlFaults, BytesBehindTheFacetsAreAWarning) {
-    EXPECT_EQ(told(binaryStl(3, kTetrahedron)),
-              "warning 0:0 The 3 facets announced were read; 50 bytes follow them from byte 234. "
-              "[stl-trailing-bytes]");
+    EXPECT_EQ(
+        told(binaryStl(3, kTetrahedron)),
+        "warning 0:0 The 3 facets specified in the header were read; 50 bytes follow them from byte 234. "
+        "[stl-trailing-bytes]");
     EXPECT_EQ(read(binaryStl(3, kTetrahedron))->mesh.triangles.size(), 3U);
 }
 
@@ -145,7 +147,7 @@ TEST_F(StlFaults, FacetsThatAreNoFacetsAreCountedAndLeftOut) {
     EXPECT_EQ(contents->mesh.vertices.size(), 4U);
     ASSERT_EQ(contents->warnings.size(), 2U);
     EXPECT_EQ(message(contents->warnings[0]),
-              "2 of 8 facets have a coordinate that is no finite number; they were left out.");
+              "2 of 8 facets have a coordinate that is not a finite number; they were ignored.");
 }
 
 TEST_F(StlFaults, AsciiErrorsHaveTheirPlace) {
@@ -156,13 +158,13 @@ TEST_F(StlFaults, AsciiErrorsHaveTheirPlace) {
     EXPECT_EQ(
         told(solid +
              "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nvertex 1 1 0\n"),
-        "error 7:1 \"vertex\" stands where \"endloop\" should. [stl-syntax]");
+        "error 7:1 Expected \"endloop\" but found \"vertex\". [stl-syntax]");
     EXPECT_EQ(told(solid + "facet normal 0 0 1\nouter loop\nvertex 0 0,5 0\n"),
-              "error 4:10 \"0,5\" stands where \"number\" should. [stl-syntax]");
+              "error 4:10 Expected \"number\" but found \"0,5\". [stl-syntax]");
     EXPECT_EQ(told(solid + "facet normal 0 0 1\nouter loop\nvertex 0"),
-              "error 4:9 The file ends where \"number\" should stand. [stl-cut-off]");
+              "error 4:9 Expected \"number\" but the file ends. [stl-cut-off]");
     EXPECT_EQ(told(solid + kAsciiFacet + "endsolid\nrubbish\n"),
-              "error 10:1 \"rubbish\" stands where \"solid\" should. [stl-syntax]");
+              "error 10:1 Expected \"solid\" but found \"rubbish\". [stl-syntax]");
 }
 
 TEST_F(StlFaults, AsciiIsReadWhateverItsCaseAndWhiteSpace) {
@@ -212,7 +214,7 @@ TEST_F(StlFaults, LinesAreCountedHoweverTheyEnd) {
     const std::string wrong = "solid a\n\nfacet normal 0 0 1\nouter loop\n vertex 0 x 0\n";
     for (const char* end : {"\n", "\r", "\r\n"})
         EXPECT_EQ(told(replaced(wrong, "\n", end)),
-                  "error 5:11 \"x\" stands where \"number\" should. [stl-syntax]");
+                  "error 5:11 Expected \"number\" but found \"x\". [stl-syntax]");
 }
 
 TEST_F(StlFaults, AsciiNumbersBeyondFloatAreCounted) {

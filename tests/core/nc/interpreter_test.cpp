@@ -100,8 +100,7 @@ TEST(Interpreter, KnowsNothingOfTheStartUnlessTold) {
     EXPECT_FALSE(unknown->motion(0).known());
     EXPECT_TRUE(unknown->unverified());
     EXPECT_TRUE(unknown->bounds().empty());
-    EXPECT_EQ(message(unknown->diagnostics().front()),
-              "The position of X, Y, Z is not known, so this motion cuts nothing.");
+    EXPECT_EQ(message(unknown->diagnostics().front()), "X, Y, Z position unknown; move not simulated.");
 
     InterpretOptions assumed;
     assumed.assumeStartAtZero = true;

@@ -48,7 +48,8 @@ TEST(StockPosition, ABottomThatWasGivenForTheTopIsTold) {
     const auto above = warningsAt({0, 0, 12}); // the bottom at Z2: the program cuts 10 mm below it
     ASSERT_EQ(above.size(), 1U);
     EXPECT_STREQ(above[0].id, "stock-missed");
-    EXPECT_EQ(message(above[0]), "Moves at feed go 10 mm beyond the stock in Z-, where it measures 10 mm.");
+    EXPECT_EQ(message(above[0]),
+              "Cutting moves extend 10 mm beyond the stock in Z-, where it measures 10 mm.");
 }
 
 TEST(StockPosition, AStockBesideThePathIsTold) {

@@ -31,12 +31,12 @@ private slots:
         QTRY_VERIFY(session.program().current() && session.simulation().frame());
         session.playback().seek(1);
         QTRY_COMPARE(value(*tree, QStringLiteral("plane")), QStringLiteral("G17"));
-        QCOMPARE(value(*tree, QStringLiteral("distances")), QStringLiteral("G90"));
+        QCOMPARE(value(*tree, QStringLiteral("distance mode")), QStringLiteral("G90"));
         QCOMPARE(value(*tree, QStringLiteral("X")), QLocale().toString(1.0, 'f', 3));
         QVERIFY(value(*tree, QStringLiteral("O1")).isNull());
         session.playback().seek(2);
         QTRY_COMPARE(value(*tree, QStringLiteral("plane")), QStringLiteral("G18"));
-        QCOMPARE(value(*tree, QStringLiteral("distances")), QStringLiteral("G91"));
+        QCOMPARE(value(*tree, QStringLiteral("distance mode")), QStringLiteral("G91"));
         QCOMPARE(value(*tree, QStringLiteral("X")), QLocale().toString(6.0, 'f', 3));
         QCOMPARE(value(*tree, QStringLiteral("#1")), QLocale().toString(5));
         QCOMPARE(value(*tree, QStringLiteral("O1")), QStringLiteral("from line 6"));

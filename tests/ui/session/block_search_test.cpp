@@ -65,7 +65,7 @@ class BlockSearchTest : public QObject {
 
 private slots:
     void theNewestQuestionCounts() {
-        const FramePtr moment = openedAt(100)->frame();
+        const FramePtr moment = openedAt(100)->simulation().frame();
         std::atomic<int> stopped = 0;
         BlockSearch search(nullptr, [&](const Frame&, const MapPoint& point, const WorkContext& context) {
             while (point.i == 0 && !context.stopped())
@@ -88,7 +88,7 @@ private slots:
     }
 
     void tellsOfProgressOnceItTakesLong() {
-        const FramePtr moment = openedAt(100)->frame();
+        const FramePtr moment = openedAt(100)->simulation().frame();
         std::atomic<bool> goOn = false;
         BlockSearch search(nullptr, [&](const Frame&, const MapPoint&, const WorkContext& context) {
             for (int percent = 0; !goOn && !context.stopped(); percent = std::min(percent + 1, 90)) {
@@ -118,7 +118,7 @@ private slots:
     }
 
     void whatIsThrownIsTold() {
-        const FramePtr moment = openedAt(10)->frame();
+        const FramePtr moment = openedAt(10)->simulation().frame();
         BlockSearch search(
             nullptr, [](const Frame&, const MapPoint&, const WorkContext&) -> std::optional<std::size_t> {
                 throw std::runtime_error("reason");
