@@ -28,16 +28,14 @@ struct ClassSize {
 using ClassSizes = std::map<std::string, ClassSize>;
 
 constexpr ClassSize kBudget{400, 30, 10};
+/// Of a hub of the session: a class that every panel may call must not become the room of everything.
+constexpr ClassSize kHubBudget{300, 15, 10};
 
 /// The classes that are larger today. A number here may become smaller and nothing else; a class that keeps
 /// the budget has no row.
 const ClassSizes kLarger{
-    {"MainWindow", {.lines = 631}},
-    {"NcEditor", {.lines = 435}},
-    {"PlotView", {.lines = 449}},
-    {"Program", {.lines = 458}},
-    {"Session", {.lines = 1241, .fields = 44, .signals = 26}},
-    {"Viewport", {.lines = 704}},
+    {"MainWindow", {.lines = 631}}, {"NcEditor", {.lines = 435}}, {"PlotView", {.lines = 449}},
+    {"Program", {.lines = 458}},    {"Viewport", {.lines = 704}},
 };
 
 /// The text with blanks in the place of comments, of what strings hold, and of directives; lines stay.
@@ -264,9 +262,10 @@ TEST(ClassBudget, NoClassIsLargerThanTheBudget) {
     EXPECT_GT(sizes.size(), 300U); // of a tree that was read
     for (const auto& [name, size] : sizes) {
         const auto larger = kLarger.find(name);
-        const ClassSize& most = larger == kLarger.end() ? kBudget : larger->second;
+        const ClassSize& usual = name.ends_with("Hub") ? kHubBudget : kBudget;
+        const ClassSize& most = larger == kLarger.end() ? usual : larger->second;
         for (const Measure& measure : kMeasures)
-            EXPECT_LE(size.*measure.count, std::max(most.*measure.count, kBudget.*measure.count))
+            EXPECT_LE(size.*measure.count, std::max(most.*measure.count, usual.*measure.count))
                 << name << " has too many " << measure.name << ": cut it by what its fields share";
     }
 }
@@ -275,7 +274,7 @@ TEST(ClassBudget, ExceptionsAreNeeded) {
     const ClassSizes sizes = sizesOfTree();
     for (const auto& [name, most] : kLarger) {
         const auto found = sizes.find(name);
-        ASSERT_NE(found, sizes.end()) << name << " is no class any more: delete its row";
+        ASSERT_NE(found, sizes.end()) << name << " is no longer a class: delete its row";
         const bool needed = std::ranges::any_of(kMeasures, [&](const Measure& measure) {
             return found->second.*measure.count > kBudget.*measure.count;
         });
