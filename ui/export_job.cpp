@@ -9,8 +9,6 @@
 #include <variant>
 #include <vector>
 
-#include <QMetaObject>
-
 #include "core/base/atomic_file.h"
 #include "core/base/file_state.h"
 #include "core/base/text.h"
@@ -157,17 +155,13 @@ void ExportJob::start(FramePtr frame, const QString& file, const ExportOptions& 
                       std::function<void(Result<ExportSummary>)> done) {
     const std::uint64_t generation = ++m_generation;
     const auto tell = [this](double fraction) {
-        QMetaObject::invokeMethod(
-            this, [this, fraction] { emit progressed(fraction); }, Qt::QueuedConnection);
+        m_replies.post([this, fraction] { emit progressed(fraction); });
     };
     const auto report = [this, generation, done = std::move(done)](const Result<ExportSummary>& result) {
-        QMetaObject::invokeMethod(
-            this,
-            [this, generation, done, result] {
-                if (generation == m_generation)
-                    done(result);
-            },
-            Qt::QueuedConnection);
+        m_replies.post([this, generation, done, result] {
+            if (generation == m_generation)
+                done(result);
+        });
     };
     m_thread =
         std::jthread([frame = std::move(frame), file, options, tell, report](const std::stop_token& stop) {

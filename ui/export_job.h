@@ -14,6 +14,7 @@
 #include "core/base/work_context.h"
 #include "core/formats/formats.h"
 #include "core/simulation/run/frame.h"
+#include "ui/ui_queue.h"
 
 namespace proveout {
 
@@ -63,7 +64,8 @@ signals:
     void progressed(double done);
 
 private:
-    std::uint64_t m_generation = 0; ///< of the newest export; older ones report to nobody
+    std::uint64_t m_generation = 0; ///< of the newest export; older ones are not reported
+    UiQueue m_replies;
     std::jthread m_thread;
 };
 

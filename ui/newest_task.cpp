@@ -3,8 +3,6 @@
 
 #include <utility>
 
-#include <QMetaObject>
-
 namespace proveout {
 
 NewestTask::NewestTask(QObject* parent)
@@ -44,13 +42,10 @@ void NewestTask::run(const std::stop_token& stop) {
             m_waiting.reset();
         }
         const auto post = [this, generation = request.generation](std::function<void()> tell) {
-            QMetaObject::invokeMethod(
-                this,
-                [this, generation, tell = std::move(tell)] {
-                    if (generation == m_generation)
-                        tell();
-                },
-                Qt::QueuedConnection);
+            m_replies.post([this, generation, tell = std::move(tell)] {
+                if (generation == m_generation)
+                    tell();
+            });
         };
         request.task({request.stop, post});
     }

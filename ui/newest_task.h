@@ -12,6 +12,8 @@
 
 #include <QObject>
 
+#include "ui/ui_queue.h"
+
 namespace proveout {
 
 /// A thread that carries out one task at a time; a new one takes the place of the one before, which is asked
@@ -51,6 +53,7 @@ private:
     std::optional<Request> m_waiting; ///< guarded by m_mutex
     std::stop_source m_current;       ///< of the newest task; UI thread
     std::uint64_t m_generation = 0;   ///< UI thread
+    UiQueue m_replies;
     std::jthread m_thread;
 };
 

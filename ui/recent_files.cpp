@@ -6,7 +6,6 @@
 #include <utility>
 
 #include <QFileInfo>
-#include <QMetaObject>
 #include <QSettings>
 
 namespace proveout {
@@ -71,9 +70,8 @@ void RecentFiles::look() {
             const bool there = probe(file);
             const std::scoped_lock lock(listener->mutex);
             if (listener->files != nullptr)
-                QMetaObject::invokeMethod(
-                    listener->files, [files = listener->files, file, there] { files->answered(file, there); },
-                    Qt::QueuedConnection);
+                listener->files->m_answers.post(
+                    [files = listener->files, file, there] { files->answered(file, there); });
         }).detach();
     }
 }

@@ -9,6 +9,8 @@
 #include <QString>
 #include <QStringList>
 
+#include "ui/ui_queue.h"
+
 namespace proveout {
 
 /// The files opened last, newest first, kept in the settings; and which of them are still there. Thread: UI.
@@ -48,6 +50,7 @@ private:
     std::map<QString, bool> m_there;
     QStringList m_asked; ///< no answer yet
     std::shared_ptr<Listener> m_listener;
+    UiQueue m_answers;
 };
 
 } // namespace proveout

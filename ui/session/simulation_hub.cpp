@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <utility>
 
-#include <QMetaObject>
-
 #include "ui/session/document_hub.h"
 #include "ui/session/problems_hub.h"
 #include "ui/session/program_hub.h"
@@ -28,19 +26,14 @@ SimulationHub::~SimulationHub() = default;
 
 void SimulationHub::connectThread() {
     SimulationListener listener;
-    listener.frameReady = [this] {
-        QMetaObject::invokeMethod(this, &SimulationHub::frameReady, Qt::QueuedConnection);
-    };
+    listener.frameReady = [this] { m_news.post([this] { emit frameReady(); }); };
     listener.progress = [this](double done) {
-        QMetaObject::invokeMethod(
-            this,
-            [this, done] { m_work.set(WorkKind::simulating, done < 1 ? std::optional(done) : std::nullopt); },
-            Qt::QueuedConnection);
+        m_news.post([this, done] {
+            m_work.set(WorkKind::simulating, done < 1 ? std::optional(done) : std::nullopt);
+        });
     };
     listener.failed = [this](Diagnostics errors, std::uint64_t generation) {
-        QMetaObject::invokeMethod(
-            this, [this, errors = std::move(errors), generation] { fail(errors, generation); },
-            Qt::QueuedConnection);
+        m_news.post([this, errors = std::move(errors), generation] { fail(errors, generation); });
     };
     m_thread = std::make_unique<SimulationThread>(std::move(listener));
 }

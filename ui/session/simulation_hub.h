@@ -11,6 +11,7 @@
 #include "core/base/diagnostic.h"
 #include "core/simulation/run/frame.h"
 #include "core/simulation/thread/simulation_thread.h"
+#include "ui/ui_queue.h"
 
 namespace proveout {
 
@@ -97,6 +98,7 @@ private:
     };
     std::optional<Sought> m_sought;
     std::uint64_t m_ticket = 0;
+    UiQueue m_news;                             ///< of the simulation thread
     std::unique_ptr<SimulationThread> m_thread; ///< last: it ends before what it posts to
 };
 

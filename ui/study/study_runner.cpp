@@ -6,7 +6,6 @@
 #include <new>
 #include <utility>
 
-#include <QMetaObject>
 #include <QThread>
 
 #include "core/base/text.h"
@@ -44,10 +43,6 @@ StudyRunner::~StudyRunner() {
     }
 }
 
-void StudyRunner::post(std::function<void()> call) {
-    QMetaObject::invokeMethod(this, std::move(call), Qt::QueuedConnection);
-}
-
 SweepOptions StudyRunner::options(DrawCost& drawing, const StudyJob& job, int repeats) const {
     return {&drawing, std::max<std::size_t>(1, job.program->blockCount() / kFramesARun), repeats, {}};
 }
@@ -57,7 +52,7 @@ void StudyRunner::sweep(StudyJob job, std::vector<StudyPoint> points) {
            points = std::move(points)](DrawCost& drawing, const WorkContext& context) -> Result<void> {
         SweepOptions sweeping = options(drawing, job, 1);
         sweeping.finished = [this](const StudyRun& run) {
-            post([this, shared = std::make_shared<const StudyRun>(run)] { emit ran(shared); });
+            m_replies.post([this, shared = std::make_shared<const StudyRun>(run)] { emit ran(shared); });
         };
         const auto swept = runSweep(job, points, sweeping, context);
         return swept ? Result<void>() : tl::unexpected(swept.error());
@@ -71,14 +66,15 @@ void StudyRunner::optimise(StudyJob job, const DecimationParameters& given) {
         if (!found)
             return tl::unexpected(std::move(found.error()));
         const auto rehearsal = std::make_shared<const Rehearsal>(std::move(*found));
-        post([this, rehearsal] { emit rehearsed(rehearsal); });
+        m_replies.post([this, rehearsal] { emit rehearsed(rehearsal); });
         const std::vector<StudyPoint> points{{withSchedule(given, cheapest(*rehearsal))}, {given}};
         const auto swept = runSweep(
             job, points, options(drawing, job, kCheckingRuns),
             {context.stop, [&](double done) { context.tell(kRehearsed + (1 - kRehearsed) * done); }});
         if (!swept)
             return tl::unexpected(swept.error());
-        post([this, chosen = (*swept)[0].seconds, as = (*swept)[1].seconds] { emit measured(chosen, as); });
+        m_replies.post(
+            [this, chosen = (*swept)[0].seconds, as = (*swept)[1].seconds] { emit measured(chosen, as); });
         return {};
     });
 }
@@ -92,13 +88,13 @@ void StudyRunner::start(std::function<Result<void>(DrawCost&, const WorkContext&
         const WorkContext context{m_stop.get_token(), [&](double done) {
                                       if (const int percent = static_cast<int>(100 * done); percent > told) {
                                           told = percent;
-                                          post([this, done] { emit progressed(done); });
+                                          m_replies.post([this, done] { emit progressed(done); });
                                       }
                                   }};
         const Result<void> done = carriedOut(work, *m_drawing, context);
         m_drawing->end();
         if (!done && !context.stopped())
-            post([this, problems = done.error()] { emit failed(problems); });
+            m_replies.post([this, problems = done.error()] { emit failed(problems); });
     });
     auto drawing = m_makeDrawing(m_thread);
     if (!drawing) {

@@ -9,6 +9,7 @@
 #include <QObject>
 
 #include "core/study/optimiser.h"
+#include "ui/ui_queue.h"
 
 class QThread;
 
@@ -42,11 +43,11 @@ signals:
 
 private:
     void start(std::function<Result<void>(DrawCost&, const WorkContext&)> work);
-    void post(std::function<void()> call);
     [[nodiscard]] SweepOptions options(DrawCost& drawing, const StudyJob& job, int repeats) const;
 
     MakeDrawing m_makeDrawing;
     std::unique_ptr<DrawCost> m_drawing;
+    UiQueue m_replies;
     QThread* m_thread = nullptr;
     std::stop_source m_stop;
 };
