@@ -7,7 +7,9 @@
 #include <QApplication>
 #include <QDockWidget>
 #include <QEvent>
+#include <QImage>
 #include <QListWidget>
+#include <QPainter>
 #include <QSignalBlocker>
 #include <QSplitter>
 #include <QTextBrowser>
@@ -26,6 +28,8 @@ constexpr QSize kFirstSize(900, 680);
 constexpr int kPagesWidth = 190;
 constexpr int kTextMargin = 16;
 constexpr int kCellPadding = 4;
+constexpr int kWidestPicture = 640;               ///< what the text of the first window leaves
+constexpr QColor kPictureFrame(0x80, 0x80, 0x80); ///< seen on a light page and on a dark one
 constexpr int kPageSpacing = 2;
 constexpr float kTableLine = 0.3F; ///< of the colour of the text
 constexpr int kFile = Qt::UserRole;
@@ -48,11 +52,37 @@ void styleTables(QTextDocument& text, const QColor& line) {
     }
 }
 
+/// Shows pictures that are wider than its page smaller, and each in a frame: the colours of a picture are
+/// those of the page, or the other theme's.
+class GuideText final : public QTextBrowser {
+public:
+    using QTextBrowser::QTextBrowser;
+
+protected:
+    QVariant loadResource(int type, const QUrl& name) override {
+        const QVariant resource = QTextBrowser::loadResource(type, name);
+        QImage picture;
+        if (type != QTextDocument::ImageResource || !picture.loadFromData(resource.toByteArray()))
+            return resource;
+        const qreal density = devicePixelRatioF();
+        if (picture.width() > kWidestPicture) {
+            picture =
+                picture.scaledToWidth(static_cast<int>(kWidestPicture * density), Qt::SmoothTransformation);
+            picture.setDevicePixelRatio(density);
+        }
+        picture.convertTo(QImage::Format_RGB32); // one with a palette cannot be painted on
+        QPainter painter(&picture);
+        painter.setPen(kPictureFrame);
+        painter.drawRect(QRectF(QPointF(0, 0), picture.deviceIndependentSize() - QSizeF(1, 1)));
+        return picture;
+    }
+};
+
 } // namespace
 
 GuideWindow::GuideWindow(QWidget* parent)
     : QWidget(parent, Qt::Window), m_tools(new QToolBar(this)), m_pages(new QListWidget(this)),
-      m_text(new QTextBrowser(this)), m_back(new QAction(this)), m_forward(new QAction(this)) {
+      m_text(new GuideText(this)), m_back(new QAction(this)), m_forward(new QAction(this)) {
     setObjectName(QStringLiteral("guide"));
     m_pages->setObjectName(QStringLiteral("guide-pages"));
     m_text->setObjectName(QStringLiteral("guide-text"));

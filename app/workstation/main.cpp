@@ -27,6 +27,7 @@ constexpr int kUsage = 3;
 struct Options {
     QString file;
     QString screenshot;
+    QString panel; ///< of the screenshot; empty: the whole window
     QSize size;
     std::optional<std::size_t> seek; ///< none: the end of the program
     QString theme;
@@ -50,7 +51,12 @@ Options readOptions(const QStringList& arguments) {
     const QCommandLineOption screenshot(QStringLiteral("screenshot"),
                                         QStringLiteral("Save a screenshot of the window as PNG and exit."),
                                         QStringLiteral("PNG"));
-    const QCommandLineOption size(QStringLiteral("size"), QStringLiteral("Size of the window."),
+    const QCommandLineOption panel(
+        QStringLiteral("panel"),
+        QStringLiteral("Screenshot of one panel only, by the name of its page in the guide: setup, view, …"),
+        QStringLiteral("PAGE"));
+    const QCommandLineOption size(QStringLiteral("size"),
+                                  QStringLiteral("Size of the window, or of the panel."),
                                   QStringLiteral("WxH"));
     const QCommandLineOption seek(QStringLiteral("seek"),
                                   QStringLiteral("Go to the stock after block N, or to the end."),
@@ -64,12 +70,13 @@ Options readOptions(const QStringList& arguments) {
     const QCommandLineOption action(QStringLiteral("action"),
                                     QStringLiteral("Run a menu command by its id; repeatable."),
                                     QStringLiteral("ID"));
-    parser.addOptions({screenshot, size, seek, theme, language, action});
+    parser.addOptions({screenshot, panel, size, seek, theme, language, action});
     parser.process(arguments);
 
     Options options;
     options.file = parser.positionalArguments().value(0);
     options.screenshot = parser.value(screenshot);
+    options.panel = parser.value(panel);
     options.size = readSize(parser.value(size));
     bool isNumber = false;
     const qulonglong block = parser.value(seek).toULongLong(&isNumber);
@@ -107,7 +114,7 @@ bool goOn(MainWindow& window, const Options& options) {
     if (!trigger(window, options.actions))
         return false;
     if (!options.screenshot.isEmpty())
-        new ScreenshotRun(window, options.screenshot, options.seek);
+        new ScreenshotRun(window, {options.screenshot, options.seek, options.panel, options.size});
     else if (options.seek)
         window.session().playback().seek(*options.seek);
     return true;

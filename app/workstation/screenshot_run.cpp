@@ -5,6 +5,7 @@
 #include <cstdio>
 
 #include <QCoreApplication>
+#include <QDockWidget>
 #include <QPixmap>
 
 namespace proveout {
@@ -13,10 +14,13 @@ namespace {
 constexpr int kSettleMs = 700;
 constexpr int kLimitMs = 180'000;
 constexpr int kFailed = 3;
+constexpr int kSmallestFile = 0; ///< "quality" of a PNG: how much it is not compressed
+const QString kView = QStringLiteral("view");
 } // namespace
 
-ScreenshotRun::ScreenshotRun(MainWindow& window, const QString& picture, std::optional<std::size_t> block)
-    : QObject(&window), m_window(window), m_picture(picture), m_block(block) {
+ScreenshotRun::ScreenshotRun(MainWindow& window, const ScreenshotRequest& request)
+    : QObject(&window), m_window(window), m_request(request),
+      m_shown(request.panel.isEmpty() ? &window : shownAlone(request.panel, request.size)) {
     m_settle.setSingleShot(true);
     m_settle.setInterval(kSettleMs);
     m_limit.setSingleShot(true);
@@ -30,6 +34,23 @@ ScreenshotRun::ScreenshotRun(MainWindow& window, const QString& picture, std::op
         m_settle.start(); // the start page
 }
 
+/// A panel is shown in a window of its own, which alone can have any size; null where there is no such panel.
+QWidget* ScreenshotRun::shownAlone(const QString& panel, QSize size) {
+    if (panel == kView) {
+        for (QDockWidget* dock : m_window.findChildren<QDockWidget*>())
+            dock->hide();
+        return &m_window.viewport();
+    }
+    auto* dock = m_window.findChild<QDockWidget*>(QStringLiteral("dock-") + panel);
+    if (dock == nullptr)
+        return nullptr;
+    dock->setFloating(true);
+    dock->show();
+    if (!size.isEmpty())
+        dock->resize(size);
+    return dock->widget();
+}
+
 void ScreenshotRun::look(const FramePtr& frame) {
     Session& session = m_window.session();
     if (session.program().isForeign())
@@ -37,7 +58,7 @@ void ScreenshotRun::look(const FramePtr& frame) {
     if (!frame || session.program().isReading())
         return;
     const std::size_t wanted =
-        std::min(m_block.value_or(session.program().blockCount()), session.program().blockCount());
+        std::min(m_request.block.value_or(session.program().blockCount()), session.program().blockCount());
     if (!m_sought) {
         m_sought = true;
         session.playback().seek(wanted);
@@ -47,7 +68,16 @@ void ScreenshotRun::look(const FramePtr& frame) {
 }
 
 void ScreenshotRun::take() {
-    if (m_window.grab().save(m_picture))
+    if (m_shown.isNull()) {
+        giveUp("there is no such panel");
+        return;
+    }
+    if (!m_shown->isVisible()) { // a panel that was behind another tab fills itself when it is shown
+        m_shown->show();
+        m_settle.start();
+        return;
+    }
+    if (m_shown->grab().save(m_request.file, "PNG", kSmallestFile))
         QCoreApplication::exit(0);
     else
         giveUp("the file cannot be written");

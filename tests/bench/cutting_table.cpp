@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// cutting_table: the tables of core/cutting/README.md, as Markdown, with the machine named. Every figure is
+// cutting_table: the tables of tests/bench/cutting.md, as Markdown, with the machine named. Every figure is
 // of a process of its own, so that its memory is its own too.
 #include <algorithm>
 #include <array>

@@ -7,8 +7,11 @@
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QDockWidget>
+#include <QImage>
 #include <QListWidget>
+#include <QScrollBar>
 #include <QTest>
+#include <QTextBlock>
 #include <QTextBrowser>
 
 #include "tests/ui/window/workstation.h"
@@ -22,6 +25,15 @@ namespace {
 
 QString pageShown(const GuideWindow& guide) {
     return guide.findChild<QTextBrowser*>()->source().fileName();
+}
+
+QStringList picturesOf(const QTextDocument& text) {
+    QStringList names;
+    for (QTextBlock block = text.begin(); block.isValid(); block = block.next())
+        for (auto part = block.begin(); !part.atEnd(); ++part)
+            if (part.fragment().charFormat().isImageFormat())
+                names << part.fragment().charFormat().toImageFormat().name();
+    return names;
 }
 
 /// Presses F1 where the keyboard is.
@@ -91,6 +103,26 @@ private slots:
         QCOMPARE(pages->currentItem()->text(), text->document()->firstBlock().text());
         text->backward();
         QCOMPARE(pageShown(guide), QStringLiteral("index.md"));
+    }
+
+    void pagesShowTheirPictures() {
+        Workstation station(false);
+        station.activate();
+        QTest::keyClick(&station.window, Qt::Key_F1);
+        GuideWindow& guide = *station.window.findChild<GuideWindow*>();
+        const auto* text = guide.findChild<QTextBrowser*>();
+        int pictures = 0;
+        for (const GuidePage& page : guidePages()) {
+            guide.showPage(page.id);
+            for (const QString& name : picturesOf(*text->document())) {
+                ++pictures;
+                const auto picture =
+                    text->document()->resource(QTextDocument::ImageResource, QUrl(name)).value<QImage>();
+                QVERIFY2(!picture.isNull(), qPrintable(page.id + QStringLiteral(" shows no ") + name));
+            }
+            QVERIFY2(text->horizontalScrollBar()->maximum() == 0, qPrintable(page.id));
+        }
+        QVERIFY(pictures >= 5);
     }
 
 private:
