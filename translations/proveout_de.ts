@@ -1533,7 +1533,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Controls differ in which one they use; keep one.</source>
-        <translation>Steuerungen verwenden verschiedene davon; nur eines behalten.</translation>
+        <translation>Welches davon gilt, hängt von der Steuerung ab; nur eines behalten.</translation>
     </message>
     <message>
         <source>Remove the word, or select the plane that was meant.</source>
@@ -1901,7 +1901,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The radius {} mm is too small: the end is {} mm from the start, {} mm more than 2 R.</source>
-        <translation>Der Radius {} mm ist zu klein: Das Ende liegt {} mm vom Anfang, {} mm mehr als 2 R.</translation>
+        <translation>Der Radius {} mm ist zu klein: Der Endpunkt liegt {} mm vom Startpunkt entfernt, {} mm mehr als 2 R.</translation>
     </message>
     <message>
         <source>The radius of the arc is {} mm, beyond what can be computed exactly.</source>
@@ -3705,7 +3705,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>{} is inside {}: the control needs mirror image, scaling and rotation started in this order and cancelled in the opposite one.</source>
-        <translation>{} liegt innerhalb von {}: Spiegelung, Skalierung und Drehung müssen in dieser Reihenfolge begonnen und in umgekehrter Reihenfolge aufgehoben werden.</translation>
+        <translation>{} liegt innerhalb von {}: Die Steuerung verlangt, dass Spiegelung, Skalierung und Drehung in dieser Reihenfolge begonnen und in umgekehrter Reihenfolge aufgehoben werden.</translation>
     </message>
     <message>
         <source>Cancel the inner one first.</source>
@@ -3985,7 +3985,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>It may stop the machine or change an override; remove it.</source>
-        <translation>Es kann die Maschine anhalten oder einen Override ändern; entfernen.</translation>
+        <translation>Es kann die Maschine anhalten oder einen Override ändern; das Zeichen entfernen.</translation>
     </message>
     <message>
         <source>The character {} resets the control or stops it in the middle of the program.</source>
@@ -4009,7 +4009,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The control reports error:1 unless the sender filters the line; remove it.</source>
-        <translation>Die Steuerung meldet error:1, wenn das Sendeprogramm die Zeile nicht ausfiltert; entfernen.</translation>
+        <translation>Die Steuerung meldet error:1, wenn das Sendeprogramm die Zeile nicht ausfiltert; die Zeile entfernen.</translation>
     </message>
     <message>
         <source>T{} is read, but changes nothing: this control has no tool change.</source>
@@ -4025,7 +4025,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Write M0 where it must stop.</source>
-        <translation>M0 schreiben, wo sie anhalten muss.</translation>
+        <translation>M0 schreiben, wo die Maschine anhalten muss.</translation>
     </message>
     <message>
         <source>M7 is known only where grbl was built with mist coolant.</source>
@@ -4137,7 +4137,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Remove it, or give it the block number or label of a jump.</source>
-        <translation>Entfernen oder ihm die Satznummer oder Marke eines Sprungs geben.</translation>
+        <translation>Den Satz entfernen oder ihm die Satznummer oder Marke eines Sprungs geben.</translation>
     </message>
     <message>
         <source>T{} is selected, but the tool table does not have it.</source>
@@ -4193,7 +4193,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>It is assumed to move to its programmed end; #5061 to #5069 hold that, #5070 is 0. With a stock and a cutter for its tool it stops at the stock.</source>
-        <translation>Angenommen wird, dass er bis zum programmierten Ende fährt; #5061 bis #5069 enthalten es, #5070 ist 0. Mit einem Rohteil und einem Fräser für sein Werkzeug hält er am Rohteil.</translation>
+        <translation>Angenommen wird, dass er bis zum programmierten Endpunkt fährt; #5061 bis #5069 enthalten diesen, #5070 ist 0. Mit einem Rohteil und einem Fräser für sein Werkzeug hält er am Rohteil.</translation>
     </message>
     <message>
         <source>The probe is assumed to stop at X{} Y{} Z{} mm, where it touches the simulated stock.</source>

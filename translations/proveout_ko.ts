@@ -1445,7 +1445,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Harmless here; save the file as plain text to remove them.</source>
-        <translation>여기서는 문제가 없습니다. 삭제하려면 일반 텍스트로 저장하십시오.</translation>
+        <translation>여기서는 문제가 없습니다. 없애려면 일반 텍스트로 저장하십시오.</translation>
     </message>
     <message>
         <source>Save it as UTF-8 without the mark, or as ASCII.</source>
@@ -4793,7 +4793,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>No stock is left in the saved stock.</source>
-        <translation>저장된 소재에 남은 소재가 없습니다.</translation>
+        <translation>저장된 소재에 남은 것이 없습니다.</translation>
     </message>
     <message>
         <source>Below the surface of the stock there are {} mm³ of air, which the z-map shows as material; the tallest gap, {} mm, starts at X{} Y{} Z{}.</source>
