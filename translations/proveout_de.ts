@@ -381,7 +381,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The file has {}; the limit is {}.</source>
-        <translation>Die Datei hat {}; erlaubt sind {}.</translation>
+        <translation>Die Datei ist {} groß; zulässig sind {}.</translation>
     </message>
     <message>
         <source>Diameter</source>
@@ -513,7 +513,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Keep every z-map point within the error allowance; off: exactly as in the paper, which gives no bound.</source>
-        <translation>Hält jeden Punkt der Z-Map innerhalb des zulässigen Fehlers; aus: der Aufsatz wörtlich, ohne Schranke.</translation>
+        <translation>Hält jeden Punkt der Z-Map innerhalb des zulässigen Fehlers; aus: genau wie im Aufsatz, der keine Schranke angibt.</translation>
     </message>
     <message>
         <source>Borders</source>
@@ -525,11 +525,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Removal order</source>
-        <translation>Reihenfolge</translation>
+        <translation>Reihenfolge des Entfernens</translation>
     </message>
     <message>
         <source>The order in which vertices are tested for removal.</source>
-        <translation>Die Reihenfolge, in der Ecken auf Entfernbarkeit geprüft werden.</translation>
+        <translation>Die Reihenfolge, in der Eckpunkte auf Entfernbarkeit geprüft werden.</translation>
     </message>
     <message>
         <source>Random seed</source>
@@ -585,7 +585,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The field &quot;{}&quot; names {}, which is outside the folder of the job; it was not read.</source>
-        <translation>Das Feld „{}“ nennt {}, außerhalb des Ordners des Auftrags; die Datei wurde nicht gelesen.</translation>
+        <translation>Das Feld „{}“ nennt {}; das liegt außerhalb des Auftragsordners und wurde nicht gelesen.</translation>
     </message>
     <message>
         <source>The field &quot;{}&quot; must name a file.</source>
@@ -593,7 +593,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The name of the program is not UTF-8, which JSON needs; rename it.</source>
-        <translation>Der Name des Programms ist nicht in UTF-8, wie JSON es verlangt; bitte umbenennen.</translation>
+        <translation>Der Name des Programms ist nicht in UTF-8, wie JSON es verlangt; umbenennen.</translation>
     </message>
     <message>
         <source>The brackets are nested deeper than {} levels.</source>
@@ -633,7 +633,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The field &quot;{}&quot; must be one of {}.</source>
-        <translation>Das Feld „{}“ muss eines von {} sein.</translation>
+        <translation>Das Feld „{}“ muss einer dieser Werte sein: {}.</translation>
     </message>
     <message>
         <source>The field &quot;{}&quot; must be an object { }.</source>
@@ -653,7 +653,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The header of the NPY file specifies {} values ({}), but the file has {}.</source>
-        <translation>Die NPY-Datei kündigt {} Werte an ({}) und hat {}.</translation>
+        <translation>Der Kopf der NPY-Datei gibt {} Werte an ({}), die Datei hat aber {}.</translation>
     </message>
     <message>
         <source>The NPY file has the shape {}; that is too large.</source>
@@ -681,7 +681,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Expected &quot;{}&quot; but the file ends.</source>
-        <translation>Die Datei endet, wo „{}“ stehen sollte.</translation>
+        <translation>„{}“ erwartet, aber die Datei endet.</translation>
     </message>
     <message>
         <source>Expected &quot;{2}&quot; but found &quot;{1}&quot;.</source>
@@ -693,11 +693,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The header specifies {} facets, but the file ends at byte {}, after {}.</source>
-        <translation>Die Datei kündigt {} Facetten an und endet bei Byte {}, nach {}.</translation>
+        <translation>Der Kopf gibt {} Facetten an, die Datei endet aber bei Byte {}, nach {}.</translation>
     </message>
     <message>
         <source>The {} facets specified in the header were read; {} bytes follow them from byte {}.</source>
-        <translation>Die angekündigten {} Facetten wurden gelesen; ab Byte {3} folgen noch {2} Bytes.</translation>
+        <translation>Die {} im Kopf angegebenen Facetten wurden gelesen; ab Byte {3} folgen noch {2} Bytes.</translation>
     </message>
     <message>
         <source>This is not an STL file.</source>
@@ -709,11 +709,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>{} of {} facets have a coordinate that is not a finite number; they were ignored.</source>
-        <translation>{} von {} Facetten haben eine Koordinate, die keine endliche Zahl ist; sie wurden ausgelassen.</translation>
+        <translation>{} von {} Facetten haben eine Koordinate, die keine endliche Zahl ist; sie wurden ignoriert.</translation>
     </message>
     <message>
         <source>{} of {} facets have no area; they were ignored.</source>
-        <translation>{} von {} Facetten haben keine Fläche; sie wurden ausgelassen.</translation>
+        <translation>{} von {} Facetten haben keine Fläche; sie wurden ignoriert.</translation>
     </message>
     <message>
         <source>{} of {} facets have a normal against their winding; the winding counts.</source>
@@ -721,7 +721,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The mesh is {} mm from the origin, where an STL file resolves steps of {} mm only.</source>
-        <translation>Das Netz liegt {} mm vom Ursprung; dort löst eine STL-Datei nur noch {} mm auf.</translation>
+        <translation>Das Netz liegt {} mm vom Ursprung entfernt; dort löst eine STL-Datei nur noch Schritte von {} mm auf.</translation>
     </message>
     <message>
         <source>The mesh is {} × {} × {} mm: hardly a part.</source>
@@ -733,15 +733,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>No stock is left, so there is no mesh to export.</source>
-        <translation>Vom Rohteil ist nichts übrig, also gibt es kein Netz zu schreiben.</translation>
+        <translation>Vom Rohteil ist nichts übrig; es gibt kein Netz zu exportieren.</translation>
     </message>
     <message>
         <source>The mesh has {} triangles; an STL file holds 4294967295.</source>
-        <translation>Das Netz hat {} Dreiecke; eine STL-Datei fasst 4294967295.</translation>
+        <translation>Das Netz hat {} Dreiecke; eine STL-Datei fasst höchstens 4294967295.</translation>
     </message>
     <message>
         <source>The vertex {}, {}, {} is out of the range of STL.</source>
-        <translation>Eine Ecke liegt bei {}, {}, {}: Das kann STL nicht darstellen.</translation>
+        <translation>Der Eckpunkt {}, {}, {} liegt außerhalb des Wertebereichs von STL.</translation>
     </message>
     <message>
         <source>Cancelled; no file was written.</source>
@@ -777,11 +777,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>NURBS block</source>
-        <translation>NURBS-Satz</translation>
+        <translation>NURBS-Block</translation>
     </message>
     <message>
         <source>end of NURBS block</source>
-        <translation>Ende des NURBS-Satzes</translation>
+        <translation>Ende des NURBS-Blocks</translation>
     </message>
     <message>
         <source>lathe diameter mode</source>
@@ -797,7 +797,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>set offsets</source>
-        <translation>Verschiebungen setzen</translation>
+        <translation>Korrekturen setzen</translation>
     </message>
     <message>
         <source>clockwise circular pocket</source>
@@ -865,7 +865,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>skip motion (probe)</source>
-        <translation>Bewegung mit Abbruch (Messen)</translation>
+        <translation>Bewegung mit Restweglöschen (Messen)</translation>
     </message>
     <message>
         <source>spindle-synchronised motion</source>
@@ -877,19 +877,19 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>probe toward the part, error on failure</source>
-        <translation>zum Werkstück tasten, Fehler ohne Kontakt</translation>
+        <translation>Antasten zum Werkstück hin, Fehler ohne Kontakt</translation>
     </message>
     <message>
         <source>probe toward the part</source>
-        <translation>zum Werkstück tasten</translation>
+        <translation>Antasten zum Werkstück hin</translation>
     </message>
     <message>
         <source>probe away from the part, error on failure</source>
-        <translation>vom Werkstück weg tasten, Fehler ohne Lösen</translation>
+        <translation>Antasten vom Werkstück weg, Fehler ohne Lösen</translation>
     </message>
     <message>
         <source>probe away from the part</source>
-        <translation>vom Werkstück weg tasten</translation>
+        <translation>Antasten vom Werkstück weg</translation>
     </message>
     <message>
         <source>cutter compensation off</source>
@@ -997,7 +997,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>exact path</source>
-        <translation>genaue Bahn</translation>
+        <translation>exakte Bahn</translation>
     </message>
     <message>
         <source>exact stop</source>
@@ -1005,7 +1005,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>path blending</source>
-        <translation>Bahnüberschleifen</translation>
+        <translation>Überschleifen</translation>
     </message>
     <message>
         <source>macro call</source>
@@ -1093,7 +1093,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>absolute distances</source>
-        <translation>absolute Maße</translation>
+        <translation>absolute Maßangabe</translation>
     </message>
     <message>
         <source>absolute arc centres</source>
@@ -1101,7 +1101,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>incremental distances</source>
-        <translation>Kettenmaße</translation>
+        <translation>inkrementale Maßangabe</translation>
     </message>
     <message>
         <source>incremental arc centres</source>
@@ -1301,7 +1301,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>cutter compensation number</source>
-        <translation>Nummer der Radiuskorrektur</translation>
+        <translation>Nummer der Fräserradiuskorrektur</translation>
     </message>
     <message>
         <source>parameter of a code</source>
@@ -1313,7 +1313,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>tool length offset number</source>
-        <translation>Nummer der Längenkorrektur</translation>
+        <translation>Nummer der Werkzeuglängenkorrektur</translation>
     </message>
     <message>
         <source>arc centre in X</source>
@@ -1341,11 +1341,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>dwell in seconds, turns of an arc, or a parameter</source>
-        <translation>Verweilzeit in Sekunden, Umläufe eines Kreises oder ein Parameter</translation>
+        <translation>Verweilzeit in Sekunden, Umläufe eines Kreisbogens oder ein Parameter</translation>
     </message>
     <message>
         <source>arc radius, or the R plane</source>
-        <translation>Kreisradius oder Rückzugsebene</translation>
+        <translation>Radius des Kreisbogens oder R-Ebene</translation>
     </message>
     <message>
         <source>spindle speed in revolutions per minute</source>
@@ -1381,103 +1381,103 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Remove the character, or put the text into a comment: ( … ).</source>
-        <translation>Entfernen Sie das Zeichen, oder setzen Sie den Text in einen Kommentar: ( … ).</translation>
+        <translation>Das Zeichen entfernen oder den Text in einen Kommentar setzen: ( … ).</translation>
     </message>
     <message>
         <source>Write the value after the letter, for example X10.5.</source>
-        <translation>Schreiben Sie die Zahl hinter den Buchstaben, zum Beispiel X10.5.</translation>
+        <translation>Den Wert nach dem Buchstaben schreiben, zum Beispiel X10.5.</translation>
     </message>
     <message>
         <source>Controls read this differently; write one sign.</source>
-        <translation>Steuerungen lesen das verschieden; schreiben Sie ein Vorzeichen.</translation>
+        <translation>Steuerungen lesen das verschieden; nur ein Vorzeichen schreiben.</translation>
     </message>
     <message>
         <source>Keep one point.</source>
-        <translation>Lassen Sie einen Punkt stehen.</translation>
+        <translation>Nur einen Punkt stehen lassen.</translation>
     </message>
     <message>
         <source>Check the number.</source>
-        <translation>Prüfen Sie die Zahl.</translation>
+        <translation>Die Zahl prüfen.</translation>
     </message>
     <message>
         <source>Close it with &quot;)&quot; in the same line.</source>
-        <translation>Schließen Sie ihn mit „)“ in derselben Zeile.</translation>
+        <translation>In derselben Zeile mit „)“ schließen.</translation>
     </message>
     <message>
         <source>Controls end it at different brackets; use no &quot;(&quot; within a comment.</source>
-        <translation>Steuerungen beenden ihn an verschiedenen Klammern; verwenden Sie kein „(“ in einem Kommentar.</translation>
+        <translation>Steuerungen beenden ihn an verschiedenen Klammern; kein „(“ in einem Kommentar verwenden.</translation>
     </message>
     <message>
         <source>Keep one of them, or make two blocks.</source>
-        <translation>Behalten Sie eines davon, oder machen Sie zwei Sätze daraus.</translation>
+        <translation>Nur eines davon behalten oder auf zwei Sätze aufteilen.</translation>
     </message>
     <message>
         <source>Make several blocks of it.</source>
-        <translation>Machen Sie mehrere Sätze daraus.</translation>
+        <translation>Auf mehrere Sätze aufteilen.</translation>
     </message>
     <message>
         <source>Write it first, or put it on a line of its own.</source>
-        <translation>Schreiben Sie es zuerst oder in eine eigene Zeile.</translation>
+        <translation>An den Satzanfang oder in eine eigene Zeile schreiben.</translation>
     </message>
     <message>
         <source>Use N with digits only.</source>
-        <translation>Verwenden Sie N nur mit Ziffern.</translation>
+        <translation>N nur mit Ziffern verwenden.</translation>
     </message>
     <message>
         <source>Move the rest to another line.</source>
-        <translation>Setzen Sie den Rest in eine andere Zeile.</translation>
+        <translation>Den Rest in eine andere Zeile schreiben.</translation>
     </message>
     <message>
         <source>LinuxCNC refuses this; write &quot;%&quot; on the first line too, or on none.</source>
-        <translation>LinuxCNC lehnt das ab; schreiben Sie „%“ auch in die erste Zeile oder gar nicht.</translation>
+        <translation>LinuxCNC lehnt das ab; „%“ auch in die erste Zeile schreiben oder ganz weglassen.</translation>
     </message>
     <message>
         <source>Controls skip what is before or after it; keep one program per file.</source>
-        <translation>Steuerungen überspringen, was davor oder was dahinter steht; halten Sie ein Programm je Datei.</translation>
+        <translation>Steuerungen überspringen, was davor oder danach steht; nur ein Programm je Datei behalten.</translation>
     </message>
     <message>
         <source>Add M30 as the last block.</source>
-        <translation>Fügen Sie M30 als letzten Satz an.</translation>
+        <translation>M30 als letzten Satz anfügen.</translation>
     </message>
     <message>
         <source>Check that this is the right file and that it is complete.</source>
-        <translation>Prüfen Sie, ob das die richtige Datei ist und ob sie vollständig ist.</translation>
+        <translation>Prüfen, ob dies die richtige Datei ist und ob sie vollständig ist.</translation>
     </message>
     <message>
         <source>Harmless here; save the file as plain text to remove them.</source>
-        <translation>Hier harmlos; als reiner Text gespeichert ist die Datei frei davon.</translation>
+        <translation>Hier harmlos; die Datei als reinen Text speichern, um sie zu entfernen.</translation>
     </message>
     <message>
         <source>Save it as UTF-8 without the mark, or as ASCII.</source>
-        <translation>Speichern Sie sie als UTF-8 ohne BOM oder als ASCII.</translation>
+        <translation>Als UTF-8 ohne BOM oder als ASCII speichern.</translation>
     </message>
     <message>
         <source>Save the file with LF or CR LF line ends.</source>
-        <translation>Speichern Sie die Datei mit den Zeilenenden LF oder CR LF.</translation>
+        <translation>Die Datei mit den Zeilenenden LF oder CR LF speichern.</translation>
     </message>
     <message>
         <source>Split the line.</source>
-        <translation>Teilen Sie die Zeile.</translation>
+        <translation>Die Zeile aufteilen.</translation>
     </message>
     <message>
         <source>It is a label only; renumber the blocks.</source>
-        <translation>Sie ist nur eine Marke; nummerieren Sie die Sätze neu.</translation>
+        <translation>Sie ist nur eine Marke; die Sätze neu nummerieren.</translation>
     </message>
     <message>
         <source>Raise the limit, or split the program.</source>
-        <translation>Erhöhen Sie die Grenze, oder teilen Sie das Programm.</translation>
+        <translation>Die Grenze erhöhen oder das Programm aufteilen.</translation>
     </message>
     <message>
         <source>Results after this block are unverified.</source>
-        <translation>Ohne seine Wirkung ist alles dahinter ungewiss.</translation>
+        <translation>Die Ergebnisse nach diesem Satz sind ungeprüft.</translation>
     </message>
     <message>
         <source>Keep one of them, or make two blocks; this block is skipped.</source>
-        <translation>Behalten Sie eines davon, oder machen Sie zwei Sätze daraus; dieser Satz wird übersprungen.</translation>
+        <translation>Nur eines davon behalten oder auf zwei Sätze aufteilen; dieser Satz wird übersprungen.</translation>
     </message>
     <message>
         <source>Make several blocks of it; this block is skipped.</source>
-        <translation>Machen Sie mehrere Sätze daraus; dieser Satz wird übersprungen.</translation>
+        <translation>Auf mehrere Sätze aufteilen; dieser Satz wird übersprungen.</translation>
     </message>
     <message>
         <source>The motion is shown without it.</source>
@@ -1485,99 +1485,99 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Remove it, or add the code that it belongs to; this block is skipped.</source>
-        <translation>Entfernen Sie es, oder ergänzen Sie den Befehl dazu; dieser Satz wird übersprungen.</translation>
+        <translation>Entfernen oder den zugehörigen Befehl ergänzen; dieser Satz wird übersprungen.</translation>
     </message>
     <message>
         <source>Write G0, G1, G2 or G3 into the block; this block is skipped.</source>
-        <translation>Schreiben Sie G0, G1, G2 oder G3 in den Satz; dieser Satz wird übersprungen.</translation>
+        <translation>G0, G1, G2 oder G3 in den Satz schreiben; dieser Satz wird übersprungen.</translation>
     </message>
     <message>
         <source>Controls differ here; move in a block of its own. This block is skipped.</source>
-        <translation>Steuerungen sind hier verschieden; fahren Sie in einem eigenen Satz. Dieser Satz wird übersprungen.</translation>
+        <translation>Steuerungen verhalten sich hier verschieden; in einem eigenen Satz fahren. Dieser Satz wird übersprungen.</translation>
     </message>
     <message>
         <source>Add it; the code has no effect without it.</source>
-        <translation>Ergänzen Sie es; ohne es hat der Befehl keine Wirkung.</translation>
+        <translation>Ergänzen; ohne das Wort hat der Befehl keine Wirkung.</translation>
     </message>
     <message>
         <source>The word is ignored.</source>
-        <translation>Das Wort wird nicht beachtet.</translation>
+        <translation>Das Wort wird ignoriert.</translation>
     </message>
     <message>
         <source>LinuxCNC reads F first; switch the unit in a block before.</source>
-        <translation>LinuxCNC liest F zuerst; schalten Sie die Einheit in einem Satz davor um.</translation>
+        <translation>LinuxCNC liest F zuerst; die Einheit in einem Satz davor umschalten.</translation>
     </message>
     <message>
         <source>Write the T word into the block or before it.</source>
-        <translation>Schreiben Sie das T-Wort in den Satz oder davor.</translation>
+        <translation>Das T-Wort in den Satz oder davor schreiben.</translation>
     </message>
     <message>
         <source>Give F in this block or before it; there is no default.</source>
-        <translation>Geben Sie F in diesem Satz oder davor an; es gibt keinen Vorgabewert.</translation>
+        <translation>F in diesem Satz oder davor angeben; es gibt keine Vorgabe.</translation>
     </message>
     <message>
         <source>Position all axes with G0 before the first cut.</source>
-        <translation>Positionieren Sie alle Achsen mit G0 vor dem ersten Schnitt.</translation>
+        <translation>Vor dem ersten Schnitt alle Achsen mit G0 positionieren.</translation>
     </message>
     <message>
         <source>Position the axis in G90 first.</source>
-        <translation>Positionieren Sie die Achse zuerst in G90.</translation>
+        <translation>Die Achse zuerst mit G90 positionieren.</translation>
     </message>
     <message>
         <source>Give the centre with {} and {}, or the radius with R.</source>
-        <translation>Geben Sie den Mittelpunkt mit {} und {} oder den Radius mit R an.</translation>
+        <translation>Den Mittelpunkt mit {} und {} oder den Radius mit R angeben.</translation>
     </message>
     <message>
         <source>Add the missing word, or use G91.1.</source>
-        <translation>Ergänzen Sie das fehlende Wort, oder verwenden Sie G91.1.</translation>
+        <translation>Das fehlende Wort ergänzen oder G91.1 verwenden.</translation>
     </message>
     <message>
         <source>Controls differ in which one they use; keep one.</source>
-        <translation>Steuerungen nehmen verschiedene davon; behalten Sie eines.</translation>
+        <translation>Welches davon gilt, hängt von der Steuerung ab; nur eines behalten.</translation>
     </message>
     <message>
         <source>Remove the word, or select the plane that was meant.</source>
-        <translation>Entfernen Sie das Wort, oder wählen Sie die gemeinte Ebene.</translation>
+        <translation>Das Wort entfernen oder die gemeinte Ebene wählen.</translation>
     </message>
     <message>
         <source>The centre is at the start or end point.</source>
-        <translation>Der Mittelpunkt liegt auf dem Anfangs- oder dem Endpunkt.</translation>
+        <translation>Der Mittelpunkt liegt auf dem Start- oder dem Endpunkt.</translation>
     </message>
     <message>
         <source>Check the centre: I J K are from the start point, with G90.1 from the origin.</source>
-        <translation>Prüfen Sie den Mittelpunkt: I J K zählen vom Anfangspunkt, nach G90.1 vom Nullpunkt.</translation>
+        <translation>Den Mittelpunkt prüfen: I J K gelten ab dem Startpunkt, mit G90.1 ab dem Nullpunkt.</translation>
     </message>
     <message>
         <source>Give a full circle its centre, or make two arcs of it.</source>
-        <translation>Geben Sie dem Vollkreis seinen Mittelpunkt, oder machen Sie zwei Bögen daraus.</translation>
+        <translation>Für den Vollkreis den Mittelpunkt angeben oder zwei Kreisbögen daraus machen.</translation>
     </message>
     <message>
         <source>Check R and the end point.</source>
-        <translation>Prüfen Sie R und den Endpunkt.</translation>
+        <translation>R und den Endpunkt prüfen.</translation>
     </message>
     <message>
         <source>Check the centre; use G1 for a straight line.</source>
-        <translation>Prüfen Sie den Mittelpunkt; nehmen Sie G1 für eine Gerade.</translation>
+        <translation>Den Mittelpunkt prüfen; für eine Gerade G1 verwenden.</translation>
     </message>
     <message>
         <source>Check the P word.</source>
-        <translation>Prüfen Sie das P-Wort.</translation>
+        <translation>Das P-Wort prüfen.</translation>
     </message>
     <message>
         <source>Save it as plain text (ASCII or UTF-8) and open it again.</source>
-        <translation>Speichern Sie sie als reinen Text (ASCII oder UTF-8), und öffnen Sie sie erneut.</translation>
+        <translation>Als reinen Text (ASCII oder UTF-8) speichern und erneut öffnen.</translation>
     </message>
     <message>
         <source>Choose the text file that the machine would run.</source>
-        <translation>Wählen Sie die Textdatei, die die Maschine ausführen würde.</translation>
+        <translation>Die Textdatei wählen, die die Maschine ausführen würde.</translation>
     </message>
     <message>
         <source>Rapid move cuts stock ({} mm deep).</source>
-        <translation>Der Eilgang trägt Material ab, {} mm tief.</translation>
+        <translation>Eilgang fräst Rohteil ({} mm tief).</translation>
     </message>
     <message>
         <source>Retract above the stock before the rapid, or cut with G1.</source>
-        <translation>Fahren Sie vor dem Eilgang über das Rohteil frei, oder fräsen Sie mit G1.</translation>
+        <translation>Vor dem Eilgang über das Rohteil freifahren oder mit G1 fräsen.</translation>
     </message>
     <message>
         <source>The cut is {} mm deep, beyond the length of the flutes.</source>
@@ -1585,7 +1585,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Cut in shallower passes, or choose a tool with longer flutes.</source>
-        <translation>Fräsen Sie in flacheren Zustellungen, oder wählen Sie ein Werkzeug mit längeren Schneiden.</translation>
+        <translation>In kleineren Zustellungen fräsen oder ein Werkzeug mit längeren Schneiden wählen.</translation>
     </message>
     <message>
         <source>{} more findings of the simulation are not shown.</source>
@@ -1597,11 +1597,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>There is not enough memory for the simulation.</source>
-        <translation>Die Simulation braucht mehr Speicher, als vorhanden ist.</translation>
+        <translation>Der Speicher reicht nicht für die Simulation.</translation>
     </message>
     <message>
         <source>The simulation failed: {}.</source>
-        <translation>Die Simulation musste anhalten: {}.</translation>
+        <translation>Die Simulation ist fehlgeschlagen: {}.</translation>
     </message>
     <message>
         <source>The export was cancelled.</source>
@@ -1609,7 +1609,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>There is no stock left to export.</source>
-        <translation>Es ist kein Rohteil mehr da, das exportiert werden kann.</translation>
+        <translation>Es ist kein Rohteil mehr übrig, das exportiert werden kann.</translation>
     </message>
     <message>
         <source>The export failed: {}.</source>
@@ -1629,7 +1629,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The rapid move comes from an unknown position and ends {} mm below the top of the stock; what it cuts is unknown.</source>
-        <translation>Der Eilgang kommt von einer unbekannten Position und endet {} mm unter der Oberseite des Rohteils; was er schneidet, ist nicht bekannt.</translation>
+        <translation>Der Eilgang kommt von einer unbekannten Position und endet {} mm unter der Oberseite des Rohteils; was er fräst, ist unbekannt.</translation>
     </message>
     <message>
         <source>The file cannot be written: {}.</source>
@@ -1645,7 +1645,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Correct its name, or remove it.</source>
-        <translation>Berichtigen Sie den Namen oder entfernen Sie das Feld.</translation>
+        <translation>Den Namen berichtigen oder das Feld entfernen.</translation>
     </message>
     <message>
         <source>“{}” is not a table of a tool file; each tool is a [[tool]].</source>
@@ -1657,7 +1657,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>“{}” is not a key of a tool; there are {}.</source>
-        <translation>„{}“ ist kein Schlüssel eines Werkzeugs; es gibt {}.</translation>
+        <translation>„{}“ ist kein Schlüssel eines Werkzeugs; gültig sind: {}.</translation>
     </message>
     <message>
         <source>“{}” is not a key of a tool; perhaps “{}” is meant.</source>
@@ -1673,7 +1673,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>A file is still being written. Wait for it, or cancel it.</source>
-        <translation>Eine Datei wird noch geschrieben. Warten Sie darauf, oder brechen Sie ab.</translation>
+        <translation>Eine Datei wird noch geschrieben. Warten oder abbrechen.</translation>
     </message>
     <message>
         <source>The value of {}, “{}”, is not a number.</source>
@@ -1689,7 +1689,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>“{}” is not a key of this cutter shape; there are {}.</source>
-        <translation>„{}“ ist kein Schlüssel dieser Fräserform; es gibt {}.</translation>
+        <translation>„{}“ ist kein Schlüssel dieser Fräserform; gültig sind: {}.</translation>
     </message>
     <message>
         <source>A cutter of the shape {} needs the key {} ({}, {} to {} {}).</source>
@@ -1697,7 +1697,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>“{}” is not a cutter shape; there are {}.</source>
-        <translation>„{}“ ist keine Fräserform; es gibt {}.</translation>
+        <translation>„{}“ ist keine Fräserform; gültig sind: {}.</translation>
     </message>
     <message>
         <source>The flute length l={} is less than the height of the cutter&apos;s profile, {} mm.</source>
@@ -1717,19 +1717,19 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>{} word without a value.</source>
-        <translation>Das Wort {} hat keine Zahl.</translation>
+        <translation>Wort {} ohne Wert.</translation>
     </message>
     <message>
         <source>The value of {} has two signs.</source>
-        <translation>Die Zahl von {} hat zwei Vorzeichen.</translation>
+        <translation>Der Wert von {} hat zwei Vorzeichen.</translation>
     </message>
     <message>
         <source>The value of {} has two decimal points.</source>
-        <translation>Die Zahl von {} hat zwei Dezimalpunkte.</translation>
+        <translation>Der Wert von {} hat zwei Dezimalpunkte.</translation>
     </message>
     <message>
         <source>The value of {} is out of range: larger than 1e12.</source>
-        <translation>Die Zahl von {} ist zu groß: über 1e12.</translation>
+        <translation>Der Wert von {} liegt außerhalb des Bereichs: größer als 1e12.</translation>
     </message>
     <message>
         <source>The comment is not closed.</source>
@@ -1737,11 +1737,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>A comment is nested in a comment.</source>
-        <translation>Ein Kommentar steht in einem Kommentar.</translation>
+        <translation>Ein Kommentar ist in einem Kommentar verschachtelt.</translation>
     </message>
     <message>
         <source>Duplicate {} word.</source>
-        <translation>Der Satz hat zwei Wörter {}.</translation>
+        <translation>Doppeltes Wort {}.</translation>
     </message>
     <message>
         <source>The block has more than 24 G and M words.</source>
@@ -1757,7 +1757,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>&quot;%&quot; marks the beginning and the end of a tape and must be alone on its line.</source>
-        <translation>„%“ bezeichnet Anfang und Ende eines Lochstreifens und muss in einer eigenen Zeile stehen.</translation>
+        <translation>„%“ kennzeichnet Anfang und Ende eines Lochstreifens und muss allein in der Zeile stehen.</translation>
     </message>
     <message>
         <source>The program ends with &quot;%&quot; but does not begin with it.</source>
@@ -1769,11 +1769,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The text after the second &quot;%&quot; is not run.</source>
-        <translation>Der Text hinter dem zweiten „%“ wird nicht ausgeführt.</translation>
+        <translation>Der Text nach dem zweiten „%“ wird nicht ausgeführt.</translation>
     </message>
     <message>
         <source>The blocks after the program end are not run.</source>
-        <translation>Die Sätze hinter dem Programmende werden nicht ausgeführt.</translation>
+        <translation>Die Sätze nach dem Programmende werden nicht ausgeführt.</translation>
     </message>
     <message>
         <source>The program has no end: M2, M30 or a pair of &quot;%&quot;.</source>
@@ -1789,11 +1789,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The file begins with a byte order mark, which controls reject.</source>
-        <translation>Die Datei beginnt mit einer Bytereihenfolge-Marke (BOM), die Steuerungen ablehnen.</translation>
+        <translation>Die Datei beginnt mit einem Byte-Order-Mark (BOM), das Steuerungen ablehnen.</translation>
     </message>
     <message>
         <source>The line ends with CR alone, which LinuxCNC does not accept as a line end.</source>
-        <translation>Die Zeile endet mit CR allein, was LinuxCNC nicht als Zeilenende liest.</translation>
+        <translation>Die Zeile endet mit CR allein, was LinuxCNC nicht als Zeilenende akzeptiert.</translation>
     </message>
     <message>
         <source>The line has {} characters; LinuxCNC refuses more than 252.</source>
@@ -1801,7 +1801,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The block number has more than 15 digits, which controls cannot hold.</source>
-        <translation>Die Satznummer hat mehr als 15 Stellen, die Steuerungen nicht fassen.</translation>
+        <translation>Die Satznummer hat mehr als 15 Stellen, mehr, als Steuerungen fassen.</translation>
     </message>
     <message>
         <source>The program has more than {} motions; interpretation ends here.</source>
@@ -1821,11 +1821,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>{} and {} cannot be used in one block.</source>
-        <translation>{} und {} schließen einander in einem Satz aus.</translation>
+        <translation>{} und {} sind in einem Satz nicht zusammen zulässig.</translation>
     </message>
     <message>
         <source>{} axis ignored (three-axis machine).</source>
-        <translation>Die Achse {} gibt es an einer Dreiachsmaschine nicht.</translation>
+        <translation>Achse {} ignoriert (Dreiachsmaschine).</translation>
     </message>
     <message>
         <source>No code of this block uses the word {}.</source>
@@ -1833,7 +1833,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>No motion code is active for the word {}.</source>
-        <translation>Für das Wort {} ist kein Bewegungsbefehl wirksam.</translation>
+        <translation>Für das Wort {} ist kein Bewegungsbefehl aktiv.</translation>
     </message>
     <message>
         <source>G80 cannot move the axis {}.</source>
@@ -1845,11 +1845,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The value of {} must not be negative.</source>
-        <translation>Die Zahl von {} darf nicht negativ sein.</translation>
+        <translation>Der Wert von {} darf nicht negativ sein.</translation>
     </message>
     <message>
         <source>The value of {} must be a whole number from {} to {}.</source>
-        <translation>Die Zahl von {} muss eine ganze Zahl von {} bis {} sein.</translation>
+        <translation>Der Wert von {} muss eine ganze Zahl von {} bis {} sein.</translation>
     </message>
     <message>
         <source>The feed is read in the unit that was in force before {}.</source>
@@ -1861,15 +1861,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>A cutting motion has no feed rate.</source>
-        <translation>Eine Vorschubbewegung hat keinen Vorschub.</translation>
+        <translation>Für eine Vorschubbewegung fehlt der Vorschub.</translation>
     </message>
     <message>
         <source>{} position unknown; move not simulated.</source>
-        <translation>Die Position von {} ist nicht bekannt; diese Bewegung fräst daher nichts.</translation>
+        <translation>Position von {} unbekannt; die Bewegung wird nicht simuliert.</translation>
     </message>
     <message>
         <source>{} moves by an incremental distance from an unknown position.</source>
-        <translation>{} fährt um eine Strecke von einem unbekannten Ort aus.</translation>
+        <translation>{} fährt um einen inkrementalen Weg von einer unbekannten Position aus.</translation>
     </message>
     <message>
         <source>The arc has neither a centre nor a radius.</source>
@@ -1901,11 +1901,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The radius {} mm is too small: the end is {} mm from the start, {} mm more than 2 R.</source>
-        <translation>Der Radius {} mm ist zu klein: Das Ende liegt {} mm vom Anfang, {} mm mehr als 2 R.</translation>
+        <translation>Der Radius {} mm ist zu klein: Der Endpunkt liegt {} mm vom Startpunkt entfernt, {} mm mehr als 2 R.</translation>
     </message>
     <message>
         <source>The radius of the arc is {} mm, beyond what can be computed exactly.</source>
-        <translation>Der Radius des Bogens ist {} mm, mehr als sich genau rechnen lässt.</translation>
+        <translation>Der Radius des Kreisbogens ist {} mm, mehr, als sich genau rechnen lässt.</translation>
     </message>
     <message>
         <source>P must be a whole number of turns from 1 to {}.</source>
@@ -1937,15 +1937,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The box {} has no area: each side must go from the smaller coordinate to the larger one.</source>
-        <translation>Der Ausschnitt {} hat keine Fläche: Jede Seite muss von der kleineren zur größeren Koordinate gehen.</translation>
+        <translation>Der Bereich {} hat keine Fläche: Jede Seite muss von der kleineren zur größeren Koordinate gehen.</translation>
     </message>
     <message>
         <source>The box {} is not within the stock, {}.</source>
-        <translation>Der Ausschnitt {} liegt nicht innerhalb des Rohteils, {}.</translation>
+        <translation>Der Bereich {} liegt nicht innerhalb des Rohteils, {}.</translation>
     </message>
     <message>
         <source>A detail region of {} × {} points needs {}; {} is available, enough for a spacing of {} mm.</source>
-        <translation>Ein Ausschnitt von {} × {} Punkten braucht {}; {} dürfen belegt werden, was für eine Rasterweite von {} mm reicht.</translation>
+        <translation>Ein Detailbereich von {} × {} Punkten braucht {}; verfügbar sind {}, genug für eine Rasterweite von {} mm.</translation>
     </message>
     <message>
         <source>The grid spacing {} mm is too coarse for the stock {}; the coarsest possible is {} mm.</source>
@@ -1977,15 +1977,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Check the values, the scaling and the repeats.</source>
-        <translation>Zahlen, Skalierung und Wiederholungen prüfen.</translation>
+        <translation>Werte, Skalierung und Wiederholungen prüfen.</translation>
     </message>
     <message>
         <source>The path of the arc is {} mm long, beyond the limit of {} mm; it cuts nothing.</source>
-        <translation>Die Bahn des Bogens ist {} mm lang, mehr als die Grenze von {} mm; er schneidet nichts.</translation>
+        <translation>Die Bahn des Kreisbogens ist {} mm lang, mehr als die Grenze von {} mm; er fräst nichts.</translation>
     </message>
     <message>
         <source>Check the centre and the number of turns.</source>
-        <translation>Mittelpunkt und Anzahl der Umdrehungen prüfen.</translation>
+        <translation>Mittelpunkt und Anzahl der Umläufe prüfen.</translation>
     </message>
     <message>
         <source>Point angle</source>
@@ -1993,15 +1993,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Drill</source>
-        <translation>Spiralbohrer</translation>
+        <translation>Bohrer</translation>
     </message>
     <message>
         <source>The program never positions {}, so what it cuts is unknown.</source>
-        <translation>Das Programm sagt nie, wo {} steht; was es schneidet, ist daher nicht bekannt.</translation>
+        <translation>Das Programm positioniert {} nie; was es fräst, ist daher unbekannt.</translation>
     </message>
     <message>
         <source>The rapid move passes over the stock at an unknown height; whether it cuts is unknown.</source>
-        <translation>Die Eilgangbewegung führt in unbekannter Höhe über das Rohteil; ob sie schneidet, ist nicht bekannt.</translation>
+        <translation>Der Eilgang führt in unbekannter Höhe über das Rohteil; ob er fräst, ist unbekannt.</translation>
     </message>
     <message>
         <source>Position Z above the stock before the rapid.</source>
@@ -2033,23 +2033,23 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The extension of this name is not that of a mesh format; there are {}.</source>
-        <translation>Die Endung dieses Namens ist die keines Netzformats; es gibt {}.</translation>
+        <translation>Die Endung dieses Namens gehört zu keinem Netzformat; gültig sind: {}.</translation>
     </message>
     <message>
         <source>The vertex {}, {}, {} is not finite: a mesh file holds finite numbers only.</source>
-        <translation>Ein Eckpunkt liegt bei {}, {}, {}: eine Netzdatei hält nur endliche Zahlen.</translation>
+        <translation>Der Eckpunkt {}, {}, {} ist nicht endlich: Eine Netzdatei fasst nur endliche Zahlen.</translation>
     </message>
     <message>
         <source>Export OBJ or PLY: they hold coordinates in double precision.</source>
-        <translation>Exportieren Sie OBJ oder PLY: sie halten Koordinaten in doppelter Genauigkeit.</translation>
+        <translation>OBJ oder PLY exportieren: Sie speichern Koordinaten in doppelter Genauigkeit.</translation>
     </message>
     <message>
         <source>Rounded to single precision, the mesh deviates from the z-map by up to {} mm, more than the error allowance of {} mm; OBJ or PLY would keep {} mm.</source>
-        <translation>Auf einfache Genauigkeit gerundet, liegt die Datei bis zu {} mm neben der Z-Map, mehr als der zulässige Fehler von {} mm; OBJ oder PLY blieben bei {} mm.</translation>
+        <translation>Auf einfache Genauigkeit gerundet, weicht das Netz um bis zu {} mm von der Z-Map ab, mehr als der zulässige Fehler von {} mm; OBJ oder PLY hielten {} mm ein.</translation>
     </message>
     <message>
         <source>The coordinates of an STL file are too coarse for this mesh so far from the origin: {} triangles would collapse or turn over, {} vertices meet others; OBJ or PLY can hold it.</source>
-        <translation>Die Koordinaten einer STL-Datei sind für dieses Netz so weit vom Nullpunkt zu grob: {} Dreiecke fielen zusammen oder kehrten sich um, {} Eckpunkte träfen auf andere; OBJ oder PLY können es halten.</translation>
+        <translation>Die Koordinaten einer STL-Datei sind für dieses Netz so weit vom Ursprung zu grob: {} Dreiecke fielen zusammen oder kehrten sich um, {} Eckpunkte träfen auf andere; OBJ oder PLY können es speichern.</translation>
     </message>
     <message>
         <source>Certified</source>
@@ -2069,7 +2069,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Where the certified method keeps its surface within the error allowance, at rest and in exports; while cutting, it is at every z-map point.</source>
-        <translation>Wo das zertifizierte Verfahren seine Fläche innerhalb des zulässigen Fehlers hält, in Ruhe und beim Export; während des Schneidens ist es jeder Punkt der Z-Map.</translation>
+        <translation>Wo das zertifizierte Verfahren seine Fläche innerhalb des zulässigen Fehlers hält, in Ruhe und beim Export; während des Fräsens gilt das an jedem Punkt der Z-Map.</translation>
     </message>
     <message>
         <source>ε = 0 (no decimation)</source>
@@ -2081,7 +2081,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>as in the paper</source>
-        <translation>buchstabengetreu</translation>
+        <translation>wie im Aufsatz</translation>
     </message>
     <message>
         <source>regions {} × {}</source>
@@ -2233,7 +2233,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Close other programs, or split the program.</source>
-        <translation>Schließen Sie andere Programme, oder teilen Sie das Programm.</translation>
+        <translation>Andere Programme schließen oder das NC-Programm aufteilen.</translation>
     </message>
     <message>
         <source>The program has more than {} tool changes, stops, dwells and the like; interpretation ends here.</source>
@@ -2241,23 +2241,23 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Tool &quot;{}&quot; is in the table already.</source>
-        <translation>„{}“ ist ein Werkzeug, das die Tabelle schon hat.</translation>
+        <translation>Das Werkzeug „{}“ steht schon in der Tabelle.</translation>
     </message>
     <message>
         <source>The method “{}” works on maps of {} points at most; this one has {}.</source>
-        <translation>Das Verfahren „{}“ arbeitet auf Karten mit höchstens {} Punkten; diese hat {}.</translation>
+        <translation>Das Verfahren „{}“ arbeitet auf Z-Maps mit höchstens {} Punkten; diese hat {}.</translation>
     </message>
     <message>
         <source>The z-map needs {}; {} is available.</source>
-        <translation>Die Z-Map braucht {}; {} dürfen belegt werden.</translation>
+        <translation>Die Z-Map braucht {}; verfügbar sind {}.</translation>
     </message>
     <message>
         <source>A grid of {} × {} points needs {}; {} is available, enough for a spacing of {} mm.</source>
-        <translation>Ein Raster von {} × {} Punkten braucht {}; {} dürfen belegt werden, was für eine Rasterweite von {} mm reicht.</translation>
+        <translation>Ein Raster von {} × {} Punkten braucht {}; verfügbar sind {}, genug für eine Rasterweite von {} mm.</translation>
     </message>
     <message>
         <source>Increase the grid spacing, or close other programs.</source>
-        <translation>Vergrößern Sie die Rasterweite, oder schließen Sie andere Programme.</translation>
+        <translation>Die Rasterweite vergrößern oder andere Programme schließen.</translation>
     </message>
     <message>
         <source>polar radius</source>
@@ -2273,7 +2273,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Compute it in several steps.</source>
-        <translation>Berechnen Sie ihn in mehreren Schritten.</translation>
+        <translation>In mehreren Schritten berechnen.</translation>
     </message>
     <message>
         <source>The parameter {} was never set.</source>
@@ -2281,19 +2281,19 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Set it first; a name without _ at its front is known in its own subprogram only.</source>
-        <translation>Setzen Sie ihn zuerst; ein Name ohne _ am Anfang gilt nur in seinem eigenen Unterprogramm.</translation>
+        <translation>Zuerst setzen; ein Name ohne _ am Anfang gilt nur in seinem eigenen Unterprogramm.</translation>
     </message>
     <message>
         <source>{} is not a whole number, so it is not a parameter number.</source>
-        <translation>{} ist keine ganze Zahl und bezeichnet daher keinen Parameter.</translation>
+        <translation>{} ist keine ganze Zahl und daher keine Parameternummer.</translation>
     </message>
     <message>
         <source>Round it with FIX or ROUND.</source>
-        <translation>Runden Sie sie mit FIX oder ROUND.</translation>
+        <translation>Mit FIX oder ROUND runden.</translation>
     </message>
     <message>
         <source>Use another number, or a name.</source>
-        <translation>Verwenden Sie eine andere Nummer oder einen Namen.</translation>
+        <translation>Eine andere Nummer oder einen Namen verwenden.</translation>
     </message>
     <message>
         <source>The parameter {} can be read only.</source>
@@ -2301,7 +2301,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Use another number.</source>
-        <translation>Verwenden Sie eine andere Nummer.</translation>
+        <translation>Eine andere Nummer verwenden.</translation>
     </message>
     <message>
         <source>The name is not closed.</source>
@@ -2309,7 +2309,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Close it with &quot;&gt;&quot;.</source>
-        <translation>Schließen Sie ihn mit „&gt;“.</translation>
+        <translation>Mit „&gt;“ schließen.</translation>
     </message>
     <message>
         <source>The name is empty.</source>
@@ -2317,7 +2317,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Write a name between &quot;&lt;&quot; and &quot;&gt;&quot;.</source>
-        <translation>Schreiben Sie einen Namen zwischen „&lt;“ und „&gt;“.</translation>
+        <translation>Einen Namen zwischen „&lt;“ und „&gt;“ schreiben.</translation>
     </message>
     <message>
         <source>The name has more than 256 characters.</source>
@@ -2325,7 +2325,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Use a shorter one.</source>
-        <translation>Verwenden Sie einen kürzeren.</translation>
+        <translation>Einen kürzeren verwenden.</translation>
     </message>
     <message>
         <source>The program has more than 100000 named parameters at once; {} was not set.</source>
@@ -2333,7 +2333,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Use fewer names, or numbers.</source>
-        <translation>Verwenden Sie weniger Namen oder stattdessen Nummern.</translation>
+        <translation>Weniger Namen oder stattdessen Nummern verwenden.</translation>
     </message>
     <message>
         <source>The bracket is not closed.</source>
@@ -2341,7 +2341,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Close it with &quot;]&quot; in the same line.</source>
-        <translation>Schließen Sie sie mit „]“ in derselben Zeile.</translation>
+        <translation>In derselben Zeile mit „]“ schließen.</translation>
     </message>
     <message>
         <source>{} has no argument in brackets.</source>
@@ -2349,15 +2349,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Write for example SIN[30].</source>
-        <translation>Schreiben Sie zum Beispiel SIN[30].</translation>
+        <translation>Zum Beispiel SIN[30] schreiben.</translation>
     </message>
     <message>
         <source>Expected an operator or &quot;]&quot; but found &quot;{}&quot;.</source>
-        <translation>„{}“ steht, wo ein Operator oder „]“ hingehört.</translation>
+        <translation>Operator oder „]“ erwartet, aber „{}“ gefunden.</translation>
     </message>
     <message>
         <source>Check the expression.</source>
-        <translation>Prüfen Sie den Ausdruck.</translation>
+        <translation>Den Ausdruck prüfen.</translation>
     </message>
     <message>
         <source>{} has no result for these values.</source>
@@ -2365,15 +2365,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Check for a division by zero, the root of a negative number, an arc sine beyond 1.</source>
-        <translation>Prüfen Sie auf eine Division durch null, die Wurzel einer negativen Zahl oder den Arkussinus eines Werts über 1.</translation>
+        <translation>Auf Division durch null, die Wurzel einer negativen Zahl oder den Arkussinus eines Werts über 1 prüfen.</translation>
     </message>
     <message>
         <source>EXISTS asks for a named parameter: EXISTS[#&lt;name&gt;].</source>
-        <translation>EXISTS fragt nach einem benannten Parameter: EXISTS[#&lt;Name&gt;].</translation>
+        <translation>EXISTS verlangt einen benannten Parameter: EXISTS[#&lt;Name&gt;].</translation>
     </message>
     <message>
         <source>Write the name between &quot;&lt;&quot; and &quot;&gt;&quot;.</source>
-        <translation>Schreiben Sie den Namen zwischen „&lt;“ und „&gt;“.</translation>
+        <translation>Den Namen zwischen „&lt;“ und „&gt;“ schreiben.</translation>
     </message>
     <message>
         <source>{} is not followed by &quot;=&quot; and a value.</source>
@@ -2381,19 +2381,19 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>A parameter at the beginning of a word is an assignment, for example #1=10.</source>
-        <translation>Ein Parameter am Anfang eines Wortes wird gesetzt, zum Beispiel #1=10.</translation>
+        <translation>Ein Parameter am Anfang eines Wortes ist eine Zuweisung, zum Beispiel #1=10.</translation>
     </message>
     <message>
         <source>The number after O is not a whole number from 0 up.</source>
-        <translation>Die Zahl hinter O ist keine ganze Zahl ab 0.</translation>
+        <translation>Die Zahl nach O ist keine ganze Zahl ab 0.</translation>
     </message>
     <message>
         <source>Use a whole number, or a name: O&lt;name&gt;.</source>
-        <translation>Verwenden Sie eine ganze Zahl oder einen Namen: O&lt;Name&gt;.</translation>
+        <translation>Eine ganze Zahl oder einen Namen verwenden: O&lt;Name&gt;.</translation>
     </message>
     <message>
         <source>&quot;{}&quot; is not an O-word keyword.</source>
-        <translation>„{}“ ist keines der Schlüsselwörter, die auf ein O-Wort folgen dürfen.</translation>
+        <translation>„{}“ ist kein O-Wort-Schlüsselwort.</translation>
     </message>
     <message>
         <source>Use sub, endsub, call, return, if, elseif, else, endif, do, while, endwhile, repeat, endrepeat, break or continue.</source>
@@ -2405,15 +2405,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Put it on a line of its own.</source>
-        <translation>Schreiben Sie es in eine eigene Zeile.</translation>
+        <translation>In eine eigene Zeile schreiben.</translation>
     </message>
     <message>
         <source>Unexpected &quot;{}&quot; after the O word and its arguments.</source>
-        <translation>„{}“ steht hinter dem O-Wort und seinen Argumenten.</translation>
+        <translation>Unerwartetes „{}“ nach dem O-Wort und seinen Argumenten.</translation>
     </message>
     <message>
         <source>O{} {} has no matching {}.</source>
-        <translation>Zu O{} {} gibt es kein zugehöriges {}.</translation>
+        <translation>Zu O{} {} fehlt das zugehörige {}.</translation>
     </message>
     <message>
         <source>Both need the same label, in the same subprogram.</source>
@@ -2425,7 +2425,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Give each branch and each loop a label of its own.</source>
-        <translation>Geben Sie jeder Verzweigung und jeder Schleife eine eigene Marke.</translation>
+        <translation>Jeder Verzweigung und jeder Schleife eine eigene Marke geben.</translation>
     </message>
     <message>
         <source>After continue in a do loop, LinuxCNC may run a repeat loop twice as often as it says.</source>
@@ -2433,7 +2433,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Skip the rest of the pass with if and endif instead of continue.</source>
-        <translation>Lassen Sie den Rest des Durchlaufs mit if und endif statt mit continue aus.</translation>
+        <translation>Den Rest des Durchlaufs mit if und endif statt mit continue überspringen.</translation>
     </message>
     <message>
         <source>M98 with L0 runs nothing, but LinuxCNC then loses the named parameters of this program and refuses the next subprogram.</source>
@@ -2441,7 +2441,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Leave out the call.</source>
-        <translation>Lassen Sie den Aufruf weg.</translation>
+        <translation>Den Aufruf weglassen.</translation>
     </message>
     <message>
         <source>O{} sub is inside another subprogram.</source>
@@ -2449,7 +2449,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Close the other one with endsub before it.</source>
-        <translation>Schließen Sie das andere davor mit endsub ab.</translation>
+        <translation>Das andere davor mit endsub abschließen.</translation>
     </message>
     <message>
         <source>{} needs a condition in brackets.</source>
@@ -2457,7 +2457,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Write for example: O1 if [#1 GT 0].</source>
-        <translation>Schreiben Sie zum Beispiel: O1 if [#1 GT 0].</translation>
+        <translation>Zum Beispiel schreiben: O1 if [#1 GT 0].</translation>
     </message>
     <message>
         <source>There is no subprogram {}, in this file or as {}.</source>
@@ -2465,7 +2465,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Check the name and the folders of subprograms.</source>
-        <translation>Prüfen Sie den Namen und die Unterprogrammordner.</translation>
+        <translation>Den Namen und die Unterprogrammordner prüfen.</translation>
     </message>
     <message>
         <source>The subprogram {} is not opened: its name leads outside the subprogram folders.</source>
@@ -2473,7 +2473,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Use a name without &quot;/&quot; and &quot;..&quot;.</source>
-        <translation>Verwenden Sie einen Namen ohne „/“ und „..“.</translation>
+        <translation>Einen Namen ohne „/“ und „..“ verwenden.</translation>
     </message>
     <message>
         <source>The subprogram {} cannot be read: {}</source>
@@ -2481,7 +2481,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Check the file.</source>
-        <translation>Prüfen Sie die Datei.</translation>
+        <translation>Die Datei prüfen.</translation>
     </message>
     <message>
         <source>The file ends within the subprogram {}.</source>
@@ -2489,7 +2489,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Close it with endsub or M99.</source>
-        <translation>Schließen Sie es mit endsub oder M99 ab.</translation>
+        <translation>Mit endsub oder M99 abschließen.</translation>
     </message>
     <message>
         <source>Subprograms call each other deeper than {} levels: {}.</source>
@@ -2497,7 +2497,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Check for a subprogram that calls itself endlessly.</source>
-        <translation>Prüfen Sie, ob ein Unterprogramm sich endlos selbst aufruft.</translation>
+        <translation>Prüfen, ob ein Unterprogramm sich endlos selbst aufruft.</translation>
     </message>
     <message>
         <source>The call has more than 30 arguments.</source>
@@ -2505,7 +2505,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Pass the others in global parameters.</source>
-        <translation>Übergeben Sie die übrigen in globalen Parametern.</translation>
+        <translation>Die übrigen in globalen Parametern übergeben.</translation>
     </message>
     <message>
         <source>{} is outside a subprogram.</source>
@@ -2513,15 +2513,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Remove it, or put it between sub and endsub.</source>
-        <translation>Entfernen Sie es, oder setzen Sie es zwischen sub und endsub.</translation>
+        <translation>Entfernen oder zwischen sub und endsub setzen.</translation>
     </message>
     <message>
         <source>M99 ends the main program: the control restarts it, endlessly.</source>
-        <translation>M99 beendet das Hauptprogramm: Die Steuerung startet es endlos immer wieder.</translation>
+        <translation>M99 beendet das Hauptprogramm: Die Steuerung startet es endlos neu.</translation>
     </message>
     <message>
         <source>It is run once here; use M30 if the program should end.</source>
-        <translation>Hier wird es einmal ausgeführt; beenden Sie es mit M30, wenn das gemeint war.</translation>
+        <translation>Hier wird es einmal ausgeführt; M30 verwenden, wenn das Programm enden soll.</translation>
     </message>
     <message>
         <source>{} does not begin its block; LinuxCNC looks for it there only.</source>
@@ -2529,7 +2529,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Put it first in the block.</source>
-        <translation>Setzen Sie es an den Anfang des Satzes.</translation>
+        <translation>An den Satzanfang schreiben.</translation>
     </message>
     <message>
         <source>M99 is not alone in its block; LinuxCNC stops there with an error.</source>
@@ -2537,11 +2537,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The repeated lines and their motions exceed {}; interpretation ends in line {}.</source>
-        <translation>Wiederholte Zeilen und ihre Bewegungen sind mehr als {}; die Interpretation endet in Zeile {}.</translation>
+        <translation>Die wiederholten Zeilen und ihre Bewegungen überschreiten {}; die Interpretation endet in Zeile {}.</translation>
     </message>
     <message>
         <source>Check loops and repeat counts. The motions of this repetition are not shown.</source>
-        <translation>Prüfen Sie Schleifen und Wiederholungszahlen. Was diese Wiederholung erzeugt, wird nicht angezeigt.</translation>
+        <translation>Schleifen und Wiederholungszahlen prüfen. Die Bewegungen dieser Wiederholung werden nicht angezeigt.</translation>
     </message>
     <message>
         <source>More than {} repeated lines in a row make no motion; interpretation ends in line {}.</source>
@@ -2549,7 +2549,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Check the loop for an end.</source>
-        <translation>Prüfen Sie, ob die Schleife ein Ende hat.</translation>
+        <translation>Prüfen, ob die Schleife endet.</translation>
     </message>
     <message>
         <source>This loop never ends: line {} jumps back to line {} and no variable changes from one pass to the next.</source>
@@ -2557,7 +2557,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Check the loop condition. Only the first passes are shown.</source>
-        <translation>Prüfen Sie die Bedingung der Schleife. Nur ihre ersten Durchläufe werden angezeigt.</translation>
+        <translation>Die Bedingung der Schleife prüfen. Nur die ersten Durchläufe werden angezeigt.</translation>
     </message>
     <message>
         <source>{} repeats are more than the limit of {}; nothing is repeated here.</source>
@@ -2565,7 +2565,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Check the number of repeats.</source>
-        <translation>Prüfen Sie die Zahl der Wiederholungen.</translation>
+        <translation>Die Zahl der Wiederholungen prüfen.</translation>
     </message>
     <message>
         <source>This block makes {} motions, more than the limit of {}; it is not executed.</source>
@@ -2573,7 +2573,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Check the depth of the pecks, the step and the number of repeats.</source>
-        <translation>Prüfen Sie die Tiefe der Bohrhübe, die Zustellung und die Zahl der Wiederholungen.</translation>
+        <translation>Zustelltiefe je Bohrhub, Schritt und Zahl der Wiederholungen prüfen.</translation>
     </message>
     <message>
         <source>G10 with L{} is not supported.</source>
@@ -2589,7 +2589,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Add it to the tool table, or correct the number.</source>
-        <translation>Nehmen Sie es in die Werkzeugtabelle auf, oder berichtigen Sie die Nummer.</translation>
+        <translation>In die Werkzeugtabelle aufnehmen oder die Nummer berichtigen.</translation>
     </message>
     <message>
         <source>{} and {} both use the axis words of this block.</source>
@@ -2597,15 +2597,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Make two blocks; this block is skipped.</source>
-        <translation>Machen Sie zwei Sätze daraus; dieser Satz wird übersprungen.</translation>
+        <translation>Auf zwei Sätze aufteilen; dieser Satz wird übersprungen.</translation>
     </message>
     <message>
         <source>G53 needs G0 or G1 in force.</source>
-        <translation>Für G53 muss G0 oder G1 wirksam sein.</translation>
+        <translation>Für G53 muss G0 oder G1 aktiv sein.</translation>
     </message>
     <message>
         <source>Write G53 G0 or G53 G1; this block is skipped.</source>
-        <translation>Schreiben Sie G53 G0 oder G53 G1; dieser Satz wird übersprungen.</translation>
+        <translation>G53 G0 oder G53 G1 schreiben; dieser Satz wird übersprungen.</translation>
     </message>
     <message>
         <source>The block has polar words (@ ^) and X or Y.</source>
@@ -2613,15 +2613,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Keep one kind; this block is skipped.</source>
-        <translation>Behalten Sie nur eine Art; dieser Satz wird übersprungen.</translation>
+        <translation>Nur eine Art behalten; dieser Satz wird übersprungen.</translation>
     </message>
     <message>
         <source>{} counts from the current angle, and there is no angle at X0 Y0.</source>
-        <translation>{} zählt vom jetzigen Winkel aus, und bei X0 Y0 gibt es keinen Winkel.</translation>
+        <translation>{} gilt ab dem aktuellen Winkel, und bei X0 Y0 gibt es keinen Winkel.</translation>
     </message>
     <message>
         <source>Give both @ and ^ in G90; this motion is skipped.</source>
-        <translation>Geben Sie @ und ^ in G90 an; diese Bewegung wird übersprungen.</translation>
+        <translation>@ und ^ mit G90 angeben; diese Bewegung wird übersprungen.</translation>
     </message>
     <message>
         <source>G53 cannot be used with polar words.</source>
@@ -2629,15 +2629,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Write X and Y; this block is skipped.</source>
-        <translation>Schreiben Sie X und Y; dieser Satz wird übersprungen.</translation>
+        <translation>X und Y schreiben; dieser Satz wird übersprungen.</translation>
     </message>
     <message>
         <source>G53 cannot be used with incremental distances.</source>
-        <translation>G53 lässt sich nicht mit Kettenmaßen verwenden.</translation>
+        <translation>G53 lässt sich nicht mit inkrementaler Maßangabe verwenden.</translation>
     </message>
     <message>
         <source>Write G90 before it; this block is skipped.</source>
-        <translation>Schreiben Sie G90 davor; dieser Satz wird übersprungen.</translation>
+        <translation>G90 davor schreiben; dieser Satz wird übersprungen.</translation>
     </message>
     <message>
         <source>Machine zero is unknown, so {} has no position; motions are not simulated until the axis is positioned again.</source>
@@ -2645,7 +2645,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Motions to reference positions are taken to lead away from the part.</source>
-        <translation>Von Bewegungen zu Referenzpunkten wird angenommen, dass sie vom Werkstück wegführen.</translation>
+        <translation>Für Bewegungen zu Referenzpunkten wird angenommen, dass sie vom Werkstück wegführen.</translation>
     </message>
     <message>
         <source>The cycle {} needs the word {}.</source>
@@ -2661,7 +2661,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Program the position of the first hole.</source>
-        <translation>Geben Sie die Lage der ersten Bohrung an.</translation>
+        <translation>Die Position der ersten Bohrung programmieren.</translation>
     </message>
     <message>
         <source>A cycle cannot be used with inverse time feed.</source>
@@ -2669,7 +2669,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Write G94 and a feed before it; the cycle drills nothing.</source>
-        <translation>Schreiben Sie G94 und einen Vorschub davor; der Zyklus bohrt nichts.</translation>
+        <translation>G94 und einen Vorschub davor schreiben; der Zyklus bohrt nichts.</translation>
     </message>
     <message>
         <source>With inverse time feed (G93) every cutting block needs an F word.</source>
@@ -2677,7 +2677,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Add F, one over the minutes that the motion takes.</source>
-        <translation>Ergänzen Sie F, den Kehrwert der Dauer der Bewegung in Minuten.</translation>
+        <translation>F als Kehrwert der Dauer der Bewegung in Minuten ergänzen.</translation>
     </message>
     <message>
         <source>The feed counts per revolution (G95), but the spindle does not turn.</source>
@@ -2685,15 +2685,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Switch the spindle on, or write G94 and a feed per minute.</source>
-        <translation>Schalten Sie die Spindel ein, oder schreiben Sie G94 und einen Vorschub je Minute.</translation>
+        <translation>Die Spindel einschalten oder G94 und einen Vorschub je Minute schreiben.</translation>
     </message>
     <message>
         <source>The R plane is below the hole bottom.</source>
-        <translation>Die R-Ebene liegt unter dem Grund der Bohrung.</translation>
+        <translation>Die R-Ebene liegt unter dem Bohrungsgrund.</translation>
     </message>
     <message>
         <source>Check R and the depth; the cycle drills nothing.</source>
-        <translation>Prüfen Sie R und die Tiefe; der Zyklus bohrt nichts.</translation>
+        <translation>R und die Tiefe prüfen; der Zyklus bohrt nichts.</translation>
     </message>
     <message>
         <source>The depth of a peck must be greater than 0.</source>
@@ -2701,7 +2701,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Check the Q word; the cycle drills nothing.</source>
-        <translation>Prüfen Sie das Q-Wort; der Zyklus bohrt nichts.</translation>
+        <translation>Das Q-Wort prüfen; der Zyklus bohrt nichts.</translation>
     </message>
     <message>
         <source>The spindle must turn for this cycle: {}.</source>
@@ -2709,15 +2709,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Switch it on in a block before; the cycle drills nothing.</source>
-        <translation>Schalten Sie sie in einem Satz davor ein; der Zyklus bohrt nichts.</translation>
+        <translation>In einem Satz davor einschalten; der Zyklus bohrt nichts.</translation>
     </message>
     <message>
         <source>G87 cuts from below, which a z-map cannot represent.</source>
-        <translation>G87 schneidet von unten, was eine Z-Map nicht darstellen kann.</translation>
+        <translation>G87 trägt von unten ab, was eine Z-Map nicht darstellen kann.</translation>
     </message>
     <message>
         <source>The motions are shown; what they cut from below is unverified.</source>
-        <translation>Die Bewegungen werden gezeigt; was sie von unten schneiden, ist ungewiss.</translation>
+        <translation>Die Bewegungen werden gezeigt; was sie von unten abtragen, ist ungeprüft.</translation>
     </message>
     <message>
         <source>The position {} cannot be read while cutter compensation is on.</source>
@@ -2725,7 +2725,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Write G40 before it.</source>
-        <translation>Schreiben Sie G40 davor.</translation>
+        <translation>G40 davor schreiben.</translation>
     </message>
     <message>
         <source>Cutter compensation is on already.</source>
@@ -2733,7 +2733,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Write G40 first; {} has no effect.</source>
-        <translation>Schreiben Sie zuerst G40; {} hat keine Wirkung.</translation>
+        <translation>Zuerst G40 schreiben; {} hat keine Wirkung.</translation>
     </message>
     <message>
         <source>Cutter compensation works in the planes of G17 and G18 only.</source>
@@ -2741,7 +2741,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Select the plane before; the code has no effect.</source>
-        <translation>Wählen Sie die Ebene davor; der Befehl hat keine Wirkung.</translation>
+        <translation>Die Ebene davor wählen; der Befehl hat keine Wirkung.</translation>
     </message>
     <message>
         <source>Cutter compensation in G18 under a rotation about Z is not supported.</source>
@@ -2749,7 +2749,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Remove the rotation from the work offset; the code has no effect.</source>
-        <translation>Nehmen Sie die Drehung aus der Nullpunktverschiebung heraus; der Befehl hat keine Wirkung.</translation>
+        <translation>Die Drehung aus der Nullpunktverschiebung entfernen; der Befehl hat keine Wirkung.</translation>
     </message>
     <message>
         <source>{} cannot be used while cutter compensation is on.</source>
@@ -2757,7 +2757,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Write G40 before it; the code has no effect.</source>
-        <translation>Schreiben Sie G40 davor; der Befehl hat keine Wirkung.</translation>
+        <translation>G40 davor schreiben; der Befehl hat keine Wirkung.</translation>
     </message>
     <message>
         <source>The diameter for {} is 0, so the tool moves on the programmed path.</source>
@@ -2765,7 +2765,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Check the tool table, if the path is not written for the centre of the tool.</source>
-        <translation>Prüfen Sie die Werkzeugtabelle, falls die Bahn nicht für den Werkzeugmittelpunkt programmiert ist.</translation>
+        <translation>Die Werkzeugtabelle prüfen, falls die Bahn nicht für den Werkzeugmittelpunkt programmiert ist.</translation>
     </message>
     <message>
         <source>No diameter is known for {}, so the tool moves on the programmed path.</source>
@@ -2773,15 +2773,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Give the tools of the program.</source>
-        <translation>Geben Sie die Werkzeuge des Programms an.</translation>
+        <translation>Die Werkzeuge des Programms angeben.</translation>
     </message>
     <message>
         <source>The motion is not compensated: it leads from or to a place that is not known.</source>
-        <translation>Die Bewegung wird nicht korrigiert: Sie führt von oder zu einer Stelle, die nicht bekannt ist.</translation>
+        <translation>Die Bewegung wird nicht korrigiert: Ihr Start- oder Endpunkt ist unbekannt.</translation>
     </message>
     <message>
         <source>Position the axes of the plane before G41 or G42.</source>
-        <translation>Positionieren Sie die Achsen der Ebene vor G41 oder G42.</translation>
+        <translation>Die Achsen der Ebene vor G41 oder G42 positionieren.</translation>
     </message>
     <message>
         <source>The motion into cutter compensation is {} mm long, not longer than the tool&apos;s radius of {} mm.</source>
@@ -2789,7 +2789,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Begin farther away; the motion is skipped.</source>
-        <translation>Beginnen Sie weiter entfernt; die Bewegung wird übersprungen.</translation>
+        <translation>Weiter entfernt beginnen; die Bewegung wird übersprungen.</translation>
     </message>
     <message>
         <source>The arc has a radius of {} mm, not larger than the tool&apos;s radius of {} mm.</source>
@@ -2797,7 +2797,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Use a smaller tool; the motion is skipped.</source>
-        <translation>Verwenden Sie ein kleineres Werkzeug; die Bewegung wird übersprungen.</translation>
+        <translation>Ein kleineres Werkzeug verwenden; die Bewegung wird übersprungen.</translation>
     </message>
     <message>
         <source>The tool with a radius of {} mm does not fit into this inside corner.</source>
@@ -2809,7 +2809,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Use a smaller tool, or remove the short motion.</source>
-        <translation>Verwenden Sie ein kleineres Werkzeug, oder lassen Sie die kurze Bewegung weg.</translation>
+        <translation>Ein kleineres Werkzeug verwenden oder die kurze Bewegung entfernen.</translation>
     </message>
     <message>
         <source>The tool with a radius of {} mm goes backward in the motion of line {} and gouges; LinuxCNC does not notice.</source>
@@ -2817,11 +2817,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>A stop before this inside corner makes the tool overrun it and gouge.</source>
-        <translation>Vor dieser Innenecke steht ein Halt; das Werkzeug fährt daher zu weit und verletzt die Kontur.</translation>
+        <translation>Ein Halt vor dieser Innenecke lässt das Werkzeug zu weit fahren und die Kontur verletzen.</translation>
     </message>
     <message>
         <source>Stop elsewhere: the corner is known only when the motion to it is done.</source>
-        <translation>Halten Sie an anderer Stelle: Die Ecke ist erst bekannt, wenn die Bewegung zu ihr schon ausgeführt ist.</translation>
+        <translation>An anderer Stelle halten: Die Ecke ist erst bekannt, wenn die Bewegung zu ihr ausgeführt ist.</translation>
     </message>
     <message>
         <source>The first motion after G40 must be straight.</source>
@@ -2829,7 +2829,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Lead out with G0 or G1; the arc is skipped.</source>
-        <translation>Fahren Sie mit G0 oder G1 von der Kontur weg; der Kreisbogen wird übersprungen.</translation>
+        <translation>Mit G0 oder G1 abfahren; der Kreisbogen wird übersprungen.</translation>
     </message>
     <message>
         <source>Cutter compensation is still on at the end of the program.</source>
@@ -2837,7 +2837,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Lead out with G40.</source>
-        <translation>Fahren Sie mit G40 von der Kontur weg.</translation>
+        <translation>Mit G40 abfahren.</translation>
     </message>
     <message>
         <source>M72 restores a modal state, but none is saved at this level of calls.</source>
@@ -2849,11 +2849,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>M72 is not alone in its block.</source>
-        <translation>Neben M72 stehen andere Wörter.</translation>
+        <translation>M72 steht nicht allein im Satz.</translation>
     </message>
     <message>
         <source>LinuxCNC ignores the rest of the block after restoring; give M72 a block of its own.</source>
-        <translation>LinuxCNC lässt weg, was nach dem Wiederherstellen käme; M72 in einen eigenen Satz schreiben.</translation>
+        <translation>LinuxCNC ignoriert nach dem Wiederherstellen den Rest des Satzes; M72 in einen eigenen Satz schreiben.</translation>
     </message>
     <message>
         <source>G7 makes X a diameter, as on a lathe: LinuxCNC would halve every X.</source>
@@ -2869,7 +2869,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>X is not a diameter on a mill: write G97 and a speed.</source>
-        <translation>Auf einer Fräsmaschine ist X kein Durchmesser: G97 und eine Drehzahl schreiben.</translation>
+        <translation>X ist auf einer Fräsmaschine kein Durchmesser: G97 und eine Drehzahl schreiben.</translation>
     </message>
     <message>
         <source>Spindle speed is unknown, because G96 has no D.</source>
@@ -2897,7 +2897,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Input value of M66 unknown; #5399 is assumed to be {}.</source>
-        <translation>Was M66 liest, weiß nur die Maschine; für #5399 wird {} angenommen.</translation>
+        <translation>Eingangswert von M66 unbekannt; für #5399 wird {} angenommen.</translation>
     </message>
     <message>
         <source>What follows is verified as long as it does not read #5399.</source>
@@ -2909,7 +2909,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Results that depend on it are unverified.</source>
-        <translation>Was folgt, kann davon abhängen; dafür lässt sich nicht einstehen.</translation>
+        <translation>Davon abhängige Ergebnisse sind ungeprüft.</translation>
     </message>
     <message>
         <source>The pitch K must be greater than 0.</source>
@@ -2917,11 +2917,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Check the K word; nothing moves.</source>
-        <translation>Das Wort K prüfen; nichts bewegt sich.</translation>
+        <translation>Das K-Wort prüfen; nichts bewegt sich.</translation>
     </message>
     <message>
         <source>{} moves in step with the spindle and takes no F.</source>
-        <translation>{} bewegt sich im Takt der Spindel und nimmt kein F.</translation>
+        <translation>{} bewegt sich synchron zur Spindel und erlaubt kein F.</translation>
     </message>
     <message>
         <source>Remove F; the feed is the pitch K times the speed of the spindle.</source>
@@ -2929,7 +2929,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>{} moves in step with the spindle, which does not turn.</source>
-        <translation>{} bewegt sich im Takt der Spindel, aber sie dreht nicht.</translation>
+        <translation>{} bewegt sich synchron zur Spindel, aber sie dreht nicht.</translation>
     </message>
     <message>
         <source>Write S and M3 or M4 in a block before.</source>
@@ -2953,7 +2953,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The position where the probe meets the part is unknown.</source>
-        <translation>Wo der Taster das Teil berührt, weiß nur die Maschine.</translation>
+        <translation>Die Position, an der der Taster das Werkstück berührt, ist unbekannt.</translation>
     </message>
     <message>
         <source>Write G17 before it.</source>
@@ -2961,11 +2961,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>G5 without I and J continues a G5, but the motion before it is not a G5.</source>
-        <translation>G5 ohne I und J setzt ein G5 fort, aber die Bewegung davor war keines.</translation>
+        <translation>G5 ohne I und J setzt ein G5 fort, aber die Bewegung davor ist kein G5.</translation>
     </message>
     <message>
         <source>Program I and J; LinuxCNC would use values left by an earlier block.</source>
-        <translation>I und J angeben; LinuxCNC nähme, was irgendein Satz davor hinterließ.</translation>
+        <translation>I und J programmieren; LinuxCNC würde Werte aus einem früheren Satz verwenden.</translation>
     </message>
     <message>
         <source>The spline needs more than {} straight motions.</source>
@@ -2981,7 +2981,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Add the missing word; the point is ignored.</source>
-        <translation>Das fehlende Wort ergänzen; der Punkt entfällt.</translation>
+        <translation>Das fehlende Wort ergänzen; der Punkt wird ignoriert.</translation>
     </message>
     <message>
         <source>A control point needs a weight P greater than 0.</source>
@@ -2989,7 +2989,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Write P1 for an ordinary point; the point is ignored.</source>
-        <translation>Für einen gewöhnlichen Punkt P1 schreiben; der Punkt entfällt.</translation>
+        <translation>Für einen gewöhnlichen Punkt P1 schreiben; der Punkt wird ignoriert.</translation>
     </message>
     <message>
         <source>P without X and Y is the weight of the first control point only.</source>
@@ -3013,15 +3013,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Start it with G5.2; other motions in between end it.</source>
-        <translation>Mit G5.2 beginnen; andere Bewegungen dazwischen beenden ihn.</translation>
+        <translation>Mit G5.2 beginnen; andere Bewegungen dazwischen beenden den NURBS-Block.</translation>
     </message>
     <message>
         <source>A NURBS block was started by G5.2 but not closed: it makes no motion.</source>
-        <translation>Ein NURBS-Block wurde mit G5.2 begonnen, aber nicht geschlossen: nichts bewegt sich darauf.</translation>
+        <translation>Ein NURBS-Block wurde mit G5.2 begonnen, aber nicht geschlossen: Er erzeugt keine Bewegung.</translation>
     </message>
     <message>
         <source>Write G5.3 after its last control point.</source>
-        <translation>G5.3 hinter den letzten Kontrollpunkt schreiben.</translation>
+        <translation>G5.3 nach dem letzten Kontrollpunkt schreiben.</translation>
     </message>
     <message>
         <source>high-speed machining</source>
@@ -3033,7 +3033,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>hypothetical axis interpolation</source>
-        <translation>Interpolation mit gedachter Achse</translation>
+        <translation>Interpolation mit hypothetischer Achse</translation>
     </message>
     <message>
         <source>look-ahead control</source>
@@ -3073,7 +3073,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>check of the reference position</source>
-        <translation>Prüfung des Referenzpunkts</translation>
+        <translation>Referenzpunkt prüfen</translation>
     </message>
     <message>
         <source>return from reference position</source>
@@ -3105,11 +3105,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>approach from one side</source>
-        <translation>Anfahren aus einer Richtung</translation>
+        <translation>einseitiges Positionieren</translation>
     </message>
     <message>
         <source>automatic corner override</source>
-        <translation>automatischer Eckenvorschub</translation>
+        <translation>automatischer Ecken-Override</translation>
     </message>
     <message>
         <source>tapping mode</source>
@@ -3161,7 +3161,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Write ATAN[y]/[x].</source>
-        <translation>Schreiben Sie ATAN[y]/[x].</translation>
+        <translation>ATAN[y]/[x] schreiben.</translation>
     </message>
     <message>
         <source>The jump target is not a whole number from 0 to 99999999.</source>
@@ -3169,7 +3169,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Jump to a block number that follows an N.</source>
-        <translation>Springen Sie zu einer Satznummer, die hinter einem N steht.</translation>
+        <translation>Zu einer Satznummer springen, die nach einem N steht.</translation>
     </message>
     <message>
         <source>There is no block N{} in this program.</source>
@@ -3177,7 +3177,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Check the number; a jump does not leave its program.</source>
-        <translation>Prüfen Sie die Nummer; ein Sprung verlässt sein Programm nicht.</translation>
+        <translation>Die Nummer prüfen; ein Sprung verlässt sein Programm nicht.</translation>
     </message>
     <message>
         <source>The statement is not complete.</source>
@@ -3185,7 +3185,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Write IF [#1 GT 2] GOTO 10, IF [#1 GT 2] THEN #3=4, or WHILE [#1 GT 2] DO 1.</source>
-        <translation>Schreiben Sie IF [#1 GT 2] GOTO 10, IF [#1 GT 2] THEN #3=4 oder WHILE [#1 GT 2] DO 1.</translation>
+        <translation>IF [#1 GT 2] GOTO 10, IF [#1 GT 2] THEN #3=4 oder WHILE [#1 GT 2] DO 1 schreiben.</translation>
     </message>
     <message>
         <source>The statement does not begin the block.</source>
@@ -3193,7 +3193,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The loop has no matching {}.</source>
-        <translation>Die Schleife hat kein {} mit ihrer Nummer.</translation>
+        <translation>Zur Schleife fehlt das zugehörige {}.</translation>
     </message>
     <message>
         <source>DO 1 needs END 1 in the same program; loops do not cross each other.</source>
@@ -3201,11 +3201,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The value of {} is kept by the machine; it is assumed to be 0.</source>
-        <translation>Den Wert von {} kennt nur die Maschine; er wird mit 0 angenommen.</translation>
+        <translation>Den Wert von {} speichert die Maschine; angenommen wird 0.</translation>
     </message>
     <message>
         <source>Check the program with other values where a decision depends on it.</source>
-        <translation>Prüfen Sie das Programm mit anderen Werten, wenn eine Entscheidung davon abhängt.</translation>
+        <translation>Das Programm mit anderen Werten prüfen, wenn eine Entscheidung davon abhängt.</translation>
     </message>
     <message>
         <source>The value of {} depends on the machine that runs the program.</source>
@@ -3213,7 +3213,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>What follows from it is unverified.</source>
-        <translation>Was daraus folgt, lässt sich nicht prüfen.</translation>
+        <translation>Was daraus folgt, ist ungeprüft.</translation>
     </message>
     <message>
         <source>The position {} is not known here.</source>
@@ -3221,15 +3221,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Position the axis first, or enter a start position in the setup.</source>
-        <translation>Positionieren Sie die Achse zuerst, oder geben Sie in der Aufspannung eine Startposition an.</translation>
+        <translation>Zuerst die Achse positionieren oder in der Aufspannung eine Startposition eingeben.</translation>
     </message>
     <message>
         <source>The program stops itself with alarm {}.</source>
-        <translation>Das Programm hält sich selbst mit Alarm {} an.</translation>
+        <translation>Das Programm hält mit Alarm {} an.</translation>
     </message>
     <message>
         <source>The comment beside it says why; the program ends here.</source>
-        <translation>Der Kommentar daneben sagt, warum; was dahinter steht, wird nicht ausgeführt.</translation>
+        <translation>Den Grund nennt der Kommentar daneben; das Programm endet hier.</translation>
     </message>
     <message>
         <source>Dialect detected: {} (from {}).</source>
@@ -3237,7 +3237,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Choose the dialect yourself if that is wrong.</source>
-        <translation>Wählen Sie den Dialekt selbst, falls das nicht stimmt.</translation>
+        <translation>Den Dialekt selbst wählen, falls das nicht stimmt.</translation>
     </message>
     <message>
         <source>The text before the first &quot;%&quot; is not run.</source>
@@ -3245,31 +3245,31 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>{} and {} cannot be used in one block; the last one counts.</source>
-        <translation>{} und {} schließen sich in einem Satz gegenseitig aus; der letzte Befehl gilt.</translation>
+        <translation>{} und {} sind in einem Satz nicht zusammen zulässig; der letzte Befehl gilt.</translation>
     </message>
     <message>
         <source>Some controls give an alarm instead; keep one of them.</source>
-        <translation>Manche Steuerungen geben stattdessen einen Alarm aus; behalten Sie eines von beiden.</translation>
+        <translation>Manche Steuerungen geben stattdessen einen Alarm aus; nur einen davon behalten.</translation>
     </message>
     <message>
         <source>Duplicate {} word; the last one counts.</source>
-        <translation>Der Satz hat zwei {}-Wörter; das letzte gilt.</translation>
+        <translation>Doppeltes Wort {}; das letzte gilt.</translation>
     </message>
     <message>
         <source>No code of this block uses the word {}; it is ignored.</source>
-        <translation>Kein Befehl dieses Satzes verwendet das Wort {}; es wird übergangen.</translation>
+        <translation>Kein Befehl dieses Satzes verwendet das Wort {}; es wird ignoriert.</translation>
     </message>
     <message>
         <source>Remove it, or add the code that it belongs to.</source>
-        <translation>Entfernen Sie es, oder ergänzen Sie den Befehl, zu dem es gehört.</translation>
+        <translation>Entfernen oder den zugehörigen Befehl ergänzen.</translation>
     </message>
     <message>
         <source>After G80, {} moves without a motion code, at rapid.</source>
-        <translation>Hinter G80 bewegt sich die Achse {} ohne Wegbefehl: im Eilgang.</translation>
+        <translation>Nach G80 bewegt sich {} ohne Bewegungsbefehl, im Eilgang.</translation>
     </message>
     <message>
         <source>Write G0 or G1 into the block; controls differ here.</source>
-        <translation>Schreiben Sie G0 oder G1 in den Satz; Steuerungen verhalten sich hier verschieden.</translation>
+        <translation>G0 oder G1 in den Satz schreiben; Steuerungen verhalten sich hier verschieden.</translation>
     </message>
     <message>
         <source>{} has no decimal point: the control reads it as {}; one with calculator-type input as {}.</source>
@@ -3277,7 +3277,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Write the decimal point.</source>
-        <translation>Schreiben Sie den Dezimalpunkt.</translation>
+        <translation>Den Dezimalpunkt schreiben.</translation>
     </message>
     <message>
         <source>The block has more than {} M words.</source>
@@ -3289,31 +3289,31 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Give F a value above 0.</source>
-        <translation>Geben Sie F einen Wert über 0.</translation>
+        <translation>Für F einen Wert über 0 angeben.</translation>
     </message>
     <message>
         <source>T{} cuts without its own tool length offset.</source>
-        <translation>Werkzeug {} beginnt ohne eigene Werkzeuglängenkorrektur zu schneiden.</translation>
+        <translation>T{} fräst ohne eigene Werkzeuglängenkorrektur.</translation>
     </message>
     <message>
         <source>Write G43 after the tool change: the offset of the previous tool is still active.</source>
-        <translation>Schreiben Sie G43 hinter den Werkzeugwechsel: Noch gilt die Korrektur des vorigen Werkzeugs.</translation>
+        <translation>G43 nach dem Werkzeugwechsel schreiben: Die Korrektur des vorigen Werkzeugs ist noch aktiv.</translation>
     </message>
     <message>
         <source>The program cuts before it selects a work offset.</source>
-        <translation>Das Programm schneidet, ohne eine Nullpunktverschiebung gewählt zu haben.</translation>
+        <translation>Das Programm fräst, bevor es eine Nullpunktverschiebung wählt.</translation>
     </message>
     <message>
         <source>Write G54, or the work offset of the part.</source>
-        <translation>Schreiben Sie G54 oder die, in der das Werkstück eingerichtet ist.</translation>
+        <translation>G54 oder die Nullpunktverschiebung des Werkstücks schreiben.</translation>
     </message>
     <message>
         <source>The tool length offset H{} does not match tool {}.</source>
-        <translation>Die Werkzeuglängenkorrektur H{} ist nicht die von Werkzeug {}.</translation>
+        <translation>Die Werkzeuglängenkorrektur H{} passt nicht zu Werkzeug {}.</translation>
     </message>
     <message>
         <source>Use the tool number, unless another offset is intended.</source>
-        <translation>Verwenden Sie die Nummer des Werkzeugs, falls das nicht gemeint war.</translation>
+        <translation>Die Werkzeugnummer verwenden, falls keine andere Korrektur gewollt ist.</translation>
     </message>
     <message>
         <source>{} has no D word.</source>
@@ -3321,7 +3321,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Write the offset number: the last one used is active.</source>
-        <translation>Schreiben Sie die Nummer der Korrektur: Es gilt die zuletzt verwendete.</translation>
+        <translation>Die Korrekturnummer schreiben: Aktiv ist die zuletzt verwendete.</translation>
     </message>
     <message>
         <source>Cutter compensation begins on an arc.</source>
@@ -3329,7 +3329,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Lead in with a straight motion; many controls give an alarm here.</source>
-        <translation>Fahren Sie mit einer Geraden an; viele Steuerungen geben hier einen Alarm aus.</translation>
+        <translation>Mit einer Geraden anfahren; viele Steuerungen geben hier einen Alarm aus.</translation>
     </message>
     <message>
         <source>{} changes the unit in the middle of the program.</source>
@@ -3337,23 +3337,23 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Keep to one unit; active lengths keep the old one.</source>
-        <translation>Bleiben Sie bei einer Einheit; geltende Längen behalten ihre alte.</translation>
+        <translation>Bei einer Einheit bleiben; aktive Längen behalten die alte.</translation>
     </message>
     <message>
         <source>Still active here: {}.</source>
-        <translation>Hier noch wirksam: {}.</translation>
+        <translation>Hier noch aktiv: {}.</translation>
     </message>
     <message>
         <source>End it before the tool change and before the end of the program.</source>
-        <translation>Beenden Sie es vor dem Werkzeugwechsel und vor dem Programmende.</translation>
+        <translation>Vor dem Werkzeugwechsel und vor dem Programmende beenden.</translation>
     </message>
     <message>
         <source>The tool is changed at Z{}, not above Z{}, where it cut.</source>
-        <translation>Das Werkzeug wird bei Z{} gewechselt, nicht oberhalb von Z{}, wo es im Vorschub war.</translation>
+        <translation>Das Werkzeug wird bei Z{} gewechselt, nicht oberhalb von Z{}, wo es gefräst hat.</translation>
     </message>
     <message>
         <source>Retract first.</source>
-        <translation>Fahren Sie zuerst frei.</translation>
+        <translation>Zuerst freifahren.</translation>
     </message>
     <message>
         <source>The tool is changed while the spindle turns.</source>
@@ -3361,7 +3361,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Write M5 before it; not every machine stops the spindle by itself.</source>
-        <translation>Schreiben Sie M5 davor; nicht jede Maschine hält die Spindel selbst an.</translation>
+        <translation>M5 davor schreiben; nicht jede Maschine hält die Spindel selbst an.</translation>
     </message>
     <message>
         <source>The arc by its radius is nearly a half circle, {} degrees.</source>
@@ -3369,7 +3369,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Program the centre with I, J and K: here the last digit of R moves it far.</source>
-        <translation>Geben Sie den Mittelpunkt mit I, J und K an: Hier verschiebt ihn die letzte Ziffer von R weit.</translation>
+        <translation>Den Mittelpunkt mit I, J und K programmieren: Hier verschiebt ihn die letzte Ziffer von R weit.</translation>
     </message>
     <message>
         <source>in its block only</source>
@@ -3385,11 +3385,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>distance mode</source>
-        <translation>Maße</translation>
+        <translation>Maßangabe</translation>
     </message>
     <message>
         <source>arc distance mode</source>
-        <translation>Maße der Kreismittelpunkte</translation>
+        <translation>Maßangabe der Kreismittelpunkte</translation>
     </message>
     <message>
         <source>feed mode</source>
@@ -3409,7 +3409,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>canned-cycle return</source>
-        <translation>Rückzugsebene</translation>
+        <translation>Rückzug der Festzyklen</translation>
     </message>
     <message>
         <source>work offset</source>
@@ -3429,7 +3429,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>look-ahead</source>
-        <translation>Vorausschau</translation>
+        <translation>Look-ahead</translation>
     </message>
     <message>
         <source>diameter mode</source>
@@ -3453,11 +3453,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>overrides</source>
-        <translation>Übersteuerungen</translation>
+        <translation>Override</translation>
     </message>
     <message>
         <source>saved modal state</source>
-        <translation>gespeicherter modaler Zustand</translation>
+        <translation>gesicherter modaler Zustand</translation>
     </message>
     <message>
         <source>subprogram</source>
@@ -3469,11 +3469,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Repeated lines gave {} messages; interpretation ends here.</source>
-        <translation>Zu sich wiederholenden Zeilen gab es {} Meldungen; die Interpretation endet hier.</translation>
+        <translation>Wiederholte Zeilen ergaben {} Meldungen; die Interpretation endet hier.</translation>
     </message>
     <message>
         <source>Correct what is wrong in the loop.</source>
-        <translation>Berichtigen Sie den Fehler in der Schleife.</translation>
+        <translation>Den Fehler in der Schleife berichtigen.</translation>
     </message>
     <message>
         <source>engraving of text</source>
@@ -3493,11 +3493,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>boring cycle, dwell, stop and manual out</source>
-        <translation>Ausbohrzyklus, Verweilen, Halt und von Hand heraus</translation>
+        <translation>Ausdrehzyklus mit Verweilzeit, Halt und Rückzug von Hand</translation>
     </message>
     <message>
         <source>limit of the look-ahead</source>
-        <translation>Begrenzung der Vorausschau</translation>
+        <translation>Begrenzung des Look-ahead</translation>
     </message>
     <message>
         <source>cylindrical mapping</source>
@@ -3513,43 +3513,43 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The boring bar moves aside before it leaves the bore, but is cut as a full cylinder.</source>
-        <translation>Die Bohrstange fährt vor dem Verlassen der Bohrung zur Seite, wird aber als voller Zylinder geschnitten.</translation>
+        <translation>Die Bohrstange fährt vor dem Verlassen der Bohrung zur Seite, wird aber als voller Zylinder simuliert.</translation>
     </message>
     <message>
         <source>Contacts shown during the retract are unverified.</source>
-        <translation>Was sie auf dem Weg hinaus zu berühren scheint, ist nicht gesichert.</translation>
+        <translation>Beim Rückzug gezeigte Berührungen sind ungeprüft.</translation>
     </message>
     <message>
         <source>The operator retracts the tool from the hole by hand.</source>
-        <translation>Der Bediener fährt das Werkzeug von Hand aus der Bohrung.</translation>
+        <translation>Der Bediener zieht das Werkzeug von Hand aus der Bohrung zurück.</translation>
     </message>
     <message>
         <source>A straight retract is shown; results after this block are unverified.</source>
-        <translation>Gezeigt wird der gerade Weg hinaus; was folgt, ist nicht gesichert.</translation>
+        <translation>Gezeigt wird ein gerader Rückzug; die Ergebnisse nach diesem Satz sind ungeprüft.</translation>
     </message>
     <message>
         <source>Back boring feeds up from R, but the depth is not above R.</source>
-        <translation>Rückwärtsbohren geht von R nach oben, aber die Tiefe liegt nicht über R.</translation>
+        <translation>Rückwärtssenken fährt im Vorschub von R nach oben, aber die Tiefe liegt nicht über R.</translation>
     </message>
     <message>
         <source>Check R and the depth; the cycle bores nothing.</source>
-        <translation>Prüfen Sie R und die Tiefe; der Zyklus bohrt nichts.</translation>
+        <translation>R und die Tiefe prüfen; der Zyklus bohrt nichts.</translation>
     </message>
     <message>
         <source>{} cannot be used with G99; it returns to the initial level.</source>
-        <translation>{} kann nicht mit G99 verwendet werden; er kehrt auf die Ausgangsebene zurück.</translation>
+        <translation>{} ist mit G99 nicht zulässig; der Zyklus kehrt auf die Ausgangsebene zurück.</translation>
     </message>
     <message>
         <source>Write G98 before it.</source>
-        <translation>Schreiben Sie G98 davor.</translation>
+        <translation>G98 davor schreiben.</translation>
     </message>
     <message>
         <source>G98 returns to the initial level, which is unknown; a return to R is shown.</source>
-        <translation>G98 kehrt auf die Ausgangsebene zurück, die nicht bekannt ist; gezeigt wird R.</translation>
+        <translation>G98 kehrt auf die Ausgangsebene zurück, die unbekannt ist; gezeigt wird die Rückkehr auf R.</translation>
     </message>
     <message>
         <source>Position the axis before the cycle.</source>
-        <translation>Positionieren Sie die Achse vor dem Zyklus.</translation>
+        <translation>Die Achse vor dem Zyklus positionieren.</translation>
     </message>
     <message>
         <source>{} has no Q: the hole is drilled in one go.</source>
@@ -3557,15 +3557,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Newer controls stop with an alarm instead; give the depth of a peck.</source>
-        <translation>Neuere Steuerungen halten stattdessen mit einem Alarm an; geben Sie die Zustelltiefe an.</translation>
+        <translation>Neuere Steuerungen halten stattdessen mit einem Alarm an; die Zustelltiefe je Bohrhub angeben.</translation>
     </message>
     <message>
         <source>The spindle is stopped and M29 (rigid tapping) is not active.</source>
-        <translation>Die Spindel steht, und kein M29 verlangt Gewindebohren ohne Ausgleichsfutter.</translation>
+        <translation>Die Spindel steht, und M29 (Gewindebohren ohne Ausgleichsfutter) ist nicht aktiv.</translation>
     </message>
     <message>
         <source>Some machines tap rigidly without M29, as shown here; write M29 before the cycle.</source>
-        <translation>Manche Maschinen tun das, wie gezeigt, auch ohne M29; schreiben Sie M29 vor den Zyklus.</translation>
+        <translation>Manche Maschinen bohren Gewinde, wie hier gezeigt, auch ohne M29 ohne Ausgleichsfutter; M29 vor den Zyklus schreiben.</translation>
     </message>
     <message>
         <source>With 0 repeats the cycle is only stored; the {} of this block is not moved to.</source>
@@ -3573,23 +3573,23 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Some controls move there; program the position in another block.</source>
-        <translation>Manche Steuerungen fahren hin; nennen Sie den Ort in einem anderen Satz.</translation>
+        <translation>Manche Steuerungen fahren dorthin; die Position in einem anderen Satz programmieren.</translation>
     </message>
     <message>
         <source>{} drills with the active canned cycle, but no cycle is active.</source>
-        <translation>{} bohrt mit dem wirksamen Bohrzyklus, aber es ist keiner wirksam.</translation>
+        <translation>{} bohrt mit dem aktiven Festzyklus, aber es ist keiner aktiv.</translation>
     </message>
     <message>
         <source>Write the cycle with L0 in a block before; the pattern drills nothing.</source>
-        <translation>Schreiben Sie den Zyklus mit L0 in einen Satz davor; das Bohrbild bohrt nichts.</translation>
+        <translation>Den Zyklus mit L0 in einen Satz davor schreiben; das Lochbild bohrt nichts.</translation>
     </message>
     <message>
         <source>The first hole of G72 is assumed to be at the current position.</source>
-        <translation>Als erste Bohrung von G72 gilt der Ort, an dem das Werkzeug steht.</translation>
+        <translation>Für die erste Bohrung von G72 wird die aktuelle Position angenommen.</translation>
     </message>
     <message>
         <source>Check it against the manual of the control.</source>
-        <translation>Prüfen Sie es im Handbuch der Steuerung.</translation>
+        <translation>Im Handbuch der Steuerung prüfen.</translation>
     </message>
     <message>
         <source>How the control moves from circle to circle of the pocket is not documented; half circles are shown.</source>
@@ -3605,7 +3605,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Check I, K and D; the pocket is not milled.</source>
-        <translation>Prüfen Sie I, K und D; die Tasche wird nicht gefräst.</translation>
+        <translation>I, K und D prüfen; die Tasche wird nicht gefräst.</translation>
     </message>
     <message>
         <source>G29 returns through the intermediate point of G28, which is unknown for {}.</source>
@@ -3613,47 +3613,47 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Position the axis before G28 and program it there.</source>
-        <translation>Positionieren Sie die Achse vor G28, und nennen Sie sie dort.</translation>
+        <translation>Die Achse vor G28 positionieren und in G28 programmieren.</translation>
     </message>
     <message>
         <source>G60 overshoots by a distance set in the machine; it is shown without the overshoot.</source>
-        <translation>G60 fährt um eine in der Maschine eingestellte Strecke über das Ziel hinaus; gezeigt wird es ohne sie.</translation>
+        <translation>G60 überfährt das Ziel um eine in der Maschine eingestellte Strecke; gezeigt wird es ohne das Überfahren.</translation>
     </message>
     <message>
         <source>Make sure that there is room beyond the target.</source>
-        <translation>Sorgen Sie für Platz hinter dem Ziel.</translation>
+        <translation>Prüfen, ob hinter dem Ziel genug Platz ist.</translation>
     </message>
     <message>
         <source>The skip motion is shown to its end; where a signal stops it is unknown.</source>
-        <translation>Die Bewegung mit Löschen des Restwegs wird bis zu ihrem Ende gezeigt; wo ein Signal sie anhält, stellt erst die Maschine fest.</translation>
+        <translation>Die Bewegung mit Restweglöschen wird bis zu ihrem Ende gezeigt; wo ein Signal sie anhält, ist unbekannt.</translation>
     </message>
     <message>
         <source>The arc has both a centre and a radius; the radius counts.</source>
-        <translation>Der Bogen hat sowohl einen Mittelpunkt als auch einen Radius; der Radius gilt.</translation>
+        <translation>Der Kreisbogen hat sowohl einen Mittelpunkt als auch einen Radius; der Radius gilt.</translation>
     </message>
     <message>
         <source>Other controls refuse this; keep one.</source>
-        <translation>Andere Steuerungen lehnen das ab; behalten Sie eines von beiden.</translation>
+        <translation>Andere Steuerungen lehnen das ab; nur eines behalten.</translation>
     </message>
     <message>
         <source>The arc with R ends where it begins, so that nothing moves.</source>
-        <translation>Der Bogen mit R endet, wo er beginnt, sodass sich nichts bewegt.</translation>
+        <translation>Der Kreisbogen mit R endet, wo er beginnt, sodass sich nichts bewegt.</translation>
     </message>
     <message>
         <source>The arc has neither a centre nor a radius: the control moves straight, or stops with an alarm.</source>
-        <translation>Der Bogen hat weder Mittelpunkt noch Radius: Die Steuerung fährt gerade oder hält mit einem Alarm an.</translation>
+        <translation>Der Kreisbogen hat weder Mittelpunkt noch Radius: Die Steuerung fährt gerade oder hält mit einem Alarm an.</translation>
     </message>
     <message>
         <source>Give the centre with I, J or K, or the radius with R.</source>
-        <translation>Geben Sie den Mittelpunkt mit I, J oder K oder den Radius mit R an.</translation>
+        <translation>Den Mittelpunkt mit I, J oder K oder den Radius mit R angeben.</translation>
     </message>
     <message>
         <source>Program position</source>
-        <translation>Position im Programm</translation>
+        <translation>Programmposition</translation>
     </message>
     <message>
         <source>Work offset</source>
-        <translation>Nullpunkt der Verschiebung</translation>
+        <translation>Nullpunktverschiebung</translation>
     </message>
     <message>
         <source>Shift by G52 and G92</source>
@@ -3677,23 +3677,23 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Next tool</source>
-        <translation>Vorgewähltes Werkzeug</translation>
+        <translation>Nächstes Werkzeug</translation>
     </message>
     <message>
         <source>G68 rotates in another plane than that of the arc, which then is in no plane of the machine.</source>
-        <translation>G68 dreht eine andere Ebene als die des Bogens, der damit in keiner Ebene der Maschine liegt.</translation>
+        <translation>G68 dreht in einer anderen Ebene als der des Kreisbogens, der damit in keiner Ebene der Maschine liegt.</translation>
     </message>
     <message>
         <source>Keep the plane that was active at G68.</source>
-        <translation>Behalten Sie die Ebene bei, die bei G68 galt.</translation>
+        <translation>Die bei G68 aktive Ebene beibehalten.</translation>
     </message>
     <message>
         <source>Different scale factors along the axes of its plane turn this arc into an ellipse.</source>
-        <translation>Mit verschiedenen Faktoren entlang der Achsen seiner Ebene skaliert, ist der Bogen keiner mehr.</translation>
+        <translation>Verschiedene Skalierungsfaktoren entlang der Achsen seiner Ebene machen diesen Kreisbogen zur Ellipse.</translation>
     </message>
     <message>
         <source>Use one factor for both axes, or let the CAM system output lines.</source>
-        <translation>Verwenden Sie einen Faktor für beide Achsen, oder lassen Sie das CAM-System Geraden schreiben.</translation>
+        <translation>Einen Faktor für beide Achsen verwenden oder das CAM-System Geraden ausgeben lassen.</translation>
     </message>
     <message>
         <source>The scale factor of {} must not be 0.</source>
@@ -3701,31 +3701,31 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Check the number; the code has no effect.</source>
-        <translation>Prüfen Sie die Zahl; der Befehl hat keine Wirkung.</translation>
+        <translation>Die Zahl prüfen; der Befehl hat keine Wirkung.</translation>
     </message>
     <message>
         <source>{} is inside {}: the control needs mirror image, scaling and rotation started in this order and cancelled in the opposite one.</source>
-        <translation>{} steht innerhalb von {}: Die Steuerung verlangt, Spiegelung, Skalierung und Drehung in dieser Reihenfolge zu beginnen und in der umgekehrten zu beenden.</translation>
+        <translation>{} liegt innerhalb von {}: Die Steuerung verlangt, dass Spiegelung, Skalierung und Drehung in dieser Reihenfolge begonnen und in umgekehrter Reihenfolge aufgehoben werden.</translation>
     </message>
     <message>
         <source>Cancel the inner one first.</source>
-        <translation>Beenden Sie zuerst den inneren Befehl.</translation>
+        <translation>Zuerst den inneren Befehl aufheben.</translation>
     </message>
     <message>
         <source>The first motion after {} does not program both axes of the rotation; controls differ here.</source>
-        <translation>Die erste Bewegung nach {} sagt nicht, wohin beide Achsen der Drehung fahren; Steuerungen verhalten sich hier verschieden.</translation>
+        <translation>Die erste Bewegung nach {} programmiert nicht beide Achsen der Drehung; Steuerungen verhalten sich hier verschieden.</translation>
     </message>
     <message>
         <source>Position both axes in G90 after it.</source>
-        <translation>Positionieren Sie danach beide Achsen in G90.</translation>
+        <translation>Danach beide Achsen mit G90 positionieren.</translation>
     </message>
     <message>
         <source>G53 is ignored with incremental distances; nothing moves.</source>
-        <translation>G53 wird bei inkrementellen Wegen ignoriert; nichts bewegt sich.</translation>
+        <translation>G53 wird bei inkrementaler Maßangabe ignoriert; nichts bewegt sich.</translation>
     </message>
     <message>
         <source>Write G90 before it.</source>
-        <translation>Schreiben Sie G90 davor.</translation>
+        <translation>G90 davor schreiben.</translation>
     </message>
     <message>
         <source>Supported are L1, L2, L10 to L13 and L20.</source>
@@ -3737,43 +3737,43 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>What depends on these data is unverified.</source>
-        <translation>Was von diesen Daten abhängt, lässt sich nicht gewährleisten.</translation>
+        <translation>Was von diesen Daten abhängt, ist ungeprüft.</translation>
     </message>
     <message>
         <source>The offset register {} is not known.</source>
-        <translation>Das Korrekturregister {} ist nicht bekannt.</translation>
+        <translation>Der Korrekturspeicher {} ist nicht bekannt.</translation>
     </message>
     <message>
         <source>The tool with its number fills it, or G10; add the tool, or correct the number.</source>
-        <translation>Das Werkzeug mit seiner Nummer füllt es, oder G10; fügen Sie das Werkzeug hinzu, oder berichtigen Sie die Nummer.</translation>
+        <translation>Das Werkzeug mit seiner Nummer füllt ihn, oder G10; das Werkzeug ergänzen oder die Nummer berichtigen.</translation>
     </message>
     <message>
         <source>{} changes the tool length without a Z word; some machines move by the difference, others do not.</source>
-        <translation>{} ändert die Werkzeuglänge ohne Z-Wort; manche Maschinen fahren um die Differenz, andere stehen still.</translation>
+        <translation>{} ändert die Werkzeuglänge ohne Z-Wort; manche Maschinen fahren um die Differenz, andere nicht.</translation>
     </message>
     <message>
         <source>Position Z in the same block; here Z does not move.</source>
-        <translation>Positionieren Sie Z im selben Satz; hier steht die Achse still.</translation>
+        <translation>Z im selben Satz positionieren; hier bewegt sich Z nicht.</translation>
     </message>
     <message>
         <source>{} suspends cutter compensation on its way.</source>
-        <translation>{} setzt die Fräserradiuskorrektur auf dem Weg aus.</translation>
+        <translation>{} setzt die Fräserradiuskorrektur während der Bewegung aus.</translation>
     </message>
     <message>
         <source>Cutter compensation cannot begin on an arc (alarm 034).</source>
-        <translation>Die Fräserradiuskorrektur kann nicht auf einem Bogen beginnen (Alarm 034).</translation>
+        <translation>Die Fräserradiuskorrektur kann nicht auf einem Kreisbogen beginnen (Alarm 034).</translation>
     </message>
     <message>
         <source>Lead in with G0 or G1; the arc is skipped.</source>
-        <translation>Fahren Sie mit G0 oder G1 an; der Bogen wird übersprungen.</translation>
+        <translation>Mit G0 oder G1 anfahren; der Kreisbogen wird übersprungen.</translation>
     </message>
     <message>
         <source>The corner before this motion is not compensated: the tool stops square to the end of the block before it, and continues from there.</source>
-        <translation>Die Ecke vor dieser Bewegung wird nicht korrigiert: Das Werkzeug steht rechtwinklig neben dem Satz davor und fährt von dort weiter.</translation>
+        <translation>Die Ecke vor dieser Bewegung wird nicht korrigiert: Das Werkzeug hält rechtwinklig zum Ende des Satzes davor und fährt von dort weiter.</translation>
     </message>
     <message>
         <source>Keep stops, repeated codes and blocks without a motion away from corners.</source>
-        <translation>Halten Sie Stopps, wiederholte Codes und Sätze ohne Bewegung von Ecken fern.</translation>
+        <translation>Halte, wiederholte Befehle und Sätze ohne Bewegung nicht an Ecken programmieren.</translation>
     </message>
     <message>
         <source>The tool changes side between paths that do not meet.</source>
@@ -3781,7 +3781,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Write G40 before the other side.</source>
-        <translation>Schreiben Sie G40 vor die andere Seite.</translation>
+        <translation>Vor dem Wechsel der Seite G40 schreiben.</translation>
     </message>
     <message>
         <source>The tool with a radius of {} mm goes backward in the motion of line {}; the control leaves out points of the corner before it, or stops (alarm 041).</source>
@@ -3789,11 +3789,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The compensated arc begins {} mm off its circle.</source>
-        <translation>Der korrigierte Bogen beginnt {} mm neben seinem Kreis.</translation>
+        <translation>Der korrigierte Kreisbogen beginnt {} mm neben seinem Kreis.</translation>
     </message>
     <message>
         <source>Change side, radius or code of compensation before a straight motion.</source>
-        <translation>Wechseln Sie Seite, Radius oder Code der Korrektur vor einer geraden Bewegung.</translation>
+        <translation>Seite, Radius oder Befehl der Korrektur vor einer geraden Bewegung wechseln.</translation>
     </message>
     <message>
         <source>Interpretation was stopped before this line; the last one was {}.</source>
@@ -3801,107 +3801,107 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The program is still being read; the lines from here on are missing.</source>
-        <translation>Das Programm wird noch gelesen; was ab dieser Zeile steht, fehlt noch.</translation>
+        <translation>Das Programm wird noch gelesen; die Zeilen ab hier fehlen noch.</translation>
     </message>
     <message>
         <source>The control reports error:20 (unsupported command) and skips the block; remove it.</source>
-        <translation>Die Steuerung antwortet error:20 (Befehl nicht unterstützt) und verwirft den Satz; nehmen Sie ihn heraus.</translation>
+        <translation>Die Steuerung meldet error:20 (Befehl nicht unterstützt) und überspringt den Satz; den Befehl entfernen.</translation>
     </message>
     <message>
         <source>The control reports error:1 (letter expected) and skips the block; remove the character.</source>
-        <translation>Die Steuerung antwortet error:1 (Buchstabe erwartet) und verwirft den Satz; entfernen Sie das Zeichen.</translation>
+        <translation>Die Steuerung meldet error:1 (Buchstabe erwartet) und überspringt den Satz; das Zeichen entfernen.</translation>
     </message>
     <message>
         <source>The control reports error:2 (bad number) and skips the block; write the number.</source>
-        <translation>Die Steuerung antwortet error:2 (keine Zahl) und verwirft den Satz; schreiben Sie die Zahl.</translation>
+        <translation>Die Steuerung meldet error:2 (ungültige Zahl) und überspringt den Satz; die Zahl schreiben.</translation>
     </message>
     <message>
         <source>The control reports error:2 (bad number) and skips the block; write one sign.</source>
-        <translation>Die Steuerung antwortet error:2 (keine Zahl) und verwirft den Satz; schreiben Sie ein Vorzeichen.</translation>
+        <translation>Die Steuerung meldet error:2 (ungültige Zahl) und überspringt den Satz; nur ein Vorzeichen schreiben.</translation>
     </message>
     <message>
         <source>The control reports error:2 (bad number) and skips the block; keep one point.</source>
-        <translation>Die Steuerung antwortet error:2 (keine Zahl) und verwirft den Satz; lassen Sie einen Punkt stehen.</translation>
+        <translation>Die Steuerung meldet error:2 (ungültige Zahl) und überspringt den Satz; nur einen Punkt stehen lassen.</translation>
     </message>
     <message>
         <source>The control reports error:1 or error:2 and skips the block; let the CAM system write plain numbers.</source>
-        <translation>Die Steuerung antwortet error:1 oder error:2 und verwirft den Satz; lassen Sie das CAM-System einfache Zahlen schreiben.</translation>
+        <translation>Die Steuerung meldet error:1 oder error:2 und überspringt den Satz; das CAM-System einfache Zahlen ausgeben lassen.</translation>
     </message>
     <message>
         <source>The control reports error:4 (negative value) and skips the block; correct the number.</source>
-        <translation>Die Steuerung antwortet error:4 (negativer Wert) und verwirft den Satz; berichtigen Sie die Zahl.</translation>
+        <translation>Die Steuerung meldet error:4 (negativer Wert) und überspringt den Satz; die Zahl berichtigen.</translation>
     </message>
     <message>
         <source>The control reports error:21 (two codes of one group) and skips the block; make two blocks.</source>
-        <translation>Die Steuerung antwortet error:21 (zwei Befehle einer Gruppe) und verwirft den Satz; machen Sie zwei Sätze daraus.</translation>
+        <translation>Die Steuerung meldet error:21 (zwei Befehle einer Gruppe) und überspringt den Satz; auf zwei Sätze aufteilen.</translation>
     </message>
     <message>
         <source>The control reports error:22 (no feed rate) and skips the block, its motion code too; give F.</source>
-        <translation>Die Steuerung antwortet error:22 (kein Vorschub) und verwirft den Satz samt seinem Wegbefehl; geben Sie F an.</translation>
+        <translation>Die Steuerung meldet error:22 (kein Vorschub) und überspringt den Satz samt Bewegungsbefehl; F angeben.</translation>
     </message>
     <message>
         <source>The control reports error:20 or error:23 and skips the block; remove the code.</source>
-        <translation>Die Steuerung antwortet error:20 oder error:23 und verwirft den Satz; nehmen Sie den Befehl heraus.</translation>
+        <translation>Die Steuerung meldet error:20 oder error:23 und überspringt den Satz; den Befehl entfernen.</translation>
     </message>
     <message>
         <source>The control reports error:24 (two codes use the axis words) and skips the block; make two blocks.</source>
-        <translation>Die Steuerung antwortet error:24 (zwei Befehle brauchen die Achswörter) und verwirft den Satz; machen Sie zwei Sätze daraus.</translation>
+        <translation>Die Steuerung meldet error:24 (zwei Befehle verwenden die Achswörter) und überspringt den Satz; auf zwei Sätze aufteilen.</translation>
     </message>
     <message>
         <source>The control reports error:25 (repeated word) and skips the block; make two blocks.</source>
-        <translation>Die Steuerung antwortet error:25 (Wort doppelt) und verwirft den Satz; machen Sie zwei Sätze daraus.</translation>
+        <translation>Die Steuerung meldet error:25 (doppeltes Wort) und überspringt den Satz; auf zwei Sätze aufteilen.</translation>
     </message>
     <message>
         <source>The control reports error:26 (no axis words) or error:28 (a word is missing) and skips the block; add the word.</source>
-        <translation>Die Steuerung antwortet error:26 (keine Achswörter) oder error:28 (ein Wort fehlt) und verwirft den Satz; ergänzen Sie das Wort.</translation>
+        <translation>Die Steuerung meldet error:26 (keine Achswörter) oder error:28 (ein Wort fehlt) und überspringt den Satz; das Wort ergänzen.</translation>
     </message>
     <message>
         <source>The control reports error:29 to P of G10, error:38 to T, and skips the block; correct the number.</source>
-        <translation>Die Steuerung antwortet error:29 bei P von G10, error:38 bei T, und verwirft den Satz; berichtigen Sie die Zahl.</translation>
+        <translation>Die Steuerung meldet error:29 bei P von G10, error:38 bei T und überspringt den Satz; die Zahl berichtigen.</translation>
     </message>
     <message>
         <source>The control reports error:30 (G53 needs G0 or G1) and skips the block; write G53 G0 or G53 G1.</source>
-        <translation>Die Steuerung antwortet error:30 (G53 braucht G0 oder G1) und verwirft den Satz; schreiben Sie G53 G0 oder G53 G1.</translation>
+        <translation>Die Steuerung meldet error:30 (G53 braucht G0 oder G1) und überspringt den Satz; G53 G0 oder G53 G1 schreiben.</translation>
     </message>
     <message>
         <source>The control reports error:31 (axis words without a motion) and skips the block; write G0 or G1.</source>
-        <translation>Die Steuerung antwortet error:31 (Achswörter ohne Weg) und verwirft den Satz; schreiben Sie G0 oder G1.</translation>
+        <translation>Die Steuerung meldet error:31 (Achswörter ohne Bewegung) und überspringt den Satz; G0 oder G1 schreiben.</translation>
     </message>
     <message>
         <source>The control reports error:26 or error:32 and skips the block; write the end point, also of a full circle.</source>
-        <translation>Die Steuerung antwortet error:26 oder error:32 und verwirft den Satz; schreiben Sie den Endpunkt, auch bei einem Vollkreis.</translation>
+        <translation>Die Steuerung meldet error:26 oder error:32 und überspringt den Satz; den Endpunkt schreiben, auch bei einem Vollkreis.</translation>
     </message>
     <message>
         <source>The control reports error:33 (invalid target): the radii may differ by 0.005 mm, and by 0.1 % up to 0.5 mm; check the centre.</source>
-        <translation>Die Steuerung antwortet error:33 (ungültiges Ziel): die Radien dürfen um 0.005 mm abweichen, und um 0.1 % bis zu 0.5 mm; prüfen Sie den Mittelpunkt.</translation>
+        <translation>Die Steuerung meldet error:33 (ungültiges Ziel): Die Radien dürfen um 0.005 mm abweichen, und um 0.1 % bis zu 0.5 mm; den Mittelpunkt prüfen.</translation>
     </message>
     <message>
         <source>The control reports error:33 (invalid target) and skips the block; give a full circle its centre.</source>
-        <translation>Die Steuerung antwortet error:33 (ungültiges Ziel) und verwirft den Satz; geben Sie einem Vollkreis seinen Mittelpunkt.</translation>
+        <translation>Die Steuerung meldet error:33 (ungültiges Ziel) und überspringt den Satz; für den Vollkreis den Mittelpunkt angeben.</translation>
     </message>
     <message>
         <source>The control reports error:33 (invalid target) and skips the block; check the axis words.</source>
-        <translation>Die Steuerung antwortet error:33 (ungültiges Ziel) und verwirft den Satz; prüfen Sie die Achswörter.</translation>
+        <translation>Die Steuerung meldet error:33 (ungültiges Ziel) und überspringt den Satz; die Achswörter prüfen.</translation>
     </message>
     <message>
         <source>The control reports error:34 (arc radius) and skips the block; check R and the end point.</source>
-        <translation>Die Steuerung antwortet error:34 (Bogenradius) und verwirft den Satz; prüfen Sie R und den Endpunkt.</translation>
+        <translation>Die Steuerung meldet error:34 (Radius des Kreisbogens) und überspringt den Satz; R und den Endpunkt prüfen.</translation>
     </message>
     <message>
         <source>The control reports error:35 (no centre in the plane) and skips the block; give I, J or K of the plane, or R.</source>
-        <translation>Die Steuerung antwortet error:35 (kein Mittelpunkt in der Ebene) und verwirft den Satz; geben Sie I, J oder K der Ebene an, oder R.</translation>
+        <translation>Die Steuerung meldet error:35 (kein Mittelpunkt in der Ebene) und überspringt den Satz; I, J oder K der Ebene oder R angeben.</translation>
     </message>
     <message>
         <source>The control reports error:36 (unused words) and skips the block; keep the centre or the radius.</source>
-        <translation>Die Steuerung antwortet error:36 (unbenutzte Wörter) und verwirft den Satz; lassen Sie Mittelpunkt oder Radius stehen.</translation>
+        <translation>Die Steuerung meldet error:36 (unbenutzte Wörter) und überspringt den Satz; nur den Mittelpunkt oder nur den Radius behalten.</translation>
     </message>
     <message>
         <source>The control reports error:36 (unused words) and skips the block; remove the word.</source>
-        <translation>Die Steuerung antwortet error:36 (unbenutzte Wörter) und verwirft den Satz; nehmen Sie das Wort heraus.</translation>
+        <translation>Die Steuerung meldet error:36 (unbenutzte Wörter) und überspringt den Satz; das Wort entfernen.</translation>
     </message>
     <message>
         <source>The control reports error:37 and skips the block; write G43.1 Z… alone.</source>
-        <translation>Die Steuerung antwortet error:37 und verwirft den Satz; schreiben Sie G43.1 Z… allein.</translation>
+        <translation>Die Steuerung meldet error:37 und überspringt den Satz; G43.1 Z… allein schreiben.</translation>
     </message>
     <message>
         <source>seek the reference switches</source>
@@ -3909,11 +3909,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>work offset 6, or by number</source>
-        <translation>Nullpunktverschiebung 6, oder nach ihrer Nummer</translation>
+        <translation>Nullpunktverschiebung 6 oder über ihre Nummer</translation>
     </message>
     <message>
         <source>restart the program</source>
-        <translation>Programm von vorn beginnen</translation>
+        <translation>Programm neu starten</translation>
     </message>
     <message>
         <source>The program has N{} more than once; the jump goes to the one in line {}.</source>
@@ -3921,7 +3921,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Controls search in different directions; give each target a number of its own.</source>
-        <translation>Steuerungen suchen in verschiedene Richtungen; geben Sie jedem Ziel eine eigene Nummer.</translation>
+        <translation>Steuerungen suchen in verschiedene Richtungen; jedem Sprungziel eine eigene Nummer geben.</translation>
     </message>
     <message>
         <source>{} belongs to no modal group of milling that the manuals name.</source>
@@ -3929,15 +3929,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Only the control knows its value; what follows from it is unverified.</source>
-        <translation>Nur die Steuerung selbst kennt den Wert; was daraus folgt, lässt sich nicht prüfen.</translation>
+        <translation>Nur die Steuerung kennt den Wert; was daraus folgt, ist ungeprüft.</translation>
     </message>
     <message>
         <source>{} is not supported by this control.</source>
-        <translation>{} ist kein Befehl dieser Steuerung.</translation>
+        <translation>{} wird von dieser Steuerung nicht unterstützt.</translation>
     </message>
     <message>
         <source>The control skips the block, and so does the simulation; remove the code.</source>
-        <translation>Die Steuerung verwirft den Satz, und die Simulation ebenso; nehmen Sie den Befehl heraus.</translation>
+        <translation>Die Steuerung überspringt den Satz, die Simulation ebenso; den Befehl entfernen.</translation>
     </message>
     <message>
         <source>This control has no word {}.</source>
@@ -3945,7 +3945,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The control skips the block, and so does the simulation; remove the word.</source>
-        <translation>Die Steuerung verwirft den Satz, und die Simulation ebenso; nehmen Sie das Wort heraus.</translation>
+        <translation>Die Steuerung überspringt den Satz, die Simulation ebenso; das Wort entfernen.</translation>
     </message>
     <message>
         <source>This control has neither parameters nor expressions.</source>
@@ -3953,7 +3953,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Let the CAM system write plain numbers.</source>
-        <translation>Lassen Sie das CAM-System einfache Zahlen schreiben.</translation>
+        <translation>Das CAM-System einfache Zahlen ausgeben lassen.</translation>
     </message>
     <message>
         <source>The line has {} characters without blanks and comments; the control reads no more than {}.</source>
@@ -3961,7 +3961,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The control reports error:11 and skips the line; split it.</source>
-        <translation>Die Steuerung antwortet error:11 und verwirft die Zeile; teilen Sie sie.</translation>
+        <translation>Die Steuerung meldet error:11 und überspringt die Zeile; die Zeile aufteilen.</translation>
     </message>
     <message>
         <source>The block number is larger than {}.</source>
@@ -3969,23 +3969,23 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The control reports error:27 and skips the block; renumber the blocks.</source>
-        <translation>Die Steuerung antwortet error:27 und verwirft den Satz; nummerieren Sie die Sätze neu.</translation>
+        <translation>Die Steuerung meldet error:27 und überspringt den Satz; die Sätze neu nummerieren.</translation>
     </message>
     <message>
         <source>{} is a command to the control itself; it is not simulated.</source>
-        <translation>{} ist ein Befehl an die Steuerung selbst; er wird hier nicht ausgeführt.</translation>
+        <translation>{} ist ein Befehl an die Steuerung selbst; er wird nicht simuliert.</translation>
     </message>
     <message>
         <source>It may move axes, change settings or clear offsets; send it apart from the program.</source>
-        <translation>Er kann Achsen bewegen, Einstellungen ändern oder Verschiebungen löschen; senden Sie ihn getrennt vom Programm.</translation>
+        <translation>Er kann Achsen bewegen, Einstellungen ändern oder Verschiebungen löschen; getrennt vom Programm senden.</translation>
     </message>
     <message>
         <source>The character {} is a real-time command that acts anywhere, even in comments.</source>
-        <translation>Das Zeichen {} ist ein Befehl an die Steuerung, der überall gilt, auch in Kommentaren.</translation>
+        <translation>Das Zeichen {} ist ein Echtzeitbefehl, der überall wirkt, auch in Kommentaren.</translation>
     </message>
     <message>
         <source>It may stop the machine or change an override; remove it.</source>
-        <translation>Es kann die Maschine anhalten oder einen Override ändern; nehmen Sie es heraus.</translation>
+        <translation>Es kann die Maschine anhalten oder einen Override ändern; das Zeichen entfernen.</translation>
     </message>
     <message>
         <source>The character {} resets the control or stops it in the middle of the program.</source>
@@ -3993,15 +3993,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Remove it.</source>
-        <translation>Nehmen Sie es heraus.</translation>
+        <translation>Entfernen.</translation>
     </message>
     <message>
         <source>This control has no block delete: it runs what follows &quot;/&quot;.</source>
-        <translation>Diese Steuerung hat kein Ausblenden von Sätzen: sie führt aus, was hinter „/“ steht.</translation>
+        <translation>Diese Steuerung kann keine Sätze ausblenden: Sie führt aus, was nach „/“ steht.</translation>
     </message>
     <message>
         <source>Remove the blocks that must not run.</source>
-        <translation>Nehmen Sie die Sätze heraus, die nicht laufen sollen.</translation>
+        <translation>Die Sätze entfernen, die nicht ausgeführt werden dürfen.</translation>
     </message>
     <message>
         <source>This control does not know &quot;%&quot;.</source>
@@ -4009,15 +4009,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The control reports error:1 unless the sender filters the line; remove it.</source>
-        <translation>Die Steuerung antwortet error:1, wenn das Sendeprogramm die Zeile nicht zurückhält; entfernen Sie sie.</translation>
+        <translation>Die Steuerung meldet error:1, wenn das Sendeprogramm die Zeile nicht ausfiltert; die Zeile entfernen.</translation>
     </message>
     <message>
         <source>T{} is read, but changes nothing: this control has no tool change.</source>
-        <translation>T{} wird gelesen, ändert aber nichts: diese Steuerung hat keinen Werkzeugwechsel.</translation>
+        <translation>T{} wird gelesen, ändert aber nichts: Diese Steuerung hat keinen Werkzeugwechsel.</translation>
     </message>
     <message>
         <source>Make one program per tool, or change the tool by hand after M0.</source>
-        <translation>Machen Sie ein Programm für jedes Werkzeug, oder wechseln Sie von Hand hinter M0.</translation>
+        <translation>Für jedes Werkzeug ein eigenes Programm erstellen oder das Werkzeug nach M0 von Hand wechseln.</translation>
     </message>
     <message>
         <source>This control does not stop at M1.</source>
@@ -4025,35 +4025,35 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Write M0 where it must stop.</source>
-        <translation>Schreiben Sie M0, wo sie anhalten muss.</translation>
+        <translation>M0 schreiben, wo die Maschine anhalten muss.</translation>
     </message>
     <message>
         <source>M7 is known only where grbl was built with mist coolant.</source>
-        <translation>M7 ist nur bekannt, wo grbl mit Sprühkühlung gebaut wurde.</translation>
+        <translation>M7 ist nur bekannt, wo grbl mit Sprühkühlung kompiliert wurde.</translation>
     </message>
     <message>
         <source>Otherwise grbl reports error:20 and skips the block; give M7 a block of its own.</source>
-        <translation>Sonst antwortet grbl error:20 und verwirft den Satz; geben Sie M7 einen eigenen Satz.</translation>
+        <translation>Sonst meldet grbl error:20 und überspringt den Satz; M7 in einen eigenen Satz schreiben.</translation>
     </message>
     <message>
         <source>The centre word {} is outside the plane of the arc; the control ignores it.</source>
-        <translation>Das Mittelpunktwort {} liegt außerhalb der Ebene des Bogens; die Steuerung übergeht es.</translation>
+        <translation>Das Mittelpunktwort {} liegt außerhalb der Ebene des Kreisbogens; die Steuerung ignoriert es.</translation>
     </message>
     <message>
         <source>The arc has no end point in its plane.</source>
-        <translation>Der Bogen nennt keine Achse seiner Ebene als Ende.</translation>
+        <translation>Der Kreisbogen hat keinen Endpunkt in seiner Ebene.</translation>
     </message>
     <message>
         <source>Write the end point, also of a full circle.</source>
-        <translation>Schreiben Sie den Endpunkt, auch bei einem Vollkreis.</translation>
+        <translation>Den Endpunkt schreiben, auch bei einem Vollkreis.</translation>
     </message>
     <message>
         <source>G43.1 takes the word Z and no other axis on this control.</source>
-        <translation>G43.1 nimmt auf dieser Steuerung das Wort Z und keine andere Achse.</translation>
+        <translation>G43.1 erlaubt auf dieser Steuerung das Wort Z und keine andere Achse.</translation>
     </message>
     <message>
         <source>Write G43.1 Z… in a block of its own.</source>
-        <translation>Schreiben Sie G43.1 Z… in einen eigenen Satz.</translation>
+        <translation>G43.1 Z… in einen eigenen Satz schreiben.</translation>
     </message>
     <message>
         <source>This control knows O with a number alone, as the beginning of a subprogram.</source>
@@ -4061,7 +4061,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Call it with M98 and end it with M99.</source>
-        <translation>Rufen Sie es mit M98 und beenden Sie es mit M99.</translation>
+        <translation>Mit M98 aufrufen und mit M99 beenden.</translation>
     </message>
     <message>
         <source>A setting of the control decides whether the dwell of {} is {} s or {} s; it is taken as the first.</source>
@@ -4069,39 +4069,39 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Check on the control whether P counts seconds or milliseconds.</source>
-        <translation>Prüfen Sie an der Steuerung, ob P Sekunden oder Millisekunden zählt.</translation>
+        <translation>An der Steuerung prüfen, ob P Sekunden oder Millisekunden zählt.</translation>
     </message>
     <message>
         <source>The arc fits with its centre from the start point and also from the origin; a setting of the control decides. The start point is assumed.</source>
-        <translation>Der Bogen passt mit einem Mittelpunkt, der vom Startpunkt zählt, und auch mit einem vom Nullpunkt; eine Einstellung der Steuerung entscheidet, angenommen wird der Startpunkt.</translation>
+        <translation>Der Kreisbogen passt mit einem Mittelpunkt ab dem Startpunkt und auch ab dem Nullpunkt; eine Einstellung der Steuerung entscheidet. Angenommen wird der Startpunkt.</translation>
     </message>
     <message>
         <source>Write G91.1 or G90.1 at the beginning of the program.</source>
-        <translation>Schreiben Sie G91.1 oder G90.1 an den Anfang des Programms.</translation>
+        <translation>G91.1 oder G90.1 an den Anfang des Programms schreiben.</translation>
     </message>
     <message>
         <source>Mach3 uses the tool position as the pole of G16, Mach4 the origin; Mach3 is assumed.</source>
-        <translation>Mach3 nimmt den Ort des Werkzeugs als Pol von G16, Mach4 den Nullpunkt; angenommen wird es wie bei Mach3.</translation>
+        <translation>Mach3 verwendet die Werkzeugposition als Pol von G16, Mach4 den Nullpunkt; angenommen wird Mach3.</translation>
     </message>
     <message>
         <source>Begin the polar coordinates where both are the same: at X0 Y0.</source>
-        <translation>Beginnen Sie die Polarkoordinaten, wo beide gleich sind: bei X0 Y0.</translation>
+        <translation>Die Polarkoordinaten dort beginnen, wo beide gleich sind: bei X0 Y0.</translation>
     </message>
     <message>
         <source>Polar coordinates are for G0 and G1 in the XY plane; their effect on {} is not documented.</source>
-        <translation>Polarkoordinaten sind für G0 und G1 in der XY-Ebene gedacht; was {} darin tut, ist nicht beschrieben.</translation>
+        <translation>Polarkoordinaten gelten für G0 und G1 in der XY-Ebene; ihre Wirkung auf {} ist nicht dokumentiert.</translation>
     </message>
     <message>
         <source>Write G15 before it.</source>
-        <translation>Schreiben Sie G15 davor.</translation>
+        <translation>G15 davor schreiben.</translation>
     </message>
     <message>
         <source>Whether G51 scales the word {} is not documented; it is assumed to.</source>
-        <translation>Ob G51 das Wort {} skaliert, ist nicht beschrieben; angenommen wird, dass es das tut.</translation>
+        <translation>Ob G51 das Wort {} skaliert, ist nicht dokumentiert; angenommen wird, dass es skaliert wird.</translation>
     </message>
     <message>
         <source>Write G50 before it, or give the centre of an arc by I and J.</source>
-        <translation>Schreiben Sie G50 davor, oder geben Sie den Mittelpunkt eines Bogens mit I und J an.</translation>
+        <translation>G50 davor schreiben oder den Mittelpunkt des Kreisbogens mit I und J angeben.</translation>
     </message>
     <message>
         <source>{} works in the XY plane only.</source>
@@ -4109,7 +4109,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Write G17 before it; the code has no effect.</source>
-        <translation>Schreiben Sie G17 davor; der Befehl hat keine Wirkung.</translation>
+        <translation>G17 davor schreiben; der Befehl hat keine Wirkung.</translation>
     </message>
     <message>
         <source>{} without H, or with H0, sets the tool length offset to 0.</source>
@@ -4117,27 +4117,27 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Write the tool number after H.</source>
-        <translation>Schreiben Sie die Nummer des Werkzeugs hinter H.</translation>
+        <translation>Die Werkzeugnummer nach H schreiben.</translation>
     </message>
     <message>
         <source>M47 restarts the program, endlessly.</source>
-        <translation>M47 beginnt das Programm von vorn, ohne Ende.</translation>
+        <translation>M47 startet das Programm endlos neu.</translation>
     </message>
     <message>
         <source>{} seeks the reference switches; the axis positions afterwards are unknown.</source>
-        <translation>{} fährt die Referenzschalter an; wo die Achsen danach stehen, weiß nur die Maschine.</translation>
+        <translation>{} fährt die Referenzschalter an; die Achspositionen danach sind unbekannt.</translation>
     </message>
     <message>
         <source>Position the axes before the next cut.</source>
-        <translation>Positionieren Sie die Achsen vor dem nächsten Schnitt.</translation>
+        <translation>Die Achsen vor dem nächsten Schnitt positionieren.</translation>
     </message>
     <message>
         <source>This block is unreachable: line {} always jumps past it.</source>
-        <translation>Nichts führt zu dieser Zeile: Zeile {} verlässt die Sätze davor endgültig.</translation>
+        <translation>Dieser Satz ist nicht erreichbar: Zeile {} springt immer an ihm vorbei.</translation>
     </message>
     <message>
         <source>Remove it, or give it the block number or label of a jump.</source>
-        <translation>Entfernen Sie sie, oder geben Sie ihr die Satznummer oder Marke, zu der gesprungen wird.</translation>
+        <translation>Den Satz entfernen oder ihm die Satznummer oder Marke eines Sprungs geben.</translation>
     </message>
     <message>
         <source>T{} is selected, but the tool table does not have it.</source>
@@ -4145,7 +4145,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Add the tool, or correct the number.</source>
-        <translation>Ergänzen Sie das Werkzeug, oder berichtigen Sie die Nummer.</translation>
+        <translation>Das Werkzeug ergänzen oder die Nummer berichtigen.</translation>
     </message>
     <message>
         <source>chamfer</source>
@@ -4157,11 +4157,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The chamfer or corner radius is not between two straight or circular motions (alarm 051).</source>
-        <translation>Fase oder Eckenradius steht nicht zwischen zwei Geraden oder Bögen (Alarm 051).</translation>
+        <translation>Fase oder Eckenradius liegt nicht zwischen zwei Geraden oder Kreisbögen (Alarm 051).</translation>
     </message>
     <message>
         <source>Program G1, G2 or G3 in the plane next; the corner stays sharp.</source>
-        <translation>Lassen Sie G1, G2 oder G3 in der Ebene folgen; die Ecke bleibt scharf.</translation>
+        <translation>Als Nächstes G1, G2 oder G3 in der Ebene programmieren; die Ecke bleibt scharf.</translation>
     </message>
     <message>
         <source>The chamfer or corner radius of {} mm does not fit between the motions (alarm 055).</source>
@@ -4169,23 +4169,23 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Use a smaller one; the corner stays sharp.</source>
-        <translation>Nehmen Sie ein kleineres Maß; die Ecke bleibt scharf.</translation>
+        <translation>Ein kleineres Maß verwenden; die Ecke bleibt scharf.</translation>
     </message>
     <message>
         <source>A chamfer or corner radius needs motions in one plane on both sides.</source>
-        <translation>Eine Fase oder ein Eckenradius steht nur zwischen Bewegungen in einer Ebene.</translation>
+        <translation>Fase oder Eckenradius braucht auf beiden Seiten Bewegungen in einer Ebene.</translation>
     </message>
     <message>
         <source>Move along the third axis in another block; the corner stays sharp.</source>
-        <translation>Bewegen Sie die dritte Achse in einem anderen Satz; die Ecke bleibt scharf.</translation>
+        <translation>Die dritte Achse in einem anderen Satz bewegen; die Ecke bleibt scharf.</translation>
     </message>
     <message>
         <source>The manuals do not say how a chamfer is measured along an arc; here it is the straight distance from the corner.</source>
-        <translation>Die Handbücher sagen nicht, wie eine Fase entlang eines Bogens zählt; hier ist es der gerade Abstand von der Ecke.</translation>
+        <translation>Die Handbücher sagen nicht, wie eine Fase an einem Kreisbogen gemessen wird; hier ist es der gerade Abstand von der Ecke.</translation>
     </message>
     <message>
         <source>Write the motions out.</source>
-        <translation>Schreiben Sie die Bewegungen aus.</translation>
+        <translation>Die Bewegungen ausschreiben.</translation>
     </message>
     <message>
         <source>#5061 to #5063 hold that end. With a stock and a cutter for its tool it stops at the stock.</source>
@@ -4193,7 +4193,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>It is assumed to move to its programmed end; #5061 to #5069 hold that, #5070 is 0. With a stock and a cutter for its tool it stops at the stock.</source>
-        <translation>Angenommen wird, dass er bis zum programmierten Ende fährt; #5061 bis #5069 enthalten es, #5070 ist 0. Mit einem Rohteil und einem Fräser für sein Werkzeug hält er am Rohteil.</translation>
+        <translation>Angenommen wird, dass er bis zum programmierten Endpunkt fährt; #5061 bis #5069 enthalten diesen, #5070 ist 0. Mit einem Rohteil und einem Fräser für sein Werkzeug hält er am Rohteil.</translation>
     </message>
     <message>
         <source>The probe is assumed to stop at X{} Y{} Z{} mm, where it touches the simulated stock.</source>
@@ -4201,7 +4201,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>On the machine the part decides; results are verified as long as the program does not continue from there or read the result.</source>
-        <translation>An der Maschine entscheidet das Teil; was folgt, ist geprüft, solange es nicht von dort weitergeht oder das Ergebnis liest.</translation>
+        <translation>An der Maschine entscheidet das Werkstück; die Ergebnisse sind geprüft, solange das Programm nicht von dort weiterfährt oder das Ergebnis liest.</translation>
     </message>
     <message>
         <source>The probe is assumed to stop at X{} Y{} Z{} mm, where it leaves the simulated stock.</source>
@@ -4209,11 +4209,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>This line uses a probing result, which is assumed from the simulated stock.</source>
-        <translation>Diese Zeile benutzt, was eine Tastbewegung gefunden hat; das ist nach dem simulierten Rohteil angenommen.</translation>
+        <translation>Diese Zeile verwendet ein Antastergebnis, das nach dem simulierten Rohteil angenommen ist.</translation>
     </message>
     <message>
         <source>Results are shown for that stop; on another part they are unverified.</source>
-        <translation>Was folgt, wird dafür gezeigt; für ein anderes Teil lässt es sich nicht gewährleisten.</translation>
+        <translation>Die Ergebnisse gelten für diesen Halt; für ein anderes Werkstück sind sie ungeprüft.</translation>
     </message>
     <message>
         <source>{} reaches its end without touching the simulated stock; the control stops there.</source>
@@ -4221,7 +4221,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Check stock, tool and offsets, or probe farther.</source>
-        <translation>Rohteil, Werkzeug und Versätze prüfen oder weiter tasten.</translation>
+        <translation>Rohteil, Werkzeug und Korrekturen prüfen oder weiter antasten.</translation>
     </message>
     <message>
         <source>{} reaches its end without leaving the simulated stock; the control stops there.</source>
@@ -4229,7 +4229,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Check stock, tool and offsets, or move farther.</source>
-        <translation>Rohteil, Werkzeug und Versätze prüfen oder weiter fahren.</translation>
+        <translation>Rohteil, Werkzeug und Korrekturen prüfen oder weiter fahren.</translation>
     </message>
     <message>
         <source>{} begins where the probe touches the simulated stock; the control stops there.</source>
@@ -4245,7 +4245,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Touch the part before it; the motion is skipped.</source>
-        <translation>Vorher das Teil berühren; die Bewegung wird übersprungen.</translation>
+        <translation>Vorher das Werkstück berühren; die Bewegung wird übersprungen.</translation>
     </message>
     <message>
         <source>parameter</source>
@@ -4253,27 +4253,27 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The block after the chamfer or corner radius has no G1, G2 or G3 (alarm 052, on newer controls 051).</source>
-        <translation>Der Satz hinter der Fase oder dem Eckenradius verlangt weder G1, G2 noch G3 (Alarm 052, bei neueren Steuerungen 051).</translation>
+        <translation>Der Satz nach der Fase oder dem Eckenradius hat weder G1, G2 noch G3 (Alarm 052, bei neueren Steuerungen 051).</translation>
     </message>
     <message>
         <source>Only one dwell, in a block of its own, is allowed between them; the corner stays sharp.</source>
-        <translation>Dazwischen darf nur eine Verweilzeit in einem eigenen Satz stehen; die Ecke bleibt scharf.</translation>
+        <translation>Dazwischen ist nur eine Verweilzeit in einem eigenen Satz erlaubt; die Ecke bleibt scharf.</translation>
     </message>
     <message>
         <source>The block has both a chamfer and a corner radius (alarm 053).</source>
-        <translation>Der Satz verlangt eine Fase und einen Eckenradius (Alarm 053).</translation>
+        <translation>Der Satz hat eine Fase und einen Eckenradius (Alarm 053).</translation>
     </message>
     <message>
         <source>Keep one of them; the corner stays sharp.</source>
-        <translation>Behalten Sie eines davon; die Ecke bleibt scharf.</translation>
+        <translation>Nur eines davon behalten; die Ecke bleibt scharf.</translation>
     </message>
     <message>
         <source>Expected C or R after the comma (alarm 053).</source>
-        <translation>Hinter dem Komma steht weder C noch R (Alarm 053).</translation>
+        <translation>C oder R nach dem Komma erwartet (Alarm 053).</translation>
     </message>
     <message>
         <source>Write ,C for a chamfer and ,R for a corner radius.</source>
-        <translation>Schreiben Sie ,C für eine Fase und ,R für einen Eckenradius.</translation>
+        <translation>Für eine Fase ,C und für einen Eckenradius ,R schreiben.</translation>
     </message>
     <message>
         <source>The chamfer or corner radius of {} mm is negative.</source>
@@ -4281,7 +4281,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Write it without a sign; the corner stays sharp.</source>
-        <translation>Schreiben Sie das Maß ohne Vorzeichen; die Ecke bleibt scharf.</translation>
+        <translation>Ohne Vorzeichen schreiben; die Ecke bleibt scharf.</translation>
     </message>
     <message>
         <source>The manuals do not say whether G51 also scales chamfers and corner radii; here it does not.</source>
@@ -4289,27 +4289,27 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>A setting of the control decides whether G68 with G91 adds its angle to the active one (Fanuc: parameter 5400#0, Haas: setting 73); here the angle is {} degrees.</source>
-        <translation>Eine Einstellung der Steuerung sagt, ob G68 bei G91 seinen Winkel zum wirksamen addiert (Fanuc: Parameter 5400#0, Haas: Einstellung 73); hier beträgt der Winkel {} Grad.</translation>
+        <translation>Eine Einstellung der Steuerung entscheidet, ob G68 mit G91 seinen Winkel zum aktiven addiert (Fanuc: Parameter 5400#0, Haas: Einstellung 73); hier beträgt der Winkel {} Grad.</translation>
     </message>
     <message>
         <source>Write G90 before G68, or G69 between them.</source>
-        <translation>Schreiben Sie G90 vor G68 oder G69 dazwischen.</translation>
+        <translation>G90 vor G68 oder G69 dazwischen schreiben.</translation>
     </message>
     <message>
         <source>{} is not allowed while a canned cycle is active (alarm 044).</source>
-        <translation>{} steht in einem Festzyklus (Alarm 044).</translation>
+        <translation>{} ist nicht erlaubt, solange ein Festzyklus aktiv ist (Alarm 044).</translation>
     </message>
     <message>
         <source>End the cycle with G80 before it.</source>
-        <translation>Beenden Sie den Zyklus vorher mit G80.</translation>
+        <translation>Den Zyklus vorher mit G80 beenden.</translation>
     </message>
     <message>
         <source>A chamfer or corner radius is not allowed where cutter compensation starts, ends or changes side (alarm 039).</source>
-        <translation>Eine Fase oder ein Eckenradius steht dort, wo die Fräserradiuskorrektur beginnt, endet oder die Seite wechselt (Alarm 039).</translation>
+        <translation>Fase oder Eckenradius ist nicht erlaubt, wo die Fräserradiuskorrektur beginnt, endet oder die Seite wechselt (Alarm 039).</translation>
     </message>
     <message>
         <source>Put it between other motions; the corner stays sharp.</source>
-        <translation>Setzen Sie sie zwischen andere Bewegungen; die Ecke bleibt scharf.</translation>
+        <translation>Zwischen andere Bewegungen setzen; die Ecke bleibt scharf.</translation>
     </message>
     <message>
         <source>Reading the file was cancelled.</source>
@@ -4329,15 +4329,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>More than five brackets are nested; the control gives alarm 118.</source>
-        <translation>Mehr als fünf Klammern stehen ineinander; die Steuerung meldet Alarm 118.</translation>
+        <translation>Mehr als fünf Klammern sind verschachtelt; die Steuerung meldet Alarm 118.</translation>
     </message>
     <message>
         <source>The centre of {} is the current position, which is unknown for {}.</source>
-        <translation>Der Mittelpunkt von {} liegt dort, wo das Werkzeug steht; das ist für {} nicht bekannt.</translation>
+        <translation>Der Mittelpunkt von {} ist die aktuelle Position, die für {} unbekannt ist.</translation>
     </message>
     <message>
         <source>Program the centre, or position the tool first.</source>
-        <translation>Geben Sie den Mittelpunkt an, oder positionieren Sie das Werkzeug vorher.</translation>
+        <translation>Den Mittelpunkt programmieren oder zuerst das Werkzeug positionieren.</translation>
     </message>
     <message>
         <source>The profile at character {} has no width.</source>
@@ -4345,7 +4345,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The profile continues at character {} after {} points; it may have no more.</source>
-        <translation>Das Profil geht bei Zeichen {} nach {} Punkten weiter; mehr darf es nicht haben.</translation>
+        <translation>Das Profil geht bei Zeichen {} nach {} Punkten weiter; mehr sind nicht erlaubt.</translation>
     </message>
     <message>
         <source>At character {} the profile turns back towards the axis.</source>
@@ -4353,7 +4353,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>At character {}, “{}” is not a profile point; a point is written as {}, an arc to it as {} or {}.</source>
-        <translation>Bei Zeichen {}: „{}“ ist kein Punkt eines Profils; ein Punkt wird wie {} geschrieben, ein Bogen dorthin wie {} oder {}.</translation>
+        <translation>Bei Zeichen {} ist „{}“ kein Profilpunkt; ein Punkt wird wie {} geschrieben, ein Kreisbogen dorthin wie {} oder {}.</translation>
     </message>
     <message>
         <source>At character {} the profile falls; from the axis outwards it may only rise or stay.</source>
@@ -4365,15 +4365,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The arc at character {} has the radius {} mm, too small for ends {} mm apart.</source>
-        <translation>Der Bogen bei Zeichen {} hat den Radius {} mm, zu klein für Enden im Abstand von {} mm.</translation>
+        <translation>Der Kreisbogen bei Zeichen {} hat den Radius {} mm, zu klein für Enden im Abstand von {} mm.</translation>
     </message>
     <message>
         <source>The arc at character {} has ends that are {} mm and {} mm away from its centre.</source>
-        <translation>Die Enden des Bogens bei Zeichen {} sind {} mm und {} mm von seinem Mittelpunkt entfernt.</translation>
+        <translation>Die Enden des Kreisbogens bei Zeichen {} sind {} mm und {} mm von seinem Mittelpunkt entfernt.</translation>
     </message>
     <message>
         <source>The arc at character {} falls or turns back towards the axis; it may be a quarter of a circle at most, from level to upright.</source>
-        <translation>Der Bogen bei Zeichen {} fällt oder kehrt zur Achse zurück; er darf höchstens ein Viertelkreis sein, von waagrecht bis senkrecht.</translation>
+        <translation>Der Kreisbogen bei Zeichen {} fällt oder kehrt zur Achse zurück; er darf höchstens ein Viertelkreis sein, von waagrecht bis senkrecht.</translation>
     </message>
     <message>
         <source>Before character {} the profile rises on the axis itself; its tip has no width.</source>
@@ -4381,7 +4381,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The arcs up to character {} are so large that they take more than {} lines.</source>
-        <translation>Die Bögen bis Zeichen {} sind so groß, dass sie mehr als {} Geraden brauchen.</translation>
+        <translation>Die Kreisbögen bis Zeichen {} sind so groß, dass sie mehr als {} Geraden brauchen.</translation>
     </message>
     <message>
         <source>The pilot, pilot={}, is not smaller than the diameter, {} mm.</source>
@@ -4393,7 +4393,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The lead, lead={}, ends in a point; {} mm is the longest.</source>
-        <translation>Der Anschnitt, lead={}, läuft in einer Spitze zusammen; {} mm sind das Längste.</translation>
+        <translation>Der Anschnitt, lead={}, läuft in einer Spitze zusammen; die größte Länge ist {} mm.</translation>
     </message>
     <message>
         <source>The height h={} is not more than that of the rounded tip, {} mm.</source>
@@ -4405,7 +4405,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>With h={} the flanks meet below the top; {} mm is the limit.</source>
-        <translation>Mit h={} treffen sich die Flanken unter der Oberseite; {} mm sind die Grenze.</translation>
+        <translation>Mit h={} treffen sich die Flanken unter der Oberseite; die Grenze ist {} mm.</translation>
     </message>
     <message>
         <source>A cutter of the shape {} needs the key {} ({}), e.g. {}.</source>
@@ -4413,7 +4413,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The corner radius r={} does not fit; {} mm is the largest.</source>
-        <translation>Der Eckenradius r={} passt nicht; {} mm ist der größte.</translation>
+        <translation>Der Eckenradius r={} passt nicht; der größte ist {} mm.</translation>
     </message>
     <message>
         <source>Angle of each side</source>
@@ -4537,7 +4537,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Cut a slot for the neck first, or choose a tool with a thinner neck.</source>
-        <translation>Fräsen Sie zuerst eine Nut für den Hals, oder wählen Sie ein Werkzeug mit dünnerem Hals.</translation>
+        <translation>Zuerst eine Nut für den Hals fräsen oder ein Werkzeug mit dünnerem Hals wählen.</translation>
     </message>
     <message>
         <source>Above the head of the cutter {} mm³ of stock remain, which the z-map shows as removed; the layer is highest at X{} Y{} Z{}.</source>
@@ -4545,7 +4545,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Check by other means what is cut there from here on.</source>
-        <translation>Prüfen Sie auf andere Weise, was dort von hier an geschieht.</translation>
+        <translation>Auf andere Weise prüfen, was dort von hier an gefräst wird.</translation>
     </message>
     <message>
         <source>Proveout stock</source>
@@ -4553,11 +4553,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>the stock left by a setup</source>
-        <translation>was eine Aufspannung von ihrem Rohteil übrig lässt</translation>
+        <translation>das Rohteil, das eine Aufspannung übrig lässt</translation>
     </message>
     <message>
         <source>This line is not a point: X, Y and, for an arc, its bulge.</source>
-        <translation>Diese Zeile ist kein Punkt: X, Y und vielleicht die Wölbung eines Bogens.</translation>
+        <translation>Diese Zeile ist kein Punkt: X, Y und, bei einem Kreisbogen, seine Wölbung.</translation>
     </message>
     <message>
         <source>The loop that ends here has only one point.</source>
@@ -4569,7 +4569,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>“{}” is not a key of this stock shape; there are {}.</source>
-        <translation>„{}“ ist kein Schlüssel dieser Rohteilform; es gibt {}.</translation>
+        <translation>„{}“ ist kein Schlüssel dieser Rohteilform; gültig sind: {}.</translation>
     </message>
     <message>
         <source>{}={} is not a length above {} and at most {} mm.</source>
@@ -4577,7 +4577,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>{}={} is not one of {}.</source>
-        <translation>{}={} ist keines von {}.</translation>
+        <translation>{}={} ist keiner dieser Werte: {}.</translation>
     </message>
     <message>
         <source>The key {} must name a file.</source>
@@ -4589,7 +4589,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>“{}” is not a stock shape; there are {}.</source>
-        <translation>„{}“ ist keine Rohteilform; es gibt {}.</translation>
+        <translation>„{}“ ist keine Rohteilform; gültig sind: {}.</translation>
     </message>
     <message>
         <source>The saved stock is cut off or damaged: {} in it cannot be read whole.</source>
@@ -4605,7 +4605,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The saved stock specifies {} × {} points, but its size and spacing give {} × {}.</source>
-        <translation>Das gespeicherte Rohteil nennt {} × {} Punkte, doch Größe und Rasterweite ergeben {} × {}.</translation>
+        <translation>Das gespeicherte Rohteil gibt {} × {} Punkte an, aber Größe und Rasterweite ergeben {} × {}.</translation>
     </message>
     <message>
         <source>The heights of the saved stock are not {} × {} numbers of float32.</source>
@@ -4613,7 +4613,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Row {}, column {} of the saved stock is not a height within it.</source>
-        <translation>Zeile {}, Spalte {} des gespeicherten Rohteils ist keine Höhe in ihm.</translation>
+        <translation>Zeile {}, Spalte {} des gespeicherten Rohteils ist keine Höhe innerhalb des Rohteils.</translation>
     </message>
     <message>
         <source>Height Z</source>
@@ -4649,7 +4649,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>A text file with one point X Y per line, and a third number for an arc to the next point: the tangent of a quarter of its angle. An empty line begins another loop.</source>
-        <translation>Ein Text mit einem Punkt X Y je Zeile und einer dritten Zahl für einen Bogen zum nächsten Punkt: dem Tangens eines Viertels seines Winkels. Eine leere Zeile beginnt einen weiteren Umriss.</translation>
+        <translation>Eine Textdatei mit einem Punkt X Y je Zeile und einer dritten Zahl für einen Kreisbogen zum nächsten Punkt: dem Tangens eines Viertels seines Winkels. Eine leere Zeile beginnt einen weiteren Umriss.</translation>
     </message>
     <message>
         <source>Mesh</source>
@@ -4657,7 +4657,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>A closed mesh, in mm; the stock is everything below its upper surface.</source>
-        <translation>Ein geschlossenes Netz, in mm; Rohteil ist, was unter seiner oberen Fläche liegt.</translation>
+        <translation>Ein geschlossenes Netz, in mm; das Rohteil ist alles unter seiner oberen Fläche.</translation>
     </message>
     <message>
         <source>Not turned</source>
@@ -4693,7 +4693,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The stock left by an earlier setup, as saved by File, Save Stock.</source>
-        <translation>Was eine frühere Aufspannung übrig ließ, wie mit Datei, Rohteil speichern gesichert.</translation>
+        <translation>Das Rohteil, das eine frühere Aufspannung übrig ließ, gespeichert mit Datei, Rohteil speichern.</translation>
     </message>
     <message>
         <source>Flipped</source>
@@ -4733,7 +4733,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>A plate within a closed outline of lines and arcs, with holes.</source>
-        <translation>Eine Platte in einem geschlossenen Umriss aus Linien und Bögen, mit Löchern.</translation>
+        <translation>Eine Platte in einem geschlossenen Umriss aus Linien und Kreisbögen, mit Löchern.</translation>
     </message>
     <message>
         <source>Mesh (STL)</source>
@@ -4745,15 +4745,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The stock left by an earlier setup, also flipped or turned.</source>
-        <translation>Was eine frühere Aufspannung übrig ließ, auch gewendet oder gedreht.</translation>
+        <translation>Das Rohteil, das eine frühere Aufspannung übrig ließ, auch gewendet oder gedreht.</translation>
     </message>
     <message>
         <source>This is not a ZIP archive, or one that cannot be read.</source>
-        <translation>Das ist kein ZIP-Archiv oder eines, das sich nicht lesen lässt.</translation>
+        <translation>Das ist kein ZIP-Archiv, oder es lässt sich nicht lesen.</translation>
     </message>
     <message>
         <source>The outline has a point beyond {} mm, or an arc that is nearly a full circle.</source>
-        <translation>Der Umriss hat einen Punkt jenseits von {} mm oder einen Bogen, der beinahe ein voller Kreis ist.</translation>
+        <translation>Der Umriss hat einen Punkt jenseits von {} mm oder einen Kreisbogen, der beinahe ein voller Kreis ist.</translation>
     </message>
     <message>
         <source>The outline crosses itself near X{} Y{}.</source>
@@ -4765,7 +4765,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The mesh of the stock is not closed: at {} of {} grid points the material is unknown.</source>
-        <translation>Das Netz des Rohteils ist nicht geschlossen: Über {} von {} Rasterpunkten ist nicht bekannt, was Material ist.</translation>
+        <translation>Das Netz des Rohteils ist nicht geschlossen: An {} von {} Rasterpunkten ist das Material unbekannt.</translation>
     </message>
     <message>
         <source>Export the stock as a closed solid.</source>
@@ -4781,15 +4781,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The facets of the stock mesh are in {} layers on average; at most {} can be read.</source>
-        <translation>Die Facetten des Rohteilnetzes liegen im Mittel in {} Lagen; höchstens {} sind lesbar.</translation>
+        <translation>Die Facetten des Rohteilnetzes liegen im Mittel in {} Lagen; höchstens {} lassen sich lesen.</translation>
     </message>
     <message>
         <source>The saved stock has a spacing of {} × {} mm and is resampled to {} × {} mm: never lower at its points, between them up to one spacing wider.</source>
-        <translation>Das gespeicherte Rohteil hat Punkte im Abstand von {} × {} mm und wird auf {} × {} mm übernommen: an keinem seiner Punkte niedriger, dazwischen bis zu eine Rasterweite breiter.</translation>
+        <translation>Das gespeicherte Rohteil hat eine Rasterweite von {} × {} mm und wird auf {} × {} mm umgerechnet: an seinen Punkten nie niedriger, dazwischen bis zu eine Rasterweite breiter.</translation>
     </message>
     <message>
         <source>Use the spacing of the saved stock, or a whole fraction of it, to avoid resampling.</source>
-        <translation>Die Rasterweite des gespeicherten Rohteils oder ein ganzer Teil davon ändert nichts.</translation>
+        <translation>Die Rasterweite des gespeicherten Rohteils oder einen ganzzahligen Teil davon verwenden, um das Umrechnen zu vermeiden.</translation>
     </message>
     <message>
         <source>No stock is left in the saved stock.</source>
@@ -4801,7 +4801,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Check the program over such gaps by other means.</source>
-        <translation>Prüfen Sie auf andere Weise, was das Programm über solchen Lücken tut.</translation>
+        <translation>Das Programm über solchen Lücken auf andere Weise prüfen.</translation>
     </message>
     <message>
         <source>There is not enough memory for the stock.</source>
@@ -4837,11 +4837,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Stop at M0, M1 or M60.</source>
-        <translation>Halten, wo das Programm mit M0, M1 oder M60 hält.</translation>
+        <translation>Bei M0, M1 oder M60 halten.</translation>
     </message>
     <message>
         <source>Program stop (M0/M1).</source>
-        <translation>Bei einem Halt des Programms angehalten.</translation>
+        <translation>Programmhalt (M0/M1).</translation>
     </message>
     <message>
         <source>Z below</source>
@@ -4869,15 +4869,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>On fault</source>
-        <translation>Jeder Fehler</translation>
+        <translation>Bei Bearbeitungsfehler</translation>
     </message>
     <message>
         <source>Stop after a block with a fault.</source>
-        <translation>Nach einem Satz halten, bei dem die Simulation einen Fehler fand.</translation>
+        <translation>Nach einem Satz mit Bearbeitungsfehler halten.</translation>
     </message>
     <message>
         <source>Stopped after a block with a fault.</source>
-        <translation>Nach einem Satz mit einem Problem angehalten.</translation>
+        <translation>Nach einem Satz mit Bearbeitungsfehler angehalten.</translation>
     </message>
     <message>
         <source>Condition</source>
@@ -4889,7 +4889,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Breakpoint: {}.</source>
-        <translation>Angehalten, weil als Nächstes {} gilt.</translation>
+        <translation>Haltepunkt: {}.</translation>
     </message>
     <message>
         <source>position X at the end of the motion, mm</source>
@@ -4941,7 +4941,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Column {}: the parentheses are nested too deeply.</source>
-        <translation>Spalte {}: Es sind zu viele Klammern ineinander.</translation>
+        <translation>Spalte {}: Die Klammern sind zu tief verschachtelt.</translation>
     </message>
     <message>
         <source>A condition has {} characters at most.</source>
@@ -4957,11 +4957,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Rapid traverse X/Y</source>
-        <translation>Eilgang X, Y</translation>
+        <translation>Eilgang X/Y</translation>
     </message>
     <message>
         <source>Speed of X and of Y at rapid.</source>
-        <translation>Wie schnell X und Y jeweils im Eilgang fahren.</translation>
+        <translation>Eilganggeschwindigkeit von X und von Y.</translation>
     </message>
     <message>
         <source>Rapid traverse Z</source>
@@ -4969,15 +4969,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Speed of Z at rapid.</source>
-        <translation>Wie schnell Z im Eilgang fährt.</translation>
+        <translation>Eilganggeschwindigkeit von Z.</translation>
     </message>
     <message>
         <source>Maximum feed rate</source>
-        <translation>Größter Vorschub</translation>
+        <translation>Maximaler Vorschub</translation>
     </message>
     <message>
         <source>The machine limits the feed rate to this, whatever F says.</source>
-        <translation>Schneller fährt die Maschine nicht, was immer F sagt.</translation>
+        <translation>Die Maschine begrenzt den Vorschub auf diesen Wert, unabhängig von F.</translation>
     </message>
     <message>
         <source>Acceleration X, Y</source>
@@ -4985,7 +4985,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Acceleration of X and of Y.</source>
-        <translation>Wie schnell X und Y jeweils beschleunigen und bremsen.</translation>
+        <translation>Beschleunigung von X und von Y.</translation>
     </message>
     <message>
         <source>Acceleration Z</source>
@@ -4993,19 +4993,19 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Acceleration of Z.</source>
-        <translation>Wie schnell Z beschleunigt und bremst.</translation>
+        <translation>Beschleunigung von Z.</translation>
     </message>
     <message>
         <source>Cornering tolerance</source>
-        <translation>Eckenabweichung</translation>
+        <translation>Eckentoleranz</translation>
     </message>
     <message>
         <source>Largest deviation of a rounded corner; 0: exact stop at each corner.</source>
-        <translation>Wie weit die Bahn an einer Ecke gerundet werden darf; 0: an jeder wird gehalten.</translation>
+        <translation>Größte Abweichung an einer verrundeten Ecke; 0: Genauhalt an jeder Ecke.</translation>
     </message>
     <message>
         <source>Tool change time, chip to chip.</source>
-        <translation>Von Span zu Span.</translation>
+        <translation>Werkzeugwechselzeit, Span zu Span.</translation>
     </message>
     <message>
         <source>There is not enough memory for the detail region.</source>
@@ -5017,7 +5017,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The block that cut this point could not be found: {}.</source>
-        <translation>Der Satz, der diese Stelle gefräst hat, ließ sich nicht finden: {}.</translation>
+        <translation>Der Satz, der diesen Punkt gefräst hat, ließ sich nicht finden: {}.</translation>
     </message>
     <message>
         <source>“{}” does not begin with a tool number from {} to {}, as in {}.</source>
@@ -5033,11 +5033,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The field &quot;{}&quot; and the fields minX, minY, topZ cannot be used together; they are the same position.</source>
-        <translation>Das Feld „{}“ und die Felder minX, minY, topZ schließen einander aus; sie sind dieselbe Position.</translation>
+        <translation>Das Feld „{}“ und die Felder minX, minY, topZ dürfen nicht zusammen verwendet werden; sie geben dieselbe Position an.</translation>
     </message>
     <message>
         <source>&quot;{}&quot; is not a tool number; these are whole numbers from {} to {}.</source>
-        <translation>„{}“ ist keine Werkzeugnummer; das sind ganze Zahlen von {} bis {}.</translation>
+        <translation>„{}“ ist keine Werkzeugnummer; Werkzeugnummern sind ganze Zahlen von {} bis {}.</translation>
     </message>
     <message>
         <source>The field &quot;{}&quot; must be a list of whole numbers from 0 to {}.</source>
@@ -5153,7 +5153,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>&quot;{}&quot; is not an M code; write numbers from 0 to {}, for example 10, 11, 16.</source>
-        <translation>„{}“ ist kein M-Befehl; schreiben Sie Zahlen von 0 bis {}, zum Beispiel 10, 11, 16.</translation>
+        <translation>„{}“ ist kein M-Befehl; Zahlen von 0 bis {} schreiben, zum Beispiel 10, 11, 16.</translation>
     </message>
     <message>
         <source>clamp of a rotary axis or pallet on</source>
@@ -5265,11 +5265,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>image shown on the display</source>
-        <translation>Bild auf der Anzeige gezeigt</translation>
+        <translation>Bild auf dem Bildschirm anzeigen</translation>
     </message>
     <message>
         <source>image on the display closed</source>
-        <translation>Bild auf der Anzeige geschlossen</translation>
+        <translation>Bild auf dem Bildschirm schließen</translation>
     </message>
     <message>
         <source>spindle speed variation on</source>
@@ -5293,7 +5293,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Post-process it for LinuxCNC, Fanuc, Haas, grbl or Mach3 / Mach4; if it is one of these after all, choose the dialect.</source>
-        <translation>Geben Sie es mit einem Postprozessor für LinuxCNC, Fanuc, Haas, grbl oder Mach3 / Mach4 aus; ist es doch eines davon, wählen Sie den Dialekt.</translation>
+        <translation>Mit einem Postprozessor für LinuxCNC, Fanuc, Haas, grbl oder Mach3 / Mach4 ausgeben; ist es doch eines davon, den Dialekt wählen.</translation>
     </message>
     <message>
         <source>This is {} (line {}: {}), not an NC program.</source>
@@ -5301,11 +5301,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Open the program that the machine would run; if this is it, choose its dialect.</source>
-        <translation>Öffnen Sie das Programm, das die Maschine ausführen würde; ist es dieses, wählen Sie seinen Dialekt.</translation>
+        <translation>Das Programm öffnen, das die Maschine ausführen würde; ist es dieses, seinen Dialekt wählen.</translation>
     </message>
     <message>
         <source>If it moves no axis (a clamp, a door, air), add it to the ignored M codes of the setup; until then, results after this block are unverified.</source>
-        <translation>Bewegt er keine Achse (eine Klemmung, eine Tür, Luft), nehmen Sie ihn in die ignorierten M-Befehle der Aufspannung auf; bis dahin sind die Ergebnisse nach diesem Satz ungeprüft.</translation>
+        <translation>Bewegt er keine Achse (Klemmung, Tür, Luft), in die ignorierten M-Befehle der Aufspannung aufnehmen; bis dahin sind die Ergebnisse nach diesem Satz ungeprüft.</translation>
     </message>
     <message>
         <source>{} ({}) moves no axis and is ignored ({}×, line {}).</source>
@@ -5313,7 +5313,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>The machine builder defines M codes; check this one where it matters.</source>
-        <translation>Der Maschinenhersteller bestimmt, was M-Befehle bedeuten; prüfen Sie es, wo es darauf ankommt.</translation>
+        <translation>M-Befehle legt der Maschinenhersteller fest; diesen prüfen, wo es darauf ankommt.</translation>
     </message>
     <message>
         <source>{} is ignored because the setup lists it ({}×, line {}).</source>
@@ -5321,7 +5321,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Remove it from the ignored M codes if it moves an axis.</source>
-        <translation>Nehmen Sie den Befehl aus den ignorierten M-Befehlen heraus, falls er eine Achse bewegt.</translation>
+        <translation>Aus den ignorierten M-Befehlen entfernen, falls er eine Achse bewegt.</translation>
     </message>
     <message>
         <source>{} ({}) is executed although the setup lists it as ignored.</source>
@@ -5329,7 +5329,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Remove it from the ignored M codes: only codes without a known effect can be ignored.</source>
-        <translation>Nehmen Sie den Befehl aus den ignorierten M-Befehlen heraus: Nur Befehle ohne bekannte Wirkung lassen sich ignorieren.</translation>
+        <translation>Aus den ignorierten M-Befehlen entfernen: Nur Befehle ohne bekannte Wirkung lassen sich ignorieren.</translation>
     </message>
     <message>
         <source>There is no spindle {}: the machine has one, $0.</source>
@@ -5337,15 +5337,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Write $0, or leave the word out; this block is skipped.</source>
-        <translation>Schreiben Sie $0, oder lassen Sie das Wort weg; dieser Satz wird übersprungen.</translation>
+        <translation>$0 schreiben oder das Wort weglassen; dieser Satz wird übersprungen.</translation>
     </message>
     <message>
         <source>Writing #5220 selects no work offset.</source>
-        <translation>Ein Schreiben von #5220 wählt keine Nullpunktverschiebung.</translation>
+        <translation>Das Beschreiben von #5220 wählt keine Nullpunktverschiebung.</translation>
     </message>
     <message>
         <source>Select it with G54 to G59.3, which write #5220 themselves.</source>
-        <translation>Wählen Sie sie mit G54 bis G59.3, die #5220 selbst schreiben.</translation>
+        <translation>Mit G54 bis G59.3 wählen, die #5220 selbst beschreiben.</translation>
     </message>
     <message>
         <source>G43.2 has both H and axis words.</source>
@@ -5353,7 +5353,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Write two blocks; the offset in force is kept.</source>
-        <translation>Schreiben Sie zwei Sätze; die wirksame Korrektur bleibt.</translation>
+        <translation>Zwei Sätze schreiben; die aktive Korrektur bleibt.</translation>
     </message>
     <message>
         <source>LinuxCNC 2.9 mixes up the axes of a tapping cycle in {}: the tool feeds to another place than the hole bottom.</source>
@@ -5361,23 +5361,23 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Tap in G17, or use G33.1.</source>
-        <translation>Bohren Sie das Gewinde in G17, oder verwenden Sie G33.1.</translation>
+        <translation>Das Gewinde in G17 bohren oder G33.1 verwenden.</translation>
     </message>
     <message>
         <source>{} rotates the work offset while G92 or G52 is active: LinuxCNC then assumes a wrong tool position.</source>
-        <translation>{} dreht die Nullpunktverschiebung, während G92 oder G52 wirkt: LinuxCNC nimmt das Werkzeug danach an einem anderen Ort an, als es steht.</translation>
+        <translation>{} dreht die Nullpunktverschiebung, während G92 oder G52 aktiv ist: LinuxCNC nimmt danach eine falsche Werkzeugposition an.</translation>
     </message>
     <message>
         <source>Cancel the shift with G92.1 first, and set it again afterwards.</source>
-        <translation>Heben Sie die Verschiebung vorher mit G92.1 auf, und setzen Sie sie danach neu.</translation>
+        <translation>Die Verschiebung vorher mit G92.1 aufheben und danach neu setzen.</translation>
     </message>
     <message>
         <source>The control assumes another tool position than the real one at the start of this arc.</source>
-        <translation>Am Anfang dieses Bogens steht das Werkzeug anderswo, als die Steuerung annimmt.</translation>
+        <translation>Am Anfang dieses Kreisbogens nimmt die Steuerung eine andere Werkzeugposition an als die tatsächliche.</translation>
     </message>
     <message>
         <source>Program a straight move before the arc; the arc is skipped.</source>
-        <translation>Programmieren Sie vor dem Bogen eine Gerade; der Bogen wird übersprungen.</translation>
+        <translation>Vor dem Kreisbogen eine Gerade programmieren; der Kreisbogen wird übersprungen.</translation>
     </message>
     <message>
         <source>a PNG picture</source>
@@ -5421,15 +5421,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Choose a finer grid, or the automatic one; see details with View, Magnifier, or in a smaller stock.</source>
-        <translation>Wählen Sie ein feineres Raster oder das automatische; sehen Sie Einzelheiten mit Ansicht, Detaillupe an, oder in einem kleineren Rohteil.</translation>
+        <translation>Ein feineres Raster oder das automatische wählen; Einzelheiten mit Ansicht, Detaillupe oder in einem kleineren Rohteil ansehen.</translation>
     </message>
     <message>
         <source>See details with View, Magnifier, or in a smaller stock, or enter a finer grid spacing.</source>
-        <translation>Sehen Sie Einzelheiten mit Ansicht, Detaillupe an, oder in einem kleineren Rohteil, oder geben Sie eine kleinere Rasterweite ein.</translation>
+        <translation>Einzelheiten mit Ansicht, Detaillupe oder in einem kleineren Rohteil ansehen oder eine kleinere Rasterweite eingeben.</translation>
     </message>
     <message>
         <source>Confirm the sizes of the tool in the tool table, or correct them.</source>
-        <translation>Bestätigen Sie die Maße des Werkzeugs in der Werkzeugtabelle, oder berichtigen Sie sie.</translation>
+        <translation>Die Maße des Werkzeugs in der Werkzeugtabelle bestätigen oder berichtigen.</translation>
     </message>
     <message>
         <source>Rapid move cuts stock ({} mm deep) with the unconfirmed tool T{}.</source>
@@ -5461,7 +5461,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Set the tool at start in the setup if this is the right one.</source>
-        <translation>Setzen Sie in der Aufspannung das Werkzeug am Anfang, falls dies das richtige ist.</translation>
+        <translation>In der Aufspannung als Werkzeug am Anfang setzen, falls dies das richtige ist.</translation>
     </message>
     <message>
         <source>T{} is not in the tool table; its moves are not simulated.</source>
@@ -5469,7 +5469,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Define it in the tool table.</source>
-        <translation>Legen Sie es in der Werkzeugtabelle fest.</translation>
+        <translation>In der Werkzeugtabelle definieren.</translation>
     </message>
     <message>
         <source>The program cuts before it calls a tool; moves are not simulated until it does.</source>
@@ -5477,7 +5477,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Set the tool at start in the setup, or program T and M6 before the first cut.</source>
-        <translation>Setzen Sie in der Aufspannung das Werkzeug am Anfang, oder programmieren Sie T und M6 vor dem ersten Schnitt.</translation>
+        <translation>In der Aufspannung das Werkzeug am Anfang setzen oder T und M6 vor dem ersten Schnitt programmieren.</translation>
     </message>
     <message>
         <source>T{} leaves the spindle empty; its moves are not simulated.</source>
@@ -5485,7 +5485,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Define T0 in the tool table if it is a cutter.</source>
-        <translation>Legen Sie T0 in der Werkzeugtabelle fest, falls es ein Fräser ist.</translation>
+        <translation>T0 in der Werkzeugtabelle definieren, falls es ein Fräser ist.</translation>
     </message>
     <message>
         <source>Min X</source>
@@ -5537,15 +5537,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Check the size and position of the stock, and the work offset: the position of the stock is that of its top, not its bottom.</source>
-        <translation>Prüfen Sie Größe und Position des Rohteils und die Nullpunktverschiebung: Die Position des Rohteils nennt seine Oberseite, nicht seine Unterseite.</translation>
+        <translation>Größe und Position des Rohteils und die Nullpunktverschiebung prüfen: Die Position des Rohteils ist die seiner Oberseite, nicht seiner Unterseite.</translation>
     </message>
     <message>
         <source>The program never cuts the stock: its cutting moves are within {}, the stock within {}.</source>
-        <translation>Das Programm fräst das Rohteil nirgends: Seine Vorschubbewegungen liegen in {}, das Rohteil in {}.</translation>
+        <translation>Das Programm fräst das Rohteil nie: Seine Vorschubbewegungen liegen in {}, das Rohteil in {}.</translation>
     </message>
     <message>
         <source>Cutting moves extend {} mm beyond the stock in {}, where it measures {} mm.</source>
-        <translation>Vorschubbewegungen gehen {} mm über das Rohteil hinaus in {}, wo es {} mm misst.</translation>
+        <translation>Vorschubbewegungen reichen in {2} um {1} mm über das Rohteil hinaus, das dort {3} mm misst.</translation>
     </message>
     <message>
         <source>The stock has no file yet; nothing is simulated.</source>
@@ -5557,7 +5557,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Choose the file of the stock, or another shape.</source>
-        <translation>Wählen Sie die Datei des Rohteils oder eine andere Form.</translation>
+        <translation>Die Datei des Rohteils oder eine andere Form wählen.</translation>
     </message>
     <message>
         <source>Unsaved changes are no longer backed up: {}.</source>
@@ -5565,7 +5565,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Save under another name (File &gt; Save As).</source>
-        <translation>Speichern Sie unter einem anderen Namen (Datei &gt; Speichern unter).</translation>
+        <translation>Unter einem anderen Namen speichern (Datei &gt; Speichern unter).</translation>
     </message>
     <message>
         <source>The file has changed on disk; it was not overwritten.</source>
@@ -5581,7 +5581,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Export the part again as one closed solid.</source>
-        <translation>Exportieren Sie das Teil erneut als einen geschlossenen Körper.</translation>
+        <translation>Das Werkstück erneut als einen geschlossenen Körper exportieren.</translation>
     </message>
     <message>
         <source>The mesh is not closed: {} edges belong to only one facet.</source>
@@ -5609,7 +5609,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Export the part in millimetres; STL files have no unit.</source>
-        <translation>Exportieren Sie das Teil in Millimetern; STL-Dateien haben keine Einheit.</translation>
+        <translation>Das Werkstück in Millimetern exportieren; STL-Dateien haben keine Einheit.</translation>
     </message>
     <message>
         <source>The program calls no tool; T{} is assumed to be in the spindle.</source>
@@ -5625,7 +5625,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Reload the stock in the Setup panel, or keep the current version.</source>
-        <translation>Laden Sie das Rohteil unter „Aufspannung“ neu, oder behalten Sie die aktuelle Version.</translation>
+        <translation>Das Rohteil unter „Aufspannung“ neu laden oder die aktuelle Version behalten.</translation>
     </message>
     <message>
         <source>rpm</source>
@@ -5817,7 +5817,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Unknown O-word keyword</source>
-        <translation>Unbekanntes O-Wort</translation>
+        <translation>Unbekanntes O-Wort-Schlüsselwort</translation>
     </message>
     <message>
         <source>O word not first</source>
@@ -6029,7 +6029,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Listed code executed</source>
-        <translation>Gelisteter Befehl ausgeführt</translation>
+        <translation>Befehl der Liste ausgeführt</translation>
     </message>
     <message>
         <source>Unsupported code</source>
@@ -6093,7 +6093,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>No modal state saved</source>
-        <translation>Kein Modalzustand gespeichert</translation>
+        <translation>Kein modaler Zustand gesichert</translation>
     </message>
     <message>
         <source>M72 not alone</source>
@@ -6129,11 +6129,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>G53 with polar words</source>
-        <translation>G53 mit Polarwörtern</translation>
+        <translation>G53 mit Polarkoordinaten</translation>
     </message>
     <message>
         <source>G53 in incremental mode</source>
-        <translation>G53 im Kettenmaß</translation>
+        <translation>G53 bei inkrementaler Maßangabe</translation>
     </message>
     <message>
         <source>G53 ignored</source>
@@ -6153,7 +6153,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Scale factor 0</source>
-        <translation>Maßstabsfaktor 0</translation>
+        <translation>Skalierungsfaktor 0</translation>
     </message>
     <message>
         <source>Transformation order</source>
@@ -6217,11 +6217,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Invalid peck depth</source>
-        <translation>Ungültige Spantiefe</translation>
+        <translation>Ungültige Zustelltiefe je Bohrhub</translation>
     </message>
     <message>
         <source>Peck depth missing</source>
-        <translation>Spantiefe fehlt</translation>
+        <translation>Zustelltiefe je Bohrhub fehlt</translation>
     </message>
     <message>
         <source>Spindle stopped in cycle</source>
@@ -6229,15 +6229,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Back boring not verified</source>
-        <translation>Rückwärtsbohren nicht geprüft</translation>
+        <translation>Rückwärtssenken nicht geprüft</translation>
     </message>
     <message>
         <source>Invalid back boring depth</source>
-        <translation>Ungültige Tiefe beim Rückwärtsbohren</translation>
+        <translation>Ungültige Tiefe beim Rückwärtssenken</translation>
     </message>
     <message>
         <source>Back boring with G99</source>
-        <translation>Rückwärtsbohren mit G99</translation>
+        <translation>Rückwärtssenken mit G99</translation>
     </message>
     <message>
         <source>Tapping feeds off the hole</source>
@@ -6285,7 +6285,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Feed per revolution without spindle</source>
-        <translation>Vorschub pro Umdrehung ohne Spindel</translation>
+        <translation>Vorschub je Umdrehung ohne Spindel</translation>
     </message>
     <message>
         <source>Feed before unit change</source>
@@ -6297,7 +6297,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Surface speed at limit</source>
-        <translation>Schnittgeschwindigkeit am Limit</translation>
+        <translation>Schnittgeschwindigkeit an der Grenze</translation>
     </message>
     <message>
         <source>Spindle speed unknown</source>
@@ -6321,7 +6321,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Mist coolant optional</source>
-        <translation>Nebelkühlung optional</translation>
+        <translation>Sprühkühlung optional</translation>
     </message>
     <message>
         <source>Dwell unit ambiguous</source>
@@ -6341,7 +6341,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Incremental from unknown position</source>
-        <translation>Kettenmaß ab unbekannter Position</translation>
+        <translation>Inkrementaler Weg ab unbekannter Position</translation>
     </message>
     <message>
         <source>One-sided positioning</source>
@@ -6369,7 +6369,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Arc end radius mismatch</source>
-        <translation>Kreisradien verschieden</translation>
+        <translation>Radius am Kreisende abweichend</translation>
     </message>
     <message>
         <source>Full circle with R</source>
@@ -6577,7 +6577,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Compensation plane unsupported</source>
-        <translation>Ebene der Fräserradiuskorrektur</translation>
+        <translation>Korrekturebene nicht unterstützt</translation>
     </message>
     <message>
         <source>Compensation under rotation</source>
@@ -6649,7 +6649,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Compensated arc off circle</source>
-        <translation>Korrigierter Bogen neben dem Kreis</translation>
+        <translation>Korrigierter Kreisbogen neben dem Kreis</translation>
     </message>
     <message>
         <source>Compensation active at end</source>
@@ -6669,7 +6669,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Line dropped</source>
-        <translation>Zeile verworfen</translation>
+        <translation>Zeile übersprungen</translation>
     </message>
     <message>
         <source>Block number too large</source>
@@ -6729,7 +6729,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Length offset mismatch</source>
-        <translation>Fremde Werkzeuglängenkorrektur</translation>
+        <translation>Werkzeuglängenkorrektur passt nicht</translation>
     </message>
     <message>
         <source>D word missing</source>
@@ -6817,7 +6817,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Profile arc radius too small</source>
-        <translation>Profilradius zu klein</translation>
+        <translation>Radius des Profilbogens zu klein</translation>
     </message>
     <message>
         <source>Profile arc centre mismatch</source>
@@ -6877,15 +6877,15 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Duplicate cutter key</source>
-        <translation>Doppelter Fräserschlüssel</translation>
+        <translation>Doppelter Schlüssel (Fräser)</translation>
     </message>
     <message>
         <source>Unknown cutter key</source>
-        <translation>Unbekannter Fräserschlüssel</translation>
+        <translation>Unbekannter Schlüssel (Fräser)</translation>
     </message>
     <message>
         <source>Cutter key missing</source>
-        <translation>Fräserschlüssel fehlt</translation>
+        <translation>Schlüssel fehlt (Fräser)</translation>
     </message>
     <message>
         <source>Unknown cutter shape</source>
@@ -6925,23 +6925,23 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Unknown tool key</source>
-        <translation>Unbekannter Werkzeugschlüssel</translation>
+        <translation>Unbekannter Schlüssel (Werkzeug)</translation>
     </message>
     <message>
         <source>Outline out of range</source>
-        <translation>Kontur außerhalb des Bereichs</translation>
+        <translation>Umriss außerhalb des Bereichs</translation>
     </message>
     <message>
         <source>Outline without area</source>
-        <translation>Kontur ohne Fläche</translation>
+        <translation>Umriss ohne Fläche</translation>
     </message>
     <message>
         <source>Outline crosses itself</source>
-        <translation>Kontur schneidet sich selbst</translation>
+        <translation>Umriss schneidet sich selbst</translation>
     </message>
     <message>
         <source>Invalid grid spacing</source>
-        <translation>Ungültiger Rasterweite</translation>
+        <translation>Ungültige Rasterweite</translation>
     </message>
     <message>
         <source>Invalid stock size</source>
@@ -7025,11 +7025,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Stock resampled</source>
-        <translation>Rohteil neu abgetastet</translation>
+        <translation>Rohteil umgerechnet</translation>
     </message>
     <message>
         <source>Map too large for method</source>
-        <translation>Raster zu groß für das Verfahren</translation>
+        <translation>Z-Map zu groß für das Verfahren</translation>
     </message>
     <message>
         <source>STL file cut off</source>
@@ -7045,7 +7045,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>No usable facets</source>
-        <translation>Keine brauchbaren Dreiecke</translation>
+        <translation>Keine brauchbaren Facetten</translation>
     </message>
     <message>
         <source>Data after STL end</source>
@@ -7057,11 +7057,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Facets not finite</source>
-        <translation>Dreiecke nicht endlich</translation>
+        <translation>Facetten nicht endlich</translation>
     </message>
     <message>
         <source>Degenerate facets</source>
-        <translation>Entartete Dreiecke</translation>
+        <translation>Entartete Facetten</translation>
     </message>
     <message>
         <source>Normals against winding</source>
@@ -7069,7 +7069,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Duplicate facets</source>
-        <translation>Doppelte Dreiecke</translation>
+        <translation>Doppelte Facetten</translation>
     </message>
     <message>
         <source>Mesh not closed</source>
@@ -7081,7 +7081,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Flipped facets</source>
-        <translation>Umgekehrte Dreiecke</translation>
+        <translation>Umgekehrte Facetten</translation>
     </message>
     <message>
         <source>Mesh inside out</source>
@@ -7137,7 +7137,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Unsupported NPY order</source>
-        <translation>Nicht unterstützte NPY-Ordnung</translation>
+        <translation>Nicht unterstützte NPY-Reihenfolge</translation>
     </message>
     <message>
         <source>Unsupported NPY shape</source>
@@ -7197,19 +7197,19 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Invalid outline point</source>
-        <translation>Ungültiger Konturpunkt</translation>
+        <translation>Ungültiger Punkt des Umrisses</translation>
     </message>
     <message>
         <source>Outline loop too short</source>
-        <translation>Konturzug zu kurz</translation>
+        <translation>Umriss zu kurz</translation>
     </message>
     <message>
         <source>Outline empty</source>
-        <translation>Kontur leer</translation>
+        <translation>Umriss leer</translation>
     </message>
     <message>
         <source>Unknown stock key</source>
-        <translation>Unbekannter Rohteilschlüssel</translation>
+        <translation>Unbekannter Schlüssel (Rohteil)</translation>
     </message>
     <message>
         <source>Invalid stock value</source>
@@ -7225,11 +7225,11 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Duplicate stock key</source>
-        <translation>Doppelter Rohteilschlüssel</translation>
+        <translation>Doppelter Schlüssel (Rohteil)</translation>
     </message>
     <message>
         <source>Stock key missing</source>
-        <translation>Rohteilschlüssel fehlt</translation>
+        <translation>Schlüssel fehlt (Rohteil)</translation>
     </message>
     <message>
         <source>Unknown stock shape</source>
@@ -7265,7 +7265,7 @@ Vorgabe: 0 mm</translation>
     </message>
     <message>
         <source>Unknown machine key</source>
-        <translation>Unbekannter Maschinenschlüssel</translation>
+        <translation>Unbekannter Schlüssel (Maschine)</translation>
     </message>
     <message>
         <source>Parameter out of range</source>

@@ -513,7 +513,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Keep every z-map point within the error allowance; off: exactly as in the paper, which gives no bound.</source>
-        <translation>모든 Z맵 점을 허용 오차 안에 유지합니다. 끄면 논문 그대로이며 오차 한계를 보장하지 않습니다.</translation>
+        <translation>모든 Z맵 점을 허용 오차 안에 유지합니다. 끄면 논문 그대로이며 논문에는 오차 한계가 없습니다.</translation>
     </message>
     <message>
         <source>Borders</source>
@@ -569,7 +569,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The field &quot;{}&quot; is not a cutter: {}</source>
-        <translation>&quot;{}&quot; 필드는 공구가 아닙니다: {}</translation>
+        <translation>&quot;{}&quot; 필드는 커터가 아닙니다: {}</translation>
     </message>
     <message>
         <source>This is not a Proveout job: the field &quot;proveout&quot; with the number of its format is missing.</source>
@@ -653,11 +653,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The header of the NPY file specifies {} values ({}), but the file has {}.</source>
-        <translation>NPY 파일에 {}개의 값({})이 있어야 하지만 {}입니다.</translation>
+        <translation>NPY 파일의 헤더에는 값이 {}개({})로 지정되어 있지만 파일에는 {}만 있습니다.</translation>
     </message>
     <message>
         <source>The NPY file has the shape {}; that is too large.</source>
-        <translation>NPY 파일의 형상이 {}로 너무 큽니다.</translation>
+        <translation>NPY 파일의 형상이 {}(으)로 너무 큽니다.</translation>
     </message>
     <message>
         <source>The value in row {}, column {} (counted from 0) is {}; heights must be finite and fit float32.</source>
@@ -681,11 +681,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Expected &quot;{}&quot; but the file ends.</source>
-        <translation>&quot;{}&quot;이(가) 있어야 할 곳에서 파일이 끝납니다.</translation>
+        <translation>&quot;{}&quot;이(가) 와야 하지만 파일이 끝납니다.</translation>
     </message>
     <message>
         <source>Expected &quot;{2}&quot; but found &quot;{1}&quot;.</source>
-        <translation>&quot;{2}&quot;이(가) 있어야 할 곳에 &quot;{1}&quot;이(가) 있습니다.</translation>
+        <translation>&quot;{2}&quot;이(가) 와야 하지만 &quot;{1}&quot;이(가) 있습니다.</translation>
     </message>
     <message>
         <source>The file ends without &quot;endsolid&quot;; it may have been cut off.</source>
@@ -693,11 +693,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The header specifies {} facets, but the file ends at byte {}, after {}.</source>
-        <translation>파일에 {}개의 면이 있어야 하지만 {}바이트, {} 뒤에서 끝납니다.</translation>
+        <translation>헤더에는 면이 {}개로 지정되어 있지만 파일이 {}바이트, {} 뒤에서 끝납니다.</translation>
     </message>
     <message>
         <source>The {} facets specified in the header were read; {} bytes follow them from byte {}.</source>
-        <translation>예고된 {}개의 면을 읽었으며, {3}바이트 위치부터 {2}바이트가 더 있습니다.</translation>
+        <translation>헤더에 지정된 면 {}개를 읽었으며, {3}바이트 위치부터 {2}바이트가 더 있습니다.</translation>
     </message>
     <message>
         <source>This is not an STL file.</source>
@@ -709,11 +709,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>{} of {} facets have a coordinate that is not a finite number; they were ignored.</source>
-        <translation>{2}개의 면 중 {1}개에 유한하지 않은 좌표가 있어 제외했습니다.</translation>
+        <translation>{2}개의 면 중 {1}개는 좌표가 유한한 수가 아니어서 무시했습니다.</translation>
     </message>
     <message>
         <source>{} of {} facets have no area; they were ignored.</source>
-        <translation>{2}개의 면 중 {1}개는 면적이 없어 제외했습니다.</translation>
+        <translation>{2}개의 면 중 {1}개는 면적이 없어 무시했습니다.</translation>
     </message>
     <message>
         <source>{} of {} facets have a normal against their winding; the winding counts.</source>
@@ -721,11 +721,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The mesh is {} mm from the origin, where an STL file resolves steps of {} mm only.</source>
-        <translation>메시가 원점에서 {} mm 떨어져 있어 STL 파일의 분해능이 {} mm에 그칩니다.</translation>
+        <translation>메시가 원점에서 {} mm 떨어져 있어 STL 파일이 {} mm 단위로만 구분합니다.</translation>
     </message>
     <message>
         <source>The mesh is {} × {} × {} mm: hardly a part.</source>
-        <translation>메시 크기가 {} × {} × {} mm입니다. 부품으로 보기 어렵습니다.</translation>
+        <translation>메시 크기가 {} × {} × {} mm입니다. 공작물로 보기 어렵습니다.</translation>
     </message>
     <message>
         <source>The file holds no facet that could be used ({} read, {} not finite, {} without area).</source>
@@ -733,15 +733,15 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>No stock is left, so there is no mesh to export.</source>
-        <translation>소재가 남아 있지 않아 기록할 메시가 없습니다.</translation>
+        <translation>소재가 남아 있지 않아 내보낼 메시가 없습니다.</translation>
     </message>
     <message>
         <source>The mesh has {} triangles; an STL file holds 4294967295.</source>
-        <translation>메시의 삼각형이 {}개입니다. STL 파일은 4294967295개까지 담습니다.</translation>
+        <translation>메시의 삼각형이 {}개입니다. STL 파일에는 4294967295개까지 담을 수 있습니다.</translation>
     </message>
     <message>
         <source>The vertex {}, {}, {} is out of the range of STL.</source>
-        <translation>정점이 {}, {}, {}에 있어 STL로 나타낼 수 없습니다.</translation>
+        <translation>정점 {}, {}, {}이(가) STL의 범위를 벗어납니다.</translation>
     </message>
     <message>
         <source>Cancelled; no file was written.</source>
@@ -865,31 +865,31 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>skip motion (probe)</source>
-        <translation>스킵 이송(측정)</translation>
+        <translation>스킵 이동(측정)</translation>
     </message>
     <message>
         <source>spindle-synchronised motion</source>
-        <translation>주축 동기 이송</translation>
+        <translation>주축 동기 이동</translation>
     </message>
     <message>
         <source>rigid tapping</source>
-        <translation>리지드 탭핑</translation>
+        <translation>리지드 태핑</translation>
     </message>
     <message>
         <source>probe toward the part, error on failure</source>
-        <translation>공작물 쪽으로 측정, 실패 시 오류</translation>
+        <translation>공작물 쪽으로 프로빙, 실패 시 오류</translation>
     </message>
     <message>
         <source>probe toward the part</source>
-        <translation>공작물 쪽으로 측정</translation>
+        <translation>공작물 쪽으로 프로빙</translation>
     </message>
     <message>
         <source>probe away from the part, error on failure</source>
-        <translation>공작물에서 멀어지며 측정, 실패 시 오류</translation>
+        <translation>공작물에서 멀어지며 프로빙, 실패 시 오류</translation>
     </message>
     <message>
         <source>probe away from the part</source>
-        <translation>공작물에서 멀어지며 측정</translation>
+        <translation>공작물에서 멀어지며 프로빙</translation>
     </message>
     <message>
         <source>cutter compensation off</source>
@@ -1029,15 +1029,15 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>finishing cycle or bolt circle</source>
-        <translation>정삭 사이클 또는 볼트 원</translation>
+        <translation>정삭 사이클 또는 볼트 구멍 원형 배열</translation>
     </message>
     <message>
         <source>roughing cycle or bolt arc</source>
-        <translation>황삭 사이클 또는 볼트 원호</translation>
+        <translation>황삭 사이클 또는 볼트 구멍 원호 배열</translation>
     </message>
     <message>
         <source>facing cycle or bolt line</source>
-        <translation>단면 사이클 또는 볼트 직선</translation>
+        <translation>단면 사이클 또는 볼트 구멍 직선 배열</translation>
     </message>
     <message>
         <source>chip-breaking drilling cycle</source>
@@ -1045,7 +1045,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>left-hand tapping cycle</source>
-        <translation>왼나사 탭핑 사이클</translation>
+        <translation>왼나사 태핑 사이클</translation>
     </message>
     <message>
         <source>threading or fine boring cycle</source>
@@ -1053,7 +1053,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>motion mode off</source>
-        <translation>이송 모드 취소</translation>
+        <translation>이동 모드 취소</translation>
     </message>
     <message>
         <source>drilling cycle</source>
@@ -1069,7 +1069,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>right-hand tapping cycle</source>
-        <translation>오른나사 탭핑 사이클</translation>
+        <translation>오른나사 태핑 사이클</translation>
     </message>
     <message>
         <source>boring cycle, feed out</source>
@@ -1341,11 +1341,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>dwell in seconds, turns of an arc, or a parameter</source>
-        <translation>드웰 시간(초), 원호 회전수 또는 파라미터</translation>
+        <translation>드웰 시간(초), 원호 회전 횟수 또는 파라미터</translation>
     </message>
     <message>
         <source>arc radius, or the R plane</source>
-        <translation>원호 반경 또는 복귀 높이</translation>
+        <translation>원호 반경 또는 R점</translation>
     </message>
     <message>
         <source>spindle speed in revolutions per minute</source>
@@ -1381,11 +1381,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Remove the character, or put the text into a comment: ( … ).</source>
-        <translation>문자를 지우거나 텍스트를 주석 ( … ) 안에 넣으십시오.</translation>
+        <translation>문자를 삭제하거나 텍스트를 주석 ( … ) 안에 넣으십시오.</translation>
     </message>
     <message>
         <source>Write the value after the letter, for example X10.5.</source>
-        <translation>문자 뒤에 숫자를 쓰십시오. 예: X10.5.</translation>
+        <translation>문자 뒤에 값을 쓰십시오. 예: X10.5.</translation>
     </message>
     <message>
         <source>Controls read this differently; write one sign.</source>
@@ -1417,7 +1417,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Write it first, or put it on a line of its own.</source>
-        <translation>맨 앞에 쓰거나 별도의 줄에 두십시오.</translation>
+        <translation>맨 앞이나 별도의 줄에 쓰십시오.</translation>
     </message>
     <message>
         <source>Use N with digits only.</source>
@@ -1429,11 +1429,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>LinuxCNC refuses this; write &quot;%&quot; on the first line too, or on none.</source>
-        <translation>LinuxCNC는 이를 거부합니다. 첫 줄에도 &quot;%&quot;를 쓰거나 모두 빼십시오.</translation>
+        <translation>LinuxCNC는 이를 거부합니다. 첫 줄에도 &quot;%&quot;를 쓰거나 모두 삭제하십시오.</translation>
     </message>
     <message>
         <source>Controls skip what is before or after it; keep one program per file.</source>
-        <translation>제어기에 따라 앞이나 뒤를 건너뜁니다. 파일 하나에 프로그램 하나만 두십시오.</translation>
+        <translation>제어기는 그 앞이나 뒤의 내용을 건너뜁니다. 파일 하나에 프로그램 하나만 두십시오.</translation>
     </message>
     <message>
         <source>Add M30 as the last block.</source>
@@ -1445,7 +1445,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Harmless here; save the file as plain text to remove them.</source>
-        <translation>여기서는 문제가 없습니다. 일반 텍스트로 저장하면 없어집니다.</translation>
+        <translation>여기서는 문제가 없습니다. 없애려면 일반 텍스트로 저장하십시오.</translation>
     </message>
     <message>
         <source>Save it as UTF-8 without the mark, or as ASCII.</source>
@@ -1461,7 +1461,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>It is a label only; renumber the blocks.</source>
-        <translation>표시일 뿐입니다. 블록 번호를 다시 매기십시오.</translation>
+        <translation>레이블일 뿐입니다. 블록 번호를 다시 매기십시오.</translation>
     </message>
     <message>
         <source>Raise the limit, or split the program.</source>
@@ -1469,7 +1469,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Results after this block are unverified.</source>
-        <translation>이 코드의 효과 없이는 뒤의 내용을 보증할 수 없습니다.</translation>
+        <translation>이 블록 뒤의 결과는 검증되지 않습니다.</translation>
     </message>
     <message>
         <source>Keep one of them, or make two blocks; this block is skipped.</source>
@@ -1481,11 +1481,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The motion is shown without it.</source>
-        <translation>이 축 없이 이송을 표시합니다.</translation>
+        <translation>이 축 없이 이동을 표시합니다.</translation>
     </message>
     <message>
         <source>Remove it, or add the code that it belongs to; this block is skipped.</source>
-        <translation>지우거나 해당 코드를 추가하십시오. 이 블록은 건너뜁니다.</translation>
+        <translation>삭제하거나 이 워드를 쓰는 코드를 추가하십시오. 이 블록은 건너뜁니다.</translation>
     </message>
     <message>
         <source>Write G0, G1, G2 or G3 into the block; this block is skipped.</source>
@@ -1493,11 +1493,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Controls differ here; move in a block of its own. This block is skipped.</source>
-        <translation>제어기마다 다릅니다. 별도의 블록에서 이송하십시오. 이 블록은 건너뜁니다.</translation>
+        <translation>제어기마다 동작이 다릅니다. 별도의 블록에서 이동하십시오. 이 블록은 건너뜁니다.</translation>
     </message>
     <message>
         <source>Add it; the code has no effect without it.</source>
-        <translation>추가하십시오. 없으면 코드가 효과를 내지 않습니다.</translation>
+        <translation>추가하십시오. 이 워드가 없으면 코드는 효과가 없습니다.</translation>
     </message>
     <message>
         <source>The word is ignored.</source>
@@ -1525,7 +1525,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Give the centre with {} and {}, or the radius with R.</source>
-        <translation>{}와(과) {}로 중심을 지정하거나 R로 반경을 지정하십시오.</translation>
+        <translation>{}와(과) {}(으)로 중심을 지정하거나 R로 반경을 지정하십시오.</translation>
     </message>
     <message>
         <source>Add the missing word, or use G91.1.</source>
@@ -1537,7 +1537,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Remove the word, or select the plane that was meant.</source>
-        <translation>워드를 지우거나 의도한 평면을 선택하십시오.</translation>
+        <translation>워드를 삭제하거나 의도한 평면을 선택하십시오.</translation>
     </message>
     <message>
         <source>The centre is at the start or end point.</source>
@@ -1545,11 +1545,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Check the centre: I J K are from the start point, with G90.1 from the origin.</source>
-        <translation>중심을 확인하십시오. I J K는 시작점 기준이며 G90.1 뒤에는 원점 기준입니다.</translation>
+        <translation>중심을 확인하십시오. I J K는 시작점 기준이며 G90.1에서는 원점 기준입니다.</translation>
     </message>
     <message>
         <source>Give a full circle its centre, or make two arcs of it.</source>
-        <translation>전체 원에는 중심을 지정하거나 두 원호로 나누십시오.</translation>
+        <translation>완전한 원에는 중심을 지정하거나 두 원호로 나누십시오.</translation>
     </message>
     <message>
         <source>Check R and the end point.</source>
@@ -1573,11 +1573,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Rapid move cuts stock ({} mm deep).</source>
-        <translation>급속 이송이 소재를 {} mm 깊이로 절삭합니다.</translation>
+        <translation>급속 이송이 소재를 절삭합니다(깊이 {} mm).</translation>
     </message>
     <message>
         <source>Retract above the stock before the rapid, or cut with G1.</source>
-        <translation>급속 이송 전에 소재 위로 후퇴하거나 G1으로 절삭하십시오.</translation>
+        <translation>급속 이송 전에 소재 위로 후퇴하거나 G1로 절삭하십시오.</translation>
     </message>
     <message>
         <source>The cut is {} mm deep, beyond the length of the flutes.</source>
@@ -1601,7 +1601,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The simulation failed: {}.</source>
-        <translation>시뮬레이션을 중단해야 했습니다: {}.</translation>
+        <translation>시뮬레이션에 실패했습니다: {}.</translation>
     </message>
     <message>
         <source>The export was cancelled.</source>
@@ -1613,7 +1613,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The export failed: {}.</source>
-        <translation>내보내지 못했습니다: {}.</translation>
+        <translation>내보내기에 실패했습니다: {}.</translation>
     </message>
     <message>
         <source>There is no stock to export yet.</source>
@@ -1681,7 +1681,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>{}={} is out of range, {} to {} {}.</source>
-        <translation>{}={}은(는) 허용 범위 {}~{} {}를 벗어납니다.</translation>
+        <translation>{}={}은(는) 허용 범위({}~{} {})를 벗어납니다.</translation>
     </message>
     <message>
         <source>The key {} is specified twice.</source>
@@ -1689,19 +1689,19 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>“{}” is not a key of this cutter shape; there are {}.</source>
-        <translation>“{}”은(는) 이 공구 형상의 키가 아닙니다. 사용할 수 있는 키: {}.</translation>
+        <translation>“{}”은(는) 이 커터 형상의 키가 아닙니다. 사용할 수 있는 키: {}.</translation>
     </message>
     <message>
         <source>A cutter of the shape {} needs the key {} ({}, {} to {} {}).</source>
-        <translation>{} 형상의 공구에는 키 {}이(가) 필요합니다({}, {}~{} {}).</translation>
+        <translation>{} 형상의 커터에는 키 {}이(가) 필요합니다({}, {}~{} {}).</translation>
     </message>
     <message>
         <source>“{}” is not a cutter shape; there are {}.</source>
-        <translation>“{}”은(는) 공구 형상이 아닙니다. 사용할 수 있는 형상: {}.</translation>
+        <translation>“{}”은(는) 커터 형상이 아닙니다. 사용할 수 있는 형상: {}.</translation>
     </message>
     <message>
         <source>The flute length l={} is less than the height of the cutter&apos;s profile, {} mm.</source>
-        <translation>날 길이 l={}이(가) 공구 윤곽의 높이 {} mm보다 짧습니다.</translation>
+        <translation>날 길이 l={}이(가) 커터 프로파일의 높이 {} mm보다 짧습니다.</translation>
     </message>
     <message>
         <source>The corner radius r={} is larger than half the diameter, {} mm.</source>
@@ -1717,19 +1717,19 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>{} word without a value.</source>
-        <translation>{} 워드에 숫자가 없습니다.</translation>
+        <translation>{} 워드에 값이 없습니다.</translation>
     </message>
     <message>
         <source>The value of {} has two signs.</source>
-        <translation>{}의 숫자에 부호가 두 개 있습니다.</translation>
+        <translation>{}의 값에 부호가 두 개 있습니다.</translation>
     </message>
     <message>
         <source>The value of {} has two decimal points.</source>
-        <translation>{}의 숫자에 소수점이 두 개 있습니다.</translation>
+        <translation>{}의 값에 소수점이 두 개 있습니다.</translation>
     </message>
     <message>
         <source>The value of {} is out of range: larger than 1e12.</source>
-        <translation>{}의 숫자가 범위를 벗어납니다(1e12 초과).</translation>
+        <translation>{}의 값이 범위를 벗어납니다(1e12 초과).</translation>
     </message>
     <message>
         <source>The comment is not closed.</source>
@@ -1737,11 +1737,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>A comment is nested in a comment.</source>
-        <translation>주석 안에 주석이 있습니다.</translation>
+        <translation>주석 안에 주석이 중첩되어 있습니다.</translation>
     </message>
     <message>
         <source>Duplicate {} word.</source>
-        <translation>블록에 {} 워드가 두 개 있습니다.</translation>
+        <translation>{} 워드가 중복되었습니다.</translation>
     </message>
     <message>
         <source>The block has more than 24 G and M words.</source>
@@ -1781,7 +1781,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The program has no motion.</source>
-        <translation>프로그램에 이송이 없습니다.</translation>
+        <translation>프로그램에 이동이 없습니다.</translation>
     </message>
     <message>
         <source>Control codes of a tape or a serial line were skipped.</source>
@@ -1793,7 +1793,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The line ends with CR alone, which LinuxCNC does not accept as a line end.</source>
-        <translation>줄이 CR만으로 끝나며 LinuxCNC는 이를 줄 끝으로 보지 않습니다.</translation>
+        <translation>줄이 CR만으로 끝나며 LinuxCNC는 이를 줄 끝으로 인정하지 않습니다.</translation>
     </message>
     <message>
         <source>The line has {} characters; LinuxCNC refuses more than 252.</source>
@@ -1805,7 +1805,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The program has more than {} motions; interpretation ends here.</source>
-        <translation>프로그램의 이송이 {}개를 넘어 여기서 해석을 끝냅니다.</translation>
+        <translation>프로그램의 이동이 {}개를 넘어 여기서 해석을 끝냅니다.</translation>
     </message>
     <message>
         <source>{} more messages are not shown.</source>
@@ -1821,11 +1821,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>{} and {} cannot be used in one block.</source>
-        <translation>한 블록에서 {}와(과) {}를 함께 쓸 수 없습니다.</translation>
+        <translation>한 블록에서 {}와(과) {}을(를) 함께 쓸 수 없습니다.</translation>
     </message>
     <message>
         <source>{} axis ignored (three-axis machine).</source>
-        <translation>{} 축은 3축 기계에 없습니다.</translation>
+        <translation>{} 축을 무시합니다(3축 기계).</translation>
     </message>
     <message>
         <source>No code of this block uses the word {}.</source>
@@ -1833,7 +1833,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>No motion code is active for the word {}.</source>
-        <translation>{} 워드에 대해 유효한 이송 코드가 없습니다.</translation>
+        <translation>{} 워드에 대해 유효한 이동 코드가 없습니다.</translation>
     </message>
     <message>
         <source>G80 cannot move the axis {}.</source>
@@ -1845,11 +1845,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The value of {} must not be negative.</source>
-        <translation>{}의 숫자는 음수일 수 없습니다.</translation>
+        <translation>{}의 값은 음수일 수 없습니다.</translation>
     </message>
     <message>
         <source>The value of {} must be a whole number from {} to {}.</source>
-        <translation>{}의 숫자는 {}에서 {} 사이의 정수여야 합니다.</translation>
+        <translation>{}의 값은 {}에서 {} 사이의 정수여야 합니다.</translation>
     </message>
     <message>
         <source>The feed is read in the unit that was in force before {}.</source>
@@ -1861,15 +1861,15 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>A cutting motion has no feed rate.</source>
-        <translation>절삭 이송에 이송 속도가 없습니다.</translation>
+        <translation>절삭 이송에 이송 속도가 지정되지 않았습니다.</translation>
     </message>
     <message>
         <source>{} position unknown; move not simulated.</source>
-        <translation>{}의 위치를 알 수 없어 이 이송은 아무것도 절삭하지 않습니다.</translation>
+        <translation>{}의 위치를 알 수 없어 이 이동은 시뮬레이션하지 않습니다.</translation>
     </message>
     <message>
         <source>{} moves by an incremental distance from an unknown position.</source>
-        <translation>{}이(가) 알 수 없는 위치에서 증분 이송합니다.</translation>
+        <translation>{}이(가) 알 수 없는 위치에서 증분 이동합니다.</translation>
     </message>
     <message>
         <source>The arc has neither a centre nor a radius.</source>
@@ -1877,7 +1877,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>An absolute centre (G90.1) needs both {} and {}.</source>
-        <translation>절대 중심(G90.1)에는 {}와(과) {}가 모두 필요합니다.</translation>
+        <translation>절대 중심(G90.1)에는 {}와(과) {}이(가) 모두 필요합니다.</translation>
     </message>
     <message>
         <source>The arc has both a centre and a radius.</source>
@@ -1909,7 +1909,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>P must be a whole number of turns from 1 to {}.</source>
-        <translation>P는 1에서 {} 사이의 정수 회전수여야 합니다.</translation>
+        <translation>P는 1에서 {} 사이의 정수(회전 횟수)여야 합니다.</translation>
     </message>
     <message>
         <source>The file is encoded in {}, not in ASCII or UTF-8.</source>
@@ -1921,7 +1921,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The grid spacing {} mm is not a number above 0.</source>
-        <translation>격자 간격 {} mm는 0보다 큰 숫자가 아닙니다.</translation>
+        <translation>격자 간격 {} mm는 0보다 큰 숫자여야 합니다.</translation>
     </message>
     <message>
         <source>Each side of the stock {} must be above 0 and at most {} mm.</source>
@@ -1929,7 +1929,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The stock {} is too narrow: its sides in X and Y may differ by a factor of {} at most.</source>
-        <translation>소재 {}가 너무 좁습니다. X와 Y 방향 변의 길이는 최대 {}배까지만 차이날 수 있습니다.</translation>
+        <translation>소재 {}이(가) 너무 좁습니다. X와 Y 방향 변의 길이는 최대 {}배까지만 차이가 날 수 있습니다.</translation>
     </message>
     <message>
         <source>The origin of the stock is not three numbers from -{} to {} mm.</source>
@@ -1937,15 +1937,15 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The box {} has no area: each side must go from the smaller coordinate to the larger one.</source>
-        <translation>상자 {}의 넓이가 없습니다. 각 변은 작은 좌표에서 큰 좌표로 가야 합니다.</translation>
+        <translation>영역 {}에 면적이 없습니다. 각 변은 작은 좌표에서 큰 좌표로 가야 합니다.</translation>
     </message>
     <message>
         <source>The box {} is not within the stock, {}.</source>
-        <translation>상자 {}이(가) 소재 {} 안에 있지 않습니다.</translation>
+        <translation>영역 {}이(가) 소재 {} 안에 있지 않습니다.</translation>
     </message>
     <message>
         <source>A detail region of {} × {} points needs {}; {} is available, enough for a spacing of {} mm.</source>
-        <translation>점 {} × {}개인 상자에는 {}이(가) 필요합니다. {}까지 쓸 수 있으며, 이는 간격 {} mm에 충분합니다.</translation>
+        <translation>{} × {}점의 상세 영역에는 {}이(가) 필요하지만 사용할 수 있는 메모리는 {}입니다. 이 메모리로는 격자 간격 {} mm까지 가능합니다.</translation>
     </message>
     <message>
         <source>The grid spacing {} mm is too coarse for the stock {}; the coarsest possible is {} mm.</source>
@@ -1957,7 +1957,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The grid spacing {} mm is lost in the rounding of coordinates as large as {} mm.</source>
-        <translation>격자 간격 {} mm은 {} mm만큼 큰 좌표의 반올림에서 사라집니다.</translation>
+        <translation>격자 간격 {} mm는 {} mm만큼 큰 좌표의 반올림에서 사라집니다.</translation>
     </message>
     <message>
         <source>“{}” is not a stock size of the form WxDxH in mm, as in {}.</source>
@@ -1973,19 +1973,19 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The motion ends more than {} mm from machine zero, along {}.</source>
-        <translation>이동이 기계 원점에서 {} mm보다 먼 곳에서 끝납니다(축: {}).</translation>
+        <translation>이동이 기계 원점에서 {} mm보다 먼 곳에서 끝납니다({} 방향).</translation>
     </message>
     <message>
         <source>Check the values, the scaling and the repeats.</source>
-        <translation>숫자, 스케일링, 반복을 확인하십시오.</translation>
+        <translation>값, 스케일링, 반복 횟수를 확인하십시오.</translation>
     </message>
     <message>
         <source>The path of the arc is {} mm long, beyond the limit of {} mm; it cuts nothing.</source>
-        <translation>원호 경로의 길이가 {} mm로 한계 {} mm를 넘습니다. 이 원호는 아무것도 깎지 않습니다.</translation>
+        <translation>원호 경로의 길이가 {} mm로 한계 {} mm를 넘습니다. 이 원호는 아무것도 절삭하지 않습니다.</translation>
     </message>
     <message>
         <source>Check the centre and the number of turns.</source>
-        <translation>중심과 회전 수를 확인하십시오.</translation>
+        <translation>중심과 회전 횟수를 확인하십시오.</translation>
     </message>
     <message>
         <source>Point angle</source>
@@ -1997,7 +1997,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The program never positions {}, so what it cuts is unknown.</source>
-        <translation>프로그램이 {}의 위치를 한 번도 지정하지 않으므로 무엇을 깎는지 알 수 없습니다.</translation>
+        <translation>프로그램이 {}의 위치를 한 번도 지정하지 않으므로 무엇을 절삭하는지 알 수 없습니다.</translation>
     </message>
     <message>
         <source>The rapid move passes over the stock at an unknown height; whether it cuts is unknown.</source>
@@ -2013,11 +2013,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The export needs {} of memory; only {} is available, enough for a grid spacing of {} mm.</source>
-        <translation>내보내기에는 {}가 필요하지만 사용할 수 있는 메모리는 {}입니다. 이 메모리로는 격자 간격 {} mm까지 가능합니다.</translation>
+        <translation>내보내기에는 {}이(가) 필요하지만 사용할 수 있는 메모리는 {}입니다. 이 메모리로는 격자 간격 {} mm까지 가능합니다.</translation>
     </message>
     <message>
         <source>The export needs {} of memory; only {} is available.</source>
-        <translation>내보내기에는 {}가 필요하지만 사용할 수 있는 메모리는 {}입니다.</translation>
+        <translation>내보내기에는 {}이(가) 필요하지만 사용할 수 있는 메모리는 {}입니다.</translation>
     </message>
     <message>
         <source>Wavefront OBJ</source>
@@ -2033,11 +2033,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The extension of this name is not that of a mesh format; there are {}.</source>
-        <translation>이 이름의 확장자에 해당하는 메시 형식이 없습니다. 사용할 수 있는 확장자: {}.</translation>
+        <translation>이 이름의 확장자는 메시 형식의 것이 아닙니다. 사용할 수 있는 확장자: {}.</translation>
     </message>
     <message>
         <source>The vertex {}, {}, {} is not finite: a mesh file holds finite numbers only.</source>
-        <translation>정점이 {}, {}, {}에 있습니다. 메시 파일은 유한한 수만 담을 수 있습니다.</translation>
+        <translation>정점 {}, {}, {}이(가) 유한하지 않습니다. 메시 파일에는 유한한 수만 담을 수 있습니다.</translation>
     </message>
     <message>
         <source>Export OBJ or PLY: they hold coordinates in double precision.</source>
@@ -2045,7 +2045,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Rounded to single precision, the mesh deviates from the z-map by up to {} mm, more than the error allowance of {} mm; OBJ or PLY would keep {} mm.</source>
-        <translation>단정밀도로 반올림하면 파일이 Z맵에서 최대 {} mm 벗어나 허용 오차 {} mm를 넘습니다. OBJ나 PLY라면 {} mm를 유지합니다.</translation>
+        <translation>단정밀도로 반올림하면 메시가 Z맵에서 최대 {} mm 벗어나 허용 오차 {} mm를 넘습니다. OBJ나 PLY라면 {} mm를 유지합니다.</translation>
     </message>
     <message>
         <source>The coordinates of an STL file are too coarse for this mesh so far from the origin: {} triangles would collapse or turn over, {} vertices meet others; OBJ or PLY can hold it.</source>
@@ -2093,11 +2093,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Global, after each block</source>
-        <translation>전체, 블록마다</translation>
+        <translation>전역, 블록마다</translation>
     </message>
     <message>
         <source>Local, s = {}</source>
-        <translation>지역적, s = {}</translation>
+        <translation>국소, s = {}</translation>
     </message>
     <message>
         <source>averages over {} steps</source>
@@ -2173,7 +2173,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Global and local decimation: rendering time of each frame</source>
-        <translation>전체 및 국소 간략화: 프레임별 렌더링 시간</translation>
+        <translation>전역 및 국소 간략화: 프레임별 렌더링 시간</translation>
     </message>
     <message>
         <source>Decimation time and triangles by the order of removal</source>
@@ -2229,7 +2229,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The motions of the program need more than {} of memory; interpretation ends here.</source>
-        <translation>프로그램의 이송에 {}가 넘는 메모리가 필요하여 여기서 해석을 끝냅니다.</translation>
+        <translation>프로그램의 이동에 {}이(가) 넘는 메모리가 필요하여 여기서 해석을 끝냅니다.</translation>
     </message>
     <message>
         <source>Close other programs, or split the program.</source>
@@ -2241,23 +2241,23 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Tool &quot;{}&quot; is in the table already.</source>
-        <translation>&quot;{}&quot;은(는) 표에 이미 있는 공구입니다.</translation>
+        <translation>공구 &quot;{}&quot;이(가) 이미 테이블에 있습니다.</translation>
     </message>
     <message>
         <source>The method “{}” works on maps of {} points at most; this one has {}.</source>
-        <translation>“{}” 방법은 최대 {}점의 맵에서 동작합니다. 이 맵은 {}점입니다.</translation>
+        <translation>“{}” 방법은 최대 {}점의 Z맵에서 동작합니다. 이 Z맵은 {}점입니다.</translation>
     </message>
     <message>
         <source>The z-map needs {}; {} is available.</source>
-        <translation>Z맵에 {}가 필요하지만 사용할 수 있는 메모리는 {}입니다.</translation>
+        <translation>Z맵에 {}이(가) 필요하지만 사용할 수 있는 메모리는 {}입니다.</translation>
     </message>
     <message>
         <source>A grid of {} × {} points needs {}; {} is available, enough for a spacing of {} mm.</source>
-        <translation>{} × {}점의 격자에는 {}가 필요하지만 사용할 수 있는 메모리는 {}입니다. 이 메모리로는 {} mm 간격까지 가능합니다.</translation>
+        <translation>{} × {}점의 격자에는 {}이(가) 필요하지만 사용할 수 있는 메모리는 {}입니다. 이 메모리로는 격자 간격 {} mm까지 가능합니다.</translation>
     </message>
     <message>
         <source>Increase the grid spacing, or close other programs.</source>
-        <translation>격자 간격을 넓히거나 다른 프로그램을 닫으십시오.</translation>
+        <translation>격자 간격을 크게 하거나 다른 프로그램을 닫으십시오.</translation>
     </message>
     <message>
         <source>polar radius</source>
@@ -2285,7 +2285,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>{} is not a whole number, so it is not a parameter number.</source>
-        <translation>{}은(는) 정수가 아니어서 파라미터를 가리키지 않습니다.</translation>
+        <translation>{}은(는) 정수가 아니므로 파라미터 번호가 아닙니다.</translation>
     </message>
     <message>
         <source>Round it with FIX or ROUND.</source>
@@ -2353,7 +2353,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Expected an operator or &quot;]&quot; but found &quot;{}&quot;.</source>
-        <translation>연산자나 &quot;]&quot;이(가) 있어야 할 곳에 &quot;{}&quot;이(가) 있습니다.</translation>
+        <translation>연산자나 &quot;]&quot;이(가) 와야 하지만 &quot;{}&quot;이(가) 있습니다.</translation>
     </message>
     <message>
         <source>Check the expression.</source>
@@ -2381,7 +2381,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>A parameter at the beginning of a word is an assignment, for example #1=10.</source>
-        <translation>워드 맨 앞의 파라미터에는 값을 대입합니다. 예: #1=10.</translation>
+        <translation>워드 맨 앞의 파라미터는 대입입니다. 예: #1=10.</translation>
     </message>
     <message>
         <source>The number after O is not a whole number from 0 up.</source>
@@ -2393,7 +2393,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>&quot;{}&quot; is not an O-word keyword.</source>
-        <translation>&quot;{}&quot;은(는) O 워드 뒤에 올 수 있는 키워드가 아닙니다.</translation>
+        <translation>&quot;{}&quot;은(는) O 워드 키워드가 아닙니다.</translation>
     </message>
     <message>
         <source>Use sub, endsub, call, return, if, elseif, else, endif, do, while, endwhile, repeat, endrepeat, break or continue.</source>
@@ -2409,7 +2409,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Unexpected &quot;{}&quot; after the O word and its arguments.</source>
-        <translation>O 워드와 그 인수 뒤에 &quot;{}&quot;이(가) 있습니다.</translation>
+        <translation>O 워드와 그 인수 뒤에 잘못된 &quot;{}&quot;이(가) 있습니다.</translation>
     </message>
     <message>
         <source>O{} {} has no matching {}.</source>
@@ -2421,11 +2421,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The label O{} is used already in line {} of this subprogram or main program.</source>
-        <translation>레이블 O{}은(는) 이 서브프로그램 또는 주프로그램의 {}번 줄에서 이미 쓰였습니다.</translation>
+        <translation>레이블 O{}은(는) 이 서브프로그램 또는 메인 프로그램의 {}번 줄에서 이미 쓰였습니다.</translation>
     </message>
     <message>
         <source>Give each branch and each loop a label of its own.</source>
-        <translation>분기와 반복마다 서로 다른 레이블을 쓰십시오.</translation>
+        <translation>분기와 루프마다 서로 다른 레이블을 쓰십시오.</translation>
     </message>
     <message>
         <source>After continue in a do loop, LinuxCNC may run a repeat loop twice as often as it says.</source>
@@ -2433,7 +2433,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Skip the rest of the pass with if and endif instead of continue.</source>
-        <translation>continue 대신 if와 endif로 나머지 블록을 건너뛰십시오.</translation>
+        <translation>continue 대신 if와 endif로 회차의 나머지를 건너뛰십시오.</translation>
     </message>
     <message>
         <source>M98 with L0 runs nothing, but LinuxCNC then loses the named parameters of this program and refuses the next subprogram.</source>
@@ -2441,7 +2441,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Leave out the call.</source>
-        <translation>호출을 빼십시오.</translation>
+        <translation>호출을 삭제하십시오.</translation>
     </message>
     <message>
         <source>O{} sub is inside another subprogram.</source>
@@ -2513,15 +2513,15 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Remove it, or put it between sub and endsub.</source>
-        <translation>지우거나 sub와 endsub 사이에 두십시오.</translation>
+        <translation>삭제하거나 sub와 endsub 사이에 두십시오.</translation>
     </message>
     <message>
         <source>M99 ends the main program: the control restarts it, endlessly.</source>
-        <translation>M99가 주프로그램을 끝냅니다. 제어기는 주프로그램을 처음부터 끝없이 다시 실행합니다.</translation>
+        <translation>M99가 메인 프로그램을 끝냅니다. 제어기는 메인 프로그램을 끝없이 다시 시작합니다.</translation>
     </message>
     <message>
         <source>It is run once here; use M30 if the program should end.</source>
-        <translation>여기서는 한 번만 실행합니다. 한 번만 실행할 의도라면 M30으로 끝내십시오.</translation>
+        <translation>여기서는 한 번만 실행합니다. 프로그램을 끝내려면 M30을 쓰십시오.</translation>
     </message>
     <message>
         <source>{} does not begin its block; LinuxCNC looks for it there only.</source>
@@ -2537,19 +2537,19 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The repeated lines and their motions exceed {}; interpretation ends in line {}.</source>
-        <translation>반복된 줄과 그 이송이 모두 {}개를 넘어 {}번 줄에서 해석을 끝냅니다.</translation>
+        <translation>반복된 줄과 그 이동이 모두 {}개를 넘어 {}번 줄에서 해석을 끝냅니다.</translation>
     </message>
     <message>
         <source>Check loops and repeat counts. The motions of this repetition are not shown.</source>
-        <translation>루프와 반복 횟수를 확인하십시오. 이 반복이 만드는 것은 표시하지 않습니다.</translation>
+        <translation>루프와 반복 횟수를 확인하십시오. 이 반복의 이동은 표시하지 않습니다.</translation>
     </message>
     <message>
         <source>More than {} repeated lines in a row make no motion; interpretation ends in line {}.</source>
-        <translation>반복된 줄이 연속으로 {}개를 넘도록 이송이 없어 {}번 줄에서 해석을 끝냅니다.</translation>
+        <translation>반복된 줄이 연속으로 {}개를 넘도록 이동이 없어 {}번 줄에서 해석을 끝냅니다.</translation>
     </message>
     <message>
         <source>Check the loop for an end.</source>
-        <translation>반복이 끝나는지 확인하십시오.</translation>
+        <translation>루프가 끝나는지 확인하십시오.</translation>
     </message>
     <message>
         <source>This loop never ends: line {} jumps back to line {} and no variable changes from one pass to the next.</source>
@@ -2569,7 +2569,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>This block makes {} motions, more than the limit of {}; it is not executed.</source>
-        <translation>이 블록은 이송을 {}개 만들어 한계인 {}개를 넘으므로 실행하지 않습니다.</translation>
+        <translation>이 블록은 이동을 {}개 만들어 한계인 {}개를 넘으므로 실행하지 않습니다.</translation>
     </message>
     <message>
         <source>Check the depth of the pecks, the step and the number of repeats.</source>
@@ -2641,11 +2641,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Machine zero is unknown, so {} has no position; motions are not simulated until the axis is positioned again.</source>
-        <translation>기계 원점을 알 수 없으므로 {}의 위치가 없습니다. 그 축의 위치를 다시 정할 때까지 이송을 시뮬레이션하지 않습니다.</translation>
+        <translation>기계 원점을 알 수 없으므로 {}의 위치가 없습니다. 그 축의 위치를 다시 정할 때까지 이동을 시뮬레이션하지 않습니다.</translation>
     </message>
     <message>
         <source>Motions to reference positions are taken to lead away from the part.</source>
-        <translation>원점으로 가는 이송은 공작물에서 멀어지는 것으로 봅니다.</translation>
+        <translation>원점으로 가는 이동은 공작물에서 멀어지는 것으로 가정합니다.</translation>
     </message>
     <message>
         <source>The cycle {} needs the word {}.</source>
@@ -2661,7 +2661,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Program the position of the first hole.</source>
-        <translation>첫 구멍의 위치를 지정하십시오.</translation>
+        <translation>첫 구멍의 위치를 지령하십시오.</translation>
     </message>
     <message>
         <source>A cycle cannot be used with inverse time feed.</source>
@@ -2677,7 +2677,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Add F, one over the minutes that the motion takes.</source>
-        <translation>이송에 걸리는 시간(분)의 역수를 F로 추가하십시오.</translation>
+        <translation>이동에 걸리는 시간(분)의 역수를 F로 추가하십시오.</translation>
     </message>
     <message>
         <source>The feed counts per revolution (G95), but the spindle does not turn.</source>
@@ -2717,7 +2717,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The motions are shown; what they cut from below is unverified.</source>
-        <translation>이송은 표시하지만 아래쪽에서 절삭하는 부분은 보증할 수 없습니다.</translation>
+        <translation>이동은 표시하지만 아래쪽에서 절삭하는 부분은 검증되지 않습니다.</translation>
     </message>
     <message>
         <source>The position {} cannot be read while cutter compensation is on.</source>
@@ -2733,7 +2733,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Write G40 first; {} has no effect.</source>
-        <translation>먼저 G40을 쓰십시오. {}은(는) 효과를 내지 않습니다.</translation>
+        <translation>먼저 G40을 쓰십시오. {}은(는) 효과가 없습니다.</translation>
     </message>
     <message>
         <source>Cutter compensation works in the planes of G17 and G18 only.</source>
@@ -2741,7 +2741,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Select the plane before; the code has no effect.</source>
-        <translation>그 앞에서 평면을 선택하십시오. 이 코드는 효과를 내지 않습니다.</translation>
+        <translation>그 앞에서 평면을 선택하십시오. 이 코드는 효과가 없습니다.</translation>
     </message>
     <message>
         <source>Cutter compensation in G18 under a rotation about Z is not supported.</source>
@@ -2749,7 +2749,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Remove the rotation from the work offset; the code has no effect.</source>
-        <translation>공작물 좌표계에서 회전을 없애십시오. 이 코드는 효과를 내지 않습니다.</translation>
+        <translation>공작물 좌표계에서 회전을 제거하십시오. 이 코드는 효과가 없습니다.</translation>
     </message>
     <message>
         <source>{} cannot be used while cutter compensation is on.</source>
@@ -2757,7 +2757,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Write G40 before it; the code has no effect.</source>
-        <translation>그 앞에 G40을 쓰십시오. 이 코드는 효과를 내지 않습니다.</translation>
+        <translation>그 앞에 G40을 쓰십시오. 이 코드는 효과가 없습니다.</translation>
     </message>
     <message>
         <source>The diameter for {} is 0, so the tool moves on the programmed path.</source>
@@ -2777,7 +2777,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The motion is not compensated: it leads from or to a place that is not known.</source>
-        <translation>이 이송에는 보정을 적용하지 않습니다. 시작점이나 끝점의 위치를 알 수 없습니다.</translation>
+        <translation>이 이동에는 보정을 적용하지 않습니다. 시작점이나 끝점의 위치를 알 수 없습니다.</translation>
     </message>
     <message>
         <source>Position the axes of the plane before G41 or G42.</source>
@@ -2785,11 +2785,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The motion into cutter compensation is {} mm long, not longer than the tool&apos;s radius of {} mm.</source>
-        <translation>공구경 보정으로 진입하는 이송의 길이가 {} mm로 공구 반경 {} mm보다 길지 않습니다.</translation>
+        <translation>공구경 보정으로 진입하는 이동의 길이가 {} mm로 공구 반경 {} mm보다 길지 않습니다.</translation>
     </message>
     <message>
         <source>Begin farther away; the motion is skipped.</source>
-        <translation>더 먼 곳에서 시작하십시오. 이 이송은 건너뜁니다.</translation>
+        <translation>더 먼 곳에서 시작하십시오. 이 이동은 건너뜁니다.</translation>
     </message>
     <message>
         <source>The arc has a radius of {} mm, not larger than the tool&apos;s radius of {} mm.</source>
@@ -2797,7 +2797,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Use a smaller tool; the motion is skipped.</source>
-        <translation>더 작은 공구를 쓰십시오. 이 이송은 건너뜁니다.</translation>
+        <translation>더 작은 공구를 쓰십시오. 이 이동은 건너뜁니다.</translation>
     </message>
     <message>
         <source>The tool with a radius of {} mm does not fit into this inside corner.</source>
@@ -2805,31 +2805,31 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The tool with a radius of {} mm gouges between the inside corners of the motion of line {}.</source>
-        <translation>반경 {} mm인 공구가 {}번 줄 이송의 안쪽 코너 사이에서 과절삭합니다.</translation>
+        <translation>반경 {} mm인 공구가 {}번 줄 이동의 안쪽 코너 사이에서 과절삭합니다.</translation>
     </message>
     <message>
         <source>Use a smaller tool, or remove the short motion.</source>
-        <translation>더 작은 공구를 쓰거나 짧은 이송을 빼십시오.</translation>
+        <translation>더 작은 공구를 쓰거나 짧은 이동을 삭제하십시오.</translation>
     </message>
     <message>
         <source>The tool with a radius of {} mm goes backward in the motion of line {} and gouges; LinuxCNC does not notice.</source>
-        <translation>반경 {} mm인 공구가 {}번 줄의 이송에서 거꾸로 움직여 과절삭합니다. LinuxCNC는 이를 알아채지 못합니다.</translation>
+        <translation>반경 {} mm인 공구가 {}번 줄의 이동에서 거꾸로 움직여 과절삭합니다. LinuxCNC는 이를 알아채지 못합니다.</translation>
     </message>
     <message>
         <source>A stop before this inside corner makes the tool overrun it and gouge.</source>
-        <translation>이 안쪽 코너 앞에 정지가 있어 공구가 지나치게 나아가 과절삭합니다.</translation>
+        <translation>이 안쪽 코너 앞의 정지 때문에 공구가 코너를 지나쳐 과절삭합니다.</translation>
     </message>
     <message>
         <source>Stop elsewhere: the corner is known only when the motion to it is done.</source>
-        <translation>다른 곳에서 정지하십시오. 코너로 가는 이송이 끝난 뒤에야 코너를 알 수 있습니다.</translation>
+        <translation>다른 곳에서 정지하십시오. 코너로 가는 이동이 끝난 뒤에야 코너를 알 수 있습니다.</translation>
     </message>
     <message>
         <source>The first motion after G40 must be straight.</source>
-        <translation>G40 뒤의 첫 이송은 직선이어야 합니다.</translation>
+        <translation>G40 뒤의 첫 이동은 직선이어야 합니다.</translation>
     </message>
     <message>
         <source>Lead out with G0 or G1; the arc is skipped.</source>
-        <translation>G0이나 G1로 빠져나오십시오. 이 원호는 건너뜁니다.</translation>
+        <translation>G0 또는 G1로 빠져나오십시오. 이 원호는 건너뜁니다.</translation>
     </message>
     <message>
         <source>Cutter compensation is still on at the end of the program.</source>
@@ -2849,11 +2849,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>M72 is not alone in its block.</source>
-        <translation>M72와 함께 다른 워드가 있습니다.</translation>
+        <translation>M72가 블록에 단독으로 있지 않습니다.</translation>
     </message>
     <message>
         <source>LinuxCNC ignores the rest of the block after restoring; give M72 a block of its own.</source>
-        <translation>LinuxCNC는 복원 뒤에 오는 것을 버립니다. M72를 별도의 블록에 쓰십시오.</translation>
+        <translation>LinuxCNC는 복원한 뒤 블록의 나머지를 무시합니다. M72를 별도의 블록에 쓰십시오.</translation>
     </message>
     <message>
         <source>G7 makes X a diameter, as on a lathe: LinuxCNC would halve every X.</source>
@@ -2861,7 +2861,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Remove it, or write G8; X is shown as a radius.</source>
-        <translation>지우거나 G8을 쓰십시오. X는 반경으로 표시됩니다.</translation>
+        <translation>삭제하거나 G8을 쓰십시오. X는 반경으로 표시됩니다.</translation>
     </message>
     <message>
         <source>With G96 the spindle follows X; it is taken to turn at its limit D, {} rpm.</source>
@@ -2893,11 +2893,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Remove L, or write L0.</source>
-        <translation>L을 지우거나 L0을 쓰십시오.</translation>
+        <translation>L을 삭제하거나 L0을 쓰십시오.</translation>
     </message>
     <message>
         <source>Input value of M66 unknown; #5399 is assumed to be {}.</source>
-        <translation>M66이 읽는 값은 기계만 압니다. #5399는 {}(으)로 가정합니다.</translation>
+        <translation>M66의 입력값을 알 수 없습니다. #5399는 {}(으)로 가정합니다.</translation>
     </message>
     <message>
         <source>What follows is verified as long as it does not read #5399.</source>
@@ -2909,7 +2909,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Results that depend on it are unverified.</source>
-        <translation>뒤의 내용은 이 값에 좌우될 수 있어 보증할 수 없습니다.</translation>
+        <translation>이 값에 따른 결과는 검증되지 않습니다.</translation>
     </message>
     <message>
         <source>The pitch K must be greater than 0.</source>
@@ -2921,15 +2921,15 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>{} moves in step with the spindle and takes no F.</source>
-        <translation>{}은(는) 주축에 맞추어 움직이므로 F를 받지 않습니다.</translation>
+        <translation>{}은(는) 주축에 동기하여 움직이므로 F를 쓸 수 없습니다.</translation>
     </message>
     <message>
         <source>Remove F; the feed is the pitch K times the speed of the spindle.</source>
-        <translation>F를 지우십시오. 이송은 피치 K에 주축 회전수를 곱한 값입니다.</translation>
+        <translation>F를 삭제하십시오. 이송 속도는 피치 K에 주축 회전수를 곱한 값입니다.</translation>
     </message>
     <message>
         <source>{} moves in step with the spindle, which does not turn.</source>
-        <translation>{}은(는) 주축에 맞추어 움직이지만 주축이 돌지 않습니다.</translation>
+        <translation>{}은(는) 주축에 동기하여 움직이지만 주축이 회전하지 않습니다.</translation>
     </message>
     <message>
         <source>Write S and M3 or M4 in a block before.</source>
@@ -2953,7 +2953,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The position where the probe meets the part is unknown.</source>
-        <translation>프로브가 어디에서 공작물에 닿는지는 기계만 압니다.</translation>
+        <translation>프로브가 공작물에 닿는 위치를 알 수 없습니다.</translation>
     </message>
     <message>
         <source>Write G17 before it.</source>
@@ -2965,7 +2965,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Program I and J; LinuxCNC would use values left by an earlier block.</source>
-        <translation>I와 J를 지정하십시오. LinuxCNC는 앞의 어떤 블록이 남긴 값을 씁니다.</translation>
+        <translation>I와 J를 지령하십시오. 그렇지 않으면 LinuxCNC는 앞 블록이 남긴 값을 씁니다.</translation>
     </message>
     <message>
         <source>The spline needs more than {} straight motions.</source>
@@ -2981,7 +2981,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Add the missing word; the point is ignored.</source>
-        <translation>빠진 워드를 더하십시오. 이 점은 제외됩니다.</translation>
+        <translation>빠진 워드를 추가하십시오. 이 점은 무시됩니다.</translation>
     </message>
     <message>
         <source>A control point needs a weight P greater than 0.</source>
@@ -2989,7 +2989,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Write P1 for an ordinary point; the point is ignored.</source>
-        <translation>보통 점이면 P1을 쓰십시오. 이 점은 제외됩니다.</translation>
+        <translation>보통 점이면 P1을 쓰십시오. 이 점은 무시됩니다.</translation>
     </message>
     <message>
         <source>P without X and Y is the weight of the first control point only.</source>
@@ -3005,7 +3005,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Add points, or lower the order L.</source>
-        <translation>점을 더하거나 차수 L을 낮추십시오.</translation>
+        <translation>점을 추가하거나 차수 L을 낮추십시오.</translation>
     </message>
     <message>
         <source>G5.3 closes a NURBS block, but none is open.</source>
@@ -3017,7 +3017,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>A NURBS block was started by G5.2 but not closed: it makes no motion.</source>
-        <translation>G5.2로 시작한 NURBS 블록이 닫히지 않아, 그 위로는 아무것도 움직이지 않습니다.</translation>
+        <translation>G5.2로 시작한 NURBS 블록이 닫히지 않아 이동이 없습니다.</translation>
     </message>
     <message>
         <source>Write G5.3 after its last control point.</source>
@@ -3057,11 +3057,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>stored stroke check on</source>
-        <translation>저장 스트로크 점검 켜기</translation>
+        <translation>저장 스트로크 체크 켜기</translation>
     </message>
     <message>
         <source>stored stroke check off</source>
-        <translation>저장 스트로크 점검 끄기</translation>
+        <translation>저장 스트로크 체크 끄기</translation>
     </message>
     <message>
         <source>spindle speed watch off</source>
@@ -3089,23 +3089,23 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>lengthen the motion by the offset</source>
-        <translation>이송을 옵셋만큼 늘리기</translation>
+        <translation>이동량을 옵셋만큼 늘리기</translation>
     </message>
     <message>
         <source>shorten the motion by the offset</source>
-        <translation>이송을 옵셋만큼 줄이기</translation>
+        <translation>이동량을 옵셋만큼 줄이기</translation>
     </message>
     <message>
         <source>lengthen the motion by twice the offset</source>
-        <translation>이송을 옵셋의 두 배만큼 늘리기</translation>
+        <translation>이동량을 옵셋의 두 배만큼 늘리기</translation>
     </message>
     <message>
         <source>shorten the motion by twice the offset</source>
-        <translation>이송을 옵셋의 두 배만큼 줄이기</translation>
+        <translation>이동량을 옵셋의 두 배만큼 줄이기</translation>
     </message>
     <message>
         <source>approach from one side</source>
-        <translation>한 방향 위치결정</translation>
+        <translation>한 방향 위치 결정</translation>
     </message>
     <message>
         <source>automatic corner override</source>
@@ -3133,11 +3133,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>boring cycle, stop and manual out</source>
-        <translation>보링 사이클, 정지 후 수동 후퇴</translation>
+        <translation>보링 사이클, 정지 후 수동 복귀</translation>
     </message>
     <message>
         <source>boring cycle with dwell, feed out</source>
-        <translation>드웰 후 이송 후퇴하는 보링 사이클</translation>
+        <translation>보링 사이클, 드웰 후 절삭 이송 복귀</translation>
     </message>
     <message>
         <source>set the work coordinates</source>
@@ -3193,19 +3193,19 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The loop has no matching {}.</source>
-        <translation>반복문에 같은 번호의 {}이(가) 없습니다.</translation>
+        <translation>루프에 짝이 되는 {}이(가) 없습니다.</translation>
     </message>
     <message>
         <source>DO 1 needs END 1 in the same program; loops do not cross each other.</source>
-        <translation>DO 1에는 같은 프로그램의 END 1이 필요하며, 반복문은 서로 엇갈릴 수 없습니다.</translation>
+        <translation>DO 1에는 같은 프로그램의 END 1이 필요하며, 루프는 서로 교차할 수 없습니다.</translation>
     </message>
     <message>
         <source>The value of {} is kept by the machine; it is assumed to be 0.</source>
-        <translation>{}의 값은 기계만 알고 있습니다. 0으로 가정합니다.</translation>
+        <translation>{}의 값은 기계에 저장됩니다. 0으로 가정합니다.</translation>
     </message>
     <message>
         <source>Check the program with other values where a decision depends on it.</source>
-        <translation>판단이 이 값에 따라 달라지면 다른 값으로도 프로그램을 확인하십시오.</translation>
+        <translation>분기가 이 값에 따라 달라지면 다른 값으로도 프로그램을 확인하십시오.</translation>
     </message>
     <message>
         <source>The value of {} depends on the machine that runs the program.</source>
@@ -3213,7 +3213,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>What follows from it is unverified.</source>
-        <translation>이 값에 따른 결과는 검증할 수 없습니다.</translation>
+        <translation>이 값에 따른 결과는 검증되지 않습니다.</translation>
     </message>
     <message>
         <source>The position {} is not known here.</source>
@@ -3221,15 +3221,15 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Position the axis first, or enter a start position in the setup.</source>
-        <translation>먼저 축을 이동하여 위치를 정하거나, 셋업에서 시작 위치를 지정하십시오.</translation>
+        <translation>먼저 축의 위치를 정하거나 셋업에서 시작 위치를 입력하십시오.</translation>
     </message>
     <message>
         <source>The program stops itself with alarm {}.</source>
-        <translation>프로그램이 알람 {}(으)로 스스로 정지합니다.</translation>
+        <translation>프로그램이 알람 {}(으)로 정지합니다.</translation>
     </message>
     <message>
         <source>The comment beside it says why; the program ends here.</source>
-        <translation>이유는 옆의 주석에 있습니다. 그 뒤는 실행되지 않습니다.</translation>
+        <translation>이유는 옆의 주석에 있습니다. 프로그램은 여기서 끝납니다.</translation>
     </message>
     <message>
         <source>Dialect detected: {} (from {}).</source>
@@ -3237,15 +3237,15 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Choose the dialect yourself if that is wrong.</source>
-        <translation>맞지 않으면 제어기를 직접 고르십시오.</translation>
+        <translation>맞지 않으면 제어기 방식을 직접 선택하십시오.</translation>
     </message>
     <message>
         <source>The text before the first &quot;%&quot; is not run.</source>
-        <translation>첫 “%” 앞의 텍스트는 실행되지 않습니다.</translation>
+        <translation>첫 번째 &quot;%&quot; 앞의 텍스트는 실행되지 않습니다.</translation>
     </message>
     <message>
         <source>{} and {} cannot be used in one block; the last one counts.</source>
-        <translation>{}와(과) {}은(는) 한 블록에 함께 쓸 수 없습니다. 마지막 것이 적용됩니다.</translation>
+        <translation>한 블록에서 {}와(과) {}을(를) 함께 쓸 수 없습니다. 마지막 코드가 적용됩니다.</translation>
     </message>
     <message>
         <source>Some controls give an alarm instead; keep one of them.</source>
@@ -3253,19 +3253,19 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Duplicate {} word; the last one counts.</source>
-        <translation>블록에 {} 워드가 두 개 있습니다. 마지막 것이 적용됩니다.</translation>
+        <translation>{} 워드가 중복되었습니다. 마지막 워드가 적용됩니다.</translation>
     </message>
     <message>
         <source>No code of this block uses the word {}; it is ignored.</source>
-        <translation>이 블록의 어떤 코드도 {} 워드를 쓰지 않으므로 무시합니다.</translation>
+        <translation>이 블록에는 {} 워드를 쓰는 코드가 없으므로 무시합니다.</translation>
     </message>
     <message>
         <source>Remove it, or add the code that it belongs to.</source>
-        <translation>삭제하거나, 이 워드를 쓰는 코드를 추가하십시오.</translation>
+        <translation>삭제하거나 이 워드를 쓰는 코드를 추가하십시오.</translation>
     </message>
     <message>
         <source>After G80, {} moves without a motion code, at rapid.</source>
-        <translation>G80 뒤에서 {}축이 이동 코드 없이 급속으로 움직입니다.</translation>
+        <translation>G80 뒤에서 {} 축이 이동 코드 없이 급속 이송으로 움직입니다.</translation>
     </message>
     <message>
         <source>Write G0 or G1 into the block; controls differ here.</source>
@@ -3289,31 +3289,31 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Give F a value above 0.</source>
-        <translation>F에 0보다 큰 값을 주십시오.</translation>
+        <translation>F에 0보다 큰 값을 지정하십시오.</translation>
     </message>
     <message>
         <source>T{} cuts without its own tool length offset.</source>
-        <translation>공구 {}이(가) 자신의 공구 길이 보정 없이 절삭을 시작합니다.</translation>
+        <translation>T{}이(가) 자체 공구 길이 보정 없이 절삭합니다.</translation>
     </message>
     <message>
         <source>Write G43 after the tool change: the offset of the previous tool is still active.</source>
-        <translation>공구 교환 뒤에 G43을 쓰십시오. 아직 이전 공구의 보정이 적용됩니다.</translation>
+        <translation>공구 교환 뒤에 G43을 쓰십시오. 이전 공구의 보정이 아직 유효합니다.</translation>
     </message>
     <message>
         <source>The program cuts before it selects a work offset.</source>
-        <translation>공작물 좌표계를 선택하지 않고 절삭합니다.</translation>
+        <translation>공작물 좌표계를 선택하기 전에 절삭합니다.</translation>
     </message>
     <message>
         <source>Write G54, or the work offset of the part.</source>
-        <translation>G54 또는 공작물을 세팅한 좌표계를 쓰십시오.</translation>
+        <translation>G54 또는 공작물에 맞는 공작물 좌표계를 쓰십시오.</translation>
     </message>
     <message>
         <source>The tool length offset H{} does not match tool {}.</source>
-        <translation>공구 길이 보정 H{}은(는) 공구 {}의 것이 아닙니다.</translation>
+        <translation>공구 길이 보정 H{}이(가) 공구 {}와(과) 맞지 않습니다.</translation>
     </message>
     <message>
         <source>Use the tool number, unless another offset is intended.</source>
-        <translation>의도한 것이 아니라면 공구 번호를 쓰십시오.</translation>
+        <translation>다른 보정을 의도한 것이 아니라면 공구 번호를 쓰십시오.</translation>
     </message>
     <message>
         <source>{} has no D word.</source>
@@ -3321,7 +3321,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Write the offset number: the last one used is active.</source>
-        <translation>보정 번호를 쓰십시오. 마지막에 쓴 번호가 적용됩니다.</translation>
+        <translation>보정 번호를 쓰십시오. 마지막에 쓴 번호가 유효합니다.</translation>
     </message>
     <message>
         <source>Cutter compensation begins on an arc.</source>
@@ -3337,11 +3337,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Keep to one unit; active lengths keep the old one.</source>
-        <translation>한 가지 단위만 쓰십시오. 이미 적용 중인 길이는 이전 단위를 유지합니다.</translation>
+        <translation>한 가지 단위만 쓰십시오. 유효한 길이 값은 이전 단위를 유지합니다.</translation>
     </message>
     <message>
         <source>Still active here: {}.</source>
-        <translation>여기까지 취소되지 않은 코드: {}.</translation>
+        <translation>여기서 아직 유효한 코드: {}.</translation>
     </message>
     <message>
         <source>End it before the tool change and before the end of the program.</source>
@@ -3349,7 +3349,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The tool is changed at Z{}, not above Z{}, where it cut.</source>
-        <translation>Z{}에서 공구를 교환합니다. 절삭 이송을 한 Z{}보다 높지 않습니다.</translation>
+        <translation>Z{}에서 공구를 교환합니다. 절삭한 Z{}보다 높지 않습니다.</translation>
     </message>
     <message>
         <source>Retract first.</source>
@@ -3369,7 +3369,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Program the centre with I, J and K: here the last digit of R moves it far.</source>
-        <translation>중심을 I, J, K로 지정하십시오. 여기서는 R의 마지막 자리 숫자만으로도 중심이 크게 움직입니다.</translation>
+        <translation>중심을 I, J, K로 지령하십시오. 여기서는 R의 마지막 자리 숫자만으로도 중심이 크게 움직입니다.</translation>
     </message>
     <message>
         <source>in its block only</source>
@@ -3377,7 +3377,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>motion</source>
-        <translation>이송</translation>
+        <translation>이동</translation>
     </message>
     <message>
         <source>plane</source>
@@ -3393,7 +3393,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>feed mode</source>
-        <translation>이송 모드</translation>
+        <translation>이송 방식</translation>
     </message>
     <message>
         <source>unit</source>
@@ -3409,7 +3409,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>canned-cycle return</source>
-        <translation>복귀 위치</translation>
+        <translation>고정 사이클 복귀</translation>
     </message>
     <message>
         <source>work offset</source>
@@ -3469,11 +3469,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Repeated lines gave {} messages; interpretation ends here.</source>
-        <translation>반복되는 줄에 대한 메시지가 {}개에 이르러 여기서 해석을 끝냅니다.</translation>
+        <translation>반복된 줄에서 메시지가 {}개 나와 여기서 해석을 끝냅니다.</translation>
     </message>
     <message>
         <source>Correct what is wrong in the loop.</source>
-        <translation>반복문의 오류를 고치십시오.</translation>
+        <translation>루프의 오류를 고치십시오.</translation>
     </message>
     <message>
         <source>engraving of text</source>
@@ -3493,7 +3493,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>boring cycle, dwell, stop and manual out</source>
-        <translation>보링 사이클, 일시 정지 후 수동 복귀</translation>
+        <translation>보링 사이클, 드웰과 정지 후 수동 복귀</translation>
     </message>
     <message>
         <source>limit of the look-ahead</source>
@@ -3517,19 +3517,19 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Contacts shown during the retract are unverified.</source>
-        <translation>나오는 도중에 닿는 것처럼 보이는 부분은 보증할 수 없습니다.</translation>
+        <translation>후퇴 중에 표시되는 접촉은 검증되지 않습니다.</translation>
     </message>
     <message>
         <source>The operator retracts the tool from the hole by hand.</source>
-        <translation>작업자가 수동으로 공구를 구멍에서 빼냅니다.</translation>
+        <translation>작업자가 수동으로 공구를 구멍에서 후퇴시킵니다.</translation>
     </message>
     <message>
         <source>A straight retract is shown; results after this block are unverified.</source>
-        <translation>곧게 빠져나오는 경로로 표시합니다. 그 뒤의 결과는 보증할 수 없습니다.</translation>
+        <translation>직선 후퇴로 표시합니다. 이 블록 뒤의 결과는 검증되지 않습니다.</translation>
     </message>
     <message>
         <source>Back boring feeds up from R, but the depth is not above R.</source>
-        <translation>백 보링은 R에서 위로 진행하지만, 깊이가 R보다 위에 있지 않습니다.</translation>
+        <translation>백 보링은 R점에서 위로 절삭 이송하지만 깊이가 R점보다 위에 있지 않습니다.</translation>
     </message>
     <message>
         <source>Check R and the depth; the cycle bores nothing.</source>
@@ -3537,15 +3537,15 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>{} cannot be used with G99; it returns to the initial level.</source>
-        <translation>{}은(는) G99와 함께 쓸 수 없으며 초기점 높이로 복귀합니다.</translation>
+        <translation>{}은(는) G99와 함께 쓸 수 없으며 초기점으로 복귀합니다.</translation>
     </message>
     <message>
         <source>Write G98 before it.</source>
-        <translation>앞에 G98을 쓰십시오.</translation>
+        <translation>그 앞에 G98을 쓰십시오.</translation>
     </message>
     <message>
         <source>G98 returns to the initial level, which is unknown; a return to R is shown.</source>
-        <translation>G98은 초기점 높이로 복귀하지만 그 높이를 알 수 없어 R로 표시합니다.</translation>
+        <translation>G98은 초기점으로 복귀하지만 초기점을 알 수 없어 R점 복귀로 표시합니다.</translation>
     </message>
     <message>
         <source>Position the axis before the cycle.</source>
@@ -3553,7 +3553,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>{} has no Q: the hole is drilled in one go.</source>
-        <translation>{}에 Q가 없어 구멍을 한 번에 뚫습니다.</translation>
+        <translation>{}에 Q가 없어 구멍을 한 번에 가공합니다.</translation>
     </message>
     <message>
         <source>Newer controls stop with an alarm instead; give the depth of a peck.</source>
@@ -3561,11 +3561,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The spindle is stopped and M29 (rigid tapping) is not active.</source>
-        <translation>주축이 정지해 있고 리지드 탭을 지령하는 M29가 없습니다.</translation>
+        <translation>주축이 정지해 있고 M29(리지드 태핑)가 유효하지 않습니다.</translation>
     </message>
     <message>
         <source>Some machines tap rigidly without M29, as shown here; write M29 before the cycle.</source>
-        <translation>M29 없이도 표시된 것처럼 리지드 탭을 하는 기계가 있습니다. 사이클 앞에 M29를 쓰십시오.</translation>
+        <translation>여기 표시된 것처럼 M29 없이 리지드 태핑을 하는 기계도 있습니다. 사이클 앞에 M29를 쓰십시오.</translation>
     </message>
     <message>
         <source>With 0 repeats the cycle is only stored; the {} of this block is not moved to.</source>
@@ -3573,7 +3573,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Some controls move there; program the position in another block.</source>
-        <translation>그 위치로 이동하는 제어기도 있습니다. 위치는 다른 블록에 지정하십시오.</translation>
+        <translation>그 위치로 이동하는 제어기도 있습니다. 위치는 다른 블록에 지령하십시오.</translation>
     </message>
     <message>
         <source>{} drills with the active canned cycle, but no cycle is active.</source>
@@ -3585,7 +3585,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The first hole of G72 is assumed to be at the current position.</source>
-        <translation>G72의 첫 구멍은 공구의 현재 위치에 있는 것으로 봅니다.</translation>
+        <translation>G72의 첫 구멍은 현재 위치에 있다고 가정합니다.</translation>
     </message>
     <message>
         <source>Check it against the manual of the control.</source>
@@ -3593,7 +3593,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>How the control moves from circle to circle of the pocket is not documented; half circles are shown.</source>
-        <translation>포켓의 원에서 원으로 이동하는 방법은 문서에 없어 반원으로 표시합니다.</translation>
+        <translation>포켓의 원에서 원으로 이동하는 방법은 문서에 없습니다. 반원으로 표시합니다.</translation>
     </message>
     <message>
         <source>The finished pocket is the same.</source>
@@ -3613,7 +3613,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Position the axis before G28 and program it there.</source>
-        <translation>G28 전에 축의 위치를 정하고 G28에 그 축을 지정하십시오.</translation>
+        <translation>G28 전에 축의 위치를 정하고 G28에 그 축을 지령하십시오.</translation>
     </message>
     <message>
         <source>G60 overshoots by a distance set in the machine; it is shown without the overshoot.</source>
@@ -3621,11 +3621,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Make sure that there is room beyond the target.</source>
-        <translation>목표 위치 뒤에 여유 공간이 있는지 확인하십시오.</translation>
+        <translation>목표 위치 너머에 여유 공간이 있는지 확인하십시오.</translation>
     </message>
     <message>
         <source>The skip motion is shown to its end; where a signal stops it is unknown.</source>
-        <translation>스킵 이동은 끝까지 표시합니다. 신호로 정지하는 위치는 기계에서만 알 수 있습니다.</translation>
+        <translation>스킵 이동은 끝까지 표시합니다. 신호로 정지하는 위치는 알 수 없습니다.</translation>
     </message>
     <message>
         <source>The arc has both a centre and a radius; the radius counts.</source>
@@ -3649,15 +3649,15 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Program position</source>
-        <translation>프로그램 좌표의 위치</translation>
+        <translation>프로그램 위치</translation>
     </message>
     <message>
         <source>Work offset</source>
-        <translation>공작물 좌표계의 원점</translation>
+        <translation>공작물 좌표계</translation>
     </message>
     <message>
         <source>Shift by G52 and G92</source>
-        <translation>G52와 G92의 이동량</translation>
+        <translation>G52와 G92의 좌표계 이동</translation>
     </message>
     <message>
         <source>Tool length offset</source>
@@ -3677,7 +3677,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Next tool</source>
-        <translation>다음으로 선택한 공구</translation>
+        <translation>다음 공구</translation>
     </message>
     <message>
         <source>G68 rotates in another plane than that of the arc, which then is in no plane of the machine.</source>
@@ -3685,35 +3685,35 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Keep the plane that was active at G68.</source>
-        <translation>G68을 지령할 때의 평면을 유지하십시오.</translation>
+        <translation>G68에서 유효했던 평면을 유지하십시오.</translation>
     </message>
     <message>
         <source>Different scale factors along the axes of its plane turn this arc into an ellipse.</source>
-        <translation>평면의 두 축에 서로 다른 배율이 적용되어 더 이상 원호가 아닙니다.</translation>
+        <translation>평면의 두 축에 서로 다른 스케일링 배율이 적용되어 이 원호가 타원이 됩니다.</translation>
     </message>
     <message>
         <source>Use one factor for both axes, or let the CAM system output lines.</source>
-        <translation>두 축에 같은 배율을 사용하거나 CAM에서 직선으로 출력하십시오.</translation>
+        <translation>두 축에 같은 배율을 쓰거나 CAM 시스템에서 직선으로 출력하십시오.</translation>
     </message>
     <message>
         <source>The scale factor of {} must not be 0.</source>
-        <translation>{}의 배율은 0일 수 없습니다.</translation>
+        <translation>{}의 스케일링 배율은 0일 수 없습니다.</translation>
     </message>
     <message>
         <source>Check the number; the code has no effect.</source>
-        <translation>숫자를 확인하십시오. 이 코드는 효력이 없습니다.</translation>
+        <translation>숫자를 확인하십시오. 이 코드는 효과가 없습니다.</translation>
     </message>
     <message>
         <source>{} is inside {}: the control needs mirror image, scaling and rotation started in this order and cancelled in the opposite one.</source>
-        <translation>{}이(가) {} 안에 있습니다. 제어기는 미러 이미지, 스케일링, 회전을 이 순서로 시작하고 반대 순서로 끝내도록 요구합니다.</translation>
+        <translation>{}이(가) {} 안에 있습니다. 제어기에서는 미러, 스케일링, 회전을 이 순서로 시작하고 반대 순서로 취소해야 합니다.</translation>
     </message>
     <message>
         <source>Cancel the inner one first.</source>
-        <translation>안쪽 지령을 먼저 끝내십시오.</translation>
+        <translation>안쪽 지령을 먼저 취소하십시오.</translation>
     </message>
     <message>
         <source>The first motion after {} does not program both axes of the rotation; controls differ here.</source>
-        <translation>{} 뒤의 첫 이동이 회전 평면의 두 축을 모두 지령하지 않습니다. 이 경우 제어기마다 동작이 다릅니다.</translation>
+        <translation>{} 뒤의 첫 이동이 회전의 두 축을 모두 지령하지 않습니다. 제어기마다 동작이 다릅니다.</translation>
     </message>
     <message>
         <source>Position both axes in G90 after it.</source>
@@ -3737,7 +3737,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>What depends on these data is unverified.</source>
-        <translation>이 데이터에 따라 달라지는 결과는 보증할 수 없습니다.</translation>
+        <translation>이 데이터에 따른 결과는 검증되지 않습니다.</translation>
     </message>
     <message>
         <source>The offset register {} is not known.</source>
@@ -3749,11 +3749,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>{} changes the tool length without a Z word; some machines move by the difference, others do not.</source>
-        <translation>{}이(가) Z 워드 없이 공구 길이를 바꿉니다. 차이만큼 움직이는 기계도 있고 정지해 있는 기계도 있습니다.</translation>
+        <translation>{}이(가) Z 워드 없이 공구 길이를 바꿉니다. 차이만큼 이동하는 기계도 있고 이동하지 않는 기계도 있습니다.</translation>
     </message>
     <message>
         <source>Position Z in the same block; here Z does not move.</source>
-        <translation>같은 블록에서 Z 위치를 지령하십시오. 여기서는 정지한 것으로 봅니다.</translation>
+        <translation>같은 블록에서 Z의 위치를 지령하십시오. 여기서는 Z가 이동하지 않습니다.</translation>
     </message>
     <message>
         <source>{} suspends cutter compensation on its way.</source>
@@ -3769,11 +3769,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The corner before this motion is not compensated: the tool stops square to the end of the block before it, and continues from there.</source>
-        <translation>이 동작 앞의 모서리는 보정되지 않습니다. 공구는 앞 블록의 끝에서 직각 위치에 있다가 거기서 계속 이동합니다.</translation>
+        <translation>이 이동 앞의 코너는 보정되지 않습니다. 공구는 앞 블록의 끝점에서 직각인 위치에 멈춘 뒤 거기서 계속 이동합니다.</translation>
     </message>
     <message>
         <source>Keep stops, repeated codes and blocks without a motion away from corners.</source>
-        <translation>정지, 반복된 코드, 동작이 없는 블록을 모서리에 두지 마십시오.</translation>
+        <translation>정지, 반복된 코드, 이동이 없는 블록을 코너에 두지 마십시오.</translation>
     </message>
     <message>
         <source>The tool changes side between paths that do not meet.</source>
@@ -3781,11 +3781,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Write G40 before the other side.</source>
-        <translation>반대쪽 보정 앞에 G40을 쓰십시오.</translation>
+        <translation>보정 방향을 바꾸기 전에 G40을 쓰십시오.</translation>
     </message>
     <message>
         <source>The tool with a radius of {} mm goes backward in the motion of line {}; the control leaves out points of the corner before it, or stops (alarm 041).</source>
-        <translation>반경 {} mm의 공구가 {}번 줄의 동작에서 거꾸로 갑니다. 제어기는 그 앞 모서리의 점을 생략하거나 정지합니다(알람 041).</translation>
+        <translation>반경 {} mm인 공구가 {}번 줄의 이동에서 거꾸로 움직입니다. 제어기는 그 앞 코너의 점을 생략하거나 정지합니다(알람 041).</translation>
     </message>
     <message>
         <source>The compensated arc begins {} mm off its circle.</source>
@@ -3793,7 +3793,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Change side, radius or code of compensation before a straight motion.</source>
-        <translation>보정의 방향, 반경, 코드는 직선 동작 앞에서 바꾸십시오.</translation>
+        <translation>보정의 방향, 반경, 코드는 직선 이동 앞에서 바꾸십시오.</translation>
     </message>
     <message>
         <source>Interpretation was stopped before this line; the last one was {}.</source>
@@ -3801,107 +3801,107 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The program is still being read; the lines from here on are missing.</source>
-        <translation>프로그램을 아직 읽는 중입니다. 이 줄부터의 내용은 아직 없습니다.</translation>
+        <translation>프로그램을 아직 읽는 중입니다. 여기부터의 줄은 아직 없습니다.</translation>
     </message>
     <message>
         <source>The control reports error:20 (unsupported command) and skips the block; remove it.</source>
-        <translation>제어기가 error:20(지원하지 않는 명령)으로 답하고 블록을 버립니다. 해당 부분을 빼십시오.</translation>
+        <translation>제어기가 error:20(지원하지 않는 명령)으로 응답하고 블록을 건너뜁니다. 해당 코드를 삭제하십시오.</translation>
     </message>
     <message>
         <source>The control reports error:1 (letter expected) and skips the block; remove the character.</source>
-        <translation>제어기가 error:1(문자가 와야 함)로 답하고 블록을 버립니다. 그 글자를 지우십시오.</translation>
+        <translation>제어기가 error:1(문자가 와야 함)으로 응답하고 블록을 건너뜁니다. 그 글자를 삭제하십시오.</translation>
     </message>
     <message>
         <source>The control reports error:2 (bad number) and skips the block; write the number.</source>
-        <translation>제어기가 error:2(잘못된 숫자)로 답하고 블록을 버립니다. 숫자를 쓰십시오.</translation>
+        <translation>제어기가 error:2(잘못된 숫자)로 응답하고 블록을 건너뜁니다. 숫자를 쓰십시오.</translation>
     </message>
     <message>
         <source>The control reports error:2 (bad number) and skips the block; write one sign.</source>
-        <translation>제어기가 error:2(잘못된 숫자)로 답하고 블록을 버립니다. 부호를 하나만 쓰십시오.</translation>
+        <translation>제어기가 error:2(잘못된 숫자)로 응답하고 블록을 건너뜁니다. 부호를 하나만 쓰십시오.</translation>
     </message>
     <message>
         <source>The control reports error:2 (bad number) and skips the block; keep one point.</source>
-        <translation>제어기가 error:2(잘못된 숫자)로 답하고 블록을 버립니다. 소수점을 하나만 남기십시오.</translation>
+        <translation>제어기가 error:2(잘못된 숫자)로 응답하고 블록을 건너뜁니다. 소수점을 하나만 남기십시오.</translation>
     </message>
     <message>
         <source>The control reports error:1 or error:2 and skips the block; let the CAM system write plain numbers.</source>
-        <translation>제어기가 error:1 또는 error:2로 답하고 블록을 버립니다. CAM 시스템이 일반 숫자를 쓰게 하십시오.</translation>
+        <translation>제어기가 error:1 또는 error:2로 응답하고 블록을 건너뜁니다. CAM 시스템에서 일반 숫자로 출력하십시오.</translation>
     </message>
     <message>
         <source>The control reports error:4 (negative value) and skips the block; correct the number.</source>
-        <translation>제어기가 error:4(음수 값)로 답하고 블록을 버립니다. 숫자를 고치십시오.</translation>
+        <translation>제어기가 error:4(음수 값)으로 응답하고 블록을 건너뜁니다. 숫자를 고치십시오.</translation>
     </message>
     <message>
         <source>The control reports error:21 (two codes of one group) and skips the block; make two blocks.</source>
-        <translation>제어기가 error:21(한 그룹의 코드가 둘)로 답하고 블록을 버립니다. 두 블록으로 나누십시오.</translation>
+        <translation>제어기가 error:21(한 그룹의 코드가 둘)로 응답하고 블록을 건너뜁니다. 두 블록으로 나누십시오.</translation>
     </message>
     <message>
         <source>The control reports error:22 (no feed rate) and skips the block, its motion code too; give F.</source>
-        <translation>제어기가 error:22(이송 속도 없음)로 답하고 이동 코드까지 포함해 블록을 버립니다. F를 지정하십시오.</translation>
+        <translation>제어기가 error:22(이송 속도 없음)으로 응답하고 이동 코드까지 포함해 블록을 건너뜁니다. F를 지정하십시오.</translation>
     </message>
     <message>
         <source>The control reports error:20 or error:23 and skips the block; remove the code.</source>
-        <translation>제어기가 error:20 또는 error:23으로 답하고 블록을 버립니다. 코드를 빼십시오.</translation>
+        <translation>제어기가 error:20 또는 error:23으로 응답하고 블록을 건너뜁니다. 코드를 삭제하십시오.</translation>
     </message>
     <message>
         <source>The control reports error:24 (two codes use the axis words) and skips the block; make two blocks.</source>
-        <translation>제어기가 error:24(두 코드가 축 워드를 사용)로 답하고 블록을 버립니다. 두 블록으로 나누십시오.</translation>
+        <translation>제어기가 error:24(두 코드가 축 워드를 사용)으로 응답하고 블록을 건너뜁니다. 두 블록으로 나누십시오.</translation>
     </message>
     <message>
         <source>The control reports error:25 (repeated word) and skips the block; make two blocks.</source>
-        <translation>제어기가 error:25(워드 반복)로 답하고 블록을 버립니다. 두 블록으로 나누십시오.</translation>
+        <translation>제어기가 error:25(중복된 워드)로 응답하고 블록을 건너뜁니다. 두 블록으로 나누십시오.</translation>
     </message>
     <message>
         <source>The control reports error:26 (no axis words) or error:28 (a word is missing) and skips the block; add the word.</source>
-        <translation>제어기가 error:26(축 워드 없음) 또는 error:28(워드 누락)로 답하고 블록을 버립니다. 워드를 추가하십시오.</translation>
+        <translation>제어기가 error:26(축 워드 없음) 또는 error:28(워드 누락)으로 응답하고 블록을 건너뜁니다. 워드를 추가하십시오.</translation>
     </message>
     <message>
         <source>The control reports error:29 to P of G10, error:38 to T, and skips the block; correct the number.</source>
-        <translation>제어기가 G10의 P에는 error:29, T에는 error:38로 답하고 블록을 버립니다. 숫자를 고치십시오.</translation>
+        <translation>제어기가 G10의 P에는 error:29, T에는 error:38로 응답하고 블록을 건너뜁니다. 숫자를 고치십시오.</translation>
     </message>
     <message>
         <source>The control reports error:30 (G53 needs G0 or G1) and skips the block; write G53 G0 or G53 G1.</source>
-        <translation>제어기가 error:30(G53에는 G0 또는 G1이 필요)으로 답하고 블록을 버립니다. G53 G0 또는 G53 G1을 쓰십시오.</translation>
+        <translation>제어기가 error:30(G53에는 G0 또는 G1이 필요)로 응답하고 블록을 건너뜁니다. G53 G0 또는 G53 G1을 쓰십시오.</translation>
     </message>
     <message>
         <source>The control reports error:31 (axis words without a motion) and skips the block; write G0 or G1.</source>
-        <translation>제어기가 error:31(이동 없는 축 워드)로 답하고 블록을 버립니다. G0 또는 G1을 쓰십시오.</translation>
+        <translation>제어기가 error:31(이동 없는 축 워드)로 응답하고 블록을 건너뜁니다. G0 또는 G1을 쓰십시오.</translation>
     </message>
     <message>
         <source>The control reports error:26 or error:32 and skips the block; write the end point, also of a full circle.</source>
-        <translation>제어기가 error:26 또는 error:32로 답하고 블록을 버립니다. 완전한 원에도 끝점을 쓰십시오.</translation>
+        <translation>제어기가 error:26 또는 error:32로 응답하고 블록을 건너뜁니다. 완전한 원에도 끝점을 쓰십시오.</translation>
     </message>
     <message>
         <source>The control reports error:33 (invalid target): the radii may differ by 0.005 mm, and by 0.1 % up to 0.5 mm; check the centre.</source>
-        <translation>제어기가 error:33(잘못된 목표)으로 답합니다. 반경은 0.005 mm까지, 그리고 0.5 mm 이내에서 0.1 %까지 다를 수 있습니다. 중심을 확인하십시오.</translation>
+        <translation>제어기가 error:33(잘못된 목표)로 응답합니다. 반경은 0.005 mm까지, 그리고 0.5 mm 이내에서 0.1 %까지 다를 수 있습니다. 중심을 확인하십시오.</translation>
     </message>
     <message>
         <source>The control reports error:33 (invalid target) and skips the block; give a full circle its centre.</source>
-        <translation>제어기가 error:33(잘못된 목표)으로 답하고 블록을 버립니다. 완전한 원에는 중심을 지정하십시오.</translation>
+        <translation>제어기가 error:33(잘못된 목표)로 응답하고 블록을 건너뜁니다. 완전한 원에는 중심을 지정하십시오.</translation>
     </message>
     <message>
         <source>The control reports error:33 (invalid target) and skips the block; check the axis words.</source>
-        <translation>제어기가 error:33(잘못된 목표)으로 답하고 블록을 버립니다. 축 워드를 확인하십시오.</translation>
+        <translation>제어기가 error:33(잘못된 목표)로 응답하고 블록을 건너뜁니다. 축 워드를 확인하십시오.</translation>
     </message>
     <message>
         <source>The control reports error:34 (arc radius) and skips the block; check R and the end point.</source>
-        <translation>제어기가 error:34(원호 반경)로 답하고 블록을 버립니다. R과 끝점을 확인하십시오.</translation>
+        <translation>제어기가 error:34(원호 반경)으로 응답하고 블록을 건너뜁니다. R과 끝점을 확인하십시오.</translation>
     </message>
     <message>
         <source>The control reports error:35 (no centre in the plane) and skips the block; give I, J or K of the plane, or R.</source>
-        <translation>제어기가 error:35(평면에 중심 없음)로 답하고 블록을 버립니다. 평면의 I, J, K 또는 R을 지정하십시오.</translation>
+        <translation>제어기가 error:35(평면에 중심 없음)으로 응답하고 블록을 건너뜁니다. 평면의 I, J, K 또는 R을 지정하십시오.</translation>
     </message>
     <message>
         <source>The control reports error:36 (unused words) and skips the block; keep the centre or the radius.</source>
-        <translation>제어기가 error:36(사용되지 않은 워드)으로 답하고 블록을 버립니다. 중심이나 반경 중 하나만 남기십시오.</translation>
+        <translation>제어기가 error:36(사용되지 않은 워드)로 응답하고 블록을 건너뜁니다. 중심이나 반경 중 하나만 남기십시오.</translation>
     </message>
     <message>
         <source>The control reports error:36 (unused words) and skips the block; remove the word.</source>
-        <translation>제어기가 error:36(사용되지 않은 워드)으로 답하고 블록을 버립니다. 워드를 빼십시오.</translation>
+        <translation>제어기가 error:36(사용되지 않은 워드)로 응답하고 블록을 건너뜁니다. 워드를 삭제하십시오.</translation>
     </message>
     <message>
         <source>The control reports error:37 and skips the block; write G43.1 Z… alone.</source>
-        <translation>제어기가 error:37로 답하고 블록을 버립니다. G43.1 Z…만 쓰십시오.</translation>
+        <translation>제어기가 error:37로 응답하고 블록을 건너뜁니다. G43.1 Z…만 쓰십시오.</translation>
     </message>
     <message>
         <source>seek the reference switches</source>
@@ -3913,7 +3913,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>restart the program</source>
-        <translation>프로그램 처음부터 다시 시작</translation>
+        <translation>프로그램 다시 시작</translation>
     </message>
     <message>
         <source>The program has N{} more than once; the jump goes to the one in line {}.</source>
@@ -3921,7 +3921,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Controls search in different directions; give each target a number of its own.</source>
-        <translation>제어기마다 찾는 방향이 다릅니다. 목표마다 고유한 번호를 주십시오.</translation>
+        <translation>제어기마다 찾는 방향이 다릅니다. 점프 대상마다 고유한 번호를 지정하십시오.</translation>
     </message>
     <message>
         <source>{} belongs to no modal group of milling that the manuals name.</source>
@@ -3929,15 +3929,15 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Only the control knows its value; what follows from it is unverified.</source>
-        <translation>그 값은 제어기만 알 수 있으므로 이에 따른 결과는 검증할 수 없습니다.</translation>
+        <translation>그 값은 제어기만 알 수 있으므로 이에 따른 결과는 검증되지 않습니다.</translation>
     </message>
     <message>
         <source>{} is not supported by this control.</source>
-        <translation>{} 코드는 이 제어기의 명령이 아닙니다.</translation>
+        <translation>이 제어기는 {}을(를) 지원하지 않습니다.</translation>
     </message>
     <message>
         <source>The control skips the block, and so does the simulation; remove the code.</source>
-        <translation>제어기가 블록을 버리며 시뮬레이션도 그렇게 합니다. 코드를 빼십시오.</translation>
+        <translation>제어기와 시뮬레이션 모두 블록을 건너뜁니다. 코드를 삭제하십시오.</translation>
     </message>
     <message>
         <source>This control has no word {}.</source>
@@ -3945,15 +3945,15 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The control skips the block, and so does the simulation; remove the word.</source>
-        <translation>제어기가 블록을 버리며 시뮬레이션도 그렇게 합니다. 워드를 빼십시오.</translation>
+        <translation>제어기와 시뮬레이션 모두 블록을 건너뜁니다. 워드를 삭제하십시오.</translation>
     </message>
     <message>
         <source>This control has neither parameters nor expressions.</source>
-        <translation>이 제어기에는 파라미터도 식도 없습니다.</translation>
+        <translation>이 제어기에는 파라미터도 수식도 없습니다.</translation>
     </message>
     <message>
         <source>Let the CAM system write plain numbers.</source>
-        <translation>CAM 시스템이 일반 숫자를 쓰게 하십시오.</translation>
+        <translation>CAM 시스템에서 일반 숫자로 출력하십시오.</translation>
     </message>
     <message>
         <source>The line has {} characters without blanks and comments; the control reads no more than {}.</source>
@@ -3961,7 +3961,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The control reports error:11 and skips the line; split it.</source>
-        <translation>제어기가 error:11로 답하고 줄을 버립니다. 줄을 나누십시오.</translation>
+        <translation>제어기가 error:11로 응답하고 줄을 건너뜁니다. 줄을 나누십시오.</translation>
     </message>
     <message>
         <source>The block number is larger than {}.</source>
@@ -3969,11 +3969,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The control reports error:27 and skips the block; renumber the blocks.</source>
-        <translation>제어기가 error:27로 답하고 블록을 버립니다. 블록 번호를 다시 매기십시오.</translation>
+        <translation>제어기가 error:27로 응답하고 블록을 건너뜁니다. 블록 번호를 다시 매기십시오.</translation>
     </message>
     <message>
         <source>{} is a command to the control itself; it is not simulated.</source>
-        <translation>{} 명령은 제어기 자체에 대한 것이므로 여기서는 실행하지 않습니다.</translation>
+        <translation>{} 명령은 제어기 자체에 대한 것이므로 시뮬레이션하지 않습니다.</translation>
     </message>
     <message>
         <source>It may move axes, change settings or clear offsets; send it apart from the program.</source>
@@ -3981,11 +3981,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The character {} is a real-time command that acts anywhere, even in comments.</source>
-        <translation>{} 문자는 어디에 있든, 주석 안에서도, 제어기에 대한 명령으로 작용합니다.</translation>
+        <translation>{} 문자는 실시간 명령이며 주석 안을 포함해 어디서나 작동합니다.</translation>
     </message>
     <message>
         <source>It may stop the machine or change an override; remove it.</source>
-        <translation>기계를 멈추거나 오버라이드를 바꿀 수 있습니다. 빼십시오.</translation>
+        <translation>기계를 멈추거나 오버라이드를 바꿀 수 있습니다. 삭제하십시오.</translation>
     </message>
     <message>
         <source>The character {} resets the control or stops it in the middle of the program.</source>
@@ -3993,15 +3993,15 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Remove it.</source>
-        <translation>빼십시오.</translation>
+        <translation>삭제하십시오.</translation>
     </message>
     <message>
         <source>This control has no block delete: it runs what follows &quot;/&quot;.</source>
-        <translation>이 제어기에는 블록 건너뛰기가 없어 &quot;/&quot; 뒤의 내용을 실행합니다.</translation>
+        <translation>이 제어기에는 블록 스킵이 없어 &quot;/&quot; 뒤의 내용을 실행합니다.</translation>
     </message>
     <message>
         <source>Remove the blocks that must not run.</source>
-        <translation>실행하지 않을 블록을 빼십시오.</translation>
+        <translation>실행하면 안 되는 블록을 삭제하십시오.</translation>
     </message>
     <message>
         <source>This control does not know &quot;%&quot;.</source>
@@ -4009,7 +4009,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The control reports error:1 unless the sender filters the line; remove it.</source>
-        <translation>전송 프로그램이 그 줄을 빼지 않으면 제어기가 error:1로 답합니다. 줄을 지우십시오.</translation>
+        <translation>전송 프로그램이 그 줄을 걸러 내지 않으면 제어기가 error:1로 응답합니다. 삭제하십시오.</translation>
     </message>
     <message>
         <source>T{} is read, but changes nothing: this control has no tool change.</source>
@@ -4017,7 +4017,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Make one program per tool, or change the tool by hand after M0.</source>
-        <translation>공구마다 프로그램을 따로 만들거나 M0 뒤에서 손으로 교환하십시오.</translation>
+        <translation>공구마다 프로그램을 따로 만들거나 M0 뒤에서 공구를 수동으로 교환하십시오.</translation>
     </message>
     <message>
         <source>This control does not stop at M1.</source>
@@ -4029,19 +4029,19 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>M7 is known only where grbl was built with mist coolant.</source>
-        <translation>M7은 미스트 냉각을 포함해 빌드한 grbl에서만 알려져 있습니다.</translation>
+        <translation>M7은 미스트 절삭유를 포함해 빌드한 grbl에서만 쓸 수 있습니다.</translation>
     </message>
     <message>
         <source>Otherwise grbl reports error:20 and skips the block; give M7 a block of its own.</source>
-        <translation>그렇지 않으면 grbl이 error:20으로 답하고 블록을 버립니다. M7을 별도 블록에 쓰십시오.</translation>
+        <translation>그렇지 않으면 grbl이 error:20으로 응답하고 블록을 건너뜁니다. M7을 별도의 블록에 쓰십시오.</translation>
     </message>
     <message>
         <source>The centre word {} is outside the plane of the arc; the control ignores it.</source>
-        <translation>중심 워드 {}는 원호의 평면 밖에 있어 제어기가 무시합니다.</translation>
+        <translation>중심 워드 {}은(는) 원호의 평면 밖에 있어 제어기가 무시합니다.</translation>
     </message>
     <message>
         <source>The arc has no end point in its plane.</source>
-        <translation>원호가 평면의 축을 끝점으로 지정하지 않습니다.</translation>
+        <translation>원호의 평면에 끝점이 없습니다.</translation>
     </message>
     <message>
         <source>Write the end point, also of a full circle.</source>
@@ -4053,11 +4053,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Write G43.1 Z… in a block of its own.</source>
-        <translation>G43.1 Z…를 별도 블록에 쓰십시오.</translation>
+        <translation>G43.1 Z…를 별도의 블록에 쓰십시오.</translation>
     </message>
     <message>
         <source>This control knows O with a number alone, as the beginning of a subprogram.</source>
-        <translation>이 제어기는 숫자만 붙은 O를 서브프로그램의 시작으로만 압니다.</translation>
+        <translation>이 제어기에서 O는 서브프로그램의 시작으로, 숫자와 함께만 쓸 수 있습니다.</translation>
     </message>
     <message>
         <source>Call it with M98 and end it with M99.</source>
@@ -4065,7 +4065,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>A setting of the control decides whether the dwell of {} is {} s or {} s; it is taken as the first.</source>
-        <translation>{} 정지 시간이 {}초인지 {}초인지는 제어기 설정이 결정합니다. 앞의 값으로 봅니다.</translation>
+        <translation>{}의 드웰 시간이 {}초인지 {}초인지는 제어기 설정에 따라 결정됩니다. 앞의 값으로 가정합니다.</translation>
     </message>
     <message>
         <source>Check on the control whether P counts seconds or milliseconds.</source>
@@ -4073,7 +4073,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The arc fits with its centre from the start point and also from the origin; a setting of the control decides. The start point is assumed.</source>
-        <translation>원호의 중심을 시작점에서 세어도, 원점에서 세어도 맞습니다. 제어기 설정이 결정하며 여기서는 시작점 기준으로 봅니다.</translation>
+        <translation>원호의 중심이 시작점 기준으로도 원점 기준으로도 맞습니다. 제어기 설정에 따라 결정되며 시작점 기준으로 가정합니다.</translation>
     </message>
     <message>
         <source>Write G91.1 or G90.1 at the beginning of the program.</source>
@@ -4081,7 +4081,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Mach3 uses the tool position as the pole of G16, Mach4 the origin; Mach3 is assumed.</source>
-        <translation>G16의 극점으로 Mach3는 공구 위치를, Mach4는 원점을 씁니다. 여기서는 Mach3처럼 봅니다.</translation>
+        <translation>G16의 극점으로 Mach3는 공구 위치를, Mach4는 원점을 씁니다. Mach3로 가정합니다.</translation>
     </message>
     <message>
         <source>Begin the polar coordinates where both are the same: at X0 Y0.</source>
@@ -4089,7 +4089,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Polar coordinates are for G0 and G1 in the XY plane; their effect on {} is not documented.</source>
-        <translation>극좌표는 XY 평면의 G0과 G1을 위한 것이며 그 안에서 {} 코드가 하는 일은 문서에 없습니다.</translation>
+        <translation>극좌표는 XY 평면의 G0과 G1을 위한 것입니다. {}에 대한 효과는 문서에 없습니다.</translation>
     </message>
     <message>
         <source>Write G15 before it.</source>
@@ -4097,7 +4097,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Whether G51 scales the word {} is not documented; it is assumed to.</source>
-        <translation>G51이 {} 워드의 크기를 조정하는지는 문서에 없습니다. 조정하는 것으로 봅니다.</translation>
+        <translation>G51이 {} 워드를 스케일링하는지는 문서에 없습니다. 스케일링한다고 가정합니다.</translation>
     </message>
     <message>
         <source>Write G50 before it, or give the centre of an arc by I and J.</source>
@@ -4121,11 +4121,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>M47 restarts the program, endlessly.</source>
-        <translation>M47은 프로그램을 처음부터 끝없이 다시 시작합니다.</translation>
+        <translation>M47은 프로그램을 끝없이 다시 시작합니다.</translation>
     </message>
     <message>
         <source>{} seeks the reference switches; the axis positions afterwards are unknown.</source>
-        <translation>{} 코드는 원점 스위치를 찾습니다. 그 뒤 축의 위치는 기계만 압니다.</translation>
+        <translation>{} 코드는 원점 스위치를 찾습니다. 그 뒤의 축 위치는 알 수 없습니다.</translation>
     </message>
     <message>
         <source>Position the axes before the next cut.</source>
@@ -4133,15 +4133,15 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>This block is unreachable: line {} always jumps past it.</source>
-        <translation>이 줄에 이르는 길이 없습니다. {}번 줄에서 앞의 블록을 완전히 벗어납니다.</translation>
+        <translation>이 블록에는 도달할 수 없습니다. {}번 줄이 항상 이 블록을 건너뜁니다.</translation>
     </message>
     <message>
         <source>Remove it, or give it the block number or label of a jump.</source>
-        <translation>줄을 지우거나 점프 목표인 블록 번호 또는 레이블을 붙이십시오.</translation>
+        <translation>삭제하거나 점프에 쓰인 블록 번호 또는 레이블을 붙이십시오.</translation>
     </message>
     <message>
         <source>T{} is selected, but the tool table does not have it.</source>
-        <translation>T{} 공구를 선택했지만 공구 표에 없습니다.</translation>
+        <translation>T{}을(를) 선택했지만 공구 테이블에 없습니다.</translation>
     </message>
     <message>
         <source>Add the tool, or correct the number.</source>
@@ -4157,43 +4157,43 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The chamfer or corner radius is not between two straight or circular motions (alarm 051).</source>
-        <translation>모따기 또는 코너 반경의 양쪽에 직선 또는 원호 동작이 없습니다(알람 051).</translation>
+        <translation>모따기 또는 코너 반경이 두 직선 또는 원호 이동 사이에 있지 않습니다(알람 051).</translation>
     </message>
     <message>
         <source>Program G1, G2 or G3 in the plane next; the corner stays sharp.</source>
-        <translation>평면 안의 G1, G2 또는 G3가 뒤따르게 하십시오. 모서리는 그대로 남습니다.</translation>
+        <translation>다음에 평면 안의 G1, G2 또는 G3을 지령하십시오. 코너는 그대로 남습니다.</translation>
     </message>
     <message>
         <source>The chamfer or corner radius of {} mm does not fit between the motions (alarm 055).</source>
-        <translation>{} mm의 모따기 또는 코너 반경이 동작 사이에 들어가지 않습니다(알람 055).</translation>
+        <translation>{} mm의 모따기 또는 코너 반경이 이동 사이에 들어가지 않습니다(알람 055).</translation>
     </message>
     <message>
         <source>Use a smaller one; the corner stays sharp.</source>
-        <translation>더 작은 값을 쓰십시오. 모서리는 그대로 남습니다.</translation>
+        <translation>더 작은 값을 쓰십시오. 코너는 그대로 남습니다.</translation>
     </message>
     <message>
         <source>A chamfer or corner radius needs motions in one plane on both sides.</source>
-        <translation>모따기와 코너 반경은 한 평면 안의 동작 사이에만 쓸 수 있습니다.</translation>
+        <translation>모따기 또는 코너 반경의 양쪽에는 한 평면 안의 이동이 필요합니다.</translation>
     </message>
     <message>
         <source>Move along the third axis in another block; the corner stays sharp.</source>
-        <translation>셋째 축은 다른 블록에서 움직이십시오. 모서리는 그대로 남습니다.</translation>
+        <translation>제3축은 다른 블록에서 움직이십시오. 코너는 그대로 남습니다.</translation>
     </message>
     <message>
         <source>The manuals do not say how a chamfer is measured along an arc; here it is the straight distance from the corner.</source>
-        <translation>원호에서 모따기를 어떻게 재는지는 설명서에 없습니다. 여기서는 모서리로부터의 직선 거리입니다.</translation>
+        <translation>원호에서 모따기를 어떻게 재는지는 설명서에 없습니다. 여기서는 코너로부터의 직선 거리입니다.</translation>
     </message>
     <message>
         <source>Write the motions out.</source>
-        <translation>동작을 직접 풀어 쓰십시오.</translation>
+        <translation>이동을 직접 풀어 쓰십시오.</translation>
     </message>
     <message>
         <source>#5061 to #5063 hold that end. With a stock and a cutter for its tool it stops at the stock.</source>
-        <translation>#5061에서 #5063까지는 이 끝점을 가집니다. 소재와 그 공구의 커터가 정의되어 있으면 소재에서 멈춥니다.</translation>
+        <translation>#5061에서 #5063까지는 이 끝점의 값입니다. 소재와 그 공구의 커터가 정의되어 있으면 소재에서 멈춥니다.</translation>
     </message>
     <message>
         <source>It is assumed to move to its programmed end; #5061 to #5069 hold that, #5070 is 0. With a stock and a cutter for its tool it stops at the stock.</source>
-        <translation>프로그램된 끝점까지 간다고 가정합니다. #5061에서 #5069까지 그 값을 가지며 #5070은 0입니다. 소재와 그 공구의 커터가 정의되어 있으면 소재에서 멈춥니다.</translation>
+        <translation>프로그램된 끝점까지 이동한다고 가정합니다. #5061에서 #5069까지는 그 값이고 #5070은 0입니다. 소재와 그 공구의 커터가 정의되어 있으면 소재에서 멈춥니다.</translation>
     </message>
     <message>
         <source>The probe is assumed to stop at X{} Y{} Z{} mm, where it touches the simulated stock.</source>
@@ -4201,7 +4201,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>On the machine the part decides; results are verified as long as the program does not continue from there or read the result.</source>
-        <translation>기계에서는 공작물이 결정합니다. 그 위치에서 이어 가거나 결과를 읽지 않는 한 이후 내용은 검증됩니다.</translation>
+        <translation>기계에서는 공작물이 결정합니다. 프로그램이 그 위치에서 이어 가거나 결과를 읽지 않는 한 결과는 검증됩니다.</translation>
     </message>
     <message>
         <source>The probe is assumed to stop at X{} Y{} Z{} mm, where it leaves the simulated stock.</source>
@@ -4209,11 +4209,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>This line uses a probing result, which is assumed from the simulated stock.</source>
-        <translation>이 줄은 프로빙 동작이 찾은 값을 사용하며, 그 값은 시뮬레이션된 소재로부터 가정한 것입니다.</translation>
+        <translation>이 줄은 프로빙 결과를 사용하며, 그 값은 시뮬레이션된 소재에서 가정한 것입니다.</translation>
     </message>
     <message>
         <source>Results are shown for that stop; on another part they are unverified.</source>
-        <translation>이후 내용은 그 값에 대해 표시됩니다. 다른 공작물에서는 보장할 수 없습니다.</translation>
+        <translation>결과는 그 정지 위치에 대해 표시됩니다. 다른 공작물에서는 검증되지 않습니다.</translation>
     </message>
     <message>
         <source>{} reaches its end without touching the simulated stock; the control stops there.</source>
@@ -4237,7 +4237,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Retract before it; the motion is skipped.</source>
-        <translation>그 전에 후퇴하십시오. 이 동작은 건너뜁니다.</translation>
+        <translation>그 전에 후퇴하십시오. 이 이동은 건너뜁니다.</translation>
     </message>
     <message>
         <source>{} begins where the probe touches nothing of the simulated stock; the control stops there.</source>
@@ -4245,7 +4245,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Touch the part before it; the motion is skipped.</source>
-        <translation>그 전에 공작물에 닿게 하십시오. 이 동작은 건너뜁니다.</translation>
+        <translation>그 전에 공작물에 닿게 하십시오. 이 이동은 건너뜁니다.</translation>
     </message>
     <message>
         <source>parameter</source>
@@ -4253,23 +4253,23 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The block after the chamfer or corner radius has no G1, G2 or G3 (alarm 052, on newer controls 051).</source>
-        <translation>모따기 또는 코너 반경 다음 블록에 G1, G2, G3가 없습니다(알람 052, 새 제어기에서는 051).</translation>
+        <translation>모따기 또는 코너 반경 다음 블록에 G1, G2, G3이 없습니다(알람 052, 새 제어기에서는 051).</translation>
     </message>
     <message>
         <source>Only one dwell, in a block of its own, is allowed between them; the corner stays sharp.</source>
-        <translation>그 사이에는 단독 블록의 드웰 하나만 올 수 있습니다. 모서리는 그대로 남습니다.</translation>
+        <translation>그 사이에는 단독 블록의 드웰 하나만 허용됩니다. 코너는 그대로 남습니다.</translation>
     </message>
     <message>
         <source>The block has both a chamfer and a corner radius (alarm 053).</source>
-        <translation>블록이 모따기와 코너 반경을 함께 지령합니다(알람 053).</translation>
+        <translation>블록에 모따기와 코너 반경이 모두 있습니다(알람 053).</translation>
     </message>
     <message>
         <source>Keep one of them; the corner stays sharp.</source>
-        <translation>하나만 남기십시오. 모서리는 그대로 남습니다.</translation>
+        <translation>하나만 남기십시오. 코너는 그대로 남습니다.</translation>
     </message>
     <message>
         <source>Expected C or R after the comma (alarm 053).</source>
-        <translation>쉼표 뒤에 C도 R도 없습니다(알람 053).</translation>
+        <translation>쉼표 뒤에 C 또는 R이 와야 합니다(알람 053).</translation>
     </message>
     <message>
         <source>Write ,C for a chamfer and ,R for a corner radius.</source>
@@ -4281,7 +4281,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Write it without a sign; the corner stays sharp.</source>
-        <translation>부호 없이 쓰십시오. 모서리는 그대로 남습니다.</translation>
+        <translation>부호 없이 쓰십시오. 코너는 그대로 남습니다.</translation>
     </message>
     <message>
         <source>The manuals do not say whether G51 also scales chamfers and corner radii; here it does not.</source>
@@ -4289,7 +4289,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>A setting of the control decides whether G68 with G91 adds its angle to the active one (Fanuc: parameter 5400#0, Haas: setting 73); here the angle is {} degrees.</source>
-        <translation>G91에서 G68이 각도를 현재 각도에 더하는지는 제어기의 설정에 달려 있습니다(Fanuc: 파라미터 5400#0, Haas: 세팅 73). 여기서 각도는 {}도입니다.</translation>
+        <translation>G91에서 G68이 각도를 유효한 각도에 더하는지는 제어기 설정에 따라 결정됩니다(Fanuc: 파라미터 5400#0, Haas: 세팅 73). 여기서 각도는 {}도입니다.</translation>
     </message>
     <message>
         <source>Write G90 before G68, or G69 between them.</source>
@@ -4297,7 +4297,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>{} is not allowed while a canned cycle is active (alarm 044).</source>
-        <translation>{}이(가) 고정 사이클 안에 있습니다(알람 044).</translation>
+        <translation>고정 사이클이 유효한 동안에는 {}을(를) 쓸 수 없습니다(알람 044).</translation>
     </message>
     <message>
         <source>End the cycle with G80 before it.</source>
@@ -4305,11 +4305,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>A chamfer or corner radius is not allowed where cutter compensation starts, ends or changes side (alarm 039).</source>
-        <translation>공구경 보정이 시작되거나 끝나거나 방향을 바꾸는 곳에 모따기 또는 코너 반경이 있습니다(알람 039).</translation>
+        <translation>공구경 보정이 시작되거나 끝나거나 방향이 바뀌는 곳에는 모따기 또는 코너 반경을 쓸 수 없습니다(알람 039).</translation>
     </message>
     <message>
         <source>Put it between other motions; the corner stays sharp.</source>
-        <translation>다른 동작 사이에 두십시오. 모서리는 그대로 남습니다.</translation>
+        <translation>다른 이동 사이에 두십시오. 코너는 그대로 남습니다.</translation>
     </message>
     <message>
         <source>Reading the file was cancelled.</source>
@@ -4329,15 +4329,15 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>More than five brackets are nested; the control gives alarm 118.</source>
-        <translation>괄호가 다섯 겹을 넘습니다. 제어기는 알람 118을 냅니다.</translation>
+        <translation>괄호가 다섯 단계보다 깊게 중첩되어 있습니다. 제어기는 알람 118을 냅니다.</translation>
     </message>
     <message>
         <source>The centre of {} is the current position, which is unknown for {}.</source>
-        <translation>{}의 중심은 공구가 있는 위치인데, {} 축은 그 위치를 알 수 없습니다.</translation>
+        <translation>{}의 중심은 현재 위치이지만 {}의 현재 위치를 알 수 없습니다.</translation>
     </message>
     <message>
         <source>Program the centre, or position the tool first.</source>
-        <translation>중심을 적거나 먼저 공구를 위치 결정하십시오.</translation>
+        <translation>중심을 지령하거나 먼저 공구의 위치를 정하십시오.</translation>
     </message>
     <message>
         <source>The profile at character {} has no width.</source>
@@ -4345,7 +4345,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The profile continues at character {} after {} points; it may have no more.</source>
-        <translation>{}번째 문자에서 프로파일이 점 {}개를 넘습니다. 더 이상은 허용되지 않습니다.</translation>
+        <translation>{}번째 문자에서 프로파일이 점 {}개를 넘어 이어집니다. 그보다 많이 가질 수 없습니다.</translation>
     </message>
     <message>
         <source>At character {} the profile turns back towards the axis.</source>
@@ -4409,11 +4409,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>A cutter of the shape {} needs the key {} ({}), e.g. {}.</source>
-        <translation>형상 {}의 공구에는 키 {}({})가 필요합니다. 예: {}.</translation>
+        <translation>{} 형상의 커터에는 키 {}({})이(가) 필요합니다. 예: {}.</translation>
     </message>
     <message>
         <source>The corner radius r={} does not fit; {} mm is the largest.</source>
-        <translation>코너 반경 r={}은(는) 맞지 않습니다. 최댓값은 {} mm입니다.</translation>
+        <translation>코너 반경 r={}이(가) 맞지 않습니다. 최댓값은 {} mm입니다.</translation>
     </message>
     <message>
         <source>Angle of each side</source>
@@ -4533,7 +4533,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The neck of the cutter passes through {} mm of stock above its head.</source>
-        <translation>공구의 목이 머리 위쪽 소재 {} mm를 지나갑니다.</translation>
+        <translation>커터의 목이 머리 위쪽 소재 {} mm를 지나갑니다.</translation>
     </message>
     <message>
         <source>Cut a slot for the neck first, or choose a tool with a thinner neck.</source>
@@ -4541,11 +4541,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Above the head of the cutter {} mm³ of stock remain, which the z-map shows as removed; the layer is highest at X{} Y{} Z{}.</source>
-        <translation>공구 머리 위에 소재 {} mm³가 남지만 Z맵에는 제거된 것으로 표시됩니다. 남은 층은 X{} Y{} Z{}에서 가장 높습니다.</translation>
+        <translation>커터 머리 위에 소재 {} mm³가 남지만 Z맵에는 제거된 것으로 표시됩니다. 남은 층은 X{} Y{} Z{}에서 가장 높습니다.</translation>
     </message>
     <message>
         <source>Check by other means what is cut there from here on.</source>
-        <translation>이후 그곳에서 이루어지는 가공은 다른 방법으로 확인하십시오.</translation>
+        <translation>여기부터 그곳의 절삭은 다른 방법으로 확인하십시오.</translation>
     </message>
     <message>
         <source>Proveout stock</source>
@@ -4553,11 +4553,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>the stock left by a setup</source>
-        <translation>한 셋업이 소재에서 남긴 것</translation>
+        <translation>한 셋업이 남긴 소재</translation>
     </message>
     <message>
         <source>This line is not a point: X, Y and, for an arc, its bulge.</source>
-        <translation>이 줄은 점이 아닙니다: X, Y, 그리고 필요하면 원호의 벌지.</translation>
+        <translation>이 줄은 점이 아닙니다. X, Y, 그리고 원호라면 벌지가 있어야 합니다.</translation>
     </message>
     <message>
         <source>The loop that ends here has only one point.</source>
@@ -4569,7 +4569,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>“{}” is not a key of this stock shape; there are {}.</source>
-        <translation>“{}”은(는) 이 소재 형상의 키가 아닙니다. 있는 키: {}.</translation>
+        <translation>“{}”은(는) 이 소재 형상의 키가 아닙니다. 사용할 수 있는 키: {}.</translation>
     </message>
     <message>
         <source>{}={} is not a length above {} and at most {} mm.</source>
@@ -4577,7 +4577,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>{}={} is not one of {}.</source>
-        <translation>{}={}은(는) {} 가운데 하나가 아닙니다.</translation>
+        <translation>{}={}은(는) 다음 중 하나가 아닙니다: {}.</translation>
     </message>
     <message>
         <source>The key {} must name a file.</source>
@@ -4585,15 +4585,15 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>A stock of the shape {} needs the key {}, as in {}.</source>
-        <translation>형상이 {}인 소재에는 키 {}이(가) 필요합니다. 예: {}.</translation>
+        <translation>{} 형상의 소재에는 키 {}이(가) 필요합니다. 예: {}.</translation>
     </message>
     <message>
         <source>“{}” is not a stock shape; there are {}.</source>
-        <translation>“{}”은(는) 소재 형상이 아닙니다. 있는 형상: {}.</translation>
+        <translation>“{}”은(는) 소재 형상이 아닙니다. 사용할 수 있는 형상: {}.</translation>
     </message>
     <message>
         <source>The saved stock is cut off or damaged: {} in it cannot be read whole.</source>
-        <translation>저장된 소재가 잘렸거나 손상되었습니다: 그 안의 {}을(를) 끝까지 읽을 수 없습니다.</translation>
+        <translation>저장된 소재가 잘렸거나 손상되었습니다. 그 안의 {}을(를) 끝까지 읽을 수 없습니다.</translation>
     </message>
     <message>
         <source>This is not a stock that Proveout has saved.</source>
@@ -4605,7 +4605,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The saved stock specifies {} × {} points, but its size and spacing give {} × {}.</source>
-        <translation>저장된 소재는 {} × {}개의 점을 말하지만, 크기와 간격으로는 {} × {}개가 됩니다.</translation>
+        <translation>저장된 소재에는 점이 {} × {}개로 지정되어 있지만 크기와 격자 간격으로는 {} × {}개입니다.</translation>
     </message>
     <message>
         <source>The heights of the saved stock are not {} × {} numbers of float32.</source>
@@ -4613,7 +4613,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Row {}, column {} of the saved stock is not a height within it.</source>
-        <translation>저장된 소재의 {}행 {}열은 그 안의 높이가 아닙니다.</translation>
+        <translation>저장된 소재의 {}행 {}열은 소재 안의 높이가 아닙니다.</translation>
     </message>
     <message>
         <source>Height Z</source>
@@ -4649,7 +4649,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>A text file with one point X Y per line, and a third number for an arc to the next point: the tangent of a quarter of its angle. An empty line begins another loop.</source>
-        <translation>한 줄에 점 X Y가 하나씩 있는 텍스트입니다. 세 번째 수는 다음 점까지의 원호로, 그 각도의 4분의 1의 탄젠트입니다. 빈 줄은 다른 윤곽을 시작합니다.</translation>
+        <translation>한 줄에 점 X Y가 하나씩 있는 텍스트 파일입니다. 세 번째 수는 다음 점까지의 원호를 나타내며, 원호 각도의 4분의 1의 탄젠트입니다. 빈 줄은 다른 윤곽을 시작합니다.</translation>
     </message>
     <message>
         <source>Mesh</source>
@@ -4693,7 +4693,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The stock left by an earlier setup, as saved by File, Save Stock.</source>
-        <translation>이전 셋업이 남긴 것으로, 파일 메뉴의 소재 저장으로 저장한 것입니다.</translation>
+        <translation>이전 셋업이 남긴 소재로, 파일 메뉴의 소재 저장으로 저장한 것입니다.</translation>
     </message>
     <message>
         <source>Flipped</source>
@@ -4745,15 +4745,15 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The stock left by an earlier setup, also flipped or turned.</source>
-        <translation>이전 셋업이 남긴 것으로, 뒤집거나 돌릴 수도 있습니다.</translation>
+        <translation>이전 셋업이 남긴 소재로, 뒤집거나 돌릴 수도 있습니다.</translation>
     </message>
     <message>
         <source>This is not a ZIP archive, or one that cannot be read.</source>
-        <translation>ZIP 보관 파일이 아니거나 읽을 수 없습니다.</translation>
+        <translation>ZIP 압축 파일이 아니거나 읽을 수 없습니다.</translation>
     </message>
     <message>
         <source>The outline has a point beyond {} mm, or an arc that is nearly a full circle.</source>
-        <translation>윤곽에 {} mm를 넘는 점이나 거의 온전한 원인 원호가 있습니다.</translation>
+        <translation>윤곽에 {} mm를 넘는 점이나 거의 완전한 원인 원호가 있습니다.</translation>
     </message>
     <message>
         <source>The outline crosses itself near X{} Y{}.</source>
@@ -4765,11 +4765,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The mesh of the stock is not closed: at {} of {} grid points the material is unknown.</source>
-        <translation>소재의 메시가 닫혀 있지 않습니다. 격자점 {1}개 (전체 {2}개) 위에서 무엇이 재료인지 알 수 없습니다.</translation>
+        <translation>소재의 메시가 닫혀 있지 않습니다. 격자점 {2}개 중 {1}개에서 재료를 알 수 없습니다.</translation>
     </message>
     <message>
         <source>Export the stock as a closed solid.</source>
-        <translation>소재를 닫힌 입체로 내보내십시오.</translation>
+        <translation>소재를 닫힌 솔리드로 내보내십시오.</translation>
     </message>
     <message>
         <source>The mesh of the stock reaches beyond {} mm.</source>
@@ -4785,11 +4785,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The saved stock has a spacing of {} × {} mm and is resampled to {} × {} mm: never lower at its points, between them up to one spacing wider.</source>
-        <translation>저장된 소재의 점 간격은 {} × {} mm이고 {} × {} mm로 옮겨집니다. 어느 점에서도 더 낮아지지 않으며, 그 사이는 최대 한 간격만큼 넓어집니다.</translation>
+        <translation>저장된 소재의 격자 간격은 {} × {} mm이며 {} × {} mm로 재샘플링됩니다. 점에서는 낮아지지 않으며 그 사이는 최대 한 간격만큼 넓어집니다.</translation>
     </message>
     <message>
         <source>Use the spacing of the saved stock, or a whole fraction of it, to avoid resampling.</source>
-        <translation>저장된 소재의 간격이나 그 정수분의 1을 쓰면 아무것도 바뀌지 않습니다.</translation>
+        <translation>재샘플링을 피하려면 저장된 소재의 격자 간격이나 그 정수분의 1을 쓰십시오.</translation>
     </message>
     <message>
         <source>No stock is left in the saved stock.</source>
@@ -4797,11 +4797,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Below the surface of the stock there are {} mm³ of air, which the z-map shows as material; the tallest gap, {} mm, starts at X{} Y{} Z{}.</source>
-        <translation>소재의 표면 아래에 {} mm³의 빈 공간이 있으나 Z맵은 이를 재료로 보입니다. 가장 높은 틈({} mm)은 X{} Y{} Z{}에서 시작합니다.</translation>
+        <translation>소재의 표면 아래에 {} mm³의 빈 공간이 있지만 Z맵에는 재료로 표시됩니다. 가장 높은 틈({} mm)은 X{} Y{} Z{}에서 시작합니다.</translation>
     </message>
     <message>
         <source>Check the program over such gaps by other means.</source>
-        <translation>이런 틈 위에서 프로그램이 하는 일은 다른 방법으로 확인하십시오.</translation>
+        <translation>이런 틈 위의 프로그램은 다른 방법으로 확인하십시오.</translation>
     </message>
     <message>
         <source>There is not enough memory for the stock.</source>
@@ -4817,7 +4817,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Stopped before line {}.</source>
-        <translation>{}줄 앞에서 멈췄습니다.</translation>
+        <translation>{}번 줄 앞에서 멈췄습니다.</translation>
     </message>
     <message>
         <source>Tool change</source>
@@ -4837,11 +4837,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Stop at M0, M1 or M60.</source>
-        <translation>프로그램이 M0, M1, M60으로 멈추는 곳에서 멈춥니다.</translation>
+        <translation>M0, M1 또는 M60에서 멈춥니다.</translation>
     </message>
     <message>
         <source>Program stop (M0/M1).</source>
-        <translation>프로그램 정지에서 멈췄습니다.</translation>
+        <translation>프로그램 정지(M0/M1).</translation>
     </message>
     <message>
         <source>Z below</source>
@@ -4849,7 +4849,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Stop before a block that goes below a height.</source>
-        <translation>어떤 높이 아래로 내려가는 블록 앞에서 멈춥니다.</translation>
+        <translation>지정한 높이 아래로 내려가는 블록 앞에서 멈춥니다.</translation>
     </message>
     <message>
         <source>Stopped before going below Z {}.</source>
@@ -4861,23 +4861,23 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Stop after the first block of each tool that removes material.</source>
-        <translation>공구마다 소재를 처음 깎은 블록 뒤에서 멈춥니다.</translation>
+        <translation>공구마다 소재를 처음 제거한 블록 뒤에서 멈춥니다.</translation>
     </message>
     <message>
         <source>Stopped after the first contact of the tool.</source>
-        <translation>공구의 첫 접촉 뒤에 멈췄습니다.</translation>
+        <translation>공구의 첫 접촉 뒤에서 멈췄습니다.</translation>
     </message>
     <message>
         <source>On fault</source>
-        <translation>모든 결함</translation>
+        <translation>가공 결함 시</translation>
     </message>
     <message>
         <source>Stop after a block with a fault.</source>
-        <translation>시뮬레이션이 문제를 찾은 블록 뒤에서 멈춥니다.</translation>
+        <translation>가공 결함이 있는 블록 뒤에서 멈춥니다.</translation>
     </message>
     <message>
         <source>Stopped after a block with a fault.</source>
-        <translation>문제가 있는 블록 뒤에 멈췄습니다.</translation>
+        <translation>가공 결함이 있는 블록 뒤에서 멈췄습니다.</translation>
     </message>
     <message>
         <source>Condition</source>
@@ -4885,27 +4885,27 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Stop before a block where a condition becomes true.</source>
-        <translation>조건이 성립하기 시작하는 블록 앞에서 멈춥니다.</translation>
+        <translation>조건이 성립하게 되는 블록 앞에서 멈춥니다.</translation>
     </message>
     <message>
         <source>Breakpoint: {}.</source>
-        <translation>다음에 {} 조건이 성립하므로 멈췄습니다.</translation>
+        <translation>중단점: {}.</translation>
     </message>
     <message>
         <source>position X at the end of the motion, mm</source>
-        <translation>동작 끝의 X 위치, mm</translation>
+        <translation>이동 끝의 X 위치, mm</translation>
     </message>
     <message>
         <source>position Y at the end of the motion, mm</source>
-        <translation>동작 끝의 Y 위치, mm</translation>
+        <translation>이동 끝의 Y 위치, mm</translation>
     </message>
     <message>
         <source>position Z at the end of the motion, mm</source>
-        <translation>동작 끝의 Z 위치, mm</translation>
+        <translation>이동 끝의 Z 위치, mm</translation>
     </message>
     <message>
         <source>feed, mm/min; 0 at rapid</source>
-        <translation>이송, mm/min. 급속 이송은 0</translation>
+        <translation>이송 속도, mm/min. 급속 이송은 0</translation>
     </message>
     <message>
         <source>spindle speed, rpm</source>
@@ -4941,7 +4941,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Column {}: the parentheses are nested too deeply.</source>
-        <translation>{}열: 괄호가 너무 깊이 겹쳐 있습니다.</translation>
+        <translation>{}열: 괄호가 너무 깊게 중첩되어 있습니다.</translation>
     </message>
     <message>
         <source>A condition has {} characters at most.</source>
@@ -4957,15 +4957,15 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Rapid traverse X/Y</source>
-        <translation>급속 X, Y</translation>
+        <translation>급속 이송 X/Y</translation>
     </message>
     <message>
         <source>Speed of X and of Y at rapid.</source>
-        <translation>X와 Y 각 축의 급속 이송 속도입니다.</translation>
+        <translation>X축과 Y축 각각의 급속 이송 속도입니다.</translation>
     </message>
     <message>
         <source>Rapid traverse Z</source>
-        <translation>급속 Z</translation>
+        <translation>급속 이송 Z</translation>
     </message>
     <message>
         <source>Speed of Z at rapid.</source>
@@ -4973,11 +4973,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Maximum feed rate</source>
-        <translation>최대 이송</translation>
+        <translation>최대 이송 속도</translation>
     </message>
     <message>
         <source>The machine limits the feed rate to this, whatever F says.</source>
-        <translation>F 값과 관계없이 기계는 이보다 빠르게 이송하지 않습니다.</translation>
+        <translation>F 값과 관계없이 기계는 이송 속도를 이 값으로 제한합니다.</translation>
     </message>
     <message>
         <source>Acceleration X, Y</source>
@@ -4985,7 +4985,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Acceleration of X and of Y.</source>
-        <translation>X와 Y 각 축이 가속하고 감속하는 정도입니다.</translation>
+        <translation>X축과 Y축 각각의 가속도입니다.</translation>
     </message>
     <message>
         <source>Acceleration Z</source>
@@ -4993,19 +4993,19 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Acceleration of Z.</source>
-        <translation>Z축이 가속하고 감속하는 정도입니다.</translation>
+        <translation>Z축의 가속도입니다.</translation>
     </message>
     <message>
         <source>Cornering tolerance</source>
-        <translation>모서리 편차</translation>
+        <translation>코너 공차</translation>
     </message>
     <message>
         <source>Largest deviation of a rounded corner; 0: exact stop at each corner.</source>
-        <translation>모서리에서 경로를 둥글게 해도 되는 거리. 0: 모서리마다 멈춥니다.</translation>
+        <translation>둥글린 코너의 최대 편차입니다. 0: 코너마다 정위치 정지.</translation>
     </message>
     <message>
         <source>Tool change time, chip to chip.</source>
-        <translation>절삭에서 다음 절삭까지의 시간입니다.</translation>
+        <translation>공구 교환 시간(칩 투 칩)입니다.</translation>
     </message>
     <message>
         <source>There is not enough memory for the detail region.</source>
@@ -5293,7 +5293,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Post-process it for LinuxCNC, Fanuc, Haas, grbl or Mach3 / Mach4; if it is one of these after all, choose the dialect.</source>
-        <translation>LinuxCNC, Fanuc, Haas, grbl 또는 Mach3 / Mach4용으로 포스트 처리하십시오. 실제로 이 중 하나라면 제어기 방식을 고르십시오.</translation>
+        <translation>LinuxCNC, Fanuc, Haas, grbl 또는 Mach3 / Mach4용으로 포스트 처리하십시오. 실제로 이 중 하나라면 제어기 방식을 선택하십시오.</translation>
     </message>
     <message>
         <source>This is {} (line {}: {}), not an NC program.</source>
@@ -5301,7 +5301,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Open the program that the machine would run; if this is it, choose its dialect.</source>
-        <translation>기계에서 실행할 프로그램을 여십시오. 이것이 그 프로그램이라면 제어기 방식을 고르십시오.</translation>
+        <translation>기계에서 실행할 프로그램을 여십시오. 이것이 그 프로그램이라면 제어기 방식을 선택하십시오.</translation>
     </message>
     <message>
         <source>If it moves no axis (a clamp, a door, air), add it to the ignored M codes of the setup; until then, results after this block are unverified.</source>
@@ -5313,7 +5313,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The machine builder defines M codes; check this one where it matters.</source>
-        <translation>M 코드의 의미는 기계 제조사가 정합니다. 중요한 곳에서는 확인하십시오.</translation>
+        <translation>M 코드의 의미는 기계 제조사가 정합니다. 이 코드가 중요한 곳에서는 확인하십시오.</translation>
     </message>
     <message>
         <source>{} is ignored because the setup lists it ({}×, line {}).</source>
@@ -5337,7 +5337,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Write $0, or leave the word out; this block is skipped.</source>
-        <translation>$0을 쓰거나 워드를 빼십시오. 이 블록은 건너뜁니다.</translation>
+        <translation>$0을 쓰거나 워드를 삭제하십시오. 이 블록은 건너뜁니다.</translation>
     </message>
     <message>
         <source>Writing #5220 selects no work offset.</source>
@@ -5353,31 +5353,31 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Write two blocks; the offset in force is kept.</source>
-        <translation>두 블록으로 나누어 쓰십시오. 적용 중인 옵셋이 유지됩니다.</translation>
+        <translation>두 블록으로 나누어 쓰십시오. 유효한 보정이 유지됩니다.</translation>
     </message>
     <message>
         <source>LinuxCNC 2.9 mixes up the axes of a tapping cycle in {}: the tool feeds to another place than the hole bottom.</source>
-        <translation>LinuxCNC 2.9는 {}에서 탭핑 사이클의 축을 뒤바꿉니다. 공구가 구멍 바닥이 아닌 다른 곳으로 이송합니다.</translation>
+        <translation>LinuxCNC 2.9는 {}에서 태핑 사이클의 축을 뒤바꿉니다. 공구가 구멍 바닥이 아닌 다른 곳으로 절삭 이송합니다.</translation>
     </message>
     <message>
         <source>Tap in G17, or use G33.1.</source>
-        <translation>G17에서 탭핑하거나 G33.1을 쓰십시오.</translation>
+        <translation>G17에서 태핑하거나 G33.1을 쓰십시오.</translation>
     </message>
     <message>
         <source>{} rotates the work offset while G92 or G52 is active: LinuxCNC then assumes a wrong tool position.</source>
-        <translation>G92 또는 G52가 유효한 상태에서 {}이(가) 공작물 좌표계를 회전시킵니다. 그 뒤 LinuxCNC가 인식하는 공구 위치는 실제 위치와 다릅니다.</translation>
+        <translation>G92 또는 G52가 유효한 상태에서 {}이(가) 공작물 좌표계를 회전시킵니다. 그 뒤 LinuxCNC는 공구 위치를 잘못 인식합니다.</translation>
     </message>
     <message>
         <source>Cancel the shift with G92.1 first, and set it again afterwards.</source>
-        <translation>먼저 G92.1로 시프트를 취소하고, 그 뒤에 다시 설정하십시오.</translation>
+        <translation>먼저 G92.1로 좌표계 이동을 취소하고, 그 뒤에 다시 설정하십시오.</translation>
     </message>
     <message>
         <source>The control assumes another tool position than the real one at the start of this arc.</source>
-        <translation>이 원호의 시작점에서 실제 공구 위치가 제어기가 인식하는 위치와 다릅니다.</translation>
+        <translation>이 원호의 시작점에서 제어기가 인식하는 공구 위치가 실제 위치와 다릅니다.</translation>
     </message>
     <message>
         <source>Program a straight move before the arc; the arc is skipped.</source>
-        <translation>원호 앞에 직선 이송을 지령하십시오. 이 원호는 건너뜁니다.</translation>
+        <translation>원호 앞에 직선 이동을 지령하십시오. 이 원호는 건너뜁니다.</translation>
     </message>
     <message>
         <source>a PNG picture</source>
@@ -5417,7 +5417,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The grid spacing of {} mm is too coarse for T{} (⌀{} mm): it has only {} points across it.</source>
-        <translation>격자 간격 {} mm는 T{}(⌀{} mm)에 너무 큽니다. 공구 지름에 걸치는 점이 {}개뿐입니다.</translation>
+        <translation>격자 간격 {} mm는 T{}(⌀{} mm)에 너무 큽니다. 커터 지름에 걸치는 점이 {}개뿐입니다.</translation>
     </message>
     <message>
         <source>Choose a finer grid, or the automatic one; see details with View, Magnifier, or in a smaller stock.</source>
@@ -5465,7 +5465,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>T{} is not in the tool table; its moves are not simulated.</source>
-        <translation>T{}이(가) 공구 테이블에 없어 그 이송을 시뮬레이션하지 않습니다.</translation>
+        <translation>T{}이(가) 공구 테이블에 없어 그 이동을 시뮬레이션하지 않습니다.</translation>
     </message>
     <message>
         <source>Define it in the tool table.</source>
@@ -5473,7 +5473,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The program cuts before it calls a tool; moves are not simulated until it does.</source>
-        <translation>공구를 호출하기 전에 절삭합니다. 공구를 호출할 때까지 이송을 시뮬레이션하지 않습니다.</translation>
+        <translation>공구를 호출하기 전에 절삭합니다. 공구를 호출할 때까지 이동을 시뮬레이션하지 않습니다.</translation>
     </message>
     <message>
         <source>Set the tool at start in the setup, or program T and M6 before the first cut.</source>
@@ -5481,11 +5481,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>T{} leaves the spindle empty; its moves are not simulated.</source>
-        <translation>T{}은(는) 주축을 비우므로 그 이송을 시뮬레이션하지 않습니다.</translation>
+        <translation>T{}은(는) 주축을 비우므로 그 이동을 시뮬레이션하지 않습니다.</translation>
     </message>
     <message>
         <source>Define T0 in the tool table if it is a cutter.</source>
-        <translation>T0이 절삭 공구라면 공구 테이블에 정의하십시오.</translation>
+        <translation>T0이 커터라면 공구 테이블에 정의하십시오.</translation>
     </message>
     <message>
         <source>Min X</source>
@@ -5525,7 +5525,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Program coordinates of the tool tip before the first block; unknown if not set.</source>
-        <translation>첫 블록 전 공구 선단의 프로그램 좌표입니다. 설정하지 않으면 알 수 없는 것으로 봅니다.</translation>
+        <translation>첫 블록 전 공구 선단의 프로그램 좌표입니다. 설정하지 않으면 위치를 알 수 없습니다.</translation>
     </message>
     <message>
         <source>Tool at start</source>
@@ -5537,7 +5537,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Check the size and position of the stock, and the work offset: the position of the stock is that of its top, not its bottom.</source>
-        <translation>소재의 크기와 위치, 공작물 좌표계를 확인하십시오. 소재의 위치는 바닥이 아니라 윗면을 가리킵니다.</translation>
+        <translation>소재의 크기와 위치, 공작물 좌표계를 확인하십시오. 소재의 위치는 바닥이 아니라 윗면의 위치입니다.</translation>
     </message>
     <message>
         <source>The program never cuts the stock: its cutting moves are within {}, the stock within {}.</source>
@@ -5557,7 +5557,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Choose the file of the stock, or another shape.</source>
-        <translation>소재 파일을 고르거나 다른 형상을 선택하십시오.</translation>
+        <translation>소재 파일이나 다른 형상을 선택하십시오.</translation>
     </message>
     <message>
         <source>Unsaved changes are no longer backed up: {}.</source>
@@ -5581,7 +5581,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Export the part again as one closed solid.</source>
-        <translation>부품을 하나의 닫힌 솔리드로 다시 내보내십시오.</translation>
+        <translation>공작물을 하나의 닫힌 솔리드로 다시 내보내십시오.</translation>
     </message>
     <message>
         <source>The mesh is not closed: {} edges belong to only one facet.</source>
@@ -5593,7 +5593,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The winding of the facets is inconsistent: it changes at {} edges.</source>
-        <translation>면의 회전 방향이 일정하지 않습니다. 모서리 {}개에서 방향이 바뀝니다.</translation>
+        <translation>면의 정점 순서가 일관되지 않습니다. 모서리 {}개에서 순서가 바뀝니다.</translation>
     </message>
     <message>
         <source>The mesh is inside out: {} of {} facets face inwards; they are taken as facing outwards.</source>
@@ -5609,7 +5609,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Export the part in millimetres; STL files have no unit.</source>
-        <translation>부품을 밀리미터 단위로 내보내십시오. STL 파일에는 단위가 없습니다.</translation>
+        <translation>공작물을 밀리미터 단위로 내보내십시오. STL 파일에는 단위가 없습니다.</translation>
     </message>
     <message>
         <source>The program calls no tool; T{} is assumed to be in the spindle.</source>
@@ -5617,7 +5617,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>The program calls no tool; its moves are not simulated.</source>
-        <translation>프로그램이 공구를 호출하지 않습니다. 이송을 시뮬레이션하지 않습니다.</translation>
+        <translation>프로그램이 공구를 호출하지 않습니다. 이동을 시뮬레이션하지 않습니다.</translation>
     </message>
     <message>
         <source>The stock file has changed on disk; the simulation still uses the version read before.</source>
@@ -5817,7 +5817,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Unknown O-word keyword</source>
-        <translation>알 수 없는 O 워드</translation>
+        <translation>알 수 없는 O 워드 키워드</translation>
     </message>
     <message>
         <source>O word not first</source>
@@ -5833,7 +5833,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Duplicate O label</source>
-        <translation>중복된 O 라벨</translation>
+        <translation>중복된 O 레이블</translation>
     </message>
     <message>
         <source>Continue in a do loop</source>
@@ -5901,7 +5901,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Loop without motion</source>
-        <translation>이송이 없는 루프</translation>
+        <translation>이동이 없는 루프</translation>
     </message>
     <message>
         <source>Endless loop</source>
@@ -5913,7 +5913,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Too many motions in block</source>
-        <translation>블록의 이송이 너무 많음</translation>
+        <translation>블록의 이동이 너무 많음</translation>
     </message>
     <message>
         <source>Invalid jump target</source>
@@ -5929,11 +5929,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Incomplete statement</source>
-        <translation>불완전한 명령문</translation>
+        <translation>불완전한 매크로 문</translation>
     </message>
     <message>
         <source>Statement not first</source>
-        <translation>블록 앞에 있지 않은 명령문</translation>
+        <translation>블록 앞에 있지 않은 매크로 문</translation>
     </message>
     <message>
         <source>Unmatched loop</source>
@@ -5997,11 +5997,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>No motion</source>
-        <translation>이송 없음</translation>
+        <translation>이동 없음</translation>
     </message>
     <message>
         <source>Too many motions</source>
-        <translation>이송이 너무 많음</translation>
+        <translation>이동이 너무 많음</translation>
     </message>
     <message>
         <source>Program too large</source>
@@ -6065,7 +6065,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>No motion code active</source>
-        <translation>유효한 이송 코드 없음</translation>
+        <translation>유효한 이동 코드 없음</translation>
     </message>
     <message>
         <source>Axis word with G80</source>
@@ -6133,7 +6133,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>G53 in incremental mode</source>
-        <translation>증분 모드의 G53</translation>
+        <translation>증분 지령의 G53</translation>
     </message>
     <message>
         <source>G53 ignored</source>
@@ -6149,7 +6149,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Arc scaled unevenly</source>
-        <translation>불균등하게 스케일된 원호</translation>
+        <translation>축마다 다르게 스케일링된 원호</translation>
     </message>
     <message>
         <source>Scale factor 0</source>
@@ -6185,7 +6185,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Control data skipped</source>
-        <translation>건너뛴 제어 데이터</translation>
+        <translation>건너뛴 제어기 데이터</translation>
     </message>
     <message>
         <source>Offset register unknown</source>
@@ -6213,7 +6213,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>R plane below hole bottom</source>
-        <translation>구멍 바닥 아래의 R 평면</translation>
+        <translation>구멍 바닥 아래의 R점</translation>
     </message>
     <message>
         <source>Invalid peck depth</source>
@@ -6289,7 +6289,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Feed before unit change</source>
-        <translation>단위 변경 전의 이송</translation>
+        <translation>단위 변경 전의 이송 속도</translation>
     </message>
     <message>
         <source>Diameter mode</source>
@@ -6297,7 +6297,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Surface speed at limit</source>
-        <translation>한계의 주속 일정 제어</translation>
+        <translation>한계값에서의 주속 일정 제어</translation>
     </message>
     <message>
         <source>Spindle speed unknown</source>
@@ -6309,11 +6309,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>F with synchronised motion</source>
-        <translation>동기 이송의 F</translation>
+        <translation>동기 이동의 F</translation>
     </message>
     <message>
         <source>Synchronised motion, spindle stopped</source>
-        <translation>주축 정지 중의 동기 이송</translation>
+        <translation>주축 정지 중의 동기 이동</translation>
     </message>
     <message>
         <source>Feed rate missing</source>
@@ -6321,7 +6321,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Mist coolant optional</source>
-        <translation>선택 사양인 미스트</translation>
+        <translation>미스트 절삭유(선택 사양)</translation>
     </message>
     <message>
         <source>Dwell unit ambiguous</source>
@@ -6341,7 +6341,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Incremental from unknown position</source>
-        <translation>알 수 없는 위치의 증분 이송</translation>
+        <translation>알 수 없는 위치에서의 증분 이동</translation>
     </message>
     <message>
         <source>One-sided positioning</source>
@@ -6425,11 +6425,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Polar motion undocumented</source>
-        <translation>문서에 없는 극좌표 이송</translation>
+        <translation>문서에 없는 극좌표 이동</translation>
     </message>
     <message>
         <source>Radius scaling assumed</source>
-        <translation>가정된 반경 스케일링 배율</translation>
+        <translation>가정된 반경 스케일링</translation>
     </message>
     <message>
         <source>XY plane only</source>
@@ -6457,7 +6457,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Probing motion too short</source>
-        <translation>너무 짧은 프로빙 이송</translation>
+        <translation>너무 짧은 프로빙 이동</translation>
     </message>
     <message>
         <source>Skip signal unknown</source>
@@ -6533,11 +6533,11 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Corner without motions</source>
-        <translation>이송이 없는 코너</translation>
+        <translation>이동이 없는 코너</translation>
     </message>
     <message>
         <source>Next corner motion missing</source>
-        <translation>코너의 다음 이송 없음</translation>
+        <translation>코너의 다음 이동 없음</translation>
     </message>
     <message>
         <source>Chamfer and corner radius</source>
@@ -6557,7 +6557,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Corner scaling assumed</source>
-        <translation>가정된 코너 스케일링 배율</translation>
+        <translation>가정된 코너 스케일링</translation>
     </message>
     <message>
         <source>Corner too large</source>
@@ -6589,7 +6589,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Compensation suspended</source>
-        <translation>일시 해제된 공구경 보정</translation>
+        <translation>일시 취소된 공구경 보정</translation>
     </message>
     <message>
         <source>Compensation diameter 0</source>
@@ -6621,7 +6621,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Compensated motion reversed</source>
-        <translation>역방향 보정 이송</translation>
+        <translation>역방향 보정 이동</translation>
     </message>
     <message>
         <source>Stop before inside corner</source>
@@ -6669,7 +6669,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Line dropped</source>
-        <translation>버려진 줄</translation>
+        <translation>건너뛴 줄</translation>
     </message>
     <message>
         <source>Block number too large</source>
@@ -6701,7 +6701,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Optional stop ignored</source>
-        <translation>무시된 선택적 정지</translation>
+        <translation>무시된 선택 정지</translation>
     </message>
     <message>
         <source>Length offset axis</source>
@@ -6793,51 +6793,51 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Profile without width</source>
-        <translation>폭이 없는 윤곽</translation>
+        <translation>폭이 없는 프로파일</translation>
     </message>
     <message>
         <source>Too many profile points</source>
-        <translation>윤곽 점이 너무 많음</translation>
+        <translation>프로파일 점이 너무 많음</translation>
     </message>
     <message>
         <source>Profile turns back</source>
-        <translation>되돌아가는 윤곽</translation>
+        <translation>되돌아가는 프로파일</translation>
     </message>
     <message>
         <source>Invalid profile point</source>
-        <translation>잘못된 윤곽 점</translation>
+        <translation>잘못된 프로파일 점</translation>
     </message>
     <message>
         <source>Profile falls</source>
-        <translation>내려가는 윤곽</translation>
+        <translation>내려가는 프로파일</translation>
     </message>
     <message>
         <source>Profile not at the tip</source>
-        <translation>끝점에서 시작하지 않는 윤곽</translation>
+        <translation>선단에서 시작하지 않는 프로파일</translation>
     </message>
     <message>
         <source>Profile arc radius too small</source>
-        <translation>너무 작은 윤곽 원호</translation>
+        <translation>너무 작은 프로파일 원호 반경</translation>
     </message>
     <message>
         <source>Profile arc centre mismatch</source>
-        <translation>윤곽 원호 중심 불일치</translation>
+        <translation>프로파일 원호 중심 불일치</translation>
     </message>
     <message>
         <source>Profile arc turns back</source>
-        <translation>되돌아가는 윤곽 원호</translation>
+        <translation>되돌아가는 프로파일 원호</translation>
     </message>
     <message>
         <source>Profile tip without width</source>
-        <translation>폭이 없는 윤곽 끝</translation>
+        <translation>폭이 없는 프로파일 선단</translation>
     </message>
     <message>
         <source>Profile arcs too large</source>
-        <translation>너무 큰 윤곽 원호</translation>
+        <translation>너무 큰 프로파일 원호</translation>
     </message>
     <message>
         <source>Tip too large</source>
-        <translation>너무 큰 끝단</translation>
+        <translation>너무 큰 선단</translation>
     </message>
     <message>
         <source>Pilot too large</source>
@@ -6849,7 +6849,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Lead too long</source>
-        <translation>너무 긴 리드</translation>
+        <translation>너무 긴 절입부</translation>
     </message>
     <message>
         <source>Corner radius too large</source>
@@ -7029,7 +7029,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Map too large for method</source>
-        <translation>방법에 너무 큰 맵</translation>
+        <translation>이 방법에 너무 큰 Z맵</translation>
     </message>
     <message>
         <source>STL file cut off</source>
@@ -7065,7 +7065,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Normals against winding</source>
-        <translation>감김 방향과 반대인 법선</translation>
+        <translation>정점 순서와 반대인 법선</translation>
     </message>
     <message>
         <source>Duplicate facets</source>
@@ -7101,7 +7101,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Not a ZIP archive</source>
-        <translation>ZIP 아카이브가 아님</translation>
+        <translation>ZIP 압축 파일이 아님</translation>
     </message>
     <message>
         <source>Unknown export format</source>
@@ -7125,7 +7125,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Too many triangles</source>
-        <translation>면이 너무 많음</translation>
+        <translation>삼각형이 너무 많음</translation>
     </message>
     <message>
         <source>Coordinate out of range</source>
@@ -7141,7 +7141,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Unsupported NPY shape</source>
-        <translation>지원하지 않는 NPY 크기</translation>
+        <translation>지원하지 않는 NPY 형상</translation>
     </message>
     <message>
         <source>NPY file cut off</source>
@@ -7253,7 +7253,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Saved heights invalid</source>
-        <translation>잘못된 저장 높이</translation>
+        <translation>잘못된 저장 높이 값</translation>
     </message>
     <message>
         <source>Saved height invalid</source>
@@ -7345,7 +7345,7 @@ Default: 0 mm</source>
     </message>
     <message>
         <source>Study stopped</source>
-        <translation>스터디 중단</translation>
+        <translation>연구 중단</translation>
     </message>
     <message>
         <source>Nothing to optimise</source>
@@ -9441,15 +9441,15 @@ Default: %3</source>
     </message>
     <message>
         <source>The program cuts before it calls a tool; those moves are not simulated.</source>
-        <translation>공구를 호출하기 전에 절삭합니다. 그 이송은 시뮬레이션하지 않습니다.</translation>
+        <translation>공구를 호출하기 전에 절삭합니다. 그 이동은 시뮬레이션하지 않습니다.</translation>
     </message>
     <message>
         <source>T%1 is not in the tool table; its moves are not simulated.</source>
-        <translation>T%1이(가) 공구 테이블에 없어 그 이송을 시뮬레이션하지 않습니다.</translation>
+        <translation>T%1이(가) 공구 테이블에 없어 그 이동을 시뮬레이션하지 않습니다.</translation>
     </message>
     <message>
         <source>%1 are not in the tool table; their moves are not simulated.</source>
-        <translation>%1이(가) 공구 테이블에 없어 그 이송을 시뮬레이션하지 않습니다.</translation>
+        <translation>%1이(가) 공구 테이블에 없어 그 이동을 시뮬레이션하지 않습니다.</translation>
     </message>
     <message>
         <source>Nothing is cut.</source>
@@ -9505,7 +9505,7 @@ Default: %3</source>
     </message>
     <message>
         <source>The program calls no tool; its moves are not simulated.</source>
-        <translation>프로그램이 공구를 호출하지 않습니다. 이송을 시뮬레이션하지 않습니다.</translation>
+        <translation>프로그램이 공구를 호출하지 않습니다. 이동을 시뮬레이션하지 않습니다.</translation>
     </message>
     <message>
         <source>Results are unverified until you confirm the sizes.</source>
