@@ -732,10 +732,6 @@ Vorgabe: 0 mm</translation>
         <translation>Die Datei enthält keine brauchbare Facette ({} gelesen, {} nicht endlich, {} ohne Fläche).</translation>
     </message>
     <message>
-        <source>Nothing of the stock is left, so there is no mesh to write.</source>
-        <translation>Vom Rohteil ist nichts übrig, also gibt es kein Netz zu schreiben.</translation>
-    </message>
-    <message>
         <source>The mesh has {} triangles; an STL file holds 4294967295.</source>
         <translation>Das Netz hat {} Dreiecke; eine STL-Datei fasst 4294967295.</translation>
     </message>
@@ -1602,10 +1598,6 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>The simulation had to stop: {}.</source>
         <translation>Die Simulation musste anhalten: {}.</translation>
-    </message>
-    <message>
-        <source>The export was cancelled.</source>
-        <translation>Der Export wurde abgebrochen.</translation>
     </message>
     <message>
         <source>There is no stock left to export.</source>
@@ -7336,10 +7328,6 @@ Vorgabe: 0 mm</translation>
         <translation>Speicher erschöpft</translation>
     </message>
     <message>
-        <source>Simulation stopped</source>
-        <translation>Simulation angehalten</translation>
-    </message>
-    <message>
         <source>Condition too long</source>
         <translation>Bedingung zu lang</translation>
     </message>
@@ -7354,6 +7342,54 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>Nothing to optimise</source>
         <translation>Nichts zu optimieren</translation>
+    </message>
+    <message>
+        <source>Internal error</source>
+        <translation>Interner Fehler</translation>
+    </message>
+    <message>
+        <source>Backup damaged</source>
+        <translation>Sicherung beschädigt</translation>
+    </message>
+    <message>
+        <source>File not opened</source>
+        <translation>Datei nicht geöffnet</translation>
+    </message>
+    <message>
+        <source>File changed on disk</source>
+        <translation>Datei auf dem Datenträger geändert</translation>
+    </message>
+    <message>
+        <source>Stock file changed</source>
+        <translation>Rohteildatei geändert</translation>
+    </message>
+    <message>
+        <source>Stock too large</source>
+        <translation>Rohteil zu groß</translation>
+    </message>
+    <message>
+        <source>No stock</source>
+        <translation>Kein Rohteil</translation>
+    </message>
+    <message>
+        <source>Export in progress</source>
+        <translation>Export läuft</translation>
+    </message>
+    <message>
+        <source>Export too large</source>
+        <translation>Export zu groß</translation>
+    </message>
+    <message>
+        <source>Export failed</source>
+        <translation>Export fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>Detail region too large</source>
+        <translation>Detailbereich zu groß</translation>
+    </message>
+    <message>
+        <source>OpenGL not available</source>
+        <translation>OpenGL nicht verfügbar</translation>
     </message>
 </context>
 <context>

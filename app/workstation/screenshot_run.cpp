@@ -2,10 +2,12 @@
 #include "app/workstation/screenshot_run.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include <QCoreApplication>
 #include <QPixmap>
+
+#include "app/cli/run_command.h"
+#include "core/verification/findings/command_line_findings.h"
 
 namespace proveout {
 
@@ -54,7 +56,7 @@ void ScreenshotRun::take() {
 }
 
 void ScreenshotRun::giveUp(const char* reason) {
-    std::fprintf(stderr, "proveout: no picture: %s\n", reason);
+    cli::printFinding("proveout", command_line_finding::kScreenshotFailed, {reason});
     QCoreApplication::exit(kFailed);
 }
 

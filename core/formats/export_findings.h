@@ -24,13 +24,12 @@ inline constexpr FindingRow kExportRoundedBeyond{
     PROVEOUT_TEXT("Core", "Rounded to single precision, the file lies up to {} mm from the z-map, beyond the "
                           "error allowance of {} mm; OBJ or PLY would keep {} mm."),
     PROVEOUT_TEXT("Core", "Export OBJ or PLY: they hold coordinates in double precision.")};
-inline constexpr FindingRow kNothingLeft{
-    Severity::error,
-    false,
-    "nothing-left",
-    PROVEOUT_TEXT("Core", "Nothing to export"),
-    PROVEOUT_TEXT("Core", "Nothing of the stock is left, so there is no mesh to write."),
-    ""};
+inline constexpr FindingRow kNothingLeft{Severity::error,
+                                         false,
+                                         "nothing-left",
+                                         PROVEOUT_TEXT("Core", "Nothing to export"),
+                                         PROVEOUT_TEXT("Core", "There is no stock left to export."),
+                                         ""};
 inline constexpr FindingRow kMeshCoordinate{
     Severity::error,
     false,
