@@ -1604,10 +1604,6 @@ Vorgabe: 0 mm</translation>
         <translation>Die Simulation ist fehlgeschlagen: {}.</translation>
     </message>
     <message>
-        <source>The export was cancelled.</source>
-        <translation>Der Export wurde abgebrochen.</translation>
-    </message>
-    <message>
         <source>There is no stock left to export.</source>
         <translation>Es ist kein Rohteil mehr übrig, das exportiert werden kann.</translation>
     </message>
@@ -7332,10 +7328,6 @@ Vorgabe: 0 mm</translation>
         <translation>Speicher erschöpft</translation>
     </message>
     <message>
-        <source>Simulation stopped</source>
-        <translation>Simulation angehalten</translation>
-    </message>
-    <message>
         <source>Condition too long</source>
         <translation>Bedingung zu lang</translation>
     </message>
@@ -7350,6 +7342,54 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>Nothing to optimise</source>
         <translation>Nichts zu optimieren</translation>
+    </message>
+    <message>
+        <source>Internal error</source>
+        <translation>Interner Fehler</translation>
+    </message>
+    <message>
+        <source>Backup damaged</source>
+        <translation>Sicherung beschädigt</translation>
+    </message>
+    <message>
+        <source>File not opened</source>
+        <translation>Datei nicht geöffnet</translation>
+    </message>
+    <message>
+        <source>File changed on disk</source>
+        <translation>Datei auf dem Datenträger geändert</translation>
+    </message>
+    <message>
+        <source>Stock file changed</source>
+        <translation>Rohteildatei geändert</translation>
+    </message>
+    <message>
+        <source>Stock too large</source>
+        <translation>Rohteil zu groß</translation>
+    </message>
+    <message>
+        <source>No stock</source>
+        <translation>Kein Rohteil</translation>
+    </message>
+    <message>
+        <source>Export in progress</source>
+        <translation>Export läuft</translation>
+    </message>
+    <message>
+        <source>Export too large</source>
+        <translation>Export zu groß</translation>
+    </message>
+    <message>
+        <source>Export failed</source>
+        <translation>Export fehlgeschlagen</translation>
+    </message>
+    <message>
+        <source>Detail region too large</source>
+        <translation>Detailbereich zu groß</translation>
+    </message>
+    <message>
+        <source>OpenGL not available</source>
+        <translation>OpenGL nicht verfügbar</translation>
     </message>
 </context>
 <context>

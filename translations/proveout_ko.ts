@@ -1604,10 +1604,6 @@ Default: 0 mm</source>
         <translation>시뮬레이션에 실패했습니다: {}.</translation>
     </message>
     <message>
-        <source>The export was cancelled.</source>
-        <translation>내보내기가 취소되었습니다.</translation>
-    </message>
-    <message>
         <source>There is no stock left to export.</source>
         <translation>내보낼 소재가 남아 있지 않습니다.</translation>
     </message>
@@ -7332,10 +7328,6 @@ Default: 0 mm</source>
         <translation>메모리 부족</translation>
     </message>
     <message>
-        <source>Simulation stopped</source>
-        <translation>시뮬레이션 중단</translation>
-    </message>
-    <message>
         <source>Condition too long</source>
         <translation>너무 긴 조건</translation>
     </message>
@@ -7350,6 +7342,54 @@ Default: 0 mm</source>
     <message>
         <source>Nothing to optimise</source>
         <translation>최적화할 것 없음</translation>
+    </message>
+    <message>
+        <source>Internal error</source>
+        <translation>내부 오류</translation>
+    </message>
+    <message>
+        <source>Backup damaged</source>
+        <translation>손상된 백업</translation>
+    </message>
+    <message>
+        <source>File not opened</source>
+        <translation>파일을 열지 않음</translation>
+    </message>
+    <message>
+        <source>File changed on disk</source>
+        <translation>디스크에서 변경된 파일</translation>
+    </message>
+    <message>
+        <source>Stock file changed</source>
+        <translation>변경된 소재 파일</translation>
+    </message>
+    <message>
+        <source>Stock too large</source>
+        <translation>너무 큰 소재</translation>
+    </message>
+    <message>
+        <source>No stock</source>
+        <translation>소재 없음</translation>
+    </message>
+    <message>
+        <source>Export in progress</source>
+        <translation>내보내는 중</translation>
+    </message>
+    <message>
+        <source>Export too large</source>
+        <translation>너무 큰 내보내기</translation>
+    </message>
+    <message>
+        <source>Export failed</source>
+        <translation>내보내기 실패</translation>
+    </message>
+    <message>
+        <source>Detail region too large</source>
+        <translation>너무 큰 상세 영역</translation>
+    </message>
+    <message>
+        <source>OpenGL not available</source>
+        <translation>OpenGL을 사용할 수 없음</translation>
     </message>
 </context>
 <context>

@@ -4,7 +4,7 @@
 #include <exception>
 #include <utility>
 
-#include "core/base/text.h"
+#include "core/verification/findings/window_findings.h"
 #include "ui/kept_breakpoints.h"
 
 namespace proveout {
@@ -15,9 +15,7 @@ Result<void> keepOrTell(const QString& folder, const JobDocument& document, cons
     try {
         return keepSession(folder, document, state);
     } catch (const std::exception& problem) {
-        return failure("internal-error",
-                       PROVEOUT_TEXT("Core", "Unsaved changes are no longer backed up: {}."),
-                       {problem.what()});
+        return failure(window_finding::kBackupFailed, {problem.what()});
     }
 }
 

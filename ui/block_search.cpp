@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "core/simulation/setup/tool_choice.h"
+#include "core/verification/findings/window_findings.h"
 
 namespace proveout {
 namespace {
@@ -75,10 +76,7 @@ void BlockSearch::carryOut(const FramePtr& moment, const MapPoint& point, const 
             emit answered(answer);
         });
     } catch (const std::exception& exception) {
-        auto errors = failure("internal-error",
-                              PROVEOUT_TEXT("Core", "The block that cut this point could not be found: {}."),
-                              {exception.what()})
-                          .value();
+        auto errors = failure(window_finding::kBlockSearchFailed, {exception.what()}).value();
         reply.post([this, errors = std::move(errors)] {
             finish();
             emit failed(errors);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/diagnostic_text.h"
 
+#include <algorithm>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -16,15 +17,12 @@ namespace {
 
 /// Arguments are words of the user's file, figures, keys, or texts of the core, e.g. the name of a code. Only
 /// the last are in the catalogue.
-QString filled(const char* text, const Diagnostic& diagnostic) {
-    std::vector<std::string> arguments = diagnostic.arguments;
-    for (std::string& argument : arguments) {
-        if (argument.find('\0') == std::string::npos)
-            argument = changedList(argument, kListSeparator, [](std::string_view part) {
-                return coreText(std::string(part).c_str()).toStdString();
-            });
-    }
-    return QString::fromStdString(fillIn(coreText(text).toStdString(), arguments));
+std::string translated(const std::string& argument) {
+    if (argument.find('\0') != std::string::npos)
+        return argument;
+    return changedList(argument, kListSeparator, [](std::string_view part) {
+        return coreText(std::string(part).c_str()).toStdString();
+    });
 }
 
 } // namespace
@@ -33,8 +31,13 @@ QString coreText(const char* text) {
     return text == nullptr || *text == '\0' ? QString() : QCoreApplication::translate("Core", text);
 }
 
+QString coreText(const char* text, std::vector<std::string> arguments) {
+    std::ranges::transform(arguments, arguments.begin(), translated);
+    return QString::fromStdString(fillIn(coreText(text).toStdString(), arguments));
+}
+
 QString sentence(const Diagnostic& diagnostic) {
-    QString text = filled(diagnostic.text, diagnostic);
+    QString text = coreText(diagnostic.text, diagnostic.arguments);
     // What is about another file than the open program names it.
     if (diagnostic.file.empty())
         return text;
@@ -42,7 +45,7 @@ QString sentence(const Diagnostic& diagnostic) {
 }
 
 QString hint(const Diagnostic& diagnostic) {
-    return filled(diagnostic.hint, diagnostic);
+    return coreText(diagnostic.hint, diagnostic.arguments);
 }
 
 QString severityName(Severity severity) {

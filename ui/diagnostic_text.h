@@ -2,6 +2,9 @@
 // The core speaks English with marked strings; here they become the user's language.
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include <QString>
 
 #include "core/base/diagnostic.h"
@@ -10,6 +13,8 @@ namespace proveout {
 
 /// A string that the core marked with PROVEOUT_TEXT, translated.
 [[nodiscard]] QString coreText(const char* text);
+/// The same for a sentence, its arguments filled in.
+[[nodiscard]] QString coreText(const char* text, std::vector<std::string> arguments);
 /// The sentence of a diagnostic, translated, its arguments filled in.
 [[nodiscard]] QString sentence(const Diagnostic& diagnostic);
 /// What to do about it, translated; may be empty.

@@ -10,7 +10,7 @@
 #include <QCryptographicHash>
 
 #include "core/base/atomic_file.h"
-#include "core/base/text.h"
+#include "core/base/base_findings.h"
 
 namespace proveout {
 
@@ -45,11 +45,9 @@ Result<DiskState> DiskCopy::compare(const fs::path& file) const {
     if (status.type() == fs::file_type::not_found)
         return DiskState::missing;
     if (status.type() == fs::file_type::directory)
-        return failure("file-not-regular", PROVEOUT_TEXT("Core", "This is a folder, not a file."), {},
-                       file.string());
+        return failure(base_finding::kFileNotRegularFolder, {}, file.string());
     if (status.type() != fs::file_type::regular)
-        return failure("file-not-regular", PROVEOUT_TEXT("Core", "This is not a regular file."), {},
-                       file.string());
+        return failure(base_finding::kFileNotRegular, {}, file.string());
     if (!m_known)
         return m_state && *m_state == stateOf(file) ? DiskState::same : DiskState::changed;
     const std::uintmax_t mark = m_byteOrderMark ? kByteOrderMark.size() : 0;
@@ -57,8 +55,8 @@ Result<DiskState> DiskCopy::compare(const fs::path& file) const {
         return DiskState::changed;
     std::ifstream stream(file, std::ios::binary);
     if (!stream)
-        return failure("file-unreadable", PROVEOUT_TEXT("Core", "The file cannot be read: {}."),
-                       {std::generic_category().message(errno)}, file.string());
+        return failure(base_finding::kFileUnreadable, {std::generic_category().message(errno)},
+                       file.string());
     std::vector<char> chunk(kChunk);
     if (m_byteOrderMark && !holds(stream, kByteOrderMark, chunk))
         return DiskState::changed;

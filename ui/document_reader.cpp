@@ -6,7 +6,7 @@
 #include <new>
 #include <utility>
 
-#include "core/base/text.h"
+#include "core/verification/findings/window_findings.h"
 #include "ui/job_permissions.h"
 
 namespace proveout {
@@ -20,11 +20,9 @@ Result<T> readOrTell(const std::function<Result<T>(const WorkContext&)>& read, c
     try {
         return read(context);
     } catch (const std::bad_alloc&) {
-        return failure("out-of-memory",
-                       PROVEOUT_TEXT("Core", "There is not enough memory to read the file."));
+        return failure(window_finding::kReadingOutOfMemory);
     } catch (const std::exception& exception) {
-        return failure("internal-error", PROVEOUT_TEXT("Core", "Reading the file failed: {}."),
-                       {exception.what()});
+        return failure(window_finding::kReadingFailed, {exception.what()});
     }
 }
 

@@ -11,11 +11,12 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/file_state.h"
-#include "core/base/text.h"
 #include "core/decimation/solid/solid.h"
 #include "core/decimation/surface/map_memory.h"
 #include "core/decimation/surface/refined_surface.h"
+#include "core/formats/export_findings.h"
 #include "core/formats/solid_export.h"
+#include "core/verification/findings/window_findings.h"
 #include "ui/file_paths.h"
 
 namespace proveout {
@@ -34,7 +35,7 @@ DecimationParameters parametersOf(const Frame& frame, const ExportOptions& optio
 }
 
 tl::unexpected<Diagnostics> cancelled() {
-    return failure("cancelled", PROVEOUT_TEXT("Core", "The export was cancelled."));
+    return failure(export_finding::kCancelledWriting);
 }
 
 /// The z-map itself is there already; on another grid it is another.
@@ -47,25 +48,18 @@ Result<void> checkMeshMemory(const Frame& frame, const ExportOptions& options, d
     if (needed <= limitBytes)
         return {};
     const auto would = finestSpacing(frame.zmap.stock(), limitBytes + zmapBytes(grid), bytesPerPoint);
-    auto refused =
-        would ? failure("export-needs-too-much-memory",
-                        PROVEOUT_TEXT("Core", "The export needs {} of memory; only {} is available, enough "
-                                              "for a grid spacing of {} mm."),
-                        {readableBytes(needed), readableBytes(limitBytes), fmt::format("{:g}", *would)})
-              : failure("export-needs-too-much-memory",
-                        PROVEOUT_TEXT("Core", "The export needs {} of memory; only {} is available."),
-                        {readableBytes(needed), readableBytes(limitBytes)});
-    refused.value().front().hint =
-        PROVEOUT_TEXT("Core", "Increase the grid spacing, or close other programs.");
-    return refused;
+    std::vector<std::string> figures{readableBytes(needed), readableBytes(limitBytes)};
+    if (!would)
+        return failure(window_finding::kExportNeedsTooMuchMemory, std::move(figures));
+    figures.push_back(fmt::format("{:g}", *would));
+    return failure(window_finding::kExportNeedsCoarserGrid, std::move(figures));
 }
 
 /// Who has chosen the file was asked about what it held then, which may be minutes ago.
 Result<void> checkUnchanged(const QString& file, const FileState& chosen) {
     if (stateOf(toPath(file)) == chosen)
         return {};
-    return failure("file-changed-on-disk",
-                   PROVEOUT_TEXT("Core", "The file has changed on disk; it was not overwritten."));
+    return failure(window_finding::kFileChangedOnDisk);
 }
 
 /// Before the work: whether the file can be written, and the disk has space for as many bytes.
@@ -103,7 +97,7 @@ Result<ExportSummary> write(const Frame& frame, const QString& file, const Expor
     if (context.stopped())
         return cancelled();
     if (solid.triangles.empty())
-        return failure("nothing-left", PROVEOUT_TEXT("Core", "There is no stock left to export."));
+        return failure(export_finding::kNothingLeft);
     if (Result<void> unchanged = checkUnchanged(file, chosen); !unchanged)
         return tl::unexpected(std::move(unchanged.error()));
     auto exported = exportSolid(toPath(file), *(*format)->meshWriter(), solid, frame.zmap,
@@ -168,8 +162,7 @@ void ExportJob::start(FramePtr frame, const QString& file, const ExportOptions& 
             try {
                 report(exportFrame(*frame, file, options, {stop, tell}));
             } catch (const std::exception& problem) {
-                report(failure("export-failed", PROVEOUT_TEXT("Core", "The export failed: {}."),
-                               {problem.what()}, toPath(file).string()));
+                report(failure(window_finding::kExportFailed, {problem.what()}, toPath(file).string()));
             }
         });
 }

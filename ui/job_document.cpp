@@ -8,6 +8,7 @@
 #include "core/base/folder_lock.h"
 #include "core/base/text.h"
 #include "core/decimation/regions/region_decimator.h"
+#include "core/verification/findings/window_findings.h"
 #include "ui/carried_values.h"
 #include "ui/file_paths.h"
 #include "ui/new_file_beside.h"
@@ -189,9 +190,7 @@ Result<void> JobDocument::mayReplace(FilePart part) const {
     if (!state)
         return tl::unexpected(state.error());
     if (*state == DiskState::changed)
-        return failure("file-changed-on-disk",
-                       PROVEOUT_TEXT("Core", "The file has changed on disk; it was not overwritten."), {},
-                       file.string());
+        return failure(window_finding::kFileChangedOnDisk, {}, file.string());
     return {};
 }
 

@@ -12,9 +12,10 @@
 #include <QUuid>
 
 #include "core/base/atomic_file.h"
-#include "core/base/text.h"
+#include "core/base/base_findings.h"
 #include "core/base/unfinished_files.h"
 #include "core/formats/job_file.h"
+#include "core/verification/findings/window_findings.h"
 #include "ui/file_paths.h"
 
 namespace proveout {
@@ -93,8 +94,7 @@ Result<KeptSession> readKeptSession(const QString& folder) {
         bytes ? QJsonDocument::fromJson(QByteArray::fromStdString(*bytes)).object() : QJsonObject();
     // A damaged record does not take the text along.
     if (record.isEmpty() && !QFile::exists(in(folder, kText)))
-        return failure("record-unreadable", PROVEOUT_TEXT("Core", "The backup of this session is damaged."),
-                       {}, toPath(folder).string());
+        return failure(window_finding::kBackupDamaged, {}, toPath(folder).string());
     const auto text = [&record](const char* key) { return record.value(QLatin1String(key)).toString(); };
     KeptSession kept;
     kept.work.program = toPath(text("program"));
@@ -123,8 +123,8 @@ Result<SessionFolder> SessionFolder::create(const QString& root) {
     auto lock = std::make_unique<QLockFile>(in(path, kLock));
     lock->setStaleLockTime(0); // a session may last for days
     if (!QDir().mkpath(path) || !lock->tryLock())
-        return failure("file-unwritable", PROVEOUT_TEXT("Core", "The file cannot be written: {}."),
-                       {std::generic_category().message(errno)}, toPath(path).string());
+        return failure(base_finding::kFileUnwritable, {std::generic_category().message(errno)},
+                       toPath(path).string());
     // What is kept is the user's alone.
     QFile::setPermissions(path, QFile::ReadOwner | QFile::WriteOwner | QFile::ExeOwner);
     return SessionFolder(path, std::move(lock));

@@ -7,7 +7,7 @@
 #include <system_error>
 #include <unistd.h>
 
-#include "core/base/text.h"
+#include "core/base/base_findings.h"
 
 namespace proveout {
 
@@ -25,8 +25,7 @@ Result<std::filesystem::path> newFileBeside(const std::filesystem::path& file) {
         if (errno != EEXIST)
             break;
     }
-    return failure("file-unwritable", PROVEOUT_TEXT("Core", "The file cannot be written: {}."),
-                   {std::generic_category().message(errno)}, file.string());
+    return failure(base_finding::kFileUnwritable, {std::generic_category().message(errno)}, file.string());
 }
 
 } // namespace proveout

@@ -5,8 +5,8 @@
 #include <new>
 #include <utility>
 
-#include "core/base/text.h"
 #include "core/simulation/run/interpretation.h"
+#include "core/verification/findings/window_findings.h"
 
 namespace proveout {
 
@@ -78,11 +78,9 @@ Result<ProgramSource::Interpreted> ProgramSource::carryOut(const Request& reques
         const bool watching = request.options.watchedLine > 0;
         return Interpreted{program, watching ? CuttingExtent() : cuttingExtent(*program)};
     } catch (const std::bad_alloc&) {
-        return failure("out-of-memory",
-                       PROVEOUT_TEXT("Core", "There is not enough memory to interpret the program."));
+        return failure(window_finding::kInterpretingOutOfMemory);
     } catch (const std::exception& exception) {
-        return failure("internal-error", PROVEOUT_TEXT("Core", "Interpreting the program failed: {}."),
-                       {exception.what()});
+        return failure(window_finding::kInterpretingFailed, {exception.what()});
     }
 }
 

@@ -95,10 +95,8 @@ StatusLine::StatusLine(Session& session, QStatusBar& bar)
 
 /// Why the run stopped, until it goes on or something else is told.
 void StatusLine::tellStop(const BreakpointHit& hit) {
-    Diagnostic reason;
-    reason.text = rowOf(hit.breakpoint.kind).reason;
-    reason.arguments = {valueText(hit.breakpoint)};
-    say(sentence(reason), Until::moved, m_session.simulation().block());
+    const QString reason = coreText(rowOf(hit.breakpoint.kind).reason, {valueText(hit.breakpoint)});
+    say(reason, Until::moved, m_session.simulation().block());
 }
 
 void StatusLine::say(const QString& text, Until until, std::size_t block, int milliseconds) {

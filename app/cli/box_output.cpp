@@ -14,6 +14,8 @@
 #include "core/decimation/solid/solid.h"
 #include "core/decimation/surface/refined_surface.h"
 #include "core/formats/formats.h"
+#include "core/verification/findings/command_line_findings.h"
+#include "core/zmap/zmap_findings.h"
 
 namespace proveout::cli {
 
@@ -25,14 +27,14 @@ Result<PlanBox> parseBox(const std::string& text) {
     const char* const end = at + text.size();
     for (std::size_t k = 0; k < values.size(); ++k) {
         if (k > 0 && (at == end || *at++ != ','))
-            return failure("box-form", "“{}” is not a box. Enter X0,Y0,X1,Y1 in mm.", {text});
+            return failure(command_line_finding::kBoxForm, {text});
         const auto [next, error] = std::from_chars(at, end, values[k]);
         if (error != std::errc{} || !std::isfinite(values[k]))
-            return failure("box-form", "“{}” is not a box. Enter X0,Y0,X1,Y1 in mm.", {text});
+            return failure(command_line_finding::kBoxForm, {text});
         at = next;
     }
     if (at != end)
-        return failure("box-form", "“{}” is not a box. Enter X0,Y0,X1,Y1 in mm.", {text});
+        return failure(command_line_finding::kBoxForm, {text});
     return PlanBox{{values[0], values[1]}, {values[2], values[3]}};
 }
 
@@ -77,10 +79,10 @@ Result<void> BoxOutput::check(const Setup& setup, double heldBytes) {
     const double limit = std::max(0.0, static_cast<double>(memoryLimitBytes()) - heldBytes);
     auto part = fineGrid(setup, {*box, m_spacing}, fineParameters(m_spacing), mapOutputs(), limit);
     if (!part) {
-        const std::string_view id = part.error().front().id;
-        return aboutOption(id.starts_with("box-outside") || id.starts_with("box-without") ? "--box"
-                                                                                          : "--box-spacing",
-                           std::move(part.error()));
+        const Diagnostic& reason = part.error().front();
+        const bool aboutBox =
+            hasIdOf(reason, zmap_finding::kBoxOutsideStock) || hasIdOf(reason, zmap_finding::kBoxWithoutArea);
+        return aboutOption(aboutBox ? "--box" : "--box-spacing", std::move(part.error()));
     }
     m_part = *part;
     m_checked = true;

@@ -20,6 +20,7 @@
 #include "core/base/stop_watch.h"
 #include "core/decimation/surface/map_memory.h"
 #include "core/decimation/surface/refined_surface.h"
+#include "core/verification/findings/command_line_findings.h"
 
 namespace proveout::cli {
 
@@ -51,9 +52,7 @@ Result<ZMapSnapshot> prepare(const DecimateOptions& options, DecimationParameter
         return tl::unexpected(std::move(crackFree.error()));
     const auto origin = parsePoint(options.origin + ",0");
     if (!origin)
-        return aboutOption(
-            "--origin",
-            failure("point-form", "“{}” is not a point. Enter X,Y in mm.", {options.origin}).value());
+        return aboutOption("--origin", failure(command_line_finding::kPointForm, {options.origin}).value());
     return readZMap(options.zmap, options.spacing, Vec2(*origin), options.floor,
                     [&](const StockBox& stock, const Grid& grid) {
                         options.decimation.apply(parameters, {}, static_cast<double>(grid.nx) * grid.ny);

@@ -8,10 +8,12 @@
 #include "app/cli/command.h"
 #include "app/cli/run_command.h"
 #include "core/base/memory.h"
+#include "core/verification/findings/command_line_findings.h"
 
 namespace {
 
 using namespace proveout::cli;
+using namespace proveout::command_line_finding;
 
 /// One row a command, in the order of the help.
 constexpr std::array kCommands{addInterpretCommand,     addSimulateCommand, addDecimateCommand,
@@ -37,9 +39,11 @@ int main(int argc, char** argv) {
     try {
         return static_cast<int>(run(argc, argv));
     } catch (const std::bad_alloc&) {
-        std::fputs("proveout-cli: error: There is not enough memory. [out-of-memory]\n", stderr);
+        // Without the memory that another sentence would take.
+        std::fprintf(stderr, "proveout-cli: error: %s [%s]\n", kCommandOutOfMemory.text,
+                     kCommandOutOfMemory.id);
     } catch (const std::exception& exception) {
-        std::fprintf(stderr, "proveout-cli: error: %s [internal-error]\n", exception.what());
+        printFinding("proveout-cli", kCommandFailed, {exception.what()});
     }
     return static_cast<int>(ExitCode::unusable);
 }

@@ -9,6 +9,7 @@
 
 #include "core/base/atomic_file.h"
 #include "core/base/memory.h"
+#include "core/verification/findings/command_line_findings.h"
 
 namespace proveout::cli {
 
@@ -28,8 +29,7 @@ Result<void> checkDistinct(const std::vector<std::string>& inputs, const std::ve
             continue;
         const auto path = resolved(output);
         if (std::ranges::find(taken, path) != taken.end())
-            return failure("output-overwrites", "This output would overwrite an input or another output.", {},
-                           output);
+            return failure(command_line_finding::kOutputOverwrites, {}, output);
         taken.push_back(path);
     }
     return {};
@@ -49,7 +49,7 @@ Result<void> checkSpaceTogether(const std::vector<Output>& outputs) {
         const std::uint64_t together = needed[info.st_dev] += bytes;
         const auto space = std::filesystem::space(folder, error);
         if (!error && space.capacity > 0 && together > space.available)
-            return failure("outputs-lack-space", "The outputs need {} on this disk, but only {} is free.",
+            return failure(command_line_finding::kOutputsLackSpace,
                            {readableBytes(static_cast<double>(together)),
                             readableBytes(static_cast<double>(space.available))},
                            file);
@@ -78,9 +78,7 @@ bool writesFullMesh(const DecimationParameters& parameters) {
 Result<void> checkExportable(const DecimationParameters& parameters) {
     if (parameters.borders == BorderRule::shared || parameters.method == DecimationMethod::none)
         return {};
-    return failure(
-        "borders-not-exported",
-        "Borders decimated per region leave cracks. They are for studies only and cannot be exported.");
+    return failure(command_line_finding::kBordersNotExported);
 }
 
 } // namespace proveout::cli

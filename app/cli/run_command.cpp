@@ -7,8 +7,10 @@
 #include <iostream>
 #include <string>
 #include <system_error>
+#include <utility>
 
 #include "core/base/write_signals.h"
+#include "core/verification/findings/command_line_findings.h"
 
 namespace proveout::cli {
 
@@ -20,10 +22,10 @@ ExitCode refuse(const CLI::App& app, std::string sentence) {
     const auto chosen = app.get_subcommands();
     const CLI::App& command = chosen.empty() ? app : *chosen.front();
     const std::string name = chosen.empty() ? app.get_name() : app.get_name() + " " + command.get_name();
-    if (!sentence.ends_with('.'))
-        sentence += '.';
-    fmt::print(stderr, "{}: error: {} [usage]\n\n{}\nFor more, run {} --help\n", app.get_name(), sentence,
-               CLI::Formatter().make_usage(&command, name), name);
+    if (sentence.ends_with('.'))
+        sentence.pop_back();
+    printFinding(app.get_name(), command_line_finding::kUsage, {std::move(sentence)});
+    fmt::print(stderr, "\n{}\nFor more, run {} --help\n", CLI::Formatter().make_usage(&command, name), name);
     return ExitCode::unusable;
 }
 
@@ -47,14 +49,21 @@ void refuseEmptyValues(CLI::App& app) {
 
 /// `error`: 0 where the reason is not known any more.
 ExitCode unwritableOutput(const CLI::App& app, int error) {
-    const std::string reason =
-        error == 0 ? std::string() : fmt::format(": {}", std::generic_category().message(error));
-    fmt::print(stderr, "{}: error: Cannot write to standard output{}. [output-unwritable]\n", app.get_name(),
-               reason);
+    if (error == 0)
+        printFinding(app.get_name(), command_line_finding::kOutputUnwritable);
+    else
+        printFinding(app.get_name(), command_line_finding::kOutputUnwritableReason,
+                     {std::generic_category().message(error)});
     return ExitCode::unusable;
 }
 
 } // namespace
+
+void printFinding(const std::string& program, const FindingRow& row, std::vector<std::string> arguments) {
+    Diagnostic diagnostic = diagnosticOf(row, std::move(arguments));
+    diagnostic.file = program;
+    fmt::print(stderr, "{}\n", oneLine(diagnostic));
+}
 
 ExitCode runCommand(CLI::App& app, const ExitCode& exitCode, int argc, char** argv) {
     if (argc > 1 && isUnknownCommand(app, argv[1]))

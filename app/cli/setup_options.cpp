@@ -4,7 +4,6 @@
 #include <charconv>
 #include <fmt/format.h>
 #include <set>
-#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -12,11 +11,14 @@
 #include "core/base/memory.h"
 #include "core/cutter/tool_file.h"
 #include "core/decimation/regions/region_decimator.h"
+#include "core/formats/job_findings.h"
 #include "core/formats/stock_shapes.h"
 #include "core/nc/codes/dialects.h"
 #include "core/nc/codes/ignored_codes.h"
 #include "core/simulation/setup/automatic_grid.h"
 #include "core/simulation/setup/setup_fields.h"
+#include "core/verification/findings/command_line_findings.h"
+#include "core/zmap/zmap_findings.h"
 
 namespace proveout::cli {
 
@@ -106,8 +108,7 @@ Result<void> ToolOptions::apply(ToolTable& table) const {
             return aboutOption("--tool", std::move(tool.error()));
         if (!named.insert(tool->first).second)
             return aboutOption(
-                "--tool",
-                failure("tool-twice", "Tool {} is specified twice.", {std::to_string(tool->first)}).value());
+                "--tool", failure(command_line_finding::kToolTwice, {std::to_string(tool->first)}).value());
         table.set(tool->first, std::move(tool->second));
     }
     return {};
@@ -134,11 +135,10 @@ Result<void> StartOptions::apply(Setup& setup) const {
     for (int axis = 0; axis < 3; ++axis) {
         if ((*start)[axis] < field.minimum || (*start)[axis] > field.maximum)
             return aboutOption(
-                "--start",
-                failure("start-out-of-range", "{}{} is out of range; positions must be from {} to {} mm.",
-                        {std::string(1, "XYZ"[axis]), fmt::format("{:g}", (*start)[axis]),
-                         fmt::format("{:g}", field.minimum), fmt::format("{:g}", field.maximum)})
-                    .value());
+                "--start", failure(command_line_finding::kStartOutOfRange,
+                                   {std::string(1, "XYZ"[axis]), fmt::format("{:g}", (*start)[axis]),
+                                    fmt::format("{:g}", field.minimum), fmt::format("{:g}", field.maximum)})
+                               .value());
     }
     setup.start = *start;
     return {};
@@ -178,12 +178,7 @@ Diagnostics unusedCompensationStart(bool typeB, const Program& program) {
     const Dialect& row = dialect(program.dialect());
     if (!typeB || row.vectors.used)
         return {};
-    Diagnostics told =
-        failure("compensation-start-unused",
-                "Cutter compensation start-up type B has no effect: {} has no start-up types.", {row.name})
-            .value();
-    told.front().severity = Severity::warning;
-    return told;
+    return {diagnosticOf(command_line_finding::kCompensationStartUnused, {row.name})};
 }
 
 void SetupOptions::addTo(CLI::App& command) {
@@ -216,9 +211,8 @@ Result<Job> SetupOptions::readJobFile() const {
     auto job = m_allowOutside ? readJob(m_jobFile, anyOutside) : readJob(m_jobFile);
     if (!job)
         for (Diagnostic& error : job.error())
-            if (std::string_view(error.id) == "job-outside")
-                error.text = "The field \"{}\" names {}, which is outside the job folder; use "
-                             "--allow-outside if you trust the job.";
+            if (hasIdOf(error, job_finding::kJobOutside))
+                error.text = command_line_finding::kJobOutside.text;
     return job;
 }
 
@@ -233,9 +227,9 @@ Result<Job> SetupOptions::job() const {
     if (!m_program.empty())
         job.program = m_program;
     if (job.program.empty())
-        return failure("no-program", "No program: name an NC program or use --job.", {}, "proveout-cli");
+        return failure(command_line_finding::kNoProgram, {}, "proveout-cli");
     if (m_jobFile.empty() && m_stock.spec.empty())
-        return failure("no-stock", "No stock: use --stock WxDxH or --job.", {}, "proveout-cli");
+        return failure(command_line_finding::kNoStock, {}, "proveout-cli");
     if (auto stock = m_stock.apply(job.setup); !stock)
         return tl::unexpected(std::move(stock.error()));
     if (m_jobFile.empty() || m_grid == kAutomatic)
@@ -291,9 +285,10 @@ Result<void> SetupOptions::checkGrid(const Job& job, const MapOutputs& outputs) 
 
 /// The job file is meant where its value was used.
 tl::unexpected<Diagnostics> SetupOptions::aboutGrid(Diagnostics diagnostics) const {
-    const std::string_view id = diagnostics.front().id;
-    const bool origin = id.starts_with("stock-origin");
-    const bool size = id.starts_with("stock-size");
+    const Diagnostic& reason = diagnostics.front();
+    const bool origin = hasIdOf(reason, zmap_finding::kStockOriginBad);
+    const bool size =
+        hasIdOf(reason, zmap_finding::kStockSizeBad) || hasIdOf(reason, zmap_finding::kStockSizeNarrow);
     const bool given = origin ? !m_stock.origin.empty() : size ? !m_stock.spec.empty() : !m_grid.empty();
     if (given || m_jobFile.empty())
         return aboutOption(origin ? "--stock-origin" : size ? "--stock" : "--grid", std::move(diagnostics));

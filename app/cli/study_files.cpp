@@ -6,6 +6,7 @@
 #include "core/base/atomic_file.h"
 #include "core/study/study_csv.h"
 #include "core/study/svg_chart.h"
+#include "core/verification/findings/command_line_findings.h"
 
 namespace proveout::cli {
 
@@ -19,8 +20,7 @@ Result<void> StudyFiles::prepare() const {
     std::error_code error;
     std::filesystem::create_directories(m_folder, error);
     if (error)
-        return failure("folder-unwritable", "The folder cannot be created: {}.", {error.message()},
-                       m_folder.string());
+        return failure(command_line_finding::kFolderUnwritable, {error.message()}, m_folder.string());
     // Found out by opening a file, before hours of sweeps: permissions alone do not tell (a full disk, root).
     auto ready = AtomicFile(m_folder / "runs.csv", kLeastBytes).ready();
     if (!ready)

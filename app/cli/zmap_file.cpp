@@ -10,6 +10,7 @@
 
 #include "app/cli/option_error.h"
 #include "core/formats/npy.h"
+#include "core/verification/findings/command_line_findings.h"
 
 namespace proveout::cli {
 
@@ -19,23 +20,22 @@ constexpr double kStandardThickness = 5; ///< mm below the least height
 
 Result<StockBox> stockOf(const NpyArray& array, double spacing, Vec2 origin, std::optional<double> floor) {
     if (array.rows < 2 || array.columns < 2)
-        return failure("zmap-too-small", "A z-map needs at least 2 × 2 points; this one has {} × {}.",
+        return failure(command_line_finding::kZmapTooSmall,
                        {std::to_string(array.rows), std::to_string(array.columns)});
     const auto bad = std::ranges::find_if(array.values, [](double z) { return !std::isfinite(z); });
     if (bad != array.values.end()) {
         const auto index = static_cast<std::size_t>(std::distance(array.values.begin(), bad));
         const auto columns = static_cast<std::size_t>(array.columns);
-        return failure("zmap-not-finite", "Row {}, column {} is not a finite number.",
+        return failure(command_line_finding::kZmapNotFinite,
                        {std::to_string(index / columns), std::to_string(index % columns)});
     }
     const auto [least, most] = std::ranges::minmax(array.values);
     const double bottom = floor.value_or(least - kStandardThickness);
     if (!(bottom <= least && bottom < most))
         return aboutOption(
-            "--floor",
-            failure("floor-too-high", "The stock bottom, {} mm, must be below the heights, {} … {} mm.",
-                    {fmt::format("{}", bottom), fmt::format("{}", least), fmt::format("{}", most)})
-                .value());
+            "--floor", failure(command_line_finding::kFloorTooHigh,
+                               {fmt::format("{}", bottom), fmt::format("{}", least), fmt::format("{}", most)})
+                           .value());
     StockBox stock;
     stock.corner = {origin, most};
     stock.width = spacing * (array.columns - 1);

@@ -4,6 +4,7 @@
 #include <cstring>
 #include <exception>
 #include <optional>
+#include <string>
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -11,9 +12,11 @@
 #include <QSettings>
 #include <QTemporaryDir>
 
+#include "app/cli/run_command.h"
 #include "app/workstation/screenshot_run.h"
 #include "app/workstation/study_main.h"
 #include "core/base/write_signals.h"
+#include "core/verification/findings/command_line_findings.h"
 #include "ui/appearance.h"
 #include "ui/main_window.h"
 #include "ui/recovery.h"
@@ -37,6 +40,10 @@ struct Options {
 
 QSize readSize(const QString& text) {
     return {text.section(u'x', 0, 0).toInt(), text.section(u'x', 1, 1).toInt()};
+}
+
+void refuse(const std::string& sentence) {
+    cli::printFinding("proveout", command_line_finding::kUsage, {sentence});
 }
 
 /// Ends the process itself on --help, --version and on usage errors.
@@ -86,12 +93,12 @@ Options readOptions(const QStringList& arguments) {
     options.language = parser.value(language);
     options.actions = parser.values(action);
     if (parser.isSet(screenshot) && options.screenshot.isEmpty()) {
-        std::fputs("proveout: --screenshot must not be empty\n", stderr);
+        refuse("--screenshot must not be empty");
         std::exit(kUsage);
     }
     const bool badSeek = parser.isSet(seek) && !isNumber && parser.value(seek) != QLatin1String("end");
     if (badSeek || (parser.isSet(size) && options.size.isEmpty())) {
-        std::fputs("proveout: --seek takes a number or \"end\", --size takes WxH\n", stderr);
+        refuse("--seek takes a number or \"end\", --size takes WxH");
         std::exit(kUsage);
     }
     return options;
@@ -101,7 +108,7 @@ bool trigger(MainWindow& window, const QStringList& ids) {
     for (const QString& id : ids) {
         QAction* action = window.action(id);
         if (action == nullptr) {
-            std::fprintf(stderr, "proveout: there is no command with the id %s\n", qPrintable(id));
+            refuse("There is no command with the id " + id.toStdString());
             return false;
         }
         action->trigger();
@@ -187,7 +194,8 @@ int main(int argc, char** argv) {
     try {
         return studies ? proveout::studyMain(argc, argv) : proveout::run();
     } catch (const std::exception& problem) {
-        std::fprintf(stderr, "proveout: error: %s\n", problem.what());
+        proveout::cli::printFinding("proveout", proveout::command_line_finding::kCommandFailed,
+                                    {problem.what()});
         return 1;
     }
 }

@@ -2,11 +2,13 @@
 #include "app/workstation/screenshot_run.h"
 
 #include <algorithm>
-#include <cstdio>
 
 #include <QCoreApplication>
 #include <QDockWidget>
 #include <QPixmap>
+
+#include "app/cli/run_command.h"
+#include "core/verification/findings/command_line_findings.h"
 
 namespace proveout {
 
@@ -84,7 +86,7 @@ void ScreenshotRun::take() {
 }
 
 void ScreenshotRun::giveUp(const char* reason) {
-    std::fprintf(stderr, "proveout: no picture: %s\n", reason);
+    cli::printFinding("proveout", command_line_finding::kScreenshotFailed, {reason});
     QCoreApplication::exit(kFailed);
 }
 

@@ -10,6 +10,7 @@
 #include "app/cli/study_command.h"
 #include "core/base/atomic_file.h"
 #include "core/study/svg_chart.h"
+#include "core/verification/findings/command_line_findings.h"
 #include "ui/viewport/offscreen_drawing.h"
 
 namespace proveout {
@@ -27,7 +28,7 @@ Result<void> writePicture(const std::filesystem::path& file, const std::string& 
     painter.end();
     QBuffer bytes;
     if (!renderer.isValid() || !bytes.open(QIODevice::WriteOnly) || !image.save(&bytes, "PNG"))
-        return failure("picture-failed", "The picture cannot be drawn.", {}, file.string());
+        return failure(command_line_finding::kPictureFailed, {}, file.string());
     return writeFile(file, bytes.data().toStdString());
 }
 

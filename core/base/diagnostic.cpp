@@ -102,14 +102,4 @@ std::string oneLine(const Diagnostic& diagnostic) {
                        diagnostic.id);
 }
 
-tl::unexpected<Diagnostics> failure(const char* id, const char* text, std::vector<std::string> arguments,
-                                    std::string file) {
-    Diagnostic diagnostic;
-    diagnostic.id = id;
-    diagnostic.text = text;
-    diagnostic.arguments = std::move(arguments);
-    diagnostic.file = std::move(file);
-    return tl::unexpected<Diagnostics>(Diagnostics{std::move(diagnostic)});
-}
-
 } // namespace proveout

@@ -62,8 +62,4 @@ using Result = tl::expected<T, Diagnostics>;
 /// "note", "warning", "error" or "fault".
 [[nodiscard]] const char* name(Severity severity);
 
-/// A result that failed with one error about no place in particular.
-[[nodiscard]] tl::unexpected<Diagnostics>
-failure(const char* id, const char* text, std::vector<std::string> arguments = {}, std::string file = {});
-
 } // namespace proveout

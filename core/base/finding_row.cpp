@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/base/finding_row.h"
 
+#include <string_view>
 #include <utility>
 
 namespace proveout {
@@ -33,12 +34,20 @@ const char* name(FindingSource source) {
         return "export";
     case FindingSource::breakpoints:
         return "breakpoints";
+    case FindingSource::window:
+        return "window";
+    case FindingSource::commandLine:
+        return "command-line";
     }
     return "files";
 }
 
 Diagnostic diagnosticOf(const FindingRow& row, std::vector<std::string> arguments) {
     return {row.severity, row.unverified, row.id, row.text, std::move(arguments), row.hint, {}, {}};
+}
+
+bool hasIdOf(const Diagnostic& diagnostic, const FindingRow& row) {
+    return std::string_view(diagnostic.id) == row.id;
 }
 
 tl::unexpected<Diagnostics> failure(const FindingRow& row, std::vector<std::string> arguments,

@@ -21,7 +21,8 @@ enum class SeverityRule : std::uint8_t {
     worstLeftOut,     ///< as the worst of the findings that it stands for
 };
 
-/// A finding without its place and arguments. All texts are literals marked with PROVEOUT_TEXT.
+/// A finding without its place and arguments. All texts are literals, marked with PROVEOUT_TEXT where the
+/// window shows them.
 struct FindingRow {
     Severity severity = Severity::error;
     bool unverified = false; ///< from its place on, nothing can be promised about the program
@@ -47,12 +48,14 @@ enum class FindingSource : std::uint8_t {
     jobFile,     ///< jobs
     exporting,   ///< meshes and other files that are written
     breakpoints, ///< conditions that stop a run
+    window,      ///< what only the window does: backups, work in the background, its export
+    commandLine, ///< options and outputs of a command
 };
 
 /// kebab-case, e.g. "job-file": for machine-readable listings.
 [[nodiscard]] const char* name(FindingSource source);
 
-/// Rows that one part of the core notices.
+/// Rows that one part of the house notices.
 struct FindingTable {
     FindingSource noticedBy;
     std::span<const FindingRow* const> rows;
@@ -61,6 +64,9 @@ struct FindingTable {
 
 /// The finding of a row, at no place in particular.
 [[nodiscard]] Diagnostic diagnosticOf(const FindingRow& row, std::vector<std::string> arguments = {});
+
+/// Whether a diagnostic is a finding of the row, or of another with the same id.
+[[nodiscard]] bool hasIdOf(const Diagnostic& diagnostic, const FindingRow& row);
 
 /// A result that failed with the finding of a row.
 [[nodiscard]] tl::unexpected<Diagnostics>

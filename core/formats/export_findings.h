@@ -24,13 +24,12 @@ inline constexpr FindingRow kExportRoundedBeyond{
     PROVEOUT_TEXT("Core", "Rounded to single precision, the mesh deviates from the z-map by up to {} mm, "
                           "more than the error allowance of {} mm; OBJ or PLY would keep {} mm."),
     PROVEOUT_TEXT("Core", "Export OBJ or PLY: they hold coordinates in double precision.")};
-inline constexpr FindingRow kNothingLeft{
-    Severity::error,
-    false,
-    "nothing-left",
-    PROVEOUT_TEXT("Core", "Nothing to export"),
-    PROVEOUT_TEXT("Core", "No stock is left, so there is no mesh to export."),
-    ""};
+inline constexpr FindingRow kNothingLeft{Severity::error,
+                                         false,
+                                         "nothing-left",
+                                         PROVEOUT_TEXT("Core", "Nothing to export"),
+                                         PROVEOUT_TEXT("Core", "There is no stock left to export."),
+                                         ""};
 inline constexpr FindingRow kMeshCoordinate{
     Severity::error,
     false,

@@ -100,7 +100,9 @@ TEST_F(CliInterpret, TheStartOfCompensationIsOfTypeAOrB) {
         const int exitCode = finished.exitCode;
         EXPECT_EQ(ends(control + " --compensation-start b"), before) << control;
         EXPECT_EQ(finished.exitCode, exitCode);
-        EXPECT_TRUE(finished.tells("p.nc: warning: Type B ", "compensation-start-unused")) << finished.err;
+        EXPECT_TRUE(finished.tells("p.nc: warning: Cutter compensation start-up type B ",
+                                   "compensation-start-unused"))
+            << finished.err;
     }
 }
 

@@ -359,8 +359,9 @@ TEST_F(CliSimulate, TheStartOfCompensationStandsInTheJobOrOutranksIt) {
     EXPECT_EQ(motions(""), 5);
     EXPECT_EQ(motions(" --compensation-start b"), 5);
     EXPECT_EQ(motions(" --compensation-start a"), 4);
-    EXPECT_TRUE(run("simulate --job c.proveout --dialect linuxcnc")
-                    .tells("c.proveout: warning: Type B ", "compensation-start-unused"));
+    EXPECT_TRUE(
+        run("simulate --job c.proveout --dialect linuxcnc")
+            .tells("c.proveout: warning: Cutter compensation start-up type B ", "compensation-start-unused"));
 }
 
 TEST_F(CliSimulate, NothingLeftIsSaid) {

@@ -6,7 +6,8 @@
 
 #include <QFileInfo>
 
-#include "core/base/text.h"
+#include "core/formats/job_findings.h"
+#include "core/verification/findings/window_findings.h"
 #include "ui/file_paths.h"
 #include "ui/job_permissions.h"
 #include "ui/session/problems_hub.h"
@@ -40,7 +41,7 @@ void DocumentHub::refuseOpening(const QString& file, const Diagnostics& errors) 
     std::vector<std::filesystem::path> outside;
     bool otherwise = false; // it cannot be opened anyway
     for (const Diagnostic& error : errors) {
-        if (std::string_view(error.id) == "job-outside")
+        if (hasIdOf(error, job_finding::kJobOutside))
             outside.emplace_back(error.arguments.at(1));
         else
             otherwise = otherwise || error.severity == Severity::error; // warnings of the job follow
@@ -78,10 +79,7 @@ void DocumentHub::stopOpening() {
     if (!m_reader.isReading())
         return;
     m_reader.cancel();
-    m_problems.report(failure("opening-stopped",
-                              PROVEOUT_TEXT("Core", "The file was not opened because the open program was edited "
-                                                    "while the file was being read."))
-                          .value());
+    m_problems.report(failure(window_finding::kOpeningStopped).value());
 }
 
 // The text.

@@ -4,7 +4,7 @@
 #include <memory>
 #include <utility>
 
-#include "core/base/text.h"
+#include "core/verification/findings/window_findings.h"
 #include "ui/session/document_hub.h"
 #include "ui/session/problems_hub.h"
 #include "ui/session/program_hub.h"
@@ -23,16 +23,12 @@ ExportHub::ExportHub(const Hubs& hubs) : m_hubs(hubs) {
 
 void ExportHub::exportMesh(const QString& file, const ExportOptions& options) {
     if (m_running) {
-        m_hubs.problems.report(
-            failure("export-running",
-                    PROVEOUT_TEXT("Core", "A file is still being written. Wait for it, or cancel it."))
-                .value());
+        m_hubs.problems.report(failure(window_finding::kExportRunning).value());
         return;
     }
     m_hubs.simulation.takeFrame();
     if (!m_hubs.simulation.frame()) {
-        m_hubs.problems.report(
-            failure("no-stock", PROVEOUT_TEXT("Core", "There is no stock to export yet.")).value());
+        m_hubs.problems.report(failure(window_finding::kNoStock).value());
         return;
     }
     m_hubs.problems.set(ProblemSource::files, {});

@@ -3,8 +3,8 @@
 
 #include <new>
 
-#include "core/base/text.h"
 #include "core/formats/stock_shapes.h"
+#include "core/verification/findings/window_findings.h"
 #include "ui/file_paths.h"
 #include "ui/session/job_hub.h"
 #include "ui/session/problems_hub.h"
@@ -14,13 +14,7 @@ namespace proveout {
 namespace {
 
 Diagnostic changedOnDiskWarning(const std::string& file) {
-    Diagnostic warning;
-    warning.severity = Severity::warning;
-    warning.unverified = true;
-    warning.id = "stock-changed-on-disk";
-    warning.text = PROVEOUT_TEXT("Core", "The stock file has changed on disk; the simulation still uses "
-                                         "the version read before.");
-    warning.hint = PROVEOUT_TEXT("Core", "Reload the stock in the Setup panel, or keep the current version.");
+    Diagnostic warning = diagnosticOf(window_finding::kStockChangedOnDisk);
     warning.file = file;
     return warning;
 }
@@ -31,8 +25,7 @@ Result<StockSpec> readAgain(const Setup& setup) {
         if (const Result<void> done = makeStock(spec, setup.stock.corner); !done)
             return tl::unexpected(done.error());
     } catch (const std::bad_alloc&) {
-        return failure("stock-out-of-memory",
-                       PROVEOUT_TEXT("Core", "There is not enough memory for the stock."));
+        return failure(window_finding::kStockOutOfMemory);
     }
     return spec;
 }

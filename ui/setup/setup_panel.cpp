@@ -15,8 +15,8 @@
 #include <QVBoxLayout>
 
 #include "core/base/memory.h"
-#include "core/base/text.h"
 #include "core/nc/codes/dialects.h"
+#include "core/verification/findings/window_findings.h"
 #include "ui/carried_values.h"
 #include "ui/diagnostic_text.h"
 #include "ui/edited_elsewhere_bar.h"
@@ -275,8 +275,7 @@ void SetupPanel::makeStock(const StockSpec& spec, const std::optional<Vec3>& cor
         try {
             done = proveout::makeStock(made, corner);
         } catch (const std::bad_alloc&) {
-            done = failure("stock-out-of-memory",
-                           PROVEOUT_TEXT("Core", "There is not enough memory for the stock."));
+            done = failure(window_finding::kStockOutOfMemory);
         }
         reply.post([this, made, done] {
             if (done)

@@ -8,7 +8,7 @@
 
 #include <QThread>
 
-#include "core/base/text.h"
+#include "core/verification/findings/window_findings.h"
 
 namespace proveout {
 
@@ -24,9 +24,9 @@ Result<void> carriedOut(const Work& work, DrawCost& drawing, const WorkContext& 
     try {
         return work(drawing, context);
     } catch (const std::bad_alloc&) {
-        return failure("out-of-memory", PROVEOUT_TEXT("Core", "There is not enough memory for the study."));
+        return failure(window_finding::kStudyOutOfMemory);
     } catch (const std::exception& exception) {
-        return failure("internal-error", PROVEOUT_TEXT("Core", "The study failed: {}."), {exception.what()});
+        return failure(window_finding::kStudyFailed, {exception.what()});
     }
 }
 

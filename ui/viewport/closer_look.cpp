@@ -9,6 +9,7 @@
 
 #include "core/base/stop_watch.h"
 #include "core/decimation/surface/refined_surface.h"
+#include "core/verification/findings/window_findings.h"
 #include "ui/diagnostic_text.h"
 
 namespace proveout {
@@ -25,11 +26,9 @@ Result<FramePtr> closerOrRefused(const Frame& frame, const BoxOfInterest& box, c
     try {
         return closerFrame(frame, box, context);
     } catch (const std::bad_alloc&) {
-        return failure("box-out-of-memory",
-                       PROVEOUT_TEXT("Core", "There is not enough memory for the detail region."));
+        return failure(window_finding::kDetailOutOfMemory);
     } catch (const std::exception& exception) {
-        return failure("internal-error", PROVEOUT_TEXT("Core", "The detail region could not be cut: {}."),
-                       {exception.what()});
+        return failure(window_finding::kDetailFailed, {exception.what()});
     }
 }
 

@@ -7,7 +7,7 @@
 #include <QThread>
 
 #include "core/base/stop_watch.h"
-#include "core/base/text.h"
+#include "core/verification/findings/window_findings.h"
 #include "ui/gl/scene_renderer.h"
 #include "ui/viewport/camera.h"
 
@@ -58,7 +58,7 @@ Result<std::unique_ptr<DrawCost>> OffscreenDrawing::create(int width, int height
     if (current)
         state->context.doneCurrent();
     if (!usable)
-        return failure("opengl-missing", PROVEOUT_TEXT("Core", "OpenGL 3.3 is not available."));
+        return failure(window_finding::kOpenGlMissing);
     if (thread != nullptr)
         state->context.moveToThread(thread);
     return std::unique_ptr<DrawCost>(new OffscreenDrawing(std::move(state)));

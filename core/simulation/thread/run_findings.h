@@ -19,7 +19,7 @@ inline constexpr FindingRow kOutOfMemory{
 inline constexpr FindingRow kInternalError{Severity::error,
                                            false,
                                            "internal-error",
-                                           PROVEOUT_TEXT("Core", "Simulation stopped"),
+                                           PROVEOUT_TEXT("Core", "Internal error"),
                                            PROVEOUT_TEXT("Core", "The simulation failed: {}."),
                                            ""};
 

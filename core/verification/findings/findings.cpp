@@ -20,6 +20,8 @@
 #include "core/simulation/thread/condition_findings.h"
 #include "core/simulation/thread/run_findings.h"
 #include "core/study/study_findings.h"
+#include "core/verification/findings/command_line_findings.h"
+#include "core/verification/findings/window_findings.h"
 #include "core/zmap/stock_body_findings.h"
 #include "core/zmap/zmap_findings.h"
 
@@ -62,6 +64,8 @@ constexpr std::array kTables{
     FindingTable{FindingSource::simulation, run_finding::kRunRows, true},
     FindingTable{FindingSource::breakpoints, condition_finding::kConditionRows, true},
     FindingTable{FindingSource::study, study_finding::kStudyRows, true},
+    FindingTable{FindingSource::window, window_finding::kWindowRows, true},
+    FindingTable{FindingSource::commandLine, command_line_finding::kCommandLineRows, true},
 };
 
 } // namespace

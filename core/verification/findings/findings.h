@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The one table of everything that can be wrong, whoever in the core notices it. The rows live in the rooms
-// that notice them; a new table is one line of findings.cpp.
+// The one table of everything that can be wrong, whoever notices it. The rows of the core live in the rooms
+// that notice them, those of the window and of the command line beside this file, because the core
+// includes neither ui nor app. A new table is one line of findings.cpp.
 #pragma once
 
 #include <span>

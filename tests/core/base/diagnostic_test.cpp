@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/finding_row.h"
 #include "core/base/list_argument.h"
 
 namespace proveout {
@@ -62,10 +63,12 @@ TEST(Diagnostic, NothingInItTurnsTheTextAroundOrIsNoText) {
 }
 
 TEST(Diagnostic, FailureIsOneError) {
-    const auto failed = failure("id", "Text {}.", {"a"}, "file");
+    constexpr FindingRow kRow{Severity::error, false, "id", "Title", "Text {}.", "Hint."};
+    const auto failed = failure(kRow, {"a"}, "file");
     ASSERT_EQ(failed.value().size(), 1U);
     EXPECT_EQ(failed.value().front().severity, Severity::error);
     EXPECT_EQ(oneLine(failed.value().front()), "file: error: Text a. [id]");
+    EXPECT_STREQ(failed.value().front().hint, "Hint.");
 }
 
 TEST(Diagnostic, EverySeverityHasAName) {

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Nothing is told outside of the table: read from the sources of the core themselves.
+// Nothing is told outside of the table: read from the sources of the program themselves.
 #include <cstddef>
 #include <regex>
+#include <set>
 #include <string>
 
 #include <gtest/gtest.h>
@@ -19,12 +20,16 @@ std::size_t rowsInTables() {
     return rows;
 }
 
+bool isOfTheProgram(const SourceFile& file) {
+    return (file.in("core") || file.in("ui") || file.in("app")) && file.isCpp();
+}
+
 TEST(FindingSources, EveryRowIsCollected) {
     static const std::regex kRow(R"re(constexpr FindingRow k\w+\{[^"]*?"([a-z0-9-]+)")re");
     static const std::regex kConstant(R"(constexpr FindingRow k\w+\{)");
     std::size_t constants = 0;
     for (const SourceFile& file : sourceTree()) {
-        if (!file.in("core") || !file.isCpp())
+        if (!isOfTheProgram(file))
             continue;
         for (std::sregex_iterator each(file.text.begin(), file.text.end(), kRow), end; each != end; ++each)
             EXPECT_NE(findFinding((*each)[1].str()), nullptr) << file.path << ": " << (*each)[1];
@@ -35,14 +40,36 @@ TEST(FindingSources, EveryRowIsCollected) {
     EXPECT_EQ(constants, rowsInTables()) << "a row is in no table, or in two";
 }
 
+bool holdsRows(const SourceFile& file) {
+    return file.path.ends_with("_findings.h") || file.path.ends_with("messages.h");
+}
+
 TEST(FindingSources, NothingIsToldWithoutARow) {
     static const std::regex kTold(
-        R"re((failure|Diagnostic)\s*[({]\s*"|\b(warning|diagnostic|error|finding|note|more)\.id = "|\bDiagnostic \w+;)re");
+        R"re((failure|Diagnostic)\s*[({]\s*"|\b(warning|diagnostic|error|finding|note|more)\.id = "|\bDiagnostic \w+;|\[[a-z-]+\]\\n")re");
+    std::set<std::string> tops;
     for (const SourceFile& file : sourceTree()) {
         const bool isTheType = file.path.starts_with("core/base/diagnostic.");
         std::smatch told;
-        if (file.in("core") && file.isCpp() && !isTheType) {
+        if (isOfTheProgram(file) && !isTheType) {
+            tops.insert(file.path.substr(0, file.path.find('/')));
             EXPECT_FALSE(std::regex_search(file.text, told, kTold)) << file.path << ": " << told.str();
+        }
+    }
+    EXPECT_EQ(tops, (std::set<std::string>{"app", "core", "ui"}));
+}
+
+/// A finding is recognised by its row (hasIdOf()): a copy of its id would go on living after it.
+TEST(FindingSources, NoIdIsWrittenOutsideOfTheRows) {
+    static const std::regex kQuoted(R"re("([a-z0-9]+(-[a-z0-9]+)+)"|\bid\b[^;\n]*(with\(|==) ?"[a-z-]+")re");
+    static const std::regex kComment(R"(//[^\n]*)");
+    for (const SourceFile& file : sourceTree()) {
+        if (!isOfTheProgram(file) || holdsRows(file))
+            continue;
+        const std::string code = std::regex_replace(file.text, kComment, "");
+        for (std::sregex_iterator each(code.begin(), code.end(), kQuoted), end; each != end; ++each) {
+            const bool isKey = (*each)[1].matched && findFinding((*each)[1].str()) == nullptr;
+            EXPECT_TRUE(isKey) << file.path << ": " << each->str();
         }
     }
 }

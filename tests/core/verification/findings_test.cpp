@@ -112,6 +112,27 @@ TEST(Findings, AreFoundByTheirIds) {
     EXPECT_STREQ(findingTitle("no-such-finding"), "");
 }
 
+TEST(Findings, OfTheWindowAndOfTheCommandLineAreListed) {
+    for (const auto& [id, source] : {std::pair{"export-running", FindingSource::window},
+                                     std::pair{"output-overwrites", FindingSource::commandLine}}) {
+        std::set<FindingSource> found;
+        forEachRow([&, wanted = std::string_view(id)](const FindingTable& table, const FindingRow& row) {
+            if (row.id == wanted)
+                found.insert(table.noticedBy);
+        });
+        EXPECT_EQ(found, std::set{source}) << id;
+    }
+}
+
+TEST(Findings, OfOneSourceHaveAName) {
+    std::map<std::string, FindingSource> names;
+    forEachRow([&](const FindingTable& table, const FindingRow&) {
+        EXPECT_EQ(names.emplace(name(table.noticedBy), table.noticedBy).first->second, table.noticedBy);
+    });
+    EXPECT_EQ(names.count("window"), 1U);
+    EXPECT_EQ(names.count("command-line"), 1U);
+}
+
 TEST(Findings, BecomeDiagnostics) {
     const FindingRow* row = findFinding("rapid-cuts");
     ASSERT_NE(row, nullptr);
@@ -120,6 +141,8 @@ TEST(Findings, BecomeDiagnostics) {
     EXPECT_FALSE(diagnostic.unverified);
     EXPECT_STREQ(diagnostic.id, "rapid-cuts");
     EXPECT_NE(message(diagnostic).find("1.5 mm"), std::string::npos);
+    EXPECT_TRUE(hasIdOf(diagnostic, *row));
+    EXPECT_FALSE(hasIdOf(diagnostic, *findFinding("export-running")));
     const Diagnostics refused = failure(*row, {"2"}, "a.nc").value();
     ASSERT_EQ(refused.size(), 1U);
     EXPECT_EQ(refused.front().file, "a.nc");

@@ -22,6 +22,7 @@
 #include "core/nc/run/interpreter.h"
 #include "core/simulation/run/simulation.h"
 #include "core/simulation/thread/hold_back.h"
+#include "core/verification/findings/window_findings.h"
 #include "tests/ui/viewport/frame_figures.h"
 #include "ui/gl/scene_renderer.h"
 #include "ui/viewport/camera.h"
@@ -157,7 +158,7 @@ Result<Pair> runPair(const Workload& workload, const Options& options, std::size
         runs[k].simulation = std::move(*created);
         runs[k].renderer = SceneRenderer::create();
         if (!runs[k].renderer)
-            return failure("no-renderer", "The driver refuses a shader.");
+            return failure(window_finding::kOpenGlMissing);
         runs[k].wanted = workload.parameters[k];
         if (options.holdBack && k == 0) {
             runs[k].holdBack.emplace(runs[k].wanted.period, runs[k].simulation->frame().surface.facesFull);
