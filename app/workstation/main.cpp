@@ -15,9 +15,9 @@
 #include "app/workstation/study_main.h"
 #include "core/base/write_signals.h"
 #include "ui/appearance.h"
-#include "ui/main_window.h"
-#include "ui/recovery.h"
 #include "ui/session/session.h"
+#include "ui/window/main_window.h"
+#include "ui/window/recovery.h"
 
 namespace proveout {
 namespace {

@@ -18,13 +18,13 @@
 #include <QTreeView>
 
 #include "tests/ui/window/workstation.h"
-#include "ui/dock_layouts.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
 #include "ui/findings/problems_model.h"
-#include "ui/first_geometry.h"
 #include "ui/languages.h"
 #include "ui/theme.h"
+#include "ui/window/dock_layouts.h"
+#include "ui/window/first_geometry.h"
 
 namespace proveout {
 namespace {

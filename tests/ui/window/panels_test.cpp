@@ -11,7 +11,7 @@
 #include "tests/ui/window/workstation.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
-#include "ui/start_page.h"
+#include "ui/window/start_page.h"
 
 namespace proveout {
 namespace {

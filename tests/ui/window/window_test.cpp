@@ -39,11 +39,11 @@
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
 #include "ui/file_paths.h"
-#include "ui/main_window.h"
 #include "ui/resource_paths.h"
 #include "ui/session/session.h"
-#include "ui/start_page.h"
 #include "ui/timeline/timeline_scale.h"
+#include "ui/window/main_window.h"
+#include "ui/window/start_page.h"
 
 namespace proveout {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/layout_menu.h"
+#include "ui/window/layout_menu.h"
 
 #include <QActionGroup>
 #include <QCoreApplication>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/checkpoint_menu.h"
+#include "ui/window/checkpoint_menu.h"
 
 #include <array>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/undo_commands.h"
+#include "ui/window/undo_commands.h"
 
 #include <algorithm>
 #include <array>

@@ -5,7 +5,7 @@
 
 #include <QMenu>
 
-#include "ui/dock_layouts.h"
+#include "ui/window/dock_layouts.h"
 
 namespace proveout {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/first_geometry.h"
+#include "ui/window/first_geometry.h"
 
 #include <algorithm>
 

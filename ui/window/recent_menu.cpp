@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/recent_menu.h"
+#include "ui/window/recent_menu.h"
 
 #include <QDir>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/kept_switches.h"
+#include "ui/window/kept_switches.h"
 
 #include <QSettings>
 

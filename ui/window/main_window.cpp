@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 
 #include <algorithm>
 #include <utility>
@@ -21,26 +21,26 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include "ui/about.h"
-#include "ui/dock_titles.h"
-#include "ui/document_title.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/findings/problems_panel.h"
-#include "ui/first_geometry.h"
-#include "ui/fitted_dock.h"
 #include "ui/kept_breakpoints.h"
-#include "ui/kept_switches.h"
-#include "ui/layout_menu.h"
-#include "ui/main_window_tables.h"
-#include "ui/panel_focus.h"
 #include "ui/plots/plots_panel.h"
-#include "ui/start_page.h"
-#include "ui/status_line.h"
 #include "ui/surface_probe.h"
 #include "ui/timeline/timeline_panel.h"
-#include "ui/undo_commands.h"
 #include "ui/viewport/viewport.h"
 #include "ui/wheel_focus.h"
+#include "ui/window/about.h"
+#include "ui/window/dock_titles.h"
+#include "ui/window/document_title.h"
+#include "ui/window/first_geometry.h"
+#include "ui/window/fitted_dock.h"
+#include "ui/window/kept_switches.h"
+#include "ui/window/layout_menu.h"
+#include "ui/window/main_window_tables.h"
+#include "ui/window/panel_focus.h"
+#include "ui/window/start_page.h"
+#include "ui/window/status_line.h"
+#include "ui/window/undo_commands.h"
 
 namespace proveout {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/start_page.h"
+#include "ui/window/start_page.h"
 
 #include <QComboBox>
 #include <QEvent>

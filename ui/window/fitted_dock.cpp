@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/fitted_dock.h"
+#include "ui/window/fitted_dock.h"
 
 #include <cstdlib>
 
@@ -7,7 +7,7 @@
 #include <QEvent>
 #include <QMainWindow>
 
-#include "ui/dock_layouts.h"
+#include "ui/window/dock_layouts.h"
 
 namespace proveout {
 

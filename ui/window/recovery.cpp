@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/recovery.h"
+#include "ui/window/recovery.h"
 
 #include <algorithm>
 #include <utility>
@@ -14,8 +14,8 @@
 #include "ui/compare_dialog.h"
 #include "ui/file_paths.h"
 #include "ui/kept_breakpoints.h"
-#include "ui/main_window.h"
-#include "ui/recovery_bar.h"
+#include "ui/window/main_window.h"
+#include "ui/window/recovery_bar.h"
 
 namespace proveout {
 

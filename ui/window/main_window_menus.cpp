@@ -7,16 +7,16 @@
 #include <QMenu>
 #include <QMenuBar>
 
-#include "ui/checkpoint_menu.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/findings/problems_panel.h"
-#include "ui/layout_menu.h"
-#include "ui/main_window.h"
-#include "ui/main_window_tables.h"
 #include "ui/plots/plots_panel.h"
-#include "ui/recent_menu.h"
 #include "ui/resource_paths.h"
-#include "ui/undo_commands.h"
+#include "ui/window/checkpoint_menu.h"
+#include "ui/window/layout_menu.h"
+#include "ui/window/main_window.h"
+#include "ui/window/main_window_tables.h"
+#include "ui/window/recent_menu.h"
+#include "ui/window/undo_commands.h"
 
 namespace proveout {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/document_title.h"
+#include "ui/window/document_title.h"
 
 #include <QCoreApplication>
 #include <QFileInfo>

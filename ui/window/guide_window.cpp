@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/guide_window.h"
+#include "ui/window/guide_window.h"
 
 #include <algorithm>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/recovery_bar.h"
+#include "ui/window/recovery_bar.h"
 
 #include <utility>
 

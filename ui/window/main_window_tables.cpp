@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/main_window_tables.h"
+#include "ui/window/main_window_tables.h"
 
 #include <array>
 
@@ -9,13 +9,13 @@
 #include "ui/control/control_panel.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/findings/problems_panel.h"
-#include "ui/guide_window.h"
 #include "ui/plots/plots_panel.h"
 #include "ui/setup/setup_panel.h"
 #include "ui/study/study_panel.h"
 #include "ui/timeline/timeline_panel.h"
 #include "ui/tuning/tuning_panel.h"
 #include "ui/viewport/offscreen_drawing.h"
+#include "ui/window/guide_window.h"
 
 namespace proveout {
 
@@ -109,7 +109,9 @@ std::span<const Command<MainWindow>> MainWindow::meshCommands() {
         {"default-parameters", QT_TRANSLATE_NOOP("MeshCommands", "&Default Parameters"),
          QT_TRANSLATE_NOOP("MeshCommands", "Reset all decimation parameters to their defaults"), "", "",
          Reach::window,
-         [](MainWindow& window) { window.session().job().asOneStep([&] { window.session().job().setParameters({}); }); }},
+         [](MainWindow& window) {
+             window.session().job().asOneStep([&] { window.session().job().setParameters({}); });
+         }},
     }};
     return kCommands;
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/panel_focus.h"
+#include "ui/window/panel_focus.h"
 
 #include <QAction>
 #include <QApplication>
