@@ -32,11 +32,8 @@ constexpr ClassSize kBudget{400, 30, 10};
 /// The classes that are larger today. A number here may become smaller and nothing else; a class that keeps
 /// the budget has no row.
 const ClassSizes kLarger{
-    {"MainWindow", {.lines = 631}},
-    {"NcEditor", {.lines = 435}},
-    {"PlotView", {.lines = 449}},
-    {"Program", {.lines = 458}},
-    {"Session", {.lines = 1241, .fields = 44, .signals = 26}},
+    {"NcEditor", {.lines = 435}}, {"PlotView", {.lines = 449}},
+    {"Program", {.lines = 458}},  {"Session", {.lines = 1241, .fields = 44, .signals = 26}},
     {"Viewport", {.lines = 704}},
 };
 

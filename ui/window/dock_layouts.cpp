@@ -115,6 +115,22 @@ const DockLayout& dockLayout(std::string_view id) {
     return found == all.end() ? all.front() : *found;
 }
 
+void placeUnnamed(DockLayout& layout, const char* id, DockArea area) {
+    const auto isNamed = [id](const DockTabs& tabs) {
+        return std::find(tabs.begin(), tabs.end(), std::string_view(id)) != tabs.end();
+    };
+    for (const std::vector<DockTabs>* places : {&layout.left, &layout.right, &layout.bottom}) {
+        if (std::any_of(places->begin(), places->end(), isNamed))
+            return;
+    }
+    std::vector<DockTabs>& places = area == DockArea::left    ? layout.left
+                                    : area == DockArea::right ? layout.right
+                                                              : layout.bottom;
+    if (places.empty())
+        places.emplace_back();
+    places.front().push_back(id);
+}
+
 int leftDockWidth(int windowWidth, int wanted) {
     return std::clamp(wanted, static_cast<int>(windowWidth * kNarrowestLeft),
                       static_cast<int>(windowWidth * kWidestLeft));

@@ -2,6 +2,7 @@
 // Where the docks are: one row a layout, read by the Layout menu, the main window and tests.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -14,6 +15,9 @@ namespace proveout {
 
 /// Docks (by objectName) that share a place as tabs; the first one is in front.
 using DockTabs = std::vector<const char*>;
+
+/// A side of the view in the middle.
+enum class DockArea : std::uint8_t { left, right, bottom };
 
 /// One arrangement of the window. Static data.
 struct DockLayout {
@@ -33,6 +37,9 @@ struct DockLayout {
 [[nodiscard]] std::span<const DockLayout> dockLayouts();
 /// The layout with this id; the first one where there is none.
 [[nodiscard]] const DockLayout& dockLayout(std::string_view id);
+
+/// Names a dock in a layout that does not: as the last tab of the first place of `area`. `id` is static data.
+void placeUnnamed(DockLayout& layout, const char* id, DockArea area);
 
 /// Puts the docks that the layout names where it has them, all shown. Sizes follow from the window's own: it
 /// must have its size.

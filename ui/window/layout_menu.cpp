@@ -9,12 +9,12 @@ namespace proveout {
 
 namespace {
 
-const QString kKey = QStringLiteral("window/layout");
+const QString kLayoutKey = QStringLiteral("window/layout");
 
 } // namespace
 
 LayoutMenu::LayoutMenu(QWidget* parent)
-    : QMenu(parent), m_present(&dockLayout(QSettings().value(kKey).toString().toStdString())) {
+    : QMenu(parent), m_present(&dockLayout(QSettings().value(kLayoutKey).toString().toStdString())) {
     setObjectName(QStringLiteral("layout-menu"));
     setToolTipsVisible(true);
     auto* group = new QActionGroup(this);
@@ -41,7 +41,7 @@ void LayoutMenu::retranslate() {
 
 void LayoutMenu::choose(const DockLayout& layout) {
     m_present = &layout;
-    QSettings().setValue(kKey, QLatin1String(layout.id));
+    QSettings().setValue(kLayoutKey, QLatin1String(layout.id));
     emit chosen(layout);
 }
 

@@ -1,32 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <vector>
+#include <memory>
 
 #include <QMainWindow>
 
 #include "ui/appearance.h"
-#include "ui/command_table.h"
 #include "ui/file_flow.h"
-#include "ui/playback_commands.h"
 #include "ui/session/session.h"
-
-class QStackedWidget;
 
 namespace proveout {
 
 class EditorPanel;
-class FittedDock;
 class KeptSwitches;
-class LayoutMenu;
-class PanelFocus;
-class ProblemsPanel;
-class StartPage;
+class PanelDocks;
+class PlaybackCommands;
 class StatusLine;
-class TimelinePanel;
 class UndoCommands;
+class WindowCentre;
+class WindowMenus;
+class WindowState;
+class WindowToolBar;
 
-/// The workstation's window: panels in docks round the 3D view, menus and tool bars made from tables.
+/// The workstation's window: panels in docks round the 3D view, menus and tool bar made from tables. It puts
+/// its parts together and joins them with the session.
 class MainWindow final : public QMainWindow {
     Q_OBJECT
 
@@ -38,8 +35,9 @@ public:
     [[nodiscard]] FileFlow& files() { return *m_files; }
     [[nodiscard]] Session& session() { return m_session; }
     [[nodiscard]] Appearance& appearance() { return m_appearance; }
-    [[nodiscard]] EditorPanel& editor() { return *m_editor; }
-    [[nodiscard]] QWidget& viewport() { return *m_viewport; }
+    [[nodiscard]] PanelDocks& docks() { return *m_docks; }
+    [[nodiscard]] EditorPanel& editor();
+    [[nodiscard]] QWidget& viewport();
     /// The action with this objectName, of whatever table; null where there is none.
     [[nodiscard]] QAction* action(const QString& id) const;
 
@@ -52,43 +50,18 @@ public:
     void resetLayout();
     void toggleFullScreen();
     void showStartPage();
-    void showAbout();
-    void showShortcuts();
-    void showTuning();
 
 protected:
     void showEvent(QShowEvent* event) override;
     void closeEvent(QCloseEvent* event) override;
     void changeEvent(QEvent* event) override;
-    void dragEnterEvent(QDragEnterEvent* event) override;
-    void dropEvent(QDropEvent* event) override;
-    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
-    struct Dock;
-    static const std::vector<Dock>& docks();
-    /// Ids of actions in the order of the tool bar; "" is a separator.
-    static std::span<const char* const> toolBarIds();
-    static std::span<const Command<MainWindow>> fileCommands();
-    static std::span<const Command<MainWindow>> meshCommands();
-    static std::span<const Command<MainWindow>> windowCommands();
-    static std::span<const Command<MainWindow>> helpCommands();
-
-    void makePanels();
-    void makeDocks();
-    void arrange();
-    void restorePlayback();
-    void raiseFloatingDocks();
-    void makeMenus();
-    void makeToolBar();
-    QMenu* addMenu(const char* title, const QList<QAction*>& actions);
-    void fillChoices();
-    void fillSamples();
+    void followFiles();
+    void followStartPage();
+    void followSession();
+    void showProgramForSearch();
     void retranslate();
-    void titleDocks();
-    void showProblems();
-    void editNewProgram();
-    void restore();
     void showDocument();
     void titleWindow();
 
@@ -97,31 +70,13 @@ private:
     FileFlow* m_files;
     PlaybackCommands* m_playback;
     StatusLine* m_status;
-
-    QStackedWidget* m_centre;
-    StartPage* m_startPage;
-    QWidget* m_viewport = nullptr;
-    EditorPanel* m_editor = nullptr;
-    QWidget* m_plots = nullptr;
-    ProblemsPanel* m_problems = nullptr;
-    TimelinePanel* m_timeline = nullptr;
-    UndoCommands* m_undo = nullptr;
-    PanelFocus* m_focus = nullptr;
-    FittedDock* m_editorDock = nullptr;
-    std::vector<QDockWidget*> m_docks;                   ///< in the order of docks()
-    std::vector<std::pair<QMenu*, const char*>> m_menus; ///< with their untranslated titles
-    QMenu* m_samplesMenu = nullptr;
-    LayoutMenu* m_layoutMenu = nullptr;
-    QMenu* m_themeMenu = nullptr;
-    QMenu* m_languageMenu = nullptr;
-    QToolBar* m_toolBar = nullptr;
+    WindowCentre* m_centre;
+    PanelDocks* m_docks;
+    UndoCommands* m_undo;
+    WindowMenus* m_menus = nullptr;
+    WindowToolBar* m_toolBar = nullptr;
+    std::unique_ptr<WindowState> m_state;
     KeptSwitches* m_viewOptions = nullptr;
-    bool m_layoutKept = false; ///< the docks are where the settings have them
-
-    CommandActions<MainWindow> m_fileCommands;
-    CommandActions<MainWindow> m_meshCommands;
-    CommandActions<MainWindow> m_windowCommands;
-    CommandActions<MainWindow> m_helpCommands;
 };
 
 } // namespace proveout

@@ -1,62 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/window/main_window_tables.h"
+#include "ui/window/window_commands.h"
 
 #include <array>
 
 #include <QApplication>
+#include <QMenuBar>
 
-#include "ui/breakpoints/breakpoints_panel.h"
-#include "ui/control/control_panel.h"
-#include "ui/editor/editor_panel.h"
-#include "ui/findings/problems_panel.h"
-#include "ui/plots/plots_panel.h"
-#include "ui/setup/setup_panel.h"
-#include "ui/study/study_panel.h"
-#include "ui/timeline/timeline_panel.h"
-#include "ui/tuning/tuning_panel.h"
-#include "ui/viewport/offscreen_drawing.h"
+#include "ui/window/about.h"
 #include "ui/window/guide_window.h"
+#include "ui/window/main_window.h"
+#include "ui/window/panel_docks.h"
 
 namespace proveout {
 
-namespace {
-
-constexpr QSize kStudyPicture{1280, 800};
-
-/// A study draws as the viewport does, and neither panel knows the other.
-Result<std::unique_ptr<DrawCost>> makeStudyDrawing(QThread* thread) {
-    return OffscreenDrawing::create(kStudyPicture.width(), kStudyPicture.height(), thread);
-}
-
-} // namespace
-
-const std::vector<MainWindow::Dock>& MainWindow::docks() {
-    static const std::vector<Dock> kDocks{
-        {"dock-program", QT_TRANSLATE_NOOP("Docks", "NC Program"), "path", "Ctrl+1", true,
-         [](MainWindow& window) -> QWidget* { return window.m_editor; }},
-        {"dock-setup", QT_TRANSLATE_NOOP("Docks", "Setup"), "stock", "Ctrl+2", true,
-         [](MainWindow& window) -> QWidget* { return new SetupPanel(window.m_session, &window); }},
-        {"dock-tuning", QT_TRANSLATE_NOOP("Docks", "Tuning"), "tuning", "Ctrl+3", true,
-         [](MainWindow& window) -> QWidget* { return new TuningPanel(window.m_session, &window); }},
-        {"dock-plots", QT_TRANSLATE_NOOP("Docks", "Plots"), "plots", "Ctrl+4", true,
-         [](MainWindow& window) -> QWidget* { return window.m_plots; }},
-        {"dock-problems", QT_TRANSLATE_NOOP("Docks", "Problems"), "problems", "Ctrl+5", true,
-         [](MainWindow& window) -> QWidget* { return window.m_problems; }},
-        {"dock-timeline", QT_TRANSLATE_NOOP("Docks", "Timeline"), "play", "Ctrl+6", false,
-         [](MainWindow& window) -> QWidget* { return window.m_timeline; }},
-        {"dock-study", QT_TRANSLATE_NOOP("Docks", "Study"), "study", "Ctrl+7", true,
-         [](MainWindow& window) -> QWidget* {
-             return new StudyPanel(window.m_session, makeStudyDrawing, &window);
-         }},
-        {"dock-control", QT_TRANSLATE_NOOP("Docks", "Control"), "settings", "Ctrl+8", true,
-         [](MainWindow& window) -> QWidget* { return new ControlPanel(window.m_session, &window); }},
-        {"dock-breakpoints", QT_TRANSLATE_NOOP("Docks", "Breakpoints"), "breakpoint", "Ctrl+9", true,
-         [](MainWindow& window) -> QWidget* { return new BreakpointsPanel(window.m_session, &window); }},
-    };
-    return kDocks;
-}
-
-std::span<const char* const> MainWindow::toolBarIds() {
+std::span<const char* const> toolBarIds() {
     static constexpr std::array kIds{
         "file-new",       "file-open", "file-save",   "",           "edit-undo",  "edit-redo",
         "edit-find",      "",          "to-start",    "play",       "to-end",     "",
@@ -65,7 +22,7 @@ std::span<const char* const> MainWindow::toolBarIds() {
     return kIds;
 }
 
-std::span<const Command<MainWindow>> MainWindow::fileCommands() {
+std::span<const Command<MainWindow>> fileCommands() {
     static const std::array<Command<MainWindow>, 9> kCommands{{
         {"file-new", QT_TRANSLATE_NOOP("FileCommands", "&New"),
          QT_TRANSLATE_NOOP("FileCommands", "Create an empty NC program"), "new", "Ctrl+N", Reach::window,
@@ -94,7 +51,7 @@ std::span<const Command<MainWindow>> MainWindow::fileCommands() {
     return kCommands;
 }
 
-std::span<const Command<MainWindow>> MainWindow::meshCommands() {
+std::span<const Command<MainWindow>> meshCommands() {
     static const std::array<Command<MainWindow>, 5> kCommands{{
         {"export-mesh", QT_TRANSLATE_NOOP("MeshCommands", "&Export Mesh…"),
          QT_TRANSLATE_NOOP("MeshCommands", "Export the decimated mesh as a closed solid"), "export", "Ctrl+E",
@@ -105,7 +62,7 @@ std::span<const Command<MainWindow>> MainWindow::meshCommands() {
         separator<MainWindow>(),
         {"tune", QT_TRANSLATE_NOOP("MeshCommands", "&Tune Decimation"),
          QT_TRANSLATE_NOOP("MeshCommands", "Show the decimation parameters"), "tuning", "", Reach::window,
-         [](MainWindow& window) { window.showTuning(); }},
+         [](MainWindow& window) { window.docks().activate(kTuningPanel); }},
         {"default-parameters", QT_TRANSLATE_NOOP("MeshCommands", "&Default Parameters"),
          QT_TRANSLATE_NOOP("MeshCommands", "Reset all decimation parameters to their defaults"), "", "",
          Reach::window,
@@ -116,7 +73,7 @@ std::span<const Command<MainWindow>> MainWindow::meshCommands() {
     return kCommands;
 }
 
-std::span<const Command<MainWindow>> MainWindow::windowCommands() {
+std::span<const Command<MainWindow>> windowCommands() {
     static const std::array<Command<MainWindow>, 2> kCommands{{
         {"full-screen", QT_TRANSLATE_NOOP("WindowCommands", "&Full Screen"),
          QT_TRANSLATE_NOOP("WindowCommands", "Enter or leave full screen"), "", "F11", Reach::window,
@@ -128,7 +85,7 @@ std::span<const Command<MainWindow>> MainWindow::windowCommands() {
     return kCommands;
 }
 
-std::span<const Command<MainWindow>> MainWindow::helpCommands() {
+std::span<const Command<MainWindow>> helpCommands() {
     static const std::array<Command<MainWindow>, 5> kCommands{{
         {"help-guide", QT_TRANSLATE_NOOP("HelpCommands", "&User Guide"),
          QT_TRANSLATE_NOOP("HelpCommands", "Show the page about the panel that has the focus"), "help", "F1",
@@ -138,13 +95,13 @@ std::span<const Command<MainWindow>> MainWindow::helpCommands() {
          }},
         {"help-keys", QT_TRANSLATE_NOOP("HelpCommands", "&Keys and Mouse"),
          QT_TRANSLATE_NOOP("HelpCommands", "List all keyboard shortcuts and mouse actions"), "", "Shift+F1",
-         Reach::window, [](MainWindow& window) { window.showShortcuts(); }},
+         Reach::window, [](MainWindow& window) { showShortcutList(window, *window.menuBar()); }},
         {"help-start-page", QT_TRANSLATE_NOOP("HelpCommands", "&Start Page"),
          QT_TRANSLATE_NOOP("HelpCommands", "Show samples and recent files"), "", "", Reach::window,
          [](MainWindow& window) { window.showStartPage(); }},
         {"help-about", QT_TRANSLATE_NOOP("HelpCommands", "&About Proveout"),
          QT_TRANSLATE_NOOP("HelpCommands", "Version, licence and the paper"), "", "", Reach::window,
-         [](MainWindow& window) { window.showAbout(); }},
+         [](MainWindow& window) { showAbout(window); }},
         {"help-about-qt", QT_TRANSLATE_NOOP("HelpCommands", "About &Qt"),
          QT_TRANSLATE_NOOP("HelpCommands", "About the user interface library"), "", "", Reach::window,
          [](MainWindow&) { QApplication::aboutQt(); }},
