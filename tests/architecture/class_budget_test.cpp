@@ -34,7 +34,6 @@ constexpr ClassSize kBudget{400, 30, 10};
 const ClassSizes kLarger{
     {"NcEditor", {.lines = 435}}, {"PlotView", {.lines = 449}},
     {"Program", {.lines = 458}},  {"Session", {.lines = 1241, .fields = 44, .signals = 26}},
-    {"Viewport", {.lines = 704}},
 };
 
 /// The text with blanks in the place of comments, of what strings hold, and of directives; lines stay.
