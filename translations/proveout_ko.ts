@@ -8190,25 +8190,6 @@ Default: %4 %5</source>
     </message>
 </context>
 <context>
-    <name>MainWindow</name>
-    <message>
-        <source>Same as &amp;System</source>
-        <translation>시스템 설정(&amp;S)</translation>
-    </message>
-    <message>
-        <source>&amp;Light</source>
-        <translation>밝게(&amp;L)</translation>
-    </message>
-    <message>
-        <source>&amp;Dark</source>
-        <translation>어둡게(&amp;D)</translation>
-    </message>
-    <message>
-        <source>Toolbar</source>
-        <translation>도구 모음</translation>
-    </message>
-</context>
-<context>
     <name>Menus</name>
     <message>
         <source>&amp;File</source>
@@ -10057,6 +10038,28 @@ Default: the next free number</source>
     <message>
         <source>Continue with the stock read before</source>
         <translation>이전에 읽은 소재로 계속합니다</translation>
+    </message>
+</context>
+<context>
+    <name>AppearanceMenus</name>
+    <message>
+        <source>Same as &amp;System</source>
+        <translation>시스템 설정(&amp;S)</translation>
+    </message>
+    <message>
+        <source>&amp;Light</source>
+        <translation>밝게(&amp;L)</translation>
+    </message>
+    <message>
+        <source>&amp;Dark</source>
+        <translation>어둡게(&amp;D)</translation>
+    </message>
+</context>
+<context>
+    <name>WindowToolBar</name>
+    <message>
+        <source>Toolbar</source>
+        <translation>도구 모음</translation>
     </message>
 </context>
 </TS>

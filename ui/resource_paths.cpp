@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/resource_paths.h"
 
+#include <algorithm>
+
 #include <QCoreApplication>
 #include <QDir>
 #include <QFile>
+#include <QFileInfo>
+#include <QStringList>
 
 namespace proveout {
 
@@ -54,12 +58,21 @@ bool isSample(const QString& file) {
 
 std::vector<GuidePage> guidePages() {
     const QDir folder = productFolder(QStringLiteral("guide"), QStringLiteral(PROVEOUT_GUIDE_DIR));
+    const QStringList first{"index",       "reads",   "program", "setup",  "problems", "timeline", "view",
+                            "breakpoints", "control", "plots",   "tuning", "study",    "files"};
+    QStringList ids;
+    for (const QFileInfo& file : folder.entryInfoList({QStringLiteral("*.md")}, QDir::Files, QDir::Name))
+        ids << file.completeBaseName();
+    std::stable_sort(ids.begin(), ids.end(), [&first](const QString& one, const QString& other) {
+        const auto place = [&first](const QString& id) {
+            return first.contains(id) ? first.indexOf(id) : first.size();
+        };
+        return place(one) < place(other);
+    });
     std::vector<GuidePage> pages;
-    for (const char* id : {"index", "reads", "program", "setup", "problems", "timeline", "view",
-                           "breakpoints", "control", "plots", "tuning", "study", "files"}) {
-        const QString file = folder.filePath(QLatin1String(id) + QStringLiteral(".md"));
-        if (QFileInfo::exists(file))
-            pages.push_back({QLatin1String(id), headingOf(file), file});
+    for (const QString& id : ids) {
+        const QString file = folder.filePath(id + QStringLiteral(".md"));
+        pages.push_back({id, headingOf(file), file});
     }
     return pages;
 }

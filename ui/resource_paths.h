@@ -25,7 +25,8 @@ struct GuidePage {
     QString file;
 };
 
-/// The pages of the user guide in the order in which they are listed; empty where they are not installed.
+/// The pages of the user guide in the order in which they are listed, each file of its folder one page; empty
+/// where they are not installed.
 [[nodiscard]] std::vector<GuidePage> guidePages();
 
 } // namespace proveout

@@ -18,9 +18,9 @@
 #include "core/base/write_signals.h"
 #include "core/verification/findings/command_line_findings.h"
 #include "ui/appearance.h"
-#include "ui/main_window.h"
-#include "ui/recovery.h"
 #include "ui/session/session.h"
+#include "ui/window/main_window.h"
+#include "ui/window/recovery.h"
 
 namespace proveout {
 namespace {

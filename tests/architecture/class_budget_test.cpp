@@ -34,8 +34,10 @@ constexpr ClassSize kHubBudget{300, 15, 10};
 /// The classes that are larger today. A number here may become smaller and nothing else; a class that keeps
 /// the budget has no row.
 const ClassSizes kLarger{
-    {"MainWindow", {.lines = 631}}, {"NcEditor", {.lines = 435}}, {"PlotView", {.lines = 449}},
-    {"Program", {.lines = 458}},    {"Viewport", {.lines = 704}},
+    {"NcEditor", {.lines = 435}},
+    {"PlotView", {.lines = 449}},
+    {"Program", {.lines = 458}},
+    {"Viewport", {.lines = 704}},
 };
 
 /// The text with blanks in the place of comments, of what strings hold, and of directives; lines stay.

@@ -5,26 +5,19 @@
 #include <memory>
 
 #include <QOpenGLWidget>
-#include <QPen>
-#include <QPolygonF>
-#include <QTimer>
 
 #include "ui/command_table.h"
 #include "ui/gl/gl_functions.h"
-#include "ui/gl/scene_renderer.h"
 #include "ui/session/session.h"
-#include "ui/viewport/box_choice.h"
 #include "ui/viewport/camera.h"
+#include "ui/viewport/camera_gestures.h"
 #include "ui/viewport/closer_look.h"
-#include "ui/viewport/navigation.h"
-
-class QOpenGLFramebufferObject;
+#include "ui/viewport/scene_picture.h"
 
 namespace proveout {
 
-class CloserLookForm;
-class PlaceLabel;
-class SurfaceProbe;
+class DetailChoice;
+class PointerPlace;
 
 /// The 3D view of a session, with its commands as actions() of the widget; where OpenGL is not to be had, a
 /// plain message that stands for it: the rest of the window works on. Owned by `parent`. Thread: UI.
@@ -49,7 +42,7 @@ public:
     void setLegendShown(bool shown);
 
     /// Whether the place under the pointer is told beside it.
-    [[nodiscard]] bool placeLabelShown() const { return m_placeLabelShown; }
+    [[nodiscard]] bool placeLabelShown() const;
     void setPlaceLabelShown(bool shown);
 
     void setStandardView(StandardView view);
@@ -64,9 +57,9 @@ public:
     [[nodiscard]] bool looksCloser() const;
     [[nodiscard]] CloserLook& closerLook() { return m_look; }
     /// Uploads of the last picture.
-    [[nodiscard]] const UploadCounts& uploaded() const { return m_uploaded; }
+    [[nodiscard]] const UploadCounts& uploaded() const { return m_picture->uploaded(); }
     /// No better picture of what is shown is due: it stays until something changes.
-    [[nodiscard]] bool atRest() const { return !m_rest.isActive(); }
+    [[nodiscard]] bool atRest() const { return m_picture->atRest(); }
 
 protected:
     void initializeGL() override;
@@ -89,43 +82,26 @@ private:
 
     void onTick(const FramePtr& frame);
     void setFrame(const FramePtr& frame);
-    void releaseGl();
     void followPalette();
     void followOptions();
     void setPicture();
     void moved();
+    void repaintSoon() { m_picture->repaintSoon(); }
+    /// There is a stock to be seen and chosen from.
+    [[nodiscard]] bool hasStock() const { return m_frame != nullptr && m_frame->zmap.tileCount() > 0; }
     void limitZoom();
-    void leaveTheSolid();
-    void repaintSoon();
+    [[nodiscard]] QPointF pixelOf(const QPointF& position) const { return position * devicePixelRatioF(); }
+    [[nodiscard]] Ray rayAt(const QPointF& position) const;
     [[nodiscard]] Vec3 under(const QPointF& position) const;
-    [[nodiscard]] Box3 sceneBox() const;
-    [[nodiscard]] bool showsHiddenPath() const;
-    [[nodiscard]] bool workPending() const;
-    void goOnUploading();
-    void drawScene(const View& view);
-    void drawSmooth(const View& view);
-    void paintOverlay(const View& view);
-    void paintChoice(QPainter& painter) const;
-    void paintBoxUnderWay(QPainter& painter) const;
-    [[nodiscard]] QPolygonF outlineOf(const PlanBox& box, double level) const;
-    [[nodiscard]] QPen boxPen(Qt::PenStyle style) const;
+    void paintOver(const View& view);
     void closeLook();
-    void followForm();
     void followLook();
-    void placeForm();
-    void beginChoice(const QPointF& position);
     void choose(Choosing what);
-    [[nodiscard]] bool isClick(const QMouseEvent& event) const;
     void clicked(Qt::MouseButton button, const QPointF& position);
     void askWhatMade(const QPointF& position);
     void openMenu(const QPointF& position);
-    void hover(const QPointF& position);
-    void probeAgain();
-    void probeSurface();
-    void showPlace();
 
     Session& m_session;
-    GlSupport m_support;
     Camera m_camera;
     SceneOptions m_options;
     bool m_legend = true;
@@ -135,27 +111,13 @@ private:
     bool m_fits = false;   ///< the view is as fit() left it: another size of the widget fits again
 
     CloserLook m_look;
-    CloserLookForm* m_form;
-    bool m_boxFits = true;
     Choosing m_choosing = Choosing::nothing;
-    std::optional<BoxChoice> m_choice; ///< while it is drawn
+    DetailChoice* m_detail;
+    PointerPlace* m_place;
+    std::unique_ptr<ScenePicture> m_picture; ///< goes before what it draws, and before the context
 
-    std::optional<QPointF> m_hover; ///< the pointer, while it is over the view
-    SurfaceProbe* m_probe;
-    PlaceLabel* m_placeLabel;
-    bool m_placeLabelShown = true;
-
-    Gesture m_gesture = Gesture::none;
-    QPointF m_last;
+    CameraDrag m_drag;
     std::optional<QPointF> m_pressed; ///< where a click has begun that has not become a drag
-
-    std::unique_ptr<SceneRenderer> m_renderer;
-    std::unique_ptr<QOpenGLFramebufferObject> m_smoothTarget;
-    UploadCounts m_uploaded;
-    QTimer m_uploading;    ///< runs while a box of interest or a long toolpath is prepared
-    QTimer m_rest;         ///< the picture has not changed for a moment
-    bool m_smooth = false; ///< draw with smoothed edges, although software takes long for it
-    double m_plainSeconds = 0;
 
     std::unique_ptr<CommandActions<Viewport>> m_commands;
 };

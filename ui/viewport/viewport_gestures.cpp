@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What mouse and keys do in the 3D view.
-#include <cmath>
 #include <utility>
 
 #include <QApplication>
@@ -11,18 +10,24 @@
 #include <QStatusTipEvent>
 #include <QWheelEvent>
 
-#include "ui/probe_text.h"
-#include "ui/surface_probe.h"
-#include "ui/viewport/closer_look_form.h"
-#include "ui/viewport/place_label.h"
+#include "ui/viewport/detail_choice.h"
+#include "ui/viewport/pointer_place.h"
 #include "ui/viewport/surface_pick.h"
 #include "ui/viewport/viewport.h"
 
 namespace proveout {
 namespace {
 
-constexpr double kZoomPerStep = 0.85; ///< of a wheel, 120 units of angle
-constexpr double kKeyOrbitPixels = 40;
+/// Whether what begins with it means something if it stays a click. `choosing`: a place is asked for.
+bool mayBeClick(const QMouseEvent& event, bool choosing) {
+    if (event.buttons() != event.button())
+        return false;
+    const bool plain = event.modifiers() == Qt::NoModifier;
+    if (event.button() == Qt::RightButton)
+        return plain;
+    return event.button() == Qt::LeftButton &&
+           (event.modifiers() == Qt::ControlModifier || (plain && choosing));
+}
 
 } // namespace
 
@@ -39,13 +44,11 @@ void Viewport::toggleBlockSearch() {
 }
 
 void Viewport::askWhatMade(const QPointF& position) {
-    const QPointF pixel = position * devicePixelRatioF();
-    m_session.navigation().goToBlockThatMade(
-        pickPlace(m_frame, m_look.picture(), m_camera.ray(pixel.x(), pixel.y())));
+    m_session.navigation().goToBlockThatMade(pickPlace(m_frame, m_look.picture(), rayAt(position)));
 }
 
 void Viewport::openMenu(const QPointF& position) {
-    m_placeLabel->hide();
+    m_place->hideLabel();
     auto* menu = new QMenu(this);
     menu->setAttribute(Qt::WA_DeleteOnClose);
     // The command of the menu bar asks for a click; here the place is known.
@@ -66,84 +69,43 @@ void Viewport::contextMenuEvent(QContextMenuEvent* event) {
     event->accept();
 }
 
-// --- the place under the pointer
-
-void Viewport::hover(const QPointF& position) {
-    m_hover = position;
-    probeAgain();
-}
-
-/// With the next tick, as all of the window: the status line tells the place too.
-void Viewport::probeAgain() {
-    if (m_hover)
-        m_session.playback().requestTick();
-}
-
-void Viewport::probeSurface() {
-    std::optional<SurfacePlace> place;
-    if (m_hover) {
-        const QPointF pixel = *m_hover * devicePixelRatioF();
-        place = pickSurface(m_frame, m_look.picture(), m_camera.ray(pixel.x(), pixel.y()));
-    }
-    if (place || m_probe->place())
-        m_probe->point(place, m_frame != nullptr && m_frame->program == m_session.program().current());
-    showPlace();
-}
-
-void Viewport::showPlace() {
-    const bool busy = m_gesture != Gesture::none || m_choice || QApplication::activePopupWidget() != nullptr;
-    if (!m_placeLabelShown || !m_hover || !m_probe->place() || busy || !isActiveWindow())
-        return m_placeLabel->hide();
-    const QString cut = cutText(*m_probe);
-    const QString position = positionText(*m_probe, locale());
-    m_placeLabel->showAt(mapToGlobal(m_hover->toPoint()), cut.isEmpty() ? position : position + u'\n' + cut);
-}
-
 void Viewport::leaveEvent(QEvent* event) {
     QOpenGLWidget::leaveEvent(event);
-    m_placeLabel->hide();
-    probeAgain();
-    m_hover.reset();
+    m_place->leave();
 }
 
 void Viewport::hideEvent(QHideEvent* event) {
-    m_placeLabel->hide();
+    m_place->hideLabel();
     QOpenGLWidget::hideEvent(event);
 }
 
 // --- the user's gestures
 
+Ray Viewport::rayAt(const QPointF& position) const {
+    const QPointF pixel = pixelOf(position);
+    return m_camera.ray(pixel.x(), pixel.y());
+}
+
 Vec3 Viewport::under(const QPointF& position) const {
-    const QPointF pixel = position * devicePixelRatioF();
     if (m_frame != nullptr)
-        if (const auto hit = pickStock(m_frame->zmap, m_camera.ray(pixel.x(), pixel.y())))
+        if (const auto hit = pickStock(m_frame->zmap, rayAt(position)))
             return *hit;
+    const QPointF pixel = pixelOf(position);
     return m_camera.atTargetDepth(pixel.x(), pixel.y());
 }
 
 void Viewport::mousePressEvent(QMouseEvent* event) {
     if (m_choosing == Choosing::box && m_frame != nullptr && event->button() == Qt::LeftButton &&
         event->modifiers() == Qt::NoModifier) {
-        beginChoice(event->position());
-        return;
+        const QPointF pixel = pixelOf(event->position());
+        m_detail->begin({pixel.x(), pixel.y()}, rayAt(event->position()));
+        return repaintSoon();
     }
     m_pressed.reset();
-    if (isClick(*event))
+    if (mayBeClick(*event, m_choosing == Choosing::place))
         m_pressed = event->position();
-    m_gesture = gestureFor(event->button(), event->modifiers());
-    m_last = event->position();
-    m_placeLabel->hide();
-}
-
-/// Whether what begins with it means something if it stays a click.
-bool Viewport::isClick(const QMouseEvent& event) const {
-    if (event.buttons() != event.button())
-        return false;
-    if (event.button() == Qt::RightButton)
-        return event.modifiers() == Qt::NoModifier;
-    const bool plain = event.modifiers() == Qt::NoModifier;
-    return event.button() == Qt::LeftButton &&
-           (event.modifiers() == Qt::ControlModifier || (plain && m_choosing == Choosing::place));
+    m_drag.begin(event->button(), event->modifiers(), pixelOf(event->position()));
+    m_place->hideLabel();
 }
 
 void Viewport::clicked(Qt::MouseButton button, const QPointF& position) {
@@ -155,37 +117,27 @@ void Viewport::clicked(Qt::MouseButton button, const QPointF& position) {
 }
 
 void Viewport::mouseMoveEvent(QMouseEvent* event) {
-    hover(event->position());
+    m_place->hover(event->position());
     if (m_pressed && (event->position() - *m_pressed).manhattanLength() >= QApplication::startDragDistance())
         m_pressed.reset();
-    if (m_choice) {
-        const QPointF pixel = event->position() * devicePixelRatioF();
-        m_choice->dragTo({pixel.x(), pixel.y()}, m_camera.ray(pixel.x(), pixel.y()));
+    if (m_detail->isDragged()) {
+        const QPointF pixel = pixelOf(event->position());
+        m_detail->dragTo({pixel.x(), pixel.y()}, rayAt(event->position()));
         repaintSoon();
-        return;
+    } else if (m_drag.dragTo(pixelOf(event->position()), m_camera)) {
+        moved();
     }
-    if (m_gesture == Gesture::none)
-        return;
-    const QPointF drag = (event->position() - m_last) * devicePixelRatioF();
-    m_last = event->position();
-    if (m_gesture == Gesture::orbit)
-        m_camera.orbit(drag.x(), drag.y());
-    else
-        m_camera.pan(drag.x(), drag.y());
-    moved();
 }
 
 void Viewport::mouseReleaseEvent(QMouseEvent* event) {
-    m_gesture = Gesture::none;
-    hover(event->position());
+    m_drag.end();
+    m_place->hover(event->position());
     if (std::exchange(m_pressed, std::nullopt))
         return clicked(event->button(), event->position());
-    if (!m_choice || event->button() != Qt::LeftButton)
+    if (!m_detail->isDragged() || event->button() != Qt::LeftButton)
         return;
-    const BoxOfInterest box{m_choice->box(m_frame->zmap.stock(), m_form->size()), m_form->spacing()};
-    m_choice.reset();
     choose(Choosing::nothing);
-    m_look.look(box);
+    m_detail->finish();
 }
 
 void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
@@ -196,9 +148,9 @@ void Viewport::mouseDoubleClickEvent(QMouseEvent* event) {
 }
 
 void Viewport::wheelEvent(QWheelEvent* event) {
-    const double steps = event->angleDelta().y() / double{QWheelEvent::DefaultDeltasPerStep};
-    if (steps != 0) {
-        m_camera.zoom(std::pow(kZoomPerStep, steps), under(event->position()));
+    const int angle = event->angleDelta().y();
+    if (angle != 0) {
+        zoomByWheel(m_camera, angle, under(event->position()));
         moved();
     }
     event->accept();
@@ -211,15 +163,10 @@ void Viewport::keyPressEvent(QKeyEvent* event) {
         closeLook();
         return;
     }
-    const bool turn = (event->modifiers() & Qt::AltModifier) != 0;
-    const double dx = (event->key() == Qt::Key_Right) - (event->key() == Qt::Key_Left);
-    const double dy = (event->key() == Qt::Key_Down) - (event->key() == Qt::Key_Up);
-    if (!turn || (dx == 0 && dy == 0)) {
+    if (turnByKey(m_camera, *event))
+        moved();
+    else
         QOpenGLWidget::keyPressEvent(event);
-        return;
-    }
-    m_camera.orbit(dx * kKeyOrbitPixels, dy * kKeyOrbitPixels);
-    moved();
 }
 
 } // namespace proveout

@@ -20,7 +20,7 @@
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
 #include "ui/recent_files.h"
-#include "ui/start_page.h"
+#include "ui/window/start_page.h"
 
 namespace proveout {
 namespace {

@@ -6,6 +6,8 @@
 #include <QApplication>
 #include <QDir>
 #include <QDockWidget>
+#include <QFile>
+#include <QHash>
 #include <QLabel>
 #include <QMenuBar>
 #include <QMouseEvent>
@@ -18,13 +20,13 @@
 #include <QTreeView>
 
 #include "tests/ui/window/workstation.h"
-#include "ui/dock_layouts.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
 #include "ui/findings/problems_model.h"
-#include "ui/first_geometry.h"
 #include "ui/languages.h"
 #include "ui/theme.h"
+#include "ui/window/dock_layouts.h"
+#include "ui/window/first_geometry.h"
 
 namespace proveout {
 namespace {
@@ -64,6 +66,17 @@ void sendMouse(QMainWindow& window, QEvent::Type type, QPoint place, Qt::MouseBu
     const Qt::MouseButton button = type == QEvent::MouseMove ? Qt::NoButton : Qt::LeftButton;
     QMouseEvent event(type, place, window.mapToGlobal(place), button, buttons, Qt::NoModifier);
     QCoreApplication::sendEvent(&window, &event);
+}
+
+/// Opens a program that stays on the disk as long as `folder`: one that is gone counts as unsaved, and
+/// opening the next one would ask about it.
+void openText(Workstation& station, const QTemporaryDir& folder, const QByteArray& text) {
+    QFile program(folder.filePath(QStringLiteral("%1.nc").arg(qHash(text))));
+    if (!program.open(QIODevice::WriteOnly))
+        qFatal("cannot write the test's own file");
+    program.write(text);
+    program.close();
+    station.open(program.fileName());
 }
 
 /// Drags the border at the right of a dock. The layout carries out moves a moment later.
@@ -216,15 +229,11 @@ private slots:
     }
 
     void editorIsAsWideAsItsLines() {
+        const QTemporaryDir folder;
         Workstation station(false);
         station.window.resize(1600, 900);
         const auto widthWith = [&](const QByteArray& line) {
-            QTemporaryFile program(QDir::tempPath() + QStringLiteral("/XXXXXX.nc"));
-            if (!program.open())
-                return 0;
-            program.write((line + '\n').repeated(100));
-            program.close();
-            station.open(program.fileName());
+            openText(station, folder, (line + '\n').repeated(100));
             QTest::qWait(100);
             return dockOf(station, "dock-program")->width();
         };
@@ -240,15 +249,12 @@ private slots:
     }
 
     void editorShowsItsFewLongLinesButNoComment() {
+        const QTemporaryDir folder;
         Workstation station(false);
         station.window.resize(2560, 1000);
         const auto wantedWith = [&](const QByteArray& line) {
-            QTemporaryFile program(QDir::tempPath() + QStringLiteral("/XXXXXX.nc"));
-            if (!program.open())
-                return 0;
-            program.write(QByteArray("N20 G1 X-269.39 Y-254.65 Z-68.5 F200\n").repeated(100) + line + '\n');
-            program.close();
-            station.open(program.fileName());
+            openText(station, folder,
+                     QByteArray("N20 G1 X-269.39 Y-254.65 Z-68.5 F200\n").repeated(100) + line + '\n');
             return station.window.editor().sizeHint().width();
         };
         const int usual = wantedWith("G1 X1");
@@ -299,14 +305,9 @@ private slots:
     }
 
     void widthThatTheUserDragsStays() {
-        const QTemporaryDir folder; // a program that is gone would be asked about at the end
+        const QTemporaryDir folder;
         const auto openProgram = [&](Workstation& station, const QByteArray& line) {
-            QFile program(folder.filePath(QStringLiteral("%1.nc").arg(line.size())));
-            if (!program.open(QIODevice::WriteOnly))
-                qFatal("cannot write the test's own file");
-            program.write((line + '\n').repeated(100));
-            program.close();
-            station.open(program.fileName());
+            openText(station, folder, (line + '\n').repeated(100));
             QTest::qWait(200);
         };
         constexpr int kDragged = 130;

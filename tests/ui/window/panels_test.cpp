@@ -11,7 +11,7 @@
 #include "tests/ui/window/workstation.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
-#include "ui/start_page.h"
+#include "ui/window/start_page.h"
 
 namespace proveout {
 namespace {
@@ -28,11 +28,16 @@ struct Panels {
     QDockWidget& dock(const char* id) const {
         return *station.window.findChild<QDockWidget*>(QLatin1String(id));
     }
-    /// By its key, wherever the focus is.
+    /// By its key, wherever the focus is; in the menu where it has none.
     void press(const QDockWidget& dock) {
-        const QKeyCombination key = dock.toggleViewAction()->shortcut()[0];
-        QWidget* focus = QApplication::focusWidget();
-        QTest::keyClick(focus != nullptr ? focus : &station.window, key.key(), key.keyboardModifiers());
+        QAction& toggle = *dock.toggleViewAction();
+        if (toggle.shortcut().isEmpty()) {
+            toggle.trigger();
+        } else {
+            const QKeyCombination key = toggle.shortcut()[0];
+            QWidget* focus = QApplication::focusWidget();
+            QTest::keyClick(focus != nullptr ? focus : &station.window, key.key(), key.keyboardModifiers());
+        }
         QTest::qWait(20);
     }
     static bool has(const QDockWidget& dock) {

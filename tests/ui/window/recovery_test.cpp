@@ -21,8 +21,8 @@
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
 #include "ui/file_paths.h"
-#include "ui/recovery.h"
-#include "ui/recovery_bar.h"
+#include "ui/window/recovery.h"
+#include "ui/window/recovery_bar.h"
 
 namespace proveout {
 namespace {

@@ -24,7 +24,7 @@
 #include "ui/appearance.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
-#include "ui/main_window.h"
+#include "ui/window/main_window.h"
 
 using namespace proveout;
 

@@ -39,11 +39,12 @@
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
 #include "ui/file_paths.h"
-#include "ui/main_window.h"
 #include "ui/resource_paths.h"
 #include "ui/session/session.h"
-#include "ui/start_page.h"
 #include "ui/timeline/timeline_scale.h"
+#include "ui/window/main_window.h"
+#include "ui/window/panel_table.h"
+#include "ui/window/start_page.h"
 
 namespace proveout {
 namespace {
@@ -199,13 +200,16 @@ private slots:
         session.document().setTextModified(false);
     }
 
-    void everyDockHasANameAndAKey() {
+    void everyPanelHasItsDockAndItsKey() {
         Workstation station(false);
-        for (const QDockWidget* dock : station.window.findChildren<QDockWidget*>()) {
-            QVERIFY(!dock->objectName().isEmpty());
-            QVERIFY2(!dock->toggleViewAction()->shortcut().isEmpty(), qPrintable(dock->objectName()));
-            QVERIFY2(!dock->toggleViewAction()->icon().isNull(), qPrintable(dock->objectName()));
-            QVERIFY(!dock->windowTitle().isEmpty());
+        QCOMPARE(static_cast<std::size_t>(station.window.findChildren<QDockWidget*>().size()),
+                 panelTable().size());
+        for (const PanelRow& row : panelTable()) {
+            const auto* dock = station.window.findChild<QDockWidget*>(QLatin1String(row.id));
+            QVERIFY2(dock != nullptr, row.id);
+            QCOMPARE(dock->toggleViewAction()->shortcut(), QKeySequence(QLatin1String(row.keys)));
+            QVERIFY2(!dock->toggleViewAction()->icon().isNull(), row.id);
+            QVERIFY2(!dock->windowTitle().isEmpty(), row.id);
         }
     }
 

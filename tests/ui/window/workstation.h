@@ -11,10 +11,10 @@
 
 #include "tests/ui/opened.h"
 #include "ui/appearance.h"
-#include "ui/main_window.h"
 #include "ui/resource_paths.h"
 #include "ui/session/session.h"
 #include "ui/timeline/timeline_scale.h"
+#include "ui/window/main_window.h"
 
 namespace proveout {
 

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/viewport/scene_picture.h"
+
+#include <chrono>
+
+#include <QElapsedTimer>
+#include <QOpenGLContext>
+#include <QOpenGLFramebufferObject>
+#include <QOpenGLWidget>
+
+#include "ui/viewport/closer_look.h"
+
+namespace proveout {
+namespace {
+
+constexpr int kRestMilliseconds = 250;
+/// What a detail region may take of the UI thread at once to go to the graphics side.
+constexpr std::chrono::milliseconds kUploadAtOnce{25};
+/// A smoothed picture in software takes about this many times as long as a plain one …
+constexpr double kSmoothCost = 4;
+/// … and must not hold up the window longer than this.
+constexpr double kLongestSmoothSeconds = 0.25;
+
+double seconds(const QElapsedTimer& timer) {
+    return static_cast<double>(timer.nsecsElapsed()) * 1e-9;
+}
+
+} // namespace
+
+ScenePicture::ScenePicture(QOpenGLWidget& widget, const CloserLook& look, const SceneOptions& options,
+                           bool software)
+    : m_widget(widget), m_look(look), m_options(options), m_software(software) {
+    m_rest.setSingleShot(true);
+    m_rest.setInterval(kRestMilliseconds);
+    connect(&m_rest, &QTimer::timeout, this, [this] {
+        m_smooth = true;
+        m_widget.update();
+    });
+    m_uploading.setSingleShot(true);
+    connect(&m_uploading, &QTimer::timeout, this, &ScenePicture::goOnUploading);
+}
+
+ScenePicture::~ScenePicture() {
+    release();
+}
+
+void ScenePicture::initialize() {
+    // The context goes when the widget moves to another window or the driver resets it; a new one comes with
+    // another call of this function.
+    connect(m_widget.context(), &QOpenGLContext::aboutToBeDestroyed, this, &ScenePicture::release);
+    m_renderer = SceneRenderer::create();
+}
+
+void ScenePicture::release() {
+    m_widget.makeCurrent();
+    m_smoothTarget.reset();
+    if (m_renderer != nullptr)
+        m_renderer->release();
+    m_renderer.reset();
+    m_widget.doneCurrent();
+}
+
+void ScenePicture::repaintSoon() {
+    m_smooth = false;
+    m_rest.stop();
+    m_widget.update();
+}
+
+ScenePicture::Seconds ScenePicture::paint(const View& view, const FramePtr& frame) {
+    if (m_renderer == nullptr)
+        return {};
+    Seconds took;
+    QElapsedTimer timer;
+    timer.start();
+    upload(frame);
+    // Waiting for the end costs nothing at 30 pictures a second and makes the figures honest.
+    m_renderer->finish();
+    took.upload = seconds(timer);
+    timer.restart();
+    draw(view);
+    m_renderer->finish();
+    took.draw = seconds(timer);
+    if (!m_smooth)
+        m_plainSeconds = took.draw;
+    if (workPending())
+        m_uploading.start(0);
+    const bool worthIt = m_software && kSmoothCost * m_plainSeconds < kLongestSmoothSeconds;
+    if (worthIt && !m_smooth && frame != nullptr && !frame->playing)
+        m_rest.start();
+    return took;
+}
+
+void ScenePicture::upload(const FramePtr& frame) {
+    m_uploaded = m_renderer->upload(frame);
+    m_boxFits = m_renderer->uploadBox(m_look.picture(), UploadBudget(kUploadAtOnce));
+    if (!m_look.box())
+        m_renderer->releaseBox();
+    if (showsHiddenPath())
+        m_renderer->advancePath(UploadBudget(kUploadAtOnce));
+}
+
+void ScenePicture::draw(const View& view) {
+    if (m_smooth)
+        drawSmooth(view);
+    else
+        m_renderer->draw(view, m_options);
+}
+
+void ScenePicture::drawSmooth(const View& view) {
+    const QSize size(view.pixels.x, view.pixels.y);
+    if (m_smoothTarget == nullptr || m_smoothTarget->size() != size) {
+        QOpenGLFramebufferObjectFormat format;
+        format.setAttachment(QOpenGLFramebufferObject::Depth);
+        format.setSamples(4);
+        m_smoothTarget = std::make_unique<QOpenGLFramebufferObject>(size, format);
+    }
+    m_smoothTarget->bind();
+    m_renderer->draw(view, m_options);
+    m_renderer->copyPicture(m_smoothTarget->handle(), m_widget.defaultFramebufferObject(), view.pixels);
+}
+
+/// Between the events of the window, and without a picture that shows nothing new.
+void ScenePicture::goOnUploading() {
+    if (m_renderer == nullptr)
+        return;
+    m_widget.makeCurrent();
+    m_boxFits = m_renderer->uploadBox(m_look.picture(), UploadBudget(kUploadAtOnce));
+    m_renderer->finish();
+    m_widget.doneCurrent();
+    if (showsHiddenPath())
+        m_renderer->advancePath(UploadBudget(kUploadAtOnce));
+    if (workPending())
+        m_uploading.start(0);
+    else
+        repaintSoon();
+}
+
+bool ScenePicture::showsHiddenPath() const {
+    return m_options.pathThroughStock && m_options.path != PathShown::none;
+}
+
+/// What a picture waits for without holding up the window.
+bool ScenePicture::workPending() const {
+    return m_renderer->boxPending() || (showsHiddenPath() && m_renderer->pathPending());
+}
+
+} // namespace proveout

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/viewport/view_bounds.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ui/viewport/surface_pick.h"
+
+namespace proveout {
+namespace {
+
+constexpr double kFewestCellsShown = 4;       ///< of the grid, across the picture's height
+constexpr double kSmallestShareOfView = 0.05; ///< of the stock in the picture's height
+constexpr double kStepBack = 1.1;
+constexpr int kMostStepsBack = 100;
+
+} // namespace
+
+Box3 stockBounds(const Frame& frame) {
+    const StockBox& stock = frame.zmap.stock();
+    Box3 box;
+    box.add(Vec3(stock.corner.x, stock.corner.y, stock.floorZ()));
+    box.add(Vec3(stock.corner.x + stock.width, stock.corner.y + stock.depth, stock.topZ()));
+    return box;
+}
+
+Box3 sceneBounds(const Frame* frame, const SceneOptions& options) {
+    if (frame == nullptr)
+        return {};
+    Box3 box = stockBounds(*frame);
+    if (frame->program != nullptr && options.path != PathShown::none)
+        box.add(frame->program->bounds());
+    const Cutter* cutter =
+        frame->cutterKnown && frame->setup ? frame->setup->tools.find(frame->tool) : nullptr;
+    if (cutter != nullptr) {
+        const double radius = std::max(cutter->radius(), cutter->shankRadius());
+        const double length =
+            2 * std::max(cutter->fluteLength(), cutter->rimHeight()) + cutter->shankLength();
+        box.add(frame->cutterPosition - Vec3(radius, radius, 0));
+        box.add(frame->cutterPosition + Vec3(radius, radius, length));
+    }
+    return box;
+}
+
+void limitZoom(Camera& camera, const Frame& frame, const Frame* closer) {
+    const StockBox& stock = frame.zmap.stock();
+    const double radius = 0.5 * std::hypot(stock.width, stock.depth, stock.height);
+    const Grid& grid = closer != nullptr ? closer->zmap.grid() : frame.zmap.grid();
+    const double cells = kFewestCellsShown * std::max(grid.hx, grid.hy);
+    camera.limitZoom(0.5 * std::min(cells, radius), radius / kSmallestShareOfView);
+}
+
+void leaveTheSolid(Camera& camera, const Frame* frame) {
+    if (frame == nullptr || !camera.perspective())
+        return;
+    for (int step = 0; step < kMostStepsBack && isInStock(frame->zmap, camera.eye()); ++step)
+        camera.zoom(kStepBack, camera.target());
+}
+
+} // namespace proveout

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/viewport/view_overlay.h"
+
+#include <QCoreApplication>
+
+#include "ui/viewport/hud.h"
+#include "ui/viewport/scene_picture.h"
+
+namespace proveout {
+namespace {
+
+/// What the driver has no room for.
+void paintOmissions(QPainter& painter, const QRect& area, const OverlayContent& content) {
+    if (!content.picture.gridFits())
+        paintNotice(painter, area,
+                    QCoreApplication::translate("Viewport",
+                                                "The grid is too large for the graphics driver; the stock is "
+                                                "not drawn. Increase the grid spacing."),
+                    content.palette);
+    if (!content.picture.boxFits())
+        paintNotice(painter, area,
+                    QCoreApplication::translate("Viewport",
+                                                "The detail region is too large for the graphics driver and "
+                                                "is not drawn. Increase its grid spacing or make the box "
+                                                "smaller."),
+                    content.palette);
+}
+
+} // namespace
+
+void paintOverlay(QPainter& painter, const QRect& area, const View& view, const OverlayContent& content) {
+    if (!content.picture.isUsable()) {
+        painter.fillRect(area, content.palette.window());
+        paintNotice(painter, area,
+                    QCoreApplication::translate("Viewport", "A shader failed to compile; see the log."),
+                    content.palette);
+        return;
+    }
+    paintAxes(painter, area, view, content.palette.color(QPalette::WindowText));
+    if (content.frame == nullptr)
+        return;
+    paintOmissions(painter, area, content);
+    const SurfaceSnapshot& surface = content.frame->surface;
+    if (content.legend)
+        paintLegend(painter, area, content.options,
+                    {surface.faces, surface.facesFull, surface.meshes.size(), surface.dirtyRegions},
+                    content.palette);
+}
+
+} // namespace proveout

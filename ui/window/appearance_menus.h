@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+
+#include <QMenu>
+#include <QObject>
+
+#include "ui/appearance.h"
+
+namespace proveout {
+
+/// The menus to choose theme and language from; their owner sets their titles. Thread: UI.
+class AppearanceMenus final : public QObject {
+    Q_OBJECT
+
+public:
+    /// `appearance` outlives this object. The menus belong to the window of `parent`.
+    AppearanceMenus(Appearance& appearance, QWidget* parent);
+    [[nodiscard]] QMenu& theme() { return *m_theme; }
+    [[nodiscard]] QMenu& language() { return *m_language; }
+    /// After a change of language or theme.
+    void fill();
+
+private:
+    void add(QMenu& menu, const QString& text, bool checked, std::function<void()> choose);
+
+    Appearance& m_appearance;
+    QMenu* m_theme;
+    QMenu* m_language;
+};
+
+} // namespace proveout

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+class QMainWindow;
+
+namespace proveout {
+
+class FileFlow;
+
+/// Opens the file that is dropped on a window; while it is dragged over it, the status bar says why it cannot
+/// be opened. Thread: UI.
+class FileDrop final : public QObject {
+    Q_OBJECT
+
+public:
+    /// Both outlive this object.
+    FileDrop(FileFlow& files, QMainWindow& window);
+
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+    FileFlow& m_files;
+    QMainWindow& m_window;
+};
+
+} // namespace proveout

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/kept_switches.h"
+
+#include <QSettings>
+
+namespace proveout {
+
+KeptSwitches::KeptSwitches(QString group, const QList<QAction*>& actions, QObject* parent)
+    : QObject(parent), m_group(std::move(group)) {
+    const QSettings settings;
+    States kept;
+    const auto key = [this](const QAction& action) {
+        return QStringLiteral("%1/%2").arg(m_group, action.objectName());
+    };
+    for (QAction* action : actions) {
+        if (!action->isCheckable() || action->objectName().isEmpty())
+            continue;
+        m_standard.emplace_back(action, action->isChecked());
+        // One that the settings do not know came with this version.
+        kept.emplace_back(action, settings.value(key(*action), action->isChecked()).toBool());
+    }
+    bring(kept);
+    for (const auto& [action, on] : m_standard)
+        connect(action, &QAction::toggled, this,
+                [key, action = action](bool checked) { QSettings().setValue(key(*action), checked); });
+}
+
+void KeptSwitches::reset() {
+    bring(m_standard);
+}
+
+void KeptSwitches::bring(const States& states) {
+    // Of several that exclude each other, the one that goes on decides: it comes last.
+    for (const bool last : {false, true}) {
+        for (const auto& [action, on] : states) {
+            if (on == last && action->isChecked() != on)
+                action->trigger();
+        }
+    }
+}
+
+} // namespace proveout

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include <QMainWindow>
+
+#include "ui/appearance.h"
+#include "ui/file_flow.h"
+#include "ui/session/session.h"
+
+namespace proveout {
+
+class EditorPanel;
+class KeptSwitches;
+class PanelDocks;
+class PlaybackCommands;
+class StatusLine;
+class UndoCommands;
+class WindowCentre;
+class WindowMenus;
+class WindowState;
+class WindowToolBar;
+
+/// The workstation's window: panels in docks round the 3D view, menus and tool bar made from tables. It puts
+/// its parts together and joins them with the session.
+class MainWindow final : public QMainWindow {
+    Q_OBJECT
+
+public:
+    /// Session and appearance outlive the window.
+    MainWindow(Session& session, Appearance& appearance);
+    ~MainWindow() override;
+
+    [[nodiscard]] FileFlow& files() { return *m_files; }
+    [[nodiscard]] Session& session() { return m_session; }
+    [[nodiscard]] Appearance& appearance() { return m_appearance; }
+    [[nodiscard]] PanelDocks& docks() { return *m_docks; }
+    [[nodiscard]] EditorPanel& editor();
+    [[nodiscard]] QWidget& viewport();
+    /// The action with this objectName, of whatever table; null where there is none.
+    [[nodiscard]] QAction* action(const QString& id) const;
+
+    /// Sizes and places of the window and its docks, to be restored later.
+    [[nodiscard]] QByteArray layout() const;
+    /// Leaves all as it is where `layout` is not one of this version.
+    void setLayout(const QByteArray& layout);
+    /// Shows a message above the view or the start page, which shares the room with it; takes ownership.
+    void addNotice(QWidget* notice);
+    void resetLayout();
+    void toggleFullScreen();
+    void showStartPage();
+
+protected:
+    void showEvent(QShowEvent* event) override;
+    void closeEvent(QCloseEvent* event) override;
+    void changeEvent(QEvent* event) override;
+
+private:
+    void followFiles();
+    void followStartPage();
+    void followSession();
+    void showProgramForSearch();
+    void retranslate();
+    void showDocument();
+    void titleWindow();
+
+    Session& m_session;
+    Appearance& m_appearance;
+    FileFlow* m_files;
+    PlaybackCommands* m_playback;
+    StatusLine* m_status;
+    WindowCentre* m_centre;
+    PanelDocks* m_docks;
+    UndoCommands* m_undo;
+    WindowMenus* m_menus = nullptr;
+    WindowToolBar* m_toolBar = nullptr;
+    std::unique_ptr<WindowState> m_state;
+    KeptSwitches* m_viewOptions = nullptr;
+};
+
+} // namespace proveout

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The commands of the window itself: one row a command, read by menus, tool bar and tests.
+#pragma once
+
+#include <span>
+
+#include "ui/command_table.h"
+
+namespace proveout {
+
+class MainWindow;
+
+inline constexpr const char* kFileContext = "FileCommands";
+inline constexpr const char* kMeshContext = "MeshCommands";
+inline constexpr const char* kWindowContext = "WindowCommands";
+inline constexpr const char* kHelpContext = "HelpCommands";
+
+[[nodiscard]] std::span<const Command<MainWindow>> fileCommands();
+[[nodiscard]] std::span<const Command<MainWindow>> meshCommands();
+[[nodiscard]] std::span<const Command<MainWindow>> windowCommands();
+[[nodiscard]] std::span<const Command<MainWindow>> helpCommands();
+
+/// Ids of actions, whatever table they are of, in the order of the tool bar; "" is a separator.
+[[nodiscard]] std::span<const char* const> toolBarIds();
+
+} // namespace proveout

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/window/window_tool_bar.h"
+
+#include <QToolButton>
+
+#include "ui/window/main_window.h"
+#include "ui/window/window_commands.h"
+
+namespace proveout {
+
+namespace {
+
+constexpr int kIconSize = 20; ///< px
+
+} // namespace
+
+WindowToolBar::WindowToolBar(MainWindow& window) : QToolBar(&window) {
+    setObjectName(QStringLiteral("tool-bar"));
+    setMovable(false);
+    setIconSize({kIconSize, kIconSize});
+    for (const char* id : toolBarIds()) {
+        if (*id == '\0')
+            addSeparator();
+        else if (QAction* command = window.action(QLatin1String(id)))
+            addAction(command); // the 3D view has no commands where OpenGL is not available
+    }
+    for (QToolButton* button : findChildren<QToolButton*>())
+        button->setFocusPolicy(Qt::TabFocus);
+    window.addToolBar(this);
+}
+
+void WindowToolBar::retranslate() {
+    setWindowTitle(tr("Toolbar"));
+    toggleViewAction()->setVisible(false);
+}
+
+} // namespace proveout
