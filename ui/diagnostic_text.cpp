@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/diagnostic_text.h"
 
+#include <algorithm>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QLocale>
 
 #include "core/base/list_argument.h"
 
@@ -14,16 +17,21 @@ namespace proveout {
 
 namespace {
 
-/// Arguments are words of the user's file, figures, keys, or texts of the core, e.g. the name of a code. Only
+/// Arguments are figures, words of the user's file, keys, or texts of the core, e.g. the name of a code. Only
 /// the last are in the catalogue.
+std::string shown(const Argument& argument) {
+    if (argument.isFigures())
+        return figuresText(argument).toStdString();
+    if (argument.text().find('\0') != std::string::npos)
+        return argument;
+    return changedList(argument.text(), kListSeparator, [](std::string_view part) {
+        return coreText(std::string(part).c_str()).toStdString();
+    });
+}
+
 QString filled(const char* text, const Diagnostic& diagnostic) {
-    std::vector<std::string> arguments = diagnostic.arguments;
-    for (std::string& argument : arguments) {
-        if (argument.find('\0') == std::string::npos)
-            argument = changedList(argument, kListSeparator, [](std::string_view part) {
-                return coreText(std::string(part).c_str()).toStdString();
-            });
-    }
+    std::vector<std::string> arguments;
+    std::ranges::transform(diagnostic.arguments, std::back_inserter(arguments), shown);
     return QString::fromStdString(fillIn(coreText(text).toStdString(), arguments));
 }
 
@@ -31,6 +39,10 @@ QString filled(const char* text, const Diagnostic& diagnostic) {
 
 QString coreText(const char* text) {
     return text == nullptr || *text == '\0' ? QString() : QCoreApplication::translate("Core", text);
+}
+
+QString figuresText(const std::string& figures) {
+    return QString::fromStdString(figures).replace(u'.', QLocale().decimalPoint());
 }
 
 QString sentence(const Diagnostic& diagnostic) {

@@ -2,6 +2,8 @@
 // The core speaks English with marked strings; here they become the user's language.
 #pragma once
 
+#include <string>
+
 #include <QString>
 
 #include "core/base/diagnostic.h"
@@ -10,6 +12,8 @@ namespace proveout {
 
 /// A string that the core marked with PROVEOUT_TEXT, translated.
 [[nodiscard]] QString coreText(const char* text);
+/// Figures that the core has written with a decimal point, e.g. "1.5 GB", with that of the language.
+[[nodiscard]] QString figuresText(const std::string& figures);
 /// The sentence of a diagnostic, translated, its arguments filled in.
 [[nodiscard]] QString sentence(const Diagnostic& diagnostic);
 /// What to do about it, translated; may be empty.

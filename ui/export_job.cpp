@@ -12,6 +12,7 @@
 #include <QMetaObject>
 
 #include "core/base/atomic_file.h"
+#include "core/base/figures_argument.h"
 #include "core/base/file_state.h"
 #include "core/base/text.h"
 #include "core/decimation/solid/solid.h"
@@ -53,10 +54,11 @@ Result<void> checkMeshMemory(const Frame& frame, const ExportOptions& options, d
         would ? failure("export-needs-too-much-memory",
                         PROVEOUT_TEXT("Core", "The export needs {} of memory; only {} is available, enough "
                                               "for a grid spacing of {} mm."),
-                        {readableBytes(needed), readableBytes(limitBytes), fmt::format("{:g}", *would)})
+                        {figures("{}", readableBytes(needed)), figures("{}", readableBytes(limitBytes)),
+                         figures("{:g}", *would)})
               : failure("export-needs-too-much-memory",
                         PROVEOUT_TEXT("Core", "The export needs {} of memory; only {} is available."),
-                        {readableBytes(needed), readableBytes(limitBytes)});
+                        {figures("{}", readableBytes(needed)), figures("{}", readableBytes(limitBytes))});
     refused.value().front().hint =
         PROVEOUT_TEXT("Core", "Increase the grid spacing, or close other programs.");
     return refused;

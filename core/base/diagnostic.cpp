@@ -77,7 +77,11 @@ std::string fillIn(std::string_view text, const std::vector<std::string>& argume
 }
 
 std::string message(const Diagnostic& diagnostic) {
-    return fillIn(diagnostic.text, diagnostic.arguments);
+    return fillIn(diagnostic.text, {diagnostic.arguments.begin(), diagnostic.arguments.end()});
+}
+
+std::string hintText(const Diagnostic& diagnostic) {
+    return fillIn(diagnostic.hint, {diagnostic.arguments.begin(), diagnostic.arguments.end()});
 }
 
 const char* name(Severity severity) {
@@ -102,7 +106,7 @@ std::string oneLine(const Diagnostic& diagnostic) {
                        diagnostic.id);
 }
 
-tl::unexpected<Diagnostics> failure(const char* id, const char* text, std::vector<std::string> arguments,
+tl::unexpected<Diagnostics> failure(const char* id, const char* text, std::vector<Argument> arguments,
                                     std::string file) {
     Diagnostic diagnostic;
     diagnostic.id = id;

@@ -41,7 +41,7 @@ void DocumentHub::refuseOpening(const QString& file, const Diagnostics& errors) 
     bool otherwise = false; // it cannot be opened anyway
     for (const Diagnostic& error : errors) {
         if (std::string_view(error.id) == "job-outside")
-            outside.emplace_back(error.arguments.at(1));
+            outside.emplace_back(error.arguments.at(1).text());
         else
             otherwise = otherwise || error.severity == Severity::error; // warnings of the job follow
     }
@@ -78,10 +78,11 @@ void DocumentHub::stopOpening() {
     if (!m_reader.isReading())
         return;
     m_reader.cancel();
-    m_problems.report(failure("opening-stopped",
-                              PROVEOUT_TEXT("Core", "The file was not opened because the open program was edited "
-                                                    "while the file was being read."))
-                          .value());
+    m_problems.report(
+        failure("opening-stopped",
+                PROVEOUT_TEXT("Core", "The file was not opened because the open program was edited "
+                                      "while the file was being read."))
+            .value());
 }
 
 // The text.

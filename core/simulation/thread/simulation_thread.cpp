@@ -33,7 +33,7 @@ struct Overloaded : Handlers... {
 template<class... Handlers>
 Overloaded(Handlers...) -> Overloaded<Handlers...>;
 
-Diagnostics broken(const FindingRow& row, std::vector<std::string> arguments) {
+Diagnostics broken(const FindingRow& row, std::vector<Argument> arguments) {
     return {diagnosticOf(row, std::move(arguments))};
 }
 

@@ -286,7 +286,8 @@ TEST(Findings, TakeNoLongerWhereThereAreMany) {
 std::vector<std::string> briefly(const Diagnostics& findings) {
     std::vector<std::string> out;
     for (const Diagnostic& finding : findings)
-        out.push_back(fmt::format("{} {} {}", finding.where.line, finding.id, finding.arguments.front()));
+        out.push_back(
+            fmt::format("{} {} {}", finding.where.line, finding.id, finding.arguments.front().text()));
     return out;
 }
 
