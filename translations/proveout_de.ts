@@ -2040,16 +2040,20 @@ Vorgabe: 0 mm</translation>
         <translation>Ein Eckpunkt liegt bei {}, {}, {}: eine Netzdatei hält nur endliche Zahlen.</translation>
     </message>
     <message>
-        <source>Export OBJ or PLY: they hold coordinates in double precision.</source>
-        <translation>Exportieren Sie OBJ oder PLY: sie halten Koordinaten in doppelter Genauigkeit.</translation>
+        <source>Export to a format with coordinates in double precision: {4}.</source>
+        <translation>Exportieren Sie in ein Format mit Koordinaten in doppelter Genauigkeit: {4}.</translation>
     </message>
     <message>
-        <source>Rounded to single precision, the file lies up to {} mm from the z-map, beyond the error allowance of {} mm; OBJ or PLY would keep {} mm.</source>
-        <translation>Auf einfache Genauigkeit gerundet, liegt die Datei bis zu {} mm neben der Z-Map, mehr als der zulässige Fehler von {} mm; OBJ oder PLY blieben bei {} mm.</translation>
+        <source>Export to a format with coordinates in double precision: {3}.</source>
+        <translation>Exportieren Sie in ein Format mit Koordinaten in doppelter Genauigkeit: {3}.</translation>
     </message>
     <message>
-        <source>The coordinates of an STL file are too coarse for this mesh so far from the origin: {} triangles would collapse or turn over, {} vertices meet others; OBJ or PLY can hold it.</source>
-        <translation>Die Koordinaten einer STL-Datei sind für dieses Netz so weit vom Nullpunkt zu grob: {} Dreiecke fielen zusammen oder kehrten sich um, {} Eckpunkte träfen auf andere; OBJ oder PLY können es halten.</translation>
+        <source>Rounded to single precision, the file lies up to {} mm from the z-map, beyond the error allowance of {} mm; a format in double precision would keep {} mm.</source>
+        <translation>Auf einfache Genauigkeit gerundet, liegt die Datei bis zu {} mm neben der Z-Map, mehr als der zulässige Fehler von {} mm; ein Format mit doppelter Genauigkeit bliebe bei {} mm.</translation>
+    </message>
+    <message>
+        <source>The coordinates of an STL file are too coarse for this mesh so far from the origin: {} triangles would collapse or turn over, {} vertices meet others; a format in double precision can hold it.</source>
+        <translation>Die Koordinaten einer STL-Datei sind für dieses Netz so weit vom Nullpunkt zu grob: {} Dreiecke fielen zusammen oder kehrten sich um, {} Eckpunkte träfen auf andere; ein Format mit doppelter Genauigkeit kann es halten.</translation>
     </message>
     <message>
         <source>Certified</source>
@@ -5296,8 +5300,8 @@ Vorgabe: 0 mm</translation>
         <translation>Dies ist {} (Zeile {}: {}); das liest Proveout nicht.</translation>
     </message>
     <message>
-        <source>Post-process it for LinuxCNC, Fanuc, Haas, grbl or Mach3 / Mach4; if it is one of these after all, choose the dialect.</source>
-        <translation>Geben Sie es mit einem Postprozessor für LinuxCNC, Fanuc, Haas, grbl oder Mach3 / Mach4 aus; ist es doch eines davon, wählen Sie den Dialekt.</translation>
+        <source>Post-process it for one of these dialects: {4}; if it is in one of them after all, choose it.</source>
+        <translation>Geben Sie es mit einem Postprozessor für einen dieser Dialekte aus: {4}; ist es doch in einem davon, wählen Sie ihn.</translation>
     </message>
     <message>
         <source>This is {} (line {}: {}), not an NC program.</source>
@@ -7725,8 +7729,8 @@ Vorgabe: 0 mm</translation>
         <translation>Öffnen</translation>
     </message>
     <message>
-        <source>NC programs and jobs (*.nc *.ngc *.cnc *.tap *.gcode *.iso *.min *.mpf *.eia *.txt *.proveout)</source>
-        <translation>NC-Programme und Aufträge (*.nc *.ngc *.cnc *.tap *.gcode *.iso *.min *.mpf *.eia *.txt *.proveout)</translation>
+        <source>NC programs and jobs (%1)</source>
+        <translation>NC-Programme und Aufträge (%1)</translation>
     </message>
     <message>
         <source>All files (*)</source>
@@ -7739,10 +7743,6 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>Save Job As</source>
         <translation>Auftrag speichern unter</translation>
-    </message>
-    <message>
-        <source>Proveout jobs (*.proveout)</source>
-        <translation>Proveout-Aufträge (*.proveout)</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
@@ -7791,10 +7791,6 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>Save Stock</source>
         <translation>Rohteil speichern</translation>
-    </message>
-    <message>
-        <source>Proveout stock (*.pvstock)</source>
-        <translation>Proveout-Rohteil (*.pvstock)</translation>
     </message>
     <message>
         <source>Saved as %1; the other version is still in %2.</source>

@@ -2040,16 +2040,20 @@ Default: 0 mm</source>
         <translation>정점이 {}, {}, {}에 있습니다. 메시 파일은 유한한 수만 담을 수 있습니다.</translation>
     </message>
     <message>
-        <source>Export OBJ or PLY: they hold coordinates in double precision.</source>
-        <translation>OBJ나 PLY로 내보내십시오. 좌표를 배정밀도로 담습니다.</translation>
+        <source>Export to a format with coordinates in double precision: {4}.</source>
+        <translation>좌표를 배정밀도로 담는 형식으로 내보내십시오: {4}.</translation>
     </message>
     <message>
-        <source>Rounded to single precision, the file lies up to {} mm from the z-map, beyond the error allowance of {} mm; OBJ or PLY would keep {} mm.</source>
-        <translation>단정밀도로 반올림하면 파일이 Z맵에서 최대 {} mm 벗어나 허용 오차 {} mm를 넘습니다. OBJ나 PLY라면 {} mm를 유지합니다.</translation>
+        <source>Export to a format with coordinates in double precision: {3}.</source>
+        <translation>좌표를 배정밀도로 담는 형식으로 내보내십시오: {3}.</translation>
     </message>
     <message>
-        <source>The coordinates of an STL file are too coarse for this mesh so far from the origin: {} triangles would collapse or turn over, {} vertices meet others; OBJ or PLY can hold it.</source>
-        <translation>원점에서 이렇게 먼 메시에는 STL 파일의 좌표가 너무 거칩니다. 삼각형 {}개가 뭉개지거나 뒤집히고 정점 {}개가 다른 정점과 겹칩니다. OBJ나 PLY로는 담을 수 있습니다.</translation>
+        <source>Rounded to single precision, the file lies up to {} mm from the z-map, beyond the error allowance of {} mm; a format in double precision would keep {} mm.</source>
+        <translation>단정밀도로 반올림하면 파일이 Z맵에서 최대 {} mm 벗어나 허용 오차 {} mm를 넘습니다. 배정밀도 형식이라면 {} mm를 유지합니다.</translation>
+    </message>
+    <message>
+        <source>The coordinates of an STL file are too coarse for this mesh so far from the origin: {} triangles would collapse or turn over, {} vertices meet others; a format in double precision can hold it.</source>
+        <translation>원점에서 이렇게 먼 메시에는 STL 파일의 좌표가 너무 거칩니다. 삼각형 {}개가 뭉개지거나 뒤집히고 정점 {}개가 다른 정점과 겹칩니다. 배정밀도 형식으로는 담을 수 있습니다.</translation>
     </message>
     <message>
         <source>Certified</source>
@@ -5296,8 +5300,8 @@ Default: 0 mm</source>
         <translation>이 파일은 {}이며({}번 줄: {}), Proveout이 읽지 않는 형식입니다.</translation>
     </message>
     <message>
-        <source>Post-process it for LinuxCNC, Fanuc, Haas, grbl or Mach3 / Mach4; if it is one of these after all, choose the dialect.</source>
-        <translation>LinuxCNC, Fanuc, Haas, grbl 또는 Mach3 / Mach4용으로 포스트 처리하십시오. 실제로 이 중 하나라면 제어기 방식을 고르십시오.</translation>
+        <source>Post-process it for one of these dialects: {4}; if it is in one of them after all, choose it.</source>
+        <translation>다음 제어기 방식 중 하나로 포스트 처리하십시오: {4}. 실제로 이 중 하나라면 그 방식을 고르십시오.</translation>
     </message>
     <message>
         <source>This is {} (line {}: {}), not an NC program.</source>
@@ -7725,8 +7729,8 @@ Default: 0 mm</source>
         <translation>열기</translation>
     </message>
     <message>
-        <source>NC programs and jobs (*.nc *.ngc *.cnc *.tap *.gcode *.iso *.min *.mpf *.eia *.txt *.proveout)</source>
-        <translation>NC 프로그램과 작업 (*.nc *.ngc *.cnc *.tap *.gcode *.iso *.min *.mpf *.eia *.txt *.proveout)</translation>
+        <source>NC programs and jobs (%1)</source>
+        <translation>NC 프로그램과 작업 (%1)</translation>
     </message>
     <message>
         <source>All files (*)</source>
@@ -7739,10 +7743,6 @@ Default: 0 mm</source>
     <message>
         <source>Save Job As</source>
         <translation>작업을 다른 이름으로 저장</translation>
-    </message>
-    <message>
-        <source>Proveout jobs (*.proveout)</source>
-        <translation>Proveout 작업 (*.proveout)</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
@@ -7791,10 +7791,6 @@ Default: 0 mm</source>
     <message>
         <source>Save Stock</source>
         <translation>소재 저장</translation>
-    </message>
-    <message>
-        <source>Proveout stock (*.pvstock)</source>
-        <translation>Proveout 소재 (*.pvstock)</translation>
     </message>
     <message>
         <source>Saved as %1; the other version is still in %2.</source>
