@@ -9251,8 +9251,8 @@ Vorgabe: %4 mm</translation>
         <translation>Abbildung exportieren</translation>
     </message>
     <message>
-        <source>Figures (*.svg *.png *.csv)</source>
-        <translation>Abbildungen (*.svg *.png *.csv)</translation>
+        <source>Figures (%1)</source>
+        <translation>Abbildungen (%1)</translation>
     </message>
     <message>
         <source>Study</source>

@@ -9250,8 +9250,8 @@ Default: %4 mm</source>
         <translation>그림 내보내기</translation>
     </message>
     <message>
-        <source>Figures (*.svg *.png *.csv)</source>
-        <translation>그림(*.svg *.png *.csv)</translation>
+        <source>Figures (%1)</source>
+        <translation>그림(%1)</translation>
     </message>
     <message>
         <source>Study</source>
