@@ -2036,16 +2036,8 @@ Vorgabe: 0 mm</translation>
         <translation>Der Eckpunkt {}, {}, {} ist nicht endlich: Eine Netzdatei fasst nur endliche Zahlen.</translation>
     </message>
     <message>
-        <source>Export OBJ or PLY: they hold coordinates in double precision.</source>
-        <translation>OBJ oder PLY exportieren: Sie speichern Koordinaten in doppelter Genauigkeit.</translation>
-    </message>
-    <message>
         <source>Rounded to single precision, the mesh deviates from the z-map by up to {} mm, more than the error allowance of {} mm; OBJ or PLY would keep {} mm.</source>
         <translation>Auf einfache Genauigkeit gerundet, weicht das Netz um bis zu {} mm von der Z-Map ab, mehr als der zulässige Fehler von {} mm; OBJ oder PLY hielten {} mm ein.</translation>
-    </message>
-    <message>
-        <source>The coordinates of an STL file are too coarse for this mesh so far from the origin: {} triangles would collapse or turn over, {} vertices meet others; OBJ or PLY can hold it.</source>
-        <translation>Die Koordinaten einer STL-Datei sind für dieses Netz so weit vom Ursprung zu grob: {} Dreiecke fielen zusammen oder kehrten sich um, {} Eckpunkte träfen auf andere; OBJ oder PLY können es speichern.</translation>
     </message>
     <message>
         <source>Certified</source>
@@ -5288,10 +5280,6 @@ Vorgabe: 0 mm</translation>
         <translation>Dies ist {} (Zeile {}: {}); das liest Proveout nicht.</translation>
     </message>
     <message>
-        <source>Post-process it for LinuxCNC, Fanuc, Haas, grbl or Mach3 / Mach4; if it is one of these after all, choose the dialect.</source>
-        <translation>Mit einem Postprozessor für LinuxCNC, Fanuc, Haas, grbl oder Mach3 / Mach4 ausgeben; ist es doch eines davon, den Dialekt wählen.</translation>
-    </message>
-    <message>
         <source>This is {} (line {}: {}), not an NC program.</source>
         <translation>Dies ist {} (Zeile {}: {}), kein NC-Programm.</translation>
     </message>
@@ -7391,6 +7379,26 @@ Vorgabe: 0 mm</translation>
         <source>OpenGL not available</source>
         <translation>OpenGL nicht verfügbar</translation>
     </message>
+    <message>
+        <source>Export to a format with coordinates in double precision: {4}.</source>
+        <translation>Exportieren Sie in ein Format mit Koordinaten in doppelter Genauigkeit: {4}.</translation>
+    </message>
+    <message>
+        <source>Export to a format with coordinates in double precision: {3}.</source>
+        <translation>Exportieren Sie in ein Format mit Koordinaten in doppelter Genauigkeit: {3}.</translation>
+    </message>
+    <message>
+        <source>Rounded to single precision, the mesh deviates from the z-map by up to {} mm, more than the error allowance of {} mm; a format in double precision would keep {} mm.</source>
+        <translation>Auf einfache Genauigkeit gerundet, liegt die Datei bis zu {} mm neben der Z-Map, mehr als der zulässige Fehler von {} mm; ein Format mit doppelter Genauigkeit bliebe bei {} mm.</translation>
+    </message>
+    <message>
+        <source>The coordinates of an STL file are too coarse for this mesh so far from the origin: {} triangles would collapse or turn over, {} vertices meet others; a format in double precision can hold it.</source>
+        <translation>Die Koordinaten einer STL-Datei sind für dieses Netz so weit vom Nullpunkt zu grob: {} Dreiecke fielen zusammen oder kehrten sich um, {} Eckpunkte träfen auf andere; ein Format mit doppelter Genauigkeit kann es halten.</translation>
+    </message>
+    <message>
+        <source>Post-process it for one of these dialects: {4}; if it is in one of them after all, choose it.</source>
+        <translation>Geben Sie es mit einem Postprozessor für einen dieser Dialekte aus: {4}; ist es doch in einem davon, wählen Sie ihn.</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -7761,10 +7769,6 @@ Vorgabe: 0 mm</translation>
         <translation>Öffnen</translation>
     </message>
     <message>
-        <source>NC programs and jobs (*.nc *.ngc *.cnc *.tap *.gcode *.iso *.min *.mpf *.eia *.txt *.proveout)</source>
-        <translation>NC-Programme und Aufträge (*.nc *.ngc *.cnc *.tap *.gcode *.iso *.min *.mpf *.eia *.txt *.proveout)</translation>
-    </message>
-    <message>
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
     </message>
@@ -7775,10 +7779,6 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>Save Job As</source>
         <translation>Auftrag speichern unter</translation>
-    </message>
-    <message>
-        <source>Proveout jobs (*.proveout)</source>
-        <translation>Proveout-Aufträge (*.proveout)</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
@@ -7829,10 +7829,6 @@ Vorgabe: 0 mm</translation>
         <translation>Rohteil speichern</translation>
     </message>
     <message>
-        <source>Proveout stock (*.pvstock)</source>
-        <translation>Proveout-Rohteil (*.pvstock)</translation>
-    </message>
-    <message>
         <source>Saved as %1; the other version is still in %2.</source>
         <translation>Als %1 gespeichert; die andere Version bleibt in %2.</translation>
     </message>
@@ -7863,6 +7859,10 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>Save the changes first?</source>
         <translation>Die Änderungen vorher speichern?</translation>
+    </message>
+    <message>
+        <source>NC programs and jobs (%1)</source>
+        <translation>NC-Programme und Aufträge (%1)</translation>
     </message>
 </context>
 <context>
@@ -9272,10 +9272,6 @@ Vorgabe: %4 mm</translation>
         <translation>Abbildung exportieren</translation>
     </message>
     <message>
-        <source>Figures (*.svg *.png *.csv)</source>
-        <translation>Abbildungen (*.svg *.png *.csv)</translation>
-    </message>
-    <message>
         <source>Study</source>
         <translation>Studie</translation>
     </message>
@@ -9322,6 +9318,10 @@ Vorgabe: %4 mm</translation>
     <message>
         <source>&amp;Export…</source>
         <translation>&amp;Exportieren…</translation>
+    </message>
+    <message>
+        <source>Figures (%1)</source>
+        <translation>Abbildungen (%1)</translation>
     </message>
 </context>
 <context>

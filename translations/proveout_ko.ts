@@ -2036,16 +2036,8 @@ Default: 0 mm</source>
         <translation>정점 {}, {}, {}이(가) 유한하지 않습니다. 메시 파일에는 유한한 수만 담을 수 있습니다.</translation>
     </message>
     <message>
-        <source>Export OBJ or PLY: they hold coordinates in double precision.</source>
-        <translation>OBJ나 PLY로 내보내십시오. 좌표를 배정밀도로 담습니다.</translation>
-    </message>
-    <message>
         <source>Rounded to single precision, the mesh deviates from the z-map by up to {} mm, more than the error allowance of {} mm; OBJ or PLY would keep {} mm.</source>
         <translation>단정밀도로 반올림하면 메시가 Z맵에서 최대 {} mm 벗어나 허용 오차 {} mm를 넘습니다. OBJ나 PLY라면 {} mm를 유지합니다.</translation>
-    </message>
-    <message>
-        <source>The coordinates of an STL file are too coarse for this mesh so far from the origin: {} triangles would collapse or turn over, {} vertices meet others; OBJ or PLY can hold it.</source>
-        <translation>원점에서 이렇게 먼 메시에는 STL 파일의 좌표가 너무 거칩니다. 삼각형 {}개가 뭉개지거나 뒤집히고 정점 {}개가 다른 정점과 겹칩니다. OBJ나 PLY로는 담을 수 있습니다.</translation>
     </message>
     <message>
         <source>Certified</source>
@@ -5288,10 +5280,6 @@ Default: 0 mm</source>
         <translation>이 파일은 {}이며({}번 줄: {}), Proveout이 읽지 않는 형식입니다.</translation>
     </message>
     <message>
-        <source>Post-process it for LinuxCNC, Fanuc, Haas, grbl or Mach3 / Mach4; if it is one of these after all, choose the dialect.</source>
-        <translation>LinuxCNC, Fanuc, Haas, grbl 또는 Mach3 / Mach4용으로 포스트 처리하십시오. 실제로 이 중 하나라면 제어기 방식을 선택하십시오.</translation>
-    </message>
-    <message>
         <source>This is {} (line {}: {}), not an NC program.</source>
         <translation>이 파일은 {}이며({}번 줄: {}), NC 프로그램이 아닙니다.</translation>
     </message>
@@ -7391,6 +7379,26 @@ Default: 0 mm</source>
         <source>OpenGL not available</source>
         <translation>OpenGL을 사용할 수 없음</translation>
     </message>
+    <message>
+        <source>Export to a format with coordinates in double precision: {4}.</source>
+        <translation>좌표를 배정밀도로 담는 형식으로 내보내십시오: {4}.</translation>
+    </message>
+    <message>
+        <source>Export to a format with coordinates in double precision: {3}.</source>
+        <translation>좌표를 배정밀도로 담는 형식으로 내보내십시오: {3}.</translation>
+    </message>
+    <message>
+        <source>Rounded to single precision, the mesh deviates from the z-map by up to {} mm, more than the error allowance of {} mm; a format in double precision would keep {} mm.</source>
+        <translation>단정밀도로 반올림하면 파일이 Z맵에서 최대 {} mm 벗어나 허용 오차 {} mm를 넘습니다. 배정밀도 형식이라면 {} mm를 유지합니다.</translation>
+    </message>
+    <message>
+        <source>The coordinates of an STL file are too coarse for this mesh so far from the origin: {} triangles would collapse or turn over, {} vertices meet others; a format in double precision can hold it.</source>
+        <translation>원점에서 이렇게 먼 메시에는 STL 파일의 좌표가 너무 거칩니다. 삼각형 {}개가 뭉개지거나 뒤집히고 정점 {}개가 다른 정점과 겹칩니다. 배정밀도 형식으로는 담을 수 있습니다.</translation>
+    </message>
+    <message>
+        <source>Post-process it for one of these dialects: {4}; if it is in one of them after all, choose it.</source>
+        <translation>다음 제어기 방식 중 하나로 포스트 처리하십시오: {4}. 실제로 이 중 하나라면 그 방식을 고르십시오.</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -7761,10 +7769,6 @@ Default: 0 mm</source>
         <translation>열기</translation>
     </message>
     <message>
-        <source>NC programs and jobs (*.nc *.ngc *.cnc *.tap *.gcode *.iso *.min *.mpf *.eia *.txt *.proveout)</source>
-        <translation>NC 프로그램과 작업 (*.nc *.ngc *.cnc *.tap *.gcode *.iso *.min *.mpf *.eia *.txt *.proveout)</translation>
-    </message>
-    <message>
         <source>All files (*)</source>
         <translation>모든 파일 (*)</translation>
     </message>
@@ -7775,10 +7779,6 @@ Default: 0 mm</source>
     <message>
         <source>Save Job As</source>
         <translation>작업을 다른 이름으로 저장</translation>
-    </message>
-    <message>
-        <source>Proveout jobs (*.proveout)</source>
-        <translation>Proveout 작업 (*.proveout)</translation>
     </message>
     <message>
         <source>Unsaved changes</source>
@@ -7829,10 +7829,6 @@ Default: 0 mm</source>
         <translation>소재 저장</translation>
     </message>
     <message>
-        <source>Proveout stock (*.pvstock)</source>
-        <translation>Proveout 소재 (*.pvstock)</translation>
-    </message>
-    <message>
         <source>Saved as %1; the other version is still in %2.</source>
         <translation>%1(으)로 저장했습니다. 다른 버전은 %2에 남아 있습니다.</translation>
     </message>
@@ -7863,6 +7859,10 @@ Default: 0 mm</source>
     <message>
         <source>Save the changes first?</source>
         <translation>먼저 변경 내용을 저장할까요?</translation>
+    </message>
+    <message>
+        <source>NC programs and jobs (%1)</source>
+        <translation>NC 프로그램과 작업 (%1)</translation>
     </message>
 </context>
 <context>
@@ -9271,10 +9271,6 @@ Default: %4 mm</source>
         <translation>그림 내보내기</translation>
     </message>
     <message>
-        <source>Figures (*.svg *.png *.csv)</source>
-        <translation>그림(*.svg *.png *.csv)</translation>
-    </message>
-    <message>
         <source>Study</source>
         <translation>연구</translation>
     </message>
@@ -9321,6 +9317,10 @@ Default: %4 mm</source>
     <message>
         <source>&amp;Export…</source>
         <translation>내보내기(&amp;E)…</translation>
+    </message>
+    <message>
+        <source>Figures (%1)</source>
+        <translation>그림(%1)</translation>
     </message>
 </context>
 <context>

@@ -2,12 +2,14 @@
 #include "ui/diagnostic_text.h"
 
 #include <algorithm>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include <QCoreApplication>
 #include <QFileInfo>
+#include <QLocale>
 
 #include "core/base/list_argument.h"
 
@@ -15,12 +17,14 @@ namespace proveout {
 
 namespace {
 
-/// Arguments are words of the user's file, figures, keys, or texts of the core, e.g. the name of a code. Only
+/// Arguments are figures, words of the user's file, keys, or texts of the core, e.g. the name of a code. Only
 /// the last are in the catalogue.
-std::string translated(const std::string& argument) {
-    if (argument.find('\0') != std::string::npos)
+std::string shown(const Argument& argument) {
+    if (argument.isFigures())
+        return figuresText(argument).toStdString();
+    if (argument.text().find('\0') != std::string::npos)
         return argument;
-    return changedList(argument, kListSeparator, [](std::string_view part) {
+    return changedList(argument.text(), kListSeparator, [](std::string_view part) {
         return coreText(std::string(part).c_str()).toStdString();
     });
 }
@@ -31,9 +35,14 @@ QString coreText(const char* text) {
     return text == nullptr || *text == '\0' ? QString() : QCoreApplication::translate("Core", text);
 }
 
-QString coreText(const char* text, std::vector<std::string> arguments) {
-    std::ranges::transform(arguments, arguments.begin(), translated);
-    return QString::fromStdString(fillIn(coreText(text).toStdString(), arguments));
+QString coreText(const char* text, const std::vector<Argument>& arguments) {
+    std::vector<std::string> texts;
+    std::ranges::transform(arguments, std::back_inserter(texts), shown);
+    return QString::fromStdString(fillIn(coreText(text).toStdString(), texts));
+}
+
+QString figuresText(const std::string& figures) {
+    return QString::fromStdString(figures).replace(u'.', QLocale().decimalPoint());
 }
 
 QString sentence(const Diagnostic& diagnostic) {

@@ -27,11 +27,7 @@ std::vector<MeshFilter> meshFilters() {
     for (const FileFormat& format : fileFormats()) {
         if (format.meshWriter() == nullptr)
             continue;
-        QStringList patterns;
-        for (const char* extension : format.extensions)
-            patterns += QLatin1Char('*') + QLatin1String(extension);
-        filters.push_back({&format, QStringLiteral("%1 (%2)").arg(coreText(format.label),
-                                                                  patterns.join(QLatin1Char(' ')))});
+        filters.push_back({&format, formatFilter(format)});
     }
     return filters;
 }
@@ -84,6 +80,17 @@ bool mayReplace(QWidget& dialog, const QString& file) {
 }
 
 } // namespace
+
+QString formatPatterns(const FileFormat& format) {
+    QStringList patterns;
+    for (const char* extension : format.extensions)
+        patterns += QLatin1Char('*') + QLatin1String(extension);
+    return patterns.join(QLatin1Char(' '));
+}
+
+QString formatFilter(const FileFormat& format) {
+    return QStringLiteral("%1 (%2)").arg(coreText(format.label), formatPatterns(format));
+}
 
 std::optional<ExportTarget> askForExport(QWidget& parent, const QString& title, const QString& proposal) {
     const std::vector<MeshFilter> filters = meshFilters();

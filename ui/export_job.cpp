@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/base/atomic_file.h"
+#include "core/base/figures_argument.h"
 #include "core/base/file_state.h"
 #include "core/decimation/solid/solid.h"
 #include "core/decimation/surface/map_memory.h"
@@ -48,11 +49,12 @@ Result<void> checkMeshMemory(const Frame& frame, const ExportOptions& options, d
     if (needed <= limitBytes)
         return {};
     const auto would = finestSpacing(frame.zmap.stock(), limitBytes + zmapBytes(grid), bytesPerPoint);
-    std::vector<std::string> figures{readableBytes(needed), readableBytes(limitBytes)};
+    std::vector<Argument> arguments{figures("{}", readableBytes(needed)),
+                                    figures("{}", readableBytes(limitBytes))};
     if (!would)
-        return failure(window_finding::kExportNeedsTooMuchMemory, std::move(figures));
-    figures.push_back(fmt::format("{:g}", *would));
-    return failure(window_finding::kExportNeedsCoarserGrid, std::move(figures));
+        return failure(window_finding::kExportNeedsTooMuchMemory, std::move(arguments));
+    arguments.push_back(figures("{:g}", *would));
+    return failure(window_finding::kExportNeedsCoarserGrid, std::move(arguments));
 }
 
 /// Who has chosen the file was asked about what it held then, which may be minutes ago.

@@ -25,6 +25,14 @@
 
 namespace proveout {
 
+namespace {
+
+/// Names that programs commonly have.
+const QString kProgramPatterns =
+    QStringLiteral("*.nc *.ngc *.cnc *.tap *.gcode *.iso *.min *.mpf *.eia *.txt");
+
+} // namespace
+
 FileFlow::FileFlow(Session& session, QWidget& window)
     : QObject(&window), m_session(session), m_window(window) {
     connect(&session.problems(), &ProblemsHub::troubled, this, [this] { m_closeAfterExport = false; });
@@ -67,7 +75,7 @@ void FileFlow::askAboutOutside(const QString& job, const std::vector<std::filesy
 void FileFlow::openByDialog() {
     const QString file = QFileDialog::getOpenFileName(
         &m_window, tr("Open"), startFolder(),
-        tr("NC programs and jobs (*.nc *.ngc *.cnc *.tap *.gcode *.iso *.min *.mpf *.eia *.txt *.proveout)") +
+        tr("NC programs and jobs (%1)").arg(kProgramPatterns + u' ' + formatPatterns(*findFormat("job"))) +
             QStringLiteral(";;") + tr("All files (*)"));
     if (!file.isEmpty())
         open(file);
@@ -183,7 +191,7 @@ bool FileFlow::saveJobAs() {
         proposal = folder.filePath(program.completeBaseName() + QStringLiteral(".proveout"));
     }
     const QString file = askWhereToSave(m_window, tr("Save Job As"), proposal,
-                                        tr("Proveout jobs (*.proveout)"), QStringLiteral("proveout"));
+                                        formatFilter(*findFormat("job")), QStringLiteral("proveout"));
     if (file.isEmpty())
         return false;
     if (file == m_session.document().jobFile()) {
@@ -212,7 +220,7 @@ void FileFlow::saveStock() {
     const QString stem = program.isEmpty() ? QStringLiteral("part") : program;
     const QString file = askWhereToSave(m_window, titled(tr("Save Stock")),
                                         QDir(startFolder()).filePath(stem + QStringLiteral(".pvstock")),
-                                        tr("Proveout stock (*.pvstock)"), QStringLiteral("pvstock"));
+                                        formatFilter(*findFormat("stock")), QStringLiteral("pvstock"));
     if (!file.isEmpty() && mayReplaceStock(m_window, m_session.job().setup().shape, file))
         m_session.exports().saveStock(file);
 }

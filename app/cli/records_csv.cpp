@@ -2,26 +2,48 @@
 #include "app/cli/records_csv.h"
 
 #include <fmt/format.h>
+#include <iterator>
 #include <string>
+#include <type_traits>
+#include <variant>
 
 #include "core/base/atomic_file.h"
-#include "core/simulation/records/block_records.h"
+#include "core/simulation/records/block_statistic.h"
 
 namespace proveout::cli {
 
+namespace {
+
+std::string header() {
+    std::string line = "block,line";
+    for (const BlockStatistic& statistic : blockStatistics())
+        line.append(",").append(statistic.column);
+    return line + '\n';
+}
+
+/// Nothing where it is not known.
+void append(std::string& line, const BlockValue& value) {
+    std::visit(
+        [&line](auto known) {
+            if constexpr (!std::is_same_v<decltype(known), std::monostate>)
+                fmt::format_to(std::back_inserter(line), "{}", known);
+        },
+        value);
+}
+
+} // namespace
+
 Result<void> writeRecords(const std::filesystem::path& file, const Frame& frame) {
+    const ExecutedRun run{frame.statistics, frame.program.get()};
     AtomicFile out(file);
-    out.write("block,line,facesShown,facesFull,regionsDirty,regionsDecimated,cutSeconds,decimationSeconds,"
-              "removedMm3,maxDepthMm,radialEngagementMm,cuts,firstContact,rateMm3PerMin,feedLengthMm\n");
+    out.write(header());
     for (std::size_t block = 0; block < frame.block; ++block) {
-        const BlockStatistics& row = frame.statistics[block];
-        const auto rate = removalRate(*frame.program, block, row);
-        out.write(fmt::format(
-            "{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", block + 1, frame.program->blockLine(block),
-            row.facesShown, row.facesFull, row.regionsDirty, row.regionsDecimated, row.cutSeconds,
-            row.decimationSeconds, row.removedMm3, row.maxDepth, row.radialEngagement, row.cuts() ? 1 : 0,
-            isFirstContact(frame.statistics, block) ? 1 : 0, rate ? fmt::format("{}", *rate) : std::string(),
-            wayOf(*frame.program, block).feedLength));
+        std::string line = fmt::format("{},{}", block + 1, frame.program->blockLine(block));
+        for (const BlockStatistic& statistic : blockStatistics()) {
+            line += ',';
+            append(line, statistic.read(run, block));
+        }
+        out.write(line += '\n');
     }
     return out.commit();
 }

@@ -23,7 +23,7 @@ nlohmann::ordered_json toJson(const Diagnostic& diagnostic) {
         object["column"] = diagnostic.where.column;
     }
     if (*diagnostic.hint != '\0')
-        object["hint"] = diagnostic.hint;
+        object["hint"] = hintText(diagnostic);
     return object;
 }
 

@@ -59,7 +59,7 @@ ExitCode unwritableOutput(const CLI::App& app, int error) {
 
 } // namespace
 
-void printFinding(const std::string& program, const FindingRow& row, std::vector<std::string> arguments) {
+void printFinding(const std::string& program, const FindingRow& row, std::vector<Argument> arguments) {
     Diagnostic diagnostic = diagnosticOf(row, std::move(arguments));
     diagnostic.file = program;
     fmt::print(stderr, "{}\n", oneLine(diagnostic));

@@ -18,6 +18,7 @@
 #include <utility>
 
 #include "core/base/base_findings.h"
+#include "core/base/figures_argument.h"
 #include "core/base/memory.h"
 #include "core/base/unfinished_files.h"
 
@@ -268,7 +269,7 @@ Diagnostics AtomicFile::unwritable() const {
     if (needed == 0 || (m_written == 0 && !lacksRoom(m_error)))
         return failure(base_finding::kFileUnwritable, {reason(m_error)}, file).value();
     return failure(base_finding::kFileUnwritableSize,
-                   {readableBytes(static_cast<double>(needed)), reason(m_error)}, file)
+                   {figures("{}", readableBytes(static_cast<double>(needed))), reason(m_error)}, file)
         .value();
 }
 
@@ -297,10 +298,10 @@ Result<std::string> readFile(const std::filesystem::path& source, std::uint64_t 
         limit = std::min(limit, memoryLimitBytes());
     if (static_cast<std::uint64_t>(info.st_size) > limit) {
         ::close(descriptor);
-        return failure(
-            base_finding::kFileTooLarge,
-            {readableBytes(static_cast<double>(info.st_size)), readableBytes(static_cast<double>(limit))},
-            source.string());
+        return failure(base_finding::kFileTooLarge,
+                       {figures("{}", readableBytes(static_cast<double>(info.st_size))),
+                        figures("{}", readableBytes(static_cast<double>(limit)))},
+                       source.string());
     }
     std::string bytes;
     bytes.reserve(static_cast<std::size_t>(info.st_size));

@@ -77,7 +77,11 @@ std::string fillIn(std::string_view text, const std::vector<std::string>& argume
 }
 
 std::string message(const Diagnostic& diagnostic) {
-    return fillIn(diagnostic.text, diagnostic.arguments);
+    return fillIn(diagnostic.text, {diagnostic.arguments.begin(), diagnostic.arguments.end()});
+}
+
+std::string hintText(const Diagnostic& diagnostic) {
+    return fillIn(diagnostic.hint, {diagnostic.arguments.begin(), diagnostic.arguments.end()});
 }
 
 const char* name(Severity severity) {

@@ -9,6 +9,8 @@
 
 #include <tl/expected.hpp>
 
+#include "core/base/argument.h"
+
 namespace proveout {
 
 enum class Severity : std::uint8_t {
@@ -34,7 +36,7 @@ struct Diagnostic {
     bool unverified = false; ///< from this place on, nothing can be promised about the program (exit code 2)
     const char* id = "";     ///< stable, kebab-case, e.g. "arc-ends-differ"
     const char* text = "";
-    std::vector<std::string> arguments;
+    std::vector<Argument> arguments;
     const char* hint = ""; ///< what to do about it; a literal marked with PROVEOUT_TEXT, may be empty
     std::string file;
     TextRange where;
@@ -55,6 +57,10 @@ using Result = tl::expected<T, Diagnostics>;
 
 /// The English sentence of a diagnostic.
 [[nodiscard]] std::string message(const Diagnostic& diagnostic);
+
+/// What to do about it, in English; may be empty. It may name the arguments of the sentence, by `{1}`, `{2}`,
+/// …
+[[nodiscard]] std::string hintText(const Diagnostic& diagnostic);
 
 /// `FILE:LINE:COLUMN: error: sentence [id]`; what terminals obey, and bytes that are no UTF-8, are escaped.
 [[nodiscard]] std::string oneLine(const Diagnostic& diagnostic);

@@ -42,7 +42,7 @@ const char* name(FindingSource source) {
     return "files";
 }
 
-Diagnostic diagnosticOf(const FindingRow& row, std::vector<std::string> arguments) {
+Diagnostic diagnosticOf(const FindingRow& row, std::vector<Argument> arguments) {
     return {row.severity, row.unverified, row.id, row.text, std::move(arguments), row.hint, {}, {}};
 }
 
@@ -50,7 +50,7 @@ bool hasIdOf(const Diagnostic& diagnostic, const FindingRow& row) {
     return std::string_view(diagnostic.id) == row.id;
 }
 
-tl::unexpected<Diagnostics> failure(const FindingRow& row, std::vector<std::string> arguments,
+tl::unexpected<Diagnostics> failure(const FindingRow& row, std::vector<Argument> arguments,
                                     std::string file) {
     Diagnostic diagnostic = diagnosticOf(row, std::move(arguments));
     diagnostic.file = std::move(file);

@@ -29,7 +29,7 @@ struct FindingRow {
     const char* id = "";     ///< stable, kebab-case; rows with one id share their title
     const char* title = "";  ///< a short name without arguments, e.g. "Rapid cuts stock"
     const char* text = "";   ///< a sentence; each `{}` stands for the next argument
-    const char* hint = "";   ///< what to do about it; may be empty
+    const char* hint = "";   ///< what to do about it; may be empty, and name arguments by `{1}`, `{2}`, …
     SeverityRule severityRule = SeverityRule::fixed;
 };
 
@@ -63,13 +63,13 @@ struct FindingTable {
 };
 
 /// The finding of a row, at no place in particular.
-[[nodiscard]] Diagnostic diagnosticOf(const FindingRow& row, std::vector<std::string> arguments = {});
+[[nodiscard]] Diagnostic diagnosticOf(const FindingRow& row, std::vector<Argument> arguments = {});
 
 /// Whether a diagnostic is a finding of the row, or of another with the same id.
 [[nodiscard]] bool hasIdOf(const Diagnostic& diagnostic, const FindingRow& row);
 
 /// A result that failed with the finding of a row.
-[[nodiscard]] tl::unexpected<Diagnostics>
-failure(const FindingRow& row, std::vector<std::string> arguments = {}, std::string file = {});
+[[nodiscard]] tl::unexpected<Diagnostics> failure(const FindingRow& row, std::vector<Argument> arguments = {},
+                                                  std::string file = {});
 
 } // namespace proveout

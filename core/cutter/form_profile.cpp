@@ -9,6 +9,7 @@
 #include <glm/geometric.hpp>
 #include <optional>
 
+#include "core/base/figures_argument.h"
 #include "core/base/geometry.h"
 #include "core/cutter/cutter_findings.h"
 #include "core/cutter/shape_profiles.h"
@@ -74,7 +75,7 @@ public:
 
 private:
     [[nodiscard]] tl::unexpected<Diagnostics> fail(const FindingRow& row,
-                                                   std::vector<std::string> more = {}) const {
+                                                   std::vector<Argument> more = {}) const {
         more.insert(more.begin(), std::to_string(m_at + 1));
         return failure(row, std::move(more));
     }
@@ -146,8 +147,7 @@ private:
 
     [[nodiscard]] Result<double> awayByRadius(double radius, double chord) const {
         if (2 * std::abs(radius) < chord)
-            return fail(cutter_finding::kFormArcRadius,
-                        {fmt::format("{}", radius), fmt::format("{:.6g}", chord)});
+            return fail(cutter_finding::kFormArcRadius, {figures("{}", radius), figures("{:.6g}", chord)});
         return std::copysign(std::sqrt(radius * radius - chord * chord / 4), radius);
     }
 
@@ -155,8 +155,7 @@ private:
         const double from = glm::distance(centre, m_last);
         const double until = glm::distance(centre, to);
         if (std::abs(from - until) > kRoundedPlace)
-            return fail(cutter_finding::kFormArcCentre,
-                        {fmt::format("{:.6g}", from), fmt::format("{:.6g}", until)});
+            return fail(cutter_finding::kFormArcCentre, {figures("{:.6g}", from), figures("{:.6g}", until)});
         return glm::dot(centre - (m_last + to) / 2.0, inwards);
     }
 

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <glm/trigonometric.hpp>
 
+#include "core/base/figures_argument.h"
 #include "core/cutter/cutter_findings.h"
 #include "core/cutter/shape_profiles.h"
 
@@ -17,7 +18,7 @@ double coneHeight(double radius, double angle) {
 }
 
 tl::unexpected<Diagnostics> tipTooLarge(double tip, double diameter) {
-    return failure(cutter_finding::kTipTooLarge, {fmt::format("{}", tip), fmt::format("{}", diameter)});
+    return failure(cutter_finding::kTipTooLarge, {fmt::format("{}", tip), figures("{}", diameter)});
 }
 
 /// A flat tip, if it has a radius, and a side from there to (radius, height).
@@ -52,11 +53,10 @@ Result<CutterProfile> centreProfile(const ShapeValues& values) {
     const double length = values[2];
     if (pilot >= radius)
         return failure(cutter_finding::kPilotTooLarge,
-                       {fmt::format("{}", values[1]), fmt::format("{}", values[0])});
+                       {fmt::format("{}", values[1]), figures("{}", values[0])});
     CutterProfile profile = pointed(0, pilot, coneHeight(pilot, values[4]));
     if (const double point = profile.pieces.back().z1; length < point)
-        return failure(cutter_finding::kPilotTooShort,
-                       {fmt::format("{}", length), fmt::format("{:.4g}", point)});
+        return failure(cutter_finding::kPilotTooShort, {fmt::format("{}", length), figures("{:.4g}", point)});
     profile.pieces.push_back(
         sideBetween(pilot, length, radius, length + coneHeight(radius - pilot, values[3])));
     return profile;
@@ -72,7 +72,7 @@ Result<CutterProfile> reamerProfile(const ShapeValues& values) {
     const double tip = radius - lead * slope;
     if (tip < 0)
         return failure(cutter_finding::kLeadTooLong,
-                       {fmt::format("{}", lead), fmt::format("{:.4g}", radius / slope)});
+                       {fmt::format("{}", lead), figures("{:.4g}", radius / slope)});
     return pointed(tip, radius, lead);
 }
 

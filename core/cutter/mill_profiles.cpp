@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <glm/trigonometric.hpp>
 
+#include "core/base/figures_argument.h"
 #include "core/cutter/cutter_findings.h"
 #include "core/cutter/shape_profiles.h"
 
@@ -13,7 +14,7 @@ namespace {
 Result<CutterProfile> roundedFlat(double radius, double corner) {
     if (corner > radius)
         return failure(cutter_finding::kCornerRadiusTooLarge,
-                       {fmt::format("{}", corner), fmt::format("{}", radius)});
+                       {fmt::format("{}", corner), figures("{}", radius)});
     if (corner == 0)
         return CutterProfile{{ringBetween(0, radius)}, {}};
     if (corner == radius)
@@ -24,7 +25,7 @@ Result<CutterProfile> roundedFlat(double radius, double corner) {
 }
 
 tl::unexpected<Diagnostics> lowerThanItsTip(double height, double least) {
-    return failure(cutter_finding::kTaperTooLow, {fmt::format("{}", height), fmt::format("{:.4g}", least)});
+    return failure(cutter_finding::kTaperTooLow, {fmt::format("{}", height), figures("{:.4g}", least)});
 }
 
 /// A side that leans outwards by `lean` (radians, from the axis), through (radius, 0), up to `height`; the

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <glm/trigonometric.hpp>
 
+#include "core/base/figures_argument.h"
 #include "core/cutter/cutter_findings.h"
 #include "core/cutter/shape_profiles.h"
 
@@ -13,7 +14,7 @@ namespace proveout {
 namespace {
 
 tl::unexpected<Diagnostics> neckTooThick(double neck, double limit) {
-    return failure(cutter_finding::kNeckTooThick, {fmt::format("{}", neck), fmt::format("{:.6g}", limit)});
+    return failure(cutter_finding::kNeckTooThick, {fmt::format("{}", neck), figures("{:.6g}", limit)});
 }
 
 /// The upper part of a circle round (centreR, centreZ), between two radii.
@@ -84,7 +85,7 @@ Result<CutterProfile> dovetailProfile(const ShapeValues& values) {
         return cornerTooLarge(corner, height / (1 + std::cos(angle)));
     if (top <= 0)
         return failure(cutter_finding::kHeadTooHigh,
-                       {fmt::format("{}", height), fmt::format("{:.4g}", flankZ + flankR * std::tan(angle))});
+                       {fmt::format("{}", height), figures("{:.4g}", flankZ + flankR * std::tan(angle))});
     const double neck = values[3] > 0 ? values[3] / 2 : top;
     if (neck > top)
         return neckTooThick(values[3], 2 * top);

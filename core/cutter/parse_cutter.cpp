@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <optional>
 
+#include "core/base/figures_argument.h"
 #include "core/base/tool_number.h"
 #include "core/cutter/cutter_findings.h"
 #include "core/cutter/shapes.h"
@@ -59,9 +60,9 @@ Result<double> parseNumber(const ShapeKey& key, std::string_view text) {
     if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value))
         return failure(cutter_finding::kCutterValueNotANumber, {key.key, std::string(text)});
     if (value < key.minimum || value > key.maximum)
-        return failure(cutter_finding::kCutterValueOutOfRange,
-                       {key.key, std::string(text), fmt::format("{}", key.minimum),
-                        fmt::format("{}", key.maximum), key.unit});
+        return failure(
+            cutter_finding::kCutterValueOutOfRange,
+            {key.key, std::string(text), figures("{}", key.minimum), figures("{}", key.maximum), key.unit});
     return value;
 }
 
@@ -94,9 +95,9 @@ Result<void> readAssignment(KeyValues& values, std::string_view assignment) {
 tl::unexpected<Diagnostics> keyMissing(const CutterShape& shape, const ShapeKey& key) {
     if (key.isText())
         return failure(cutter_finding::kCutterKeyMissing, {shape.key, key.key, key.label, key.standardText});
-    return failure(cutter_finding::kCutterKeyMissingRange,
-                   {shape.key, key.key, key.label, fmt::format("{}", key.minimum),
-                    fmt::format("{}", key.maximum), key.unit});
+    return failure(
+        cutter_finding::kCutterKeyMissingRange,
+        {shape.key, key.key, key.label, figures("{}", key.minimum), figures("{}", key.maximum), key.unit});
 }
 
 Result<KeyValues> readKeys(const CutterShape& shape, std::string_view text) {
@@ -152,7 +153,7 @@ Result<Cutter> parseCutter(std::string_view spec) {
     if (!values->given[own] || *values->given[own] >= cutter.profileHeight())
         return cutter;
     return failure(cutter_finding::kFlutesTooShort,
-                   {fmt::format("{}", *values->given[own]), fmt::format("{:.4g}", cutter.profileHeight())});
+                   {fmt::format("{}", *values->given[own]), figures("{:.4g}", cutter.profileHeight())});
 }
 
 Result<std::pair<int, Cutter>> parseToolOption(std::string_view option) {

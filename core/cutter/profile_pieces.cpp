@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <fmt/format.h>
 
+#include "core/base/figures_argument.h"
 #include "core/cutter/cutter_findings.h"
 #include "core/cutter/shape_profiles.h"
 
@@ -30,7 +31,7 @@ ProfilePiece cornerFrom(double from, double cornerRadius) {
 
 tl::unexpected<Diagnostics> cornerTooLarge(double corner, double largest) {
     return failure(cutter_finding::kCornerRadiusTooLargeFit,
-                   {fmt::format("{}", corner), fmt::format("{:.4g}", largest)});
+                   {fmt::format("{}", corner), figures("{:.4g}", largest)});
 }
 
 } // namespace proveout

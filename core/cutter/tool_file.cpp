@@ -126,7 +126,7 @@ private:
         return place(value == nullptr ? row.source() : value->source());
     }
 
-    void fail(TextRange where, const FindingRow& row, std::vector<std::string> arguments = {}) {
+    void fail(TextRange where, const FindingRow& row, std::vector<Argument> arguments = {}) {
         Diagnostic error = diagnosticOf(row, std::move(arguments));
         error.where = where;
         m_errors.add(std::move(error));

@@ -21,9 +21,10 @@ inline constexpr FindingRow kExportRoundedBeyond{
     false,
     "export-rounded-beyond",
     PROVEOUT_TEXT("Core", "Export rounded too coarsely"),
-    PROVEOUT_TEXT("Core", "Rounded to single precision, the mesh deviates from the z-map by up to {} mm, "
-                          "more than the error allowance of {} mm; OBJ or PLY would keep {} mm."),
-    PROVEOUT_TEXT("Core", "Export OBJ or PLY: they hold coordinates in double precision.")};
+    PROVEOUT_TEXT("Core",
+                  "Rounded to single precision, the mesh deviates from the z-map by up to {} mm, "
+                  "more than the error allowance of {} mm; a format in double precision would keep {} mm."),
+    PROVEOUT_TEXT("Core", "Export to a format with coordinates in double precision: {4}.")};
 inline constexpr FindingRow kNothingLeft{Severity::error,
                                          false,
                                          "nothing-left",
@@ -50,8 +51,9 @@ inline constexpr FindingRow kStlTooCoarse{
     PROVEOUT_TEXT("Core", "STL too coarse"),
     PROVEOUT_TEXT("Core",
                   "The coordinates of an STL file are too coarse for this mesh so far from the origin: {} "
-                  "triangles would collapse or turn over, {} vertices meet others; OBJ or PLY can hold it."),
-    PROVEOUT_TEXT("Core", "Export OBJ or PLY: they hold coordinates in double precision.")};
+                  "triangles would collapse or turn over, {} vertices meet others; a format in double "
+                  "precision can hold it."),
+    PROVEOUT_TEXT("Core", "Export to a format with coordinates in double precision: {3}.")};
 inline constexpr FindingRow kStlTooManyTriangles{
     Severity::error,
     false,

@@ -52,6 +52,22 @@ constexpr std::array kFormats{
                PROVEOUT_TEXT("Core", "the stock left by a setup"), StockFormat{readStock, writeStock}},
 };
 
+/// The endings of the mesh formats that are written and fit, each once.
+template<class Fits>
+std::string endingsWhere(Fits&& fits) {
+    std::vector<std::string_view> seen;
+    std::string endings;
+    for (const FileFormat& row : kFormats)
+        for (const std::string_view ending : row.extensions) {
+            const MeshFormat* mesh = row.meshWriter();
+            if (mesh == nullptr || !fits(*mesh) || std::ranges::find(seen, ending) != seen.end())
+                continue;
+            seen.push_back(ending);
+            endings.append(endings.empty() ? "" : " ").append(ending);
+        }
+    return endings;
+}
+
 } // namespace
 
 bool FileFormat::reads() const {
@@ -87,16 +103,12 @@ const FileFormat* findFormat(std::string_view key) {
 }
 
 std::string meshEndings() {
-    std::vector<std::string_view> seen;
-    std::string endings;
-    for (const FileFormat& row : kFormats)
-        for (const std::string_view ending : row.extensions) {
-            if (row.meshWriter() == nullptr || std::ranges::find(seen, ending) != seen.end())
-                continue;
-            seen.push_back(ending);
-            endings.append(endings.empty() ? "" : " ").append(ending);
-        }
-    return endings;
+    return endingsWhere([](const MeshFormat&) { return true; });
+}
+
+std::string exactMeshEndings() {
+    return endingsWhere(
+        [](const MeshFormat& format) { return format.coordinates == CoordinateType::float64; });
 }
 
 Result<const FileFormat*> meshFormatOf(const std::filesystem::path& file) {

@@ -72,6 +72,8 @@ struct FileFormat {
 
 /// The endings of the mesh formats that are written, each once: ".stl .obj …".
 [[nodiscard]] std::string meshEndings();
+/// Of those that hold coordinates in double precision.
+[[nodiscard]] std::string exactMeshEndings();
 
 /// The first row that writes meshes into files with the ending of this one, in any case of letters. Error: no
 /// row does (id "export-format-unknown").

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <utility>
 
+#include "core/base/figures_argument.h"
 #include "core/base/nearest_name.h"
 #include "core/formats/job_findings.h"
 
@@ -33,12 +34,12 @@ const json* JsonFields::find(const char* key) {
     return found == m_object->end() ? nullptr : &*found;
 }
 
-void JsonFields::fail(std::string_view key, const FindingRow& row, std::vector<std::string> arguments) {
+void JsonFields::fail(std::string_view key, const FindingRow& row, std::vector<Argument> arguments) {
     fail(key, {}, row, std::move(arguments));
 }
 
 void JsonFields::fail(std::string_view key, std::string_view element, const FindingRow& row,
-                      std::vector<std::string> arguments) {
+                      std::vector<Argument> arguments) {
     arguments.insert(arguments.begin(), fmt::format("{}{}{}", m_path, key, element));
     const auto place = m_document->places.find({m_here.object, std::string(key)});
     Diagnostic error = diagnosticOf(row, std::move(arguments));
@@ -85,7 +86,7 @@ bool JsonFields::readNumber(std::string_view key, std::string_view element, cons
         return true;
     }
     fail(key, element, range.aboveMinimum ? job_finding::kJobFieldAbove : job_finding::kJobFieldRange,
-         {fmt::format("{}", range.minimum), fmt::format("{}", range.maximum)});
+         {figures("{}", range.minimum), figures("{}", range.maximum)});
     return false;
 }
 

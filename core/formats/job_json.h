@@ -67,7 +67,7 @@ public:
     }
 
     /// Adds an error about `key`: "the field …: …".
-    void fail(std::string_view key, const FindingRow& row, std::vector<std::string> arguments);
+    void fail(std::string_view key, const FindingRow& row, std::vector<Argument> arguments);
 
     /// Call it when everything known has been asked for: warns about every field that was not, and names the
     /// known one that was probably meant.
@@ -80,7 +80,7 @@ private:
     [[nodiscard]] bool readNumber(std::string_view key, std::string_view element, const nlohmann::json& value,
                                   double& number, const JsonRange& range);
     void fail(std::string_view key, std::string_view element, const FindingRow& row,
-              std::vector<std::string> arguments);
+              std::vector<Argument> arguments);
 
     const JsonDocument* m_document;
     JsonComplaints* m_complaints;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "core/base/figures_argument.h"
 #include "core/formats/export_findings.h"
 
 namespace proveout {
@@ -17,10 +18,9 @@ Result<void> checkNotEmpty(const std::filesystem::path& file, const TriangleMesh
 Result<void> checkFinite(const std::filesystem::path& file, const TriangleMesh& mesh) {
     for (const Vec3& vertex : mesh.vertices)
         if (!std::isfinite(vertex.x) || !std::isfinite(vertex.y) || !std::isfinite(vertex.z))
-            return failure(
-                export_finding::kMeshCoordinate,
-                {fmt::format("{}", vertex.x), fmt::format("{}", vertex.y), fmt::format("{}", vertex.z)},
-                file.string());
+            return failure(export_finding::kMeshCoordinate,
+                           {figures("{}", vertex.x), figures("{}", vertex.y), figures("{}", vertex.z)},
+                           file.string());
     return {};
 }
 

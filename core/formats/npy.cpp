@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "core/base/atomic_file.h"
+#include "core/base/figures_argument.h"
 #include "core/base/memory.h"
 #include "core/formats/array_findings.h"
 #include "core/formats/npy_header.h"
@@ -40,9 +41,9 @@ Result<std::size_t> checkHeader(const NpyHeader& header, std::size_t bytes) {
     // In double: the product of two hostile numbers may not fit 64 bits.
     const double wanted = static_cast<double>(shape[0]) * static_cast<double>(shape[1]);
     if (wanted > static_cast<double>(present))
-        return failure(
-            array_finding::kNpyCutOff,
-            {shapeText(shape), readableBytes(wanted * static_cast<double>(size)), std::to_string(present)});
+        return failure(array_finding::kNpyCutOff,
+                       {shapeText(shape), figures("{}", readableBytes(wanted * static_cast<double>(size))),
+                        std::to_string(present)});
     if (std::max(shape[0], shape[1]) > static_cast<std::uint64_t>(std::numeric_limits<int>::max()))
         return failure(array_finding::kNpyShapeLarge, {shapeText(shape)});
     return static_cast<std::size_t>(shape[0] * shape[1]);
@@ -65,9 +66,8 @@ Result<void> checkValues(const NpyArray& array) {
     if (wrong == array.values.end())
         return {};
     const auto index = wrong - array.values.begin();
-    return failure(array_finding::kNpyValue,
-                   {std::to_string(index / array.columns), std::to_string(index % array.columns),
-                    fmt::format("{}", *wrong)});
+    return failure(array_finding::kNpyValue, {std::to_string(index / array.columns),
+                                              std::to_string(index % array.columns), figures("{}", *wrong)});
 }
 
 Result<NpyArray> parse(std::string_view bytes) {

@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/figures_argument.h"
 #include "core/formats/stock_file_findings.h"
 #include "core/formats/stock_shapes.h"
 
@@ -65,9 +66,9 @@ Result<void> readLength(const StockField& field, const StockLength& length, std:
     const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
     if (error != std::errc{} || end != text.data() + text.size() ||
         !(value > kLeastStockSide && value <= kLargestStockSide))
-        return failure(stock_finding::kStockValueBad,
-                       {field.key, std::string(text), fmt::format("{}", kLeastStockSide),
-                        fmt::format("{}", kLargestStockSide)});
+        return failure(
+            stock_finding::kStockValueBad,
+            {field.key, std::string(text), figures("{}", kLeastStockSide), figures("{}", kLargestStockSide)});
     length.set(spec, value);
     return {};
 }

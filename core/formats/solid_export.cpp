@@ -6,6 +6,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/figures_argument.h"
 #include "core/decimation/solid/solid_error.h"
 #include "core/formats/export_findings.h"
 #include "core/formats/mesh_writing.h"
@@ -28,9 +29,9 @@ std::string toldApart(double value, double other) {
 }
 
 Diagnostic roundedBeyond(const std::filesystem::path& file, double rounded, double allowance, double exact) {
-    Diagnostic warning = diagnosticOf(
-        export_finding::kExportRoundedBeyond,
-        {toldApart(rounded, allowance), fmt::format("{}", allowance), fmt::format("{:.4g}", exact)});
+    Diagnostic warning = diagnosticOf(export_finding::kExportRoundedBeyond,
+                                      {figures("{}", toldApart(rounded, allowance)), figures("{}", allowance),
+                                       figures("{:.4g}", exact), exactMeshEndings()});
     warning.file = file.string();
     return warning;
 }

@@ -7,6 +7,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/figures_argument.h"
 #include "core/formats/mesh_findings.h"
 
 namespace proveout {
@@ -40,8 +41,8 @@ constexpr std::array kCounts{
              [](const StlContents& c) { return c.defects.insideOut ? c.mesh.triangles.size() : 0; }},
 };
 
-std::string sizeText(const Vec3& size) {
-    return fmt::format("{:.5g} × {:.5g} × {:.5g}", size.x, size.y, size.z);
+Argument sizeText(const Vec3& size) {
+    return figures("{:.5g} × {:.5g} × {:.5g}", size.x, size.y, size.z);
 }
 
 void warnOfPlace(const Box3& box, Diagnostics& warnings) {
@@ -49,16 +50,16 @@ void warnOfPlace(const Box3& box, Diagnostics& warnings) {
     const double largest = std::max({farthest.x, farthest.y, farthest.z});
     const double step = largest * static_cast<double>(std::numeric_limits<float>::epsilon());
     if (step > kCoarseStep)
-        warnings.push_back(diagnosticOf(mesh_finding::kStlFarOrigin,
-                                        {fmt::format("{:.6g}", largest), fmt::format("{:.2g}", step)}));
+        warnings.push_back(
+            diagnosticOf(mesh_finding::kStlFarOrigin, {figures("{:.6g}", largest), figures("{:.2g}", step)}));
 }
 
 void warnOfSize(const Vec3& size, Diagnostics& warnings) {
     const double largest = std::max({size.x, size.y, size.z});
     if (largest < kCoarseStep) {
-        warnings.push_back(diagnosticOf(
-            mesh_finding::kStlNoSize,
-            {fmt::format("{:.3g}", size.x), fmt::format("{:.3g}", size.y), fmt::format("{:.3g}", size.z)}));
+        warnings.push_back(
+            diagnosticOf(mesh_finding::kStlNoSize,
+                         {figures("{:.3g}", size.x), figures("{:.3g}", size.y), figures("{:.3g}", size.z)}));
         return;
     }
     if (largest >= kLeastPart && largest <= kLargestPart)

@@ -11,6 +11,7 @@
 #include "core/base/atomic_file.h"
 #include "core/decimation/solid/solid_error.h"
 #include "core/formats/export_findings.h"
+#include "core/formats/formats.h"
 #include "core/formats/mesh_writing.h"
 #include "core/formats/stl.h"
 #include "core/formats/vertex_welder.h"
@@ -87,8 +88,8 @@ public:
     [[nodiscard]] Result<void> check(const std::filesystem::path& file) const {
         if (m_lost == 0 && m_met == 0)
             return {};
-        return failure(export_finding::kStlTooCoarse, {std::to_string(m_lost), std::to_string(m_met)},
-                       file.string());
+        return failure(export_finding::kStlTooCoarse,
+                       {std::to_string(m_lost), std::to_string(m_met), exactMeshEndings()}, file.string());
     }
 
 private:

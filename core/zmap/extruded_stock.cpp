@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <numbers>
 
+#include "core/base/figures_argument.h"
 #include "core/zmap/grid_part.h"
 #include "core/zmap/outline_crossing.h"
 #include "core/zmap/zmap_findings.h"
@@ -234,7 +235,7 @@ Result<std::shared_ptr<const StockBody>> extrudedStock(const std::vector<Outline
         return failure(zmap_finding::kOutlineWithoutArea);
     if (const auto place = crossingOf(outline.pieces()))
         return failure(zmap_finding::kOutlineCrossesItself,
-                       {fmt::format("{:.3f}", place->x), fmt::format("{:.3f}", place->y)});
+                       {figures("{:.3f}", place->x), figures("{:.3f}", place->y)});
     return std::make_shared<const ExtrudedStock>(std::move(outline), height, topZ);
 }
 

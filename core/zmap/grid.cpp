@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "core/base/figures_argument.h"
 #include "core/base/memory.h"
 #include "core/zmap/zmap.h"
 #include "core/zmap/zmap_findings.h"
@@ -61,15 +62,15 @@ bool reasonable(double length) {
     return std::isfinite(length) && length > 0 && length <= kLargestStock;
 }
 
-std::string pointsOf(double nx, double ny) {
+Argument pointsOf(double nx, double ny) {
     // Whole numbers while people can read them.
     constexpr double kReadable = 1e9;
-    return std::max(nx, ny) < kReadable ? fmt::format("{:.0f} × {:.0f}", nx, ny)
-                                        : fmt::format("{:.3g} × {:.3g}", nx, ny);
+    return std::max(nx, ny) < kReadable ? figures("{:.0f} × {:.0f}", nx, ny)
+                                        : figures("{:.3g} × {:.3g}", nx, ny);
 }
 
-std::string sizeOf(const StockBox& stock) {
-    return fmt::format("{:g}x{:g}x{:g}", stock.width, stock.depth, stock.height);
+Argument sizeOf(const StockBox& stock) {
+    return figures("{:g}x{:g}x{:g}", stock.width, stock.depth, stock.height);
 }
 
 /// The largest coordinate of the grid in plan; 1 mm at least, so that no spacing is lost in what is computed
@@ -87,37 +88,37 @@ double stepOfDouble(double value) {
 
 Result<void> checkSpacing(double spacing) {
     if (!std::isfinite(spacing) || spacing <= 0)
-        return failure(zmap_finding::kGridSpacingBad, {fmt::format("{:g}", spacing)});
+        return failure(zmap_finding::kGridSpacingBad, {figures("{:g}", spacing)});
     return {};
 }
 
 Result<Grid> makeGrid(const StockBox& stock, double spacing) {
     if (!reasonable(stock.width) || !reasonable(stock.depth) || !reasonable(stock.height))
-        return failure(zmap_finding::kStockSizeBad, {sizeOf(stock), fmt::format("{:g}", kLargestStock)});
+        return failure(zmap_finding::kStockSizeBad, {sizeOf(stock), figures("{:g}", kLargestStock)});
     if (std::max(stock.width, stock.depth) > kLargestRatio * std::min(stock.width, stock.depth))
         return failure(zmap_finding::kStockSizeNarrow, {sizeOf(stock), fmt::format("{:.0f}", kLargestRatio)});
     for (int axis = 0; axis < 3; ++axis) {
         if (!(std::abs(stock.corner[axis]) <= kFarthestCorner))
             return failure(zmap_finding::kStockOriginBad,
-                           {fmt::format("{:g}", kFarthestCorner), fmt::format("{:g}", kFarthestCorner)});
+                           {figures("{:g}", kFarthestCorner), figures("{:g}", kFarthestCorner)});
     }
     if (auto fine = checkSpacing(spacing); !fine)
         return tl::unexpected(std::move(fine.error()));
     const double nx = pointsAlong(stock.width, spacing);
     const double ny = pointsAlong(stock.depth, spacing);
     if (nx < 2 || ny < 2)
-        return failure(zmap_finding::kGridTooCoarse,
-                       {fmt::format("{:g}", spacing), sizeOf(stock),
-                        fmt::format("{:g}", std::min(stock.width, stock.depth))});
+        return failure(zmap_finding::kGridTooCoarse, {figures("{:g}", spacing), sizeOf(stock),
+                                                      figures("{:g}", std::min(stock.width, stock.depth))});
     if (nx * ny > kMostPoints)
         return failure(
             zmap_finding::kGridTooFine,
-            {fmt::format("{:g}", spacing), pointsOf(nx, ny), sizeOf(stock), readableBytes(bytesOf(nx, ny)),
-             fmt::format("{:g}", finestWithin(stock, kMostPoints, std::numeric_limits<double>::infinity()))});
+            {figures("{:g}", spacing), pointsOf(nx, ny), sizeOf(stock),
+             figures("{}", readableBytes(bytesOf(nx, ny))),
+             figures("{:g}", finestWithin(stock, kMostPoints, std::numeric_limits<double>::infinity()))});
     const double farthest = farthestPoint(stock);
     if (spacing < kLeastSteps * stepOfDouble(farthest))
         return failure(zmap_finding::kGridLostInRounding,
-                       {fmt::format("{:g}", spacing), fmt::format("{:g}", farthest)});
+                       {figures("{:g}", spacing), figures("{:g}", farthest)});
     Grid grid;
     grid.nx = static_cast<int>(nx);
     grid.ny = static_cast<int>(ny);
@@ -150,10 +151,11 @@ Result<void> checkMemory(const StockBox& stock, const Grid& grid, double availab
         return {};
     const auto would = finestSpacing(stock, availableBytes, std::max(bytesPerPoint, coarserBytesPerPoint));
     if (!would)
-        return failure(zmap_finding::kMemoryTooSmall, {readableBytes(needed), readableBytes(availableBytes)});
+        return failure(zmap_finding::kMemoryTooSmall,
+                       {figures("{}", readableBytes(needed)), figures("{}", readableBytes(availableBytes))});
     return failure(zmap_finding::kGridNeedsTooMuchMemory,
-                   {fmt::format("{}", grid.nx), fmt::format("{}", grid.ny), readableBytes(needed),
-                    readableBytes(availableBytes), fmt::format("{:g}", *would)});
+                   {figures("{}", grid.nx), figures("{}", grid.ny), figures("{}", readableBytes(needed)),
+                    figures("{}", readableBytes(availableBytes)), figures("{:g}", *would)});
 }
 
 } // namespace proveout

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <utility>
 
+#include "core/base/figures_argument.h"
 #include "core/zmap/grid_part.h"
 #include "core/zmap/stock_body_findings.h"
 #include "core/zmap/stock_findings.h"
@@ -190,8 +191,8 @@ private:
 
     [[nodiscard]] Diagnostic resamplingNote(const Grid& grid) const {
         return diagnosticOf(stock_body_finding::kStockResampled,
-                            {fmt::format("{:.6g}", m_map.grid().hx), fmt::format("{:.6g}", m_map.grid().hy),
-                             fmt::format("{:.6g}", grid.hx), fmt::format("{:.6g}", grid.hy)});
+                            {figures("{:.6g}", m_map.grid().hx), figures("{:.6g}", m_map.grid().hy),
+                             figures("{:.6g}", grid.hx), figures("{:.6g}", grid.hy)});
     }
 
     ZMapSnapshot m_map;

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/figures_argument.h"
 #include "core/zmap/stock_body_findings.h"
 
 namespace proveout {
@@ -13,9 +14,9 @@ namespace proveout {
 Diagnostics Undercut::told() const {
     if (tallest <= kLeast)
         return {};
-    std::vector<std::string> values{fmt::format("{:.4g}", volumeMm3), fmt::format("{:.3f}", tallest)};
+    std::vector<Argument> values{figures("{:.4g}", volumeMm3), figures("{:.3f}", tallest)};
     for (int axis = 0; axis < 3; ++axis)
-        values.push_back(fmt::format("{:.3f}", place[axis]));
+        values.push_back(figures("{:.3f}", place[axis]));
     return {diagnosticOf(stock_body_finding::kStockUndercut, std::move(values))};
 }
 

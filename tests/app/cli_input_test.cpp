@@ -57,12 +57,19 @@ TEST_F(CliInput, AProgramOfAnotherControlIsNamedOnce) {
     const auto done = simulate(program, "--json");
     EXPECT_EQ(done.exitCode, 3);
     EXPECT_EQ(done.err, sentence);
+    EXPECT_THAT(done.out, HasSubstr("for one of these dialects: LinuxCNC, Fanuc, Haas"));
     EXPECT_EQ(run("interpret p.nc").err, sentence);
     EXPECT_EQ(run("interpret p.nc").exitCode, 3);
     // Whoever names a dialect has it read.
     const auto read = run("simulate p.nc --dialect linuxcnc" + kStock + kTool);
     EXPECT_EQ(read.exitCode, 2);
     EXPECT_THAT(read.err, testing::Not(HasSubstr("dialect-foreign")));
+}
+
+TEST_F(CliInput, FiguresHaveAPoint) {
+    const auto done = simulate("G21 G90\nT1 M6\nF100 G0 X0 Y0 Z5\nG2 X10 Y0 I4.75 J0\nM30\n", "--json");
+    EXPECT_THAT(done.err, testing::AllOf(HasSubstr("4.75"), HasSubstr("5.25")));
+    EXPECT_THAT(done.out, testing::AllOf(HasSubstr("4.75"), HasSubstr("5.25")));
 }
 
 TEST_F(CliInput, MCodesThatMoveNoAxisAreIgnoredAndListed) {

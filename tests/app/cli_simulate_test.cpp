@@ -9,6 +9,7 @@
 
 #include "core/formats/npy.h"
 #include "core/formats/stl.h"
+#include "core/simulation/records/block_statistic.h"
 #include "tests/app/command_line.h"
 
 namespace proveout {
@@ -87,8 +88,16 @@ TEST_F(CliSimulate, WritesTheSourceLineThatCutEachPoint) {
 TEST_F(CliSimulate, RecordsTellWhatEachBlockCutAndItsTotals) {
     const auto done = simulate("--records r.csv --json");
     ASSERT_EQ(done.exitCode, 0) << done.err;
+    EXPECT_THAT(
+        read("r.csv"),
+        testing::StartsWith("block,line,facesShown,facesFull,regionsDirty,regionsDecimated,cutSeconds,"
+                            "decimationSeconds,removedMm3,maxDepthMm,radialEngagementMm,cuts,firstContact,"
+                            "rateMm3PerMin,feedLengthMm\n"));
     const auto rows = records("r.csv");
     ASSERT_EQ(rows.size(), 6U);
+    ASSERT_EQ(rows.front().size(), 2 + blockStatistics().size());
+    for (std::size_t k = 0; k < blockStatistics().size(); ++k)
+        EXPECT_EQ(rows.front()[2 + k], blockStatistics()[k].column);
     const auto column = [&rows](const std::string& name) {
         return static_cast<std::size_t>(std::ranges::find(rows.front(), name) - rows.front().begin());
     };

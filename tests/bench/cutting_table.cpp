@@ -20,8 +20,8 @@
 
 #include "core/base/memory.h"
 #include "core/base/stop_watch.h"
-#include "core/cutter/shapes.h"
 #include "tests/bench/workloads.h"
+#include "tests/core/cutter/standard_spec.h"
 
 namespace proveout::bench {
 namespace {
@@ -158,26 +158,12 @@ Figures measureShape(const Cutter& cutter, Kind kind) {
     return best;
 }
 
-/// As dialogs propose it.
-std::string specOf(const CutterShape& shape) {
-    std::string spec = fmt::format("{}:", shape.key);
-    for (std::size_t k = 0; k < shape.keys.size(); ++k) {
-        const ShapeKey& key = shape.keys[k];
-        const char* comma = k == 0 ? "" : ",";
-        if (key.isText())
-            spec += fmt::format("{}{}={}", comma, key.key, key.standardText);
-        else
-            spec += fmt::format("{}{}={}", comma, key.key, key.standard);
-    }
-    return spec;
-}
-
 void tellShapes() {
     say("Million grid points lowered a second and core, by shape; 200 random motions of 12 mm or an arc at "
         "0.1 mm,\none by one, with records:\n");
     say("| cutter | level | sloped | arc | helix | upright arc |\n|---|---|---|---|---|---|");
     for (const CutterShape& shape : cutterShapes()) {
-        const std::string spec = specOf(shape);
+        const std::string spec = standardSpecOf(shape);
         const Cutter cutter = parseCutter(spec).value();
         std::string row = fmt::format("| `{}` |", spec);
         for (const Kind kind : kKinds) {

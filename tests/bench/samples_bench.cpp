@@ -94,7 +94,8 @@ void tune(benchmark::State& state, const char* name) {
     DecimationParameters parameters = simulation->frame().parameters;
     for (auto _ : state) {
         parameters.allowance = parameters.allowance > 0.07 ? 0.05 : 0.1;
-        simulation->setParameters(parameters);
+        simulation->noteParameters(parameters);
+        simulation->seek(simulation->position());
     }
 }
 

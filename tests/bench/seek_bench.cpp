@@ -59,7 +59,7 @@ void measureEdit(Simulation& simulation, const std::string& text, double cutSeco
     simulation.seek(simulation.blockCount()); // the way to the end is no part of the edit
     const std::size_t before = simulation.effort().blocksCut;
     const double secondsBefore = simulation.effort().cutSeconds;
-    simulation.replaceProgram(edited);
+    simulation.seek(simulation.noteProgram(edited));
     simulation.seek(simulation.blockCount());
     const auto cut = static_cast<double>(simulation.effort().blocksCut - before);
     std::puts(

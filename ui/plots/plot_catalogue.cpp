@@ -4,13 +4,17 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <vector>
 
 #include <QtGlobal>
 
 #include "core/simulation/records/block_records.h"
+#include "core/simulation/records/block_statistic.h"
 
 namespace proveout {
 namespace {
+
+constexpr const char* kBlocks = QT_TRANSLATE_NOOP("Plots", "Block"); ///< along the x axis
 
 // The paper's Fig. 10: faces grow with every cut and fall with every decimation.
 constexpr std::array kFaces{
@@ -20,8 +24,8 @@ constexpr std::array kFaces{
 };
 
 double faces(const PlotInput& input, std::size_t row, std::size_t series) {
-    const BlockStatistics& block = input.blocks[row];
-    return series == 0 ? block.facesFull : block.facesShown;
+    static const std::array curves{findStatistic(kFaces[0].key), findStatistic(kFaces[1].key)};
+    return asNumber(curves[series]->read({input.blocks, input.program}, row));
 }
 
 // The paper's Fig. 11: where the time of a picture goes. Cutting and decimation are measured block by block;
@@ -56,31 +60,6 @@ double milliseconds(const PlotInput& input, std::size_t row, std::size_t series)
     return double{1e3F * seconds} / (picture->lastBlock - picture->firstBlock);
 }
 
-constexpr std::array kVolume{
-    PlotSeries{"removedMm3", QT_TRANSLATE_NOOP("Plots", "Removed"), 4, Qt::SolidLine, Qt::SolidPattern},
-};
-
-double volume(const PlotInput& input, std::size_t row, std::size_t) {
-    return double{input.blocks[row].removedMm3};
-}
-
-constexpr std::array kDepth{
-    PlotSeries{"maxDepthMm", QT_TRANSLATE_NOOP("Plots", "Axial depth"), 0, Qt::SolidLine, Qt::SolidPattern},
-};
-
-double depth(const PlotInput& input, std::size_t row, std::size_t) {
-    return double{input.blocks[row].maxDepth};
-}
-
-constexpr std::array kEngagement{
-    PlotSeries{"radialEngagementMm", QT_TRANSLATE_NOOP("Plots", "Radial engagement"), 3, Qt::SolidLine,
-               Qt::SolidPattern},
-};
-
-double engagement(const PlotInput& input, std::size_t row, std::size_t) {
-    return double{input.blocks[row].radialEngagement};
-}
-
 constexpr std::array kRate{
     PlotSeries{"machineRateMm3PerMin", QT_TRANSLATE_NOOP("Plots", "Removal rate"), 2, Qt::SolidLine,
                Qt::SolidPattern},
@@ -101,29 +80,52 @@ double timed(const PlotInput& input, std::size_t row, std::size_t) {
     return value(*input.times, row, input.blocks[row]);
 }
 
-const std::array<PlotSpec, 7> kPlots{{
-    {"faces", QT_TRANSLATE_NOOP("Plots", "Triangles"), QT_TRANSLATE_NOOP("Plots", "Block"),
-     QT_TRANSLATE_NOOP("Plots", "Triangles"), false, false, true, kFaces, faces},
-    {"block-time", QT_TRANSLATE_NOOP("Plots", "Time per Block"), QT_TRANSLATE_NOOP("Plots", "Block"),
-     QT_TRANSLATE_NOOP("Plots", "Time (ms)"), true, false, false, kTimes, milliseconds, pictureBlocks},
-    {"removed-volume", QT_TRANSLATE_NOOP("Plots", "Removed Volume"), QT_TRANSLATE_NOOP("Plots", "Block"),
-     QT_TRANSLATE_NOOP("Plots", "Volume (mm³)"), false, false, false, kVolume, volume},
-    {"axial-depth", QT_TRANSLATE_NOOP("Plots", "Axial Depth"), QT_TRANSLATE_NOOP("Plots", "Block"),
-     QT_TRANSLATE_NOOP("Plots", "Depth ap (mm)"), false, false, false, kDepth, depth},
-    {"radial-engagement", QT_TRANSLATE_NOOP("Plots", "Radial Engagement"),
-     QT_TRANSLATE_NOOP("Plots", "Block"), QT_TRANSLATE_NOOP("Plots", "Width ae (mm)"), false, false, false,
-     kEngagement, engagement},
-    {"removal-rate", QT_TRANSLATE_NOOP("Plots", "Removal Rate"), QT_TRANSLATE_NOOP("Plots", "Block"),
-     QT_TRANSLATE_NOOP("Plots", "MRR (mm³/min)"), false, true, false, kRate, timed<machineRemovalRate>},
-    {"volume-per-length", QT_TRANSLATE_NOOP("Plots", "Volume per Length"),
-     QT_TRANSLATE_NOOP("Plots", "Block"), QT_TRANSLATE_NOOP("Plots", "Volume (mm³/mm)"), false, true, false,
-     kPerLength, timed<removalPerLength>},
-}};
+/// The curves of the plots that statistics have of their own, by the order of the table.
+std::vector<PlotSeries> ownCurves() {
+    std::vector<PlotSeries> curves;
+    for (const BlockStatistic& statistic : blockStatistics())
+        if (statistic.plot != nullptr)
+            curves.push_back({statistic.column, statistic.plot->curve, statistic.plot->colour, Qt::SolidLine,
+                              Qt::SolidPattern});
+    return curves;
+}
+
+void addOwn(std::vector<PlotSpec>& plots) {
+    static const std::vector<PlotSeries> curves = ownCurves();
+    auto curve = curves.begin();
+    for (const BlockStatistic& statistic : blockStatistics()) {
+        if (statistic.plot == nullptr)
+            continue;
+        plots.push_back({statistic.plot->id, statistic.plot->title, kBlocks, statistic.plot->axis, false,
+                         false, false, std::span(curve++, 1),
+                         [&statistic](const PlotInput& input, std::size_t row, std::size_t) {
+                             return asNumber(statistic.read({input.blocks, input.program}, row));
+                         }});
+    }
+}
+
+std::vector<PlotSpec> makePlots() {
+    std::vector<PlotSpec> plots{
+        {"faces", QT_TRANSLATE_NOOP("Plots", "Triangles"), kBlocks, QT_TRANSLATE_NOOP("Plots", "Triangles"),
+         false, false, true, kFaces, faces},
+        {"block-time", QT_TRANSLATE_NOOP("Plots", "Time per Block"), kBlocks,
+         QT_TRANSLATE_NOOP("Plots", "Time (ms)"), true, false, false, kTimes, milliseconds, pictureBlocks},
+    };
+    addOwn(plots);
+    plots.push_back({"removal-rate", QT_TRANSLATE_NOOP("Plots", "Removal Rate"), kBlocks,
+                     QT_TRANSLATE_NOOP("Plots", "MRR (mm³/min)"), false, true, false, kRate,
+                     timed<machineRemovalRate>});
+    plots.push_back({"volume-per-length", QT_TRANSLATE_NOOP("Plots", "Volume per Length"), kBlocks,
+                     QT_TRANSLATE_NOOP("Plots", "Volume (mm³/mm)"), false, true, false, kPerLength,
+                     timed<removalPerLength>});
+    return plots;
+}
 
 } // namespace
 
 std::span<const PlotSpec> plotCatalogue() {
-    return kPlots;
+    static const std::vector<PlotSpec> plots = makePlots();
+    return plots;
 }
 
 } // namespace proveout

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The table of plots: one row a plot. Panel, export and tests read it.
+// The table of plots: one row a plot. Panel, export and tests read it. A statistic of blocks with a plot of
+// its own (core/simulation/records/block_statistic.h) is in it without a row here.
 #pragma once
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -20,6 +22,7 @@ struct PlotInput {
     const PersistentArray<BlockStatistics>& blocks; ///< row k: block k + 1
     const std::vector<FrameStatistics>& frames;
     const MachineTimes* times = nullptr; ///< of the blocks' program; null: not known yet
+    const Program* program = nullptr;    ///< of the blocks; null: what depends on it is not known
 };
 
 /// One curve. Curves differ by dash or filling too, never by colour alone.
@@ -47,8 +50,8 @@ struct PlotSpec {
     bool timed;         ///< values change with PlotInput::times
     bool wide;          ///< on a logarithmic axis where its values differ too much for an even one
     std::span<const PlotSeries> series;
-    double (*y)(const PlotInput&, std::size_t row,
-                std::size_t series); ///< of the curve itself, not of the stack; NaN: not known
+    std::function<double(const PlotInput&, std::size_t row, std::size_t series)>
+        y; ///< of the curve itself, not of the stack; NaN: not known
     /// Null unless some curves were measured by picture; a row then has its share, the mean of a block.
     PictureBlocks (*picture)(const PlotInput&, std::size_t row) = nullptr;
 };

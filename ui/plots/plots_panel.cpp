@@ -114,6 +114,10 @@ bool PlotsPanel::takeTimes(const Frame* frame) {
     return std::exchange(m_times, times) != times;
 }
 
+PlotInput PlotsPanel::input() const {
+    return {m_history.blocks(), m_history.frames(), m_times.get(), m_program.get()};
+}
+
 void PlotsPanel::refresh() {
     if (!isVisible())
         return; // Caught up with when it is shown.
@@ -133,7 +137,8 @@ void PlotsPanel::refresh() {
         return;
     m_block = m_session.simulation().block();
     m_blockCount = m_session.program().blockCount();
-    const PlotInput input{m_history.blocks(), m_history.frames(), m_times.get()};
+    m_program = frame ? frame->program : nullptr;
+    const PlotInput shown = input();
     m_trace.update(frame ? frame->parameters : m_session.job().parameters(), changes.firstBlock, m_block,
                    m_history.blocks().size());
     const std::vector<std::size_t> parameterChanges = m_trace.changes();
@@ -142,15 +147,14 @@ void PlotsPanel::refresh() {
         const bool pictured = view->spec().picture != nullptr;
         const std::size_t changed =
             pictured ? std::min(changes.firstBlock, changes.firstPictured) : changes.firstBlock;
-        view->setRows(input, retimed && view->spec().timed ? 0 : changed);
+        view->setRows(shown, retimed && view->spec().timed ? 0 : changed);
         if (view->isVisible())
             view->setBlock(m_block, m_blockCount);
     }
 }
 
 QString PlotsPanel::csv(const PlotView& view) const {
-    return QString::fromStdString(
-        plotCsv(view.spec(), {m_history.blocks(), m_history.frames(), m_times.get()}));
+    return QString::fromStdString(plotCsv(view.spec(), input()));
 }
 
 bool PlotsPanel::exportTo(PlotView& view, const QString& file, PlotFormat format) {

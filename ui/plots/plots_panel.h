@@ -46,6 +46,7 @@ protected:
 private:
     void refresh();
     [[nodiscard]] bool takeTimes(const Frame* frame);
+    [[nodiscard]] PlotInput input() const;
     void addView(const PlotSpec& spec, bool shown);
     void setTexts();
     void openMenu(PlotView& view, const QPoint& position);
@@ -53,6 +54,7 @@ private:
     Session& m_session;
     PlotHistory m_history;
     ParameterTrace m_trace;
+    std::shared_ptr<const Program> m_program;    ///< of m_history
     std::shared_ptr<const MachineTimes> m_times; ///< of the program of m_history; null: not known yet
     std::uint64_t m_generation = 0;              ///< of the frame that m_history was updated with
     QToolBar* m_bar;

@@ -42,7 +42,7 @@ void DocumentHub::refuseOpening(const QString& file, const Diagnostics& errors) 
     bool otherwise = false; // it cannot be opened anyway
     for (const Diagnostic& error : errors) {
         if (hasIdOf(error, job_finding::kJobOutside))
-            outside.emplace_back(error.arguments.at(1));
+            outside.emplace_back(error.arguments.at(1).text());
         else
             otherwise = otherwise || error.severity == Severity::error; // warnings of the job follow
     }

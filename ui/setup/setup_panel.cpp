@@ -220,7 +220,7 @@ void SetupPanel::showMemory(const Setup& setup) {
     m_memory->setText(tr("%1 × %2 points, spacing %3 × %4 mm; needs about %5")
                           .arg(locale().toString(grid->nx), locale().toString(grid->ny),
                                locale().toString(grid->hx, 'g', 5), locale().toString(grid->hy, 'g', 5),
-                               QString::fromStdString(readableBytes(zmapBytes(*grid)))));
+                               figuresText(readableBytes(zmapBytes(*grid)))));
 }
 
 /// `setup` with what the form has, but for shape and size of the stock, whose body may have to be made.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/study/study_panel.h"
 
+#include <algorithm>
+#include <array>
 #include <initializer_list>
 #include <utility>
 
@@ -30,6 +32,25 @@ namespace {
 /// The words of the core, in the user's language.
 std::string words(const char* text) {
     return coreText(text).toStdString();
+}
+
+/// What a chart is exported as; the first also where the name of the file ends otherwise.
+struct FigureFormat {
+    const char* ending;
+    QByteArray (*bytes)(const ChartView& view);
+};
+constexpr std::array kFigureFormats{
+    FigureFormat{".svg", [](const ChartView& view) { return view.svg(); }},
+    FigureFormat{".png", [](const ChartView& view) { return view.png(); }},
+    FigureFormat{".csv",
+                 [](const ChartView& view) { return QByteArray::fromStdString(chartCsv(view.chart())); }},
+};
+
+QString figurePatterns() {
+    QStringList patterns;
+    for (const FigureFormat& format : kFigureFormats)
+        patterns += u'*' + QLatin1String(format.ending);
+    return patterns.join(u' ');
 }
 
 } // namespace
@@ -186,21 +207,21 @@ void StudyPanel::useChoice() {
 }
 
 bool StudyPanel::exportTo(const QString& file) {
-    QByteArray bytes = m_view->svg();
-    if (file.endsWith(QLatin1String(".png"), Qt::CaseInsensitive))
-        bytes = m_view->png();
-    else if (file.endsWith(QLatin1String(".csv"), Qt::CaseInsensitive))
-        bytes = QByteArray::fromStdString(chartCsv(m_view->chart()));
-    const auto written = writeFile(toPath(file), bytes.toStdString());
+    const auto named = std::ranges::find_if(kFigureFormats, [&file](const FigureFormat& format) {
+        return file.endsWith(QLatin1String(format.ending), Qt::CaseInsensitive);
+    });
+    const FigureFormat& format = named == kFigureFormats.end() ? kFigureFormats.front() : *named;
+    const auto written = writeFile(toPath(file), format.bytes(*m_view).toStdString());
     if (!written)
         m_session.problems().report(written.error());
     return written.has_value();
 }
 
 void StudyPanel::askAndExport() {
-    const QString file = QFileDialog::getSaveFileName(
-        this, tr("Export Figure"), QString::fromStdString(m_view->chart().id) + QStringLiteral(".svg"),
-        tr("Figures (*.svg *.png *.csv)"));
+    const QString file = QFileDialog::getSaveFileName(this, tr("Export Figure"),
+                                                      QString::fromStdString(m_view->chart().id) +
+                                                          QLatin1String(kFigureFormats.front().ending),
+                                                      tr("Figures (%1)").arg(figurePatterns()));
     if (!file.isEmpty())
         exportTo(file);
 }

@@ -7,6 +7,7 @@
 #include <QSettings>
 
 #include "core/base/memory.h"
+#include "ui/diagnostic_text.h"
 
 namespace proveout {
 
@@ -33,8 +34,7 @@ void CheckpointMenu::fill() {
     clear();
     const std::size_t present = QSettings().value(kKey, static_cast<qulonglong>(kStandard)).toULongLong();
     for (const std::size_t megabytes : kChoices) {
-        const QString amount =
-            QString::fromStdString(readableBytes(static_cast<double>(megabytes * kMegabyte)));
+        const QString amount = figuresText(readableBytes(static_cast<double>(megabytes * kMegabyte)));
         QAction* action = addAction(megabytes == kStandard ? tr("%1 (default)").arg(amount) : amount);
         action->setCheckable(true);
         action->setChecked(megabytes == present);

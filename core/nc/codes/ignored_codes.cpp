@@ -70,9 +70,9 @@ std::string formatMCodes(const std::set<int>& codes) {
 std::optional<int> unknownMCode(const Diagnostic& diagnostic) {
     const std::string_view id = diagnostic.id;
     const bool unknown = id == nc_message::kUnknownMCode.id || id == nc_message::kCodeForeign.id;
-    if (!unknown || diagnostic.arguments.empty() || !diagnostic.arguments.front().starts_with('M'))
+    if (!unknown || diagnostic.arguments.empty() || !diagnostic.arguments.front().text().starts_with('M'))
         return {};
-    return mCode(diagnostic.arguments.front());
+    return mCode(diagnostic.arguments.front().text());
 }
 
 } // namespace proveout

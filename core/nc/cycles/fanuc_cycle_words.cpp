@@ -51,10 +51,10 @@ private:
     [[nodiscard]] bool shrinks() const { return m_execution.dialect.pecksShrink; }
     [[nodiscard]] std::string cycleName() const { return fmt::format("G{}", m_cycle.tenths / 10); }
 
-    void tell(const FindingRow& message, const Word& word, std::vector<std::string> arguments = {}) {
+    void tell(const FindingRow& message, const Word& word, std::vector<Argument> arguments = {}) {
         m_execution.reporter.tell(message, word, std::move(arguments));
     }
-    bool refuse(const FindingRow& message, const Word& word, std::vector<std::string> arguments = {}) {
+    bool refuse(const FindingRow& message, const Word& word, std::vector<Argument> arguments = {}) {
         tell(message, word, std::move(arguments));
         return false;
     }

@@ -52,7 +52,7 @@ private:
         m_order.travel = rises ? m_order.clearance : std::max(m_at, m_order.retract);
     }
 
-    bool refuse(const FindingRow& message, const Word& word, std::vector<std::string> arguments = {}) {
+    bool refuse(const FindingRow& message, const Word& word, std::vector<Argument> arguments = {}) {
         m_execution.reporter.tell(message, word, std::move(arguments));
         return false;
     }

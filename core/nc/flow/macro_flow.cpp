@@ -38,7 +38,7 @@ const MacroIndex::Range* programIn(const MacroIndex& index, const FlowRequest& r
 } // namespace
 
 MacroFlow::Next MacroFlow::fail(const FindingRow& message, const MacroStatement& statement,
-                                std::vector<std::string> arguments) {
+                                std::vector<Argument> arguments) {
     m_reporter.tell(message, static_cast<int>(statement.begin + 1),
                     static_cast<int>(statement.rest - statement.begin), std::move(arguments));
     return Next::failed;
@@ -49,7 +49,7 @@ MacroFlow::Next MacroFlow::fail(const ReadError& error) {
     return Next::failed;
 }
 
-bool MacroFlow::refuse(const FindingRow& message, const Word& word, std::vector<std::string> arguments) {
+bool MacroFlow::refuse(const FindingRow& message, const Word& word, std::vector<Argument> arguments) {
     m_reporter.tell(message, word, std::move(arguments));
     return false;
 }

@@ -54,9 +54,9 @@ private:
     };
 
     Next fail(const FindingRow& message, const MacroStatement& statement,
-              std::vector<std::string> arguments = {});
+              std::vector<Argument> arguments = {});
     Next fail(const ReadError& error);
-    bool refuse(const FindingRow& message, const Word& word, std::vector<std::string> arguments);
+    bool refuse(const FindingRow& message, const Word& word, std::vector<Argument> arguments);
 
     [[nodiscard]] Next gotoBlock(const MacroStatement& statement, std::size_t at);
     [[nodiscard]] Next branch(const MacroStatement& statement);

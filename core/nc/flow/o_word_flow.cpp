@@ -21,7 +21,7 @@ bool plainName(std::string_view label) {
 
 } // namespace
 
-bool OWordFlow::fail(const FindingRow& message, const FlowWord& word, std::vector<std::string> arguments) {
+bool OWordFlow::fail(const FindingRow& message, const FlowWord& word, std::vector<Argument> arguments) {
     const auto length = static_cast<int>(std::max(word.arguments, word.begin + 1) - word.begin);
     m_reporter.tell(message, static_cast<int>(word.begin + 1), length, std::move(arguments));
     return false;
@@ -317,7 +317,7 @@ bool OWordFlow::leaveRepeat(std::size_t begin) {
 }
 
 bool OWordFlow::run(const FlowRequest& request) {
-    const auto fail = [&](const FindingRow& message, std::vector<std::string> arguments) {
+    const auto fail = [&](const FindingRow& message, std::vector<Argument> arguments) {
         m_reporter.tell(message, request.word, std::move(arguments));
         return false;
     };

@@ -34,7 +34,7 @@ public:
 private:
     using Locals = Parameters::Locals;
 
-    bool fail(const FindingRow& message, const FlowWord& word, std::vector<std::string> arguments = {});
+    bool fail(const FindingRow& message, const FlowWord& word, std::vector<Argument> arguments = {});
     bool fail(const ReadError& error);
 
     [[nodiscard]] bool wellFormed(const FlowWord& word);

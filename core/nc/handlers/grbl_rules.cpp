@@ -26,7 +26,7 @@ public:
     bool mayRun() { return onlyKnown() && numbersFit() && codesAgree() && hasFeed() && hasWords(); }
 
 private:
-    bool refuse(const FindingRow& message, const Word& word, std::vector<std::string> arguments = {}) {
+    bool refuse(const FindingRow& message, const Word& word, std::vector<Argument> arguments = {}) {
         m_execution.reporter.tell(message, word, std::move(arguments));
         return false;
     }

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <fmt/format.h>
 
+#include "core/base/figures_argument.h"
 #include "core/nc/codes/handlers.h"
 #include "core/nc/state/execution.h"
 #include "core/nc/state/machine_values.h"
@@ -20,7 +21,7 @@ bool given(const Block& block, char letter) {
 bool wordsFit(Execution& execution, const Word& word) {
     const Block& block = execution.block;
     const auto refuse = [&](const FindingRow& message, const Word& where,
-                            std::vector<std::string> arguments = {}) {
+                            std::vector<Argument> arguments = {}) {
         execution.reporter.tell(message, where, std::move(arguments));
         return false;
     };
@@ -32,7 +33,7 @@ bool wordsFit(Execution& execution, const Word& word) {
         return true;
     const Word& wait = block.word('L');
     if (wait.value != std::round(wait.value) || wait.value < 0 || wait.value > kMostWait)
-        return refuse(nc_message::kNotInteger, wait, {"L", "0", fmt::format("{:g}", kMostWait)});
+        return refuse(nc_message::kNotInteger, wait, {"L", "0", figures("{:g}", kMostWait)});
     if (block.has('E'))
         return refuse(nc_message::kInputWait, wait);
     if (!block.has('Q') || block.value('Q') <= 0)
@@ -50,7 +51,7 @@ void waitForInput(Execution& execution, const Word& word) {
     const double value = execution.block.has('P') ? (before != 0 ? 1.0 : 0.0) : before;
     execution.parameters.setNumbered(kInputParameter, value);
     execution.state.inputAssumed = true;
-    execution.reporter.tell(nc_message::kInputAssumed, word, {fmt::format("{:g}", value)});
+    execution.reporter.tell(nc_message::kInputAssumed, word, {figures("{:g}", value)});
 }
 
 void switchDigitalOutput(Execution& execution, const Word& word) {

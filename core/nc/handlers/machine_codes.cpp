@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/figures_argument.h"
 #include "core/base/tool_number.h"
 #include "core/nc/codes/handlers.h"
 #include "core/nc/motions/compensated_path.h"
@@ -59,7 +60,7 @@ void tellDwellUnit(Execution& execution, const Word& time) {
     execution.state.dwellUnitTold = true;
     execution.reporter.tell(
         nc_message::kDwellUnit, time,
-        {nameOf(time), fmt::format("{:g}", time.value), fmt::format("{:g}", time.value * kMillisecond)});
+        {nameOf(time), figures("{:g}", time.value), figures("{:g}", time.value * kMillisecond)});
 }
 
 void dwell(Execution& execution, const Word& word) {
@@ -129,7 +130,7 @@ void keepSurfaceSpeed(Execution& execution, const Word& word) {
     execution.state.mostRpm = block.has('D') ? std::abs(block.value('D')) : 0;
     if (execution.state.mostRpm > 0) {
         execution.reporter.tell(nc_message::kSurfaceSpeedLimited, word,
-                                {fmt::format("{:g}", execution.state.mostRpm)});
+                                {figures("{:g}", execution.state.mostRpm)});
     } else {
         execution.reporter.tell(nc_message::kSurfaceSpeedUnknown, word);
     }

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/base/figures_argument.h"
 #include "core/nc/codes/handlers.h"
 #include "core/nc/motions/arc_words.h"
 #include "core/nc/motions/motion_sink.h"
@@ -42,7 +43,7 @@ public:
 
 private:
     [[nodiscard]] const Block& block() const { return m_execution.block; }
-    bool refuse(const FindingRow& message, const Word& word, std::vector<std::string> arguments = {}) {
+    bool refuse(const FindingRow& message, const Word& word, std::vector<Argument> arguments = {}) {
         m_execution.reporter.tell(message, word, std::move(arguments));
         return false;
     }
@@ -61,9 +62,8 @@ private:
         if (!readTool(tool))
             return false;
         if (radius <= tool || last < radius)
-            return refuse(
-                nc_message::kPocketSmall, block().word('I'),
-                {fmt::format("{:.6g}", radius), fmt::format("{:.6g}", last), fmt::format("{:.6g}", tool)});
+            return refuse(nc_message::kPocketSmall, block().word('I'),
+                          {figures("{:.6g}", radius), figures("{:.6g}", last), figures("{:.6g}", tool)});
         const double least = m_execution.leastLength();
         if ((last - radius) / std::max(step, least) > kMostRepeats)
             return refuse(nc_message::kNotInteger, block().word('Q'),

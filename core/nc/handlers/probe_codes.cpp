@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <string>
 
+#include "core/base/figures_argument.h"
 #include "core/nc/codes/handlers.h"
 #include "core/nc/motions/motion_sink.h"
 #include "core/nc/motions/motion_target.h"
@@ -46,8 +47,8 @@ ProbeTarget::Answer ask(Execution& execution, const Motion& motion, Seek seek) {
     return execution.target->probe(execution.program, seen, seek, execution.limits.context);
 }
 
-std::vector<std::string> coordinates(const Vec3& place) {
-    const auto shown = [&](int axis) { return fmt::format("{:.3f}", place[axis] + 0.0); };
+std::vector<Argument> coordinates(const Vec3& place) {
+    const auto shown = [&](int axis) { return figures("{:.3f}", place[axis] + 0.0); };
     return {shown(0), shown(1), shown(2)};
 }
 

@@ -18,7 +18,7 @@ namespace {
 constexpr LetterSet kPlaneWords("XY@^");
 
 bool refuse(Execution& execution, const FindingRow& message, const Word& word,
-            std::vector<std::string> arguments = {}) {
+            std::vector<Argument> arguments = {}) {
     execution.reporter.tell(message, word, std::move(arguments));
     return false;
 }

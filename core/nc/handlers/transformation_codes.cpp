@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/figures_argument.h"
 #include "core/nc/codes/handlers.h"
 #include "core/nc/motions/motion_sink.h"
 #include "core/nc/state/execution.h"
@@ -178,7 +179,7 @@ void turnCoordinates(Execution& execution, const Word& word) {
     const bool adds = execution.dialect.rotationAdds && open;
     now.degrees = execution.angle('R') + (adds ? now.degrees : 0);
     if (open)
-        execution.reporter.tell(nc_message::kRotationSetting, word, {fmt::format("{:.6g}", now.degrees)});
+        execution.reporter.tell(nc_message::kRotationSetting, word, {figures("{:.6g}", now.degrees)});
     now.turnUnknown = centreUnknown(execution, word, aboutTool);
     now.turned = true;
     now.plane = state.plane;

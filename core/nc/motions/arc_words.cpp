@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/figures_argument.h"
 #include "core/nc/geometry/arc.h"
 
 namespace proveout {
@@ -87,7 +88,7 @@ private:
     }
 
     std::optional<Arc> refuse(const FindingRow& message, const Word& word,
-                              std::vector<std::string> arguments = {}) {
+                              std::vector<Argument> arguments = {}) {
         m_execution.reporter.tell(message, word, std::move(arguments));
         return {};
     }
@@ -142,22 +143,21 @@ private:
         if (arc)
             return *arc;
         const ArcProblem& problem = arc.error();
-        const std::string first = fmt::format("{:.6g}", problem.startRadius);
-        const std::string second = fmt::format("{:.6g}", problem.endRadius);
+        const Argument first = figures("{:.6g}", problem.startRadius);
+        const Argument second = figures("{:.6g}", problem.endRadius);
         const double difference = std::abs(problem.startRadius - problem.endRadius);
         switch (problem.fault) {
         case ArcFault::zeroRadius:
             return refuse(nc_message::kArcZeroRadius, word,
-                          {fmt::format("{:.6g}", std::min(problem.startRadius, problem.endRadius))});
+                          {figures("{:.6g}", std::min(problem.startRadius, problem.endRadius))});
         case ArcFault::endsDiffer:
-            return refuse(nc_message::kArcEndsDiffer, word,
-                          {first, second, fmt::format("{:.6g}", difference)});
+            return refuse(nc_message::kArcEndsDiffer, word, {first, second, figures("{:.6g}", difference)});
         case ArcFault::fullWithRadius:
             return refuse(nc_message::kArcFullWithRadius, word);
         case ArcFault::radiusSmall:
             return refuse(
                 nc_message::kArcRadiusSmall, word,
-                {first, fmt::format("{:.6g}", 2 * problem.endRadius), fmt::format("{:.6g}", 2 * difference)});
+                {first, figures("{:.6g}", 2 * problem.endRadius), figures("{:.6g}", 2 * difference)});
         }
         return {};
     }
@@ -173,22 +173,21 @@ private:
 bool fitForSize(Execution& execution, const Word& word, Motion& motion) {
     const double radius = arcRadius(motion);
     if (radius < kLeastRadius) {
-        execution.reporter.tell(nc_message::kArcZeroRadius, word, {fmt::format("{:.6g}", radius)});
+        execution.reporter.tell(nc_message::kArcZeroRadius, word, {figures("{:.6g}", radius)});
         return false;
     }
     if (radius <= kLargestRadius) {
         if (withinLimits(motion))
             return true;
-        execution.reporter.tell(
-            nc_message::kArcTooLong, word,
-            {fmt::format("{:.6g}", pathLength(motion)), fmt::format("{:g}", kLongestArc)});
+        execution.reporter.tell(nc_message::kArcTooLong, word,
+                                {figures("{:.6g}", pathLength(motion)), figures("{:g}", kLongestArc)});
         return false;
     }
     if (std::abs(motion.sweep) < 1 && sagitta(radius, motion.sweep) < kFlat) {
         motion.kind = MotionKind::feed;
         return true;
     }
-    execution.reporter.tell(nc_message::kArcTooLarge, word, {fmt::format("{:.6g}", radius)});
+    execution.reporter.tell(nc_message::kArcTooLarge, word, {figures("{:.6g}", radius)});
     return false;
 }
 

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/figures_argument.h"
 #include "core/nc/motions/arc_words.h"
 #include "core/nc/motions/motion_sink.h"
 #include "core/nc/motions/motion_target.h"
@@ -17,8 +18,8 @@ namespace proveout {
 
 namespace {
 
-std::string shown(double length) {
-    return fmt::format("{:.6g}", length);
+Argument shown(double length) {
+    return figures("{:.6g}", length);
 }
 
 /// One programmed motion that is to be compensated.
@@ -64,7 +65,7 @@ public:
     }
 
 private:
-    void tell(const FindingRow& message, std::vector<std::string> arguments = {}) {
+    void tell(const FindingRow& message, std::vector<Argument> arguments = {}) {
         m_execution.reporter.tell(message, m_word, std::move(arguments));
     }
 
@@ -86,7 +87,7 @@ private:
         appendMotion(m_execution, m_motion);
     }
 
-    void refuse(const FindingRow& message, std::vector<std::string> arguments) {
+    void refuse(const FindingRow& message, std::vector<Argument> arguments) {
         tellOfRadius(m_execution, message, m_word, std::move(arguments));
         leaveOut(m_execution, m_motion);
     }

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/figures_argument.h"
 #include "core/nc/geometry/corner_shape.h"
 #include "core/nc/motions/compensated_path.h"
 #include "core/nc/motions/motion_sink.h"
@@ -46,7 +47,7 @@ public:
         const bool whole = m_corner.compensated || m_corner.path.arc();
         const bool consumed = shape && whole && leadsNowhere(upTo(m_corner.path, shape->start));
         if (!shape || consumed) {
-            tell(nc_message::kCornerTooLarge, {fmt::format("{:.6g}", m_corner.size)});
+            tell(nc_message::kCornerTooLarge, {figures("{:.6g}", m_corner.size)});
             return true;
         }
         if (!m_corner.rounded && (m_corner.path.arc() || m_after.arc()))
@@ -57,7 +58,7 @@ public:
     }
 
 private:
-    void tell(const FindingRow& message, std::vector<std::string> arguments = {}) {
+    void tell(const FindingRow& message, std::vector<Argument> arguments = {}) {
         m_execution.reporter.tell(message, m_word, std::move(arguments));
     }
 
@@ -176,7 +177,7 @@ void appendHeld(Execution& execution, const Word& word, const Motion& motion, co
         return;
     }
     if (corner.size < 0)
-        execution.reporter.tell(nc_message::kCornerNegative, ordered, {fmt::format("{:.6g}", corner.size)});
+        execution.reporter.tell(nc_message::kCornerNegative, ordered, {figures("{:.6g}", corner.size)});
     else if (scaledInPlane(execution.state))
         execution.reporter.tell(nc_message::kCornerScaled, ordered);
     if (corner.compensated)

@@ -8,7 +8,7 @@
 namespace proveout {
 
 void tellOfRadius(Execution& execution, const FindingRow& message, const Word& word,
-                  std::vector<std::string> arguments) {
+                  std::vector<Argument> arguments) {
     if (execution.state.compensation.assumed)
         execution.reporter.tellAsWarning(message, word, std::move(arguments));
     else

@@ -13,6 +13,6 @@ struct FindingRow;
 
 /// Tells what is due to the radius of the tool: a warning only where that is assumed.
 void tellOfRadius(Execution& execution, const FindingRow& message, const Word& word,
-                  std::vector<std::string> arguments);
+                  std::vector<Argument> arguments);
 
 } // namespace proveout

@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 
+#include "core/base/figures_argument.h"
 #include "core/nc/geometry/corner_vectors.h"
 #include "core/nc/motions/arc_words.h"
 #include "core/nc/motions/motion_sink.h"
@@ -19,8 +20,8 @@ namespace {
 /// Blocks of the look-ahead that are motions: the one before a corner and the one behind it.
 constexpr int kBlocksOfCorner = 2;
 
-std::string shown(double length) {
-    return fmt::format("{:.6g}", length);
+Argument shown(double length) {
+    return figures("{:.6g}", length);
 }
 
 /// One programmed motion that is to be compensated.
@@ -48,10 +49,10 @@ public:
     }
 
 private:
-    void tell(const FindingRow& message, std::vector<std::string> arguments = {}) {
+    void tell(const FindingRow& message, std::vector<Argument> arguments = {}) {
         m_execution.reporter.tell(message, m_word, std::move(arguments));
     }
-    void refuse(const FindingRow& message, std::vector<std::string> arguments = {}) {
+    void refuse(const FindingRow& message, std::vector<Argument> arguments = {}) {
         tellOfRadius(m_execution, message, m_word, std::move(arguments));
         leaveOut(m_execution, m_motion);
     }

@@ -16,9 +16,10 @@ namespace {
 /// Bytes of an argument: names and chains of calls may be as long as the text, and a message is not.
 constexpr std::size_t kLongestArgument = 2000;
 
-void shorten(std::string& argument) {
-    if (argument.size() > kLongestArgument)
-        argument = std::string(shortened(argument, kLongestArgument)) + "…";
+void shorten(Argument& argument) {
+    const std::string& text = argument.text();
+    if (text.size() > kLongestArgument)
+        argument = std::string(shortened(text, kLongestArgument)) + "…";
 }
 
 } // namespace
@@ -40,7 +41,7 @@ std::string writtenAs(char letter) {
     }
 }
 
-void Reporter::tell(const FindingRow& message, int column, int length, std::vector<std::string> arguments) {
+void Reporter::tell(const FindingRow& message, int column, int length, std::vector<Argument> arguments) {
     std::ranges::for_each(arguments, shorten);
     m_memory.unverified = m_memory.unverified || message.unverified;
     if (isKnown(message, column, arguments)) {
@@ -58,8 +59,7 @@ void Reporter::tell(const FindingRow& message, int column, int length, std::vect
 }
 
 /// A loop tells of its lines in each round.
-bool Reporter::isKnown(const FindingRow& message, int column,
-                       const std::vector<std::string>& arguments) const {
+bool Reporter::isKnown(const FindingRow& message, int column, const std::vector<Argument>& arguments) const {
     return std::ranges::any_of(m_program.diagnostics(), [&](const Diagnostic& known) {
         return known.where.line == m_line && known.where.column == column && known.id == message.id &&
                known.file == m_file && known.arguments == arguments;
@@ -67,7 +67,7 @@ bool Reporter::isKnown(const FindingRow& message, int column,
 }
 
 void Reporter::tellInAnyCase(const FindingRow& message, int column, int length,
-                             std::vector<std::string> arguments) {
+                             std::vector<Argument> arguments) {
     std::ranges::for_each(arguments, shorten);
     m_memory.unverified = m_memory.unverified || message.unverified;
     append(message, message.unverified, {m_line, column, length}, std::move(arguments));
@@ -80,7 +80,7 @@ void Reporter::tellSuppressed() {
 }
 
 void Reporter::append(const FindingRow& message, bool unverified, TextRange where,
-                      std::vector<std::string> arguments) {
+                      std::vector<Argument> arguments) {
     const char* const answer = m_answer == nullptr ? nullptr : m_answer(message);
     m_program.append(Diagnostic{message.severity, unverified, message.id, message.text, std::move(arguments),
                                 answer == nullptr ? message.hint : answer, m_file, where});

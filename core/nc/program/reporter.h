@@ -34,18 +34,18 @@ public:
     void setFile(std::string file) { m_file = std::move(file); }
     void beginLine(std::uint32_t line) { m_line = static_cast<int>(line); }
     [[nodiscard]] std::uint32_t line() const { return static_cast<std::uint32_t>(m_line); }
-    void tell(const FindingRow& message, int column, int length, std::vector<std::string> arguments = {});
-    void tell(const FindingRow& message, const Word& word, std::vector<std::string> arguments = {}) {
+    void tell(const FindingRow& message, int column, int length, std::vector<Argument> arguments = {});
+    void tell(const FindingRow& message, const Word& word, std::vector<Argument> arguments = {}) {
         tell(message, word.column, word.length, std::move(arguments));
     }
     /// What would be more if it did not rest on something assumed.
-    void tellAsWarning(FindingRow message, const Word& word, std::vector<std::string> arguments) {
+    void tellAsWarning(FindingRow message, const Word& word, std::vector<Argument> arguments) {
         message.severity = Severity::warning;
         tell(message, word, std::move(arguments));
     }
     /// For what is told about the whole program, once: is shown whatever the limit.
     void tellInAnyCase(const FindingRow& message, int column, int length,
-                       std::vector<std::string> arguments = {});
+                       std::vector<Argument> arguments = {});
     /// The last message, where there were more than the limit.
     void tellSuppressed();
 
@@ -69,9 +69,8 @@ public:
 
 private:
     [[nodiscard]] bool isKnown(const FindingRow& message, int column,
-                               const std::vector<std::string>& arguments) const;
-    void append(const FindingRow& message, bool unverified, TextRange where,
-                std::vector<std::string> arguments);
+                               const std::vector<Argument>& arguments) const;
+    void append(const FindingRow& message, bool unverified, TextRange where, std::vector<Argument> arguments);
 
     static constexpr std::size_t kReserved = 4; ///< places for messages about the whole program
 

@@ -6,6 +6,7 @@
 #include <set>
 #include <string>
 
+#include "core/base/figures_argument.h"
 #include "core/base/memory.h"
 #include "core/base/utf8.h"
 #include "core/nc/motions/compensated_path.h"
@@ -108,7 +109,7 @@ bool BlockExecutor::tooLong() const {
         m_reporter.tellInAnyCase(nc_message::kTooManyEvents, 1, 0, {count});
     else
         m_reporter.tellInAnyCase(nc_message::kProgramTooLarge, 1, 0,
-                                 {readableBytes(static_cast<double>(m_options.maxBytes))});
+                                 {figures("{}", readableBytes(static_cast<double>(m_options.maxBytes)))});
     return true;
 }
 

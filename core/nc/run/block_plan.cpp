@@ -342,10 +342,10 @@ private:
         return m_block.word('X');
     }
 
-    void tell(const FindingRow& message, const Word& word, std::vector<std::string> arguments = {}) {
+    void tell(const FindingRow& message, const Word& word, std::vector<Argument> arguments = {}) {
         m_execution.reporter.tell(message, word, std::move(arguments));
     }
-    bool refuse(const FindingRow& message, const Word& word, std::vector<std::string> arguments = {}) {
+    bool refuse(const FindingRow& message, const Word& word, std::vector<Argument> arguments = {}) {
         tell(message, word, std::move(arguments));
         return false;
     }

@@ -8,8 +8,10 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/list_argument.h"
 #include "core/base/text.h"
 #include "core/nc/codes/dialect_guess.h"
+#include "core/nc/codes/dialects.h"
 #include "core/nc/program/reporter.h"
 #include "core/nc/run/foreign_signs.h"
 #include "core/nc/text/characters.h"
@@ -170,6 +172,13 @@ std::string shown(std::string_view line) {
     return end == std::string::npos ? std::string() : text.substr(begin, end + 1 - begin);
 }
 
+std::string dialectNames() {
+    std::vector<std::string> names;
+    for (const Dialect& row : dialects())
+        names.emplace_back(row.name);
+    return listArgument(names);
+}
+
 } // namespace
 
 std::optional<ForeignText> findForeignText(const NcText& text) {
@@ -208,7 +217,8 @@ std::shared_ptr<const Program> foreignProgram(const NcText& text, const Interpre
     }
     Reporter reporter(*program, options.file, options.maxDiagnostics);
     reporter.beginLine(static_cast<std::uint32_t>(foreign->line));
-    reporter.tell(*foreign->message, 1, 0, {foreign->kind, std::to_string(foreign->line), foreign->sign});
+    reporter.tell(*foreign->message, 1, 0,
+                  {foreign->kind, std::to_string(foreign->line), foreign->sign, dialectNames()});
     return program;
 }
 

@@ -15,7 +15,7 @@ namespace proveout {
 
 struct ForeignText {
     const char* kind = "";               ///< "a Heidenhain conversational program", marked with PROVEOUT_TEXT
-    const FindingRow* message = nullptr; ///< its arguments: kind, line and sign
+    const FindingRow* message = nullptr; ///< its arguments: kind, line, sign and dialects
     std::string sign;                    ///< what shows it, as the text has it
     int line = 1;                        ///< 1-based, where that is
 };

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "core/base/figures_argument.h"
 #include "core/nc/codes/canned_cycle.h"
 #include "core/nc/state/active_codes.h"
 
@@ -37,7 +38,7 @@ const Word* findGroup(const LintView& view, ModalGroup group) {
 }
 
 void tell(const LintView& view, const FindingRow& message, const Word& word,
-          std::vector<std::string> arguments = {}) {
+          std::vector<Argument> arguments = {}) {
     view.execution.reporter.tell(message, word, std::move(arguments));
 }
 
@@ -172,7 +173,7 @@ void changeLow(const LintView& view, const FindingRow& message) {
         return;
     if (state.position.z <= view.memory.highestFeed)
         tell(view, message, anyWord(view),
-             {fmt::format("{:.4g}", state.position.z), fmt::format("{:.4g}", view.memory.highestFeed)});
+             {figures("{:.4g}", state.position.z), figures("{:.4g}", view.memory.highestFeed)});
 }
 
 void changeTurning(const LintView& view, const FindingRow& message) {
@@ -207,7 +208,7 @@ void nearlyHalfCircle(const LintView& view, const FindingRow& message) {
         return;
     const double degrees = std::abs(motion.sweep) * 180 / std::numbers::pi;
     if (std::abs(degrees - 180) < kNearlyHalf)
-        tell(view, message, view.execution.block.word('R'), {fmt::format("{:.2f}", degrees)});
+        tell(view, message, view.execution.block.word('R'), {figures("{:.2f}", degrees)});
 }
 
 } // namespace proveout::lint

@@ -54,7 +54,7 @@ void ProgramNotices::reportListedButExecuted() {
 void ProgramNotices::reportIgnoredCodes() {
     for (const auto& [number, code] : m_run.ignored) {
         const bool known = *code.name != '\0';
-        std::vector<std::string> arguments{fmt::format("M{}", number)};
+        std::vector<Argument> arguments{fmt::format("M{}", number)};
         if (known)
             arguments.emplace_back(code.name);
         arguments.push_back(std::to_string(code.count));

@@ -22,8 +22,9 @@ inline constexpr FindingRow kDialectForeign{
     "dialect-foreign",
     PROVEOUT_TEXT("Core", "Unsupported dialect"),
     PROVEOUT_TEXT("Core", "This is {} (line {}: {}), which Proveout does not read."),
-    PROVEOUT_TEXT("Core", "Post-process it for LinuxCNC, Fanuc, Haas, grbl or Mach3 / Mach4; if it is one of "
-                          "these after all, choose the dialect.")};
+    PROVEOUT_TEXT("Core",
+                  "Post-process it for one of these dialects: {4}; if it is in one of them after all, "
+                  "choose it.")};
 inline constexpr FindingRow kNotAProgram{
     Severity::error,
     true,

@@ -8,6 +8,7 @@
 #include <utility>
 #include <vector>
 
+#include "core/base/figures_argument.h"
 #include "core/base/memory.h"
 #include "core/base/stop_watch.h"
 #include "core/cutting/cut/cut_part.h"
@@ -130,10 +131,11 @@ Result<GridPart> fineGrid(const Setup& setup, const BoxOfInterest& box,
     };
     const auto would = finestThatFits(box, fits);
     if (!would)
-        return failure(zmap_finding::kMemoryTooSmall, {readableBytes(needed), readableBytes(limitBytes)});
+        return failure(zmap_finding::kMemoryTooSmall,
+                       {figures("{}", readableBytes(needed)), figures("{}", readableBytes(limitBytes))});
     return failure(detail_finding::kBoxNeedsTooMuchMemory,
-                   {fmt::format("{}", part->nx), fmt::format("{}", part->ny), readableBytes(needed),
-                    readableBytes(limitBytes), fmt::format("{:g}", *would)});
+                   {figures("{}", part->nx), figures("{}", part->ny), figures("{}", readableBytes(needed)),
+                    figures("{}", readableBytes(limitBytes)), figures("{:g}", *would)});
 }
 
 double boxBytes(const GridPart& part, const DecimationParameters& parameters, const MapOutputs& outputs) {

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "core/base/bounded_diagnostics.h"
+#include "core/base/figures_argument.h"
 #include "core/base/list_argument.h"
 #include "core/cutter/shapes.h"
 #include "core/simulation/run/cutting_findings.h"
@@ -49,16 +50,15 @@ const FindingRow& rowOf(const MissingTool& missing, bool callsTool) {
     return callsTool ? tool_finding::kNoTool : tool_finding::kNoToolEver;
 }
 
-void tell(BoundedDiagnostics& out, const FindingRow& row, std::vector<std::string> values,
-          std::uint32_t line) {
+void tell(BoundedDiagnostics& out, const FindingRow& row, std::vector<Argument> values, std::uint32_t line) {
     Diagnostic finding = diagnosticOf(row, std::move(values));
     finding.where = {static_cast<int>(line), 1, 0};
     out.add(std::move(finding));
 }
 
-std::string diameterOf(const std::string& spec) {
+Argument diameterOf(const std::string& spec) {
     const Result<Cutter> cutter = parseCutter(spec);
-    return cutter ? fmt::format("{:.6g}", 2 * cutter->radius()) : std::string();
+    return cutter ? figures("{:.6g}", 2 * cutter->radius()) : Argument("");
 }
 
 std::string assumedOf(const UnconfirmedTool& tool) {
@@ -71,8 +71,8 @@ std::string assumedOf(const UnconfirmedTool& tool) {
 
 void tellUnconfirmed(BoundedDiagnostics& out, const UnconfirmedTool& tool) {
     const CutterShape* shape = shapeOf(tool.cutter);
-    std::vector<std::string> values{std::to_string(tool.number), diameterOf(tool.cutter),
-                                    shape == nullptr ? "" : shape->label};
+    std::vector<Argument> values{std::to_string(tool.number), diameterOf(tool.cutter),
+                                 shape == nullptr ? "" : shape->label};
     if (tool.origin.source == ToolSource::assumed)
         return tell(out, tool_finding::kToolUnconfirmedSizes, std::move(values), tool.line);
     std::string assumed = assumedOf(tool);
@@ -113,13 +113,13 @@ void FindingLog::add(std::size_t block, FindingKind kind, double value, bool unc
     m_places.insert_or_assign(static_cast<std::uint32_t>(block), place);
 }
 
-std::vector<std::string> FindingLog::argumentsOf(const Finding& finding, const Program& program,
-                                                 const ToolChoice& tools) const {
-    std::vector<std::string> arguments = {fmt::format("{:.3f}", finding.value)};
+std::vector<Argument> FindingLog::argumentsOf(const Finding& finding, const Program& program,
+                                              const ToolChoice& tools) const {
+    std::vector<Argument> arguments = {figures("{:.3f}", finding.value)};
     const auto place = m_places.find(finding.block);
     if (finding.kind == FindingKind::overhangLost && place != m_places.end()) {
         for (int axis = 0; axis < 3; ++axis)
-            arguments.push_back(fmt::format("{:.3f}", place->second[axis]));
+            arguments.push_back(figures("{:.3f}", place->second[axis]));
     } else if (finding.unconfirmed) {
         const std::size_t last = program.blockMotions(finding.block).last - 1;
         arguments.push_back(std::to_string(tools.tool(program.motion(last).tool)));

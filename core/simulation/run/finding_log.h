@@ -54,8 +54,8 @@ private:
     static constexpr std::size_t kKinds = 6;
 
     /// Values, place and tool for the text of a finding.
-    [[nodiscard]] std::vector<std::string> argumentsOf(const Finding& finding, const Program& program,
-                                                       const ToolChoice& tools) const;
+    [[nodiscard]] std::vector<Argument> argumentsOf(const Finding& finding, const Program& program,
+                                                    const ToolChoice& tools) const;
     [[nodiscard]] std::size_t& countOf(const Finding& finding) {
         return m_counts[finding.unconfirmed ? 1 : 0][static_cast<std::size_t>(finding.kind)];
     }

@@ -17,10 +17,9 @@ namespace proveout {
 Simulation::Simulation(std::unique_ptr<State> state) : m_state(std::move(state)) {}
 Simulation::~Simulation() = default;
 
-Result<std::unique_ptr<Simulation>> Simulation::create(std::shared_ptr<const Program> program,
-                                                       std::shared_ptr<const Setup> setup,
-                                                       const DecimationParameters& parameters,
-                                                       const WorkContext& context) {
+Result<std::unique_ptr<Simulation>> Simulation::prepare(std::shared_ptr<const Program> program,
+                                                        std::shared_ptr<const Setup> setup,
+                                                        const DecimationParameters& parameters) {
     if (auto fine = checkRanges(parameters); !fine)
         return tl::unexpected(std::move(fine.error()));
     if (auto whole = checkShape(setup->shape); !whole)
@@ -48,8 +47,18 @@ Result<std::unique_ptr<Simulation>> Simulation::create(std::shared_ptr<const Pro
     const auto quarter = static_cast<std::size_t>(memoryLimitBytes() / 4);
     state->checkpoints.setBudget(std::min(Checkpoints::kStandardBudget, quarter));
     state->effort.allocateSeconds = watch.seconds();
-    state->settle(context);
+    state->behind = state->schedule.decimates();
     return std::unique_ptr<Simulation>(new Simulation(std::move(state)));
+}
+
+Result<std::unique_ptr<Simulation>> Simulation::create(std::shared_ptr<const Program> program,
+                                                       std::shared_ptr<const Setup> setup,
+                                                       const DecimationParameters& parameters,
+                                                       const WorkContext& context) {
+    auto prepared = prepare(std::move(program), std::move(setup), parameters);
+    if (prepared)
+        (*prepared)->m_state->settle(context);
+    return prepared;
 }
 
 std::size_t Simulation::position() const {
@@ -77,20 +86,20 @@ void Simulation::seek(std::size_t block, const WorkContext& context) {
     m_state->seek(std::min(block, blockCount()), context);
 }
 
-void Simulation::setParameters(const DecimationParameters& parameters, const WorkContext& context) {
-    if (!checkRanges(parameters))
+void Simulation::noteParameters(const DecimationParameters& parameters) {
+    State& state = *m_state;
+    if (!checkRanges(parameters) || parameters == state.parameters)
         return;
-    if (!(parameters == m_state->parameters)) {
-        m_state->useParameters(parameters);
-        m_state->behind = true;
-        // Nothing is decimated now, and an edit may outdate the old moment before anything is again.
-        if (!m_state->schedule.decimates())
-            m_state->base = m_state->checkpoints.before(0);
-    }
-    m_state->jump(position(), context);
+    state.useParameters(parameters);
+    state.behind = true;
+    if (state.schedule.decimates())
+        return;
+    // Nothing is decimated now, and an edit may outdate the old moment before anything is again.
+    state.base = state.checkpoints.before(0);
+    state.settle({}); // no work: it is only told that none is left
 }
 
-std::size_t Simulation::replaceProgram(std::shared_ptr<const Program> program, const WorkContext& context) {
+std::size_t Simulation::noteProgram(std::shared_ptr<const Program> program) {
     State& state = *m_state;
     const ToolChoice tools(*program, *state.setup);
     // Another tool at work changes every block, though no block reads differently.
@@ -101,11 +110,8 @@ std::size_t Simulation::replaceProgram(std::shared_ptr<const Program> program, c
     state.checkpoints.truncate(kept);
     state.useProgram(std::move(program));
     const std::size_t wanted = std::min(position(), kept);
-    if (position() > kept) {
-        state.jump(kept, context);
-        if (position() != kept)
-            state.fallBack(kept); // the stock of the old program must not stay
-    }
+    if (position() > kept)
+        state.fallBack(kept); // the stock of the old program must not stay
     return wanted;
 }
 

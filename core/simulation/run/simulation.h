@@ -16,8 +16,12 @@ namespace proveout {
 /// (at every s-th block that moves the dirty regions are decimated).
 class Simulation {
 public:
-    /// Takes the memory (asked for first) and decimates the uncut stock (paper §3, step 1). A stopped context
-    /// leaves the surface unsettled. Errors: stock, grid, memory, parameters out of range.
+    /// Takes the memory (asked for first); decimating the uncut stock (paper §3, step 1) is left to
+    /// `seek(0)`, whose context can stop it. Errors: stock, grid, memory, parameters out of range.
+    [[nodiscard]] static Result<std::unique_ptr<Simulation>> prepare(std::shared_ptr<const Program> program,
+                                                                     std::shared_ptr<const Setup> setup,
+                                                                     const DecimationParameters& parameters);
+    /// prepare(), and the uncut stock decimated. A stopped context leaves the surface unsettled.
     [[nodiscard]] static Result<std::unique_ptr<Simulation>> create(std::shared_ptr<const Program> program,
                                                                     std::shared_ptr<const Setup> setup,
                                                                     const DecimationParameters& parameters,
@@ -31,7 +35,8 @@ public:
     [[nodiscard]] const Program& program() const;
     [[nodiscard]] bool atEnd() const { return position() == blockCount(); }
 
-    /// Whether the surface is where the schedule has it; false only after a stopped context.
+    /// Whether the surface is where the schedule has it; false only after a stopped context, or where a
+    /// change is noted that `seek(position())` has not carried out yet.
     [[nodiscard]] bool settled() const;
 
     /// Executes the next block; nothing at the end. A stopped context may leave the surface unsettled, or do
@@ -42,13 +47,14 @@ public:
     /// context ends at another valid block, or leaves the surface unsettled: regions are drawn from the z-map
     /// until the next call, `seek(position())` at the latest, decimates them.
     void seek(std::size_t block, const WorkContext& context = {});
-    /// The surface as the schedule would have it with other parameters, at the same block. Statistics so far
-    /// stay, but for the row of this block. Parameters out of range are ignored.
-    void setParameters(const DecimationParameters& parameters, const WorkContext& context = {});
-    /// Goes on with an edited program: everything before the first block that differs is kept; the position
-    /// stays, or becomes the last block kept, whichever is smaller: that is returned. A stopped context may
-    /// leave the surface unsettled, or the position at an earlier block; `seek` goes on from there.
-    std::size_t replaceProgram(std::shared_ptr<const Program> program, const WorkContext& context = {});
+    /// Notes other parameters, without the work for them: `seek(position())` brings the surface to where the
+    /// schedule has it with them. Statistics so far stay, but for the row of this block. Parameters out of
+    /// range are ignored.
+    void noteParameters(const DecimationParameters& parameters);
+    /// Notes an edited program, without cutting anything: everything before the first block that differs is
+    /// kept. Returns where to go on, the old position or the last block kept, whichever is smaller; the
+    /// position is there or at an earlier block, from which `seek` goes there.
+    [[nodiscard]] std::size_t noteProgram(std::shared_ptr<const Program> program);
     /// Bytes for checkpoints; the oldest detail is thinned out beyond them. 0: none are kept but the uncut
     /// stock, for runs that only go forward.
     void setCheckpointBudget(std::size_t bytes);

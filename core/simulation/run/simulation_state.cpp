@@ -243,7 +243,7 @@ void Simulation::State::jump(std::size_t block, const WorkContext& context) {
 }
 
 void Simulation::State::fallBack(std::size_t kept) {
-    const Checkpoint saved = checkpoints.before(kept);
+    const Checkpoint saved = nearest(kept);
     const ZMapSnapshot shown = base.zmap;
     unfinished.reset();
     atRest.outdate();

@@ -99,7 +99,8 @@ struct Simulation::State {
     bool replay(StockRun& run, std::size_t block, const WorkContext& context);
     /// Goes to a block that has been executed before, and settles the surface there.
     void jump(std::size_t block, const WorkContext& context);
-    /// To the nearest checkpoint at or before `kept`, without any work: nothing may stay of what came behind.
+    /// To the nearest known moment at or before `kept`, without any work: nothing may stay of what came
+    /// behind.
     void fallBack(std::size_t kept);
     void seek(std::size_t block, const WorkContext& context);
     void useParameters(const DecimationParameters& wanted);

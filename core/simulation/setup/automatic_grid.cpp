@@ -7,6 +7,7 @@
 #include <limits>
 #include <thread>
 
+#include "core/base/figures_argument.h"
 #include "core/base/memory.h"
 #include "core/decimation/regions/region_decimator.h"
 #include "core/simulation/setup/setup_findings.h"
@@ -113,9 +114,9 @@ Diagnostics coarseGrid(const Grid& grid, const std::optional<CutterInUse>& small
     if (!smallest || spacing * kFewPointsAcross <= smallest->diameter * kSlack)
         return {};
     const FindingRow& row = automatic ? setup_finding::kGridCoarseAutomatic : setup_finding::kGridCoarse;
-    return {diagnosticOf(row, {fmt::format("{:.4g}", spacing), std::to_string(smallest->tool),
-                               fmt::format("{:.4g}", smallest->diameter),
-                               fmt::format("{:.1f}", smallest->diameter / spacing)})};
+    return {diagnosticOf(row, {figures("{:.4g}", spacing), std::to_string(smallest->tool),
+                               figures("{:.4g}", smallest->diameter),
+                               figures("{:.1f}", smallest->diameter / spacing)})};
 }
 
 } // namespace proveout

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "core/base/figures_argument.h"
 #include "core/simulation/setup/setup_findings.h"
 
 namespace proveout {
@@ -29,9 +30,8 @@ Result<void> setField(Machine& machine, std::string_view key, std::string_view t
         if (error == std::errc() && read == end && number >= field.minimum && number <= field.maximum)
             value = number;
         else
-            result =
-                failure(setup_finding::kMachineValue, {std::string(key), fmt::format("{}", field.minimum),
-                                                       fmt::format("{}", field.maximum)});
+            result = failure(setup_finding::kMachineValue,
+                             {std::string(key), figures("{}", field.minimum), figures("{}", field.maximum)});
     });
     if (!known)
         return failure(setup_finding::kMachineKey, {std::string(key), keys});

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "core/base/figures_argument.h"
 #include "core/simulation/setup/setup_findings.h"
 
 namespace proveout {
@@ -15,8 +16,8 @@ Result<void> checkRanges(const DecimationParameters& parameters) {
         const auto number = static_cast<double>(value);
         if (!(number >= field.minimum && number <= field.maximum) && result)
             result = failure(setup_finding::kParameterOutOfRange,
-                             {field.key, fmt::format("{}", number), fmt::format("{}", field.minimum),
-                              fmt::format("{}", field.maximum)});
+                             {field.key, figures("{}", number), figures("{}", field.minimum),
+                              figures("{}", field.maximum)});
     });
     return result;
 }

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <string>
 
+#include "core/base/figures_argument.h"
 #include "core/simulation/setup/setup_findings.h"
 
 namespace proveout {
@@ -81,7 +82,7 @@ Diagnostics misplacedStock(const Program& program, const Setup& setup, const Too
             continue;
         warnings.push_back(
             diagnosticOf(setup_finding::kStockMissed,
-                         {fmt::format("{:.6g}", side.beyond), side.side, fmt::format("{:.6g}", side.size)}));
+                         {figures("{:.6g}", side.beyond), side.side, figures("{:.6g}", side.size)}));
     }
     return warnings;
 }

@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "core/base/figures_argument.h"
 #include "core/base/text.h"
 
 namespace proveout {
@@ -147,12 +148,12 @@ const BreakpointRow& rowOf(BreakpointKind kind) {
     return kRows[static_cast<std::size_t>(kind)];
 }
 
-std::string valueText(const Breakpoint& breakpoint) {
+Argument valueText(const Breakpoint& breakpoint) {
     switch (rowOf(breakpoint.kind).value) {
     case BreakpointValue::line:
         return std::to_string(breakpoint.line);
     case BreakpointValue::height:
-        return fmt::format("{}", breakpoint.z);
+        return figures("{}", breakpoint.z);
     case BreakpointValue::condition:
         return breakpoint.condition;
     case BreakpointValue::none:

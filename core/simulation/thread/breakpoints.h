@@ -72,7 +72,7 @@ struct BreakpointRow {
 [[nodiscard]] std::span<const BreakpointRow> breakpointRows();
 [[nodiscard]] const BreakpointRow& rowOf(BreakpointKind kind);
 /// "Z -20", "120", "Z < -20 && T == 3"; empty for a kind without a value.
-[[nodiscard]] std::string valueText(const Breakpoint& breakpoint);
+[[nodiscard]] Argument valueText(const Breakpoint& breakpoint);
 
 /// A run was stopped. Immutable once published.
 struct BreakpointHit {

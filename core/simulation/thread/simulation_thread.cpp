@@ -33,14 +33,7 @@ struct Overloaded : Handlers... {
 template<class... Handlers>
 Overloaded(Handlers...) -> Overloaded<Handlers...>;
 
-/// A token that is stopped: what is asked for is noted, and the work for it follows when no command waits.
-std::stop_token stopped() {
-    std::stop_source source;
-    source.request_stop();
-    return source.get_token();
-}
-
-Diagnostics broken(const FindingRow& row, std::vector<std::string> arguments) {
+Diagnostics broken(const FindingRow& row, std::vector<Argument> arguments) {
     return {diagnosticOf(row, std::move(arguments))};
 }
 
@@ -121,7 +114,7 @@ struct SimulationThread::State {
             listener.frameReady();
     }
 
-    // --- commands: they note what is wanted and return at once
+    // --- commands: they note what is wanted and return at once; work() follows when no command waits
 
     void execute(SimulationCommand command) {
         resting = false;
@@ -142,13 +135,12 @@ struct SimulationThread::State {
         stoppedBy.reset();
         breakpoints = {};
         generation = load.generation;
-        auto created = Simulation::create(std::move(load.program), std::move(load.setup), load.parameters,
-                                          {stopped(), {}});
-        if (!created) {
-            fail(std::move(created.error()));
+        auto prepared = Simulation::prepare(std::move(load.program), std::move(load.setup), load.parameters);
+        if (!prepared) {
+            fail(std::move(prepared.error()));
             return;
         }
-        simulation = std::move(*created);
+        simulation = std::move(*prepared);
         // An uncut stock is decimated in no time, and drawing all its points may take longer.
         if (simulation->settled())
             publish();
@@ -156,8 +148,7 @@ struct SimulationThread::State {
 
     void take(EditCommand&& edit) {
         generation = edit.generation;
-        // What has to be cut anew is work that can be stopped: here the stock only goes back.
-        const std::size_t wanted = simulation->replaceProgram(std::move(edit.program), {stopped(), {}});
+        const std::size_t wanted = simulation->noteProgram(std::move(edit.program));
         breakpoints.follow(simulation->program(), simulation->tools());
         if (simulation->position() == wanted)
             publish();
@@ -166,7 +157,7 @@ struct SimulationThread::State {
     }
 
     void take(ParametersCommand&& command) {
-        simulation->setParameters(command.parameters, {stopped(), {}});
+        simulation->noteParameters(command.parameters);
         // Where there is nothing to decimate there is no work, and yet another picture.
         if (simulation->settled())
             publish();

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include "core/base/diagnostic.h"
+#include "core/base/utf8.h"
 #include "tests/bench/faults/fault_cases.h"
 
 namespace proveout {
@@ -12,13 +13,8 @@ namespace {
 
 constexpr std::size_t kLongestSentence = 110;
 
-/// Not within a character of several bytes.
 std::string beginning(const std::string& text, std::size_t bytes) {
-    if (text.size() <= bytes)
-        return text;
-    while (bytes > 0 && (static_cast<unsigned char>(text[bytes]) & 0xc0) == 0x80)
-        --bytes;
-    return text.substr(0, bytes) + "…";
+    return text.size() <= bytes ? text : std::string(shortened(text, bytes)) + "…";
 }
 
 } // namespace

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include "core/base/figures_argument.h"
 #include "core/base/finding_row.h"
 #include "core/base/list_argument.h"
 
@@ -25,6 +26,18 @@ TEST(Diagnostic, ShowsAListWithCommas) {
               "assumed: Shape, Flute length");
     EXPECT_EQ(fillIn("assumed: {}", {listArgument({"Shape"})}), "assumed: Shape");
     EXPECT_EQ(fillIn("assumed: {1}", {listArgument({})}), "assumed: ");
+}
+
+TEST(Diagnostic, HasFiguresWithAPoint) {
+    Diagnostic diagnostic;
+    diagnostic.text = "{} mm deep at {} ({}).";
+    diagnostic.hint = "Less than {1} mm.";
+    diagnostic.arguments = {figures("{:.2f}", 0.25), "X1.5", 'G'};
+    EXPECT_EQ(message(diagnostic), "0.25 mm deep at X1.5 (G).");
+    EXPECT_EQ(hintText(diagnostic), "Less than 0.25 mm.");
+    EXPECT_TRUE(diagnostic.arguments[0].isFigures());
+    EXPECT_FALSE(diagnostic.arguments[1].isFigures()) << "as the user wrote it";
+    EXPECT_EQ(diagnostic.arguments[0], "0.25");
 }
 
 Diagnostic unknownWord() {

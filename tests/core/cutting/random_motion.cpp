@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <numbers>
 #include <utility>
 
 #include "core/cutting/cut/cutting.h"
+#include "tests/core/cutter/standard_spec.h"
 #include "tests/core/cutting/oracle.h"
 
 namespace proveout {
@@ -165,6 +167,10 @@ Cutter randomCutter(Random& random, const std::string& shape) {
     const auto row =
         std::ranges::find_if(kSpecs, [&](const RandomSpec& spec) { return shape == spec.shape; });
     const double d = uniform(random, 2, 12);
+    if (row == std::end(kSpecs)) { // a new shape: as dialogs propose it
+        const auto known = std::ranges::find(cutterShapes(), shape, &CutterShape::key);
+        return cutterOf(known == cutterShapes().end() ? shape : standardSpecOf(*known));
+    }
     return cutterOf(shape + ':' + row->keys(random, d));
 }
 

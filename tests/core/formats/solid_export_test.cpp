@@ -95,10 +95,11 @@ TEST_F(SolidExport, RoundingBeyondTheAllowanceIsAWarningThatOffersDoubles) {
     const Diagnostic& warning = stl->warnings.front();
     EXPECT_STREQ(warning.id, "export-rounded-beyond");
     EXPECT_EQ(warning.severity, Severity::warning);
-    EXPECT_THAT(std::string(warning.hint), HasSubstr("double precision"));
+    EXPECT_THAT(hintText(warning), HasSubstr("double precision: .obj .ply .3mf."));
     EXPECT_EQ(warning.file, (m_folder / "a.stl").string());
-    EXPECT_THAT(message(warning),
-                HasSubstr("beyond the error allowance of 0.05 mm; OBJ or PLY would keep 0.0"));
+    EXPECT_THAT(
+        message(warning),
+        HasSubstr("beyond the error allowance of 0.05 mm; a format in double precision would keep 0.0"));
     for (const char* exact : {"a.obj", "a.ply", "a.3mf"}) {
         const auto other = exportTo(exact, zmap, solid);
         EXPECT_LE(other->largestErrorMm, kAllowance) << exact;

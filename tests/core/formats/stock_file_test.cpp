@@ -215,7 +215,7 @@ TEST_F(StockFile, HeightsThatAreNoneAreRefused) {
         const auto read = readStock(file);
         ASSERT_FALSE(read) << bad;
         EXPECT_EQ(read.error().front().id, std::string("stock-height-bad"));
-        EXPECT_EQ(read.error().front().arguments, (std::vector<std::string>{"3", "4"}));
+        EXPECT_EQ(read.error().front().arguments, (std::vector<Argument>{"3", "4"}));
     }
 }
 

@@ -123,7 +123,7 @@ TEST(ControlFlow, LimitsTheDepthOfCallsAndShowsTheirChain) {
     ASSERT_FALSE(program->diagnostics().empty());
     const Diagnostic& told = program->diagnostics().front();
     EXPECT_STREQ(told.id, "call-too-deep");
-    EXPECT_EQ(told.arguments, (std::vector<std::string>{"9", "1 > 1 > 1 > 1 > 1 > 1 > 1 > 1 > 1 > 1"}));
+    EXPECT_EQ(told.arguments, (std::vector<Argument>{"9", "1 > 1 > 1 > 1 > 1 > 1 > 1 > 1 > 1 > 1"}));
 }
 
 TEST(ControlFlow, FindsALoopThatNothingEnds) {
@@ -183,7 +183,7 @@ TEST(ControlFlow, TellsTheCallsThatLedIntoAnEndlessLoop) {
     options.maxRepeated = 1000;
     const auto program = interpret(
         NcText("o<a> sub\no1 while [1]\n#1=[#1+1]\no1 endwhile\no<a> endsub\no<a> call\nM2\n"), options);
-    EXPECT_EQ(program->diagnostics().front().arguments, (std::vector<std::string>{"1000", "6 (Oa) > 4"}));
+    EXPECT_EQ(program->diagnostics().front().arguments, (std::vector<Argument>{"1000", "6 (Oa) > 4"}));
 }
 
 TEST(ControlFlow, AnEndlessLoopAnswersAStop) {
@@ -202,7 +202,8 @@ TEST(ControlFlow, AnEndlessLoopAnswersAStop) {
     const Diagnostic& stopped = program->diagnostics().back();
     EXPECT_STREQ(stopped.id, "interpretation-stopped");
     ASSERT_EQ(stopped.arguments.size(), 1U);
-    EXPECT_TRUE(stopped.arguments.front().starts_with("6 (Oa) > ")) << stopped.arguments.front();
+    EXPECT_TRUE(stopped.arguments.front().text().starts_with("6 (Oa) > "))
+        << stopped.arguments.front().text();
 }
 
 TEST(ControlFlow, LocalParametersComeBackAfterACall) {

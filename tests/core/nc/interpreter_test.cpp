@@ -62,7 +62,7 @@ TEST(Interpreter, TellsAnAxisWhosePositionIsNeverKnown) {
         for (const Diagnostic& diagnostic : program->diagnostics())
             if (diagnostic.id == std::string("position-never-known")) {
                 EXPECT_TRUE(diagnostic.unverified);
-                return diagnostic.arguments.at(0);
+                return diagnostic.arguments.at(0).text();
             }
         return std::string();
     };
@@ -89,7 +89,7 @@ TEST(Interpreter, TellsTheSmallerRadiusWhereAnArcHasNone) {
     const auto program = interpret(NcText("G0 X0 Y0 Z0\nF100\nG2 X10 Y0 I-0.00005 J0\nM2\n"));
     ASSERT_EQ(program->diagnostics().size(), 1U);
     EXPECT_EQ(std::string(program->diagnostics()[0].id), "arc-zero-radius");
-    EXPECT_EQ(program->diagnostics()[0].arguments, std::vector<std::string>{"5e-05"});
+    EXPECT_EQ(program->diagnostics()[0].arguments, std::vector<Argument>{"5e-05"});
 }
 
 TEST(Interpreter, KnowsNothingOfTheStartUnlessTold) {

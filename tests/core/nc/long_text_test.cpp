@@ -70,8 +70,8 @@ TEST(LongText, MessagesStayShort) {
     const auto program = interpret(NcText(text));
     ASSERT_GT(program->diagnostics().size(), 50U);
     for (const Diagnostic& diagnostic : program->diagnostics())
-        for (const std::string& argument : diagnostic.arguments)
-            ASSERT_LE(argument.size(), 2003U);
+        for (const Argument& argument : diagnostic.arguments)
+            ASSERT_LE(argument.text().size(), 2003U);
 }
 
 /// What is remembered of missing files is not told of others.

@@ -75,7 +75,7 @@ TEST(Edit, GoesOnLikeAFreshRun) {
         const auto old = programOf(text);
         text = edited(text, random);
         const auto program = programOf(text);
-        simulation->replaceProgram(program);
+        apply(*simulation, program);
 
         const auto fresh = straightRun(program, setup, {});
         ASSERT_EQ(simulation->position(), std::min(before, old->firstDifference(*program)));
@@ -114,7 +114,7 @@ TEST(Edit, InTheLastTenthCutsAtMostFifteenPercentOfTheBlocks) {
         const auto program = programOf(joined(lines));
         ASSERT_GT(simulation->program().firstDifference(*program), program->blockCount() * 9 / 10);
         const std::size_t before = simulation->effort().blocksCut;
-        simulation->replaceProgram(program);
+        apply(*simulation, program);
         simulation->seek(program->blockCount());
         EXPECT_LE(100 * (simulation->effort().blocksCut - before), 15 * program->blockCount());
 
@@ -136,7 +136,7 @@ TEST(Edit, BehindThePositionKeepsThePosition) {
     const auto simulation =
         startedSimulation(programOf("T1 M6\nG0 X5 Y5 Z5\nG1 Z-2 F100\nX30\nY20\n"), smallSetup(), {});
     simulation->seek(2);
-    simulation->replaceProgram(programOf("T1 M6\nG0 X5 Y5 Z5\nG1 Z-2 F100\nX30\nY10\nX5\n"));
+    apply(*simulation, programOf("T1 M6\nG0 X5 Y5 Z5\nG1 Z-2 F100\nX30\nY10\nX5\n"));
     EXPECT_EQ(simulation->position(), 2U);
     EXPECT_EQ(simulation->blockCount(), 5U);
 }
@@ -148,12 +148,12 @@ TEST(Edit, ThatSelectsAToolStartsAnew) {
     EXPECT_GT(simulation->frame().removedMm3, 0);
     // The first blocks read the same, but nothing assumes a tool for them any more.
     const auto program = programOf("G0 X5 Y5 Z5\nG1 Z-2 F100\nX30\nT2 M6\nG1 Y20\n");
-    simulation->replaceProgram(program);
+    apply(*simulation, program);
     simulation->seek(3);
     EXPECT_EQ(simulation->frame().removedMm3, 0);
 }
 
-TEST(Edit, StoppedGoesBackToAValidBlockOfTheNewProgram) {
+TEST(Edit, OnlyNotedGoesBackToAValidBlockOfTheNewProgram) {
     const std::uint32_t seed = randomSeed();
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     const std::string text = randomProgram(seed, 120);
@@ -168,9 +168,7 @@ TEST(Edit, StoppedGoesBackToAValidBlockOfTheNewProgram) {
         simulation->seek(110);
         simulation->refine(); // the picture at rest must not outlive the edit
         const auto program = programOf(edited);
-        std::stop_source source;
-        source.request_stop();
-        const std::size_t wanted = simulation->replaceProgram(program, {source.get_token(), {}});
+        const std::size_t wanted = simulation->noteProgram(program);
         EXPECT_LE(simulation->position(), wanted);
         EXPECT_EQ(simulation->frame().level, ErrorLevel::sample);
         const auto straight = straightRun(program, smallSetup(), {});

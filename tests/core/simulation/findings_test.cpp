@@ -286,7 +286,8 @@ TEST(Findings, TakeNoLongerWhereThereAreMany) {
 std::vector<std::string> briefly(const Diagnostics& findings) {
     std::vector<std::string> out;
     for (const Diagnostic& finding : findings)
-        out.push_back(fmt::format("{} {} {}", finding.where.line, finding.id, finding.arguments.front()));
+        out.push_back(
+            fmt::format("{} {} {}", finding.where.line, finding.id, finding.arguments.front().text()));
     return out;
 }
 
@@ -306,10 +307,10 @@ TEST(Findings, OfMissingToolsAreKnownBeforeTheFirstBlockAndAtEveryBlock) {
 TEST(Findings, OfMissingToolsFollowAnEdit) {
     const auto simulation =
         startedSimulation(programOf("T7 M6\nG0 X5 Y5 Z5\nG1 Z-2 F100\n"), smallSetup(), {});
-    simulation->replaceProgram(programOf("(head)\nT7 M6\nG0 X6 Y5 Z5\nG1 Z-2 F100\nT2 M6\nX3\n"));
+    apply(*simulation, programOf("(head)\nT7 M6\nG0 X6 Y5 Z5\nG1 Z-2 F100\nT2 M6\nX3\n"));
     EXPECT_THAT(briefly(simulation->frame().findings),
                 testing::ElementsAre("3 tool-undefined 7", "6 tool-undefined 2"));
-    simulation->replaceProgram(programOf("T1 M6\nG0 X6 Y5 Z5\n"));
+    apply(*simulation, programOf("T1 M6\nG0 X6 Y5 Z5\n"));
     EXPECT_TRUE(simulation->frame().findings.empty());
 }
 
@@ -328,7 +329,7 @@ TEST(Findings, FollowTheirLineThroughAnEdit) {
     const auto simulation = startedSimulation(programOf("T1 M6\nG0 X5 Y5 Z5\nZ-3\n"), smallSetup(), {});
     simulation->seek(2);
     ASSERT_EQ(simulation->frame().findings.at(0).where.line, 3);
-    simulation->replaceProgram(programOf("(head)\n(of two lines)\nT1 M6\nG0 X5 Y5 Z5\nZ-3\n"));
+    apply(*simulation, programOf("(head)\n(of two lines)\nT1 M6\nG0 X5 Y5 Z5\nZ-3\n"));
     EXPECT_EQ(simulation->position(), 2U);
     EXPECT_EQ(simulation->frame().findings.at(0).where.line, 5);
 }

@@ -16,6 +16,15 @@ std::unique_ptr<Simulation> startedSimulation(std::shared_ptr<const Program> pro
     return std::move(created.value());
 }
 
+void apply(Simulation& simulation, const DecimationParameters& parameters, const WorkContext& context) {
+    simulation.noteParameters(parameters);
+    simulation.seek(simulation.position(), context);
+}
+
+void apply(Simulation& simulation, std::shared_ptr<const Program> program) {
+    simulation.seek(simulation.noteProgram(std::move(program)));
+}
+
 std::vector<Frame> straightRun(const std::shared_ptr<const Program>& program,
                                const std::shared_ptr<const Setup>& setup,
                                const DecimationParameters& parameters) {

@@ -13,6 +13,11 @@ namespace proveout {
                                                             std::shared_ptr<const Setup> setup,
                                                             const DecimationParameters& parameters);
 
+/// Notes other parameters and does the work for them.
+void apply(Simulation& simulation, const DecimationParameters& parameters, const WorkContext& context = {});
+/// Notes an edited program and goes to the block where it goes on.
+void apply(Simulation& simulation, std::shared_ptr<const Program> program);
+
 /// All frames of a straight run, from block 0 to the end.
 [[nodiscard]] std::vector<Frame> straightRun(const std::shared_ptr<const Program>& program,
                                              const std::shared_ptr<const Setup>& setup,

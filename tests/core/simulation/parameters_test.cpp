@@ -36,7 +36,7 @@ TEST(Parameters, ChangedAtABlockEqualAFreshRunThere) {
         SCOPED_TRACE(testing::Message() << "change " << change << ", period " << parameters.period);
         simulation->seek(random() % (program->blockCount() + 1));
         const std::size_t block = simulation->position();
-        simulation->setParameters(parameters);
+        apply(*simulation, parameters);
         const auto fresh = startedSimulation(program, setup, parameters);
         while (fresh->position() < block)
             fresh->step();
@@ -60,7 +60,7 @@ TEST(Parameters, OutOfRangeAreRefusedAtTheStartAndIgnoredLater) {
     const auto simulation = startedSimulation(program, smallSetup(), {});
     wrong = {};
     wrong.allowance = std::numeric_limits<double>::quiet_NaN();
-    simulation->setParameters(wrong);
+    apply(*simulation, wrong);
     EXPECT_EQ(simulation->frame().parameters, DecimationParameters{});
 }
 
@@ -71,7 +71,7 @@ TEST(Parameters, AreKeptAndStatisticsStay) {
     const auto before = simulation->frame();
     DecimationParameters coarse;
     coarse.allowance = 0.5;
-    simulation->setParameters(coarse);
+    apply(*simulation, coarse);
     const auto after = simulation->frame();
     EXPECT_EQ(after.parameters, coarse);
     ASSERT_EQ(after.statistics.size(), before.statistics.size());
@@ -79,6 +79,24 @@ TEST(Parameters, AreKeptAndStatisticsStay) {
         EXPECT_EQ(after.statistics[row].facesShown, before.statistics[row].facesShown);
     EXPECT_EQ(after.statistics[44].facesShown, after.surface.faces);
     EXPECT_LT(after.surface.faces, before.surface.faces);
+}
+
+TEST(Parameters, OnlyNotedLeaveTheWorkToTheNextSeek) {
+    const auto simulation = startedSimulation(programOf(randomProgram(2, 45)), smallSetup(), {});
+    simulation->seek(45);
+    const double seconds = simulation->effort().decimationSeconds;
+    DecimationParameters coarse;
+    coarse.allowance = 0.5;
+    simulation->noteParameters(coarse);
+    EXPECT_FALSE(simulation->settled());
+    EXPECT_EQ(simulation->effort().decimationSeconds, seconds);
+    simulation->noteParameters(coarse);
+    EXPECT_FALSE(simulation->settled()) << "the same once more is no reason to forget the work";
+    simulation->seek(45);
+    EXPECT_TRUE(simulation->settled());
+    coarse.period = 0; // nothing to decimate, so no work is left
+    simulation->noteParameters(coarse);
+    EXPECT_TRUE(simulation->settled());
 }
 
 TEST(DecimatedNow, DecimatesEverythingAndChangesNothing) {

@@ -67,12 +67,12 @@ TEST_P(RandomPath, EndsAsAFreshRunDoes) {
             simulation->step();
         } else if (kind < 98) {
             parameters = anyParameters(random);
-            simulation->setParameters(parameters);
+            apply(*simulation, parameters);
             straight = straightRun(program, setup, parameters);
         } else {
             text = withAnotherLine(text, random);
             program = programOf(text);
-            simulation->replaceProgram(program);
+            apply(*simulation, program);
             straight = straightRun(program, setup, parameters);
         }
         ASSERT_EQ(difference(simulation->frame(), straight[simulation->position()]), "")
@@ -110,7 +110,7 @@ TEST(EditCost, IsWhatLiesBehindTheEdit) {
         std::string edited = text;
         edited.insert(at, "G1 X20 Y15 Z-6 F500\n");
         const std::size_t before = simulation->effort().blocksCut;
-        simulation->replaceProgram(programOf(edited));
+        apply(*simulation, programOf(edited));
         simulation->seek(simulation->blockCount());
         const std::size_t cut = simulation->effort().blocksCut - before;
         EXPECT_LE(static_cast<double>(cut), 0.15 * static_cast<double>(whole)) << "edit " << edit;

@@ -39,12 +39,12 @@ TEST(AtRest, ShowsTheSameHoweverOneGotThere) {
             DecimationParameters other = smallRegions();
             other.allowance = random() % 2 == 0 ? 0.02 : 0.1;
             other.level = random() % 3 == 0 ? ErrorLevel::sample : ErrorLevel::surface;
-            simulation->setParameters(other);
+            apply(*simulation, other);
             break;
         }
         case 2:
             program = programOf(randomProgram(random(), 80));
-            simulation->replaceProgram(program);
+            apply(*simulation, program);
             break;
         default:
             simulation->seek(random() % (simulation->blockCount() + 1));

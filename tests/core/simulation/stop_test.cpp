@@ -50,6 +50,19 @@ TEST(Stop, AtOnceLeavesAValidState) {
     EXPECT_EQ(simulation.frame().surface.dirtyRegions, 0U);
 }
 
+TEST(Stop, BeforeAnyWorkIsWhatIsOnlyPrepared) {
+    const auto program = programOf(randomProgram(8, 60));
+    DecimationParameters never;
+    never.period = 0;
+    for (const DecimationParameters& parameters : {DecimationParameters{}, never}) {
+        const auto stopped =
+            std::move(Simulation::create(program, smallSetup(), parameters, stoppedContext()).value());
+        const auto prepared = std::move(Simulation::prepare(program, smallSetup(), parameters).value());
+        EXPECT_EQ(prepared->settled(), stopped->settled());
+        EXPECT_EQ(difference(prepared->frame(), stopped->frame()), "");
+    }
+}
+
 TEST(Stop, AnywhereIsCompletedLater) {
     const std::uint32_t seed = randomSeed();
     SCOPED_TRACE(testing::Message() << "seed " << seed);
@@ -72,7 +85,7 @@ TEST(Stop, AnywhereIsCompletedLater) {
         const WorkContext context = stop.context();
         if (random() % 3 == 0) {
             isFine = !isFine;
-            simulation->setParameters(isFine ? fine : coarse, context);
+            apply(*simulation, isFine ? fine : coarse, context);
         } else {
             simulation->seek(random() % (program->blockCount() + 1), context);
         }
@@ -88,7 +101,7 @@ TEST(Stop, AnywhereIsCompletedLater) {
     EXPECT_GT(stops, 20) << "too few of the rounds were stopped to prove anything";
     // Rows of stopped blocks must not tell of surfaces that never were.
     if (!isFine)
-        simulation->setParameters(fine);
+        apply(*simulation, fine);
     const auto fresh = startedSimulation(program, setup, fine);
     simulation->seek(0);
     while (!simulation->atEnd())

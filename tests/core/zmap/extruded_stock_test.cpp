@@ -165,7 +165,7 @@ bool crosses(const std::vector<OutlineLoop>& loops) {
 TEST(ExtrudedStock, OutlinesThatCrossThemselvesAreRefusedWithThePlace) {
     const auto bow = extrudedStock({loopOf({{0, 0}, {10, 10}, {10, 0}, {0, 10}})}, 5);
     ASSERT_FALSE(bow.has_value());
-    EXPECT_EQ(bow.error().front().arguments, (std::vector<std::string>{"5.000", "5.000"}));
+    EXPECT_EQ(bow.error().front().arguments, (std::vector<Argument>{"5.000", "5.000"}));
     EXPECT_TRUE(crosses({loopOf({{0, 0}, {10, 0}, {10, 8}, {4, 8}, {4, -3}, {0, -3}})}))
         << "through a level side";
     EXPECT_TRUE(crosses({loopOf({{0, 0}, {20, 0}, {20, 10}, {0, 10}}), loopOf({{15, 3}, {25, 5}, {15, 7}})}));

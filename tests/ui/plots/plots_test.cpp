@@ -18,6 +18,7 @@
 
 #include "core/nc/run/interpreter.h"
 #include "core/simulation/records/block_records.h"
+#include "core/simulation/records/block_statistic.h"
 #include "tests/ui/opened.h"
 #include "tests/ui/save_dialog_user.h"
 #include "ui/plots/parameter_trace.h"
@@ -48,7 +49,11 @@ FrameStatistics randomFrame(std::mt19937& random, std::uint32_t block) {
 
 const PlotSpec& plot(const char* id) {
     const auto rows = plotCatalogue();
-    return *std::ranges::find_if(rows, [&](const PlotSpec& spec) { return std::string_view(spec.id) == id; });
+    const auto row =
+        std::ranges::find_if(rows, [&](const PlotSpec& spec) { return std::string_view(spec.id) == id; });
+    if (row == rows.end())
+        qFatal("there is no plot %s", id);
+    return *row;
 }
 
 void compare(const PlotView& view, const PlotInput& input) {
@@ -112,6 +117,7 @@ class PlotsTest : public QObject {
 
 private slots:
     void catalogueRowsAreComplete();
+    void statisticsWithAPlotAreInTheCatalogue();
     void historyFindsTheFirstRowThatDiffers();
     void historyKeepsFramesUntilTheirBlocksArePlayedAnew();
     void parameterChangesAreMarkedWhereTheyMeet();
@@ -145,6 +151,33 @@ void PlotsTest::catalogueRowsAreComplete() {
             QVERIFY(looks.insert({static_cast<int>(series.pen), static_cast<int>(series.fill)}).second);
     }
     QVERIFY(ids.contains("faces") && ids.contains("block-time"));
+}
+
+void PlotsTest::statisticsWithAPlotAreInTheCatalogue() {
+    std::mt19937 random(4);
+    PersistentArray<BlockStatistics> blocks;
+    for (int k = 0; k < 20; ++k) {
+        BlockStatistics row = randomBlock(random);
+        row.maxDepth = static_cast<float>(random() % 64) / 16;
+        row.radialEngagement = static_cast<float>(random() % 64) / 8;
+        blocks.push_back(row);
+    }
+    int plotted = 0;
+    for (const BlockStatistic& statistic : blockStatistics()) {
+        if (statistic.plot == nullptr)
+            continue;
+        ++plotted;
+        const PlotSpec& spec = plot(statistic.plot->id);
+        QCOMPARE(spec.title, statistic.plot->title);
+        QCOMPARE(spec.yLabel, statistic.plot->axis);
+        QCOMPARE(spec.series.size(), std::size_t{1});
+        QCOMPARE(spec.series[0].key, statistic.column);
+        for (std::size_t row = 0; row < blocks.size(); ++row)
+            QCOMPARE(spec.y({blocks, {}}, row, 0), asNumber(statistic.read({blocks}, row)));
+    }
+    QCOMPARE(plotted, 3);
+    for (const PlotSeries& series : plot("faces").series)
+        QVERIFY(findStatistic(series.key) != nullptr);
 }
 
 void PlotsTest::historyFindsTheFirstRowThatDiffers() {

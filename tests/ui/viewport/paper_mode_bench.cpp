@@ -59,7 +59,8 @@ struct Run {
         DecimationParameters played = wanted;
         if (holdBack->held())
             played.method = DecimationMethod::none;
-        simulation->setParameters(played);
+        simulation->noteParameters(played);
+        simulation->seek(simulation->position());
     }
 
     void weigh(const Frame& frame, const FrameFigures& figures) {

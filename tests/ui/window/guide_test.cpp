@@ -7,6 +7,7 @@
 #include <QAbstractSpinBox>
 #include <QApplication>
 #include <QDockWidget>
+#include <QFile>
 #include <QImage>
 #include <QListWidget>
 #include <QScrollBar>
@@ -14,6 +15,9 @@
 #include <QTextBlock>
 #include <QTextBrowser>
 
+#include "core/formats/formats.h"
+#include "core/formats/stock_shapes.h"
+#include "core/nc/codes/dialects.h"
 #include "tests/ui/window/workstation.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
@@ -69,6 +73,28 @@ private slots:
         for (const QDockWidget* dock : station.window.findChildren<QDockWidget*>())
             QVERIFY2(pages.contains(guidePageOf(dock)), qPrintable(dock->objectName()));
         QVERIFY(pages.contains(QStringLiteral("view")) && pages.contains(QStringLiteral("index")));
+    }
+
+    /// Pages that list rows of a table name all of them.
+    void pagesNameEveryRowOfTheTables() {
+        const auto page = [](const char* name) {
+            const std::vector<GuidePage> pages = guidePages();
+            const auto row = std::ranges::find(pages, QLatin1String(name), &GuidePage::id);
+            QFile file(row == pages.end() ? QString() : row->file);
+            return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+        };
+        const QString reads = page("reads");
+        for (const Dialect& row : dialects())
+            QVERIFY2(reads.contains(QStringLiteral("| %1 |").arg(QLatin1String(row.name))), row.name);
+        const QString files = page("files");
+        for (const FileFormat& row : fileFormats()) {
+            const QString ending = QLatin1String(row.extensions.front() + 1);
+            const bool mesh = row.meshWriter() != nullptr;
+            QVERIFY2(!mesh || files.contains(ending.toUpper()), row.key);
+        }
+        const QString setup = page("setup");
+        for (const StockShapeRow& row : stockShapes())
+            QVERIFY2(setup.contains(QStringLiteral("*%1*").arg(QLatin1String(row.label))), row.label);
     }
 
     void opensAtThePanelThatHasTheFocus() {
