@@ -323,6 +323,21 @@ Vorgabe: 0 mm</translation>
     </message>
 </context>
 <context>
+    <name>ControlForm</name>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Automatic: none of these</source>
+        <translation>Automatisch: keiner davon</translation>
+    </message>
+    <message>
+        <source>Automatic: %1</source>
+        <translation>Automatisch: %1</translation>
+    </message>
+</context>
+<context>
     <name>ControlPanel</name>
     <message>
         <source>Control state</source>
@@ -4960,24 +4975,12 @@ Vorgabe: 0 mm</translation>
         <translation>Eine Maschine hat kein „{}“; sie hat {}.</translation>
     </message>
     <message>
-        <source>Rapid X, Y</source>
-        <translation>Eilgang X, Y</translation>
-    </message>
-    <message>
         <source>How fast X and Y each move at rapid.</source>
         <translation>Wie schnell X und Y jeweils im Eilgang fahren.</translation>
     </message>
     <message>
-        <source>Rapid Z</source>
-        <translation>Eilgang Z</translation>
-    </message>
-    <message>
         <source>How fast Z moves at rapid.</source>
         <translation>Wie schnell Z im Eilgang fährt.</translation>
-    </message>
-    <message>
-        <source>Largest feed</source>
-        <translation>Größter Vorschub</translation>
     </message>
     <message>
         <source>The machine feeds no faster, whatever F says.</source>
@@ -4998,10 +5001,6 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>How fast Z gains and loses speed.</source>
         <translation>Wie schnell Z beschleunigt und bremst.</translation>
-    </message>
-    <message>
-        <source>Corner deviation</source>
-        <translation>Eckenabweichung</translation>
     </message>
     <message>
         <source>How far the path may be rounded at a corner; 0: it stops at each.</source>
@@ -7355,6 +7354,78 @@ Vorgabe: 0 mm</translation>
         <source>Nothing to optimise</source>
         <translation>Nichts zu optimieren</translation>
     </message>
+    <message>
+        <source>Rapid traverse X, Y</source>
+        <translation>Eilgang X, Y</translation>
+    </message>
+    <message>
+        <source>Rapid traverse Z</source>
+        <translation>Eilgang Z</translation>
+    </message>
+    <message>
+        <source>Maximum feed rate</source>
+        <translation>Größter Vorschub</translation>
+    </message>
+    <message>
+        <source>Cornering tolerance</source>
+        <translation>Eckentoleranz</translation>
+    </message>
+    <message>
+        <source>Tool change time</source>
+        <translation>Werkzeugwechselzeit</translation>
+    </message>
+    <message>
+        <source>One tenth of the smallest cutter diameter, with 1 to 4 million points</source>
+        <translation>Ein Zehntel des kleinsten Fräserdurchmessers, bei 1 bis 4 Millionen Punkten</translation>
+    </message>
+    <message>
+        <source>Dialect of the program</source>
+        <translation>Dialekt des Programms</translation>
+    </message>
+    <message>
+        <source>The control that the program is written for; arcs, cycles, offsets and numbers differ from control to control.</source>
+        <translation>Die Steuerung, für die das Programm geschrieben ist; Kreisbögen, Zyklen, Korrekturen und Zahlen unterscheiden sich von Steuerung zu Steuerung.</translation>
+    </message>
+    <message>
+        <source>Detected from the program</source>
+        <translation>Am Programm erkannt</translation>
+    </message>
+    <message>
+        <source>Block delete (/)</source>
+        <translation>Ausblendsätze (/)</translation>
+    </message>
+    <message>
+        <source>Skip blocks that start with /, like the switch on the control.</source>
+        <translation>Sätze überspringen, die mit / beginnen, wie mit dem Schalter an der Steuerung.</translation>
+    </message>
+    <message>
+        <source>Type A: straight to the path</source>
+        <translation>Typ A: gerade zur Bahn</translation>
+    </message>
+    <message>
+        <source>Type B: round outside corners</source>
+        <translation>Typ B: um Außenecken herum</translation>
+    </message>
+    <message>
+        <source>Cutter comp start-up</source>
+        <translation>Anfahren der Fräserradiuskorrektur</translation>
+    </message>
+    <message>
+        <source>Start-up and cancel of Fanuc and Haas cutter compensation at outside corners, as set on the control (Fanuc parameter 5003 SUP, Haas setting 43): type A straight, type B round them.</source>
+        <translation>An- und Wegfahren der Fräserradiuskorrektur von Fanuc und Haas an Außenecken, wie an der Steuerung eingestellt (Fanuc-Parameter 5003 SUP, Haas-Einstellung 43): Typ A gerade, Typ B um sie herum.</translation>
+    </message>
+    <message>
+        <source>Ignored M codes</source>
+        <translation>Ignorierte M-Befehle</translation>
+    </message>
+    <message>
+        <source>M codes that move no axis on this machine: clamps, doors, air, chip conveyor. They are ignored and listed as notes. Results after any other unknown code are unverified.</source>
+        <translation>M-Befehle, die an dieser Maschine keine Achse bewegen: Spanner, Türen, Luft, Späneförderer. Sie werden ignoriert und als Hinweise aufgeführt. Ergebnisse nach jedem anderen unbekannten Befehl sind ungeprüft.</translation>
+    </message>
+    <message>
+        <source>Stock shape</source>
+        <translation>Form des Rohteils</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -7614,6 +7685,18 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>Saved %1: the stock for the next setup</source>
         <translation>%1 gespeichert: das Rohteil für die nächste Aufspannung</translation>
+    </message>
+</context>
+<context>
+    <name>Field</name>
+    <message>
+        <source>Range: %1 to %2</source>
+        <comment>the second one with its unit</comment>
+        <translation>Bereich: %1 bis %2</translation>
+    </message>
+    <message>
+        <source>Default: %1</source>
+        <translation>Vorgabe: %1</translation>
     </message>
 </context>
 <context>
@@ -7924,18 +8007,6 @@ Vorgabe: 0 mm</translation>
 <context>
     <name>GridField</name>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>%1
-Range: %2 to %3 mm
-Default: automatic</source>
-        <translation>%1
-Bereich: %2 bis %3 mm
-Vorgabe: automatisch</translation>
-    </message>
-    <message>
         <source>Automatic</source>
         <translation>Automatisch</translation>
     </message>
@@ -7944,8 +8015,8 @@ Vorgabe: automatisch</translation>
         <translation>Automatische Rasterweite</translation>
     </message>
     <message>
-        <source>One tenth of the smallest cutter diameter, with 1 to 4 million points</source>
-        <translation>Ein Zehntel des kleinsten Fräserdurchmessers, bei 1 bis 4 Millionen Punkten</translation>
+        <source>automatic</source>
+        <translation>automatisch</translation>
     </message>
 </context>
 <context>
@@ -8029,64 +8100,12 @@ Vorgabe: automatisch</translation>
         <translation>In diesem Programm ignoriert: %1</translation>
     </message>
     <message>
-        <source>Ignored M codes</source>
-        <translation>Ignorierte M-Befehle</translation>
-    </message>
-    <message>
         <source>for example 16, 24, 25</source>
         <translation>zum Beispiel 16, 24, 25</translation>
-    </message>
-    <message>
-        <source>M codes that move no axis on this machine: clamps, doors, air, chip conveyor. They are ignored and listed as notes. Results after any other unknown code are unverified.</source>
-        <translation>M-Befehle, die an dieser Maschine keine Achse bewegen: Spanner, Türen, Luft, Späneförderer. Sie werden ignoriert und als Hinweise aufgeführt. Ergebnisse nach jedem anderen unbekannten Befehl sind ungeprüft.</translation>
     </message>
 </context>
 <context>
     <name>JobSteps</name>
-    <message>
-        <source>Min X</source>
-        <translation>Min. X</translation>
-    </message>
-    <message>
-        <source>Min Y</source>
-        <translation>Min. Y</translation>
-    </message>
-    <message>
-        <source>Top Z</source>
-        <translation>Oberseite Z</translation>
-    </message>
-    <message>
-        <source>Stock shape</source>
-        <translation>Form des Rohteils</translation>
-    </message>
-    <message>
-        <source>Grid spacing</source>
-        <translation>Rasterweite</translation>
-    </message>
-    <message>
-        <source>Start position</source>
-        <translation>Startposition</translation>
-    </message>
-    <message>
-        <source>Tool at start</source>
-        <translation>Werkzeug am Anfang</translation>
-    </message>
-    <message>
-        <source>Ignored M codes</source>
-        <translation>Ignorierte M-Befehle</translation>
-    </message>
-    <message>
-        <source>Dialect</source>
-        <translation>Dialekt</translation>
-    </message>
-    <message>
-        <source>Block delete</source>
-        <translation>Sätze ausblenden</translation>
-    </message>
-    <message>
-        <source>Cutter compensation start-up</source>
-        <translation>Anfahren der Fräserradiuskorrektur</translation>
-    </message>
     <message>
         <source>Tool T%1</source>
         <translation>Werkzeug T%1</translation>
@@ -8144,14 +8163,6 @@ Vorgabe: automatisch</translation>
     <message>
         <source>Cycle time %1: feed %2, rapid %3, dwell %4, tool changes %5</source>
         <translation>Laufzeit %1: Vorschub %2, Eilgang %3, Verweilen %4, Werkzeugwechsel %5</translation>
-    </message>
-    <message>
-        <source>%1
-Range: %2 to %3 %5
-Default: %4 %5</source>
-        <translation>%1
-Bereich: %2 bis %3 %5
-Vorgabe: %4 %5</translation>
     </message>
 </context>
 <context>
@@ -8302,15 +8313,6 @@ Vorgabe: %4 %5</translation>
     <message>
         <source>off</source>
         <translation>aus</translation>
-    </message>
-    <message>
-        <source>Range: %1 to %2</source>
-        <comment>of a parameter, with units</comment>
-        <translation>Bereich: %1 bis %2</translation>
-    </message>
-    <message>
-        <source>Default: %1</source>
-        <translation>Vorgabe: %1</translation>
     </message>
     <message>
         <source>Back to the default: %1</source>
@@ -8770,29 +8772,6 @@ Keep Both saves your version as a new file in the same folder.</source>
     </message>
 </context>
 <context>
-    <name>WorkHub</name>
-    <message>
-        <source>Simulating</source>
-        <translation>Simulation läuft</translation>
-    </message>
-    <message>
-        <source>Exporting</source>
-        <translation>Export</translation>
-    </message>
-    <message>
-        <source>Reading the program</source>
-        <translation>Programm wird gelesen</translation>
-    </message>
-    <message>
-        <source>Opening the file</source>
-        <translation>Datei wird geöffnet</translation>
-    </message>
-    <message>
-        <source>Searching for the block</source>
-        <translation>Satz wird gesucht</translation>
-    </message>
-</context>
-<context>
     <name>SetupPanel</name>
     <message>
         <source>%1 × %2 points, spacing %3 × %4 mm; needs about %5</source>
@@ -8815,48 +8794,8 @@ Keep Both saves your version as a new file in the same folder.</source>
         <translation>Werkzeuge</translation>
     </message>
     <message>
-        <source>Block delete (/)</source>
-        <translation>Ausblendsätze (/)</translation>
-    </message>
-    <message>
-        <source>Skip blocks that start with /, like the switch on the control</source>
-        <translation>Sätze überspringen, die mit / beginnen, wie mit dem Schalter an der Steuerung</translation>
-    </message>
-    <message>
         <source>Control</source>
         <translation>Steuerung</translation>
-    </message>
-    <message>
-        <source>The control that the program is written for; arcs, cycles, offsets and numbers differ from control to control</source>
-        <translation>Die Steuerung, für die das Programm geschrieben ist; Kreisbögen, Zyklen, Korrekturen und Zahlen unterscheiden sich von Steuerung zu Steuerung</translation>
-    </message>
-    <message>
-        <source>Automatic: %1</source>
-        <translation>Automatisch: %1</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>Automatisch</translation>
-    </message>
-    <message>
-        <source>Dialect of the program</source>
-        <translation>Dialekt des Programms</translation>
-    </message>
-    <message>
-        <source>Cutter comp start-up</source>
-        <translation>Anfahren der Fräserradiuskorrektur</translation>
-    </message>
-    <message>
-        <source>Type A: straight to the path</source>
-        <translation>Typ A: gerade zur Bahn</translation>
-    </message>
-    <message>
-        <source>Type B: round outside corners</source>
-        <translation>Typ B: um Außenecken herum</translation>
-    </message>
-    <message>
-        <source>Start-up and cancel of cutter compensation at outside corners, as set on the control: Fanuc parameter 5003 (SUP), Haas setting 43</source>
-        <translation>An- und Wegfahren der Fräserradiuskorrektur an Außenecken, wie an der Steuerung eingestellt: Fanuc-Parameter 5003 (SUP), Haas-Einstellung 43</translation>
     </message>
     <message>
         <source>Reading %1…</source>
@@ -8865,10 +8804,6 @@ Keep Both saves your version as a new file in the same folder.</source>
     <message>
         <source>Machine</source>
         <translation>Maschine</translation>
-    </message>
-    <message>
-        <source>Automatic: none of these</source>
-        <translation>Automatisch: keiner davon</translation>
     </message>
     <message>
         <source>Tools missing from the table: %1</source>
@@ -9048,18 +8983,6 @@ Keep Both saves your version as a new file in the same folder.</source>
         <comment>an axis</comment>
         <translation>Start %1</translation>
     </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>%1
-Range: %2 to %3 mm
-Default: 0 mm</source>
-        <translation>%1
-Bereich: %2 bis %3 mm
-Vorgabe: 0 mm</translation>
-    </message>
 </context>
 <context>
     <name>StartPage</name>
@@ -9191,6 +9114,33 @@ Datei nicht gefunden.</translation>
     <message>
         <source>Cut by block %1: line %2, tool %3.</source>
         <translation>Gefräst von Satz %1: Zeile %2, Werkzeug %3.</translation>
+    </message>
+</context>
+<context>
+    <name>StockChangedBar</name>
+    <message>
+        <source>%1 has changed on disk. The simulation still uses the version read before.</source>
+        <translation>%1 wurde auf dem Datenträger geändert. Die Simulation verwendet noch die zuvor gelesene Version.</translation>
+    </message>
+    <message>
+        <source>%1 was deleted or renamed on disk. The simulation still uses the version read before, but the job cannot be opened without the file.</source>
+        <translation>%1 wurde auf dem Datenträger gelöscht oder umbenannt. Die Simulation verwendet noch die zuvor gelesene Version; ohne die Datei lässt sich der Auftrag aber nicht öffnen.</translation>
+    </message>
+    <message>
+        <source>&amp;Reload</source>
+        <translation>Neu &amp;laden</translation>
+    </message>
+    <message>
+        <source>Read the stock again and simulate with it</source>
+        <translation>Das Rohteil neu lesen und damit simulieren</translation>
+    </message>
+    <message>
+        <source>&amp;Keep This Version</source>
+        <translation>Diese Version &amp;behalten</translation>
+    </message>
+    <message>
+        <source>Continue with the stock read before</source>
+        <translation>Mit dem zuvor gelesenen Rohteil fortfahren</translation>
     </message>
 </context>
 <context>
@@ -9625,6 +9575,17 @@ Vorgabe: die nächste freie Nummer</translation>
     </message>
 </context>
 <context>
+    <name>Tools</name>
+    <message>
+        <source>%1 (assumed)</source>
+        <translation>%1 (angenommen)</translation>
+    </message>
+    <message>
+        <source>no tool</source>
+        <translation>kein Werkzeug</translation>
+    </message>
+</context>
+<context>
     <name>TuningPanel</name>
     <message>
         <source>Open a program to see the measured effect.</source>
@@ -9987,41 +9948,26 @@ Vorgabe: die nächste freie Nummer</translation>
     </message>
 </context>
 <context>
-    <name>Tools</name>
+    <name>WorkHub</name>
     <message>
-        <source>%1 (assumed)</source>
-        <translation>%1 (angenommen)</translation>
+        <source>Simulating</source>
+        <translation>Simulation läuft</translation>
     </message>
     <message>
-        <source>no tool</source>
-        <translation>kein Werkzeug</translation>
-    </message>
-</context>
-<context>
-    <name>StockChangedBar</name>
-    <message>
-        <source>%1 has changed on disk. The simulation still uses the version read before.</source>
-        <translation>%1 wurde auf dem Datenträger geändert. Die Simulation verwendet noch die zuvor gelesene Version.</translation>
+        <source>Exporting</source>
+        <translation>Export</translation>
     </message>
     <message>
-        <source>%1 was deleted or renamed on disk. The simulation still uses the version read before, but the job cannot be opened without the file.</source>
-        <translation>%1 wurde auf dem Datenträger gelöscht oder umbenannt. Die Simulation verwendet noch die zuvor gelesene Version; ohne die Datei lässt sich der Auftrag aber nicht öffnen.</translation>
+        <source>Reading the program</source>
+        <translation>Programm wird gelesen</translation>
     </message>
     <message>
-        <source>&amp;Reload</source>
-        <translation>Neu &amp;laden</translation>
+        <source>Opening the file</source>
+        <translation>Datei wird geöffnet</translation>
     </message>
     <message>
-        <source>Read the stock again and simulate with it</source>
-        <translation>Das Rohteil neu lesen und damit simulieren</translation>
-    </message>
-    <message>
-        <source>&amp;Keep This Version</source>
-        <translation>Diese Version &amp;behalten</translation>
-    </message>
-    <message>
-        <source>Continue with the stock read before</source>
-        <translation>Mit dem zuvor gelesenen Rohteil fortfahren</translation>
+        <source>Searching for the block</source>
+        <translation>Satz wird gesucht</translation>
     </message>
 </context>
 </TS>

@@ -323,6 +323,21 @@ Default: 0 mm</source>
     </message>
 </context>
 <context>
+    <name>ControlForm</name>
+    <message>
+        <source>Automatic</source>
+        <translation>자동</translation>
+    </message>
+    <message>
+        <source>Automatic: none of these</source>
+        <translation>자동: 해당 없음</translation>
+    </message>
+    <message>
+        <source>Automatic: %1</source>
+        <translation>자동: %1</translation>
+    </message>
+</context>
+<context>
     <name>ControlPanel</name>
     <message>
         <source>Control state</source>
@@ -4960,24 +4975,12 @@ Default: 0 mm</source>
         <translation>기계에는 &quot;{}&quot;이(가) 없습니다. {}이(가) 있습니다.</translation>
     </message>
     <message>
-        <source>Rapid X, Y</source>
-        <translation>급속 X, Y</translation>
-    </message>
-    <message>
         <source>How fast X and Y each move at rapid.</source>
         <translation>X와 Y 각 축의 급속 이송 속도입니다.</translation>
     </message>
     <message>
-        <source>Rapid Z</source>
-        <translation>급속 Z</translation>
-    </message>
-    <message>
         <source>How fast Z moves at rapid.</source>
         <translation>Z축의 급속 이송 속도입니다.</translation>
-    </message>
-    <message>
-        <source>Largest feed</source>
-        <translation>최대 이송</translation>
     </message>
     <message>
         <source>The machine feeds no faster, whatever F says.</source>
@@ -4998,10 +5001,6 @@ Default: 0 mm</source>
     <message>
         <source>How fast Z gains and loses speed.</source>
         <translation>Z축이 가속하고 감속하는 정도입니다.</translation>
-    </message>
-    <message>
-        <source>Corner deviation</source>
-        <translation>모서리 편차</translation>
     </message>
     <message>
         <source>How far the path may be rounded at a corner; 0: it stops at each.</source>
@@ -7355,6 +7354,78 @@ Default: 0 mm</source>
         <source>Nothing to optimise</source>
         <translation>최적화할 것 없음</translation>
     </message>
+    <message>
+        <source>Rapid traverse X, Y</source>
+        <translation>급속 이송 X, Y</translation>
+    </message>
+    <message>
+        <source>Rapid traverse Z</source>
+        <translation>급속 이송 Z</translation>
+    </message>
+    <message>
+        <source>Maximum feed rate</source>
+        <translation>최대 이송 속도</translation>
+    </message>
+    <message>
+        <source>Cornering tolerance</source>
+        <translation>코너 허용 오차</translation>
+    </message>
+    <message>
+        <source>Tool change time</source>
+        <translation>공구 교환 시간</translation>
+    </message>
+    <message>
+        <source>One tenth of the smallest cutter diameter, with 1 to 4 million points</source>
+        <translation>가장 작은 공구 지름의 10분의 1, 점 100만~400만 개</translation>
+    </message>
+    <message>
+        <source>Dialect of the program</source>
+        <translation>프로그램의 제어기 방식</translation>
+    </message>
+    <message>
+        <source>The control that the program is written for; arcs, cycles, offsets and numbers differ from control to control.</source>
+        <translation>프로그램을 작성한 대상 제어기입니다. 원호, 사이클, 옵셋, 숫자를 읽는 방식은 제어기마다 다릅니다.</translation>
+    </message>
+    <message>
+        <source>Detected from the program</source>
+        <translation>프로그램에서 감지</translation>
+    </message>
+    <message>
+        <source>Block delete (/)</source>
+        <translation>블록 스킵(/)</translation>
+    </message>
+    <message>
+        <source>Skip blocks that start with /, like the switch on the control.</source>
+        <translation>제어기의 블록 스킵 스위치처럼 /로 시작하는 블록을 건너뜁니다.</translation>
+    </message>
+    <message>
+        <source>Type A: straight to the path</source>
+        <translation>A형: 경로로 곧바로</translation>
+    </message>
+    <message>
+        <source>Type B: round outside corners</source>
+        <translation>B형: 바깥쪽 코너를 돌아서</translation>
+    </message>
+    <message>
+        <source>Cutter comp start-up</source>
+        <translation>공구경 보정 스타트업</translation>
+    </message>
+    <message>
+        <source>Start-up and cancel of Fanuc and Haas cutter compensation at outside corners, as set on the control (Fanuc parameter 5003 SUP, Haas setting 43): type A straight, type B round them.</source>
+        <translation>바깥쪽 코너에서 Fanuc과 Haas 공구경 보정의 스타트업과 취소 방식으로, 제어기 설정과 같습니다(Fanuc 파라미터 5003 SUP, Haas 설정 43). A형은 곧바로, B형은 코너를 돌아서 이동합니다.</translation>
+    </message>
+    <message>
+        <source>Ignored M codes</source>
+        <translation>무시할 M 코드</translation>
+    </message>
+    <message>
+        <source>M codes that move no axis on this machine: clamps, doors, air, chip conveyor. They are ignored and listed as notes. Results after any other unknown code are unverified.</source>
+        <translation>이 기계에서 축을 움직이지 않는 M 코드입니다: 클램프, 도어, 에어, 칩 컨베이어. 무시하고 참고로 표시합니다. 그 밖의 알 수 없는 코드 이후의 결과는 검증되지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Stock shape</source>
+        <translation>소재 형상</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -7614,6 +7685,18 @@ Default: 0 mm</source>
     <message>
         <source>Saved %1: the stock for the next setup</source>
         <translation>%1 저장됨: 다음 셋업의 소재</translation>
+    </message>
+</context>
+<context>
+    <name>Field</name>
+    <message>
+        <source>Range: %1 to %2</source>
+        <comment>the second one with its unit</comment>
+        <translation>범위: %1~%2</translation>
+    </message>
+    <message>
+        <source>Default: %1</source>
+        <translation>기본값: %1</translation>
     </message>
 </context>
 <context>
@@ -7923,18 +8006,6 @@ Default: 0 mm</source>
 <context>
     <name>GridField</name>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>%1
-Range: %2 to %3 mm
-Default: automatic</source>
-        <translation>%1
-범위: %2~%3 mm
-기본값: 자동</translation>
-    </message>
-    <message>
         <source>Automatic</source>
         <translation>자동</translation>
     </message>
@@ -7943,8 +8014,8 @@ Default: automatic</source>
         <translation>자동 격자 간격</translation>
     </message>
     <message>
-        <source>One tenth of the smallest cutter diameter, with 1 to 4 million points</source>
-        <translation>가장 작은 공구 지름의 10분의 1, 점 100만~400만 개</translation>
+        <source>automatic</source>
+        <translation>자동</translation>
     </message>
 </context>
 <context>
@@ -8028,64 +8099,12 @@ Default: automatic</source>
         <translation>이 프로그램에서 무시됨: %1</translation>
     </message>
     <message>
-        <source>Ignored M codes</source>
-        <translation>무시할 M 코드</translation>
-    </message>
-    <message>
         <source>for example 16, 24, 25</source>
         <translation>예: 16, 24, 25</translation>
-    </message>
-    <message>
-        <source>M codes that move no axis on this machine: clamps, doors, air, chip conveyor. They are ignored and listed as notes. Results after any other unknown code are unverified.</source>
-        <translation>이 기계에서 축을 움직이지 않는 M 코드입니다: 클램프, 도어, 에어, 칩 컨베이어. 무시하고 참고로 표시합니다. 그 밖의 알 수 없는 코드 이후의 결과는 검증되지 않습니다.</translation>
     </message>
 </context>
 <context>
     <name>JobSteps</name>
-    <message>
-        <source>Min X</source>
-        <translation>최소 X</translation>
-    </message>
-    <message>
-        <source>Min Y</source>
-        <translation>최소 Y</translation>
-    </message>
-    <message>
-        <source>Top Z</source>
-        <translation>윗면 Z</translation>
-    </message>
-    <message>
-        <source>Stock shape</source>
-        <translation>소재 형상</translation>
-    </message>
-    <message>
-        <source>Grid spacing</source>
-        <translation>격자 간격</translation>
-    </message>
-    <message>
-        <source>Start position</source>
-        <translation>시작 위치</translation>
-    </message>
-    <message>
-        <source>Tool at start</source>
-        <translation>시작 공구</translation>
-    </message>
-    <message>
-        <source>Ignored M codes</source>
-        <translation>무시할 M 코드</translation>
-    </message>
-    <message>
-        <source>Dialect</source>
-        <translation>제어기 방식</translation>
-    </message>
-    <message>
-        <source>Block delete</source>
-        <translation>블록 스킵</translation>
-    </message>
-    <message>
-        <source>Cutter compensation start-up</source>
-        <translation>공구경 보정 스타트업</translation>
-    </message>
     <message>
         <source>Tool T%1</source>
         <translation>공구 T%1</translation>
@@ -8143,14 +8162,6 @@ Default: automatic</source>
     <message>
         <source>Cycle time %1: feed %2, rapid %3, dwell %4, tool changes %5</source>
         <translation>가공 시간 %1: 절삭 %2, 급속 %3, 드웰 %4, 공구 교환 %5</translation>
-    </message>
-    <message>
-        <source>%1
-Range: %2 to %3 %5
-Default: %4 %5</source>
-        <translation>%1
-범위: %2 ~ %3 %5
-기본값: %4 %5</translation>
     </message>
 </context>
 <context>
@@ -8301,15 +8312,6 @@ Default: %4 %5</source>
     <message>
         <source>off</source>
         <translation>끔</translation>
-    </message>
-    <message>
-        <source>Range: %1 to %2</source>
-        <comment>of a parameter, with units</comment>
-        <translation>범위: %1~%2</translation>
-    </message>
-    <message>
-        <source>Default: %1</source>
-        <translation>기본값: %1</translation>
     </message>
     <message>
         <source>Back to the default: %1</source>
@@ -8769,29 +8771,6 @@ Keep Both saves your version as a new file in the same folder.</source>
     </message>
 </context>
 <context>
-    <name>WorkHub</name>
-    <message>
-        <source>Simulating</source>
-        <translation>시뮬레이션 중</translation>
-    </message>
-    <message>
-        <source>Exporting</source>
-        <translation>내보내는 중</translation>
-    </message>
-    <message>
-        <source>Reading the program</source>
-        <translation>프로그램 읽는 중</translation>
-    </message>
-    <message>
-        <source>Opening the file</source>
-        <translation>파일 여는 중</translation>
-    </message>
-    <message>
-        <source>Searching for the block</source>
-        <translation>블록을 찾는 중</translation>
-    </message>
-</context>
-<context>
     <name>SetupPanel</name>
     <message>
         <source>%1 × %2 points, spacing %3 × %4 mm; needs about %5</source>
@@ -8814,48 +8793,8 @@ Keep Both saves your version as a new file in the same folder.</source>
         <translation>공구</translation>
     </message>
     <message>
-        <source>Block delete (/)</source>
-        <translation>블록 스킵(/)</translation>
-    </message>
-    <message>
-        <source>Skip blocks that start with /, like the switch on the control</source>
-        <translation>제어기의 블록 스킵 스위치처럼 /로 시작하는 블록을 건너뜁니다</translation>
-    </message>
-    <message>
         <source>Control</source>
         <translation>제어기</translation>
-    </message>
-    <message>
-        <source>The control that the program is written for; arcs, cycles, offsets and numbers differ from control to control</source>
-        <translation>프로그램을 작성한 대상 제어기입니다. 원호, 사이클, 옵셋, 숫자를 읽는 방식은 제어기마다 다릅니다</translation>
-    </message>
-    <message>
-        <source>Automatic: %1</source>
-        <translation>자동: %1</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>자동</translation>
-    </message>
-    <message>
-        <source>Dialect of the program</source>
-        <translation>프로그램의 제어기 방식</translation>
-    </message>
-    <message>
-        <source>Cutter comp start-up</source>
-        <translation>공구경 보정 스타트업</translation>
-    </message>
-    <message>
-        <source>Type A: straight to the path</source>
-        <translation>A형: 경로로 곧바로</translation>
-    </message>
-    <message>
-        <source>Type B: round outside corners</source>
-        <translation>B형: 바깥쪽 코너를 돌아서</translation>
-    </message>
-    <message>
-        <source>Start-up and cancel of cutter compensation at outside corners, as set on the control: Fanuc parameter 5003 (SUP), Haas setting 43</source>
-        <translation>바깥쪽 코너에서 공구경 보정의 스타트업과 취소 방식으로, 제어기 설정과 같습니다: Fanuc 파라미터 5003(SUP), Haas 설정 43</translation>
     </message>
     <message>
         <source>Reading %1…</source>
@@ -8864,10 +8803,6 @@ Keep Both saves your version as a new file in the same folder.</source>
     <message>
         <source>Machine</source>
         <translation>기계</translation>
-    </message>
-    <message>
-        <source>Automatic: none of these</source>
-        <translation>자동: 해당 없음</translation>
     </message>
     <message>
         <source>Tools missing from the table: %1</source>
@@ -9047,18 +8982,6 @@ Keep Both saves your version as a new file in the same folder.</source>
         <comment>an axis</comment>
         <translation>시작 %1</translation>
     </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>%1
-Range: %2 to %3 mm
-Default: 0 mm</source>
-        <translation>%1
-범위: %2~%3 mm
-기본값: 0 mm</translation>
-    </message>
 </context>
 <context>
     <name>StartPage</name>
@@ -9190,6 +9113,33 @@ File not found.</source>
     <message>
         <source>Cut by block %1: line %2, tool %3.</source>
         <translation>블록 %1에서 절삭: %2번 줄, 공구 %3.</translation>
+    </message>
+</context>
+<context>
+    <name>StockChangedBar</name>
+    <message>
+        <source>%1 has changed on disk. The simulation still uses the version read before.</source>
+        <translation>디스크에서 %1이(가) 변경되었습니다. 시뮬레이션은 이전에 읽은 버전을 사용합니다.</translation>
+    </message>
+    <message>
+        <source>%1 was deleted or renamed on disk. The simulation still uses the version read before, but the job cannot be opened without the file.</source>
+        <translation>디스크에서 %1이(가) 삭제되었거나 이름이 바뀌었습니다. 시뮬레이션은 이전에 읽은 버전을 사용하지만, 이 파일이 없으면 작업을 열 수 없습니다.</translation>
+    </message>
+    <message>
+        <source>&amp;Reload</source>
+        <translation>다시 읽기(&amp;R)</translation>
+    </message>
+    <message>
+        <source>Read the stock again and simulate with it</source>
+        <translation>소재를 다시 읽어 시뮬레이션합니다</translation>
+    </message>
+    <message>
+        <source>&amp;Keep This Version</source>
+        <translation>이 버전 유지(&amp;K)</translation>
+    </message>
+    <message>
+        <source>Continue with the stock read before</source>
+        <translation>이전에 읽은 소재로 계속합니다</translation>
     </message>
 </context>
 <context>
@@ -9624,6 +9574,17 @@ Default: the next free number</source>
     </message>
 </context>
 <context>
+    <name>Tools</name>
+    <message>
+        <source>%1 (assumed)</source>
+        <translation>%1(가정)</translation>
+    </message>
+    <message>
+        <source>no tool</source>
+        <translation>공구 없음</translation>
+    </message>
+</context>
+<context>
     <name>TuningPanel</name>
     <message>
         <source>Open a program to see the measured effect.</source>
@@ -9986,41 +9947,26 @@ Default: the next free number</source>
     </message>
 </context>
 <context>
-    <name>Tools</name>
+    <name>WorkHub</name>
     <message>
-        <source>%1 (assumed)</source>
-        <translation>%1(가정)</translation>
+        <source>Simulating</source>
+        <translation>시뮬레이션 중</translation>
     </message>
     <message>
-        <source>no tool</source>
-        <translation>공구 없음</translation>
-    </message>
-</context>
-<context>
-    <name>StockChangedBar</name>
-    <message>
-        <source>%1 has changed on disk. The simulation still uses the version read before.</source>
-        <translation>디스크에서 %1이(가) 변경되었습니다. 시뮬레이션은 이전에 읽은 버전을 사용합니다.</translation>
+        <source>Exporting</source>
+        <translation>내보내는 중</translation>
     </message>
     <message>
-        <source>%1 was deleted or renamed on disk. The simulation still uses the version read before, but the job cannot be opened without the file.</source>
-        <translation>디스크에서 %1이(가) 삭제되었거나 이름이 바뀌었습니다. 시뮬레이션은 이전에 읽은 버전을 사용하지만, 이 파일이 없으면 작업을 열 수 없습니다.</translation>
+        <source>Reading the program</source>
+        <translation>프로그램 읽는 중</translation>
     </message>
     <message>
-        <source>&amp;Reload</source>
-        <translation>다시 읽기(&amp;R)</translation>
+        <source>Opening the file</source>
+        <translation>파일 여는 중</translation>
     </message>
     <message>
-        <source>Read the stock again and simulate with it</source>
-        <translation>소재를 다시 읽어 시뮬레이션합니다</translation>
-    </message>
-    <message>
-        <source>&amp;Keep This Version</source>
-        <translation>이 버전 유지(&amp;K)</translation>
-    </message>
-    <message>
-        <source>Continue with the stock read before</source>
-        <translation>이전에 읽은 소재로 계속합니다</translation>
+        <source>Searching for the block</source>
+        <translation>블록을 찾는 중</translation>
     </message>
 </context>
 </TS>

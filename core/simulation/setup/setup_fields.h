@@ -153,12 +153,6 @@ void eachControlField(Visitor&& visit) {
     visit(&Setup::ignoredM, setup_field::kIgnoredM);
 }
 
-template<class Visitor>
-void eachSetupField(Visitor&& visit) {
-    eachGridField(visit);
-    eachControlField(visit);
-}
-
 /// The values themselves, as describe() hands them out.
 template<ParametersOf<Setup> Params, class Visitor>
 void describeControl(Params& setup, Visitor&& visit) {
