@@ -7399,6 +7399,62 @@ Vorgabe: 0 mm</translation>
         <source>Post-process it for one of these dialects: {4}; if it is in one of them after all, choose it.</source>
         <translation>Geben Sie es mit einem Postprozessor für einen dieser Dialekte aus: {4}; ist es doch in einem davon, wählen Sie ihn.</translation>
     </message>
+    <message>
+        <source>Tool change time</source>
+        <translation>Werkzeugwechselzeit</translation>
+    </message>
+    <message>
+        <source>One tenth of the smallest cutter diameter, with 1 to 4 million points</source>
+        <translation>Ein Zehntel des kleinsten Fräserdurchmessers, bei 1 bis 4 Millionen Punkten</translation>
+    </message>
+    <message>
+        <source>Dialect of the program</source>
+        <translation>Dialekt des Programms</translation>
+    </message>
+    <message>
+        <source>The control that the program is written for; arcs, cycles, offsets and numbers differ from control to control.</source>
+        <translation>Die Steuerung, für die das Programm geschrieben ist; Kreisbögen, Zyklen, Korrekturen und Zahlen unterscheiden sich von Steuerung zu Steuerung.</translation>
+    </message>
+    <message>
+        <source>Detected from the program</source>
+        <translation>Am Programm erkannt</translation>
+    </message>
+    <message>
+        <source>Block delete (/)</source>
+        <translation>Ausblendsätze (/)</translation>
+    </message>
+    <message>
+        <source>Skip blocks that start with /, like the switch on the control.</source>
+        <translation>Sätze überspringen, die mit / beginnen, wie mit dem Schalter an der Steuerung.</translation>
+    </message>
+    <message>
+        <source>Type A: straight to the path</source>
+        <translation>Typ A: gerade zur Bahn</translation>
+    </message>
+    <message>
+        <source>Type B: round outside corners</source>
+        <translation>Typ B: um Außenecken herum</translation>
+    </message>
+    <message>
+        <source>Cutter comp start-up</source>
+        <translation>Anfahren der Fräserradiuskorrektur</translation>
+    </message>
+    <message>
+        <source>Start-up and cancel of Fanuc and Haas cutter compensation at outside corners, as set on the control (Fanuc parameter 5003 SUP, Haas setting 43): type A straight, type B round them.</source>
+        <translation>An- und Wegfahren der Fräserradiuskorrektur von Fanuc und Haas an Außenecken, wie an der Steuerung eingestellt (Fanuc-Parameter 5003 SUP, Haas-Einstellung 43): Typ A gerade, Typ B um sie herum.</translation>
+    </message>
+    <message>
+        <source>Ignored M codes</source>
+        <translation>Ignorierte M-Befehle</translation>
+    </message>
+    <message>
+        <source>M codes that move no axis on this machine: clamps, doors, air, chip conveyor. They are ignored and listed as notes. Results after any other unknown code are unverified.</source>
+        <translation>M-Befehle, die an dieser Maschine keine Achse bewegen: Spanner, Türen, Luft, Späneförderer. Sie werden ignoriert und als Hinweise aufgeführt. Ergebnisse nach jedem anderen unbekannten Befehl sind ungeprüft.</translation>
+    </message>
+    <message>
+        <source>Stock shape</source>
+        <translation>Form des Rohteils</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -7960,18 +8016,6 @@ Vorgabe: 0 mm</translation>
 <context>
     <name>GridField</name>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>%1
-Range: %2 to %3 mm
-Default: automatic</source>
-        <translation>%1
-Bereich: %2 bis %3 mm
-Vorgabe: automatisch</translation>
-    </message>
-    <message>
         <source>Automatic</source>
         <translation>Automatisch</translation>
     </message>
@@ -7980,8 +8024,8 @@ Vorgabe: automatisch</translation>
         <translation>Automatische Rasterweite</translation>
     </message>
     <message>
-        <source>One tenth of the smallest cutter diameter, with 1 to 4 million points</source>
-        <translation>Ein Zehntel des kleinsten Fräserdurchmessers, bei 1 bis 4 Millionen Punkten</translation>
+        <source>automatic</source>
+        <translation>automatisch</translation>
     </message>
 </context>
 <context>
@@ -8065,64 +8109,12 @@ Vorgabe: automatisch</translation>
         <translation>In diesem Programm ignoriert: %1</translation>
     </message>
     <message>
-        <source>Ignored M codes</source>
-        <translation>Ignorierte M-Befehle</translation>
-    </message>
-    <message>
         <source>for example 16, 24, 25</source>
         <translation>zum Beispiel 16, 24, 25</translation>
-    </message>
-    <message>
-        <source>M codes that move no axis on this machine: clamps, doors, air, chip conveyor. They are ignored and listed as notes. Results after any other unknown code are unverified.</source>
-        <translation>M-Befehle, die an dieser Maschine keine Achse bewegen: Spanner, Türen, Luft, Späneförderer. Sie werden ignoriert und als Hinweise aufgeführt. Ergebnisse nach jedem anderen unbekannten Befehl sind ungeprüft.</translation>
     </message>
 </context>
 <context>
     <name>JobSteps</name>
-    <message>
-        <source>Min X</source>
-        <translation>Min. X</translation>
-    </message>
-    <message>
-        <source>Min Y</source>
-        <translation>Min. Y</translation>
-    </message>
-    <message>
-        <source>Top Z</source>
-        <translation>Oberseite Z</translation>
-    </message>
-    <message>
-        <source>Stock shape</source>
-        <translation>Form des Rohteils</translation>
-    </message>
-    <message>
-        <source>Grid spacing</source>
-        <translation>Rasterweite</translation>
-    </message>
-    <message>
-        <source>Start position</source>
-        <translation>Startposition</translation>
-    </message>
-    <message>
-        <source>Tool at start</source>
-        <translation>Werkzeug am Anfang</translation>
-    </message>
-    <message>
-        <source>Ignored M codes</source>
-        <translation>Ignorierte M-Befehle</translation>
-    </message>
-    <message>
-        <source>Dialect</source>
-        <translation>Dialekt</translation>
-    </message>
-    <message>
-        <source>Block delete</source>
-        <translation>Sätze ausblenden</translation>
-    </message>
-    <message>
-        <source>Cutter compensation start-up</source>
-        <translation>Anfahren der Fräserradiuskorrektur</translation>
-    </message>
     <message>
         <source>Tool T%1</source>
         <translation>Werkzeug T%1</translation>
@@ -8180,14 +8172,6 @@ Vorgabe: automatisch</translation>
     <message>
         <source>Cycle time %1: feed %2, rapid %3, dwell %4, tool changes %5</source>
         <translation>Laufzeit %1: Vorschub %2, Eilgang %3, Verweilen %4, Werkzeugwechsel %5</translation>
-    </message>
-    <message>
-        <source>%1
-Range: %2 to %3 %5
-Default: %4 %5</source>
-        <translation>%1
-Bereich: %2 bis %3 %5
-Vorgabe: %4 %5</translation>
     </message>
 </context>
 <context>
@@ -8319,15 +8303,6 @@ Vorgabe: %4 %5</translation>
     <message>
         <source>off</source>
         <translation>aus</translation>
-    </message>
-    <message>
-        <source>Range: %1 to %2</source>
-        <comment>of a parameter, with units</comment>
-        <translation>Bereich: %1 bis %2</translation>
-    </message>
-    <message>
-        <source>Default: %1</source>
-        <translation>Vorgabe: %1</translation>
     </message>
     <message>
         <source>Back to the default: %1</source>
@@ -8832,48 +8807,8 @@ Keep Both saves your version as a new file in the same folder.</source>
         <translation>Werkzeuge</translation>
     </message>
     <message>
-        <source>Block delete (/)</source>
-        <translation>Ausblendsätze (/)</translation>
-    </message>
-    <message>
-        <source>Skip blocks that start with /, like the switch on the control</source>
-        <translation>Sätze überspringen, die mit / beginnen, wie mit dem Schalter an der Steuerung</translation>
-    </message>
-    <message>
         <source>Control</source>
         <translation>Steuerung</translation>
-    </message>
-    <message>
-        <source>The control that the program is written for; arcs, cycles, offsets and numbers differ from control to control</source>
-        <translation>Die Steuerung, für die das Programm geschrieben ist; Kreisbögen, Zyklen, Korrekturen und Zahlen unterscheiden sich von Steuerung zu Steuerung</translation>
-    </message>
-    <message>
-        <source>Automatic: %1</source>
-        <translation>Automatisch: %1</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>Automatisch</translation>
-    </message>
-    <message>
-        <source>Dialect of the program</source>
-        <translation>Dialekt des Programms</translation>
-    </message>
-    <message>
-        <source>Cutter comp start-up</source>
-        <translation>Anfahren der Fräserradiuskorrektur</translation>
-    </message>
-    <message>
-        <source>Type A: straight to the path</source>
-        <translation>Typ A: gerade zur Bahn</translation>
-    </message>
-    <message>
-        <source>Type B: round outside corners</source>
-        <translation>Typ B: um Außenecken herum</translation>
-    </message>
-    <message>
-        <source>Start-up and cancel of cutter compensation at outside corners, as set on the control: Fanuc parameter 5003 (SUP), Haas setting 43</source>
-        <translation>An- und Wegfahren der Fräserradiuskorrektur an Außenecken, wie an der Steuerung eingestellt: Fanuc-Parameter 5003 (SUP), Haas-Einstellung 43</translation>
     </message>
     <message>
         <source>Reading %1…</source>
@@ -8882,10 +8817,6 @@ Keep Both saves your version as a new file in the same folder.</source>
     <message>
         <source>Machine</source>
         <translation>Maschine</translation>
-    </message>
-    <message>
-        <source>Automatic: none of these</source>
-        <translation>Automatisch: keiner davon</translation>
     </message>
     <message>
         <source>Tools missing from the table: %1</source>
@@ -9064,18 +8995,6 @@ Keep Both saves your version as a new file in the same folder.</source>
         <source>Start %1</source>
         <comment>an axis</comment>
         <translation>Start %1</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>%1
-Range: %2 to %3 mm
-Default: 0 mm</source>
-        <translation>%1
-Bereich: %2 bis %3 mm
-Vorgabe: 0 mm</translation>
     </message>
 </context>
 <context>
@@ -10061,6 +9980,33 @@ Vorgabe: die nächste freie Nummer</translation>
     <message>
         <source>Toolbar</source>
         <translation>Werkzeugleiste</translation>
+    </message>
+</context>
+<context>
+    <name>ControlForm</name>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Automatic: none of these</source>
+        <translation>Automatisch: keiner davon</translation>
+    </message>
+    <message>
+        <source>Automatic: %1</source>
+        <translation>Automatisch: %1</translation>
+    </message>
+</context>
+<context>
+    <name>Field</name>
+    <message>
+        <source>Range: %1 to %2</source>
+        <comment>the second one with its unit</comment>
+        <translation>Bereich: %1 bis %2</translation>
+    </message>
+    <message>
+        <source>Default: %1</source>
+        <translation>Vorgabe: %1</translation>
     </message>
 </context>
 </TS>

@@ -7399,6 +7399,62 @@ Default: 0 mm</source>
         <source>Post-process it for one of these dialects: {4}; if it is in one of them after all, choose it.</source>
         <translation>다음 제어기 방식 중 하나로 포스트 처리하십시오: {4}. 실제로 이 중 하나라면 그 방식을 고르십시오.</translation>
     </message>
+    <message>
+        <source>Tool change time</source>
+        <translation>공구 교환 시간</translation>
+    </message>
+    <message>
+        <source>One tenth of the smallest cutter diameter, with 1 to 4 million points</source>
+        <translation>가장 작은 공구 지름의 10분의 1, 점 100만~400만 개</translation>
+    </message>
+    <message>
+        <source>Dialect of the program</source>
+        <translation>프로그램의 제어기 방식</translation>
+    </message>
+    <message>
+        <source>The control that the program is written for; arcs, cycles, offsets and numbers differ from control to control.</source>
+        <translation>프로그램을 작성한 대상 제어기입니다. 원호, 사이클, 옵셋, 숫자를 읽는 방식은 제어기마다 다릅니다.</translation>
+    </message>
+    <message>
+        <source>Detected from the program</source>
+        <translation>프로그램에서 감지</translation>
+    </message>
+    <message>
+        <source>Block delete (/)</source>
+        <translation>블록 스킵(/)</translation>
+    </message>
+    <message>
+        <source>Skip blocks that start with /, like the switch on the control.</source>
+        <translation>제어기의 블록 스킵 스위치처럼 /로 시작하는 블록을 건너뜁니다.</translation>
+    </message>
+    <message>
+        <source>Type A: straight to the path</source>
+        <translation>A형: 경로로 곧바로</translation>
+    </message>
+    <message>
+        <source>Type B: round outside corners</source>
+        <translation>B형: 바깥쪽 코너를 돌아서</translation>
+    </message>
+    <message>
+        <source>Cutter comp start-up</source>
+        <translation>공구경 보정 스타트업</translation>
+    </message>
+    <message>
+        <source>Start-up and cancel of Fanuc and Haas cutter compensation at outside corners, as set on the control (Fanuc parameter 5003 SUP, Haas setting 43): type A straight, type B round them.</source>
+        <translation>바깥쪽 코너에서 Fanuc과 Haas 공구경 보정의 스타트업과 취소 방식으로, 제어기 설정과 같습니다(Fanuc 파라미터 5003 SUP, Haas 설정 43). A형은 곧바로, B형은 코너를 돌아서 이동합니다.</translation>
+    </message>
+    <message>
+        <source>Ignored M codes</source>
+        <translation>무시할 M 코드</translation>
+    </message>
+    <message>
+        <source>M codes that move no axis on this machine: clamps, doors, air, chip conveyor. They are ignored and listed as notes. Results after any other unknown code are unverified.</source>
+        <translation>이 기계에서 축을 움직이지 않는 M 코드입니다: 클램프, 도어, 에어, 칩 컨베이어. 무시하고 참고로 표시합니다. 그 밖의 알 수 없는 코드 이후의 결과는 검증되지 않습니다.</translation>
+    </message>
+    <message>
+        <source>Stock shape</source>
+        <translation>소재 형상</translation>
+    </message>
 </context>
 <context>
     <name>CycleTime</name>
@@ -7959,18 +8015,6 @@ Default: 0 mm</source>
 <context>
     <name>GridField</name>
     <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>%1
-Range: %2 to %3 mm
-Default: automatic</source>
-        <translation>%1
-범위: %2~%3 mm
-기본값: 자동</translation>
-    </message>
-    <message>
         <source>Automatic</source>
         <translation>자동</translation>
     </message>
@@ -7979,8 +8023,8 @@ Default: automatic</source>
         <translation>자동 격자 간격</translation>
     </message>
     <message>
-        <source>One tenth of the smallest cutter diameter, with 1 to 4 million points</source>
-        <translation>가장 작은 공구 지름의 10분의 1, 점 100만~400만 개</translation>
+        <source>automatic</source>
+        <translation>자동</translation>
     </message>
 </context>
 <context>
@@ -8064,64 +8108,12 @@ Default: automatic</source>
         <translation>이 프로그램에서 무시됨: %1</translation>
     </message>
     <message>
-        <source>Ignored M codes</source>
-        <translation>무시할 M 코드</translation>
-    </message>
-    <message>
         <source>for example 16, 24, 25</source>
         <translation>예: 16, 24, 25</translation>
-    </message>
-    <message>
-        <source>M codes that move no axis on this machine: clamps, doors, air, chip conveyor. They are ignored and listed as notes. Results after any other unknown code are unverified.</source>
-        <translation>이 기계에서 축을 움직이지 않는 M 코드입니다: 클램프, 도어, 에어, 칩 컨베이어. 무시하고 참고로 표시합니다. 그 밖의 알 수 없는 코드 이후의 결과는 검증되지 않습니다.</translation>
     </message>
 </context>
 <context>
     <name>JobSteps</name>
-    <message>
-        <source>Min X</source>
-        <translation>최소 X</translation>
-    </message>
-    <message>
-        <source>Min Y</source>
-        <translation>최소 Y</translation>
-    </message>
-    <message>
-        <source>Top Z</source>
-        <translation>윗면 Z</translation>
-    </message>
-    <message>
-        <source>Stock shape</source>
-        <translation>소재 형상</translation>
-    </message>
-    <message>
-        <source>Grid spacing</source>
-        <translation>격자 간격</translation>
-    </message>
-    <message>
-        <source>Start position</source>
-        <translation>시작 위치</translation>
-    </message>
-    <message>
-        <source>Tool at start</source>
-        <translation>시작 공구</translation>
-    </message>
-    <message>
-        <source>Ignored M codes</source>
-        <translation>무시할 M 코드</translation>
-    </message>
-    <message>
-        <source>Dialect</source>
-        <translation>제어기 방식</translation>
-    </message>
-    <message>
-        <source>Block delete</source>
-        <translation>블록 스킵</translation>
-    </message>
-    <message>
-        <source>Cutter compensation start-up</source>
-        <translation>공구경 보정 스타트업</translation>
-    </message>
     <message>
         <source>Tool T%1</source>
         <translation>공구 T%1</translation>
@@ -8179,14 +8171,6 @@ Default: automatic</source>
     <message>
         <source>Cycle time %1: feed %2, rapid %3, dwell %4, tool changes %5</source>
         <translation>가공 시간 %1: 절삭 %2, 급속 %3, 드웰 %4, 공구 교환 %5</translation>
-    </message>
-    <message>
-        <source>%1
-Range: %2 to %3 %5
-Default: %4 %5</source>
-        <translation>%1
-범위: %2 ~ %3 %5
-기본값: %4 %5</translation>
     </message>
 </context>
 <context>
@@ -8318,15 +8302,6 @@ Default: %4 %5</source>
     <message>
         <source>off</source>
         <translation>끔</translation>
-    </message>
-    <message>
-        <source>Range: %1 to %2</source>
-        <comment>of a parameter, with units</comment>
-        <translation>범위: %1~%2</translation>
-    </message>
-    <message>
-        <source>Default: %1</source>
-        <translation>기본값: %1</translation>
     </message>
     <message>
         <source>Back to the default: %1</source>
@@ -8831,48 +8806,8 @@ Keep Both saves your version as a new file in the same folder.</source>
         <translation>공구</translation>
     </message>
     <message>
-        <source>Block delete (/)</source>
-        <translation>블록 스킵(/)</translation>
-    </message>
-    <message>
-        <source>Skip blocks that start with /, like the switch on the control</source>
-        <translation>제어기의 블록 스킵 스위치처럼 /로 시작하는 블록을 건너뜁니다</translation>
-    </message>
-    <message>
         <source>Control</source>
         <translation>제어기</translation>
-    </message>
-    <message>
-        <source>The control that the program is written for; arcs, cycles, offsets and numbers differ from control to control</source>
-        <translation>프로그램을 작성한 대상 제어기입니다. 원호, 사이클, 옵셋, 숫자를 읽는 방식은 제어기마다 다릅니다</translation>
-    </message>
-    <message>
-        <source>Automatic: %1</source>
-        <translation>자동: %1</translation>
-    </message>
-    <message>
-        <source>Automatic</source>
-        <translation>자동</translation>
-    </message>
-    <message>
-        <source>Dialect of the program</source>
-        <translation>프로그램의 제어기 방식</translation>
-    </message>
-    <message>
-        <source>Cutter comp start-up</source>
-        <translation>공구경 보정 스타트업</translation>
-    </message>
-    <message>
-        <source>Type A: straight to the path</source>
-        <translation>A형: 경로로 곧바로</translation>
-    </message>
-    <message>
-        <source>Type B: round outside corners</source>
-        <translation>B형: 바깥쪽 코너를 돌아서</translation>
-    </message>
-    <message>
-        <source>Start-up and cancel of cutter compensation at outside corners, as set on the control: Fanuc parameter 5003 (SUP), Haas setting 43</source>
-        <translation>바깥쪽 코너에서 공구경 보정의 스타트업과 취소 방식으로, 제어기 설정과 같습니다: Fanuc 파라미터 5003(SUP), Haas 설정 43</translation>
     </message>
     <message>
         <source>Reading %1…</source>
@@ -8881,10 +8816,6 @@ Keep Both saves your version as a new file in the same folder.</source>
     <message>
         <source>Machine</source>
         <translation>기계</translation>
-    </message>
-    <message>
-        <source>Automatic: none of these</source>
-        <translation>자동: 해당 없음</translation>
     </message>
     <message>
         <source>Tools missing from the table: %1</source>
@@ -9063,18 +8994,6 @@ Keep Both saves your version as a new file in the same folder.</source>
         <source>Start %1</source>
         <comment>an axis</comment>
         <translation>시작 %1</translation>
-    </message>
-    <message>
-        <source> mm</source>
-        <translation> mm</translation>
-    </message>
-    <message>
-        <source>%1
-Range: %2 to %3 mm
-Default: 0 mm</source>
-        <translation>%1
-범위: %2~%3 mm
-기본값: 0 mm</translation>
     </message>
 </context>
 <context>
@@ -10060,6 +9979,33 @@ Default: the next free number</source>
     <message>
         <source>Toolbar</source>
         <translation>도구 모음</translation>
+    </message>
+</context>
+<context>
+    <name>ControlForm</name>
+    <message>
+        <source>Automatic</source>
+        <translation>자동</translation>
+    </message>
+    <message>
+        <source>Automatic: none of these</source>
+        <translation>자동: 해당 없음</translation>
+    </message>
+    <message>
+        <source>Automatic: %1</source>
+        <translation>자동: %1</translation>
+    </message>
+</context>
+<context>
+    <name>Field</name>
+    <message>
+        <source>Range: %1 to %2</source>
+        <comment>the second one with its unit</comment>
+        <translation>범위: %1~%2</translation>
+    </message>
+    <message>
+        <source>Default: %1</source>
+        <translation>기본값: %1</translation>
     </message>
 </context>
 </TS>

@@ -2,9 +2,12 @@
 #include "ui/carried_values.h"
 
 #include <cstddef>
+#include <functional>
 #include <set>
 #include <type_traits>
 #include <vector>
+
+#include "core/simulation/setup/setup_fields.h"
 
 namespace proveout {
 
@@ -86,24 +89,22 @@ Setup carried(Setup now, const Setup& from, const Setup& to, Carry which) {
         if (!(before == after) && (which == Carry::all || place == before))
             place = after;
     };
-    // Every field: a new one does not compile until it is counted here, and carried below.
-    [[maybe_unused]] const auto& [f1, f2, f3, f4, f5, f6, f7, f8, f9, f10, f11] = now;
     const bool boxes = from.shape.body == nullptr && to.shape.body == nullptr && from.shape == to.shape;
     if (boxes)
         visitBox(now.stock, from.stock, to.stock, carry);
     else
         carry(now.stock, from.stock, to.stock); // which fits the body
     carry(now.shape, from.shape, to.shape);
-    carry(now.automaticGrid, from.automaticGrid, to.automaticGrid);
-    if (!now.automaticGrid)
-        carry(now.spacing, from.spacing, to.spacing);
+    eachGridField([&](auto place, const Field&) {
+        const auto grid = std::invoke(place, now);
+        carry(grid.automatic, std::invoke(place, from).automatic, std::invoke(place, to).automatic);
+        if (!grid.automatic)
+            carry(grid.spacing, std::invoke(place, from).spacing, std::invoke(place, to).spacing);
+    });
     carryTools(now.tools, from.tools, to.tools, which);
-    carry(now.start, from.start, to.start);
-    carry(now.startTool, from.startTool, to.startTool);
-    carry(now.dialect, from.dialect, to.dialect);
-    carry(now.blockDelete, from.blockDelete, to.blockDelete);
-    carry(now.compensationTypeB, from.compensationTypeB, to.compensationTypeB);
-    carry(now.ignoredM, from.ignoredM, to.ignoredM);
+    eachControlField([&](auto place, const Field&) {
+        carry(std::invoke(place, now), std::invoke(place, from), std::invoke(place, to));
+    });
     return now;
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <optional>
 #include <set>
 #include <span>
@@ -14,6 +15,7 @@
 
 #include "core/base/field.h"
 #include "core/formats/stock_shapes.h"
+#include "core/simulation/setup/setup_fields.h"
 #include "ui/diagnostic_text.h"
 
 namespace proveout {
@@ -31,42 +33,34 @@ QString translated(const char* text) {
     return QCoreApplication::translate("JobSteps", text);
 }
 
-/// One field of the setup. `ofStock`: several of these are one change of the stock.
-struct SetupField {
+/// One field of the stock that every shape has.
+struct StockPart {
     const char* name;
-    bool ofStock;
     bool (*same)(const Setup& a, const Setup& b);
 };
 
-constexpr std::array<SetupField, 11> kSetup{{
-    {QT_TRANSLATE_NOOP("JobSteps", "Min X"), true,
+constexpr std::array<StockPart, 4> kStock{{
+    {setup_field::kMinX.label,
      [](const Setup& a, const Setup& b) { return a.stock.corner.x == b.stock.corner.x; }},
-    {QT_TRANSLATE_NOOP("JobSteps", "Min Y"), true,
+    {setup_field::kMinY.label,
      [](const Setup& a, const Setup& b) { return a.stock.corner.y == b.stock.corner.y; }},
-    {QT_TRANSLATE_NOOP("JobSteps", "Top Z"), true,
+    {setup_field::kTopZ.label,
      [](const Setup& a, const Setup& b) { return a.stock.corner.z == b.stock.corner.z; }},
-    {QT_TRANSLATE_NOOP("JobSteps", "Stock shape"), true,
+    {QT_TRANSLATE_NOOP("Core", "Stock shape"),
      [](const Setup& a, const Setup& b) {
          return a.shape.kind == b.shape.kind && a.shape.file == b.shape.file;
      }},
-    {QT_TRANSLATE_NOOP("JobSteps", "Grid spacing"), true,
-     [](const Setup& a, const Setup& b) {
-         // An automatic one follows other fields by itself.
-         return a.automaticGrid == b.automaticGrid && (a.automaticGrid || a.spacing == b.spacing);
-     }},
-    {QT_TRANSLATE_NOOP("JobSteps", "Start position"), false,
-     [](const Setup& a, const Setup& b) { return a.start == b.start; }},
-    {QT_TRANSLATE_NOOP("JobSteps", "Tool at start"), false,
-     [](const Setup& a, const Setup& b) { return a.startTool == b.startTool; }},
-    {QT_TRANSLATE_NOOP("JobSteps", "Ignored M codes"), false,
-     [](const Setup& a, const Setup& b) { return a.ignoredM == b.ignoredM; }},
-    {QT_TRANSLATE_NOOP("JobSteps", "Dialect"), false,
-     [](const Setup& a, const Setup& b) { return a.dialect == b.dialect; }},
-    {QT_TRANSLATE_NOOP("JobSteps", "Block delete"), false,
-     [](const Setup& a, const Setup& b) { return a.blockDelete == b.blockDelete; }},
-    {QT_TRANSLATE_NOOP("JobSteps", "Cutter compensation start-up"), false,
-     [](const Setup& a, const Setup& b) { return a.compensationTypeB == b.compensationTypeB; }},
 }};
+
+/// An automatic spacing follows other fields by itself.
+bool sameValue(const GridPlace<const double, const bool>& a, const GridPlace<const double, const bool>& b) {
+    return a.automatic == b.automatic && (a.automatic || a.spacing == b.spacing);
+}
+
+template<class Value>
+bool sameValue(const Value& a, const Value& b) {
+    return a == b;
+}
 
 /// What differs, and whether all of it is of the stock.
 struct Differences {
@@ -118,10 +112,21 @@ void addTools(const ToolTable& before, const ToolTable& after, Differences& foun
 
 JobStepName setupName(const Setup& before, const Setup& after) {
     Differences found;
-    for (std::size_t i = 0; i < kSetup.size(); ++i) {
-        if (!kSetup[i].same(before, after))
-            found.add(translated(kSetup[i].name), kSetupFields + static_cast<int>(i), kSetup[i].ofStock);
+    int index = kSetupFields;
+    for (const StockPart& part : kStock) {
+        if (!part.same(before, after))
+            found.add(coreText(part.name), index, true);
+        ++index;
     }
+    const auto compare = [&](bool ofStock) {
+        return [&, ofStock](auto place, const Field& field) {
+            if (!sameValue(std::invoke(place, before), std::invoke(place, after)))
+                found.add(coreText(field.label), index, ofStock);
+            ++index;
+        };
+    };
+    eachGridField(compare(true));
+    eachControlField(compare(false));
     addStockSizes(before, after, found);
     addTools(before.tools, after.tools, found);
     if (found.names.size() == 1)

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
 #include <string>
 
 #include <CLI/CLI.hpp>
 
+#include "app/cli/field_options.h"
 #include "core/decimation/regions/parameters.h"
 
 namespace proveout::cli {
@@ -26,7 +26,7 @@ public:
     void apply(DecimationParameters& parameters, Named named, double points) const;
 
 private:
-    std::map<std::string, std::string> m_given; ///< by field key; values that the parser has checked
+    GivenFields m_given;
 };
 
 } // namespace proveout::cli

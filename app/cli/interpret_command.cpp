@@ -9,6 +9,7 @@
 
 #include "app/cli/command.h"
 #include "app/cli/dialect_report.h"
+#include "app/cli/field_options.h"
 #include "app/cli/option_error.h"
 #include "app/cli/report.h"
 #include "app/cli/setup_options.h"
@@ -26,12 +27,8 @@ struct InterpretCommandOptions {
     std::string program;
     ToolOptions tools;
     StockOptions stock;
-    StartOptions start;
-    std::string dialect;
+    GivenFields control;
     std::vector<std::string> compared; ///< two dialects, or none
-    bool blockDelete = false;
-    CompensationStart compensationStart;
-    IgnoredMOption ignoredM;
 };
 
 ExitCode run(const InterpretCommandOptions& options) {
@@ -40,20 +37,16 @@ ExitCode run(const InterpretCommandOptions& options) {
         report.addFatal(std::move(diagnostics));
         return report.exitCode();
     };
-    InterpretOptions interpreting;
-    interpreting.file = options.program;
-    interpreting.dialect = dialectOfOption(options.dialect);
-    interpreting.blockDelete = options.blockDelete;
-    interpreting.maxBytes = programBytesThatFit();
-    options.compensationStart.apply(interpreting.compensationTypeB);
-    if (auto ignored = options.ignoredM.apply(interpreting.ignoredM); !ignored)
-        return fail(std::move(ignored.error()));
-    interpreting.subprogramFolders = {std::filesystem::path(options.program).parent_path()};
     Setup setup;
-    if (auto start = options.start.apply(setup); !start)
-        return fail(std::move(start.error()));
-    interpreting.start = setup.start;
-    interpreting.startTool = setup.startTool.value_or(0);
+    Result<void> given;
+    describeControl(setup, OptionReader{options.control, given});
+    if (!given)
+        return fail(std::move(given.error()));
+    InterpretOptions interpreting;
+    setControl(setup, interpreting);
+    interpreting.file = options.program;
+    interpreting.maxBytes = programBytesThatFit();
+    interpreting.subprogramFolders = {std::filesystem::path(options.program).parent_path()};
     interpreting.assumeStartAtZero = !setup.start;
     if (auto tools = options.tools.apply(setup.tools); !tools)
         return fail(std::move(tools.error()));
@@ -78,7 +71,7 @@ ExitCode run(const InterpretCommandOptions& options) {
     NcMotionMeta meta;
     meta.by = "proveout-cli " PROVEOUT_VERSION;
     meta.file = std::filesystem::path(options.program).filename().string();
-    meta.blockDelete = options.blockDelete;
+    meta.blockDelete = setup.blockDelete;
     meta.start = interpreting.start;
     writeNcMotion(std::cout, *program, *text, meta);
     std::cout.flush();
@@ -97,7 +90,6 @@ void addInterpretCommand(CLI::App& app, ExitCode& exitCode) {
     auto* command = app.add_subcommand("interpret", "Print motions and events as JSON Lines (nc-motion/1)");
     auto options = std::make_shared<InterpretCommandOptions>();
     command->add_option("PROG", options->program, "NC program")->type_name("")->required();
-    addDialectOption(*command, options->dialect);
     command
         ->add_option("--compare-dialects", options->compared,
                      "Instead, list the lines whose motion differs between two dialects")
@@ -107,10 +99,10 @@ void addInterpretCommand(CLI::App& app, ExitCode& exitCode) {
         ->type_name("D,D");
     options->tools.addTo(*command);
     options->stock.addTo(*command);
-    options->start.addTo(*command, "0,0,0, assumed");
-    command->add_flag("--block-delete", options->blockDelete, "Block delete: skip blocks that start with /");
-    options->compensationStart.addTo(*command);
-    options->ignoredM.addTo(*command);
+    const Setup nothing;
+    describeControl(nothing, OptionAdder{.command = *command,
+                                         .given = options->control,
+                                         .standards = {{setup_field::kStart.key, "0,0,0, assumed"}}});
     command->callback([options, &exitCode] { exitCode = run(*options); });
 }
 

@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/setup_options.h"
 
-#include <charconv>
-#include <fmt/format.h>
 #include <set>
-#include <system_error>
 #include <utility>
 
 #include "app/cli/option_error.h"
@@ -14,33 +11,12 @@
 #include "core/formats/job_findings.h"
 #include "core/formats/stock_shapes.h"
 #include "core/nc/codes/dialects.h"
-#include "core/nc/codes/ignored_codes.h"
 #include "core/simulation/setup/automatic_grid.h"
 #include "core/simulation/setup/setup_fields.h"
 #include "core/verification/findings/command_line_findings.h"
 #include "core/zmap/zmap_findings.h"
 
 namespace proveout::cli {
-
-namespace {
-
-const std::string kGuessed = "auto";
-const std::string kAutomatic = "auto"; ///< of the grid
-
-std::optional<double> numberOf(const std::string& text) {
-    double number = 0;
-    const char* const end = text.data() + text.size();
-    const auto [read, error] = std::from_chars(text.data(), end, number);
-    return error == std::errc{} && read == end ? std::optional(number) : std::nullopt;
-}
-
-std::string checkSpacingText(const std::string& text) {
-    if (text == kAutomatic || numberOf(text))
-        return {};
-    return fmt::format("{} is neither a number of mm nor \"{}\"", text, kAutomatic);
-}
-
-} // namespace
 
 void StockOptions::addTo(CLI::App& command) {
     command
@@ -114,66 +90,6 @@ Result<void> ToolOptions::apply(ToolTable& table) const {
     return {};
 }
 
-void StartOptions::addTo(CLI::App& command, const std::string& withoutPosition) {
-    const Field& start = setup_field::kStartTool;
-    command.add_option("--start", position, "Position before the first block, mm (" + withoutPosition + ")")
-        ->type_name("X,Y,Z");
-    command.add_option("--start-tool", tool, std::string(start.help) + " (unknown)")
-        ->check(CLI::Range(static_cast<int>(start.minimum), static_cast<int>(start.maximum)))
-        ->type_name("N");
-}
-
-Result<void> StartOptions::apply(Setup& setup) const {
-    if (tool)
-        setup.startTool = tool;
-    if (position.empty())
-        return {};
-    auto start = parsePoint(position);
-    if (!start)
-        return aboutOption("--start", std::move(start.error()));
-    const Field& field = setup_field::kStart;
-    for (int axis = 0; axis < 3; ++axis) {
-        if ((*start)[axis] < field.minimum || (*start)[axis] > field.maximum)
-            return aboutOption(
-                "--start", failure(command_line_finding::kStartOutOfRange,
-                                   {std::string(1, "XYZ"[axis]), fmt::format("{:g}", (*start)[axis]),
-                                    fmt::format("{:g}", field.minimum), fmt::format("{:g}", field.maximum)})
-                               .value());
-    }
-    setup.start = *start;
-    return {};
-}
-
-void CompensationStart::addTo(CLI::App& command) {
-    command
-        .add_option("--compensation-start", type,
-                    "Start-up and cancel of Fanuc and Haas cutter compensation at outside corners: type a "
-                    "straight, type b round them (a)")
-        ->check(CLI::IsMember(std::vector<std::string>{"a", "b"}))
-        ->type_name("T");
-}
-
-void CompensationStart::apply(bool& typeB) const {
-    if (!type.empty())
-        typeB = type == "b";
-}
-
-void IgnoredMOption::addTo(CLI::App& command) {
-    command
-        .add_option("--ignore-m", list,
-                    "M codes that move no axis on this machine (clamps, doors, air), e.g. 16,24,25; they are "
-                    "ignored and listed")
-        ->type_name("N,…");
-}
-
-Result<void> IgnoredMOption::apply(std::set<int>& codes) const {
-    auto read = parseMCodes(list);
-    if (!read)
-        return aboutOption("--ignore-m", std::move(read.error()));
-    codes.merge(*read);
-    return {};
-}
-
 Diagnostics unusedCompensationStart(bool typeB, const Program& program) {
     const Dialect& row = dialect(program.dialect());
     if (!typeB || row.vectors.used)
@@ -187,22 +103,13 @@ void SetupOptions::addTo(CLI::App& command) {
         ->type_name("FILE");
     command.add_flag("--allow-outside", m_allowOutside, "Allow the job to read files outside its folder");
     m_stock.addTo(command);
-    command
-        .add_option(
-            "--grid", m_grid,
-            "Grid spacing, mm (auto: one tenth of the smallest cutter diameter, 1 to 4 million points)")
-        ->check(checkSpacingText)
-        ->type_name("H|auto");
+    const Setup nothing;
+    describeGrid(nothing, OptionAdder{command, m_given});
     m_tools.addTo(command);
-    m_start.addTo(command, "unknown");
-    command.add_flag("--block-delete", m_blockDelete, "Block delete: skip blocks that start with /");
-    m_compensationStart.addTo(command);
-    m_ignoredM.addTo(command);
-    addDialectOption(command, m_dialect);
+    describeControl(nothing, OptionAdder{command, m_given});
     command
         .add_option("--machine", m_machine,
-                    "Machine speeds, e.g. rapidXY=20000,largestFeed=10000,accelerationXY=2000; also rapidZ, "
-                    "accelerationZ, cornerDeviation, toolChange (mm/min, mm/s², mm, s)")
+                    "Machine values, e.g. rapidXY=20000,largestFeed=10000: " + keysWithUnits<Machine>())
         ->type_name("key=value,…");
     m_decimation.addTo(command);
 }
@@ -232,22 +139,13 @@ Result<Job> SetupOptions::job() const {
         return failure(command_line_finding::kNoStock, {}, "proveout-cli");
     if (auto stock = m_stock.apply(job.setup); !stock)
         return tl::unexpected(std::move(stock.error()));
-    if (m_jobFile.empty() || m_grid == kAutomatic)
-        job.setup.automaticGrid = true;
-    if (const auto spacing = numberOf(m_grid)) {
-        job.setup.automaticGrid = false;
-        job.setup.spacing = *spacing;
-    }
+    job.setup.automaticGrid = job.setup.automaticGrid || m_jobFile.empty();
     if (auto tools = m_tools.apply(job.setup.tools); !tools)
         return tl::unexpected(std::move(tools.error()));
-    if (auto start = m_start.apply(job.setup); !start)
-        return tl::unexpected(std::move(start.error()));
-    if (!m_dialect.empty())
-        job.setup.dialect = dialectOfOption(m_dialect);
-    job.setup.blockDelete = job.setup.blockDelete || m_blockDelete;
-    m_compensationStart.apply(job.setup.compensationTypeB);
-    if (auto ignored = m_ignoredM.apply(job.setup.ignoredM); !ignored)
-        return tl::unexpected(std::move(ignored.error()));
+    Result<void> given;
+    describe(job.setup, OptionReader{m_given, given});
+    if (!given)
+        return tl::unexpected(std::move(given.error()));
     if (!m_machine.empty()) {
         auto machine = parseMachine(m_machine, job.machine.value_or(Machine()));
         if (!machine)
@@ -289,32 +187,14 @@ tl::unexpected<Diagnostics> SetupOptions::aboutGrid(Diagnostics diagnostics) con
     const bool origin = hasIdOf(reason, zmap_finding::kStockOriginBad);
     const bool size =
         hasIdOf(reason, zmap_finding::kStockSizeBad) || hasIdOf(reason, zmap_finding::kStockSizeNarrow);
-    const bool given = origin ? !m_stock.origin.empty() : size ? !m_stock.spec.empty() : !m_grid.empty();
+    const bool given = origin ? !m_stock.origin.empty()
+                       : size ? !m_stock.spec.empty()
+                              : m_given.contains(setup_field::kGrid.key);
     if (given || m_jobFile.empty())
         return aboutOption(origin ? "--stock-origin" : size ? "--stock" : "--grid", std::move(diagnostics));
     for (Diagnostic& diagnostic : diagnostics)
         diagnostic.file = m_jobFile;
     return tl::unexpected(std::move(diagnostics));
-}
-
-std::optional<DialectId> dialectOfOption(const std::string& key) {
-    const Dialect* row = findDialect(key);
-    return row == nullptr ? std::nullopt : std::optional(row->id);
-}
-
-std::set<std::string> dialectKeys() {
-    std::set<std::string> keys;
-    for (const Dialect& row : dialects())
-        keys.emplace(row.key);
-    return keys;
-}
-
-void addDialectOption(CLI::App& command, std::string& key) {
-    std::set<std::string> keys = dialectKeys();
-    keys.insert(kGuessed);
-    command.add_option("--dialect", key, "Dialect of the program (auto: detected from the program)")
-        ->check(CLI::IsMember(std::move(keys)))
-        ->type_name("D");
 }
 
 } // namespace proveout::cli

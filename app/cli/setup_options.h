@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <optional>
-#include <set>
 #include <string>
 #include <vector>
 
 #include <CLI/CLI.hpp>
 
 #include "app/cli/decimation_options.h"
+#include "app/cli/field_options.h"
 #include "core/base/diagnostic.h"
 #include "core/decimation/surface/map_memory.h"
 #include "core/formats/job_file.h"
@@ -36,34 +35,6 @@ struct ToolOptions {
     void addTo(CLI::App& command);
     [[nodiscard]] bool given() const { return !file.empty() || !tools.empty(); }
     [[nodiscard]] Result<void> apply(ToolTable& table) const;
-};
-
-/// `--start` and `--start-tool`: how the machine is before the first block.
-struct StartOptions {
-    std::string position;
-    std::optional<int> tool;
-
-    void addTo(CLI::App& command, const std::string& withoutPosition);
-    /// Changes what is given.
-    [[nodiscard]] Result<void> apply(Setup& setup) const;
-};
-
-/// `--compensation-start`, a setting of the controls whose dialect compensates by vectors.
-struct CompensationStart {
-    std::string type; ///< "a", "b", or empty
-
-    void addTo(CLI::App& command);
-    /// Changes what is given.
-    void apply(bool& typeB) const;
-};
-
-/// `--ignore-m`.
-struct IgnoredMOption {
-    std::string list;
-
-    void addTo(CLI::App& command);
-    /// Adds what is given.
-    [[nodiscard]] Result<void> apply(std::set<int>& codes) const;
 };
 
 /// A warning where type B is asked for, and the control of the program knows no types.
@@ -95,21 +66,10 @@ private:
     std::string m_jobFile;
     bool m_allowOutside = false;
     StockOptions m_stock;
-    std::string m_grid; ///< empty: that of the job; "auto"; a number
     ToolOptions m_tools;
-    StartOptions m_start;
-    bool m_blockDelete = false;
-    CompensationStart m_compensationStart;
-    IgnoredMOption m_ignoredM;
-    std::string m_dialect;
+    GivenFields m_given; ///< of grid and control
     std::string m_machine;
     DecimationOptions m_decimation;
 };
-
-/// `--dialect`: nothing where the dialect is to be guessed.
-[[nodiscard]] std::optional<DialectId> dialectOfOption(const std::string& key);
-[[nodiscard]] std::set<std::string> dialectKeys();
-/// `key` becomes that of a row of dialects(), or "auto".
-void addDialectOption(CLI::App& command, std::string& key);
 
 } // namespace proveout::cli

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/formats/job_file.h"
 
-#include "core/nc/codes/dialects.h"
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
@@ -9,7 +8,6 @@
 #include <nlohmann/json.hpp>
 #include <set>
 #include <string>
-#include <type_traits>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -17,11 +15,11 @@
 #include "core/base/atomic_file.h"
 #include "core/base/tool_number.h"
 #include "core/decimation/regions/region_decimator.h"
+#include "core/formats/described_json.h"
 #include "core/formats/job_findings.h"
 #include "core/formats/job_json.h"
 #include "core/formats/stock_position_json.h"
 #include "core/formats/stock_shapes.h"
-#include "core/nc/codes/ignored_codes.h"
 #include "core/simulation/setup/setup_fields.h"
 
 namespace proveout {
@@ -36,11 +34,7 @@ constexpr int kSchema = 2;
 constexpr std::uint64_t kSizeLimit = 16'000'000; ///< bytes; a job has a few hundred
 constexpr int kDepthLimit = 32;
 
-constexpr JsonRange kSize{0, 1e6, true}; ///< mm, of a stock or a grid
-
-ordered_json toJson(const Vec3& point) {
-    return ordered_json::array({point.x, point.y, point.z});
-}
+constexpr JsonRange kSize{0, 1e6, true}; ///< mm, of a stock
 
 /// Where other files are that a job names.
 struct Reach {
@@ -197,79 +191,21 @@ ordered_json toJson(const ToolOrigin& origin) {
     return out;
 }
 
-constexpr Choice kCompensationStarts[] = {{"a", ""}, {"b", ""}};
-
-/// Type A in the jobs of a time that knew no other.
-void readCompensationStart(JsonFields& fields, bool& typeB) {
-    std::size_t index = typeB ? 1 : 0;
-    fields.read("compensationStart", index, kCompensationStarts);
-    typeB = index == 1;
-}
-
-void readStart(JsonFields& fields, Setup& setup) {
-    if (fields.has(setup_field::kStart.key)) {
-        setup.start.emplace(0);
-        fields.read(setup_field::kStart.key, *setup.start, kPosition);
-    }
-    if (fields.has(setup_field::kStartTool.key)) {
-        setup.startTool = 0;
-        fields.read(setup_field::kStartTool.key, *setup.startTool,
-                    JsonRange{setup_field::kStartTool.minimum, setup_field::kStartTool.maximum});
-    }
-}
-
 void readMachine(JsonFields& job, std::optional<Machine>& machine) {
     if (!job.has("machine"))
         return;
     machine.emplace();
     JsonFields fields = job.object("machine");
-    describe(*machine, [&fields](double& value, const Field& field) {
-        fields.read(field.key, value, JsonRange{field.minimum, field.maximum});
-    });
+    describe(*machine, FieldReader{fields});
     fields.warnAboutUnknown();
-}
-
-constexpr const char* kGuessed = "auto"; ///< the dialect is that of the signs in the program
-
-void readDialect(JsonFields& fields, std::optional<DialectId>& dialect) {
-    std::vector<Choice> choices{{kGuessed, ""}};
-    for (const Dialect& row : dialects())
-        choices.push_back({row.key, row.name});
-    std::size_t index = 0;
-    fields.read("dialect", index, choices);
-    if (index > 0)
-        dialect = static_cast<DialectId>(index - 1);
 }
 
 void readParameters(JsonFields fields, Job& job) {
-    DecimationParameters& parameters = job.parameters;
-    describe(parameters, [&fields](auto& value, const Field& field) {
-        using Value = std::remove_cvref_t<decltype(value)>;
-        if constexpr (std::is_enum_v<Value>) {
-            auto index = static_cast<std::size_t>(value);
-            fields.read(field.key, index, field.choices);
-            value = static_cast<Value>(index);
-        } else if constexpr (std::is_same_v<Value, bool>) {
-            fields.read(field.key, value);
-        } else {
-            fields.read(field.key, value, JsonRange{field.minimum, field.maximum});
-        }
-    });
+    describe(job.parameters, FieldReader{fields});
     job.regionNamed = fields.has("region");
-    useStandards(parameters, job.regionNamed, fields.has("period"),
+    useStandards(job.parameters, job.regionNamed, fields.has("period"),
                  gridPoints(job.setup.stock, job.setup.spacing));
     fields.warnAboutUnknown();
-}
-
-ordered_json writeParameters(const DecimationParameters& parameters) {
-    ordered_json out = ordered_json::object();
-    describe(parameters, [&out](const auto& value, const Field& field) {
-        if constexpr (std::is_enum_v<std::remove_cvref_t<decltype(value)>>)
-            out[field.key] = field.choices[static_cast<std::size_t>(value)].key;
-        else
-            out[field.key] = value;
-    });
-    return out;
 }
 
 /// The schema comes first: what else a newer file holds cannot be judged.
@@ -320,15 +256,10 @@ Result<Job> parse(std::string_view text, const Reach& reach) {
     job.setup.shape = std::move(stock.spec.shape);
     if (job.setup.shape.body)
         job.setup.spacing = job.setup.shape.body->spacing().value_or(job.setup.spacing);
-    job.setup.automaticGrid = !fields.has(setup_field::kGrid.key);
-    fields.read(setup_field::kGrid.key, job.setup.spacing, kSize);
+    describeGrid(job.setup, FieldReader{fields});
     readTools(fields.object("tools"), job.setup.tools);
     readUnconfirmed(fields, job.setup.tools);
-    readStart(fields, job.setup);
-    readDialect(fields, job.setup.dialect);
-    fields.read("blockDelete", job.setup.blockDelete);
-    readCompensationStart(fields, job.setup.compensationTypeB);
-    fields.read("ignoredM", job.setup.ignoredM, kLargestMCode);
+    describeControl(job.setup, FieldReader{fields});
     readMachine(fields, job.machine);
     readParameters(fields.object("decimation"), job);
     fields.warnAboutUnknown();
@@ -346,29 +277,16 @@ ordered_json toJson(const Job& job, const fs::path& file) {
     out["proveout"] = kSchema;
     out["program"] = absolutePath(job.program).lexically_proximate(folderOfJob(file)).string();
     out["stock"] = writeStock(setup, folderOfJob(file));
-    if (!setup.automaticGrid)
-        out[setup_field::kGrid.key] = setup.spacing;
+    describeGrid(setup, FieldWriter{out});
     out["tools"] = ordered_json::object();
     for (const auto& [number, cutter] : setup.tools.tools())
         out["tools"][std::to_string(number)] = cutter.spec();
     for (const auto& [number, origin] : setup.tools.unconfirmed())
         out[kUnconfirmed][std::to_string(number)] = toJson(origin);
-    if (setup.start)
-        out[setup_field::kStart.key] = toJson(*setup.start);
-    if (setup.startTool)
-        out[setup_field::kStartTool.key] = *setup.startTool;
-    if (setup.dialect)
-        out["dialect"] = dialect(*setup.dialect).key;
-    out["blockDelete"] = setup.blockDelete;
-    // Only where it is not the standard: the jobs of other controls have nothing to do with it.
-    if (setup.compensationTypeB)
-        out["compensationStart"] = kCompensationStarts[1].key;
-    if (!setup.ignoredM.empty())
-        out["ignoredM"] = setup.ignoredM;
+    describeControl(setup, FieldWriter{out});
     if (job.machine)
-        describe(*job.machine,
-                 [&out](double value, const Field& field) { out["machine"][field.key] = value; });
-    out["decimation"] = writeParameters(job.parameters);
+        describe(*job.machine, FieldWriter{out["machine"]});
+    describe(job.parameters, FieldWriter{out["decimation"]});
     return out;
 }
 

@@ -10,7 +10,9 @@
 #include <QStringList>
 #include <QVBoxLayout>
 
+#include "core/simulation/setup/setup_fields.h"
 #include "ui/diagnostic_text.h"
+#include "ui/field_text.h"
 #include "ui/panel_layout.h"
 #include "ui/typed_text.h"
 
@@ -78,12 +80,9 @@ void IgnoredCodesField::finish() {
 }
 
 void IgnoredCodesField::retranslate() {
-    m_label->setText(tr("Ignored M codes"));
+    m_label->setText(coreText(setup_field::kIgnoredM.label));
     m_list->setPlaceholderText(tr("for example 16, 24, 25"));
-    m_list->setAccessibleName(tr("Ignored M codes"));
-    m_list->setToolTip(
-        tr("M codes that move no axis on this machine: clamps, doors, air, chip conveyor. They are ignored "
-           "and listed as notes. Results after any other unknown code are unverified."));
+    showFieldTexts(*m_list, setup_field::kIgnoredM);
 }
 
 void IgnoredCodesField::changeEvent(QEvent* event) {

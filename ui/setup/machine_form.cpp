@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/setup/machine_form.h"
 
-#include <cmath>
-
 #include <QEvent>
 #include <QGridLayout>
 #include <QLabel>
 
 #include "ui/cycle_time_text.h"
 #include "ui/diagnostic_text.h"
+#include "ui/field_text.h"
 #include "ui/number_box.h"
 #include "ui/panel_layout.h"
 
@@ -17,16 +16,7 @@ namespace proveout {
 namespace {
 
 constexpr int kRestMs = 250;
-constexpr double kCoarseStep = 1; // from here on nobody asks for fractions
 constexpr int kBoxWidth = 124;
-
-int decimalsOf(const Field& field) {
-    return field.step > kCoarseStep ? 0 : 3;
-}
-
-QString numberText(const QLocale& locale, double value) {
-    return locale.toString(value, 'g', 7);
-}
 
 } // namespace
 
@@ -40,10 +30,7 @@ MachineForm::MachineForm(Session& session, QWidget* parent)
         auto* label = new QLabel(this);
         auto* box = new NumberBox(this);
         box->setObjectName(QLatin1String(field.key));
-        box->setDecimals(decimalsOf(field));
-        box->setRange(field.minimum, field.maximum);
-        box->setSingleStep(field.step);
-        box->setSuffix(u' ' + QString::fromUtf8(field.unit));
+        setUpBox(*box, field);
         box->setMinimumWidth(kBoxWidth); // its own wish is room for the largest number of the range
         label->setBuddy(box);
         const auto row = static_cast<int>(m_boxes.size());
@@ -94,12 +81,7 @@ void MachineForm::apply() {
     m_rest.stop();
     Machine machine = m_session.job().machine().value_or(Machine());
     std::size_t row = 0;
-    describe(machine, [&](double& value, const Field& field) {
-        // What the box cannot show exactly stays as it is until it is edited.
-        const double shown = m_boxes[row++]->value();
-        if (std::abs(value - shown) > 0.5 * std::pow(10.0, -decimalsOf(field)))
-            value = shown;
-    });
+    describe(machine, [&](double& value, const Field&) { takeShown(value, *m_boxes[row++]); });
     m_session.job().setMachine(machine);
 }
 
@@ -107,13 +89,8 @@ void MachineForm::retranslate() {
     Machine standard;
     std::size_t row = 0;
     describe(standard, [&](double& value, const Field& field) {
-        const QString unit = QString::fromUtf8(field.unit);
         m_labels[row]->setText(coreText(field.label));
-        m_boxes[row]->setAccessibleName(coreText(field.label));
-        m_boxes[row]->setToolTip(tr("%1\nRange: %2 to %3 %5\nDefault: %4 %5")
-                                     .arg(coreText(field.help), numberText(locale(), field.minimum),
-                                          numberText(locale(), field.maximum), numberText(locale(), value),
-                                          unit));
+        showFieldTexts(*m_boxes[row], field, fieldNumber(field, value, locale()));
         ++row;
     });
     showTimes();

@@ -4,18 +4,15 @@
 #include <new>
 #include <utility>
 
-#include <QCheckBox>
-#include <QComboBox>
 #include <QEvent>
 #include <QFileInfo>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
-#include <QSignalBlocker>
 #include <QVBoxLayout>
 
 #include "core/base/memory.h"
-#include "core/nc/codes/dialects.h"
+#include "core/base/text.h"
 #include "core/verification/findings/window_findings.h"
 #include "ui/carried_values.h"
 #include "ui/diagnostic_text.h"
@@ -23,10 +20,9 @@
 #include "ui/file_changed_bar.h"
 #include "ui/file_paths.h"
 #include "ui/panel_layout.h"
-#include "ui/setup/ignored_codes_field.h"
+#include "ui/setup/control_form.h"
 #include "ui/setup/kept_in_view.h"
 #include "ui/setup/machine_form.h"
-#include "ui/setup/start_form.h"
 #include "ui/setup/stock_changed_bar.h"
 #include "ui/setup/stock_form.h"
 #include "ui/setup/tool_table_editor.h"
@@ -42,24 +38,18 @@ constexpr int kRestMs = 250;
 
 SetupPanel::SetupPanel(Session& session, QWidget* parent)
     : QWidget(parent), m_session(session), m_programTitle(sectionLabel(this)),
-      m_dialectLabel(new QLabel(this)), m_dialect(new QComboBox(this)), m_compensationLabel(new QLabel(this)),
-      m_compensation(new QComboBox(this)), m_start(new StartForm(this)), m_stockTitle(sectionLabel(this)),
+      m_control(new ControlForm(session, this)), m_stockTitle(sectionLabel(this)),
       m_stock(new StockForm(this)), m_fit(new QPushButton(this)), m_memory(wrappedLabel(this)),
       m_problem(wrappedLabel(this)), m_toolsTitle(sectionLabel(this)), m_tools(new ToolTableEditor(this)),
       m_missing(wrappedLabel(this)), m_define(new QPushButton(this)), m_machineTitle(sectionLabel(this)),
-      m_machine(new MachineForm(session, this)), m_blockDelete(new QCheckBox(this)),
-      m_ignored(new IgnoredCodesField(this)) {
+      m_machine(new MachineForm(session, this)) {
     build();
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRestMs);
     connect(&m_rest, &QTimer::timeout, this, &SetupPanel::apply);
-    connect(m_start, &StartForm::edited, &m_rest, qOverload<>(&QTimer::start));
+    connect(m_control, &ControlForm::edited, &m_rest, qOverload<>(&QTimer::start));
     connect(m_stock, &StockForm::edited, &m_rest, qOverload<>(&QTimer::start));
     connect(m_tools, &ToolTableEditor::edited, &m_rest, qOverload<>(&QTimer::start));
-    connect(m_blockDelete, &QCheckBox::toggled, &m_rest, qOverload<>(&QTimer::start));
-    connect(m_ignored, &IgnoredCodesField::edited, &m_rest, qOverload<>(&QTimer::start));
-    connect(m_dialect, &QComboBox::activated, &m_rest, qOverload<>(&QTimer::start));
-    connect(m_compensation, &QComboBox::activated, &m_rest, qOverload<>(&QTimer::start));
     connect(m_fit, &QPushButton::clicked, this, &SetupPanel::fitToProgram);
     connect(m_tools, &ToolTableEditor::lineWanted, this,
             [this](std::uint32_t line) { emit m_session.navigation().lineRequested(line, 1); });
@@ -75,11 +65,7 @@ SetupPanel::SetupPanel(Session& session, QWidget* parent)
     connect(&session.job(), &JobHub::setupChanged, this, &SetupPanel::showSetup);
     connect(&session.document(), &DocumentHub::changed, this, &SetupPanel::titleTools);
     connect(&session.program(), &ProgramHub::changed, this, &SetupPanel::showMissingTools);
-    connect(&session.program(), &ProgramHub::changed, this, &SetupPanel::showStart);
-    connect(&session.program(), &ProgramHub::changed, this, &SetupPanel::nameAutomaticDialect);
-    connect(&session.program(), &ProgramHub::changed, this, &SetupPanel::showCompensation);
-    connect(&session.program(), &ProgramHub::changed, this,
-            [this] { m_ignored->showProgram(m_session.program().current().get()); });
+    connect(&session.program(), &ProgramHub::changed, this, &SetupPanel::showControl);
     retranslate();
     dropInput();
 }
@@ -90,22 +76,8 @@ void SetupPanel::build() {
     layout->addWidget(new EditedElsewhereBar(m_session, FilePart::job, content));
     layout->addWidget(new FileChangedBar(m_session, FilePart::job, content));
     layout->addWidget(new StockChangedBar(m_session, content));
-    m_dialectLabel->setBuddy(m_dialect);
-    m_dialect->setObjectName(QStringLiteral("dialect"));
-    m_compensationLabel->setBuddy(m_compensation);
-    m_dialect->addItem(QString()); // see showDialect()
-    for (const Dialect& row : dialects())
-        m_dialect->addItem(QString::fromUtf8(row.name));
-    m_compensation->setObjectName(QStringLiteral("compensation-start"));
-    m_compensation->addItems({QString(), QString()});
     layout->addWidget(m_programTitle);
-    layout->addWidget(m_dialectLabel);
-    layout->addWidget(m_dialect);
-    layout->addWidget(m_compensationLabel);
-    layout->addWidget(m_compensation);
-    layout->addWidget(m_blockDelete);
-    layout->addWidget(m_ignored);
-    layout->addWidget(m_start);
+    layout->addWidget(m_control);
     layout->addSpacing(10);
     for (QWidget* widget :
          {static_cast<QWidget*>(m_stockTitle), static_cast<QWidget*>(m_stock), static_cast<QWidget*>(m_fit),
@@ -130,7 +102,7 @@ void SetupPanel::dropInput() {
     m_making.cancel();
     m_shown = m_session.job().setup();
     fill(m_shown);
-    m_ignored->dropText();
+    m_control->dropText();
 }
 
 /// Others may change the setup at any time: the stock is fitted, tools are found in comments. What the user
@@ -152,42 +124,10 @@ void SetupPanel::showSetup() {
 void SetupPanel::fill(const Setup& setup) {
     m_stock->show(setup);
     m_tools->show(setup.tools);
-    const QSignalBlocker quiet(m_blockDelete);
-    m_blockDelete->setChecked(setup.blockDelete);
     showStockProblem();
-    m_start->show(setup, m_session.program().current().get());
-    m_ignored->show(setup);
-    m_ignored->showProgram(m_session.program().current().get());
-    m_dialect->setCurrentIndex(setup.dialect ? static_cast<int>(*setup.dialect) + 1 : 0);
-    nameAutomaticDialect();
-    m_compensation->setCurrentIndex(setup.compensationTypeB ? 1 : 0);
-    showCompensation();
+    m_control->show(setup);
     showMemory(m_session.job().setup());
     showMissingTools();
-}
-
-/// The dialect that the text shows by its signs, named once it is known.
-QString SetupPanel::automaticDialect() const {
-    const auto& program = m_session.program().current();
-    if (!program || m_session.job().setup().dialect)
-        return tr("Automatic");
-    if (program->foreignKind() != nullptr)
-        return tr("Automatic: none of these");
-    return tr("Automatic: %1").arg(QString::fromUtf8(dialect(program->dialect()).name));
-}
-
-void SetupPanel::nameAutomaticDialect() {
-    m_dialect->setItemText(0, automaticDialect());
-}
-
-/// Only for the controls that have this setting.
-void SetupPanel::showCompensation() {
-    const auto& chosen = m_session.job().setup().dialect;
-    const bool known = chosen || m_session.program().current();
-    const bool shown =
-        known && dialect(chosen ? *chosen : m_session.program().current()->dialect()).vectors.used;
-    m_compensationLabel->setVisible(shown);
-    m_compensation->setVisible(shown);
 }
 
 void SetupPanel::showMissingTools() {
@@ -199,9 +139,9 @@ void SetupPanel::showMissingTools() {
     m_fit->setEnabled(m_session.program().blockCount() > 0 && box);
 }
 
-/// Which tool is assumed depends on the program.
-void SetupPanel::showStart() {
-    m_start->show(edited(m_session.job().setup()), m_session.program().current().get());
+/// The detected dialect, the ignored codes and the assumed tool depend on the program.
+void SetupPanel::showControl() {
+    m_control->show(edited(m_session.job().setup()));
 }
 
 void SetupPanel::showStockProblem() {
@@ -227,13 +167,7 @@ void SetupPanel::showMemory(const Setup& setup) {
 Setup SetupPanel::edited(Setup setup) const {
     setup.tools = m_tools->tools();
     m_stock->put(setup);
-    m_start->put(setup);
-    setup.blockDelete = m_blockDelete->isChecked();
-    setup.compensationTypeB = m_compensation->currentIndex() == 1;
-    m_ignored->put(setup);
-    setup.dialect.reset();
-    if (const int index = m_dialect->currentIndex(); index > 0)
-        setup.dialect = static_cast<DialectId>(index - 1);
+    m_control->put(setup);
     return setup;
 }
 
@@ -349,14 +283,6 @@ void SetupPanel::showTool(int number) {
 
 void SetupPanel::retranslate() {
     m_programTitle->setText(tr("Control"));
-    m_dialectLabel->setText(tr("Dialect of the program"));
-    m_dialect->setToolTip(tr("The control that the program is written for; arcs, cycles, offsets and numbers "
-                             "differ from control to control"));
-    m_compensationLabel->setText(tr("Cutter comp start-up"));
-    m_compensation->setItemText(0, tr("Type A: straight to the path"));
-    m_compensation->setItemText(1, tr("Type B: round outside corners"));
-    m_compensation->setToolTip(tr("Start-up and cancel of cutter compensation at outside corners, as set on "
-                                  "the control: Fanuc parameter 5003 (SUP), Haas setting 43"));
     m_stockTitle->setText(tr("Stock and grid"));
     m_fit->setText(tr("Fit to program"));
     m_fit->setToolTip(tr("Fit the stock to the toolpath"));
@@ -364,9 +290,6 @@ void SetupPanel::retranslate() {
     m_machineTitle->setText(tr("Machine"));
     m_define->setText(tr("Add missing tools (⌀ 10 mm assumed)"));
     m_define->setToolTip(tr("Add these tools; then enter the sizes of your cutters"));
-    m_blockDelete->setText(tr("Block delete (/)"));
-    m_blockDelete->setToolTip(tr("Skip blocks that start with /, like the switch on the control"));
-    nameAutomaticDialect();
     showMissingTools();
     showMemory(m_session.job().setup());
 }

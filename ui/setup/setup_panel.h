@@ -10,17 +10,14 @@
 #include "ui/newest_task.h"
 #include "ui/session/session.h"
 
-class QCheckBox;
-class QComboBox;
 class QLabel;
 class QPushButton;
 
 namespace proveout {
 
-class IgnoredCodesField;
+class ControlForm;
 class KeptInView;
 class MachineForm;
-class StartForm;
 class StockForm;
 class ToolTableEditor;
 
@@ -41,11 +38,8 @@ private:
     void dropInput();
     void showSetup();
     void fill(const Setup& setup);
-    void nameAutomaticDialect();
-    [[nodiscard]] QString automaticDialect() const;
-    void showCompensation();
     void showMissingTools();
-    void showStart();
+    void showControl();
     void showStockProblem();
     void showMemory(const Setup& setup);
     [[nodiscard]] Setup edited(Setup setup) const;
@@ -61,11 +55,7 @@ private:
 
     Session& m_session;
     QLabel* m_programTitle;
-    QLabel* m_dialectLabel;
-    QComboBox* m_dialect;
-    QLabel* m_compensationLabel;
-    QComboBox* m_compensation;
-    StartForm* m_start;
+    ControlForm* m_control;
     QLabel* m_stockTitle;
     StockForm* m_stock;
     QPushButton* m_fit;
@@ -78,8 +68,6 @@ private:
     QPushButton* m_define;
     QLabel* m_machineTitle;
     MachineForm* m_machine;
-    QCheckBox* m_blockDelete;
-    IgnoredCodesField* m_ignored;
     Setup m_shown; ///< of the session, when it was shown last: what the form has otherwise was edited since
     QTimer m_rest;
     NewestTask m_making; ///< a stock from its file

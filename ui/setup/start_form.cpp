@@ -2,7 +2,6 @@
 #include "ui/setup/start_form.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
 
 #include <QCheckBox>
@@ -15,13 +14,13 @@
 #include "core/simulation/setup/tool_choice.h"
 #include "ui/choice_box.h"
 #include "ui/diagnostic_text.h"
+#include "ui/field_text.h"
 #include "ui/number_box.h"
 
 namespace proveout {
 
 namespace {
 
-constexpr double kShown = 0.0005; ///< what a box cannot show exactly stays until it is edited
 constexpr int kBoxWidth = 110;
 
 QString nameOf(int tool) {
@@ -46,9 +45,7 @@ StartForm::StartForm(QWidget* parent)
         auto* label = new QLabel(this);
         auto* box = new NumberBox(this);
         box->setObjectName(QStringLiteral("start-") + QLatin1Char("xyz"[axis]));
-        box->setDecimals(3);
-        box->setRange(setup_field::kStart.minimum, setup_field::kStart.maximum);
-        box->setSingleStep(setup_field::kStart.step);
+        setUpBox(*box, setup_field::kStart);
         box->setMinimumWidth(kBoxWidth); // its own wish is room for the largest number of the range
         label->setBuddy(box);
         const auto row = static_cast<int>(axis) + 2;
@@ -87,11 +84,8 @@ void StartForm::put(Setup& setup) const {
         return;
     }
     Vec3 start = setup.start.value_or(Vec3(0));
-    for (std::size_t axis = 0; axis < m_position.size(); ++axis) {
-        double& place = start[static_cast<int>(axis)];
-        if (std::abs(place - m_position[axis]->value()) > kShown)
-            place = m_position[axis]->value();
-    }
+    for (std::size_t axis = 0; axis < m_position.size(); ++axis)
+        takeShown(start[static_cast<int>(axis)], *m_position[axis]);
     setup.start = start;
 }
 
@@ -135,19 +129,14 @@ void StartForm::showPosition() {
 
 void StartForm::retranslate() {
     m_toolLabel->setText(coreText(setup_field::kStartTool.label));
-    m_tool->setAccessibleName(coreText(setup_field::kStartTool.label));
-    m_tool->setToolTip(coreText(setup_field::kStartTool.help));
+    showFieldTexts(*m_tool, setup_field::kStartTool);
     m_known->setText(tr("Start position is known"));
     m_known->setToolTip(coreText(setup_field::kStart.help));
     for (std::size_t axis = 0; axis < m_position.size(); ++axis) {
         const QString name = tr("Start %1", "an axis").arg(QLatin1Char("XYZ"[axis]));
         m_axisLabels[axis]->setText(name);
-        m_position[axis]->setAccessibleName(name);
-        m_position[axis]->setSuffix(tr(" mm"));
-        m_position[axis]->setToolTip(tr("%1\nRange: %2 to %3 mm\nDefault: 0 mm")
-                                         .arg(coreText(setup_field::kStart.help),
-                                              locale().toString(setup_field::kStart.minimum),
-                                              locale().toString(setup_field::kStart.maximum)));
+        showFieldTexts(*m_position[axis], setup_field::kStart, fieldNumber(setup_field::kStart, 0, locale()));
+        m_position[axis]->setAccessibleName(name); // of its axis
     }
     fillTools();
 }

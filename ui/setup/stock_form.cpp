@@ -2,7 +2,6 @@
 #include "ui/setup/stock_form.h"
 
 #include <array>
-#include <cmath>
 
 #include <QComboBox>
 #include <QDir>
@@ -17,6 +16,7 @@
 
 #include "core/simulation/setup/setup_fields.h"
 #include "ui/diagnostic_text.h"
+#include "ui/field_text.h"
 #include "ui/file_paths.h"
 #include "ui/grid_field.h"
 #include "ui/number_box.h"
@@ -28,8 +28,6 @@ namespace {
 
 constexpr double kSmallestSize = 0.01;
 constexpr int kBoxWidth = 110;
-/// What a box cannot show exactly (a stock of 12.7001 mm) stays as it is until it is edited.
-constexpr double kShown = 0.0005;
 
 struct PlaceField {
     const char* name; ///< of the widget
@@ -42,11 +40,6 @@ constexpr std::array<PlaceField, 3> kPlaceFields{{
     {"corner-y", &setup_field::kMinY, [](Setup& setup) -> double& { return setup.stock.corner.y; }},
     {"corner-z", &setup_field::kTopZ, [](Setup& setup) -> double& { return setup.stock.corner.z; }},
 }};
-
-void take(double& place, const NumberBox& box) {
-    if (std::abs(place - box.value()) > kShown)
-        place = box.value();
-}
 
 } // namespace
 
@@ -185,7 +178,7 @@ void StockForm::show(const Setup& setup) {
 
 void StockForm::put(Setup& setup) const {
     for (std::size_t i = 0; i < kPlaceFields.size(); ++i)
-        take(kPlaceFields[i].place(setup), *m_boxes[i]);
+        takeShown(kPlaceFields[i].place(setup), *m_boxes[i]);
     m_grid->put(setup);
 }
 
@@ -199,7 +192,7 @@ StockSpec StockForm::spec(const Setup& setup) const {
         if (row.length != nullptr) {
             const auto& length = std::get<StockLength>(row.field->value);
             double value = length.get(before);
-            take(value, *row.length);
+            takeShown(value, *row.length);
             length.set(spec, value);
         } else if (row.choice != nullptr) {
             std::get<StockChoice>(row.field->value)
@@ -261,9 +254,7 @@ void StockForm::retranslate() {
     for (std::size_t i = 0; i < kPlaceFields.size(); ++i) {
         const Field& field = *kPlaceFields[i].field;
         m_labels[i]->setText(coreText(field.label));
-        m_boxes[i]->setSuffix(tr(" mm"));
-        m_boxes[i]->setAccessibleName(coreText(field.label));
-        m_boxes[i]->setToolTip(rangeTip(coreText(field.help), *m_boxes[i], kPlaceFields[i].place(standard)));
+        showFieldTexts(*m_boxes[i], field, fieldNumber(field, kPlaceFields[i].place(standard), locale()));
     }
     m_gridLabel->setText(coreText(setup_field::kGrid.label));
 }

@@ -20,6 +20,7 @@
 #include "core/decimation/regions/region_decimator.h"
 #include "ui/choice_box.h"
 #include "ui/diagnostic_text.h"
+#include "ui/field_text.h"
 #include "ui/icons.h"
 #include "ui/number_box.h"
 #include "ui/typed_text.h"
@@ -28,23 +29,7 @@ namespace proveout {
 
 namespace {
 
-constexpr int kDecimals = 3;
 constexpr int kBoxWidth = 90; // a box's own wish is room for the largest number of its range
-
-/// The units that are words; the core hands them out unmarked.
-[[maybe_unused]] constexpr const char* kUnitWords[] = {QT_TRANSLATE_NOOP("Core", "cells"),
-                                                       QT_TRANSLATE_NOOP("Core", "blocks")};
-
-QString suffix(const Field& field) {
-    return *field.unit == '\0' ? QString() : u' ' + coreText(field.unit);
-}
-
-/// A suffix that is set anew, be it the same, brings back the value in the place of what is being typed.
-template<class Box>
-void showSuffix(Box& box, const QString& text) {
-    if (box.suffix() != text)
-        box.setSuffix(text);
-}
 
 } // namespace
 
@@ -117,8 +102,7 @@ QWidget* ParameterForm::makeSwitch(Row& row) {
 
 QWidget* ParameterForm::makeInteger(Row& row) {
     auto* box = new CountBox(this);
-    box->setRange(static_cast<int>(row.field.minimum), static_cast<int>(row.field.maximum));
-    box->setSingleStep(static_cast<int>(row.field.step));
+    setUpBox(*box, row.field);
     const std::size_t index = m_rows.size();
     connect(box, &QSpinBox::valueChanged, this, [this, index](int value) { change(index, value); });
     row.show = [box](double value) { box->showValue(static_cast<int>(value)); };
@@ -127,9 +111,7 @@ QWidget* ParameterForm::makeInteger(Row& row) {
 
 QWidget* ParameterForm::makeNumber(Row& row) {
     auto* box = new NumberBox(this);
-    box->setDecimals(kDecimals);
-    box->setRange(row.field.minimum, row.field.maximum);
-    box->setSingleStep(row.field.step);
+    setUpBox(*box, row.field);
     const std::size_t index = m_rows.size();
     connect(box, &QDoubleSpinBox::valueChanged, this, [this, index](double value) { change(index, value); });
     row.show = [box](double value) { box->showValue(value); };
@@ -218,34 +200,20 @@ QString ParameterForm::valueText(const Row& row, double value) const {
         return coreText(row.field.choices[static_cast<std::size_t>(value)].label);
     if (qobject_cast<QCheckBox*>(row.editor) != nullptr)
         return value != 0 ? tr("on") : tr("off");
-    return locale().toString(value, 'g', 7) + suffix(row.field);
-}
-
-QString ParameterForm::tip(const Row& row) const {
-    QString text = coreText(row.field.help);
-    if (qobject_cast<QAbstractSpinBox*>(row.editor) != nullptr) {
-        text += u'\n' + tr("Range: %1 to %2", "of a parameter, with units")
-                            .arg(valueText(row, row.field.minimum), valueText(row, row.field.maximum));
-    }
-    return text + u'\n' + tr("Default: %1").arg(valueText(row, row.standard));
+    return fieldNumber(row.field, value, locale());
 }
 
 void ParameterForm::retranslate() {
     for (const Row& row : m_rows) {
         row.label->setText(coreText(row.field.label));
-        row.label->setToolTip(tip(row));
-        row.editor->setToolTip(tip(row));
-        row.editor->setAccessibleName(coreText(row.field.label));
+        showFieldTexts(*row.editor, row.field, valueText(row, row.standard));
+        row.label->setToolTip(row.editor->toolTip());
         row.reset->setToolTip(tr("Back to the default: %1").arg(valueText(row, row.standard)));
         row.reset->setAccessibleName(tr("Reset %1").arg(coreText(row.field.label)));
         if (auto* box = qobject_cast<QComboBox*>(row.editor)) {
             for (int i = 0; i < box->count(); ++i)
                 box->setItemText(i, coreText(row.field.choices[static_cast<std::size_t>(i)].label));
         }
-        if (auto* integer = qobject_cast<QSpinBox*>(row.editor))
-            showSuffix(*integer, suffix(row.field));
-        if (auto* number = qobject_cast<QDoubleSpinBox*>(row.editor))
-            showSuffix(*number, suffix(row.field));
         showRow(row);
     }
 }

@@ -71,7 +71,6 @@ private:
     void showRow(const Row& row);
     void retranslate();
     [[nodiscard]] QString valueText(const Row& row, double value) const;
-    [[nodiscard]] QString tip(const Row& row) const;
 
     QFormLayout* m_layout;
     DecimationParameters m_values;

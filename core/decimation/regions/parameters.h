@@ -65,7 +65,7 @@ inline constexpr std::array kLevelChoices{
 };
 
 /// Names every field once; see field.h.
-template<class Params, class Visitor>
+template<ParametersOf<DecimationParameters> Params, class Visitor>
 void describe(Params& params, Visitor&& visit) {
     visit(params.method,
           Field{"method", PROVEOUT_TEXT("Core", "Method"), "",

@@ -1,14 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/simulation/run/interpretation.h"
 
-#include "core/nc/codes/dialects.h"
 #include <algorithm>
 #include <cstdint>
+#include <functional>
 #include <map>
 #include <utility>
 
 #include "core/base/memory.h"
+#include "core/nc/codes/dialects.h"
 #include "core/simulation/run/probed_stock.h"
+#include "core/simulation/setup/setup_fields.h"
 #include "core/simulation/setup/tool_choice.h"
 
 namespace proveout {
@@ -29,15 +31,19 @@ std::uint64_t programBytesThatFit() {
     return std::min(fit, InterpretOptions().maxBytes);
 }
 
-InterpretOptions interpretOptions(const Setup& setup, const std::filesystem::path& file) {
-    InterpretOptions options;
-    options.file = file.string();
+void setControl(const Setup& setup, InterpretOptions& options) {
     options.dialect = setup.dialect;
     options.blockDelete = setup.blockDelete;
     options.compensationTypeB = setup.compensationTypeB;
     options.ignoredM = setup.ignoredM;
     options.start = setup.start;
     options.startTool = setup.startTool.value_or(0);
+}
+
+InterpretOptions interpretOptions(const Setup& setup, const std::filesystem::path& file) {
+    InterpretOptions options;
+    options.file = file.string();
+    setControl(setup, options);
     options.tools = toolOffsets(setup.tools);
     options.maxBytes = programBytesThatFit();
     if (checkShape(setup.shape))
@@ -85,10 +91,13 @@ bool interpretedAlike(const Program& program, const Setup& one, const Setup& oth
     if (program.asksForStock() &&
         (one.stock != other.stock || one.shape != other.shape || one.tools != other.tools))
         return false;
-    return one.dialect == other.dialect && one.blockDelete == other.blockDelete && one.start == other.start &&
-           one.startTool == other.startTool && one.ignoredM == other.ignoredM &&
-           (one.compensationTypeB == other.compensationTypeB || !dialect(program.dialect()).vectors.used) &&
-           (!program.asksForTools() || toolOffsets(one.tools) == toolOffsets(other.tools));
+    bool same = !program.asksForTools() || toolOffsets(one.tools) == toolOffsets(other.tools);
+    eachControlField([&](auto place, const Field& field) {
+        const bool used =
+            &field != &setup_field::kCompensationStart || dialect(program.dialect()).vectors.used;
+        same = same && (!used || std::invoke(place, one) == std::invoke(place, other));
+    });
+    return same;
 }
 
 } // namespace proveout

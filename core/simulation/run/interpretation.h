@@ -20,6 +20,9 @@ namespace proveout {
 /// again while they grow. Rounded, because the memory that is free changes all the time.
 [[nodiscard]] std::uint64_t programBytesThatFit();
 
+/// Sets what eachControlField() names.
+void setControl(const Setup& setup, InterpretOptions& options);
+
 /// How a program is interpreted on a set-up, whose stock its probing motions meet. `file` is where it lies,
 /// and names it in messages; its subprograms are looked for beside it. Empty where it lies nowhere yet.
 /// Its limits are those of the memory.

@@ -26,8 +26,7 @@ Result<void> setField(Machine& machine, std::string_view key, std::string_view t
         double number = 0;
         const char* end = text.data() + text.size();
         const auto [read, error] = std::from_chars(text.data(), end, number);
-        // Written so that what is no number is out of range too.
-        if (error == std::errc() && read == end && number >= field.minimum && number <= field.maximum)
+        if (error == std::errc() && read == end && isInRange(field, number))
             value = number;
         else
             result = failure(setup_finding::kMachineValue,

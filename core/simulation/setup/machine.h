@@ -24,30 +24,65 @@ struct Machine {
 };
 
 /// Names every field once; see field.h.
-template<class Params, class Visitor>
-void describe(Params& machine, Visitor&& visit) requires requires {
-    machine.toolChangeSeconds;
-}
-{
-    visit(machine.rapidXY, Field{"rapidXY", PROVEOUT_TEXT("Core", "Rapid traverse X/Y"), "mm/min",
-                                 PROVEOUT_TEXT("Core", "Speed of X and of Y at rapid."), 1, 1e6, 500});
-    visit(machine.rapidZ, Field{"rapidZ", PROVEOUT_TEXT("Core", "Rapid traverse Z"), "mm/min",
-                                PROVEOUT_TEXT("Core", "Speed of Z at rapid."), 1, 1e6, 500});
+template<ParametersOf<Machine> Params, class Visitor>
+void describe(Params& machine, Visitor&& visit) {
+    visit(machine.rapidXY, Field{.key = "rapidXY",
+                                 .label = PROVEOUT_TEXT("Core", "Rapid traverse X/Y"),
+                                 .unit = "mm/min",
+                                 .help = PROVEOUT_TEXT("Core", "Speed of X and of Y at rapid."),
+                                 .minimum = 1,
+                                 .maximum = 1e6,
+                                 .step = 500,
+                                 .decimals = 0});
+    visit(machine.rapidZ, Field{.key = "rapidZ",
+                                .label = PROVEOUT_TEXT("Core", "Rapid traverse Z"),
+                                .unit = "mm/min",
+                                .help = PROVEOUT_TEXT("Core", "Speed of Z at rapid."),
+                                .minimum = 1,
+                                .maximum = 1e6,
+                                .step = 500,
+                                .decimals = 0});
     visit(machine.largestFeed,
-          Field{"largestFeed", PROVEOUT_TEXT("Core", "Maximum feed rate"), "mm/min",
-                PROVEOUT_TEXT("Core", "The machine limits the feed rate to this, whatever F says."), 1, 1e6,
-                500});
-    visit(machine.accelerationXY, Field{"accelerationXY", PROVEOUT_TEXT("Core", "Acceleration X, Y"), "mm/s²",
-                                        PROVEOUT_TEXT("Core", "Acceleration of X and of Y."), 1, 1e6, 100});
-    visit(machine.accelerationZ, Field{"accelerationZ", PROVEOUT_TEXT("Core", "Acceleration Z"), "mm/s²",
-                                       PROVEOUT_TEXT("Core", "Acceleration of Z."), 1, 1e6, 100});
+          Field{.key = "largestFeed",
+                .label = PROVEOUT_TEXT("Core", "Maximum feed rate"),
+                .unit = "mm/min",
+                .help = PROVEOUT_TEXT("Core", "The machine limits the feed rate to this, whatever F says."),
+                .minimum = 1,
+                .maximum = 1e6,
+                .step = 500,
+                .decimals = 0});
+    visit(machine.accelerationXY, Field{.key = "accelerationXY",
+                                        .label = PROVEOUT_TEXT("Core", "Acceleration X, Y"),
+                                        .unit = "mm/s²",
+                                        .help = PROVEOUT_TEXT("Core", "Acceleration of X and of Y."),
+                                        .minimum = 1,
+                                        .maximum = 1e6,
+                                        .step = 100,
+                                        .decimals = 0});
+    visit(machine.accelerationZ, Field{.key = "accelerationZ",
+                                       .label = PROVEOUT_TEXT("Core", "Acceleration Z"),
+                                       .unit = "mm/s²",
+                                       .help = PROVEOUT_TEXT("Core", "Acceleration of Z."),
+                                       .minimum = 1,
+                                       .maximum = 1e6,
+                                       .step = 100,
+                                       .decimals = 0});
     visit(machine.cornerDeviation,
-          Field{"cornerDeviation", PROVEOUT_TEXT("Core", "Cornering tolerance"), "mm",
-                PROVEOUT_TEXT("Core", "Largest deviation of a rounded corner; 0: exact stop at each corner."),
-                0, 10, 0.01});
-    visit(machine.toolChangeSeconds,
-          Field{"toolChange", PROVEOUT_TEXT("Core", "Tool change"), "s",
-                PROVEOUT_TEXT("Core", "Tool change time, chip to chip."), 0, 3600, 0.5});
+          Field{.key = "cornerDeviation",
+                .label = PROVEOUT_TEXT("Core", "Cornering tolerance"),
+                .unit = "mm",
+                .help = PROVEOUT_TEXT("Core",
+                                      "Largest deviation of a rounded corner; 0: exact stop at each corner."),
+                .minimum = 0,
+                .maximum = 10,
+                .step = 0.01});
+    visit(machine.toolChangeSeconds, Field{.key = "toolChange",
+                                           .label = PROVEOUT_TEXT("Core", "Tool change time"),
+                                           .unit = "s",
+                                           .help = PROVEOUT_TEXT("Core", "Tool change time, chip to chip."),
+                                           .minimum = 0,
+                                           .maximum = 3600,
+                                           .step = 0.5});
 }
 
 /// The machine as `key=value,…` says, with the keys of describe(); what is not named stays. Errors: a key

@@ -11,10 +11,8 @@ namespace proveout {
 Result<void> checkRanges(const DecimationParameters& parameters) {
     Result<void> result;
     describe(parameters, [&result](const auto& value, const Field& field) {
-        if (field.minimum == field.maximum)
-            return;
         const auto number = static_cast<double>(value);
-        if (!(number >= field.minimum && number <= field.maximum) && result)
+        if (hasRange(field) && !isInRange(field, number) && result)
             result = failure(setup_finding::kParameterOutOfRange,
                              {field.key, figures("{}", number), figures("{}", field.minimum),
                               figures("{}", field.maximum)});

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <vector>
+
+#include <QWidget>
+
+#include "core/simulation/setup/setup_fields.h"
+#include "ui/session/session.h"
+
+class QCheckBox;
+class QComboBox;
+class QLabel;
+class QVBoxLayout;
+
+namespace proveout {
+
+class IgnoredCodesField;
+class StartForm;
+
+/// What is set on the control: the rows of eachControlField(). A row that is a switch or one of two choices
+/// gets its widget from its description, named like its option; the others have forms of their own.
+class ControlForm final : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ControlForm(Session& session, QWidget* parent = nullptr);
+
+    /// Shows other values, and what the present program says of them; emits nothing.
+    void show(const Setup& setup);
+    /// Another document: a text that is not finished, or wrong, belongs to none.
+    void dropText();
+    void put(Setup& setup) const;
+
+signals:
+    void edited();
+
+protected:
+    void changeEvent(QEvent* event) override;
+
+private:
+    struct Switch {
+        const Field* field;
+        QCheckBox* box = nullptr; ///< or
+        QLabel* label = nullptr;
+        QComboBox* choices = nullptr;
+    };
+
+    void build();
+    [[nodiscard]] Switch makeSwitch(const Field& field, QVBoxLayout& choices, QVBoxLayout& boxes);
+    void showProgram();
+    [[nodiscard]] QString automaticDialect() const;
+    void showCompensation();
+    void retranslate();
+
+    Session& m_session;
+    QLabel* m_dialectLabel;
+    QComboBox* m_dialect;
+    std::vector<Switch> m_switches; ///< in the order of the rows
+    IgnoredCodesField* m_ignored = nullptr;
+    StartForm* m_start = nullptr;
+};
+
+} // namespace proveout
