@@ -17,7 +17,7 @@
 #include "app/workstation/study_main.h"
 #include "core/base/write_signals.h"
 #include "core/verification/findings/command_line_findings.h"
-#include "ui/appearance.h"
+#include "ui/look/appearance.h"
 #include "ui/session/session.h"
 #include "ui/window/main_window.h"
 #include "ui/window/recovery.h"

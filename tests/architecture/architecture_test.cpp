@@ -49,8 +49,9 @@ const std::map<std::string, std::vector<std::string>> kRoomsWithin{
     {"core/verification", {"findings"}},
 };
 
-/// The room of the hubs, which panels talk to.
-const std::string kHubs = "ui/session";
+/// The rooms that panels share, the lowest first: each may include those before it.
+const std::vector<std::string> kSharedRooms{"ui/look",    "ui/work",    "ui/document", "ui/program",
+                                            "ui/session", "ui/readout", "ui/files"};
 /// The room of the window, which holds the panels and knows all of them.
 const std::string kWindow = "ui/window";
 
@@ -144,7 +145,7 @@ TEST(Architecture, RoomsOfTheCoreIncludeOnlyRoomsAboveThem) {
         if (!file.in("core") || !file.isCpp())
             continue;
         const auto room = kCoreRooms.find(file.room());
-        ASSERT_NE(room, kCoreRooms.end()) << file.path << " lies in no room of the core";
+        ASSERT_NE(room, kCoreRooms.end()) << file.path << " is in no room of the core";
         for (const Include& include : file.includes) {
             const std::string other = roomOf(include.target);
             if (include.angled || other == room->first)
@@ -171,7 +172,7 @@ TEST(Architecture, RoomsWithinARoomLookDownOnly) {
             if (!file.in(room) || !file.isCpp())
                 continue;
             const std::size_t level = levelOf(file.path, room, order);
-            ASSERT_LT(level, order.size()) << file.path << " lies in no room of " << room;
+            ASSERT_LT(level, order.size()) << file.path << " is in no room of " << room;
             for (const Include& include : file.includes) {
                 if (!include.angled && isOf(include, room)) {
                     EXPECT_LE(levelOf(include.target, room, order), level) << place(file, include);
@@ -181,20 +182,38 @@ TEST(Architecture, RoomsWithinARoomLookDownOnly) {
     }
 }
 
+/// The place of a room in the order of those that panels share; their number where it is a panel or the
+/// window.
+std::size_t sharedLevel(const std::string& room) {
+    return static_cast<std::size_t>(std::ranges::find(kSharedRooms, room) - kSharedRooms.begin());
+}
+
+TEST(Architecture, EveryFileOfTheUiIsInARoom) {
+    for (const SourceFile& file : sourceTree()) {
+        if (file.in("ui") && file.isCpp()) {
+            EXPECT_FALSE(file.room().empty()) << file.path;
+        }
+    }
+}
+
+TEST(Architecture, SharedRoomsLookDownOnly) {
+    for (const std::string& room : kSharedRooms)
+        EXPECT_TRUE(std::ranges::any_of(sourceTree(), [&](const SourceFile& file) { return file.in(room); }))
+            << room;
+    forbid([](const SourceFile& file, const Include& include) {
+        const std::size_t level = sharedLevel(file.room());
+        return level < kSharedRooms.size() && isOf(include, "ui") &&
+               sharedLevel(roomOf(include.target)) > level;
+    });
+}
+
 TEST(Architecture, PanelsDoNotKnowEachOther) {
     forbid([](const SourceFile& file, const Include& include) {
         const std::string panel = file.room();
         const std::string other = roomOf(include.target);
         const bool viewportDraws = panel == "ui/viewport" && other == "ui/gl";
-        return file.in("ui") && isOf(include, "ui") && !panel.empty() && !other.empty() && other != panel &&
-               other != kHubs && panel != kWindow && !viewportDraws;
-    });
-}
-
-TEST(Architecture, TheHubsKnowNoPanel) {
-    forbid([](const SourceFile& file, const Include& include) {
-        const std::string other = roomOf(include.target);
-        return file.in(kHubs) && isOf(include, "ui") && !other.empty() && other != kHubs;
+        return file.in("ui") && panel != kWindow && isOf(include, "ui") && other != panel &&
+               sharedLevel(other) == kSharedRooms.size() && !viewportDraws;
     });
 }
 

@@ -48,8 +48,8 @@ TEST(Desktop, TypesOfTheEntryAreDefined) {
 }
 
 TEST(Desktop, EndingsAreThoseThatTheWindowOpens) {
-    std::set<std::string> endings =
-        matches(textOf(fs::path(PROVEOUT_SOURCE_DIR) / "ui/file_flow.cpp"), "[( ](\\*\\.[a-z]+)(?=[ )])");
+    std::set<std::string> endings = matches(textOf(fs::path(PROVEOUT_SOURCE_DIR) / "ui/files/file_flow.cpp"),
+                                            "[( ](\\*\\.[a-z]+)(?=[ )])");
     // Disk images, texts, and what is only saved.
     for (const char* other : {"*.iso", "*.txt", "*.pvstock"})
         EXPECT_EQ(endings.erase(other), 1U) << other;

@@ -11,8 +11,8 @@
 #include "core/nc/codes/codes.h"
 #include "core/nc/run/interpreter.h"
 #include "core/zmap/stock.h"
-#include "ui/diagnostic_text.h"
-#include "ui/languages.h"
+#include "ui/look/diagnostic_text.h"
+#include "ui/look/languages.h"
 
 namespace proveout {
 

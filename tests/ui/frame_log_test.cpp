@@ -3,7 +3,7 @@
 
 #include <QTest>
 
-#include "ui/frame_log.h"
+#include "ui/program/frame_log.h"
 
 namespace proveout {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/program_index.h"
+#include "ui/program/program_index.h"
 
 #include <string>
 

@@ -19,11 +19,11 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 
-#include "ui/choice_box.h"
-#include "ui/diagnostic_text.h"
-#include "ui/number_box.h"
-#include "ui/panel_layout.h"
-#include "ui/theme.h"
+#include "ui/look/choice_box.h"
+#include "ui/look/diagnostic_text.h"
+#include "ui/look/number_box.h"
+#include "ui/look/panel_layout.h"
+#include "ui/look/theme.h"
 
 namespace proveout {
 

@@ -11,9 +11,9 @@
 
 #include "core/nc/program/control_names.h"
 #include "core/simulation/run/interpretation.h"
-#include "ui/diagnostic_text.h"
-#include "ui/panel_layout.h"
-#include "ui/tool_actions.h"
+#include "ui/look/diagnostic_text.h"
+#include "ui/look/panel_layout.h"
+#include "ui/readout/tool_actions.h"
 
 namespace proveout {
 

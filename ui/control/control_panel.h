@@ -5,7 +5,7 @@
 #include <QWidget>
 
 #include "core/nc/program/control_state.h"
-#include "ui/program_source.h"
+#include "ui/program/program_source.h"
 #include "ui/session/session.h"
 
 class QLabel;

@@ -14,11 +14,11 @@
 #include <QVBoxLayout>
 
 #include "core/simulation/run/interpretation.h"
-#include "ui/edited_elsewhere_bar.h"
 #include "ui/editor/find_bar.h"
 #include "ui/editor/nc_editor.h"
-#include "ui/file_changed_bar.h"
-#include "ui/icons.h"
+#include "ui/files/edited_elsewhere_bar.h"
+#include "ui/files/file_changed_bar.h"
+#include "ui/look/icons.h"
 
 namespace proveout {
 

@@ -5,8 +5,8 @@
 
 #include <QWidget>
 
-#include "ui/command_table.h"
-#include "ui/program_source.h"
+#include "ui/look/command_table.h"
+#include "ui/program/program_source.h"
 #include "ui/session/session.h"
 
 class QLabel;

@@ -11,7 +11,7 @@
 #include <QMimeData>
 #include <QScrollBar>
 
-#include "ui/theme.h"
+#include "ui/look/theme.h"
 
 namespace proveout {
 

@@ -15,11 +15,11 @@
 #include "core/base/diagnostic.h"
 #include "core/nc/codes/word_help.h"
 #include "core/nc/program/line_values.h"
-#include "ui/document.h"
+#include "ui/document/document.h"
 #include "ui/editor/nc_highlighter.h"
 #include "ui/editor/problem_marks.h"
 #include "ui/editor/scintilla_document.h"
-#include "ui/newest_task.h"
+#include "ui/work/newest_task.h"
 
 namespace proveout {
 

@@ -14,7 +14,7 @@
 #include <Qsci/qsciscintilla.h>
 
 #include "core/nc/codes/codes.h"
-#include "ui/theme.h"
+#include "ui/look/theme.h"
 
 namespace proveout {
 

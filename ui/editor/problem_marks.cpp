@@ -11,9 +11,9 @@
 #include <QStringList>
 #include <Qsci/qsciscintilla.h>
 
-#include "ui/diagnostic_text.h"
-#include "ui/icons.h"
-#include "ui/theme.h"
+#include "ui/look/diagnostic_text.h"
+#include "ui/look/icons.h"
+#include "ui/look/theme.h"
 
 namespace proveout {
 

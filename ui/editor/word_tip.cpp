@@ -9,7 +9,7 @@
 #include <QLocale>
 #include <QStringList>
 
-#include "ui/diagnostic_text.h"
+#include "ui/look/diagnostic_text.h"
 
 namespace proveout {
 

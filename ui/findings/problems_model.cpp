@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/findings/problems_model.h"
 
-#include "ui/diagnostic_text.h"
-#include "ui/icons.h"
+#include "ui/look/diagnostic_text.h"
+#include "ui/look/icons.h"
 
 namespace proveout {
 

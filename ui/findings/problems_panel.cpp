@@ -11,9 +11,9 @@
 #include <QVBoxLayout>
 
 #include "core/nc/codes/ignored_codes.h"
-#include "ui/diagnostic_text.h"
 #include "ui/findings/problem_columns.h"
 #include "ui/findings/problems_model.h"
+#include "ui/look/diagnostic_text.h"
 
 namespace proveout {
 

@@ -6,7 +6,7 @@
 
 #include <QWidget>
 
-#include "ui/command_table.h"
+#include "ui/look/command_table.h"
 #include "ui/session/session.h"
 
 class QLabel;

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <utility>
 
-#include "ui/frame_log.h"
+#include "ui/program/frame_log.h"
 
 namespace proveout {
 namespace {

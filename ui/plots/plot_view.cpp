@@ -11,8 +11,8 @@
 #include <QSvgGenerator>
 #include <QToolTip>
 
+#include "ui/look/theme.h"
 #include "ui/plots/filled_curve.h"
-#include "ui/theme.h"
 
 namespace proveout {
 namespace {

@@ -13,8 +13,8 @@
 #include <QVBoxLayout>
 
 #include "core/base/atomic_file.h"
+#include "ui/files/save_dialog.h"
 #include "ui/plots/plot_csv.h"
-#include "ui/save_dialog.h"
 
 namespace proveout {
 namespace {

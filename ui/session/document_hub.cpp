@@ -8,8 +8,8 @@
 
 #include "core/formats/job_findings.h"
 #include "core/verification/findings/window_findings.h"
-#include "ui/file_paths.h"
-#include "ui/job_permissions.h"
+#include "ui/document/file_paths.h"
+#include "ui/document/job_permissions.h"
 #include "ui/session/problems_hub.h"
 #include "ui/session/work_hub.h"
 

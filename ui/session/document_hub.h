@@ -13,9 +13,9 @@
 
 #include "core/base/diagnostic.h"
 #include "core/decimation/regions/parameters.h"
-#include "ui/document_reader.h"
-#include "ui/file_watch.h"
-#include "ui/job_document.h"
+#include "ui/document/document_reader.h"
+#include "ui/document/file_watch.h"
+#include "ui/document/job_document.h"
 
 namespace proveout {
 

@@ -6,7 +6,7 @@
 #include <QObject>
 #include <QString>
 
-#include "ui/export_job.h"
+#include "ui/program/export_job.h"
 
 namespace proveout {
 

@@ -8,7 +8,7 @@
 #include "core/decimation/surface/map_memory.h"
 #include "core/simulation/run/interpretation.h"
 #include "core/simulation/setup/automatic_grid.h"
-#include "ui/program_index.h"
+#include "ui/program/program_index.h"
 #include "ui/session/playback_hub.h"
 #include "ui/session/program_hub.h"
 

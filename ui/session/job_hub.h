@@ -11,7 +11,7 @@
 #include "core/simulation/setup/machine.h"
 #include "core/simulation/setup/setup.h"
 #include "core/simulation/setup/tool_proposals.h"
-#include "ui/job_history.h"
+#include "ui/document/job_history.h"
 #include "ui/session/document_hub.h"
 
 namespace proveout {

@@ -7,7 +7,7 @@
 
 #include <QObject>
 
-#include "ui/block_search.h"
+#include "ui/program/block_search.h"
 
 namespace proveout {
 

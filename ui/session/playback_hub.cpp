@@ -3,7 +3,7 @@
 
 #include <utility>
 
-#include "ui/program_index.h"
+#include "ui/program/program_index.h"
 #include "ui/session/breakpoint_list.h"
 #include "ui/session/document_hub.h"
 #include "ui/session/program_hub.h"

@@ -12,10 +12,10 @@
 #include "core/simulation/run/frame.h"
 #include "core/simulation/run/statistics.h"
 #include "core/simulation/thread/breakpoints.h"
-#include "ui/frame_log.h"
-#include "ui/playback.h"
-#include "ui/played_parameters.h"
-#include "ui/repaint_tick.h"
+#include "ui/program/frame_log.h"
+#include "ui/program/playback.h"
+#include "ui/program/played_parameters.h"
+#include "ui/work/repaint_tick.h"
 
 namespace proveout {
 

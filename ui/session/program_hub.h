@@ -10,9 +10,9 @@
 #include "core/nc/program/program.h"
 #include "core/simulation/setup/tool_proposals.h"
 #include "core/simulation/time/machine_time.h"
-#include "ui/newest_task.h"
-#include "ui/program_index.h"
-#include "ui/program_source.h"
+#include "ui/program/program_index.h"
+#include "ui/program/program_source.h"
+#include "ui/work/newest_task.h"
 
 namespace proveout {
 

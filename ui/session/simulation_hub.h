@@ -11,7 +11,7 @@
 #include "core/base/diagnostic.h"
 #include "core/simulation/run/frame.h"
 #include "core/simulation/thread/simulation_thread.h"
-#include "ui/ui_queue.h"
+#include "ui/work/ui_queue.h"
 
 namespace proveout {
 

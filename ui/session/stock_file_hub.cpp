@@ -5,7 +5,7 @@
 
 #include "core/formats/stock_shapes.h"
 #include "core/verification/findings/window_findings.h"
-#include "ui/file_paths.h"
+#include "ui/document/file_paths.h"
 #include "ui/session/job_hub.h"
 #include "ui/session/problems_hub.h"
 

@@ -6,8 +6,8 @@
 #include <QObject>
 
 #include "core/simulation/setup/setup.h"
-#include "ui/file_watch.h"
-#include "ui/newest_task.h"
+#include "ui/document/file_watch.h"
+#include "ui/work/newest_task.h"
 
 namespace proveout {
 

@@ -15,8 +15,8 @@
 #include <QVBoxLayout>
 
 #include "core/nc/codes/dialects.h"
-#include "ui/diagnostic_text.h"
-#include "ui/field_text.h"
+#include "ui/look/diagnostic_text.h"
+#include "ui/look/field_text.h"
 #include "ui/setup/ignored_codes_field.h"
 #include "ui/setup/start_form.h"
 

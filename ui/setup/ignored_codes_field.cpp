@@ -11,10 +11,10 @@
 #include <QVBoxLayout>
 
 #include "core/simulation/setup/setup_fields.h"
-#include "ui/diagnostic_text.h"
-#include "ui/field_text.h"
-#include "ui/panel_layout.h"
-#include "ui/typed_text.h"
+#include "ui/look/diagnostic_text.h"
+#include "ui/look/field_text.h"
+#include "ui/look/panel_layout.h"
+#include "ui/look/typed_text.h"
 
 namespace proveout {
 

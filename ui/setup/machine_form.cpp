@@ -5,11 +5,11 @@
 #include <QGridLayout>
 #include <QLabel>
 
-#include "ui/cycle_time_text.h"
-#include "ui/diagnostic_text.h"
-#include "ui/field_text.h"
-#include "ui/number_box.h"
-#include "ui/panel_layout.h"
+#include "ui/look/diagnostic_text.h"
+#include "ui/look/field_text.h"
+#include "ui/look/number_box.h"
+#include "ui/look/panel_layout.h"
+#include "ui/readout/cycle_time_text.h"
 
 namespace proveout {
 

@@ -7,8 +7,8 @@
 #include <QWidget>
 
 #include "core/formats/stock_shapes.h"
-#include "ui/newest_task.h"
 #include "ui/session/session.h"
+#include "ui/work/newest_task.h"
 
 class QLabel;
 class QPushButton;

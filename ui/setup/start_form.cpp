@@ -12,10 +12,10 @@
 
 #include "core/simulation/setup/setup_fields.h"
 #include "core/simulation/setup/tool_choice.h"
-#include "ui/choice_box.h"
-#include "ui/diagnostic_text.h"
-#include "ui/field_text.h"
-#include "ui/number_box.h"
+#include "ui/look/choice_box.h"
+#include "ui/look/diagnostic_text.h"
+#include "ui/look/field_text.h"
+#include "ui/look/number_box.h"
 
 namespace proveout {
 

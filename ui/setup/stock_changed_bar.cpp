@@ -7,7 +7,7 @@
 #include <QLabel>
 #include <QPushButton>
 
-#include "ui/file_paths.h"
+#include "ui/document/file_paths.h"
 
 namespace proveout {
 

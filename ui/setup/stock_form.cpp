@@ -15,12 +15,12 @@
 #include <QToolButton>
 
 #include "core/simulation/setup/setup_fields.h"
-#include "ui/diagnostic_text.h"
-#include "ui/field_text.h"
-#include "ui/file_paths.h"
-#include "ui/grid_field.h"
-#include "ui/number_box.h"
-#include "ui/typed_text.h"
+#include "ui/document/file_paths.h"
+#include "ui/look/diagnostic_text.h"
+#include "ui/look/field_text.h"
+#include "ui/look/grid_field.h"
+#include "ui/look/number_box.h"
+#include "ui/look/typed_text.h"
 
 namespace proveout {
 

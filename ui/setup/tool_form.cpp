@@ -9,10 +9,10 @@
 #include <QFormLayout>
 #include <QLineEdit>
 
-#include "ui/choice_box.h"
-#include "ui/diagnostic_text.h"
-#include "ui/number_box.h"
-#include "ui/typed_text.h"
+#include "ui/look/choice_box.h"
+#include "ui/look/diagnostic_text.h"
+#include "ui/look/number_box.h"
+#include "ui/look/typed_text.h"
 
 namespace proveout {
 

@@ -16,13 +16,13 @@
 #include <QVBoxLayout>
 
 #include "core/base/tool_number.h"
-#include "ui/diagnostic_text.h"
-#include "ui/icons.h"
-#include "ui/number_box.h"
-#include "ui/panel_layout.h"
+#include "ui/look/diagnostic_text.h"
+#include "ui/look/icons.h"
+#include "ui/look/number_box.h"
+#include "ui/look/panel_layout.h"
+#include "ui/readout/tool_actions.h"
 #include "ui/setup/edited_origin.h"
 #include "ui/setup/tool_form.h"
-#include "ui/tool_actions.h"
 
 namespace proveout {
 

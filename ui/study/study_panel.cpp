@@ -20,9 +20,9 @@
 
 #include "core/base/atomic_file.h"
 #include "core/study/study_csv.h"
-#include "ui/diagnostic_text.h"
-#include "ui/file_paths.h"
-#include "ui/panel_layout.h"
+#include "ui/document/file_paths.h"
+#include "ui/look/diagnostic_text.h"
+#include "ui/look/panel_layout.h"
 #include "ui/study/chart_view.h"
 
 namespace proveout {

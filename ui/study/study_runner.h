@@ -9,7 +9,7 @@
 #include <QObject>
 
 #include "core/study/optimiser.h"
-#include "ui/ui_queue.h"
+#include "ui/work/ui_queue.h"
 
 class QThread;
 

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numeric>
 
-#include "ui/theme.h"
+#include "ui/look/theme.h"
 
 namespace proveout {
 

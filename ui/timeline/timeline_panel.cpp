@@ -12,13 +12,13 @@
 #include <QToolButton>
 #include <QToolTip>
 
-#include "ui/choice_box.h"
-#include "ui/cycle_time_text.h"
-#include "ui/program_index.h"
-#include "ui/theme.h"
+#include "ui/look/choice_box.h"
+#include "ui/look/theme.h"
+#include "ui/program/program_index.h"
+#include "ui/readout/cycle_time_text.h"
+#include "ui/readout/tool_actions.h"
 #include "ui/timeline/activity_text.h"
 #include "ui/timeline/timeline_scale.h"
-#include "ui/tool_actions.h"
 
 namespace proveout {
 

@@ -3,7 +3,7 @@
 
 #include <QWidget>
 
-#include "ui/playback_commands.h"
+#include "ui/session/playback_commands.h"
 #include "ui/session/session.h"
 #include "ui/timeline/activity_follower.h"
 

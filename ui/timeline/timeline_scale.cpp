@@ -13,8 +13,8 @@
 #include <QPainterPath>
 #include <QWheelEvent>
 
-#include "ui/theme.h"
-#include "ui/wheel_focus.h"
+#include "ui/look/theme.h"
+#include "ui/look/wheel_focus.h"
 
 namespace proveout {
 

@@ -18,12 +18,12 @@
 #include <QToolButton>
 
 #include "core/decimation/regions/region_decimator.h"
-#include "ui/choice_box.h"
-#include "ui/diagnostic_text.h"
-#include "ui/field_text.h"
-#include "ui/icons.h"
-#include "ui/number_box.h"
-#include "ui/typed_text.h"
+#include "ui/look/choice_box.h"
+#include "ui/look/diagnostic_text.h"
+#include "ui/look/field_text.h"
+#include "ui/look/icons.h"
+#include "ui/look/number_box.h"
+#include "ui/look/typed_text.h"
 
 namespace proveout {
 

@@ -8,12 +8,12 @@
 #include <QVBoxLayout>
 
 #include "core/simulation/setup/setup_fields.h"
-#include "ui/carried_values.h"
-#include "ui/diagnostic_text.h"
-#include "ui/grid_field.h"
-#include "ui/icons.h"
-#include "ui/panel_layout.h"
-#include "ui/theme.h"
+#include "ui/document/carried_values.h"
+#include "ui/look/diagnostic_text.h"
+#include "ui/look/grid_field.h"
+#include "ui/look/icons.h"
+#include "ui/look/panel_layout.h"
+#include "ui/look/theme.h"
 #include "ui/tuning/parameter_form.h"
 
 namespace proveout {

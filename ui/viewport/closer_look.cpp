@@ -10,7 +10,7 @@
 #include "core/base/stop_watch.h"
 #include "core/decimation/surface/refined_surface.h"
 #include "core/verification/findings/window_findings.h"
-#include "ui/diagnostic_text.h"
+#include "ui/look/diagnostic_text.h"
 
 namespace proveout {
 namespace {

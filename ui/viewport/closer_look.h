@@ -12,7 +12,7 @@
 #include "core/base/memory.h"
 #include "core/simulation/records/box_of_interest.h"
 #include "core/simulation/run/frame.h"
-#include "ui/newest_task.h"
+#include "ui/work/newest_task.h"
 
 namespace proveout {
 

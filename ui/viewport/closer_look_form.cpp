@@ -13,7 +13,7 @@
 #include <QSignalBlocker>
 #include <QToolButton>
 
-#include "ui/number_box.h"
+#include "ui/look/number_box.h"
 #include "ui/viewport/box_choice.h"
 
 namespace proveout {

@@ -7,7 +7,7 @@
 #include <QMenu>
 #include <QPushButton>
 
-#include "ui/diagnostic_text.h"
+#include "ui/look/diagnostic_text.h"
 #include "ui/session/session.h"
 
 namespace proveout {

@@ -4,9 +4,9 @@
 #include <QApplication>
 #include <QWidget>
 
-#include "ui/probe_text.h"
+#include "ui/readout/probe_text.h"
+#include "ui/readout/surface_probe.h"
 #include "ui/session/session.h"
-#include "ui/surface_probe.h"
 #include "ui/viewport/place_label.h"
 #include "ui/viewport/surface_pick.h"
 

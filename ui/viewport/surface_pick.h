@@ -5,7 +5,7 @@
 
 #include "core/simulation/records/block_provenance.h"
 #include "core/zmap/zmap.h"
-#include "ui/surface_probe.h"
+#include "ui/readout/surface_probe.h"
 #include "ui/viewport/camera.h"
 
 namespace proveout {

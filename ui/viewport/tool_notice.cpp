@@ -10,8 +10,8 @@
 #include <QStyle>
 #include <QToolButton>
 
+#include "ui/readout/tool_actions.h"
 #include "ui/session/session.h"
-#include "ui/tool_actions.h"
 
 namespace proveout {
 

@@ -8,7 +8,7 @@
 #include <QLabel>
 #include <QVBoxLayout>
 
-#include "ui/icons.h"
+#include "ui/look/icons.h"
 
 namespace proveout {
 

@@ -6,7 +6,7 @@
 #include <QOpenGLPaintDevice>
 #include <QPainter>
 
-#include "ui/theme.h"
+#include "ui/look/theme.h"
 #include "ui/viewport/detail_choice.h"
 #include "ui/viewport/foreign_notice.h"
 #include "ui/viewport/pointer_place.h"

@@ -6,8 +6,8 @@
 
 #include <QOpenGLWidget>
 
-#include "ui/command_table.h"
 #include "ui/gl/gl_functions.h"
+#include "ui/look/command_table.h"
 #include "ui/session/session.h"
 #include "ui/viewport/camera.h"
 #include "ui/viewport/camera_gestures.h"

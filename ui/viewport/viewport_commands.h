@@ -5,7 +5,7 @@
 #include <span>
 #include <string_view>
 
-#include "ui/command_table.h"
+#include "ui/look/command_table.h"
 #include "ui/viewport/viewport.h"
 
 namespace proveout {

@@ -5,7 +5,7 @@
 
 #include <QActionGroup>
 
-#include "ui/icons.h"
+#include "ui/look/icons.h"
 
 namespace proveout {
 

@@ -6,7 +6,7 @@
 #include <QMenu>
 #include <QObject>
 
-#include "ui/appearance.h"
+#include "ui/look/appearance.h"
 
 namespace proveout {
 

@@ -7,7 +7,7 @@
 #include <QSettings>
 
 #include "core/base/memory.h"
-#include "ui/diagnostic_text.h"
+#include "ui/look/diagnostic_text.h"
 
 namespace proveout {
 

@@ -9,7 +9,7 @@
 
 #include <QMainWindow>
 
-#include "ui/playback.h"
+#include "ui/program/playback.h"
 
 namespace proveout {
 

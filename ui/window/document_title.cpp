@@ -4,7 +4,7 @@
 #include <QCoreApplication>
 #include <QFileInfo>
 
-#include "ui/file_paths.h"
+#include "ui/document/file_paths.h"
 
 namespace proveout {
 

@@ -5,7 +5,7 @@
 #include <QMainWindow>
 #include <QStatusBar>
 
-#include "ui/file_flow.h"
+#include "ui/files/file_flow.h"
 
 namespace proveout {
 

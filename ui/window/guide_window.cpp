@@ -17,8 +17,8 @@
 #include <QToolBar>
 #include <QVBoxLayout>
 
-#include "ui/icons.h"
-#include "ui/resource_paths.h"
+#include "ui/look/icons.h"
+#include "ui/look/resource_paths.h"
 
 namespace proveout {
 

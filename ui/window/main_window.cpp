@@ -6,10 +6,10 @@
 #include <QStatusBar>
 
 #include "ui/editor/editor_panel.h"
-#include "ui/kept_breakpoints.h"
-#include "ui/playback_commands.h"
-#include "ui/surface_probe.h"
-#include "ui/wheel_focus.h"
+#include "ui/files/kept_breakpoints.h"
+#include "ui/look/wheel_focus.h"
+#include "ui/readout/surface_probe.h"
+#include "ui/session/playback_commands.h"
 #include "ui/window/document_title.h"
 #include "ui/window/file_drop.h"
 #include "ui/window/kept_switches.h"

@@ -5,8 +5,8 @@
 
 #include <QMainWindow>
 
-#include "ui/appearance.h"
-#include "ui/file_flow.h"
+#include "ui/files/file_flow.h"
+#include "ui/look/appearance.h"
 #include "ui/session/session.h"
 
 namespace proveout {

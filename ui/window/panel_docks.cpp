@@ -9,7 +9,7 @@
 #include <QKeySequence>
 #include <QMainWindow>
 
-#include "ui/icons.h"
+#include "ui/look/icons.h"
 #include "ui/session/session.h"
 #include "ui/window/dock_titles.h"
 #include "ui/window/fitted_dock.h"

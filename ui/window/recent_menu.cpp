@@ -3,8 +3,8 @@
 
 #include <QDir>
 
-#include "ui/file_flow.h"
-#include "ui/recent_files.h"
+#include "ui/document/recent_files.h"
+#include "ui/files/file_flow.h"
 
 namespace proveout {
 

@@ -11,9 +11,9 @@
 #include <QStandardPaths>
 
 #include "core/formats/job_file.h"
-#include "ui/compare_dialog.h"
-#include "ui/file_paths.h"
-#include "ui/kept_breakpoints.h"
+#include "ui/document/file_paths.h"
+#include "ui/files/compare_dialog.h"
+#include "ui/files/kept_breakpoints.h"
 #include "ui/window/main_window.h"
 #include "ui/window/recovery_bar.h"
 

@@ -7,8 +7,8 @@
 #include <QObject>
 #include <QString>
 
-#include "ui/autosave.h"
-#include "ui/kept_session.h"
+#include "ui/document/kept_session.h"
+#include "ui/files/autosave.h"
 
 namespace proveout {
 

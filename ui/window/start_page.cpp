@@ -9,9 +9,9 @@
 #include <QPushButton>
 #include <QVBoxLayout>
 
-#include "ui/icons.h"
-#include "ui/panel_layout.h"
-#include "ui/resource_paths.h"
+#include "ui/look/icons.h"
+#include "ui/look/panel_layout.h"
+#include "ui/look/resource_paths.h"
 
 namespace proveout {
 

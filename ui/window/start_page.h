@@ -3,8 +3,8 @@
 
 #include <QWidget>
 
-#include "ui/appearance.h"
-#include "ui/recent_files.h"
+#include "ui/document/recent_files.h"
+#include "ui/look/appearance.h"
 
 class QComboBox;
 class QLabel;

@@ -11,12 +11,12 @@
 #include <QToolButton>
 
 #include "core/nc/program/active_offset.h"
-#include "ui/diagnostic_text.h"
-#include "ui/elided_label.h"
-#include "ui/export_text.h"
-#include "ui/probe_text.h"
-#include "ui/surface_probe.h"
-#include "ui/tool_actions.h"
+#include "ui/look/diagnostic_text.h"
+#include "ui/look/elided_label.h"
+#include "ui/readout/export_text.h"
+#include "ui/readout/probe_text.h"
+#include "ui/readout/surface_probe.h"
+#include "ui/readout/tool_actions.h"
 
 namespace proveout {
 

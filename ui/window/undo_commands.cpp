@@ -13,7 +13,7 @@
 
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
-#include "ui/typed_text.h"
+#include "ui/look/typed_text.h"
 
 namespace proveout {
 

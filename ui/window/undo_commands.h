@@ -4,7 +4,7 @@
 #include <QList>
 #include <QObject>
 
-#include "ui/command_table.h"
+#include "ui/look/command_table.h"
 #include "ui/session/session.h"
 
 class QWidget;

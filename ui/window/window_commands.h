@@ -4,7 +4,7 @@
 
 #include <span>
 
-#include "ui/command_table.h"
+#include "ui/look/command_table.h"
 
 namespace proveout {
 

@@ -5,8 +5,8 @@
 #include <QMenuBar>
 
 #include "ui/editor/editor_panel.h"
-#include "ui/playback_commands.h"
-#include "ui/resource_paths.h"
+#include "ui/look/resource_paths.h"
+#include "ui/session/playback_commands.h"
 #include "ui/window/appearance_menus.h"
 #include "ui/window/checkpoint_menu.h"
 #include "ui/window/layout_menu.h"

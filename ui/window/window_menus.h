@@ -8,7 +8,7 @@
 #include <QMenu>
 #include <QObject>
 
-#include "ui/command_table.h"
+#include "ui/look/command_table.h"
 #include "ui/window/panel_table.h"
 
 namespace proveout {

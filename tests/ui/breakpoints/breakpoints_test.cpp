@@ -16,7 +16,7 @@
 
 #include "tests/ui/opened.h"
 #include "ui/breakpoints/breakpoints_panel.h"
-#include "ui/kept_breakpoints.h"
+#include "ui/files/kept_breakpoints.h"
 #include "ui/session/session.h"
 
 namespace proveout {

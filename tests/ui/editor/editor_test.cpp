@@ -12,11 +12,11 @@
 
 #include "core/base/utf8.h"
 #include "tests/ui/opened.h"
-#include "ui/document.h"
+#include "ui/document/document.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
 #include "ui/editor/nc_highlighter.h"
-#include "ui/icons.h"
+#include "ui/look/icons.h"
 #include "ui/session/session.h"
 
 namespace proveout {

@@ -20,8 +20,8 @@
 #include <QWheelEvent>
 #include <QWindow>
 
-#include "ui/languages.h"
-#include "ui/theme.h"
+#include "ui/look/languages.h"
+#include "ui/look/theme.h"
 
 namespace proveout {
 

@@ -11,7 +11,7 @@
 
 #include "core/simulation/run/simulation.h"
 #include "tests/ui/opened.h"
-#include "ui/block_search.h"
+#include "ui/program/block_search.h"
 #include "ui/session/session.h"
 
 namespace proveout {

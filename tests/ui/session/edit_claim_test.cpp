@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/edit_claim.h"
+#include "ui/document/edit_claim.h"
 
 #include <csignal>
 #include <memory>

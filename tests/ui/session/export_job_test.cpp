@@ -8,9 +8,9 @@
 #include "core/decimation/surface/map_memory.h"
 #include "core/zmap/zmap.h"
 #include "tests/core/file_size_limit.h"
-#include "ui/diagnostic_text.h"
-#include "ui/export_job.h"
-#include "ui/file_paths.h"
+#include "ui/document/file_paths.h"
+#include "ui/look/diagnostic_text.h"
+#include "ui/program/export_job.h"
 
 namespace proveout {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ui/job_document.h"
+#include "ui/document/job_document.h"
 
 #include <atomic>
 #include <barrier>
@@ -11,7 +11,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "ui/file_paths.h"
+#include "ui/document/file_paths.h"
 
 namespace proveout {
 

@@ -20,11 +20,11 @@
 #include "core/cutter/cutter.h"
 #include "core/formats/stl.h"
 #include "tests/ui/opened.h"
-#include "ui/diagnostic_text.h"
-#include "ui/file_paths.h"
-#include "ui/playback_commands.h"
-#include "ui/program_index.h"
-#include "ui/program_source.h"
+#include "ui/document/file_paths.h"
+#include "ui/look/diagnostic_text.h"
+#include "ui/program/program_index.h"
+#include "ui/program/program_source.h"
+#include "ui/session/playback_commands.h"
 #include "ui/session/session.h"
 
 namespace proveout {

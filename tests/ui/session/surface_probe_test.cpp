@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // When the block under the pointer is looked for, and when not.
-#include "ui/surface_probe.h"
+#include "ui/readout/surface_probe.h"
 
 #include <atomic>
 #include <chrono>
@@ -12,7 +12,7 @@
 
 #include "core/nc/run/interpreter.h"
 #include "core/simulation/run/simulation.h"
-#include "ui/probe_text.h"
+#include "ui/readout/probe_text.h"
 
 namespace proveout {
 namespace {

@@ -6,8 +6,8 @@
 
 #include <QtTest>
 
-#include "ui/newest_task.h"
-#include "ui/ui_queue.h"
+#include "ui/work/newest_task.h"
+#include "ui/work/ui_queue.h"
 
 using namespace proveout;
 

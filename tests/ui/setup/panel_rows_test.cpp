@@ -8,8 +8,8 @@
 #include <QTest>
 
 #include "core/simulation/setup/setup_fields.h"
-#include "ui/diagnostic_text.h"
-#include "ui/number_box.h"
+#include "ui/look/diagnostic_text.h"
+#include "ui/look/number_box.h"
 #include "ui/setup/setup_panel.h"
 #include "ui/tuning/tuning_panel.h"
 

@@ -10,7 +10,7 @@
 
 #include "core/nc/run/interpreter.h"
 #include "tests/random_seed.h"
-#include "ui/theme.h"
+#include "ui/look/theme.h"
 #include "ui/timeline/activity_follower.h"
 #include "ui/timeline/activity_text.h"
 

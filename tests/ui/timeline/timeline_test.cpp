@@ -15,8 +15,8 @@
 
 #include "core/nc/run/interpreter.h"
 #include "tests/ui/opened.h"
-#include "ui/cycle_time_text.h"
-#include "ui/theme.h"
+#include "ui/look/theme.h"
+#include "ui/readout/cycle_time_text.h"
 #include "ui/timeline/timeline_panel.h"
 #include "ui/timeline/timeline_scale.h"
 

@@ -25,9 +25,9 @@
 #include "core/base/atomic_file.h"
 #include "core/formats/formats.h"
 #include "tests/ui/window/workstation.h"
-#include "ui/diagnostic_text.h"
-#include "ui/file_paths.h"
-#include "ui/run_to_end.h"
+#include "ui/document/file_paths.h"
+#include "ui/files/run_to_end.h"
+#include "ui/look/diagnostic_text.h"
 
 namespace proveout {
 namespace {

@@ -13,7 +13,7 @@
 
 #include "core/base/memory.h"
 #include "tests/ui/window/heartbeat.h"
-#include "ui/file_paths.h"
+#include "ui/document/file_paths.h"
 
 namespace proveout {
 

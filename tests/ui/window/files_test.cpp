@@ -17,9 +17,9 @@
 
 #include "tests/ui/save_dialog_user.h"
 #include "tests/ui/window/workstation.h"
+#include "ui/document/recent_files.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
-#include "ui/recent_files.h"
 #include "ui/window/start_page.h"
 
 namespace proveout {

@@ -21,7 +21,7 @@
 #include "tests/ui/window/workstation.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
-#include "ui/resource_paths.h"
+#include "ui/look/resource_paths.h"
 #include "ui/window/guide_window.h"
 
 namespace proveout {

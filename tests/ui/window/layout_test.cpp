@@ -23,8 +23,8 @@
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
 #include "ui/findings/problems_model.h"
-#include "ui/languages.h"
-#include "ui/theme.h"
+#include "ui/look/languages.h"
+#include "ui/look/theme.h"
 #include "ui/window/dock_layouts.h"
 #include "ui/window/first_geometry.h"
 

@@ -11,7 +11,7 @@
 #include <QTest>
 
 #include "tests/ui/window/workstation.h"
-#include "ui/playback_commands.h"
+#include "ui/session/playback_commands.h"
 #include "ui/window/panel_docks.h"
 
 namespace proveout {

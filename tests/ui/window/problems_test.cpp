@@ -21,7 +21,7 @@
 #include "core/nc/text/dialect.h"
 #include "tests/ui/window/workstation.h"
 #include "ui/findings/problems_model.h"
-#include "ui/languages.h"
+#include "ui/look/languages.h"
 
 namespace proveout {
 namespace {

@@ -15,7 +15,7 @@
 #include <QTest>
 
 #include "tests/ui/window/workstation.h"
-#include "ui/languages.h"
+#include "ui/look/languages.h"
 
 namespace proveout {
 namespace {

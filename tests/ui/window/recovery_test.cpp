@@ -17,10 +17,10 @@
 #include <QTimer>
 
 #include "tests/ui/window/workstation.h"
-#include "ui/compare_dialog.h"
+#include "ui/document/file_paths.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
-#include "ui/file_paths.h"
+#include "ui/files/compare_dialog.h"
 #include "ui/window/recovery.h"
 #include "ui/window/recovery_bar.h"
 

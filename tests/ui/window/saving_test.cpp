@@ -16,11 +16,11 @@
 #include <QTimer>
 
 #include "tests/ui/window/workstation.h"
-#include "ui/compare_dialog.h"
-#include "ui/edited_elsewhere_bar.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
-#include "ui/file_changed_bar.h"
+#include "ui/files/compare_dialog.h"
+#include "ui/files/edited_elsewhere_bar.h"
+#include "ui/files/file_changed_bar.h"
 #include "ui/setup/setup_panel.h"
 
 namespace proveout {

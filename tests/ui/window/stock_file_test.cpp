@@ -21,7 +21,7 @@
 
 #include "core/formats/stock_shapes.h"
 #include "tests/ui/window/workstation.h"
-#include "ui/file_paths.h"
+#include "ui/document/file_paths.h"
 #include "ui/setup/stock_changed_bar.h"
 
 namespace proveout {

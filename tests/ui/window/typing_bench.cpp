@@ -21,9 +21,9 @@
 #include <QTest>
 #include <QTimer>
 
-#include "ui/appearance.h"
 #include "ui/editor/editor_panel.h"
 #include "ui/editor/nc_editor.h"
+#include "ui/look/appearance.h"
 #include "ui/window/main_window.h"
 
 using namespace proveout;

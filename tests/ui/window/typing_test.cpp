@@ -18,7 +18,7 @@
 
 #include "core/cutter/cutter.h"
 #include "tests/ui/window/workstation.h"
-#include "ui/number_box.h"
+#include "ui/look/number_box.h"
 
 namespace proveout {
 namespace {

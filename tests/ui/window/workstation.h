@@ -10,8 +10,8 @@
 #include <QTest>
 
 #include "tests/ui/opened.h"
-#include "ui/appearance.h"
-#include "ui/resource_paths.h"
+#include "ui/look/appearance.h"
+#include "ui/look/resource_paths.h"
 #include "ui/session/session.h"
 #include "ui/timeline/timeline_scale.h"
 #include "ui/window/main_window.h"

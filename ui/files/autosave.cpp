@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/files/autosave.h"
+
+#include <exception>
+#include <utility>
+
+#include "core/verification/findings/window_findings.h"
+#include "ui/files/kept_breakpoints.h"
+
+namespace proveout {
+
+namespace {
+
+Result<void> keepOrTell(const QString& folder, const JobDocument& document, const SessionState& state) {
+    try {
+        return keepSession(folder, document, state);
+    } catch (const std::exception& problem) {
+        return failure(window_finding::kBackupFailed, {problem.what()});
+    }
+}
+
+} // namespace
+
+Autosave::Autosave(Session& session, const QString& root, std::function<QByteArray()> layout)
+    : m_session(session), m_layout(std::move(layout)) {
+    if (Result<SessionFolder> folder = SessionFolder::create(root))
+        m_folder = std::move(*folder);
+    connect(&session.document(), &DocumentHub::changed, this, [this] { m_otherDocument = true; });
+    connect(&m_timer, &QTimer::timeout, this, &Autosave::look);
+    m_timer.start(kIntervalMs);
+}
+
+SessionState Autosave::state() const {
+    return {KeptBreakpoints::written(m_session.breakpoints().all()), m_layout()};
+}
+
+void Autosave::look() {
+    m_session.job().collectChanges();
+    if (m_otherDocument || m_keptRevision != m_session.document().job().revision() ||
+        !(m_keptState == state()))
+        keepNow([] {});
+}
+
+void Autosave::keepNow(std::function<void()> done) {
+    if (!m_folder)
+        return;
+    m_otherDocument = false;
+    m_keptRevision = m_session.document().job().revision();
+    m_keptState = state();
+    // The thread has values of its own: the text is shared and immutable.
+    m_task.start([this, folder = m_folder->path(), document = m_session.document().job(), state = m_keptState,
+                  done = std::move(done)](const NewestTask::Reply& reply) {
+        const Result<void> kept = keepOrTell(folder, document, state);
+        reply.post([this, kept, done] {
+            if (kept)
+                done();
+            else if (!std::exchange(m_failed, true))
+                m_session.problems().report(kept.error());
+            m_failed = !kept;
+            m_otherDocument = m_otherDocument || !kept; // try again
+        });
+    });
+}
+
+void Autosave::end() {
+    m_timer.stop();
+    if (!m_folder)
+        return;
+    // Behind what is being written.
+    m_task.start([folder = std::make_shared<SessionFolder>(std::move(*m_folder))](const NewestTask::Reply&) {
+        folder->remove();
+    });
+    m_folder.reset();
+}
+
+} // namespace proveout

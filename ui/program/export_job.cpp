@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "ui/program/export_job.h"
+
+#include <exception>
+#include <filesystem>
+#include <fmt/format.h>
+#include <system_error>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "core/base/atomic_file.h"
+#include "core/base/figures_argument.h"
+#include "core/base/file_state.h"
+#include "core/decimation/solid/solid.h"
+#include "core/decimation/surface/map_memory.h"
+#include "core/decimation/surface/refined_surface.h"
+#include "core/formats/export_findings.h"
+#include "core/formats/solid_export.h"
+#include "core/verification/findings/window_findings.h"
+#include "ui/document/file_paths.h"
+
+namespace proveout {
+
+namespace {
+
+/// Decimation takes most of the time; the shares of the whole in which each step ends.
+constexpr double kDecimated = 0.6;
+constexpr double kClosed = 0.7;
+
+DecimationParameters parametersOf(const Frame& frame, const ExportOptions& options) {
+    DecimationParameters parameters = forExport(frame.parameters);
+    if (!options.decimated)
+        parameters.method = DecimationMethod::none;
+    return parameters;
+}
+
+tl::unexpected<Diagnostics> cancelled() {
+    return failure(export_finding::kCancelledWriting);
+}
+
+/// The z-map itself is there already; on another grid it is another.
+Result<void> checkMeshMemory(const Frame& frame, const ExportOptions& options, double limitBytes) {
+    const Grid& grid = frame.zmap.grid();
+    const double points = static_cast<double>(grid.nx) * grid.ny;
+    const MapOutputs outputs{.schedule = false, .whole = true, .solid = true};
+    const double bytesPerPoint = meshBytesPerPoint(parametersOf(frame, options), outputs);
+    const double needed = points * bytesPerPoint;
+    if (needed <= limitBytes)
+        return {};
+    const auto would = finestSpacing(frame.zmap.stock(), limitBytes + zmapBytes(grid), bytesPerPoint);
+    std::vector<Argument> arguments{figures("{}", readableBytes(needed)),
+                                    figures("{}", readableBytes(limitBytes))};
+    if (!would)
+        return failure(window_finding::kExportNeedsTooMuchMemory, std::move(arguments));
+    arguments.push_back(figures("{:g}", *would));
+    return failure(window_finding::kExportNeedsCoarserGrid, std::move(arguments));
+}
+
+/// Who has chosen the file was asked about what it held then, which may be minutes ago.
+Result<void> checkUnchanged(const QString& file, const FileState& chosen) {
+    if (stateOf(toPath(file)) == chosen)
+        return {};
+    return failure(window_finding::kFileChangedOnDisk);
+}
+
+/// Before the work: whether the file can be written, and the disk has space for as many bytes.
+Result<void> checkTarget(const QString& file, std::uint64_t bytes) {
+    return AtomicFile(toPath(file), bytes).ready();
+}
+
+Result<ExportSummary> save(const StockFormat& format, const Frame& frame, const QString& file,
+                           const StockProvenance& provenance) {
+    if (auto written = format.write(toPath(file), frame.zmap, frame.setup->spacing, provenance); !written)
+        return tl::unexpected(std::move(written.error()));
+    std::error_code ignored;
+    const auto bytes = std::filesystem::file_size(toPath(file), ignored);
+    return ExportSummary{.file = file, .stock = true, .bytes = ignored ? 0 : bytes, .warnings = {}};
+}
+
+Result<ExportSummary> write(const Frame& frame, const QString& file, const ExportOptions& options,
+                            const WorkContext& context) {
+    const Result<const FileFormat*> format =
+        options.format != nullptr ? options.format : meshFormatOf(toPath(file));
+    if (!format)
+        return tl::unexpected(format.error());
+    const FileState chosen = stateOf(toPath(file));
+    const std::uint64_t bytes =
+        options.decimated ? 0 : fullMeshBytes(*(*format)->meshWriter(), frame.zmap.grid());
+    if (Result<void> writable = checkTarget(file, bytes); !writable)
+        return tl::unexpected(std::move(writable.error()));
+    const DecimationParameters parameters = parametersOf(frame, options);
+    std::vector<LatticeTriangle> triangles =
+        decimatedWhole(frame.zmap, parameters, context.part(0, kDecimated)).takeTriangles();
+    if (context.stopped())
+        return cancelled();
+    const TriangleMesh solid =
+        closeSolid(frame.zmap, std::move(triangles), context.part(kDecimated, kClosed));
+    if (context.stopped())
+        return cancelled();
+    if (solid.triangles.empty())
+        return failure(export_finding::kNothingLeft);
+    if (Result<void> unchanged = checkUnchanged(file, chosen); !unchanged)
+        return tl::unexpected(std::move(unchanged.error()));
+    auto exported = exportSolid(toPath(file), *(*format)->meshWriter(), solid, frame.zmap,
+                                parameters.allowance, errorLevel(parameters), context.part(kClosed, 1));
+    if (!exported)
+        return tl::unexpected(std::move(exported.error()));
+    const bool decimates = parameters.method != DecimationMethod::none && parameters.allowance > 0;
+    return ExportSummary{.file = file,
+                         .triangles = exported->file.triangles,
+                         .bytes = exported->file.bytes,
+                         .largestErrorMm = exported->largestErrorMm,
+                         .allowanceMm = decimates ? parameters.allowance : 0,
+                         .certified = decimates && isBounded(parameters),
+                         .level = errorLevel(parameters),
+                         .warnings = std::move(exported->warnings)};
+}
+
+Diagnostics about(const QString& file, Diagnostics errors) {
+    for (Diagnostic& error : errors)
+        error.file = toPath(file).string();
+    return errors;
+}
+
+} // namespace
+
+Result<ExportSummary> exportFrame(const Frame& frame, const QString& file, const ExportOptions& options,
+                                  const WorkContext& context, double limitBytes) {
+    const StockFormat* stock =
+        options.format == nullptr ? nullptr : std::get_if<StockFormat>(&options.format->handlers);
+    const auto ofMoment = [&](Result<ExportSummary> summary) -> Result<ExportSummary> {
+        if (!summary)
+            return tl::unexpected(about(file, std::move(summary.error())));
+        summary->block = frame.block;
+        summary->blocks = frame.program ? frame.program->blockCount() : frame.block;
+        return summary;
+    };
+    if (stock != nullptr)
+        return ofMoment(save(*stock, frame, file, options.provenance));
+    if (Result<void> fits = checkMeshMemory(frame, options, limitBytes); !fits)
+        return tl::unexpected(about(file, std::move(fits.error())));
+    return ofMoment(write(frame, file, options, context));
+}
+
+ExportJob::ExportJob(QObject* parent) : QObject(parent) {}
+
+ExportJob::~ExportJob() = default; // jthread stops and joins
+
+void ExportJob::start(FramePtr frame, const QString& file, const ExportOptions& options,
+                      std::function<void(Result<ExportSummary>)> done) {
+    const std::uint64_t generation = ++m_generation;
+    const auto tell = [this](double fraction) {
+        m_replies.post([this, fraction] { emit progressed(fraction); });
+    };
+    const auto report = [this, generation, done = std::move(done)](const Result<ExportSummary>& result) {
+        m_replies.post([this, generation, done, result] {
+            if (generation == m_generation)
+                done(result);
+        });
+    };
+    m_thread =
+        std::jthread([frame = std::move(frame), file, options, tell, report](const std::stop_token& stop) {
+            try {
+                report(exportFrame(*frame, file, options, {stop, tell}));
+            } catch (const std::exception& problem) {
+                report(failure(window_finding::kExportFailed, {problem.what()}, toPath(file).string()));
+            }
+        });
+}
+
+void ExportJob::cancel() {
+    m_thread.request_stop();
+}
+
+} // namespace proveout
