@@ -732,10 +732,6 @@ Vorgabe: 0 mm</translation>
         <translation>Die Datei enthält keine brauchbare Facette ({} gelesen, {} nicht endlich, {} ohne Fläche).</translation>
     </message>
     <message>
-        <source>No stock is left, so there is no mesh to export.</source>
-        <translation>Vom Rohteil ist nichts übrig; es gibt kein Netz zu exportieren.</translation>
-    </message>
-    <message>
         <source>The mesh has {} triangles; an STL file holds 4294967295.</source>
         <translation>Das Netz hat {} Dreiecke; eine STL-Datei fasst höchstens 4294967295.</translation>
     </message>
@@ -2034,10 +2030,6 @@ Vorgabe: 0 mm</translation>
     <message>
         <source>The vertex {}, {}, {} is not finite: a mesh file holds finite numbers only.</source>
         <translation>Der Eckpunkt {}, {}, {} ist nicht endlich: Eine Netzdatei fasst nur endliche Zahlen.</translation>
-    </message>
-    <message>
-        <source>Rounded to single precision, the mesh deviates from the z-map by up to {} mm, more than the error allowance of {} mm; OBJ or PLY would keep {} mm.</source>
-        <translation>Auf einfache Genauigkeit gerundet, weicht das Netz um bis zu {} mm von der Z-Map ab, mehr als der zulässige Fehler von {} mm; OBJ oder PLY hielten {} mm ein.</translation>
     </message>
     <message>
         <source>Certified</source>

@@ -732,10 +732,6 @@ Default: 0 mm</source>
         <translation>파일에 쓸 수 있는 면이 없습니다({}개 읽음, {}개 유한하지 않음, {}개 면적 없음).</translation>
     </message>
     <message>
-        <source>No stock is left, so there is no mesh to export.</source>
-        <translation>소재가 남아 있지 않아 내보낼 메시가 없습니다.</translation>
-    </message>
-    <message>
         <source>The mesh has {} triangles; an STL file holds 4294967295.</source>
         <translation>메시의 삼각형이 {}개입니다. STL 파일에는 4294967295개까지 담을 수 있습니다.</translation>
     </message>
@@ -2034,10 +2030,6 @@ Default: 0 mm</source>
     <message>
         <source>The vertex {}, {}, {} is not finite: a mesh file holds finite numbers only.</source>
         <translation>정점 {}, {}, {}이(가) 유한하지 않습니다. 메시 파일에는 유한한 수만 담을 수 있습니다.</translation>
-    </message>
-    <message>
-        <source>Rounded to single precision, the mesh deviates from the z-map by up to {} mm, more than the error allowance of {} mm; OBJ or PLY would keep {} mm.</source>
-        <translation>단정밀도로 반올림하면 메시가 Z맵에서 최대 {} mm 벗어나 허용 오차 {} mm를 넘습니다. OBJ나 PLY라면 {} mm를 유지합니다.</translation>
     </message>
     <message>
         <source>Certified</source>
