@@ -8527,6 +8527,10 @@ Vorgabe: 0 mm</translation>
         <source>Id</source>
         <translation>Kennung</translation>
     </message>
+    <message>
+        <source>Results after this are unverified.</source>
+        <translation>Die Ergebnisse danach sind ungeprüft.</translation>
+    </message>
 </context>
 <context>
     <name>ProblemsPanel</name>

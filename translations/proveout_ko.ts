@@ -8526,6 +8526,10 @@ Default: 0 mm</source>
         <source>Id</source>
         <translation>식별자</translation>
     </message>
+    <message>
+        <source>Results after this are unverified.</source>
+        <translation>이후의 결과는 검증되지 않습니다.</translation>
+    </message>
 </context>
 <context>
     <name>ProblemsPanel</name>

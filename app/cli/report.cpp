@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "core/verification/findings/exit_effect.h"
+#include "core/verification/findings/findings.h"
 
 namespace proveout::cli {
 
@@ -16,6 +17,7 @@ namespace {
 nlohmann::ordered_json toJson(const Diagnostic& diagnostic) {
     nlohmann::ordered_json object{{"severity", name(diagnostic.severity)},
                                   {"id", diagnostic.id},
+                                  {"title", findingTitle(diagnostic.id)},
                                   {"message", message(diagnostic)},
                                   {"file", diagnostic.file}};
     if (diagnostic.where.line > 0) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "ui/findings/problems_model.h"
 
+#include "core/verification/findings/findings.h"
 #include "ui/look/diagnostic_text.h"
 #include "ui/look/icons.h"
 
@@ -45,8 +46,10 @@ QString ProblemsModel::text(const Diagnostic& problem, int column) {
 
 /// A row, with what its columns have no room for; wrapped, as rich text is.
 QString ProblemsModel::wholeText(const Diagnostic& problem) {
-    QString whole;
-    for (const QString& part : {sentence(problem), hint(problem), QString(QLatin1String(problem.id))})
+    QString whole = QStringLiteral("<p><b>%1</b></p>").arg(coreText(findingTitle(problem.id)).toHtmlEscaped());
+    const QString unverified = problem.unverified ? tr("Results after this are unverified.") : QString();
+    for (const QString& part :
+         {sentence(problem), hint(problem), unverified, QString(QLatin1String(problem.id))})
         if (!part.isEmpty())
             whole += QStringLiteral("<p>%1</p>").arg(part.toHtmlEscaped());
     return whole;
