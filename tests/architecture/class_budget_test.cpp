@@ -37,7 +37,6 @@ const ClassSizes kLarger{
     {"NcEditor", {.lines = 435}},
     {"PlotView", {.lines = 449}},
     {"Program", {.lines = 458}},
-    {"Viewport", {.lines = 704}},
 };
 
 /// The text with blanks in the place of comments, of what strings hold, and of directives; lines stay.

@@ -409,7 +409,7 @@ private slots:
         QVERIFY(station.session.exports().last()->largestErrorMm >
                 station.session.job().parameters().allowance);
         const QString told = station.window.statusBar()->currentMessage();
-        QVERIFY2(told.endsWith(QLatin1String("beyond the allowance of 0.05 mm")), qPrintable(told));
+        QVERIFY2(told.endsWith(QLatin1String("exceeds the allowance of 0.05 mm")), qPrintable(told));
     }
 
 private:

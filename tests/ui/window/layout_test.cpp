@@ -347,9 +347,10 @@ private slots:
         QTest::mouseClick(close, Qt::LeftButton);
         QVERIFY(plots->isHidden());
         // The last one that is left of its tabs has its title bar again.
-        for (const char* id : {"dock-breakpoints", "dock-study"})
-            dockOf(station, id)->close();
-        QTRY_VERIFY(dockOf(station, "dock-problems")->titleBarWidget() == nullptr);
+        QDockWidget* problems = dockOf(station, "dock-problems");
+        for (QDockWidget* other : station.window.tabifiedDockWidgets(problems))
+            other->close();
+        QTRY_VERIFY(problems->titleBarWidget() == nullptr);
     }
 
     void floatingDocksComeBackInFront() {
