@@ -32,9 +32,10 @@ protected:
             EXPECT_THAT(told, testing::HasSubstr(choice.key)) << field.key;
         if constexpr (std::is_arithmetic_v<Value>) {
             const std::string unit = *field.unit == '\0' ? "" : std::string(" ") + field.unit;
-            if (hasRange(field))
+            if (hasRange(field)) {
                 EXPECT_THAT(
                     told, testing::HasSubstr(fmt::format("{} to {}{}", field.minimum, field.maximum, unit)));
+            }
         }
     }
 };
@@ -60,7 +61,8 @@ TEST_F(CliRows, AreInTheHelpWithTheirUnits) {
 
 TEST_F(CliRows, OfTheMachineAreInTheHelpOfItsOption) {
     const std::string told = entry(run("simulate --help").out, "--machine");
-    describe(Machine(), [&told](double, const Field& field) {
+    const Machine machine;
+    describe(machine, [&told](double, const Field& field) {
         EXPECT_THAT(told, testing::HasSubstr(fmt::format("{} ({})", field.key, field.unit)));
     });
 }

@@ -108,8 +108,10 @@ private slots:
     void theGridIsOnePlaceForBothPanels() {
         Session session;
         const TuningPanel panel(session);
-        using Grid = decltype(GridOfSetup()(std::declval<Setup&>()));
-        QCOMPARE(missing<Grid>(panel, setup_field::kGrid), QString());
+        const Setup setup;
+        describeGrid(setup, [&panel](const auto& value, const Field& field) {
+            QCOMPARE(missing<std::remove_cvref_t<decltype(value)>>(panel, field), QString());
+        });
     }
 };
 
