@@ -160,7 +160,7 @@ Argument valueText(const Breakpoint& breakpoint) {
     case BreakpointValue::none:
         break;
     }
-    return {};
+    return "";
 }
 
 void Breakpoints::set(const std::vector<Breakpoint>& breakpoints, const Program& program,
