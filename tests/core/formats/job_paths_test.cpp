@@ -39,7 +39,7 @@ protected:
                     continue;
                 EXPECT_STREQ(error.id, "job-outside");
                 EXPECT_EQ(error.file, (m_root / "job/a.proveout").string());
-                out += std::to_string(error.where.line) + ": " + error.arguments.at(1) + "\n";
+                out += std::to_string(error.where.line) + ": " + error.arguments.at(1).text() + "\n";
             }
         return out;
     }
