@@ -14,6 +14,6 @@ namespace proveout::cli {
 [[nodiscard]] ExitCode runCommand(CLI::App& app, const ExitCode& exitCode, int argc, char** argv);
 
 /// Prints a finding about how `program` was called, or what became of it, to stderr.
-void printFinding(const std::string& program, const FindingRow& row, std::vector<std::string> arguments = {});
+void printFinding(const std::string& program, const FindingRow& row, std::vector<Argument> arguments = {});
 
 } // namespace proveout::cli
