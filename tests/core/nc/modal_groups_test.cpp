@@ -33,7 +33,8 @@ bool isPlain(const CodeRow& row) {
 std::string codeLeftBy(const std::string& text, const char* group, DialectId dialect) {
     InterpretOptions options;
     options.dialect = dialect;
-    for (const ControlState::Mode& mode : interpret(NcText(text), options)->controlState().modes) {
+    const auto program = interpret(NcText(text), options);
+    for (const ControlState::Mode& mode : program->controlState().modes) {
         if (std::string(mode.group) == group)
             return mode.code;
     }
