@@ -68,7 +68,7 @@ void compensateByRegister(Execution& execution, const Word& word, double side) {
         return;
     CutterCompensation& compensation = execution.state.compensation;
     if (compensation.on && compensation.side == side)
-        standSquare(execution);
+        finishSquare(execution);
     compensation.on = true;
     compensation.side = side;
     useRadius(execution, *radius);

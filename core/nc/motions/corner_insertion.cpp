@@ -10,7 +10,6 @@
 #include "core/nc/geometry/corner_shape.h"
 #include "core/nc/motions/compensated_path.h"
 #include "core/nc/motions/motion_sink.h"
-#include "core/nc/motions/vector_path.h"
 #include "core/nc/state/execution.h"
 
 namespace proveout {

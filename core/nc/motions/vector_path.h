@@ -3,26 +3,45 @@
 // Source: FANUC Series 0i and 30i, operator's manuals for machining centres, details of cutter compensation.
 #pragma once
 
-#include "core/nc/geometry/compensation.h"
-#include "core/nc/program/motion.h"
-#include "core/nc/text/block.h"
+#include <optional>
+
+#include "core/nc/geometry/corner_vectors.h"
+#include "core/nc/motions/compensated_motion.h"
 
 namespace proveout {
 
-struct Execution;
+/// The control reads ahead to the next motion in the plane and places the tool on points beside the corner;
+/// the moves between these belong to the block behind it.
+class VectorPath final : public CompensatedMotion {
+public:
+    VectorPath(Execution& execution, const Word& word, const Motion& motion);
 
-/// Appends the path beside a programmed motion and what joins it to the motion before: into compensation, in
-/// it, or out of it. The machine arrives at the programmed end.
-void appendByVectors(Execution& execution, const Word& word, const Motion& motion);
+    void finishHeld() override;
+
+private:
+    void enter() override;
+    void join() override;
+    void leave() override;
+    void appendAcross() override;
+
+    void joinSquare();
+    bool finish(const Vec2& end);
+    void moveThrough(const CornerPoints& points);
+    void emit(const Vec2& from);
+    void moveTipTo(const Vec2& place);
+    void reportOffCircle(const PlanePath& path, const Vec2& from);
+
+    std::optional<CornerPoints> corner();
+    [[nodiscard]] CornerPoints exitPoints() const;
+    [[nodiscard]] CornerPoints kept(const CornerPoints& points) const;
+    [[nodiscard]] bool changesSide() const;
+    [[nodiscard]] Vec2 tip() const;
+
+    const VectorRules& m_rules;
+    VectorState& m_held;
+};
 
 /// The control does not know what follows: the tool stays square beside the end of the last motion.
-void standSquare(Execution& execution);
-
-/// The last motion, which the control still holds, is this part of what was programmed; the machine stands at
-/// the end of it.
-void shortenHeld(Execution& execution, const PlanePath& programmed);
-
-/// At the end of a block: whether the control still reads as far as the next motion in the plane.
-void countBlock(Execution& execution);
+void finishSquare(Execution& execution);
 
 } // namespace proveout

@@ -186,7 +186,7 @@ private slots:
         frame->program = std::make_shared<const Program>();
         frame->playing = true;
         auto& lag = *panel.findChild<QLabel*>(QStringLiteral("playback-lag"));
-        emit session.tick(frame); // keeps its speed
+        emit session.playback().tick(frame); // keeps its speed
         QVERIFY(!lag.isVisible());
         const QRect before = panel.scale().geometry();
         session.playback().setSpeed(1000 * kUnitBlocksPerSecond);
@@ -196,7 +196,7 @@ private slots:
                                          {0.00004, "0.040×"},
                                          {0.94, "940×"}}) {
             frame->keptSpeed = kept;
-            emit session.tick(frame);
+            emit session.playback().tick(frame);
             QVERIFY(lag.isVisible());
             QVERIFY2(lag.text().endsWith(u' ' + QString::fromUtf8(told)), qPrintable(lag.text()));
             QCoreApplication::processEvents();

@@ -224,7 +224,7 @@ private slots:
         QTest::keyClick(&corner, Qt::Key_Up);
         const double left = corner.value();
         bench.addTool(77); // at once
-        emit bench.session().programChanged();
+        emit bench.session().program().changed();
         QCOMPARE(kind.currentIndex(), chosen);
         QCOMPARE(corner.value(), left);
         QTRY_VERIFY_WITH_TIMEOUT(bench.setup().dialect.has_value(), kPatience);

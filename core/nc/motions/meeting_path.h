@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Cutter compensation by the points where the offset paths meet, as LinuxCNC, Mach3 and RS274/NGC have it.
+// Source: LinuxCNC user manual, cutter radius compensation.
+#pragma once
+
+#include "core/nc/motions/compensated_motion.h"
+
+namespace proveout {
+
+/// An inside corner moves the end of the motion before to where both offset paths meet; an outside corner
+/// rolls about the programmed point.
+class MeetingPath final : public CompensatedMotion {
+public:
+    using CompensatedMotion::CompensatedMotion;
+
+    void finishHeld() override;
+
+private:
+    void enter() override;
+    void join() override;
+    /// By the code that ends compensation; the motion after it is not compensated.
+    void leave() override;
+    void appendAcross() override;
+
+    void joinInside(const PlanePath& path);
+    bool finish(const Vec2& end, bool noticed);
+    void appendCorner(const Vec2& end, double sweep);
+    void emit(const PlanePath& path, const Vec2& from);
+    void reportGouge(const FindingRow& message);
+
+    [[nodiscard]] double radius() const;
+    [[nodiscard]] Vec2 tip() const;
+};
+
+} // namespace proveout
