@@ -652,8 +652,8 @@ Vorgabe: 0 mm</translation>
         <translation>Die NPY-Datei hat die Form {}; nötig sind zwei Dimensionen (Zeilen, Spalten).</translation>
     </message>
     <message>
-        <source>The header of the NPY file specifies {} values ({}), but the file has {}.</source>
-        <translation>Der Kopf der NPY-Datei gibt {} Werte an ({}), die Datei hat aber {}.</translation>
+        <source>The header of the NPY file specifies {} values ({}), but only {} are in the file.</source>
+        <translation>Der Kopf der NPY-Datei gibt {} Werte an ({}), in der Datei sind aber nur {}.</translation>
     </message>
     <message>
         <source>The NPY file has the shape {}; that is too large.</source>
@@ -2220,8 +2220,8 @@ Vorgabe: 0 mm</translation>
         <translation>Das Programm hat mehr als {} Werkzeugwechsel, Halte, Verweilzeiten und dergleichen; die Interpretation endet hier.</translation>
     </message>
     <message>
-        <source>Tool &quot;{}&quot; is in the table already.</source>
-        <translation>Das Werkzeug „{}“ steht schon in der Tabelle.</translation>
+        <source>The field &quot;{}&quot; names a tool that is in the table already.</source>
+        <translation>Das Feld „{}“ nennt ein Werkzeug, das schon in der Tabelle steht.</translation>
     </message>
     <message>
         <source>The method “{}” works on maps of {} points at most; this one has {}.</source>
@@ -4820,8 +4820,8 @@ Vorgabe: 0 mm</translation>
         <translation>Bei M0, M1 oder M60 halten.</translation>
     </message>
     <message>
-        <source>Program stop (M0/M1).</source>
-        <translation>Programmhalt (M0/M1).</translation>
+        <source>Program stop (M0, M1 or M60).</source>
+        <translation>Programmhalt (M0, M1 oder M60).</translation>
     </message>
     <message>
         <source>Z below</source>
@@ -4848,16 +4848,16 @@ Vorgabe: 0 mm</translation>
         <translation>Nach dem ersten Kontakt des Werkzeugs angehalten.</translation>
     </message>
     <message>
-        <source>On fault</source>
-        <translation>Bei Bearbeitungsfehler</translation>
+        <source>On finding</source>
+        <translation>Bei Befund</translation>
     </message>
     <message>
-        <source>Stop after a block with a fault.</source>
-        <translation>Nach einem Satz mit Bearbeitungsfehler halten.</translation>
+        <source>Stop after a block with a finding.</source>
+        <translation>Nach einem Satz mit Befund halten.</translation>
     </message>
     <message>
-        <source>Stopped after a block with a fault.</source>
-        <translation>Nach einem Satz mit Bearbeitungsfehler angehalten.</translation>
+        <source>Stopped after a block with a finding.</source>
+        <translation>Nach einem Satz mit Befund angehalten.</translation>
     </message>
     <message>
         <source>Condition</source>

@@ -652,8 +652,8 @@ Default: 0 mm</source>
         <translation>NPY 파일의 형상이 {}입니다. 2차원(행, 열)이어야 합니다.</translation>
     </message>
     <message>
-        <source>The header of the NPY file specifies {} values ({}), but the file has {}.</source>
-        <translation>NPY 파일의 헤더에는 값이 {}개({})로 지정되어 있지만 파일에는 {}만 있습니다.</translation>
+        <source>The header of the NPY file specifies {} values ({}), but only {} are in the file.</source>
+        <translation>NPY 파일의 헤더에는 값이 {}개({})로 지정되어 있지만 파일에는 {}개만 있습니다.</translation>
     </message>
     <message>
         <source>The NPY file has the shape {}; that is too large.</source>
@@ -2220,8 +2220,8 @@ Default: 0 mm</source>
         <translation>프로그램의 공구 교환, 정지, 드웰 등이 {}개를 넘어 여기서 해석을 끝냅니다.</translation>
     </message>
     <message>
-        <source>Tool &quot;{}&quot; is in the table already.</source>
-        <translation>공구 &quot;{}&quot;이(가) 이미 테이블에 있습니다.</translation>
+        <source>The field &quot;{}&quot; names a tool that is in the table already.</source>
+        <translation>필드 &quot;{}&quot;이(가) 가리키는 공구는 이미 테이블에 있습니다.</translation>
     </message>
     <message>
         <source>The method “{}” works on maps of {} points at most; this one has {}.</source>
@@ -4820,8 +4820,8 @@ Default: 0 mm</source>
         <translation>M0, M1 또는 M60에서 멈춥니다.</translation>
     </message>
     <message>
-        <source>Program stop (M0/M1).</source>
-        <translation>프로그램 정지(M0/M1).</translation>
+        <source>Program stop (M0, M1 or M60).</source>
+        <translation>프로그램 정지(M0, M1 또는 M60).</translation>
     </message>
     <message>
         <source>Z below</source>
@@ -4848,16 +4848,16 @@ Default: 0 mm</source>
         <translation>공구의 첫 접촉 뒤에서 멈췄습니다.</translation>
     </message>
     <message>
-        <source>On fault</source>
-        <translation>가공 결함 시</translation>
+        <source>On finding</source>
+        <translation>결과 발견 시</translation>
     </message>
     <message>
-        <source>Stop after a block with a fault.</source>
-        <translation>가공 결함이 있는 블록 뒤에서 멈춥니다.</translation>
+        <source>Stop after a block with a finding.</source>
+        <translation>문제가 발견된 블록 뒤에서 멈춥니다.</translation>
     </message>
     <message>
-        <source>Stopped after a block with a fault.</source>
-        <translation>가공 결함이 있는 블록 뒤에서 멈췄습니다.</translation>
+        <source>Stopped after a block with a finding.</source>
+        <translation>문제가 발견된 블록 뒤에서 멈췄습니다.</translation>
     </message>
     <message>
         <source>Condition</source>

@@ -22,12 +22,13 @@ namespace {
 
 const std::string kAuto = "auto";
 
-/// The whole text as a number; without this, "8x" would pass as 8.
+/// The whole text as a number, with or without a sign; without this, "8x" would pass as 8.
 template<class Number>
 std::optional<Number> numberIn(const std::string& text) {
     Number number{};
+    const bool plus = text.size() > 1 && text.front() == '+' && text[1] != '-';
     const char* const end = text.data() + text.size();
-    const auto [read, error] = std::from_chars(text.data(), end, number);
+    const auto [read, error] = std::from_chars(text.data() + (plus ? 1 : 0), end, number);
     return error == std::errc{} && read == end ? std::optional(number) : std::nullopt;
 }
 

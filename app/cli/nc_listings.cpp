@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // dialects, rules: what the interpreter knows and what can be wrong, read from the tables.
 #include <algorithm>
+#include <charconv>
 #include <fmt/core.h>
 #include <memory>
 #include <set>
 #include <string>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "app/cli/command.h"
@@ -65,12 +67,18 @@ void printDialects() {
     }
 }
 
-/// The number of `{}` in a sentence.
+/// The number of arguments of a sentence: as many as it has `{}`, or the largest n of its `{n}`.
 std::size_t parametersOf(std::string_view text) {
     std::size_t count = 0;
-    for (std::size_t at = text.find("{}"); at != std::string_view::npos; at = text.find("{}", at + 2))
-        ++count;
-    return count;
+    std::size_t largest = 0;
+    for (std::size_t at = text.find('{'); at != std::string_view::npos; at = text.find('{', at + 1)) {
+        std::size_t number = 0;
+        if (std::from_chars(text.data() + at + 1, text.data() + text.size(), number).ec == std::errc{})
+            largest = std::max(largest, number);
+        else
+            ++count;
+    }
+    return std::max(count, largest);
 }
 
 ordered_json toJson(const FindingTable& table, const FindingRow& row) {
@@ -85,6 +93,8 @@ ordered_json toJson(const FindingTable& table, const FindingRow& row) {
                       {"parameters", parametersOf(row.text)}};
     if (row.severityRule == SeverityRule::warningIfAssumed)
         rule["severityIfAssumed"] = name(Severity::warning);
+    if (row.severityRule == SeverityRule::worstLeftOut)
+        rule["severityAtMost"] = name(Severity::fault);
     return rule;
 }
 

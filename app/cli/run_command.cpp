@@ -25,7 +25,10 @@ ExitCode refuse(const CLI::App& app, std::string sentence) {
     if (sentence.ends_with('.'))
         sentence.pop_back();
     printFinding(app.get_name(), command_line_finding::kUsage, {std::move(sentence)});
-    fmt::print(stderr, "\n{}\nFor more, run {} --help\n", CLI::Formatter().make_usage(&command, name), name);
+    std::fputs(
+        fmt::format("\n{}\nFor more, run {} --help\n", CLI::Formatter().make_usage(&command, name), name)
+            .c_str(),
+        stderr);
     return ExitCode::unusable;
 }
 
@@ -62,7 +65,8 @@ ExitCode unwritableOutput(const CLI::App& app, int error) {
 void printFinding(const std::string& program, const FindingRow& row, std::vector<Argument> arguments) {
     Diagnostic diagnostic = diagnosticOf(row, std::move(arguments));
     diagnostic.file = program;
-    fmt::print(stderr, "{}\n", oneLine(diagnostic));
+    // A stderr that cannot be written is ignored: the exit code still says that the command failed.
+    std::fputs((oneLine(diagnostic) + '\n').c_str(), stderr);
 }
 
 ExitCode runCommand(CLI::App& app, const ExitCode& exitCode, int argc, char** argv) {

@@ -25,7 +25,7 @@
 namespace proveout {
 namespace {
 
-constexpr int kUsage = 3;
+constexpr int kUnusable = 3;
 
 struct Options {
     QString file;
@@ -94,12 +94,16 @@ Options readOptions(const QStringList& arguments) {
     options.actions = parser.values(action);
     if (parser.isSet(screenshot) && options.screenshot.isEmpty()) {
         refuse("--screenshot must not be empty");
-        std::exit(kUsage);
+        std::exit(kUnusable);
+    }
+    if (parser.isSet(panel) && options.screenshot.isEmpty()) {
+        refuse("--panel needs --screenshot");
+        std::exit(kUnusable);
     }
     const bool badSeek = parser.isSet(seek) && !isNumber && parser.value(seek) != QLatin1String("end");
     if (badSeek || (parser.isSet(size) && options.size.isEmpty())) {
         refuse("--seek takes a number or \"end\", --size takes WxH");
-        std::exit(kUsage);
+        std::exit(kUnusable);
     }
     return options;
 }
@@ -158,13 +162,13 @@ int run() {
         return result;
     };
     if (options.file.isEmpty())
-        return goOn(window, options) ? execute() : kUsage;
+        return goOn(window, options) ? execute() : kUnusable;
     // The commands are about what the file holds.
     QObject::connect(
         &session.document(), &DocumentHub::opened, &window,
         [&] {
             if (!goOn(window, options))
-                QCoreApplication::exit(kUsage);
+                QCoreApplication::exit(kUnusable);
         },
         Qt::SingleShotConnection);
     if (!options.screenshot.isEmpty())
@@ -173,7 +177,7 @@ int run() {
                 return;
             for (const Diagnostic& problem : session.problems().all())
                 std::fprintf(stderr, "%s\n", oneLine(problem).c_str());
-            QCoreApplication::exit(kUsage);
+            QCoreApplication::exit(kUnusable);
         });
     window.files().open(options.file);
     return execute();
@@ -196,6 +200,6 @@ int main(int argc, char** argv) {
     } catch (const std::exception& problem) {
         proveout::cli::printFinding("proveout", proveout::command_line_finding::kCommandFailed,
                                     {problem.what()});
-        return 1;
+        return proveout::kUnusable;
     }
 }

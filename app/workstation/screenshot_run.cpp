@@ -31,6 +31,10 @@ ScreenshotRun::ScreenshotRun(MainWindow& window, const ScreenshotRequest& reques
         giveUp(m_sought ? "the requested block was not reached in 180 s" : "no stock to show after 180 s");
     });
     connect(&window.session().playback(), &PlaybackHub::tick, this, &ScreenshotRun::look);
+    if (m_shown.isNull()) {
+        QTimer::singleShot(0, this, [this] { giveUp("there is no such panel"); });
+        return;
+    }
     m_limit.start(kLimitMs);
     if (!window.session().document().isOpen())
         m_settle.start(); // the start page
@@ -70,10 +74,6 @@ void ScreenshotRun::look(const FramePtr& frame) {
 }
 
 void ScreenshotRun::take() {
-    if (m_shown.isNull()) {
-        giveUp("there is no such panel");
-        return;
-    }
     if (!m_shown->isVisible()) { // a panel that was behind another tab fills itself when it is shown
         m_shown->show();
         m_settle.start();

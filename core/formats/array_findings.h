@@ -43,7 +43,8 @@ inline constexpr FindingRow kNpyCutOff{
     false,
     "npy-cut-off",
     PROVEOUT_TEXT("Core", "NPY file cut off"),
-    PROVEOUT_TEXT("Core", "The header of the NPY file specifies {} values ({}), but the file has {}."),
+    PROVEOUT_TEXT("Core",
+                  "The header of the NPY file specifies {} values ({}), but only {} are in the file."),
     ""};
 inline constexpr FindingRow kNpyCutOffHeader{
     Severity::error,

@@ -160,12 +160,13 @@ inline constexpr FindingRow kJobFieldToolNumber{
     PROVEOUT_TEXT("Core", "Invalid job field"),
     PROVEOUT_TEXT("Core", "\"{}\" is not a tool number; these are whole numbers from {} to {}."),
     ""};
-inline constexpr FindingRow kJobFieldToolTwice{Severity::error,
-                                               false,
-                                               "job-field",
-                                               PROVEOUT_TEXT("Core", "Invalid job field"),
-                                               PROVEOUT_TEXT("Core", "Tool \"{}\" is in the table already."),
-                                               ""};
+inline constexpr FindingRow kJobFieldToolTwice{
+    Severity::error,
+    false,
+    "job-field",
+    PROVEOUT_TEXT("Core", "Invalid job field"),
+    PROVEOUT_TEXT("Core", "The field \"{}\" names a tool that is in the table already."),
+    ""};
 inline constexpr FindingRow kJobFieldCutter{Severity::error,
                                             false,
                                             "job-field",

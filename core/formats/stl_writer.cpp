@@ -9,6 +9,7 @@
 #include <string>
 
 #include "core/base/atomic_file.h"
+#include "core/base/figures_argument.h"
 #include "core/decimation/solid/solid_error.h"
 #include "core/formats/export_findings.h"
 #include "core/formats/formats.h"
@@ -169,10 +170,9 @@ Result<void> checkStl(const std::filesystem::path& file, const TriangleMesh& mes
         const double largest = std::max({std::abs(vertex.x), std::abs(vertex.y), std::abs(vertex.z)});
         if (!(largest <= static_cast<double>(std::numeric_limits<float>::max())) ||
             glm::any(glm::isnan(vertex)))
-            return failure(
-                export_finding::kStlCoordinate,
-                {fmt::format("{}", vertex.x), fmt::format("{}", vertex.y), fmt::format("{}", vertex.z)},
-                file.string());
+            return failure(export_finding::kStlCoordinate,
+                           {figures("{}", vertex.x), figures("{}", vertex.y), figures("{}", vertex.z)},
+                           file.string());
     }
     return {};
 }

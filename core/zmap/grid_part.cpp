@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <utility>
 
+#include "core/base/figures_argument.h"
 #include "core/zmap/zmap_findings.h"
 
 namespace proveout {
@@ -26,8 +27,8 @@ Points pointsFrom(double lo, double hi, double spacing, double count) {
     return {first, std::clamp(std::round(hi / spacing), first + 1, count - 1)};
 }
 
-std::string textOf(const PlanBox& box) {
-    return fmt::format("X{:g}…{:g} Y{:g}…{:g}", box.lo.x, box.hi.x, box.lo.y, box.hi.y);
+Argument textOf(const PlanBox& box) {
+    return figures("X{:g}…{:g} Y{:g}…{:g}", box.lo.x, box.hi.x, box.lo.y, box.hi.y);
 }
 
 Result<void> checkBox(const StockBox& stock, const PlanBox& box) {

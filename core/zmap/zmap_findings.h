@@ -169,7 +169,7 @@ inline constexpr FindingRow kStockIncomplete{
     "stock-incomplete",
     PROVEOUT_TEXT("Core", "Stock incomplete"),
     PROVEOUT_TEXT("Core", "The stock cannot be made from {}; nothing is simulated."),
-    PROVEOUT_TEXT("Core", "Choose the file of the stock, or another shape.")};
+    kStockIncompleteNoFile.hint};
 
 inline constexpr std::array kZmapRows{
     &kOutlineOutOfRange, &kOutlineWithoutArea,    &kOutlineCrossesItself, &kGridSpacingBad,

@@ -75,7 +75,7 @@ TEST_F(CliExport, UnknownEndingsAreRefusedBeforeTheWork) {
              {std::string("a.step"), std::string("a"), std::string("folder/a.stl.gz")}) {
             const auto done = run(command + " --export " + file);
             EXPECT_EQ(done.exitCode, 3);
-            EXPECT_TRUE(done.tells(file + ": error: The ending of this name is that of no mesh format; "
+            EXPECT_TRUE(done.tells(file + ": error: The extension of this name is not that of a mesh format; "
                                           "there are .stl .obj .ply .3mf.",
                                    "export-format-unknown"))
                 << done.err;

@@ -68,6 +68,14 @@ TEST_F(CliUsage, MistakesPrintTheUsageOnStderrAndExitWith3) {
     }
 }
 
+TEST_F(CliUsage, AnUnwritableStderrKeepsTheExitCode) {
+    write("a.nc", kSound + "G999\n");
+    for (const std::string arguments : {"frobnicate", "simulate missing.nc", "simulate a.nc --stock 1x1"}) {
+        for (const std::string closed : {"2>/dev/full", "2>&-"})
+            EXPECT_EQ(run(arguments + " " + closed + "; exit $? #").exitCode, 3) << arguments << closed;
+    }
+}
+
 TEST_F(CliUsage, SetUpsThatMakeNoSenseExitWith3) {
     write("a.nc", kSound);
     for (const std::string& arguments :

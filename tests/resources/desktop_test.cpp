@@ -9,6 +9,7 @@
 #include <set>
 #include <string>
 
+#include "core/formats/formats.h"
 #include "tests/core/temporary_folder.h"
 
 namespace proveout {
@@ -48,11 +49,13 @@ TEST(Desktop, TypesOfTheEntryAreDefined) {
 }
 
 TEST(Desktop, EndingsAreThoseThatTheWindowOpens) {
-    std::set<std::string> endings = matches(textOf(fs::path(PROVEOUT_SOURCE_DIR) / "ui/files/file_flow.cpp"),
-                                            "[( ](\\*\\.[a-z]+)(?=[ )])");
-    // Disk images, texts, and what is only saved.
-    for (const char* other : {"*.iso", "*.txt", "*.pvstock"})
+    std::set<std::string> endings =
+        matches(textOf(fs::path(PROVEOUT_SOURCE_DIR) / "ui/files/file_flow.cpp"), "(\\*\\.[a-z]+)(?=[ \"])");
+    // Disk images, and texts.
+    for (const char* other : {"*.iso", "*.txt"})
         EXPECT_EQ(endings.erase(other), 1U) << other;
+    for (const char* extension : findFormat("job")->extensions)
+        endings.insert(std::string("*") + extension);
     EXPECT_EQ(matches(textOf(kDesktop / "proveout.xml"), "<glob pattern=\"([^\"]*)\""), endings);
 }
 

@@ -46,7 +46,8 @@ QString ProblemsModel::text(const Diagnostic& problem, int column) {
 
 /// A row, with what its columns have no room for; wrapped, as rich text is.
 QString ProblemsModel::wholeText(const Diagnostic& problem) {
-    QString whole = QStringLiteral("<p><b>%1</b></p>").arg(coreText(findingTitle(problem.id)).toHtmlEscaped());
+    QString whole =
+        QStringLiteral("<p><b>%1</b></p>").arg(coreText(findingTitle(problem.id)).toHtmlEscaped());
     const QString unverified = problem.unverified ? tr("Results after this are unverified.") : QString();
     for (const QString& part :
          {sentence(problem), hint(problem), unverified, QString(QLatin1String(problem.id))})

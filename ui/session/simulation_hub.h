@@ -60,7 +60,6 @@ public:
     void step(std::ptrdiff_t blocks);
     /// The simulation rests, and is no longer on its way.
     void pause();
-    void forgetTarget() { m_sought.reset(); }
     void post(SimulationCommand command);
     /// The frame with this number is on the screen.
     void frameShown(std::uint64_t sequence);

@@ -60,28 +60,32 @@ void ControlForm::build() {
     m_dialect->addItem(QString()); // see automaticDialect()
     for (const Dialect& row : dialects())
         m_dialect->addItem(QString::fromUtf8(row.name));
-    auto* choices = new QVBoxLayout;
-    auto* boxes = new QVBoxLayout;
     layout->addWidget(m_dialectLabel);
     layout->addWidget(m_dialect);
-    layout->addLayout(choices);
-    layout->addLayout(boxes);
-    const Setup standard;
-    eachSwitch(standard, [&](bool, const Field& field, std::size_t) {
-        m_switches.push_back(makeSwitch(field, *choices, *boxes));
-    });
+    // Choices above boxes, and created in that order, because the Tab key follows it.
+    addSwitches(*layout, [](const Field& field) { return !field.choices.empty(); });
+    addSwitches(*layout, [](const Field& field) { return field.choices.empty(); });
     m_ignored = new IgnoredCodesField(this);
     m_start = new StartForm(this);
     layout->addWidget(m_ignored);
     layout->addWidget(m_start);
 }
 
-ControlForm::Switch ControlForm::makeSwitch(const Field& field, QVBoxLayout& choices, QVBoxLayout& boxes) {
+void ControlForm::addSwitches(QVBoxLayout& layout, bool (*wanted)(const Field&)) {
+    const Setup defaults;
+    eachSwitch(defaults, [&](bool, const Field& field, std::size_t index) {
+        m_switches.resize(std::max(m_switches.size(), index + 1));
+        if (wanted(field))
+            m_switches[index] = makeSwitch(field, layout);
+    });
+}
+
+ControlForm::Switch ControlForm::makeSwitch(const Field& field, QVBoxLayout& layout) {
     Switch made{&field};
     if (field.choices.empty()) {
         made.box = new QCheckBox(this);
         made.box->setObjectName(QLatin1String(optionOf(field)));
-        boxes.addWidget(made.box);
+        layout.addWidget(made.box);
         connect(made.box, &QCheckBox::toggled, this, &ControlForm::edited);
         return made;
     }
@@ -90,8 +94,8 @@ ControlForm::Switch ControlForm::makeSwitch(const Field& field, QVBoxLayout& cho
     made.choices->setObjectName(QLatin1String(optionOf(field)));
     made.choices->addItems({QString(), QString()});
     made.label->setBuddy(made.choices);
-    choices.addWidget(made.label);
-    choices.addWidget(made.choices);
+    layout.addWidget(made.label);
+    layout.addWidget(made.choices);
     connect(made.choices, &QComboBox::activated, this, &ControlForm::edited);
     return made;
 }
@@ -106,10 +110,9 @@ void ControlForm::show(const Setup& setup) {
         const QSignalBlocker quiet(row.box);
         row.box->setChecked(on);
     });
-    m_start->show(setup, m_session.program().current().get());
     m_ignored->show(setup);
     m_dialect->setCurrentIndex(setup.dialect ? static_cast<int>(*setup.dialect) + 1 : 0);
-    showProgram();
+    showProgram(setup);
 }
 
 void ControlForm::dropText() {
@@ -128,9 +131,8 @@ void ControlForm::put(Setup& setup) const {
         setup.dialect = static_cast<DialectId>(index - 1);
 }
 
-/// What depends on the program: the names of the dialect and of the ignored codes, and the rows that its
-/// control has.
-void ControlForm::showProgram() {
+void ControlForm::showProgram(const Setup& setup) {
+    m_start->show(setup, m_session.program().current().get());
     m_ignored->showProgram(m_session.program().current().get());
     m_dialect->setItemText(0, automaticDialect());
     showCompensation();

@@ -28,6 +28,9 @@ public:
 
     /// Shows other values, and what the present program says of them; emits nothing.
     void show(const Setup& setup);
+    /// Shows what depends on the program: the assumed tool, the names of the dialect and of the ignored
+    /// codes, and the rows that its control has.
+    void showProgram(const Setup& setup);
     /// Another document: a text that is not finished, or wrong, belongs to none.
     void dropText();
     void put(Setup& setup) const;
@@ -40,15 +43,15 @@ protected:
 
 private:
     struct Switch {
-        const Field* field;
+        const Field* field = nullptr;
         QCheckBox* box = nullptr; ///< or
         QLabel* label = nullptr;
         QComboBox* choices = nullptr;
     };
 
     void build();
-    [[nodiscard]] Switch makeSwitch(const Field& field, QVBoxLayout& choices, QVBoxLayout& boxes);
-    void showProgram();
+    void addSwitches(QVBoxLayout& layout, bool (*wanted)(const Field&));
+    [[nodiscard]] Switch makeSwitch(const Field& field, QVBoxLayout& layout);
     [[nodiscard]] QString automaticDialect() const;
     void showCompensation();
     void retranslate();

@@ -139,9 +139,8 @@ void SetupPanel::showMissingTools() {
     m_fit->setEnabled(m_session.program().blockCount() > 0 && box);
 }
 
-/// The detected dialect, the ignored codes and the assumed tool depend on the program.
 void SetupPanel::showControl() {
-    m_control->show(edited(m_session.job().setup()));
+    m_control->showProgram(edited(m_session.job().setup()));
 }
 
 void SetupPanel::showStockProblem() {

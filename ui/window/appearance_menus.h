@@ -3,6 +3,7 @@
 
 #include <functional>
 
+#include <QActionGroup>
 #include <QMenu>
 #include <QObject>
 
@@ -23,11 +24,13 @@ public:
     void fill();
 
 private:
-    void add(QMenu& menu, const QString& text, bool checked, std::function<void()> choose);
+    void add(QActionGroup& group, const QString& text, bool checked, std::function<void()> choose);
 
     Appearance& m_appearance;
     QMenu* m_theme;
     QMenu* m_language;
+    QActionGroup* m_themes; ///< child of its menu, as the next one
+    QActionGroup* m_languages;
 };
 
 } // namespace proveout

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/nc/motions/compensated_path.h"
 #include "core/nc/motions/corner_insertion.h"
 #include "core/nc/motions/motion_sink.h"
-#include "core/nc/motions/compensated_path.h"
 #include "core/nc/run/block_plan.h"
 #include "core/nc/run/lint.h"
 #include "core/nc/run/skipped_block.h"

@@ -196,8 +196,8 @@ void noPoint(const LintView& view, const FindingRow& message) {
         const double least = state.inch ? view.execution.dialect.leastInch : view.execution.dialect.leastMm;
         const char* const unit = state.inch ? "in" : "mm";
         tell(view, message, word,
-             {fmt::format("{}{:g}", letter, word.value), fmt::format("{:g} {}", word.value * least, unit),
-              fmt::format("{:g} {}", word.value, unit)});
+             {fmt::format("{}{:g}", letter, word.value), figures("{:g} {}", word.value * least, unit),
+              figures("{:g} {}", word.value, unit)});
     }
 }
 

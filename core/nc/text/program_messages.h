@@ -16,22 +16,6 @@ inline constexpr FindingRow kDialectGuessed{
     PROVEOUT_TEXT("Core", "Dialect detected"),
     PROVEOUT_TEXT("Core", "Dialect detected: {} (from {})."),
     PROVEOUT_TEXT("Core", "Choose the dialect yourself if that is wrong.")};
-inline constexpr FindingRow kDialectForeign{
-    Severity::error,
-    true,
-    "dialect-foreign",
-    PROVEOUT_TEXT("Core", "Unsupported dialect"),
-    PROVEOUT_TEXT("Core", "This is {} (line {}: {}), which Proveout does not read."),
-    PROVEOUT_TEXT("Core",
-                  "Post-process it for one of these dialects: {4}; if it is in one of them after all, "
-                  "choose it.")};
-inline constexpr FindingRow kNotAProgram{
-    Severity::error,
-    true,
-    "not-a-program",
-    PROVEOUT_TEXT("Core", "Not an NC program"),
-    PROVEOUT_TEXT("Core", "This is {} (line {}: {}), not an NC program."),
-    PROVEOUT_TEXT("Core", "Open the program that the machine would run; if this is it, choose its dialect.")};
 inline constexpr FindingRow kTextBeforePercent{
     Severity::note,
     false,
@@ -119,8 +103,8 @@ inline constexpr FindingRow kStillReading{
     ""};
 
 inline constexpr std::array kProgramRows{
-    &kDialectGuessed, &kDialectForeign,  &kNotAProgram,   &kTextBeforePercent, &kPercentUnpaired,
-    &kPercentInside,  &kAfterPercent,    &kAfterEnd,      &kNoProgramEnd,      &kNoMotion,
-    &kTooManyMotions, &kProgramTooLarge, &kTooManyEvents, &kStopped,           &kStillReading};
+    &kDialectGuessed, &kTextBeforePercent, &kPercentUnpaired, &kPercentInside,  &kAfterPercent,
+    &kAfterEnd,       &kNoProgramEnd,      &kNoMotion,        &kTooManyMotions, &kProgramTooLarge,
+    &kTooManyEvents,  &kStopped,           &kStillReading};
 
 } // namespace proveout::nc_message

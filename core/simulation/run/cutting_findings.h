@@ -38,7 +38,7 @@ inline constexpr FindingRow kDepthBeyondFlutesUnconfirmed{
     "depth-beyond-flutes",
     PROVEOUT_TEXT("Core", "Cut beyond flutes"),
     PROVEOUT_TEXT("Core", "The cut is {} mm deep, beyond the flutes of the unconfirmed tool T{}."),
-    PROVEOUT_TEXT("Core", "Confirm the sizes of the tool in the tool table, or correct them.")};
+    kRapidCutsUnconfirmed.hint};
 inline constexpr FindingRow kNeckInStock{
     Severity::fault,
     false,
@@ -53,7 +53,7 @@ inline constexpr FindingRow kNeckInStockUnconfirmed{
     "neck-in-stock",
     PROVEOUT_TEXT("Core", "Neck in stock"),
     PROVEOUT_TEXT("Core", "{} mm of stock meet the neck of the unconfirmed tool T{}."),
-    PROVEOUT_TEXT("Core", "Confirm the sizes of the tool in the tool table, or correct them.")};
+    kRapidCutsUnconfirmed.hint};
 inline constexpr FindingRow kRapidUncheckedStart{
     Severity::error,
     true,

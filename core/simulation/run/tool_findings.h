@@ -22,14 +22,14 @@ inline constexpr FindingRow kToolUnconfirmedVague{
     "tool-unconfirmed",
     PROVEOUT_TEXT("Core", "Tool not confirmed"),
     PROVEOUT_TEXT("Core", "T{} is read from a comment (⌀ {} mm {}; assumed: {}); it is not confirmed."),
-    PROVEOUT_TEXT("Core", "Confirm the sizes of the tool in the tool table, or correct them.")};
+    kToolUnconfirmedComment.hint};
 inline constexpr FindingRow kToolUnconfirmedSizes{
     Severity::warning,
     true,
     "tool-unconfirmed",
     PROVEOUT_TEXT("Core", "Tool not confirmed"),
     PROVEOUT_TEXT("Core", "The sizes of T{} are assumed (⌀ {} mm {}); they are not confirmed."),
-    PROVEOUT_TEXT("Core", "Confirm the sizes of the tool in the tool table, or correct them.")};
+    kToolUnconfirmedComment.hint};
 inline constexpr FindingRow kToolAssumed{
     Severity::warning,
     true,

@@ -44,8 +44,7 @@ inline constexpr FindingRow kStockMissed{
     "stock-missed",
     PROVEOUT_TEXT("Core", "Stock missed"),
     PROVEOUT_TEXT("Core", "Cutting moves extend {} mm beyond the stock in {}, where it measures {} mm."),
-    PROVEOUT_TEXT("Core", "Check the size and position of the stock, and the work offset: the position of "
-                          "the stock is that of its top, not its bottom.")};
+    kNeverCuts.hint};
 inline constexpr FindingRow kGridCoarseAutomatic{
     Severity::warning,
     false,

@@ -31,12 +31,9 @@ double largestRadius(const Program& program, const Setup& setup, const ToolChoic
 }
 
 /// "X0 to 40, Y0 to 30, Z-2 to 5"
-std::string rangesOf(const Box3& box) {
-    std::string text;
-    for (int axis = 0; axis < 3; ++axis)
-        text +=
-            fmt::format("{}{}{:.6g}…{:.6g}", axis == 0 ? "" : " ", "XYZ"[axis], box.lo[axis], box.hi[axis]);
-    return text;
+Argument rangesOf(const Box3& box) {
+    return figures("X{:.6g}…{:.6g} Y{:.6g}…{:.6g} Z{:.6g}…{:.6g}", box.lo.x, box.hi.x, box.lo.y, box.hi.y,
+                   box.lo.z, box.hi.z);
 }
 
 Diagnostic neverCuts(const Program& program, const StockBox& stock) {

@@ -15,14 +15,14 @@
 
 namespace proveout {
 
-/// A new program and set-up; the position goes to 0. Older frames are stale from now on.
+/// A new program and setup; the position goes to 0. Older frames are stale from now on.
 struct LoadCommand {
     std::shared_ptr<const Program> program;
     std::shared_ptr<const Setup> setup;
     DecimationParameters parameters;
     std::uint64_t generation = 0;
 };
-/// An edited program for the same set-up: goes on from the first changed block (Simulation::replaceProgram).
+/// An edited program for the same setup: continues at the first changed block (Simulation::noteProgram).
 struct EditCommand {
     std::shared_ptr<const Program> program;
     std::uint64_t generation = 0;

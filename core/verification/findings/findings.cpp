@@ -35,7 +35,7 @@ constexpr std::array kTables{
     FindingTable{FindingSource::reader, nc_message::kLoadRows, true},
     FindingTable{FindingSource::reader, nc_message::kProgramRows, false},
     FindingTable{FindingSource::reader, nc_message::kLineRows, false},
-    FindingTable{FindingSource::interpreter, nc_message::kExpressionRows, false},
+    FindingTable{FindingSource::reader, nc_message::kExpressionRows, false},
     FindingTable{FindingSource::interpreter, nc_message::kFlowRows, false},
     FindingTable{FindingSource::interpreter, nc_message::kCodeRows, false},
     FindingTable{FindingSource::interpreter, nc_message::kOffsetRows, false},

@@ -126,7 +126,7 @@ TEST_F(JobFile, ThePositionOfTheStockHasFieldsOfItsOwnNames) {
     EXPECT_EQ(positioned(R"("corner": [-70, 4.5, 2], )"), "") << "as jobs of format 1 have it";
     EXPECT_EQ(readJob(m_folder / "a.proveout")->setup.stock, (StockBox{{-70, 4.5, 2}, 1, 2, 3}));
     EXPECT_THAT(positioned(R"("minX": -70, "topZ": 2, )"), HasSubstr("\"stock.minY\" is missing."));
-    EXPECT_THAT(positioned(R"("topZ": 0, "corner": [0, 0, 0], )"), HasSubstr("exclude each other"));
+    EXPECT_THAT(positioned(R"("topZ": 0, "corner": [0, 0, 0], )"), HasSubstr("cannot be used together"));
     EXPECT_THAT(positioned(R"("minX": 0, "minY": 0, "topZ": 1e8, )"),
                 HasSubstr("\"stock.topZ\" must be a number from -10000000 to 10000000."));
     EXPECT_THAT(positioned(R"("minX": 0, "minY": 0, "bottomZ": 1, )"), HasSubstr("bottomZ"));
@@ -250,7 +250,8 @@ TEST_F(JobFile, ErrorsNameTheFieldAndWhatIsAllowed) {
     EXPECT_THAT(told(with("\"12\"", "\"-1\"")), HasSubstr("\"tools.-1\" is not a tool number"));
     EXPECT_EQ(told(with("\"12\"", "\"0\"")), "") << "T0 is a cutter where the table says so";
     EXPECT_THAT(told(with("\"12\"", "\"100000000\"")), HasSubstr("from 0 to 99999999."));
-    EXPECT_THAT(told(with("\"12\"", "\"01\"")), HasSubstr("\"tools.1\" is a tool that the table has"));
+    EXPECT_THAT(told(with("\"12\"", "\"01\"")),
+                HasSubstr("\"tools.1\" names a tool that is in the table already."));
     EXPECT_THAT(told(with("\"12\"", "\"99999999999\"")), HasSubstr("is not a tool number"));
     EXPECT_THAT(told(with("\"flat:d=6\"", "6")), HasSubstr("\"tools.12\" must be a text."));
     EXPECT_THAT(told(with("core-insert.nc", "")), HasSubstr("\"program\" must name a file."));

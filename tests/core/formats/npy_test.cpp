@@ -93,7 +93,7 @@ TEST_F(Npy, NamesWhatItCannotRead) {
     EXPECT_THAT(error(npyFile(1, dictionary("<f4", "(1, 1, 1)"), one)), HasSubstr("(1, 1, 1)"));
     EXPECT_THAT(error(npyFile(1, dictionary("<f4", "(0, 5)"), one)), HasSubstr("(0, 5)"));
     EXPECT_THAT(error(npyFile(1, dictionary("<f4", "(-1, 5)"), one)), HasSubstr("[npy-header]"));
-    EXPECT_THAT(error(npyFile(1, dictionary("<f4", "(2, 2)"), one)), HasSubstr("announces (2, 2) values"));
+    EXPECT_THAT(error(npyFile(1, dictionary("<f4", "(2, 2)"), one)), HasSubstr("specifies (2, 2) values"));
     EXPECT_THAT(error(npyFile(1, "{'descr': '<f4'}", one)), HasSubstr("[npy-header]"));
     EXPECT_THAT(error(npyFile(1, "{'descr': [('a', '<f4')], 'fortran_order': False, 'shape': (1, 1)}", one)),
                 HasSubstr("byte 20. [npy-header]"));

@@ -99,7 +99,7 @@ TEST_F(SolidExport, RoundingBeyondTheAllowanceIsAWarningThatOffersDoubles) {
     EXPECT_EQ(warning.file, (m_folder / "a.stl").string());
     EXPECT_THAT(
         message(warning),
-        HasSubstr("beyond the error allowance of 0.05 mm; a format in double precision would keep 0.0"));
+        HasSubstr("more than the error allowance of 0.05 mm; a format in double precision would keep 0.0"));
     for (const char* exact : {"a.obj", "a.ply", "a.3mf"}) {
         const auto other = exportTo(exact, zmap, solid);
         EXPECT_LE(other->largestErrorMm, kAllowance) << exact;

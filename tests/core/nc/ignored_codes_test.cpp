@@ -74,7 +74,7 @@ TEST(IgnoredCodes, OfTheListAreIgnoredOnEveryControl) {
         EXPECT_FALSE(program->unverified()) << row.key;
         EXPECT_EQ(program->motionCount(), 2U) << row.key;
         EXPECT_EQ(told(*program),
-                  (std::vector<std::string>{"3:1 code-ignored M163 is ignored, because the setup lists it "
+                  (std::vector<std::string>{"3:1 code-ignored M163 is ignored because the setup lists it "
                                             "(1×, line 3)."}))
             << row.key;
     }

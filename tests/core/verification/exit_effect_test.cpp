@@ -43,6 +43,8 @@ TEST(ExitEffects, OfRowsTellRefusedInputFromWhatIsUnverified) {
     EXPECT_EQ(effectOf("stock-mesh-open"), ExitEffect::unverified);
     EXPECT_EQ(effectOf("file-unreadable"), ExitEffect::unusable);
     EXPECT_EQ(effectOf("nc-binary"), ExitEffect::unusable);
+    EXPECT_EQ(effectOf("dialect-foreign"), ExitEffect::unusable);
+    EXPECT_EQ(effectOf("not-a-program"), ExitEffect::unusable);
     EXPECT_EQ(effectOf("job-field-unknown"), ExitEffect::none);
     EXPECT_EQ(effectOf("feed-zero"), ExitEffect::none);
 }

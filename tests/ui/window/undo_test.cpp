@@ -167,7 +167,7 @@ private slots:
         Bench::type(rapid, QStringLiteral("9000"));
         QTRY_VERIFY_WITH_TIMEOUT(
             bench.session().job().machine() && bench.session().job().machine()->rapidZ == 9000, kPatience);
-        QCOMPARE(bench.undoText(), QStringLiteral("Undo Rapid Z"));
+        QCOMPARE(bench.undoText(), QStringLiteral("Undo Rapid traverse Z"));
         Bench::pressUndo(rapid);
         QVERIFY(bench.session().job().machine() == machine);
         Bench::pressUndo(rapid);

@@ -204,13 +204,16 @@ private slots:
         Workstation station(false);
         QCOMPARE(static_cast<std::size_t>(station.window.findChildren<QDockWidget*>().size()),
                  panelTable().size());
+        int withKeys = 0;
         for (const PanelRow& row : panelTable()) {
             const auto* dock = station.window.findChild<QDockWidget*>(QLatin1String(row.id));
             QVERIFY2(dock != nullptr, row.id);
             QCOMPARE(dock->toggleViewAction()->shortcut(), QKeySequence(QLatin1String(row.keys)));
             QVERIFY2(!dock->toggleViewAction()->icon().isNull(), row.id);
             QVERIFY2(!dock->windowTitle().isEmpty(), row.id);
+            withKeys += dock->toggleViewAction()->shortcut().isEmpty() ? 0 : 1;
         }
+        QCOMPARE(withKeys, 9);
     }
 
     void menusSayAllAndNoKeyIsTakenTwice() {
