@@ -10,7 +10,7 @@ namespace proveout::cli {
 namespace {
 
 /// "8", or what differs by method: "20; global: 1".
-std::string standardOf(int DecimationMethodRow::*number) {
+std::string defaultOf(int DecimationMethodRow::*number) {
     const int first = decimationMethods().front().*number;
     std::string text = std::to_string(first);
     for (const DecimationMethodRow& method : decimationMethods())
@@ -23,15 +23,15 @@ std::string standardOf(int DecimationMethodRow::*number) {
 } // namespace
 
 void DecimationOptions::addTo(CLI::App& command) {
-    const DecimationParameters standard;
+    const DecimationParameters defaults;
     const std::string region = fmt::format("{}; doubled up to {} if a map would have more than {} regions",
-                                           standardOf(&DecimationMethodRow::standardRegion),
-                                           kLargestStandardRegion, kMostStandardRegions);
-    describe(standard,
+                                           defaultOf(&DecimationMethodRow::defaultRegion),
+                                           kLargestDefaultRegion, kMostDefaultRegions);
+    describe(defaults,
              OptionAdder{command,
                          m_given,
                          "Decimation",
-                         {{"region", region}, {"period", standardOf(&DecimationMethodRow::standardPeriod)}}});
+                         {{"region", region}, {"period", defaultOf(&DecimationMethodRow::defaultPeriod)}}});
 }
 
 void DecimationOptions::apply(DecimationParameters& parameters, Named named, double points) const {
@@ -39,8 +39,8 @@ void DecimationOptions::apply(DecimationParameters& parameters, Named named, dou
     Result<void> result; // these texts are all good once they have been parsed
     describe(parameters, OptionReader{m_given, result});
     const bool sameMethod = parameters.method == before;
-    useStandards(parameters, given("region") || (named.region && sameMethod),
-                 given("period") || (named.period && sameMethod), points);
+    useDefaults(parameters, given("region") || (named.region && sameMethod),
+                given("period") || (named.period && sameMethod), points);
 }
 
 } // namespace proveout::cli

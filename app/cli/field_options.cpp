@@ -78,9 +78,9 @@ std::set<std::string> dialectKeys() {
     return keys;
 }
 
-std::string OptionAdder::help(const Field& field, const std::string& standard) const {
-    const auto other = standards.find(field.key);
-    return fmt::format("{} ({})", field.help, other == standards.end() ? standard : other->second);
+std::string OptionAdder::help(const Field& field, const std::string& defaultText) const {
+    const auto other = defaultTexts.find(field.key);
+    return fmt::format("{} ({})", field.help, other == defaultTexts.end() ? defaultText : other->second);
 }
 
 CLI::Option* OptionAdder::add(const Field& field, const std::string& help) const {

@@ -29,7 +29,7 @@ struct OptionAdder {
     CLI::App& command;
     GivenFields& given;
     std::string group = "Options";
-    std::map<std::string, std::string> standards = {}; ///< by key, where it is not the value
+    std::map<std::string, std::string> defaultTexts = {}; ///< by key, where it is not the value
 
     void operator()(double value, const Field& field) const;
     void operator()(int value, const Field& field) const;
@@ -51,7 +51,7 @@ private:
     void addFlag(const std::string& option, const char* text, const std::string& help,
                  const Field& field) const;
     void addChoices(std::size_t value, const Field& field) const;
-    [[nodiscard]] std::string help(const Field& field, const std::string& standard) const;
+    [[nodiscard]] std::string help(const Field& field, const std::string& defaultText) const;
 };
 
 /// A visitor of describe() that reads what was given. The first error stays in `result`.

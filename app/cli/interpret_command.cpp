@@ -102,7 +102,7 @@ void addInterpretCommand(CLI::App& app, ExitCode& exitCode) {
     const Setup nothing;
     describeControl(nothing, OptionAdder{.command = *command,
                                          .given = options->control,
-                                         .standards = {{setup_field::kStart.key, "0,0,0, assumed"}}});
+                                         .defaultTexts = {{setup_field::kStart.key, "0,0,0, assumed"}}});
     command->callback([options, &exitCode] { exitCode = run(*options); });
 }
 

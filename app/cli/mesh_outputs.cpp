@@ -54,7 +54,7 @@ const FileFormat& MeshOutputs::formatOf(const std::string& file) const {
 std::vector<MeshOutput> MeshOutputs::write(const ZMapSnapshot& zmap, SurfaceSnapshot& surface,
                                            const DecimationParameters& parameters, Report& report) const {
     std::vector<MeshOutput> written;
-    const TriangleMesh solid = closeSolid(zmap, surface.takeTriangles());
+    const TriangleMesh solid = closeSolid(zmap, surface.releaseTriangles());
     for (const std::string& file : files()) {
         const FileFormat& format = formatOf(file);
         auto exported = exportSolid(file, *format.meshWriter(), solid, zmap, parameters.allowance,

@@ -93,7 +93,7 @@ ordered_json toJson(const FindingTable& table, const FindingRow& row) {
                       {"parameters", parametersOf(row.text)}};
     if (row.severityRule == SeverityRule::warningIfAssumed)
         rule["severityIfAssumed"] = name(Severity::warning);
-    if (row.severityRule == SeverityRule::worstLeftOut)
+    if (row.severityRule == SeverityRule::worstOmitted)
         rule["severityAtMost"] = name(Severity::fault);
     return rule;
 }

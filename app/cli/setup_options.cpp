@@ -166,7 +166,7 @@ void SetupOptions::settleGrid(Job& job, const Program& program, const MapOutputs
     job.setup.spacing = gridSpacing(job.setup, program, gridLimits(job.parameters, outputs));
     if (!job.regionNamed)
         job.parameters.regionCells =
-            standardRegion(job.parameters.method, gridPoints(job.setup.stock, job.setup.spacing));
+            defaultRegion(job.parameters.method, gridPoints(job.setup.stock, job.setup.spacing));
 }
 
 Result<void> SetupOptions::checkGrid(const Job& job, const MapOutputs& outputs) const {

@@ -22,13 +22,13 @@ struct ToolsOptions {
 
 void printKey(const ShapeKey& key) {
     if (key.isText()) {
-        fmt::print("  {:<6} {}, e.g. {} (required)\n", key.key, key.label, key.standardText);
+        fmt::print("  {:<6} {}, e.g. {} (required)\n", key.key, key.label, key.defaultValue);
         return;
     }
-    const std::string standard =
-        key.required ? std::string("required") : fmt::format("{} {}", key.standard, key.unit);
+    const std::string defaultText =
+        key.required ? std::string("required") : fmt::format("{} {}", key.defaultValue, key.unit);
     fmt::print("  {:<6} {}: {} to {} {} ({})\n", key.key, key.label, key.minimum, key.maximum, key.unit,
-               standard);
+               defaultText);
 }
 
 void printShapes() {
@@ -47,12 +47,12 @@ nlohmann::ordered_json keysOf(std::span<const ShapeKey> keys) {
     for (const ShapeKey& key : keys) {
         nlohmann::ordered_json row{{"key", key.key}, {"label", key.label}};
         if (key.isText())
-            row["standard"] = key.standardText;
+            row["standard"] = key.defaultValue;
         else
             row.update({{"unit", key.unit},
                         {"minimum", key.minimum},
                         {"maximum", key.maximum},
-                        {"standard", key.standard}});
+                        {"standard", key.defaultValue}});
         row["required"] = key.required;
         list.push_back(std::move(row));
     }

@@ -16,7 +16,7 @@ namespace proveout::cli {
 
 namespace {
 
-constexpr double kStandardThickness = 5; ///< mm below the least height
+constexpr double kDefaultThickness = 5; ///< mm below the least height
 
 Result<StockBox> stockOf(const NpyArray& array, double spacing, Vec2 origin, std::optional<double> floor) {
     if (array.rows < 2 || array.columns < 2)
@@ -30,7 +30,7 @@ Result<StockBox> stockOf(const NpyArray& array, double spacing, Vec2 origin, std
                        {std::to_string(index / columns), std::to_string(index % columns)});
     }
     const auto [least, most] = std::ranges::minmax(array.values);
-    const double bottom = floor.value_or(least - kStandardThickness);
+    const double bottom = floor.value_or(least - kDefaultThickness);
     if (!(bottom <= least && bottom < most))
         return aboutOption(
             "--floor", failure(command_line_finding::kFloorTooHigh,

@@ -121,7 +121,7 @@ bool trigger(MainWindow& window, const QStringList& ids) {
 }
 
 /// What is to be done with the document. False where there is no such command.
-bool goOn(MainWindow& window, const Options& options) {
+bool carryOut(MainWindow& window, const Options& options) {
     if (!trigger(window, options.actions))
         return false;
     if (!options.screenshot.isEmpty())
@@ -149,7 +149,7 @@ int run() {
     // A picture shows the defaults.
     std::optional<Recovery> recovery;
     if (options.screenshot.isEmpty())
-        recovery.emplace(window, Recovery::standardRoot());
+        recovery.emplace(window, Recovery::defaultRoot());
     if (!options.size.isEmpty()) {
         window.setWindowState(Qt::WindowNoState); // as a small screen or the last session had it
         window.resize(options.size);
@@ -162,12 +162,12 @@ int run() {
         return result;
     };
     if (options.file.isEmpty())
-        return goOn(window, options) ? execute() : kUnusable;
+        return carryOut(window, options) ? execute() : kUnusable;
     // The commands are about what the file holds.
     QObject::connect(
         &session.document(), &DocumentHub::opened, &window,
         [&] {
-            if (!goOn(window, options))
+            if (!carryOut(window, options))
                 QCoreApplication::exit(kUnusable);
         },
         Qt::SingleShotConnection);

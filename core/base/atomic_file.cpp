@@ -27,8 +27,8 @@ namespace proveout {
 namespace {
 
 constexpr std::size_t kBufferSize = std::size_t{1} << 20;
-constexpr std::size_t kToldBytes = std::size_t{1} << 22; ///< between two messages of progress
-constexpr off_t kSurelyFits = 16'000'000;                ///< bytes
+constexpr std::size_t kReportedBytes = std::size_t{1} << 22; ///< between two messages of progress
+constexpr off_t kSurelyFits = 16'000'000;                    ///< bytes
 
 /// In the place of an errno: the target is a device, a pipe or the like.
 constexpr int kNotRegular = -1;
@@ -307,11 +307,11 @@ Result<std::string> readFile(const std::filesystem::path& source, std::uint64_t 
     bytes.reserve(static_cast<std::size_t>(info.st_size));
     std::array<char, 65536> chunk{};
     int error = 0;
-    std::size_t toTell = kToldBytes;
+    std::size_t toReport = kReportedBytes;
     while (!context.stopped()) {
-        if (bytes.size() >= toTell) {
-            toTell += kToldBytes;
-            context.tell(
+        if (bytes.size() >= toReport) {
+            toReport += kReportedBytes;
+            context.report(
                 std::min(1.0, static_cast<double>(bytes.size()) / static_cast<double>(info.st_size)));
         }
         const auto count = ::read(descriptor, chunk.data(), chunk.size());

@@ -58,7 +58,7 @@ inline constexpr FindingRow kTooManyMessages{Severity::warning,
                                              PROVEOUT_TEXT("Core", "More messages"),
                                              PROVEOUT_TEXT("Core", "{} more messages are not shown."),
                                              "",
-                                             SeverityRule::worstLeftOut};
+                                             SeverityRule::worstOmitted};
 
 inline constexpr std::array kBaseRows{&kFileUnreadable,       &kFileUnwritable, &kFileUnwritableSize,
                                       &kFileNotRegularFolder, &kFileNotRegular, &kFileTooLarge,

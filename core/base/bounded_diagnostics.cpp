@@ -11,12 +11,12 @@ namespace proveout {
 
 void BoundedDiagnostics::add(Diagnostic diagnostic) {
     if (full())
-        leaveOut(diagnostic.severity, diagnostic.unverified, 1);
+        omit(diagnostic.severity, diagnostic.unverified, 1);
     else
         m_first.push_back(std::move(diagnostic));
 }
 
-void BoundedDiagnostics::leaveOut(Severity severity, bool unverified, std::size_t count) {
+void BoundedDiagnostics::omit(Severity severity, bool unverified, std::size_t count) {
     if (count == 0)
         return;
     m_left += count;
@@ -33,7 +33,7 @@ void BoundedDiagnostics::sortByPlace() {
 void BoundedDiagnostics::append(BoundedDiagnostics others) {
     for (Diagnostic& diagnostic : others.m_first)
         add(std::move(diagnostic));
-    leaveOut(others.m_worst, others.m_unverified, others.m_left);
+    omit(others.m_worst, others.m_unverified, others.m_left);
 }
 
 Diagnostics BoundedDiagnostics::take(const FindingRow& more) {

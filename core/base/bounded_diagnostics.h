@@ -20,7 +20,7 @@ public:
 
     void add(Diagnostic diagnostic);
     /// Counts messages that are not even made.
-    void leaveOut(Severity severity, bool unverified, std::size_t count);
+    void omit(Severity severity, bool unverified, std::size_t count);
     /// In the order of the text.
     void sortByPlace();
     /// Those of `others` behind these.

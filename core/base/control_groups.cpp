@@ -46,7 +46,7 @@ std::uint64_t cachedBytes(const fs::path& group, const GroupFiles& files) {
     return cached;
 }
 
-void takeIn(const fs::path& group, const GroupFiles& files, GroupMemory& least) {
+void addGroup(const fs::path& group, const GroupFiles& files, GroupMemory& least) {
     std::optional<std::uint64_t> limit;
     for (const char* name : files.limits)
         if (const auto number = numberIn(group / name))
@@ -61,14 +61,14 @@ void takeIn(const fs::path& group, const GroupFiles& files, GroupMemory& least) 
 
 /// From the top group down to `path`, as /proc/self/cgroup names it. A path that leads out of the top group
 /// names one that is not visible here.
-void takeInAll(const fs::path& top, std::string_view path, const GroupFiles& files, GroupMemory& least) {
+void addGroups(const fs::path& top, std::string_view path, const GroupFiles& files, GroupMemory& least) {
     fs::path group = top;
-    takeIn(group, files, least);
+    addGroup(group, files, least);
     for (const fs::path& name : fs::path(path).relative_path()) {
         if (name == "..")
             return;
         group /= name;
-        takeIn(group, files, least);
+        addGroup(group, files, least);
     }
 }
 
@@ -88,8 +88,8 @@ bool lists(std::string_view list, std::string_view entry) {
 GroupMemory controlGroupMemory(const MemorySources& sources) {
     GroupMemory least;
     // The topmost groups also where the system does not say which are ours.
-    takeIn(sources.controlGroups, kVersion2, least);
-    takeIn(sources.controlGroups / "memory", kVersion1, least);
+    addGroup(sources.controlGroups, kVersion2, least);
+    addGroup(sources.controlGroups / "memory", kVersion1, least);
     std::ifstream groups(sources.proc / "self" / "cgroup");
     for (std::string line; std::getline(groups, line);) { // "4:memory:/path", "0::/path"
         const std::size_t first = line.find(':');
@@ -99,9 +99,9 @@ GroupMemory controlGroupMemory(const MemorySources& sources) {
         const std::string_view controllers = std::string_view(line).substr(first + 1, second - first - 1);
         const std::string_view path = std::string_view(line).substr(second + 1);
         if (controllers.empty())
-            takeInAll(sources.controlGroups, path, kVersion2, least);
+            addGroups(sources.controlGroups, path, kVersion2, least);
         else if (lists(controllers, "memory"))
-            takeInAll(sources.controlGroups / "memory", path, kVersion1, least);
+            addGroups(sources.controlGroups / "memory", path, kVersion1, least);
     }
     return least;
 }

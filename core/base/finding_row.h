@@ -18,7 +18,7 @@ namespace proveout {
 enum class SeverityRule : std::uint8_t {
     fixed,            ///< nothing: always as the row says
     warningIfAssumed, ///< a warning where it rests on assumed sizes, as of a tool that is not confirmed
-    worstLeftOut,     ///< as the worst of the findings that it stands for
+    worstOmitted,     ///< as the worst of the findings that it stands for
 };
 
 /// A finding without its place and arguments. All texts are literals, marked with PROVEOUT_TEXT where the

@@ -15,7 +15,7 @@ struct WorkContext {
     std::function<void(double)> progress;
 
     [[nodiscard]] bool stopped() const { return stop.stop_requested(); }
-    void tell(double done) const {
+    void report(double done) const {
         if (progress)
             progress(done);
     }

@@ -142,9 +142,9 @@ private:
 
     /// "in" is a unit, and a word of English: apart from its number it is a unit at the end of a phrase only.
     [[nodiscard]] CommentUnit unitAt(std::string_view word) const {
-        const bool phraseGoesOn =
+        const bool phraseContinues =
             m_rest.size() > 1 && m_rest[0] == ' ' && foldedLetter(static_cast<unsigned char>(m_rest[1])) != 0;
-        return word == "IN" && m_separated && phraseGoesOn ? CommentUnit::none : unitNamed(word);
+        return word == "IN" && m_separated && phraseContinues ? CommentUnit::none : unitNamed(word);
     }
 
     void readSign(const Utf8Character& sign) {
@@ -166,7 +166,7 @@ private:
     }
 
     /// The digits of a number, with a decimal comma where it is the only one.
-    std::string takeDigits(bool& point) {
+    std::string readDigits(bool& point) {
         std::string digits;
         std::size_t at = 0;
         for (; at < m_rest.size(); ++at) {
@@ -194,7 +194,7 @@ private:
 
     void readNumber() {
         CommentToken token;
-        const std::string digits = takeDigits(token.point);
+        const std::string digits = readDigits(token.point);
         if (digits.size() > kMostDigits ||
             std::from_chars(digits.data(), digits.data() + digits.size(), token.value).ec != std::errc())
             token.value = std::nan("");
@@ -212,12 +212,12 @@ private:
             isDigit(rest[1])) {
             whole = token.value;
             rest.remove_prefix(1);
-            numerator = takeWhole(rest);
+            numerator = readWhole(rest);
         }
         if (rest.size() < 2 || rest[0] != '/' || !isDigit(rest[1]))
             return;
         rest.remove_prefix(1);
-        const double denominator = takeWhole(rest);
+        const double denominator = readWhole(rest);
         constexpr double kDenominators[] = {2, 4, 8, 16, 32, 64, 128};
         if (std::ranges::find(kDenominators, denominator) == std::end(kDenominators) ||
             numerator >= denominator * (whole ? 1 : 16))
@@ -234,7 +234,7 @@ private:
                std::ranges::find(kNumberLabels, m_tokens.back().word) != std::end(kNumberLabels);
     }
 
-    static double takeWhole(std::string_view& text) {
+    static double readWhole(std::string_view& text) {
         double value = 0;
         const auto [end, error] = std::from_chars(
             text.data(), text.data() + std::min(text.size(), kMostDigits), value, std::chars_format::fixed);

@@ -29,7 +29,7 @@ struct SpecText {
     }
 
     /// Takes the value that `other` has; where it has none, the standard one.
-    void take(const std::string& key, const SpecText& other) {
+    void adopt(const std::string& key, const SpecText& other) {
         if (const auto found = other.values.find(key); found != other.values.end())
             values[key] = found->second;
         else
@@ -54,14 +54,14 @@ SpecText combined(const SpecText& stated, const SpecText& present, const std::ve
     if (!has(entered, "shape")) {
         SpecText out = stated;
         for (const std::string& key : entered)
-            out.take(key, present);
+            out.adopt(key, present);
         return out;
     }
     SpecText out = present;
     if (present.values.contains("d")) // which a form cutter has not
-        out.take("d", stated);
+        out.adopt("d", stated);
     if (!has(entered, "l"))
-        out.take("l", stated);
+        out.adopt("l", stated);
     return out;
 }
 

@@ -23,7 +23,7 @@ std::string_view trimmed(std::string_view text) {
 }
 
 /// Cuts `text` at the first `separator` and returns what stands before it; `text` keeps the rest.
-std::string_view takeUntil(std::string_view& text, char separator) {
+std::string_view splitOff(std::string_view& text, char separator) {
     const auto at = text.find(separator);
     const std::string_view head = text.substr(0, at);
     text = at == std::string_view::npos ? std::string_view{} : text.substr(at + 1);
@@ -50,7 +50,7 @@ struct KeyValues {
     }
 
     [[nodiscard]] double value(std::size_t index) const {
-        return given[index].value_or(keys[index].standard);
+        return given[index].value_or(keys[index].defaultValue);
     }
 };
 
@@ -81,7 +81,7 @@ Result<void> readValue(KeyValues& values, std::size_t index, std::string_view te
 
 Result<void> readAssignment(KeyValues& values, std::string_view assignment) {
     std::string_view text = assignment;
-    const std::string_view name = takeUntil(text, '=');
+    const std::string_view name = splitOff(text, '=');
     for (std::size_t i = 0; i < values.keys.size(); ++i) {
         if (values.keys[i].key != name)
             continue;
@@ -94,7 +94,7 @@ Result<void> readAssignment(KeyValues& values, std::string_view assignment) {
 
 tl::unexpected<Diagnostics> keyMissing(const CutterShape& shape, const ShapeKey& key) {
     if (key.isText())
-        return failure(cutter_finding::kCutterKeyMissing, {shape.key, key.key, key.label, key.standardText});
+        return failure(cutter_finding::kCutterKeyMissing, {shape.key, key.key, key.label, key.defaultText});
     return failure(
         cutter_finding::kCutterKeyMissingRange,
         {shape.key, key.key, key.label, figures("{}", key.minimum), figures("{}", key.maximum), key.unit});
@@ -103,7 +103,7 @@ tl::unexpected<Diagnostics> keyMissing(const CutterShape& shape, const ShapeKey&
 Result<KeyValues> readKeys(const CutterShape& shape, std::string_view text) {
     KeyValues values(shape);
     while (!text.empty()) {
-        if (auto read = readAssignment(values, takeUntil(text, ',')); !read)
+        if (auto read = readAssignment(values, splitOff(text, ',')); !read)
             return tl::unexpected(std::move(read.error()));
     }
     for (std::size_t i = 0; i < values.keys.size(); ++i) {
@@ -130,7 +130,7 @@ double shankRadiusOf(const CutterProfile& profile) {
 
 Result<Cutter> parseCutter(std::string_view spec) {
     std::string_view text = trimmed(spec);
-    const std::string_view name = takeUntil(text, ':');
+    const std::string_view name = splitOff(text, ':');
     const CutterShape* shape = findShape(name);
     if (shape == nullptr)
         return failure(cutter_finding::kCutterShapeUnknown, {std::string(name), listOf(cutterShapes())});
@@ -158,7 +158,7 @@ Result<Cutter> parseCutter(std::string_view spec) {
 
 Result<std::pair<int, Cutter>> parseToolOption(std::string_view option) {
     std::string_view spec = trimmed(option);
-    std::string_view number = takeUntil(spec, '=');
+    std::string_view number = splitOff(spec, '=');
     if (!number.empty() && (number.front() == 'T' || number.front() == 't'))
         number.remove_prefix(1);
     const auto tool = parseToolNumber(number);

@@ -28,8 +28,8 @@ constexpr ShapeKey kTaperHeight{
     "h", PROVEOUT_TEXT("Core", "Height of the taper"), "mm", kLeastSize, kLargestSize, 20, true};
 
 /// The same key with another proposal, which is also what an optional key has that is left out.
-constexpr ShapeKey withStandard(ShapeKey key, double standard) {
-    key.standard = standard;
+constexpr ShapeKey withDefault(ShapeKey key, double defaultValue) {
+    key.defaultValue = defaultValue;
     return key;
 }
 
@@ -39,13 +39,13 @@ constexpr ShapeKey required(ShapeKey key) {
 }
 
 /// A diameter of one part of a cutter.
-constexpr ShapeKey diameterOf(const char* key, const char* label, double standard,
+constexpr ShapeKey diameterOf(const char* key, const char* label, double defaultValue,
                               double minimum = kLeastSize) {
-    return {key, label, "mm", minimum, kLargestSize, standard, true};
+    return {key, label, "mm", minimum, kLargestSize, defaultValue, true};
 }
 
 constexpr std::array kDiameterOnly = {kDiameter};
-constexpr std::array kBullKeys = {kDiameter, required(withStandard(kCornerRadius, 1))};
+constexpr std::array kBullKeys = {kDiameter, required(withDefault(kCornerRadius, 1))};
 constexpr std::array kConeKeys = {kDiameter, kIncludedAngle, kFlatTip};
 constexpr std::array kDrillKeys = {
     kDiameter,
@@ -62,8 +62,8 @@ constexpr std::array kTaperBallKeys = {
     kSideAngle,
     kTaperHeight,
 };
-constexpr std::array kChamferKeys = {kDiameter, kIncludedAngle, required(withStandard(kFlatTip, 2))};
-constexpr std::array kSpotKeys = {kDiameter, withStandard(kDrillKeys[1], 90)};
+constexpr std::array kChamferKeys = {kDiameter, kIncludedAngle, required(withDefault(kFlatTip, 2))};
+constexpr std::array kSpotKeys = {kDiameter, withDefault(kDrillKeys[1], 90)};
 constexpr std::array kCentreKeys = {
     kDiameter,
     diameterOf("pilot", PROVEOUT_TEXT("Core", "Diameter of the pilot"), 4),
@@ -81,15 +81,15 @@ constexpr std::array kReamerKeys = {
 };
 constexpr std::array kTapKeys = {
     kDiameter,
-    required(withStandard(kFlatTip, 7)),
-    required(withStandard(kLead, 6)),
+    required(withDefault(kFlatTip, 7)),
+    required(withDefault(kLead, 6)),
 };
-constexpr std::array kThreadMillKeys = {kDiameter, kFlatTip, withStandard(kLead, 0)};
+constexpr std::array kThreadMillKeys = {kDiameter, kFlatTip, withDefault(kLead, 0)};
 constexpr std::array kFaceKeys = {
-    withStandard(kDiameter, 50),
+    withDefault(kDiameter, 50),
     ShapeKey{"angle", PROVEOUT_TEXT("Core", "Approach angle of the edge"), "°", 10, 90, 45, true},
     ShapeKey{"h", PROVEOUT_TEXT("Core", "Height of the edge"), "mm", kLeastSize, kLargestSize, 6, true},
-    withStandard(kCornerRadius, 0.8),
+    withDefault(kCornerRadius, 0.8),
 };
 constexpr std::array kFormKeys = {
     ShapeKey{"p", PROVEOUT_TEXT("Core", "Profile, RADIUS/HEIGHT:… from the tip outwards"), "", 0, 0, 0, true,
@@ -101,13 +101,13 @@ constexpr std::array kLollipopKeys = {
     kNeck,
 };
 constexpr std::array kSlotKeys = {
-    withStandard(kDiameter, 20),
+    withDefault(kDiameter, 20),
     ShapeKey{"w", PROVEOUT_TEXT("Core", "Width of the head"), "mm", kLeastSize, kLargestSize, 6, true},
-    withStandard(kNeck, 9),
+    withDefault(kNeck, 9),
     kCornerRadius,
 };
 constexpr std::array kDovetailKeys = {
-    withStandard(kDiameter, 20),
+    withDefault(kDiameter, 20),
     ShapeKey{"angle", PROVEOUT_TEXT("Core", "Angle between face and flank"), "°", 10, 89, 60, true},
     ShapeKey{"h", PROVEOUT_TEXT("Core", "Height of the head"), "mm", kLeastSize, kLargestSize, 6, true},
     ShapeKey{"neck", PROVEOUT_TEXT("Core", "Diameter of the neck (0: as the head's top)"), "mm", 0,

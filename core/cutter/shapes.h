@@ -17,12 +17,12 @@ struct ShapeKey {
     const char* unit;  ///< "mm" or "°"
     double minimum;
     double maximum;
-    double standard; ///< what a dialog proposes; the value of an optional key that is left out
+    double defaultValue; ///< what a dialog proposes; the value of an optional key that is left out
     bool required;
     /// What a dialog proposes for a value that is text; null: the value is a number.
-    const char* standardText = nullptr;
+    const char* defaultText = nullptr;
 
-    [[nodiscard]] bool isText() const { return standardText != nullptr; }
+    [[nodiscard]] bool isText() const { return defaultText != nullptr; }
 };
 
 /// What was given for the keys of a shape.

@@ -368,17 +368,17 @@ bool extend(ToolComment& tool, const ToolComment& next) {
     if (twice(tool.number, next.number) || twice(tool.diameter, next.diameter) ||
         (*tool.shape != '\0' && *next.shape != '\0'))
         return false;
-    const auto take = [](auto& into, const auto& from) {
+    const auto adopt = [](auto& into, const auto& from) {
         if (!into)
             into = from;
     };
-    take(tool.number, next.number);
-    take(tool.diameter, next.diameter);
-    take(tool.cornerRadius, next.cornerRadius);
-    take(tool.sideAngle, next.sideAngle);
-    take(tool.includedAngle, next.includedAngle);
-    take(tool.tipDiameter, next.tipDiameter);
-    take(tool.fluteLength, next.fluteLength);
+    adopt(tool.number, next.number);
+    adopt(tool.diameter, next.diameter);
+    adopt(tool.cornerRadius, next.cornerRadius);
+    adopt(tool.sideAngle, next.sideAngle);
+    adopt(tool.includedAngle, next.includedAngle);
+    adopt(tool.tipDiameter, next.tipDiameter);
+    adopt(tool.fluteLength, next.fluteLength);
     if (*tool.shape == '\0')
         tool.shape = next.shape;
     tool.aboutTool = tool.aboutTool || next.aboutTool;

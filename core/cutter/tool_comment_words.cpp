@@ -237,7 +237,7 @@ constexpr std::string_view kOtherThings[] = {
 };
 
 /// Whether the words of a row stand at token `at`, one token each. Signs between them do not matter.
-bool standAt(std::string_view words, std::span<const CommentToken> tokens, std::size_t at) {
+bool matchAt(std::string_view words, std::span<const CommentToken> tokens, std::size_t at) {
     while (!words.empty()) {
         const std::string_view word = words.substr(0, words.find(' '));
         if (at == tokens.size() || tokens[at].word != word)
@@ -261,7 +261,7 @@ public:
     void at(std::span<const CommentToken> tokens, std::size_t at, Visitor&& visit) const {
         const auto [first, last] = m_rows.equal_range(tokens[at].word);
         for (auto entry = first; entry != last; ++entry)
-            if (standAt(entry->second->words, tokens, at))
+            if (matchAt(entry->second->words, tokens, at))
                 visit(*entry->second);
     }
 

@@ -203,8 +203,8 @@ void readMachine(JsonFields& job, std::optional<Machine>& machine) {
 void readParameters(JsonFields fields, Job& job) {
     describe(job.parameters, FieldReader{fields});
     job.regionNamed = fields.has("region");
-    useStandards(job.parameters, job.regionNamed, fields.has("period"),
-                 gridPoints(job.setup.stock, job.setup.spacing));
+    useDefaults(job.parameters, job.regionNamed, fields.has("period"),
+                gridPoints(job.setup.stock, job.setup.spacing));
     fields.warnAboutUnknown();
 }
 
@@ -222,7 +222,7 @@ Result<void> checkSchema(const nlohmann::json& json) {
 
 /// Warnings in the order of the text; where the job cannot be read they follow the errors, because a field
 /// that is missing may be one whose name is misspelt.
-Diagnostics told(JsonComplaints& complaints) {
+Diagnostics reported(JsonComplaints& complaints) {
     complaints.warnings.sortByPlace();
     complaints.errors.append(std::move(complaints.warnings));
     return complaints.errors.take();
@@ -264,7 +264,7 @@ Result<Job> parse(std::string_view text, const Reach& reach) {
     readParameters(fields.object("decimation"), job);
     fields.warnAboutUnknown();
     const bool usable = complaints.errors.empty();
-    Diagnostics all = told(complaints);
+    Diagnostics all = reported(complaints);
     if (!usable)
         return tl::unexpected(std::move(all));
     job.warnings = std::move(all);

@@ -58,7 +58,7 @@ void JsonFields::warnAboutUnknown() {
         if (m_asked.contains(name))
             continue;
         if (m_complaints->warnings.full()) {
-            m_complaints->warnings.leaveOut(Severity::warning, false, 1);
+            m_complaints->warnings.omit(Severity::warning, false, 1);
             continue;
         }
         const auto meant = nearestName(name, known);

@@ -53,7 +53,7 @@ public:
     }
     [[nodiscard]] TextRange errorPlace() const { return m_error; }
     [[nodiscard]] bool tooDeep() const { return m_tooDeep; }
-    [[nodiscard]] JsonPlaces takePlaces() { return std::move(m_places); }
+    [[nodiscard]] JsonPlaces releasePlaces() { return std::move(m_places); }
 
     bool null() override { return true; }
     bool boolean(bool /*value*/) override { return true; }
@@ -151,7 +151,7 @@ private:
 Result<JsonDocument> parseJson(std::string_view text, int depth) {
     SyntaxCheck check(text, depth);
     if (check.passes())
-        return JsonDocument{json::parse(text), check.takePlaces()};
+        return JsonDocument{json::parse(text), check.releasePlaces()};
     if (check.tooDeep())
         return failure(job_finding::kJsonDepth, {std::to_string(depth)});
     auto failed = failure(job_finding::kJsonSyntax);

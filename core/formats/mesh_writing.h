@@ -47,7 +47,7 @@ public:
         for (std::size_t begin = 0; begin < items.size(); begin += kBatch) {
             if (m_context.stopped())
                 return cancelled();
-            m_context.tell(static_cast<double>(m_done) / static_cast<double>(m_items));
+            m_context.report(static_cast<double>(m_done) / static_cast<double>(m_items));
             const std::size_t end = std::min(begin + kBatch, items.size());
             m_text.clear();
             for (std::size_t i = begin; i < end; ++i)
@@ -82,7 +82,7 @@ template<class Out, class Body>
             return tl::unexpected(std::move(done.error()));
     if (Result<void> done = out.commit(); !done)
         return tl::unexpected(std::move(done.error()));
-    context.tell(1);
+    context.report(1);
     return WrittenFile{mesh.triangles.size(), out.bytesWritten()};
 }
 

@@ -29,7 +29,7 @@ public:
     }
 
     /// Takes `token` if it stands here.
-    bool take(std::string_view token) {
+    bool accept(std::string_view token) {
         skipSpaces();
         if (m_failed || !m_text.substr(m_at).starts_with(token))
             return false;
@@ -37,7 +37,7 @@ public:
         return true;
     }
     void expect(std::string_view token) {
-        if (!take(token))
+        if (!accept(token))
             m_failed = true;
     }
 
@@ -56,7 +56,7 @@ public:
     }
 
     bool boolean() {
-        if (take("True"))
+        if (accept("True"))
             return true;
         expect("False");
         return false;
@@ -71,16 +71,16 @@ public:
             return 0;
         }
         m_at = static_cast<std::size_t>(end - m_text.data());
-        take("L"); // Python 2 wrote long integers so
+        accept("L"); // Python 2 wrote long integers so
         return value;
     }
 
     std::vector<std::uint64_t> tuple() {
         std::vector<std::uint64_t> out;
         expect("(");
-        while (!m_failed && !take(")")) {
+        while (!m_failed && !accept(")")) {
             out.push_back(number());
-            if (!take(",")) {
+            if (!accept(",")) {
                 expect(")");
                 break;
             }
@@ -112,7 +112,7 @@ Result<NpyHeader> readDictionary(std::string_view text, std::size_t start) {
     int orders = 0;
     int shapes = 0;
     literal.expect("{");
-    while (!literal.failed() && !literal.take("}")) {
+    while (!literal.failed() && !literal.accept("}")) {
         const std::string key = literal.string();
         literal.expect(":");
         if (key == "descr" && ++types == 1)
@@ -123,7 +123,7 @@ Result<NpyHeader> readDictionary(std::string_view text, std::size_t start) {
             header.shape = literal.tuple();
         else
             return badHeader(start + literal.at());
-        if (!literal.take(",")) {
+        if (!literal.accept(",")) {
             literal.expect("}");
             break;
         }

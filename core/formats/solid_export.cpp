@@ -19,7 +19,7 @@ namespace {
 constexpr double kMeasured = 0.3;
 
 /// With as few digits as tell the value from the other one.
-std::string toldApart(double value, double other) {
+std::string distinguished(double value, double other) {
     constexpr int kFewest = 4;
     for (int digits = kFewest; digits < std::numeric_limits<double>::max_digits10; ++digits)
         if (std::string text = fmt::format("{:.{}g}", value, digits);
@@ -29,9 +29,10 @@ std::string toldApart(double value, double other) {
 }
 
 Diagnostic roundedBeyond(const std::filesystem::path& file, double rounded, double allowance, double exact) {
-    Diagnostic warning = diagnosticOf(export_finding::kExportRoundedBeyond,
-                                      {figures("{}", toldApart(rounded, allowance)), figures("{}", allowance),
-                                       figures("{:.4g}", exact), exactMeshEndings()});
+    Diagnostic warning =
+        diagnosticOf(export_finding::kExportRoundedBeyond,
+                     {figures("{}", distinguished(rounded, allowance)), figures("{}", allowance),
+                      figures("{:.4g}", exact), exactMeshEndings()});
     warning.file = file.string();
     return warning;
 }

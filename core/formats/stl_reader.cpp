@@ -134,7 +134,7 @@ Result<StlContents> readStlContents(const std::filesystem::path& file) {
     contents.mesh.triangles.reserve(read->facets.size());
     for (const StlFacet& facet : read->facets)
         add(facet, welder, contents);
-    contents.mesh.vertices = welder.takeVertices();
+    contents.mesh.vertices = welder.releaseVertices();
     if (contents.mesh.triangles.empty())
         return failure(mesh_finding::kStlNoFacets,
                        {std::to_string(contents.facets), std::to_string(contents.notFinite),

@@ -54,7 +54,7 @@ std::uint32_t VertexWelder::index(const std::array<float, 3>& point) {
     return slot;
 }
 
-std::vector<Vec3> VertexWelder::takeVertices() {
+std::vector<Vec3> VertexWelder::releaseVertices() {
     std::vector<Vec3> vertices;
     vertices.reserve(m_points.size());
     for (const auto& point : m_points)

@@ -18,7 +18,7 @@ public:
 
     [[nodiscard]] std::uint32_t index(const std::array<float, 3>& point);
     /// The points, as exact doubles; the welder is empty afterwards.
-    [[nodiscard]] std::vector<Vec3> takeVertices();
+    [[nodiscard]] std::vector<Vec3> releaseVertices();
 
 private:
     [[nodiscard]] std::size_t slotOf(const std::array<float, 3>& point) const;

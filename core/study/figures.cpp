@@ -116,8 +116,8 @@ std::vector<StudyVariant> studyVariants(const DecimationParameters& base) {
             continue;
         DecimationParameters parameters = base;
         parameters.method = method.method;
-        parameters.regionCells = method.standardRegion;
-        parameters.period = method.standardPeriod;
+        parameters.regionCells = method.defaultRegion;
+        parameters.period = method.defaultPeriod;
         const std::string key = kMethodChoices[static_cast<std::size_t>(method.method)].key;
         if (method.method == DecimationMethod::lee) {
             DecimationParameters letter = parameters;

@@ -26,7 +26,7 @@ Result<std::vector<Forecast>> countAll(const StudyJob& job, const DecimationPara
             return tl::unexpected(run.error());
         point.count = run->count;
         point.seconds = rehearsal.model.cost(point.count, point.regionCells);
-        context.tell(static_cast<double>(k + 1) / static_cast<double>(counted.size()));
+        context.report(static_cast<double>(k + 1) / static_cast<double>(counted.size()));
     }
     return counted;
 }

@@ -44,7 +44,7 @@ public:
             m_drawNext = nullptr;
             if (m_block % stretch == 0 || m_block == blocks)
                 sample();
-            context.tell(static_cast<double>(m_block) / static_cast<double>(blocks));
+            context.report(static_cast<double>(m_block) / static_cast<double>(blocks));
         }
         if (context.stopped())
             return failure(study_finding::kStudyStopped);

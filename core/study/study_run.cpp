@@ -48,7 +48,7 @@ public:
         while (m_simulation->position() < blocks && !context.stopped()) {
             if (!step({context.stop, {}}))
                 break;
-            context.tell(static_cast<double>(m_simulation->position()) / static_cast<double>(blocks));
+            context.report(static_cast<double>(m_simulation->position()) / static_cast<double>(blocks));
         }
         finish();
         return std::move(m_run);

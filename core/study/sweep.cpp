@@ -33,8 +33,9 @@ Result<std::vector<SweptPoint>> runSweep(const StudyJob& job, std::span<const St
     for (std::size_t round = 0; round < rounds; ++round)
         for (std::size_t k = 0; k < points.size(); ++k) {
             const std::size_t place = (k + round) % points.size();
-            const WorkContext one{
-                context.stop, [&](double share) { context.tell((static_cast<double>(done) + share) / all); }};
+            const WorkContext one{context.stop, [&](double share) {
+                                      context.report((static_cast<double>(done) + share) / all);
+                                  }};
             auto run = runStudy(job, points[place], options.drawing, options.drawEvery, one);
             if (!run)
                 return tl::unexpected(std::move(run.error()));

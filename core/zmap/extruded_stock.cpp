@@ -75,14 +75,14 @@ public:
     }
 
 private:
-    void take(const Vec2& place) {
+    void add(const Vec2& place) {
         m_lo = glm::min(m_lo, place);
         m_hi = glm::max(m_hi, place);
     }
 
     void addPiece(OutlinePiece piece) {
-        take(piece.low);
-        take(piece.high);
+        add(piece.low);
+        add(piece.high);
         if (piece.low.y > piece.high.y)
             std::swap(piece.low, piece.high);
         m_pieces.push_back(piece);
@@ -166,12 +166,12 @@ public:
     }
     [[nodiscard]] UncutStock uncut(const StockBox& stock, const Grid& grid) const override {
         UncutStock uncut{ZMap(stock, grid), {}};
-        takeAwayBesides(uncut.zmap, stock, GridPart(grid));
+        removeOutside(uncut.zmap, stock, GridPart(grid));
         return uncut;
     }
     [[nodiscard]] ZMap uncutPart(const StockBox& stock, const GridPart& part) const override {
         ZMap zmap(part.stock(stock), part.grid());
-        takeAwayBesides(zmap, stock, part);
+        removeOutside(zmap, stock, part);
         return zmap;
     }
     [[nodiscard]] std::unique_ptr<StockTop> top(const StockBox& stock) const override {
@@ -181,14 +181,14 @@ public:
 private:
     [[nodiscard]] Vec2 offsetTo(const StockBox& stock) const { return Vec2(stock.corner) - m_outline.lo(); }
 
-    void takeAwayBesides(ZMap& zmap, const StockBox& stock, const GridPart& grid) const {
+    void removeOutside(ZMap& zmap, const StockBox& stock, const GridPart& grid) const {
         const Vec2 offset = offsetTo(stock);
         std::vector<bool> within(static_cast<std::size_t>(grid.nx));
         for (int j = 0; j < grid.ny; ++j) {
             markWithin(grid, j, offset, within);
             for (int i = 0; i < grid.nx; ++i)
                 if (!within[static_cast<std::size_t>(i)])
-                    takeAway(zmap, i, j);
+                    removePoint(zmap, i, j);
         }
         for (std::size_t index = 0; index < zmap.tileCount(); ++index)
             zmap.tileForWriting(index).refreshMaximum();
@@ -205,7 +205,7 @@ private:
         }
     }
 
-    static void takeAway(ZMap& zmap, int i, int j) {
+    static void removePoint(ZMap& zmap, int i, int j) {
         const auto tile = static_cast<std::size_t>((j / Tile::kSize) * zmap.tilesX() + i / Tile::kSize);
         zmap.tileForWriting(tile).at(i % Tile::kSize, j % Tile::kSize) = zmap.floor();
     }

@@ -266,7 +266,7 @@ public:
         Beneath beneath;
         fill(uncut.zmap, GridPart(grid), offset,
              [&](Band& band) { band.lookBeneath(m_upIsOut, m_box.lo.z, offset, beneath); });
-        tell(beneath, uncut.findings);
+        report(beneath, uncut.findings);
         return uncut;
     }
     [[nodiscard]] ZMap uncutPart(const StockBox& stock, const GridPart& part) const override {
@@ -329,12 +329,12 @@ private:
         }
     }
 
-    static void tell(const Beneath& beneath, Diagnostics& findings) {
+    static void report(const Beneath& beneath, Diagnostics& findings) {
         if (beneath.open > 0)
             findings.push_back(
                 diagnosticOf(stock_body_finding::kStockMeshOpen,
                              {fmt::format("{}", beneath.open), fmt::format("{}", beneath.covered)}));
-        for (Diagnostic& finding : beneath.undercut.told())
+        for (Diagnostic& finding : beneath.undercut.reported())
             findings.push_back(std::move(finding));
     }
 

@@ -157,8 +157,8 @@ public:
         const Grid& saved = m_map.grid();
         const bool same = grid.nx == saved.nx && grid.ny == saved.ny && stock.height == box().height;
         if (same)
-            return {sameTiles(m_map, stock, grid), undercut.told()};
-        Diagnostics findings = undercut.told();
+            return {sameTiles(m_map, stock, grid), undercut.reported()};
+        Diagnostics findings = undercut.reported();
         const bool finer = isPartOf(saved.nx, grid.nx) && isPartOf(saved.ny, grid.ny);
         if (!finer)
             findings.push_back(resamplingNote(grid));

@@ -11,7 +11,7 @@
 
 namespace proveout {
 
-Diagnostics Undercut::told() const {
+Diagnostics Undercut::reported() const {
     if (tallest <= kLeast)
         return {};
     std::vector<Argument> values{figures("{:.4g}", volumeMm3), figures("{:.3f}", tallest)};

@@ -25,7 +25,7 @@ struct Undercut {
         tallest = std::max(tallest, gap);
     }
     /// Nothing where there is none.
-    [[nodiscard]] Diagnostics told() const;
+    [[nodiscard]] Diagnostics reported() const;
 };
 
 } // namespace proveout

@@ -20,11 +20,11 @@ void Tile::refreshMaximum() {
         }
         blockMaxima[static_cast<std::size_t>(block)] = *std::ranges::max_element(lanes);
     }
-    takeMaximum();
+    updateMaximum();
     loweredPoints = 0;
 }
 
-void Tile::takeMaximum() {
+void Tile::updateMaximum() {
     maximum = *std::ranges::max_element(blockMaxima);
 }
 

@@ -30,7 +30,7 @@ struct Tile {
     [[nodiscard]] float& at(int i, int j) { return heights[static_cast<std::size_t>(j * kSize + i)]; }
     [[nodiscard]] float at(int i, int j) const { return heights[static_cast<std::size_t>(j * kSize + i)]; }
     void refreshMaximum(); ///< makes all bounds exact
-    void takeMaximum();    ///< of the blocks'
+    void updateMaximum();  ///< of the blocks'
 };
 
 /// The grid points of tile `index`, tiles counted row by row.

@@ -52,22 +52,23 @@ TEST_F(CliBox, GoesAsFarAsTheRun) {
     EXPECT_EQ(box["grid"]["nx"], 1501) << "0.01 mm where none is given";
 }
 
-TEST_F(CliBox, IsToldInTheSummary) {
+TEST_F(CliBox, IsReportedInTheSummary) {
     EXPECT_THAT(simulate("--box 10,3,25,8").out,
                 testing::HasSubstr("box: 1501 × 501 points, spacing 0.01 mm"));
 }
 
 TEST_F(CliBox, RefusesWhatCannotBe) {
-    EXPECT_TRUE(simulate("--box 10,3,25").tells("proveout-cli: error: --box: “10,3,25” is not", "box-form"));
-    EXPECT_TRUE(simulate("--box 10,3,nan,8").tells("proveout-cli: error: --box:", "box-form"));
-    EXPECT_TRUE(simulate("--box 10,3,25,8,9").tells("proveout-cli: error: --box:", "box-form"));
-    EXPECT_TRUE(simulate("--box 10,3,50,8").tells("proveout-cli: error: --box:", "box-outside-stock"));
-    EXPECT_TRUE(simulate("--box 25,3,10,8").tells("proveout-cli: error: --box:", "box-without-area"));
+    EXPECT_TRUE(
+        simulate("--box 10,3,25").reports("proveout-cli: error: --box: “10,3,25” is not", "box-form"));
+    EXPECT_TRUE(simulate("--box 10,3,nan,8").reports("proveout-cli: error: --box:", "box-form"));
+    EXPECT_TRUE(simulate("--box 10,3,25,8,9").reports("proveout-cli: error: --box:", "box-form"));
+    EXPECT_TRUE(simulate("--box 10,3,50,8").reports("proveout-cli: error: --box:", "box-outside-stock"));
+    EXPECT_TRUE(simulate("--box 25,3,10,8").reports("proveout-cli: error: --box:", "box-without-area"));
     EXPECT_TRUE(simulate("--box 0,0,40,30 --box-spacing 0.0001")
-                    .tells("proveout-cli: error: --box-spacing:", "grid-too-fine"));
+                    .reports("proveout-cli: error: --box-spacing:", "grid-too-fine"));
     EXPECT_TRUE(simulate("--box 10,3,25,8 --box-spacing -1")
-                    .tells("proveout-cli: error: --box-spacing:", "grid-spacing-bad"));
-    EXPECT_TRUE(simulate("--box 10,3,25,8 --box-heights p.nc").tells("p.nc: error:", "output-overwrites"));
+                    .reports("proveout-cli: error: --box-spacing:", "grid-spacing-bad"));
+    EXPECT_TRUE(simulate("--box 10,3,25,8 --box-heights p.nc").reports("p.nc: error:", "output-overwrites"));
     EXPECT_EQ(simulate("--box-heights h.npy").exitCode, 3) << "without a box";
     EXPECT_FALSE(exists("h.npy"));
 }

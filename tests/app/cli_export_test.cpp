@@ -75,9 +75,10 @@ TEST_F(CliExport, UnknownEndingsAreRefusedBeforeTheWork) {
              {std::string("a.step"), std::string("a"), std::string("folder/a.stl.gz")}) {
             const auto done = run(command + " --export " + file);
             EXPECT_EQ(done.exitCode, 3);
-            EXPECT_TRUE(done.tells(file + ": error: The extension of this name is not that of a mesh format; "
-                                          "there are .stl .obj .ply .3mf.",
-                                   "export-format-unknown"))
+            EXPECT_TRUE(done.reports(file +
+                                         ": error: The extension of this name is not that of a mesh format; "
+                                         "there are .stl .obj .ply .3mf.",
+                                     "export-format-unknown"))
                 << done.err;
             EXPECT_EQ(done.json()["findings"][0]["id"], "export-format-unknown");
             EXPECT_FALSE(done.json().contains("removedMm3"));
@@ -97,7 +98,7 @@ TEST_F(CliExport, AFileThatOutgrowsTheDiskKeepsNoOtherBack) {
     const auto done = run("simulate p.nc --json --export a.obj --export b.3mf" + kStock + kTool,
                           "ulimit -f " + std::to_string(smaller / kUnit + 1) + ";");
     EXPECT_EQ(done.exitCode, 3);
-    EXPECT_TRUE(done.tells("a.obj: error: The file cannot be written (", "file-unwritable")) << done.err;
+    EXPECT_TRUE(done.reports("a.obj: error: The file cannot be written (", "file-unwritable")) << done.err;
     EXPECT_FALSE(exists("a.obj"));
     EXPECT_TRUE(exists("b.3mf"));
     const auto rows = done.json()["exports"];
@@ -105,18 +106,18 @@ TEST_F(CliExport, AFileThatOutgrowsTheDiskKeepsNoOtherBack) {
 }
 
 TEST_F(CliExport, OutputsMustDiffer) {
-    EXPECT_TRUE(simulate("--export a.stl --stl a.stl").tells("a.stl: error: ", "output-overwrites"));
-    EXPECT_TRUE(simulate("--export a.obj --export ./a.obj").tells("./a.obj: error: ", "output-overwrites"));
+    EXPECT_TRUE(simulate("--export a.stl --stl a.stl").reports("a.stl: error: ", "output-overwrites"));
+    EXPECT_TRUE(simulate("--export a.obj --export ./a.obj").reports("./a.obj: error: ", "output-overwrites"));
     EXPECT_TRUE(simulate("--method lee --borders paper --export a.3mf")
-                    .tells("p.nc: error: ", "borders-not-exported"));
+                    .reports("p.nc: error: ", "borders-not-exported"));
 }
 
-TEST_F(CliExport, RoundingBeyondTheAllowanceIsTold) {
+TEST_F(CliExport, RoundingBeyondTheAllowanceIsReported) {
     const auto done = simulateFarOut("--json --export a.stl --export a.obj");
     ASSERT_EQ(done.exitCode, 0) << done.err;
-    EXPECT_TRUE(done.tells("a.stl: warning: Rounded to single precision", "export-rounded-beyond"))
+    EXPECT_TRUE(done.reports("a.stl: warning: Rounded to single precision", "export-rounded-beyond"))
         << done.err;
-    EXPECT_FALSE(done.tells("a.obj: warning: ", "export-rounded-beyond"));
+    EXPECT_FALSE(done.reports("a.obj: warning: ", "export-rounded-beyond"));
     const auto json = done.json();
     EXPECT_EQ(json["findings"][0]["id"], "export-rounded-beyond");
     const auto rows = json["exports"];

@@ -22,7 +22,7 @@ protected:
 TEST_F(CliInput, MissingFile) {
     const auto done = run("simulate none.nc" + kStock + kTool);
     EXPECT_EQ(done.exitCode, 3);
-    EXPECT_TRUE(done.tells("none.nc: error: ", "file-unreadable")) << done.err;
+    EXPECT_TRUE(done.reports("none.nc: error: ", "file-unreadable")) << done.err;
     EXPECT_EQ(done.err,
               "none.nc: error: The file cannot be read: No such file or directory. [file-unreadable]\n");
     EXPECT_EQ(run("interpret none.nc").exitCode, 3);
@@ -77,10 +77,10 @@ TEST_F(CliInput, MCodesThatMoveNoAxisAreIgnoredAndListed) {
                                 "X30.\nG0 Z5.\nM30\n%\n";
     const auto unknown = simulate(program, "--dialect fanuc --json");
     EXPECT_EQ(unknown.exitCode, 2);
-    EXPECT_TRUE(unknown.tells("p.nc:8:1: error: M16 ", "code-unknown")) << unknown.err;
+    EXPECT_TRUE(unknown.reports("p.nc:8:1: error: M16 ", "code-unknown")) << unknown.err;
     const auto done = simulate(program, "--dialect fanuc --ignore-m 16 --json");
     EXPECT_EQ(done.exitCode, 0) << done.err;
-    EXPECT_TRUE(done.tells("p.nc:8:1: note: M16 is ignored", "code-ignored")) << done.err;
+    EXPECT_TRUE(done.reports("p.nc:8:1: note: M16 is ignored", "code-ignored")) << done.err;
     EXPECT_TRUE(done.json()["unverified"].empty());
     const auto listed = done.json()["ignoredCodes"];
     ASSERT_EQ(listed.size(), 3U);
@@ -92,7 +92,7 @@ TEST_F(CliInput, MCodesThatMoveNoAxisAreIgnoredAndListed) {
     EXPECT_GT(done.json()["removedMm3"], 0);
     const auto bad = run("interpret p.nc --ignore-m G16");
     EXPECT_EQ(bad.exitCode, 3);
-    EXPECT_TRUE(bad.tells("proveout-cli: error: --ignore-m: ", "m-code-list")) << bad.err;
+    EXPECT_TRUE(bad.reports("proveout-cli: error: --ignore-m: ", "m-code-list")) << bad.err;
 }
 
 TEST_F(CliInput, NoMotionIsAWarningAndUnverified) {
@@ -109,7 +109,7 @@ TEST_F(CliInput, NoMotionIsAWarningAndUnverified) {
 TEST_F(CliInput, ToolWithoutACutterIsUnverified) {
     const auto done = simulate("T7 M6\nG0 X5 Y5 Z5\nG1 Z-2 F100\nX30\n", "--json");
     EXPECT_EQ(done.exitCode, 2);
-    EXPECT_TRUE(done.tells("p.nc:2:1: error: ", "tool-undefined")) << done.err;
+    EXPECT_TRUE(done.reports("p.nc:2:1: error: ", "tool-undefined")) << done.err;
     EXPECT_EQ(done.json()["removedMm3"], 0);
     ASSERT_FALSE(done.json()["unverified"].empty());
     EXPECT_EQ(done.json()["unverified"][0]["id"], "tool-undefined");
@@ -120,8 +120,8 @@ TEST_F(CliInput, AToolOfACommentIsUsedAndWhatItFindsIsUnverified) {
     const std::string program = "(T7 D=4. CR=0. - FLAT END MILL)\nG21 G90\nT7 M6\nG0 X5 Y5 Z5\nZ-3\nM30\n";
     const auto done = simulate(program, "--json");
     EXPECT_EQ(done.exitCode, 2) << done.err;
-    EXPECT_TRUE(done.tells("p.nc:1:1: warning: ", "tool-unconfirmed")) << done.err;
-    EXPECT_TRUE(done.tells("p.nc:5:1: warning: ", "rapid-cuts")) << done.err;
+    EXPECT_TRUE(done.reports("p.nc:1:1: warning: ", "tool-unconfirmed")) << done.err;
+    EXPECT_TRUE(done.reports("p.nc:5:1: warning: ", "rapid-cuts")) << done.err;
     EXPECT_GT(done.json()["removedMm3"], 0);
     const auto tools = done.json()["tools"];
     for (const auto& tool : tools)
@@ -134,7 +134,7 @@ TEST_F(CliInput, AToolOfACommentIsUsedAndWhatItFindsIsUnverified) {
     // The same tool, stated by the user.
     const auto given = simulate(program, "--json --tool 7=flat:d=4");
     EXPECT_EQ(given.exitCode, 1) << given.err;
-    EXPECT_TRUE(given.tells("p.nc:5:1: fault: ", "rapid-cuts")) << given.err;
+    EXPECT_TRUE(given.reports("p.nc:5:1: fault: ", "rapid-cuts")) << given.err;
     const auto other = simulate(program, "--json --tool 7=ball:d=6").json()["tools"];
     EXPECT_NE(other.dump().find("ball:d=6"), std::string::npos) << "given tools win";
     EXPECT_EQ(other.dump().find("flat:d=4"), std::string::npos);
@@ -154,7 +154,7 @@ TEST_F(CliInput, MotionBeforeFAndArcThatDoesNotFitAreUnverified) {
 TEST_F(CliInput, RapidThatCutsIsAFaultAndOutranksUnverified) {
     const auto done = simulate("T1 M6\nG0 X5 Y5 Z5\nZ-3\nG1 X9\nM30\n", "--json");
     EXPECT_EQ(done.exitCode, 1);
-    EXPECT_TRUE(done.tells("p.nc:3:1: fault: ", "rapid-cuts")) << done.err;
+    EXPECT_TRUE(done.reports("p.nc:3:1: fault: ", "rapid-cuts")) << done.err;
     EXPECT_THAT(done.err, HasSubstr("[feed-missing]"));
     const auto json = done.json();
     EXPECT_EQ(json["findings"][0]["id"], "rapid-cuts");
@@ -162,10 +162,10 @@ TEST_F(CliInput, RapidThatCutsIsAFaultAndOutranksUnverified) {
     EXPECT_FALSE(json["unverified"].empty());
 }
 
-TEST_F(CliInput, UnwritableOutputIsToldBeforeTheRun) {
+TEST_F(CliInput, UnwritableOutputIsReportedBeforeTheRun) {
     const auto done = simulate("T1 M6\nG0 X5 Y5 Z5\nZ-3\nM30\n", "--stl none/a.stl --json");
     EXPECT_EQ(done.exitCode, 3);
-    EXPECT_TRUE(done.tells("none/a.stl: error: ", "file-unwritable")) << done.err;
+    EXPECT_TRUE(done.reports("none/a.stl: error: ", "file-unwritable")) << done.err;
     EXPECT_THAT(done.err, testing::Not(HasSubstr("[rapid-cuts]")));
     for (const char* output : {"--zmap none/a.npy", "--records none/a.csv", "--stl ."})
         EXPECT_EQ(simulate(kSound, output).exitCode, 3) << output;
@@ -193,20 +193,20 @@ TEST_F(CliInput, OutputsNeverOverwriteInputs) {
 
 TEST_F(CliInput, BrokenToolTablesNameTheirPlace) {
     write("p.nc", kSound);
-    const auto tell = [this](const std::string& table, const std::string& start, const std::string& id) {
+    const auto report = [this](const std::string& table, const std::string& start, const std::string& id) {
         write("t.toml", table);
         const auto done = run("simulate p.nc --tools t.toml" + kStock);
         EXPECT_EQ(done.exitCode, 3) << table;
-        EXPECT_TRUE(done.tells(start, id)) << done.err;
+        EXPECT_TRUE(done.reports(start, id)) << done.err;
     };
-    tell("[[tool]]\nnumber = 1\ncutter = \"ball:d=4\n", "t.toml:3:", "tool-file-syntax");
-    tell("x = 1\n", "t.toml: error", "tool-file-empty");
-    tell("\n[[tool]]\nnumber = -1\ncutter = \"ball:d=4\"\n", "t.toml:3:10: error", "tool-number");
-    tell("[[tool]]\nnumber = 1\n", "t.toml:1:", "tool-cutter");
-    tell("[[tool]]\nnumber = 1\ncutter = \"star:d=4\"\n", "t.toml:3:10: error", "cutter-shape-unknown");
+    report("[[tool]]\nnumber = 1\ncutter = \"ball:d=4\n", "t.toml:3:", "tool-file-syntax");
+    report("x = 1\n", "t.toml: error", "tool-file-empty");
+    report("\n[[tool]]\nnumber = -1\ncutter = \"ball:d=4\"\n", "t.toml:3:10: error", "tool-number");
+    report("[[tool]]\nnumber = 1\n", "t.toml:1:", "tool-cutter");
+    report("[[tool]]\nnumber = 1\ncutter = \"star:d=4\"\n", "t.toml:3:10: error", "cutter-shape-unknown");
     const std::string row = "[[tool]]\nnumber = 1\ncutter = \"ball:d=4\"\n";
-    tell(row + row, "t.toml:5:10: error", "tool-twice");
-    tell(row + "lenght = 50\n", "t.toml:4:1: error", "tool-key-unknown");
+    report(row + row, "t.toml:5:10: error", "tool-twice");
+    report(row + "lenght = 50\n", "t.toml:4:1: error", "tool-key-unknown");
 }
 
 TEST_F(CliInput, ProgramsNeedNotBeUtf8) {
@@ -216,10 +216,11 @@ TEST_F(CliInput, ProgramsNeedNotBeUtf8) {
     EXPECT_EQ(fine.exitCode, 0) << fine.err;
     EXPECT_EQ(fine.json()["motions"], 2);
     EXPECT_EQ(run("interpret p.nc").exitCode, 0);
-    const auto told = simulate("T1 M6\nG0 X5 Y5 Z5\n\xe4X6\nM30\n", "--json");
-    EXPECT_EQ(told.exitCode, 2);
-    EXPECT_TRUE(told.tells("p.nc:3:1: error: \"\\xe4\" has no meaning here.", "bad-character")) << told.err;
-    EXPECT_FALSE(told.json().is_discarded());
+    const auto reported = simulate("T1 M6\nG0 X5 Y5 Z5\n\xe4X6\nM30\n", "--json");
+    EXPECT_EQ(reported.exitCode, 2);
+    EXPECT_TRUE(reported.reports("p.nc:3:1: error: \"\\xe4\" has no meaning here.", "bad-character"))
+        << reported.err;
+    EXPECT_FALSE(reported.json().is_discarded());
     const auto records = run("interpret p.nc");
     EXPECT_EQ(records.exitCode, 2);
     std::istringstream lines(records.out);

@@ -37,13 +37,13 @@ TEST_F(CliInterpret, PrintsMotionsAndEventsInOrder) {
     EXPECT_EQ(records.back()["k"], "sum");
 }
 
-TEST_F(CliInterpret, StartIsAssumedAtZeroUnlessTold) {
+TEST_F(CliInterpret, StartIsAssumedAtZeroUnlessGiven) {
     const auto assumed = lines("G91 G1 X10 F100\nM2\n");
     EXPECT_EQ(finished.exitCode, 0) << finished.err;
     EXPECT_EQ(assumed[1]["e"], (nlohmann::json{10, 0, 0}));
-    const auto told = lines("G91 G1 X10 F100\nM2\n", "--start 1,2,3");
+    const auto reported = lines("G91 G1 X10 F100\nM2\n", "--start 1,2,3");
     EXPECT_EQ(finished.exitCode, 0) << finished.err;
-    EXPECT_EQ(told[1]["e"], (nlohmann::json{11, 2, 3}));
+    EXPECT_EQ(reported[1]["e"], (nlohmann::json{11, 2, 3}));
 }
 
 TEST_F(CliInterpret, WordsThatAreNotUnderstoodExitWith2) {
@@ -100,8 +100,8 @@ TEST_F(CliInterpret, TheStartOfCompensationIsOfTypeAOrB) {
         const int exitCode = finished.exitCode;
         EXPECT_EQ(ends(control + " --compensation-start b"), before) << control;
         EXPECT_EQ(finished.exitCode, exitCode);
-        EXPECT_TRUE(finished.tells("p.nc: warning: Cutter compensation start-up type B ",
-                                   "compensation-start-unused"))
+        EXPECT_TRUE(finished.reports("p.nc: warning: Cutter compensation start-up type B ",
+                                     "compensation-start-unused"))
             << finished.err;
     }
 }

@@ -96,7 +96,7 @@ protected:
     void expectRefused(const Finished& done) {
         const Attack& attack = GetParam();
         EXPECT_EQ(done.exitCode, 2) << attack.name << '\n' << done.err;
-        EXPECT_TRUE(done.tells(start(attack), attack.id)) << attack.name << '\n' << done.err;
+        EXPECT_TRUE(done.reports(start(attack), attack.id)) << attack.name << '\n' << done.err;
 #if !defined(__SANITIZE_THREAD__) && !defined(__SANITIZE_ADDRESS__)
         EXPECT_LT(done.peakBytes, kMostBytes) << attack.name;
         EXPECT_LT(done.cpuSeconds, kMostSeconds) << attack.name;

@@ -29,7 +29,7 @@ protected:
     static double predicted(int nx, int ny, DecimationMethod method, const MapOutputs& outputs) {
         DecimationParameters parameters;
         parameters.method = method;
-        useStandards(parameters, false, false, static_cast<double>(nx) * ny);
+        useDefaults(parameters, false, false, static_cast<double>(nx) * ny);
         Grid grid;
         grid.nx = nx;
         grid.ny = ny;
@@ -109,14 +109,14 @@ std::string addressLimit(unsigned megabytes) {
     return fmt::format("ulimit -v {};", 1000 * (megabytes + kThread * threads));
 }
 
-TEST_F(CliMemory, UnderAnAddressLimitTheFigureIsToldAndWhatWouldFit) {
+TEST_F(CliMemory, UnderAnAddressLimitTheFigureIsReportedAndWhatWouldFit) {
     write("p.nc", "G21 G90\nT1 M6\nG0 X20 Y20 Z5\nG1 Z-9 F100\nX30 Y22\nG0 Z5\nX5\nG1 Z-12\nG0 Z5\nM30\n");
     const std::string limit = addressLimit(300);
     for (const std::string rest : {"--mesh full --stl s.stl", "--stl s.stl", "--provenance p.npy"}) {
         const std::string job = "simulate p.nc --json --stock 40x30x10 " + kTool + rest + " --grid ";
         const auto refused = run(job + "0.005", limit);
         EXPECT_EQ(refused.exitCode, 3);
-        EXPECT_TRUE(refused.tells("", "grid-needs-too-much-memory")) << refused.err;
+        EXPECT_TRUE(refused.reports("", "grid-needs-too-much-memory")) << refused.err;
         EXPECT_FALSE(exists("s.stl"));
         std::smatch spacing;
         ASSERT_TRUE(
@@ -133,7 +133,7 @@ TEST_F(CliMemory, UnderALimitOfPrivateMemoryItIsRefusedAsWell) {
     const auto refused = run("simulate p.nc --stock 40x30x10 --grid 0.005 --mesh full --stl s.stl" + kTool,
                              "ulimit -d 600000;");
     EXPECT_EQ(refused.exitCode, 3);
-    EXPECT_TRUE(refused.tells("", "grid-needs-too-much-memory")) << refused.err;
+    EXPECT_TRUE(refused.reports("", "grid-needs-too-much-memory")) << refused.err;
 }
 
 } // namespace

@@ -36,7 +36,7 @@ protected:
     }
     void expectRefusedBefore(const Finished& done, const std::string& file, const std::string& option) {
         EXPECT_EQ(done.exitCode, 3) << option;
-        EXPECT_TRUE(done.tells(file + ": error: The file cannot be written", "file-unwritable"))
+        EXPECT_TRUE(done.reports(file + ": error: The file cannot be written", "file-unwritable"))
             << option << done.err;
         EXPECT_THAT(done.err, Not(HasSubstr("G777"))) << "the program was read before: " << option;
         EXPECT_FALSE(done.json().contains("removedMm3")) << option;
@@ -78,7 +78,7 @@ TEST_F(CliOutputs, LeaveNothingBehindThatWasOnlyChecked) {
     write("old.stl", "old");
     const auto before = folder.entries();
     const auto done = run("simulate gone.nc --stl old.stl --zmap new.npy" + kStock);
-    EXPECT_TRUE(done.tells("gone.nc: error: ", "file-unreadable")) << done.err;
+    EXPECT_TRUE(done.reports("gone.nc: error: ", "file-unreadable")) << done.err;
     EXPECT_EQ(read("old.stl"), "old");
     EXPECT_FALSE(exists("new.npy"));
     EXPECT_EQ(folder.entries(), before + 2) << "stdout.txt and stderr.txt";
@@ -87,19 +87,20 @@ TEST_F(CliOutputs, LeaveNothingBehindThatWasOnlyChecked) {
 /// 801 × 601 points: a full mesh of 960,000 triangles, at 50 bytes each.
 TEST_F(CliOutputs, SpaceForTheForecastIsAskedBeforeTheWork) {
     write("p.nc", kSound);
-    const auto told = [this](const std::string& more) {
+    const auto reported = [this](const std::string& more) {
         const auto done = simulate("--grid 0.05 " + more, "ulimit -f 2000;"); // units of 512 bytes
         EXPECT_EQ(done.exitCode, 3) << more;
         EXPECT_FALSE(done.json().contains("removedMm3")) << more;
         return done.err;
     };
-    EXPECT_THAT(told("--mesh full --stl a.stl"),
+    EXPECT_THAT(reported("--mesh full --stl a.stl"),
                 HasSubstr("a.stl: error: The file cannot be written (48 MB"));
-    EXPECT_THAT(told("--method none --stl a.stl"), HasSubstr("(48 MB needed): File too large."));
-    EXPECT_THAT(told("--mesh full --export a.ply"), HasSubstr("(24 MB needed)"));
-    EXPECT_THAT(told("--zmap a.npy"), HasSubstr("(1.9 MB needed)"));
-    EXPECT_THAT(told("--provenance a.npy"), HasSubstr("(1.9 MB needed)"));
-    EXPECT_THAT(told("--box 0,0,40,30 --box-spacing 0.05 --box-heights b.npy"), HasSubstr("(1.9 MB needed)"));
+    EXPECT_THAT(reported("--method none --stl a.stl"), HasSubstr("(48 MB needed): File too large."));
+    EXPECT_THAT(reported("--mesh full --export a.ply"), HasSubstr("(24 MB needed)"));
+    EXPECT_THAT(reported("--zmap a.npy"), HasSubstr("(1.9 MB needed)"));
+    EXPECT_THAT(reported("--provenance a.npy"), HasSubstr("(1.9 MB needed)"));
+    EXPECT_THAT(reported("--box 0,0,40,30 --box-spacing 0.05 --box-heights b.npy"),
+                HasSubstr("(1.9 MB needed)"));
     NpyArray map{801, 601, std::vector<double>(801 * 601, 1.0)};
     ASSERT_TRUE(writeNpy(folder / "map.npy", map));
     const auto done = run("decimate map.npy --grid 0.05 --method none --json --stl a.stl", "ulimit -f 2000;");
@@ -164,7 +165,7 @@ TEST_F(CliOutputs, AStandardOutputThatCannotBeWrittenIsAMessage) {
             const auto done = run(arguments, {}, out);
             EXPECT_EQ(done.exitCode, 3) << arguments << " >" << out << ", -1: ended by a signal";
             EXPECT_TRUE(
-                done.tells("proveout-cli: error: Cannot write to standard output", "output-unwritable"))
+                done.reports("proveout-cli: error: Cannot write to standard output", "output-unwritable"))
                 << arguments << " >" << out << done.err;
             if (!arguments.starts_with("interpret")) { // which finds out too late why
                 EXPECT_THAT(done.err, HasSubstr(why)) << arguments << " >" << out;
@@ -186,7 +187,7 @@ TEST_F(CliOutputs, EmptyValuesAreUsageErrors) {
             const auto done = simulate("--grid 0.5 " + option + empty);
             EXPECT_EQ(done.exitCode, 3) << option << empty;
             EXPECT_TRUE(
-                done.tells("proveout-cli: error: " + option.substr(option.rfind("--")) + ": ", "usage"))
+                done.reports("proveout-cli: error: " + option.substr(option.rfind("--")) + ": ", "usage"))
                 << option << empty << done.err;
         }
     for (const std::string& option : kFileOptions)

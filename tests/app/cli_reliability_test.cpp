@@ -57,7 +57,7 @@ TEST_F(Reliability, Fault32ToolsWithoutACutterLeaveThePartUnverified) {
     const auto done = run("simulate p.nc --json" + kStock + kTool);
     EXPECT_EQ(done.exitCode, 2);
     EXPECT_FALSE(done.json()["unverified"].empty());
-    EXPECT_TRUE(done.tells("p.nc:2:1: error: ", "tool-undefined")) << done.err;
+    EXPECT_TRUE(done.reports("p.nc:2:1: error: ", "tool-undefined")) << done.err;
 }
 
 TEST_F(Reliability, Fault34StockOfAThousandKilometresIsRefusedWithItsSize) {
@@ -75,10 +75,10 @@ TEST_F(Reliability, Fault37WhatIsNoFile) {
     for (const std::string name : {"fifo", "/dev/zero", "folder", "/dev/stdin"}) {
         const auto done = run("interpret " + name);
         EXPECT_EQ(done.exitCode, 3) << name;
-        EXPECT_TRUE(done.tells(name + ": error: ", "file-not-regular")) << done.err;
+        EXPECT_TRUE(done.reports(name + ": error: ", "file-not-regular")) << done.err;
     }
     for (const std::string name : {"gone.nc", "gone/p.nc"})
-        EXPECT_TRUE(run("interpret " + name).tells(name + ": error: ", "file-unreadable")) << name;
+        EXPECT_TRUE(run("interpret " + name).reports(name + ": error: ", "file-unreadable")) << name;
     const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
     EXPECT_LT(taken.count(), 60); // none of them waits
 }
@@ -88,7 +88,7 @@ TEST_F(Reliability, Fault37WithoutPermission) {
         GTEST_SKIP() << "the superuser may read everything";
     write("p.nc", "M30\n");
     fs::permissions(folder / "p.nc", fs::perms::none);
-    EXPECT_TRUE(run("interpret p.nc").tells("p.nc: error: ", "file-unreadable"));
+    EXPECT_TRUE(run("interpret p.nc").reports("p.nc: error: ", "file-unreadable"));
 }
 
 TEST_F(Reliability, Fault38StrangeFileNames) {

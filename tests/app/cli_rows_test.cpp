@@ -25,16 +25,16 @@ protected:
         bool on = false;
         if constexpr (std::is_same_v<Value, bool>)
             on = value && field.choices.empty();
-        const std::string told = entry(help, std::string(on ? "--no-" : "--") + optionOf(field));
-        EXPECT_THAT(told, testing::HasSubstr(field.help)) << field.key;
-        EXPECT_THAT(told, testing::HasSubstr(field.unit)) << field.key;
+        const std::string reported = entry(help, std::string(on ? "--no-" : "--") + optionOf(field));
+        EXPECT_THAT(reported, testing::HasSubstr(field.help)) << field.key;
+        EXPECT_THAT(reported, testing::HasSubstr(field.unit)) << field.key;
         for (const Choice& choice : field.choices)
-            EXPECT_THAT(told, testing::HasSubstr(choice.key)) << field.key;
+            EXPECT_THAT(reported, testing::HasSubstr(choice.key)) << field.key;
         if constexpr (std::is_arithmetic_v<Value>) {
             const std::string unit = *field.unit == '\0' ? "" : std::string(" ") + field.unit;
             if (hasRange(field)) {
-                EXPECT_THAT(
-                    told, testing::HasSubstr(fmt::format("{} to {}{}", field.minimum, field.maximum, unit)));
+                EXPECT_THAT(reported, testing::HasSubstr(
+                                          fmt::format("{} to {}{}", field.minimum, field.maximum, unit)));
             }
         }
     }
@@ -60,10 +60,10 @@ TEST_F(CliRows, AreInTheHelpWithTheirUnits) {
 }
 
 TEST_F(CliRows, OfTheMachineAreInTheHelpOfItsOption) {
-    const std::string told = entry(run("simulate --help").out, "--machine");
+    const std::string reported = entry(run("simulate --help").out, "--machine");
     const Machine machine;
-    describe(machine, [&told](double, const Field& field) {
-        EXPECT_THAT(told, testing::HasSubstr(fmt::format("{} ({})", field.key, field.unit)));
+    describe(machine, [&reported](double, const Field& field) {
+        EXPECT_THAT(reported, testing::HasSubstr(fmt::format("{} ({})", field.key, field.unit)));
     });
 }
 

@@ -75,7 +75,7 @@ TEST_F(CliSetup, InterpretKnowsTheToolAtStart) {
 TEST_F(CliSetup, TheStartIsRefusedWithItsRangeWhereItIsOut) {
     const auto far = simulate("p.nc", "--start 0,0,1e9" + kTool);
     EXPECT_EQ(far.exitCode, 3);
-    EXPECT_TRUE(far.tells("proveout-cli: error: --start:", "start-out-of-range")) << far.err;
+    EXPECT_TRUE(far.reports("proveout-cli: error: --start:", "start-out-of-range")) << far.err;
     EXPECT_THAT(far.err, HasSubstr("from -1e+07 to 1e+07 mm"));
     for (const char* wrong : {"-1", "100000000", "T1", "1.5"})
         EXPECT_EQ(simulate("p.nc", std::string("--start-tool ") + wrong + kTool).exitCode, 3) << wrong;
@@ -118,7 +118,7 @@ TEST_F(CliSetup, AGridTooCoarseForACutterIsAWarning) {
 TEST_F(CliSetup, AStockInTheWrongPlaceDoesNotPassWithoutAWord) {
     const auto below = simulate("p.nc", "--grid 0.5 --stock-origin 0,0,-10" + kTool);
     EXPECT_EQ(below.exitCode, 0);
-    EXPECT_TRUE(below.tells("p.nc: warning: The program never cuts the stock", "never-cuts")) << below.err;
+    EXPECT_TRUE(below.reports("p.nc: warning: The program never cuts the stock", "never-cuts")) << below.err;
     const auto above = simulate("p.nc", "--grid 0.5 --stock-origin 0,0,18" + kTool);
     EXPECT_TRUE(has(above.json()["findings"], "stock-missed")) << above.err;
     EXPECT_FALSE(has(simulate("p.nc", "--grid 0.5" + kTool).json()["findings"], "stock-missed"));
@@ -140,7 +140,7 @@ TEST_F(CliSetup, AJobReadsNoFileOutsideItsFolderUnlessAllowed) {
         "stock": {"width": 40, "depth": 30, "height": 10}})");
     const auto refused = run("simulate --job jobs/j.proveout --json");
     EXPECT_EQ(refused.exitCode, 3);
-    EXPECT_TRUE(refused.tells("jobs/j.proveout:1:17: error: The field \"program\" names ", "job-outside"))
+    EXPECT_TRUE(refused.reports("jobs/j.proveout:1:17: error: The field \"program\" names ", "job-outside"))
         << refused.err;
     EXPECT_THAT(refused.err, testing::HasSubstr("--allow-outside"));
     EXPECT_FALSE(refused.json().contains("removedMm3"));

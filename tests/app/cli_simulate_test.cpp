@@ -50,7 +50,7 @@ TEST_F(CliSimulate, ALargeMapHasLargerRegionsUnlessTheirSizeIsGiven) {
     EXPECT_EQ(run("simulate --job named.proveout --grid 0.1 --json").json()["regions"], 138 * 138);
 }
 
-TEST_F(CliSimulate, TellsTheTimeOfTheMachine) {
+TEST_F(CliSimulate, ReportsTheTimeOfTheMachine) {
     write("p.nc", "T1 M6\nG0 X0 Y0 Z5\nG1 X600 F600\nG4 P2\nG0 X0\nM30\n");
     const auto assumed = simulate("--start 0,0,5 --json").json()["machineSeconds"];
     EXPECT_EQ(assumed["assumed"], true);
@@ -85,7 +85,7 @@ TEST_F(CliSimulate, WritesTheSourceLineThatCutEachPoint) {
     EXPECT_EQ(lineAt(40, 30), 0U) << "uncut";
 }
 
-TEST_F(CliSimulate, RecordsTellWhatEachBlockCutAndItsTotals) {
+TEST_F(CliSimulate, RecordsReportWhatEachBlockCutAndItsTotals) {
     const auto done = simulate("--records r.csv --json");
     ASSERT_EQ(done.exitCode, 0) << done.err;
     EXPECT_THAT(
@@ -162,8 +162,8 @@ TEST_F(CliSimulate, AProgramWhoseHeightIsNeverKnownIsUnverified) {
     write("flat.nc", "T1 M6\nG0 X0 Y0\nG0 X40\nM2\n");
     const auto done = run("simulate flat.nc --json" + kStock + kTool);
     EXPECT_EQ(done.exitCode, 2);
-    EXPECT_TRUE(done.tells("flat.nc:3:", "rapid-unchecked")) << done.err;
-    EXPECT_TRUE(done.tells("flat.nc:4:", "position-never-known")) << done.err;
+    EXPECT_TRUE(done.reports("flat.nc:3:", "rapid-unchecked")) << done.err;
+    EXPECT_TRUE(done.reports("flat.nc:4:", "position-never-known")) << done.err;
 }
 
 TEST_F(CliSimulate, RemovedVolumeIsThatOfTheCut) {
@@ -237,7 +237,7 @@ TEST_F(CliSimulate, AnStlFarFromTheOriginIsRefusedOrItsRoundingCounted) {
     const std::string grid = " --stock 10x10x10 --grid 0.05 --mesh full --json --stl a.stl" + kTool;
     const auto refused = run("simulate p.nc --stock-origin 1e6,0,0" + grid);
     EXPECT_EQ(refused.exitCode, 3);
-    EXPECT_TRUE(refused.tells("a.stl: error: ", "stl-too-coarse")) << refused.err;
+    EXPECT_TRUE(refused.reports("a.stl: error: ", "stl-too-coarse")) << refused.err;
     EXPECT_FALSE(exists("a.stl"));
     write("above.nc", "T1 M6\nG0 X5 Y5 Z100050\n");
     const auto far = run("simulate above.nc --stock-origin 0,0,100000.002" + grid);
@@ -321,7 +321,8 @@ TEST_F(CliSimulate, FieldsOfAJobThatAreNotKnownAreWarnings) {
         "tools": {"1": "ball:d=4,l=20"}})");
     const auto done = run("simulate --job p.proveout --json");
     EXPECT_EQ(done.exitCode, 0);
-    EXPECT_TRUE(done.tells("p.proveout:2:60: warning: The field \"gird\"", "job-field-unknown")) << done.err;
+    EXPECT_TRUE(done.reports("p.proveout:2:60: warning: The field \"gird\"", "job-field-unknown"))
+        << done.err;
     const auto json = done.json();
     ASSERT_EQ(json["findings"].size(), 1U);
     EXPECT_EQ(json["findings"][0]["severity"], "warning");
@@ -358,7 +359,7 @@ TEST_F(CliSimulate, BlockDeleteAndStart) {
     EXPECT_GT(started.json()["removedMm3"], 1);
 }
 
-TEST_F(CliSimulate, TheStartOfCompensationStandsInTheJobOrOutranksIt) {
+TEST_F(CliSimulate, TheStartOfCompensationIsInTheJobOrOutranksIt) {
     write("c.nc", "G90 G0 X5. Y15. Z-1.\nG1 G42 D1 X20. Y15. F100\nX10. Y25.\nG40 X20.\nM30\n");
     write("c.proveout", R"({"proveout": 1, "program": "c.nc", "dialect": "fanuc", "compensationStart": "b",
         "stock": {"width": 40, "depth": 30, "height": 10}, "tools": {"1": "ball:d=4,l=20"}})");
@@ -368,9 +369,9 @@ TEST_F(CliSimulate, TheStartOfCompensationStandsInTheJobOrOutranksIt) {
     EXPECT_EQ(motions(""), 5);
     EXPECT_EQ(motions(" --compensation-start b"), 5);
     EXPECT_EQ(motions(" --compensation-start a"), 4);
-    EXPECT_TRUE(
-        run("simulate --job c.proveout --dialect linuxcnc")
-            .tells("c.proveout: warning: Cutter compensation start-up type B ", "compensation-start-unused"));
+    EXPECT_TRUE(run("simulate --job c.proveout --dialect linuxcnc")
+                    .reports("c.proveout: warning: Cutter compensation start-up type B ",
+                             "compensation-start-unused"));
 }
 
 TEST_F(CliSimulate, NothingLeftIsSaid) {

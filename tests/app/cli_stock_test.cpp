@@ -57,7 +57,7 @@ TEST_F(CliStock, AnOutlineOfABoxIsTheBox) {
     EXPECT_EQ(outline.json()["facesDecimated"], box.json()["facesDecimated"]);
 }
 
-TEST_F(CliStock, TheNextSetupGoesOnWhereThisOneEnds) {
+TEST_F(CliStock, TheNextSetupContinuesWhereThisOneEnds) {
     const auto first = simulate("40x30x10", "--grid 0.5 --save-stock one.pvstock --zmap one.npy");
     ASSERT_EQ(first.exitCode, 0) << first.err;
     // The same program again finds nothing left, on the grid that the file tells.
@@ -92,19 +92,20 @@ TEST_F(CliStock, DefectsOfAMeshAreFindingsWithTheirCounts) {
     text.insert(first, text.substr(first, text.find("facet normal", first + 1) - first));
     write("d.stl", text + "endsolid\n");
     const auto findings = simulate("stl:file=d.stl", "--grid 0.5", "above.nc").json()["findings"];
-    std::map<std::string, std::string> told;
+    std::map<std::string, std::string> reported;
     for (const auto& finding : findings)
-        told[finding["id"]] = finding["message"];
-    EXPECT_TRUE(told["stl-duplicate-facets"].starts_with("1 of "));
-    EXPECT_EQ(told["stl-not-closed"], "The mesh is not closed: 3 edges belong to only one facet.");
-    EXPECT_EQ(told["stl-not-manifold"], "The mesh is not manifold: 3 edges belong to more than two facets.");
+        reported[finding["id"]] = finding["message"];
+    EXPECT_TRUE(reported["stl-duplicate-facets"].starts_with("1 of "));
+    EXPECT_EQ(reported["stl-not-closed"], "The mesh is not closed: 3 edges belong to only one facet.");
+    EXPECT_EQ(reported["stl-not-manifold"],
+              "The mesh is not manifold: 3 edges belong to more than two facets.");
 }
 
 TEST_F(CliStock, WrongStockIsUnusable) {
     EXPECT_EQ(simulate("cylinder:d=30").exitCode, 3);
     EXPECT_EQ(simulate("stl:file=none.stl").exitCode, 3);
-    EXPECT_TRUE(simulate("file:file=p.nc").tells("p.nc:", "file-not-zip"));
-    EXPECT_TRUE(simulate("cylinder:r=30").tells("proveout-cli: error: --stock:", "stock-key-unknown"));
+    EXPECT_TRUE(simulate("file:file=p.nc").reports("p.nc:", "file-not-zip"));
+    EXPECT_TRUE(simulate("cylinder:r=30").reports("proveout-cli: error: --stock:", "stock-key-unknown"));
     const auto same = simulate("outline:file=plate.csv,h=10", "--save-stock plate.csv");
     EXPECT_EQ(same.exitCode, 3); // would overwrite an input
     write("j.proveout", R"({"proveout": 1, "program": "p.nc", "tools": {"1": "ball:d=4,l=20"},

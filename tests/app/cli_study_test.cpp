@@ -85,7 +85,7 @@ TEST_F(CliStudy, RefusesWhatMakesNoSense) {
     EXPECT_THAT(unwritable.err, Not(HasSubstr("runs"))) << "told before the runs, not after them";
 }
 
-TEST_F(CliStudy, TellsWhatTheProgramHasWrong) {
+TEST_F(CliStudy, ReportsWhatTheProgramHasWrong) {
     write("b.nc", "T1 M6\nG0 X5 Y5 Z5\nG1 Z-2\nM30\n"); // no feed rate
     EXPECT_EQ(run("study b.nc" + kStock + kTool + "--method lee --sweep period --out .").exitCode, 2);
     write("c.nc", "T7 M6\nG0 X5 Y5 Z5\nG1 Z-2 F100\nM30\n");

@@ -98,30 +98,31 @@ TEST_F(CliUsage, SetUpsThatMakeNoSenseExitWith3) {
 
 TEST_F(CliUsage, ErrorsOfOptionsNameTheOption) {
     write("a.nc", kSound);
-    const auto told = [this](const std::string& option, const std::string& arguments, const std::string& id) {
+    const auto reported = [this](const std::string& option, const std::string& arguments,
+                                 const std::string& id) {
         const auto done = run(arguments);
         EXPECT_EQ(done.exitCode, 3) << arguments;
-        EXPECT_TRUE(done.tells("proveout-cli: error: " + option + ": ", id)) << arguments << done.err;
+        EXPECT_TRUE(done.reports("proveout-cli: error: " + option + ": ", id)) << arguments << done.err;
         EXPECT_LT(done.err.size(), 300U) << done.err;
     };
     const std::string stock = "simulate a.nc --stock 40x30x10 ";
-    told("--stock", "simulate a.nc --stock 40x30", "stock-size-form");
-    told("--stock", "simulate a.nc --stock 1e9x30x10", "stock-size-bad");
-    told("--stock-origin", stock + "--stock-origin 1e8,0,0", "stock-origin-bad");
-    told("--start", stock + "--start 1,2", "point-form");
-    told("--start", "interpret a.nc --start 1,2", "point-form");
-    told("--tool", stock + "--tool x=ball:d=4", "tool-number");
-    told("--tool", stock + "--tool 1=ball:d=4 --tool T1=flat:d=3", "tool-twice");
-    told("--grid", stock + "--grid 1e-300", "grid-too-fine");
+    reported("--stock", "simulate a.nc --stock 40x30", "stock-size-form");
+    reported("--stock", "simulate a.nc --stock 1e9x30x10", "stock-size-bad");
+    reported("--stock-origin", stock + "--stock-origin 1e8,0,0", "stock-origin-bad");
+    reported("--start", stock + "--start 1,2", "point-form");
+    reported("--start", "interpret a.nc --start 1,2", "point-form");
+    reported("--tool", stock + "--tool x=ball:d=4", "tool-number");
+    reported("--tool", stock + "--tool 1=ball:d=4 --tool T1=flat:d=3", "tool-twice");
+    reported("--grid", stock + "--grid 1e-300", "grid-too-fine");
     for (const std::string grid : {"0", "-1", "nan", "inf"}) {
-        told("--grid", stock + "--grid " + grid, "grid-spacing-bad");
-        told("--grid", "decimate a.npy --grid " + grid, "grid-spacing-bad");
+        reported("--grid", stock + "--grid " + grid, "grid-spacing-bad");
+        reported("--grid", "decimate a.npy --grid " + grid, "grid-spacing-bad");
     }
     ASSERT_TRUE(writeNpy(folder / "flat.npy", {2, 2, {1, 1, 1, 1}}));
-    told("--floor", "decimate flat.npy --grid 1 --floor 1", "floor-too-high");
-    EXPECT_TRUE(run("simulate").tells("proveout-cli: error: No program: name an NC program", "no-program"));
-    EXPECT_TRUE(run("simulate a.nc").tells("proveout-cli: error: No stock: use --stock", "no-stock"));
-    told("--origin", "decimate a.npy --grid 1 --origin 1,2,3", "point-form");
+    reported("--floor", "decimate flat.npy --grid 1 --floor 1", "floor-too-high");
+    EXPECT_TRUE(run("simulate").reports("proveout-cli: error: No program: name an NC program", "no-program"));
+    EXPECT_TRUE(run("simulate a.nc").reports("proveout-cli: error: No stock: use --stock", "no-stock"));
+    reported("--origin", "decimate a.npy --grid 1 --origin 1,2,3", "point-form");
 }
 
 TEST_F(CliUsage, OriginsMayBeNegative) {

@@ -14,7 +14,7 @@
 
 namespace proveout {
 
-bool Finished::tells(const std::string& start, const std::string& id) const {
+bool Finished::reports(const std::string& start, const std::string& id) const {
     std::istringstream lines(err);
     for (std::string line; std::getline(lines, line);)
         if (line.starts_with(start) && line.ends_with("[" + id + "]"))
@@ -40,7 +40,7 @@ ExitEffect leastEffect(const FindingTable& table, const FindingRow& row) {
 }
 
 ExitEffect worstEffect(const FindingTable& table, const FindingRow& row) {
-    return row.severityRule == SeverityRule::worstLeftOut ? ExitEffect::faults : exitEffect(table, row);
+    return row.severityRule == SeverityRule::worstOmitted ? ExitEffect::faults : exitEffect(table, row);
 }
 
 /// Of the rows of an id, which may differ; of an id without a row, an impossible pair.

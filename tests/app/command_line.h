@@ -21,7 +21,7 @@ struct Finished {
     /// The one JSON object on stdout; null where it is none.
     [[nodiscard]] nlohmann::json json() const { return nlohmann::json::parse(out, nullptr, false); }
     /// Whether a line of stderr begins with `start` and ends with `[id]`.
-    [[nodiscard]] bool tells(const std::string& start, const std::string& id) const;
+    [[nodiscard]] bool reports(const std::string& start, const std::string& id) const;
 };
 
 /// Runs the real binary in a folder of its own.

@@ -20,10 +20,10 @@ bool redirect(const char* file, int flags, int descriptor) {
 /// In the child: replaces it by the program. Nothing is allocated between fork and here.
 [[noreturn]] void become(const std::filesystem::path& folder, const std::vector<char*>& arguments,
                          unsigned longestSeconds) {
-    constexpr int kAnew = O_WRONLY | O_CREAT | O_TRUNC;
+    constexpr int kFresh = O_WRONLY | O_CREAT | O_TRUNC;
     const bool ready = ::chdir(folder.c_str()) == 0 && redirect("/dev/null", O_RDONLY, STDIN_FILENO) &&
-                       redirect("out.json", kAnew, STDOUT_FILENO) &&
-                       redirect("err.txt", kAnew, STDERR_FILENO);
+                       redirect("out.json", kFresh, STDOUT_FILENO) &&
+                       redirect("err.txt", kFresh, STDERR_FILENO);
     ::alarm(longestSeconds); // it outlives the change of program
     if (ready)
         ::execv(arguments.front(), arguments.data());

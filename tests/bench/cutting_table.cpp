@@ -21,7 +21,7 @@
 #include "core/base/memory.h"
 #include "core/base/stop_watch.h"
 #include "tests/bench/workloads.h"
-#include "tests/core/cutter/standard_spec.h"
+#include "tests/core/cutter/default_spec.h"
 
 namespace proveout::bench {
 namespace {
@@ -72,7 +72,7 @@ std::string valueOf(const char* file, const std::string& key) {
     return "unknown";
 }
 
-void tellMachine() {
+void reportMachine() {
     say(fmt::format("Machine: {}, {} threads, memory {}.\n", valueOf("/proc/cpuinfo", "model name"),
                     std::thread::hardware_concurrency(), valueOf("/proc/meminfo", "MemTotal")));
 }
@@ -158,12 +158,12 @@ Figures measureShape(const Cutter& cutter, Kind kind) {
     return best;
 }
 
-void tellShapes() {
+void reportShapes() {
     say("Million grid points lowered a second and core, by shape; 200 random motions of 12 mm or an arc at "
         "0.1 mm,\none by one, with records:\n");
     say("| cutter | level | sloped | arc | helix | upright arc |\n|---|---|---|---|---|---|");
     for (const CutterShape& shape : cutterShapes()) {
-        const std::string spec = standardSpecOf(shape);
+        const std::string spec = defaultSpecOf(shape);
         const Cutter cutter = parseCutter(spec).value();
         std::string row = fmt::format("| `{}` |", spec);
         for (const Kind kind : kKinds) {
@@ -209,7 +209,7 @@ std::size_t blocksOf(const Workload& workload) {
     return static_cast<std::size_t>(workload.lines) * static_cast<std::size_t>(workload.perLine);
 }
 
-void tellWorkloads() {
+void reportWorkloads() {
     say("Ball-end finishing at 0.1 mm: seconds for heights alone, with a record of each block, and with "
         "records and\nprovenance; blocks a second with records on two threads; the largest memory of the "
         "process, its motions\n(168 bytes a block) included:\n");
@@ -233,7 +233,7 @@ void tellWorkloads() {
 
 // --- growth
 
-void tellGrowth() {
+void reportGrowth() {
     const Workload& die = workloads()[2];
     say(fmt::format("Growth with the grid: {} blocks, seconds on one thread:\n", blocksOf(die)));
     say("| spacing, mm | million points | heights | records |\n|---|---|---|---|");
@@ -258,9 +258,9 @@ void tellGrowth() {
 
 int main() {
     using namespace proveout::bench;
-    tellMachine();
-    tellShapes();
-    tellWorkloads();
-    tellGrowth();
+    reportMachine();
+    reportShapes();
+    reportWorkloads();
+    reportGrowth();
     return 0;
 }

@@ -13,7 +13,7 @@
 #include "core/formats/npy_header.h"
 #include "core/formats/stl.h"
 #include "core/formats/stock_file.h"
-#include "tests/core/cutter/standard_spec.h"
+#include "tests/core/cutter/default_spec.h"
 
 namespace proveout::test {
 
@@ -112,7 +112,7 @@ Seeds toolTableSeeds(const fs::path& /*folder*/) {
     int number = 0;
     for (const CutterShape& shape : cutterShapes()) {
         const std::string row = fmt::format("[[tool]]\nnumber = {}\ncutter = \"{}\"\nsource = \"given\"\n\n",
-                                            ++number, standardSpecOf(shape));
+                                            ++number, defaultSpecOf(shape));
         seeds.push_back(row);
         all += row;
     }

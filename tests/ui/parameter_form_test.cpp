@@ -15,7 +15,7 @@ class ParameterFormTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void anotherMethodBringsItsStandards() {
+    void anotherMethodBringsItsDefaults() {
         ParameterForm form;
         QSignalSpy edited(&form, &ParameterForm::edited);
         for (const DecimationMethodRow& method : decimationMethods()) {
@@ -23,10 +23,10 @@ private slots:
             choose(form, method.method);
             QCOMPARE(edited.size(), 1);
             QCOMPARE(form.values().method, method.method);
-            QCOMPARE(form.values().regionCells, method.standardRegion);
-            QCOMPARE(form.values().period, method.standardPeriod);
-            QCOMPARE(box(form, "region").value(), method.standardRegion);
-            QCOMPARE(box(form, "period").value(), method.standardPeriod);
+            QCOMPARE(form.values().regionCells, method.defaultRegion);
+            QCOMPARE(form.values().period, method.defaultPeriod);
+            QCOMPARE(box(form, "region").value(), method.defaultRegion);
+            QCOMPARE(box(form, "period").value(), method.defaultPeriod);
             QVERIFY2(box(form, "period").toolTip().endsWith(box(form, "period").text()),
                      qPrintable(box(form, "period").toolTip()));
         }
@@ -42,7 +42,7 @@ private slots:
         values.regionCells = 32;
         form.setValues(values);
         choose(form, DecimationMethod::lee);
-        QCOMPARE(form.values().regionCells, standardRegion(DecimationMethod::lee, 12e6));
+        QCOMPARE(form.values().regionCells, defaultRegion(DecimationMethod::lee, 12e6));
         choose(form, DecimationMethod::certified);
         QCOMPARE(form.values().regionCells, 32);
     }
@@ -53,7 +53,7 @@ private slots:
         box(form, "region").setValue(16);
         choose(form, DecimationMethod::global);
         QCOMPARE(form.values().regionCells, 16);
-        QCOMPARE(form.values().period, row(DecimationMethod::global).standardPeriod);
+        QCOMPARE(form.values().period, row(DecimationMethod::global).defaultPeriod);
     }
 
     void onlyWhatTheMethodLooksAtIsOffered() {

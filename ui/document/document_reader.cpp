@@ -13,10 +13,10 @@ namespace proveout {
 
 namespace {
 
-constexpr int kUntilToldMs = 150; ///< for a file of which no progress is told, because it is short
+constexpr int kUntilReportedMs = 150; ///< for a file of which no progress is told, because it is short
 
 template<typename T>
-Result<T> readOrTell(const std::function<Result<T>(const WorkContext&)>& read, const WorkContext& context) {
+Result<T> readOrReport(const std::function<Result<T>(const WorkContext&)>& read, const WorkContext& context) {
     try {
         return read(context);
     } catch (const std::bad_alloc&) {
@@ -29,9 +29,9 @@ Result<T> readOrTell(const std::function<Result<T>(const WorkContext&)>& read, c
 } // namespace
 
 DocumentReader::DocumentReader(QObject* parent) : QObject(parent) {
-    m_untilTold.setSingleShot(true);
-    m_untilTold.setInterval(kUntilToldMs);
-    connect(&m_untilTold, &QTimer::timeout, this, [this] {
+    m_untilReported.setSingleShot(true);
+    m_untilReported.setInterval(kUntilReportedMs);
+    connect(&m_untilReported, &QTimer::timeout, this, [this] {
         if (!m_progress)
             m_progress = 0;
         emit progressChanged();
@@ -58,13 +58,13 @@ template<typename T>
 void DocumentReader::start(std::function<Result<T>(const WorkContext&)> read, Done<T> done) {
     cancel();
     m_reading = true;
-    m_untilTold.start();
+    m_untilReported.start();
     m_task.start([this, read = std::move(read), done = std::move(done)](const NewestTask::Reply& reply) {
         WorkContext context;
         context.stop = reply.stop;
         context.progress = [this, &reply](double share) { reply.post([this, share] { progressed(share); }); };
         // Shared, because what is posted must be copyable, and a document is handed over, not copied.
-        const auto result = std::make_shared<Result<T>>(readOrTell(read, context));
+        const auto result = std::make_shared<Result<T>>(readOrReport(read, context));
         reply.post([this, result, done] {
             end();
             done(std::move(*result));
@@ -83,7 +83,7 @@ void DocumentReader::progressed(double done) {
 }
 
 void DocumentReader::end() {
-    m_untilTold.stop();
+    m_untilReported.stop();
     m_reading = false;
     if (std::exchange(m_progress, std::nullopt))
         emit progressChanged();

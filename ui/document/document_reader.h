@@ -55,7 +55,7 @@ private:
 
     bool m_reading = false;
     std::optional<double> m_progress;
-    QTimer m_untilTold;
+    QTimer m_untilReported;
     NewestTask m_task;
 };
 

@@ -27,7 +27,7 @@ QString lockName(const QString& file) {
 
 } // namespace
 
-QString EditClaim::standardRoot() {
+QString EditClaim::defaultRoot() {
     return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation))
         .filePath(QStringLiteral("edited"));
 }

@@ -29,7 +29,7 @@ class EditClaim final : public QObject {
 
 public:
     /// Where the application keeps the claims.
-    [[nodiscard]] static QString standardRoot();
+    [[nodiscard]] static QString defaultRoot();
 
     explicit EditClaim(QString root, QObject* parent = nullptr);
     ~EditClaim() override;

@@ -303,19 +303,19 @@ std::shared_ptr<const Setup> JobDocument::newSetup() {
     return std::make_shared<const Setup>(std::move(setup));
 }
 
-int JobDocument::standardRegionHere(DecimationMethod method) const {
-    return standardRegion(method, gridPoints(m_setup->stock, m_setup->spacing));
+int JobDocument::defaultRegionHere(DecimationMethod method) const {
+    return defaultRegion(method, gridPoints(m_setup->stock, m_setup->spacing));
 }
 
 void JobDocument::setSetup(std::shared_ptr<const Setup> setup) {
     ++m_revision;
-    takeSetup(std::move(setup));
+    replaceSetup(std::move(setup));
     m_wantsStock = false;
 }
 
 void JobDocument::fitSetup(std::shared_ptr<const Setup> setup, bool forNow) {
     const std::shared_ptr<const Setup> before = m_setup;
-    takeSetup(std::move(setup));
+    replaceSetup(std::move(setup));
     m_wantsStock = m_wantsStock && forNow;
     // What the user has changed stays unsaved.
     const bool saved = isSameSetup(*before, *m_saved.setup);
@@ -324,16 +324,16 @@ void JobDocument::fitSetup(std::shared_ptr<const Setup> setup, bool forNow) {
               : std::make_shared<const Setup>(carried(*m_saved.setup, *before, *m_setup, Carry::whereSame));
 }
 
-void JobDocument::takeSetup(std::shared_ptr<const Setup> setup) {
+void JobDocument::replaceSetup(std::shared_ptr<const Setup> setup) {
     m_setup = std::move(setup);
     if (!m_regionNamed)
-        m_parameters.regionCells = standardRegionHere(m_parameters.method);
+        m_parameters.regionCells = defaultRegionHere(m_parameters.method);
 }
 
 void JobDocument::setParameters(const DecimationParameters& parameters) {
     ++m_revision;
     if (parameters.regionCells != m_parameters.regionCells || parameters.method != m_parameters.method)
-        m_regionNamed = parameters.regionCells != standardRegionHere(parameters.method);
+        m_regionNamed = parameters.regionCells != defaultRegionHere(parameters.method);
     m_parameters = parameters;
 }
 

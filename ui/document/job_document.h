@@ -139,7 +139,7 @@ public:
 
 private:
     [[nodiscard]] static std::shared_ptr<const Setup> newSetup();
-    [[nodiscard]] int standardRegionHere(DecimationMethod method) const;
+    [[nodiscard]] int defaultRegionHere(DecimationMethod method) const;
 
     /// Takes setup and parameters of a job file, and gives the program that it names. Errors: of readJob().
     [[nodiscard]] Result<std::filesystem::path> readSetup(const std::filesystem::path& file,
@@ -151,7 +151,7 @@ private:
     /// a save would write is the same.
     [[nodiscard]] Result<DiskState> diskState(FilePart part) const;
     [[nodiscard]] Result<void> mayReplace(FilePart part) const;
-    void takeSetup(std::shared_ptr<const Setup> setup);
+    void replaceSetup(std::shared_ptr<const Setup> setup);
     void jobSaved();
 
     Document m_text;

@@ -217,10 +217,10 @@ void EditorPanel::retranslate() {
     m_follow->setText(tr("F&ollow Program"));
     m_follow->setToolTip(tr("Keep the current line in view during playback; typing, clicking or scrolling in "
                             "the text turns this off until playback is restarted"));
-    tellReadOnly();
+    showReadOnly();
 }
 
-void EditorPanel::tellReadOnly() {
+void EditorPanel::showReadOnly() {
     const Document& document = m_session.document().text();
     m_readOnly->setVisible(document.readOnly);
     m_readOnly->setText(document.tooLongLine > 0
@@ -232,7 +232,7 @@ void EditorPanel::tellReadOnly() {
 
 void EditorPanel::loadText() {
     m_editor->load(m_session.document().text());
-    tellReadOnly();
+    showReadOnly();
 }
 
 void EditorPanel::updateActions() {

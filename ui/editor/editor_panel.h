@@ -41,7 +41,7 @@ private:
 
     void retranslate();
     void loadText();
-    void tellReadOnly();
+    void showReadOnly();
     void showFrame(const FramePtr& frame);
     void makeFollowing();
     void pauseFollowing();

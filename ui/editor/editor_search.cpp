@@ -17,7 +17,7 @@ EditorSearch::EditorSearch(NcEditor& editor, QObject* parent)
     : QObject(parent), m_editor(editor), m_counter([&editor] { return editor.textBytes(); }, this) {
     m_rest.setSingleShot(true);
     m_rest.setInterval(kRestMs);
-    connect(&m_rest, &QTimer::timeout, this, &EditorSearch::countAnew);
+    connect(&m_rest, &QTimer::timeout, this, &EditorSearch::recount);
     connect(&m_counter, &MatchCounter::progressed, this, &EditorSearch::tallied);
     connect(&editor, &QsciScintilla::textChanged, this, [this] {
         if (m_counting)
@@ -36,15 +36,15 @@ TextPattern EditorSearch::pattern() const {
 void EditorSearch::setPattern(const QString& text, bool wholeWords) {
     m_text = text;
     m_wholeWords = wholeWords;
-    countAnew();
+    recount();
 }
 
 void EditorSearch::setCounting(bool on) {
     m_counting = on;
-    countAnew();
+    recount();
 }
 
-void EditorSearch::countAnew() {
+void EditorSearch::recount() {
     m_rest.stop();
     m_counter.count(m_counting ? pattern() : TextPattern());
 }
@@ -73,7 +73,7 @@ bool EditorSearch::find(bool forward) {
 void EditorSearch::replaceSelected(const QString& replacement) {
     const TextPattern wanted = pattern();
     const auto [begin, end] = m_editor.selectedBytes();
-    if (end - begin != wanted.bytes.size() || !standsAt(m_editor.textBytes(), wanted, begin))
+    if (end - begin != wanted.bytes.size() || !matchesAt(m_editor.textBytes(), wanted, begin))
         return;
     const std::string instead = m_editor.encoded(replacement);
     m_editor.replaceBytes(begin, end, instead);

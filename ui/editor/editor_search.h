@@ -49,7 +49,7 @@ signals:
 
 private:
     [[nodiscard]] TextPattern pattern() const;
-    void countAnew();
+    void recount();
 
     NcEditor& m_editor;
     QString m_text;

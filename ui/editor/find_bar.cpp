@@ -101,12 +101,12 @@ void FindBar::open(bool withReplace) {
 
 void FindBar::look() {
     m_search->setPattern(m_text->text(), m_words->isChecked());
-    tell({});
+    report({});
 }
 
 void FindBar::find(bool forward) {
     const bool found = m_search->find(forward);
-    tell(found || m_text->text().isEmpty() ? QString() : tr("Not found."));
+    report(found || m_text->text().isEmpty() ? QString() : tr("Not found."));
 }
 
 void FindBar::replaceOne() {
@@ -115,10 +115,10 @@ void FindBar::replaceOne() {
 }
 
 void FindBar::replaceAll() {
-    tell(tr("%n replaced.", nullptr, m_search->replaceAll(m_replacement->text())));
+    report(tr("%n replaced.", nullptr, m_search->replaceAll(m_replacement->text())));
 }
 
-void FindBar::tell(const QString& note) {
+void FindBar::report(const QString& note) {
     m_note = note;
     showTally();
 }
@@ -157,7 +157,7 @@ void FindBar::changeEvent(QEvent* event) {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::LanguageChange) {
         retranslate();
-        tell({});
+        report({});
     }
 }
 

@@ -33,7 +33,7 @@ private:
     void look();
     void replaceOne();
     void replaceAll();
-    void tell(const QString& note);
+    void report(const QString& note);
     void showTally();
 
     NcEditor& m_editor;

@@ -8,11 +8,11 @@ namespace proveout {
 
 namespace {
 constexpr std::size_t kSlice = 1 << 20; // bytes, a few milliseconds
-constexpr int kTellMs = 150;            // each telling repaints the window
+constexpr int kReportMs = 150;          // each telling repaints the window
 } // namespace
 
 MatchCounter::MatchCounter(Text text, QObject* parent) : QObject(parent), m_text(std::move(text)) {
-    connect(&m_timer, &QTimer::timeout, this, &MatchCounter::goOn);
+    connect(&m_timer, &QTimer::timeout, this, &MatchCounter::countPart);
 }
 
 void MatchCounter::count(const TextPattern& pattern) {
@@ -20,11 +20,11 @@ void MatchCounter::count(const TextPattern& pattern) {
     m_from = 0;
     m_matches.clear();
     m_more = false;
-    m_sinceTold.start();
+    m_sinceReported.start();
     m_timer.start();
 }
 
-void MatchCounter::goOn() {
+void MatchCounter::countPart() {
     const std::string_view text = m_text();
     const std::size_t stop = std::min(text.size(), m_from + kSlice);
     while (const auto match = findForward(text, m_pattern, m_from, stop)) {
@@ -37,9 +37,9 @@ void MatchCounter::goOn() {
     m_from = std::max(m_from, stop);
     if (m_more || m_from >= text.size() || m_pattern.bytes.empty())
         m_timer.stop();
-    else if (m_sinceTold.elapsed() < kTellMs)
+    else if (m_sinceReported.elapsed() < kReportMs)
         return;
-    m_sinceTold.start();
+    m_sinceReported.start();
     emit progressed();
 }
 

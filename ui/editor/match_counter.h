@@ -38,7 +38,7 @@ signals:
     void progressed();
 
 private:
-    void goOn();
+    void countPart();
 
     Text m_text;
     TextPattern m_pattern;
@@ -46,7 +46,7 @@ private:
     std::vector<std::size_t> m_matches;
     bool m_more = false;
     QTimer m_timer;
-    QElapsedTimer m_sinceTold;
+    QElapsedTimer m_sinceReported;
 };
 
 } // namespace proveout

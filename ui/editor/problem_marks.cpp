@@ -66,7 +66,7 @@ void ProblemMarks::adoptPalette() {
 
 void ProblemMarks::show(const Diagnostics& problems) {
     m_problems.clear();
-    takeMarksAway();
+    removeMarks();
     for (const int squiggle : {kErrorSquiggle, kWarningSquiggle}) {
         m_text.SendScintilla(Scintilla::SCI_SETINDICATORCURRENT, static_cast<unsigned long>(squiggle));
         m_text.SendScintilla(Scintilla::SCI_INDICATORCLEARRANGE, 0UL,
@@ -98,7 +98,7 @@ void ProblemMarks::clear() {
 
 /// Scintilla goes through all lines for each kind of mark. Marks that all stand where they were put are the
 /// only ones: an edit moves them, or joins some, and adds none.
-void ProblemMarks::takeMarksAway() {
+void ProblemMarks::removeMarks() {
     bool moved = false;
     for (const int line : m_marked) {
         moved = moved || (m_text.markersAtLine(line) & kMarks) == 0;

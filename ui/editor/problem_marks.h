@@ -31,7 +31,7 @@ public:
     [[nodiscard]] bool isInMargins(QPoint place) const;
 
 private:
-    void takeMarksAway();
+    void removeMarks();
     [[nodiscard]] std::pair<long, long> rangeOf(const Diagnostic& problem) const;
     [[nodiscard]] int lineAt(QPoint place) const; ///< 1-based; 0: none
 

@@ -32,7 +32,7 @@ bool isWhole(std::string_view text, std::size_t begin, std::size_t end) {
 
 } // namespace
 
-bool standsAt(std::string_view text, const TextPattern& pattern, std::size_t at) {
+bool matchesAt(std::string_view text, const TextPattern& pattern, std::size_t at) {
     const std::string& wanted = pattern.bytes;
     if (wanted.empty() || at > text.size() || text.size() - at < wanted.size())
         return false;
@@ -46,7 +46,7 @@ std::optional<std::size_t> findForward(std::string_view text, const TextPattern&
     stop = std::min(stop, text.size());
     const char first = pattern.bytes.empty() ? '\0' : lower(pattern.bytes.front());
     for (std::size_t at = from; at < stop; ++at) {
-        if (lower(text[at]) == first && standsAt(text, pattern, at))
+        if (lower(text[at]) == first && matchesAt(text, pattern, at))
             return at;
     }
     return std::nullopt;
@@ -55,7 +55,7 @@ std::optional<std::size_t> findForward(std::string_view text, const TextPattern&
 std::optional<std::size_t> findBackward(std::string_view text, const TextPattern& pattern,
                                         std::size_t before) {
     for (std::size_t at = std::min(before, text.size()); at-- > 0;) {
-        if (standsAt(text, pattern, at))
+        if (matchesAt(text, pattern, at))
             return at;
     }
     return std::nullopt;

@@ -19,7 +19,7 @@ struct TextPattern {
 };
 
 /// Whether the pattern stands at `at`. Nothing is found of an empty one.
-[[nodiscard]] bool standsAt(std::string_view text, const TextPattern& pattern, std::size_t at);
+[[nodiscard]] bool matchesAt(std::string_view text, const TextPattern& pattern, std::size_t at);
 
 /// Where the first match begins of those that begin in [from, stop).
 [[nodiscard]] std::optional<std::size_t> findForward(std::string_view text, const TextPattern& pattern,

@@ -11,7 +11,7 @@ namespace proveout {
 
 namespace {
 
-Result<void> keepOrTell(const QString& folder, const JobDocument& document, const SessionState& state) {
+Result<void> keepOrReport(const QString& folder, const JobDocument& document, const SessionState& state) {
     try {
         return keepSession(folder, document, state);
     } catch (const std::exception& problem) {
@@ -50,7 +50,7 @@ void Autosave::keepNow(std::function<void()> done) {
     // The thread has values of its own: the text is shared and immutable.
     m_task.start([this, folder = m_folder->path(), document = m_session.document().job(), state = m_keptState,
                   done = std::move(done)](const NewestTask::Reply& reply) {
-        const Result<void> kept = keepOrTell(folder, document, state);
+        const Result<void> kept = keepOrReport(folder, document, state);
         reply.post([this, kept, done] {
             if (kept)
                 done();

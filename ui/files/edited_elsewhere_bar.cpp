@@ -11,7 +11,7 @@
 namespace proveout {
 
 EditedElsewhereBar::EditedElsewhereBar(Session& session, FilePart part, QWidget* parent)
-    : QFrame(parent), m_session(session), m_part(part), m_claim(EditClaim::standardRoot()),
+    : QFrame(parent), m_session(session), m_part(part), m_claim(EditClaim::defaultRoot()),
       m_text(new QLabel(this)) {
     setFrameShape(StyledPanel);
     setAutoFillBackground(true);

@@ -46,7 +46,7 @@ bool endsAs(const QString& file, const FileFormat& format) {
 }
 
 /// Without the dot.
-QString standardEnding(const FileFormat& format) {
+QString defaultExtension(const FileFormat& format) {
     return QString::fromLatin1(format.extensions.front() + 1);
 }
 
@@ -57,7 +57,7 @@ QString withEndingOf(const QString& file, const FileFormat& format) {
     const QFileInfo name(file);
     const bool ofAnother = meshFormatOf(toPath(file)).has_value() || file.endsWith(QLatin1Char('.'));
     return name.dir().filePath((ofAnother ? name.completeBaseName() : name.fileName()) + QLatin1Char('.') +
-                               standardEnding(format));
+                               defaultExtension(format));
 }
 
 /// What to write where this name was typed and this filter chosen. An ending that no mesh format has is part
@@ -102,7 +102,7 @@ std::optional<ExportTarget> askForExport(QWidget& parent, const QString& title, 
     dialog.setFileMode(QFileDialog::AnyFile);
     dialog.setOption(QFileDialog::DontConfirmOverwrite); // asked below, of the completed name
     dialog.setNameFilters(texts);
-    dialog.selectFile(proposal + QLatin1Char('.') + standardEnding(*filters.front().format));
+    dialog.selectFile(proposal + QLatin1Char('.') + defaultExtension(*filters.front().format));
     QObject::connect(&dialog, &QFileDialog::filterSelected, &dialog, [&](const QString& text) {
         const QString typed = dialog.selectedFiles().value(0);
         if (!QFileInfo(typed).isDir()) // nothing is typed

@@ -33,12 +33,12 @@ FileChangedBar::FileChangedBar(Session& session, FilePart part, QWidget* parent)
     connect(m_compare, &QPushButton::clicked, this, &FileChangedBar::compare);
     connect(&session.document(), &DocumentHub::changed, this, &FileChangedBar::writeSentence);
     if (part == FilePart::text) {
-        connect(&session.document(), &DocumentHub::fileChangedOnDisk, this, &FileChangedBar::tell);
+        connect(&session.document(), &DocumentHub::fileChangedOnDisk, this, &FileChangedBar::report);
         connect(&session.document(), &DocumentHub::fileWritten, this, &QWidget::hide);
         connect(&session.document(), &DocumentHub::textReplaced, this, &QWidget::hide);
     } else {
         connect(&session.document(), &DocumentHub::jobChangedOnDisk, this,
-                [this](bool changed) { changed ? tell() : hide(); });
+                [this](bool changed) { changed ? report() : hide(); });
     }
     retranslate();
     hide();
@@ -49,7 +49,7 @@ QString FileChangedBar::file() const {
                                     : m_session.document().jobFile();
 }
 
-void FileChangedBar::tell() {
+void FileChangedBar::report() {
     writeSentence();
     show();
 }

@@ -24,7 +24,7 @@ protected:
 
 private:
     [[nodiscard]] QString file() const;
-    void tell();
+    void report();
     void reload();
     void keep();
     void compare();

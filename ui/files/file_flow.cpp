@@ -116,11 +116,11 @@ bool FileFlow::saveFiles() {
     const bool job = m_session.document().jobModified();
     if (!m_session.document().save())
         return false;
-    tellSaved(text, job && !m_session.document().jobModified());
+    reportSaved(text, job && !m_session.document().jobModified());
     return true;
 }
 
-void FileFlow::tellSaved(bool text, bool job) {
+void FileFlow::reportSaved(bool text, bool job) {
     QStringList names;
     if (text)
         names << QFileInfo(toQString(m_session.document().text().path)).fileName();
@@ -177,7 +177,7 @@ bool FileFlow::saveTextAs(const QString& file) {
     }
     if (!m_session.document().saveAs(file))
         return false;
-    tellSaved(true, false);
+    reportSaved(true, false);
     return true;
 }
 
@@ -203,7 +203,7 @@ bool FileFlow::saveJobAs() {
     if (!m_session.document().saveJobAs(file))
         return false;
     m_recent.add(file);
-    tellSaved(false, true);
+    reportSaved(false, true);
     return true;
 }
 

@@ -65,7 +65,7 @@ private:
     void collectChanges();
     bool saveFiles();
     bool saveTextAs(const QString& file);
-    void tellSaved(bool text, bool job);
+    void reportSaved(bool text, bool job);
     [[nodiscard]] QString startFolder() const;
     [[nodiscard]] QString unsaved() const;
     [[nodiscard]] QString titled(const QString& title) const;

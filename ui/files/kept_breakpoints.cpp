@@ -82,7 +82,7 @@ std::vector<Breakpoint> KeptBreakpoints::read(const QStringList& texts) {
 
 KeptBreakpoints::KeptBreakpoints(Session& session, QObject* parent) : QObject(parent), m_session(session) {
     connect(&session.document(), &DocumentHub::textReplaced, this, &KeptBreakpoints::textReplaced);
-    connect(&session.document(), &DocumentHub::changed, this, &KeptBreakpoints::takeAlong);
+    connect(&session.document(), &DocumentHub::changed, this, &KeptBreakpoints::moveToNewName);
     connect(&session.breakpoints(), &BreakpointList::changed, this, &KeptBreakpoints::keep);
     textReplaced();
 }
@@ -99,7 +99,7 @@ void KeptBreakpoints::textReplaced() {
 }
 
 /// The same text under another name takes its breakpoints along.
-void KeptBreakpoints::takeAlong() {
+void KeptBreakpoints::moveToNewName() {
     const QString file = toQString(m_session.document().text().path);
     if (file == m_file)
         return;

@@ -24,7 +24,7 @@ public:
 
 private:
     void textReplaced();
-    void takeAlong();
+    void moveToNewName();
     void keep();
 
     Session& m_session;

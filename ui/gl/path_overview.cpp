@@ -54,7 +54,7 @@ void PathOverview::restart(double tolerance) {
 
 void PathOverview::advance(const UploadBudget& budget) {
     while (!whole()) {
-        takeSome();
+        addSome();
         if (whole())
             finishLine();
         if (m_blocks.size() > kMostLines) {
@@ -67,18 +67,18 @@ void PathOverview::advance(const UploadBudget& budget) {
 }
 
 /// One block may have a hundred thousand motions.
-void PathOverview::takeSome() {
+void PathOverview::addSome() {
     for (std::size_t count = 0; count < kMotionsBetweenLooks && !whole(); ++count) {
         const Program::MotionRange motions = m_program->blockMotions(m_next);
         m_nextMotion = std::max(m_nextMotion, motions.first);
         if (m_nextMotion < motions.last)
-            take(m_program->motion(m_nextMotion++), static_cast<std::uint32_t>(m_next));
+            add(m_program->motion(m_nextMotion++), static_cast<std::uint32_t>(m_next));
         if (m_nextMotion >= motions.last)
             ++m_next;
     }
 }
 
-void PathOverview::take(const Motion& motion, std::uint32_t block) {
+void PathOverview::add(const Motion& motion, std::uint32_t block) {
     if (!motion.known())
         return finishLine();
     if (m_passed.empty() || m_passed.back() != motion.start) {

@@ -39,8 +39,8 @@ public:
 
 private:
     void restart(double tolerance);
-    void takeSome();
-    void take(const Motion& motion, std::uint32_t block);
+    void addSome();
+    void add(const Motion& motion, std::uint32_t block);
     void lineTo(const Vec3& point, MotionKind kind, std::uint32_t block);
     void finishLine();
     [[nodiscard]] bool isNearLine(const Vec3& end) const;

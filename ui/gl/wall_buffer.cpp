@@ -60,7 +60,7 @@ bool hasMergedMeshes(const SurfaceSnapshot& surface) {
 }
 
 /// The points of borders at the edge of the map that no triangle meets.
-std::unordered_set<std::uint32_t> pointsLeftOut(const SurfaceSnapshot& surface,
+std::unordered_set<std::uint32_t> omittedPoints(const SurfaceSnapshot& surface,
                                                 const std::vector<EdgeBorder>& borders) {
     std::unordered_set<std::uint32_t> points;
     if (!hasMergedMeshes(surface))
@@ -86,7 +86,7 @@ std::unordered_set<std::uint32_t> pointsLeftOut(const SurfaceSnapshot& surface,
 
 std::vector<WallLine> wallLines(const SurfaceSnapshot& surface) {
     const std::vector<EdgeBorder> borders = edgeBorders(surface.grid);
-    const std::unordered_set<std::uint32_t> leftOut = pointsLeftOut(surface, borders);
+    const std::unordered_set<std::uint32_t> omitted = omittedPoints(surface, borders);
     std::vector<WallLine> lines;
     lines.reserve(borders.size());
     std::size_t open = 0; // the line that is not at its end yet
@@ -96,7 +96,7 @@ std::vector<WallLine> wallLines(const SurfaceSnapshot& surface) {
         std::vector<std::uint32_t> points = polyline(surface, edge);
         points.pop_back(); // the first one of the next border
         for (const std::uint32_t point : points) {
-            if (leftOut.contains(point))
+            if (omitted.contains(point))
                 continue;
             if (open != own)
                 lines[open].points.push_back(point);

@@ -56,12 +56,12 @@ void setUpBox(CountBox& box, const Field& field) {
     box.setSingleStep(static_cast<int>(field.step));
 }
 
-void showFieldTexts(QWidget& editor, const Field& field, const QString& standard) {
+void showFieldTexts(QWidget& editor, const Field& field, const QString& defaultText) {
     QString tip = coreText(field.help);
     if (qobject_cast<QAbstractSpinBox*>(&editor) != nullptr)
         tip += u'\n' + rangeText(field, editor.locale());
-    if (!standard.isEmpty())
-        tip += u'\n' + QCoreApplication::translate("Field", "Default: %1").arg(standard);
+    if (!defaultText.isEmpty())
+        tip += u'\n' + QCoreApplication::translate("Field", "Default: %1").arg(defaultText);
     editor.setToolTip(tip);
     editor.setAccessibleName(coreText(field.label));
     if (auto* number = qobject_cast<NumberBox*>(&editor))
@@ -70,7 +70,7 @@ void showFieldTexts(QWidget& editor, const Field& field, const QString& standard
         showSuffix(*count, field);
 }
 
-void takeShown(double& value, const NumberBox& box) {
+void readShown(double& value, const NumberBox& box) {
     if (std::abs(value - box.value()) > 0.5 * std::pow(10.0, -box.decimals()))
         value = box.value();
 }

@@ -21,10 +21,10 @@ void setUpBox(NumberBox& box, const Field& field);
 void setUpBox(CountBox& box, const Field& field);
 /// Name and tool tip of the editor of a field, in the language of the moment; of a box the unit and the
 /// range, too. `standard` is its default, which may be left out. Text that is being typed stays.
-void showFieldTexts(QWidget& editor, const Field& field, const QString& standard = {});
+void showFieldTexts(QWidget& editor, const Field& field, const QString& defaultText = {});
 
 /// Puts what the box shows into `value`. What the box cannot show exactly (a stock of 12.7001 mm) stays as it
 /// is until it is edited.
-void takeShown(double& value, const NumberBox& box);
+void readShown(double& value, const NumberBox& box);
 
 } // namespace proveout

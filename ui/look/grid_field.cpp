@@ -49,7 +49,7 @@ void GridField::show(const Setup& setup) {
 void GridField::put(Setup& setup) const {
     setup.automaticGrid = m_automatic->isChecked();
     if (!setup.automaticGrid)
-        takeShown(setup.spacing, *m_spacing);
+        readShown(setup.spacing, *m_spacing);
 }
 
 void GridField::retranslate() {

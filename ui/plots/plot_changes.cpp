@@ -46,12 +46,12 @@ PlotHistory::Changes PlotHistory::update(const PersistentArray<BlockStatistics>&
     m_session.resize(known);
     m_session.insert(m_session.end(), frames.begin() + static_cast<std::ptrdiff_t>(known), frames.end());
     for (std::size_t row = known; row < frames.size(); ++row)
-        take(frames[row], playing, changes);
+        add(frames[row], playing, changes);
     changes.firstPictured = changes.firstFrame == 0 ? 0 : m_frames[changes.firstFrame - 1].lastBlock;
     return changes;
 }
 
-void PlotHistory::take(const FrameStatistics& row, bool playing, Changes& changes) {
+void PlotHistory::add(const FrameStatistics& row, bool playing, Changes& changes) {
     if (!playing && !m_frames.empty() && row.lastBlock <= m_frames.back().lastBlock)
         return; // A seek to blocks that were measured before.
     // Rows ascend and do not overlap: of those that share blocks with the new one, the others' stay.

@@ -31,7 +31,7 @@ public:
     [[nodiscard]] const std::vector<FrameStatistics>& frames() const { return m_frames; }
 
 private:
-    void take(const FrameStatistics& row, bool playing, Changes& changes);
+    void add(const FrameStatistics& row, bool playing, Changes& changes);
 
     PersistentArray<BlockStatistics> m_blocks;
     std::vector<FrameStatistics> m_session; ///< as the session had them at the last update

@@ -107,7 +107,7 @@ void PlotsPanel::addKeys(QAction* action) {
 }
 
 /// Whether they are other times than before.
-bool PlotsPanel::takeTimes(const Frame* frame) {
+bool PlotsPanel::useTimes(const Frame* frame) {
     const auto& known = m_session.program().times();
     const bool fits = known && frame != nullptr && known->program == frame->program;
     const auto times = fits ? known : nullptr;
@@ -130,7 +130,7 @@ void PlotsPanel::refresh() {
     const PlotHistory::Changes changes =
         m_history.update(frame ? frame->statistics : kNone, m_session.playback().frameStatistics(),
                          m_session.playback().state().playing);
-    const bool retimed = takeTimes(frame.get());
+    const bool retimed = useTimes(frame.get());
     const bool moved =
         m_block != m_session.simulation().block() || m_blockCount != m_session.program().blockCount();
     if (!changes.any && !moved && !retimed)

@@ -45,7 +45,7 @@ protected:
 
 private:
     void refresh();
-    [[nodiscard]] bool takeTimes(const Frame* frame);
+    [[nodiscard]] bool useTimes(const Frame* frame);
     [[nodiscard]] PlotInput input() const;
     void addView(const PlotSpec& spec, bool shown);
     void setTexts();

@@ -58,10 +58,10 @@ void BlockSearch::finish() {
 /// On the thread of the task; exceptions end here.
 void BlockSearch::carryOut(const FramePtr& moment, const MapPoint& point, const Reply& reply) {
     WorkContext context{reply.stop, {}};
-    context.progress = [&, told = 0.0](double done) mutable {
-        if (done < told + kLeastStep)
+    context.progress = [&, reported = 0.0](double done) mutable {
+        if (done < reported + kLeastStep)
             return;
-        told = done;
+        reported = done;
         reply.post([this, done] {
             if (!m_done)
                 return;

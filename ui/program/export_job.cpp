@@ -91,7 +91,7 @@ Result<ExportSummary> write(const Frame& frame, const QString& file, const Expor
         return tl::unexpected(std::move(writable.error()));
     const DecimationParameters parameters = parametersOf(frame, options);
     std::vector<LatticeTriangle> triangles =
-        decimatedWhole(frame.zmap, parameters, context.part(0, kDecimated)).takeTriangles();
+        decimatedWhole(frame.zmap, parameters, context.part(0, kDecimated)).releaseTriangles();
     if (context.stopped())
         return cancelled();
     const TriangleMesh solid =
@@ -150,21 +150,21 @@ ExportJob::~ExportJob() = default; // jthread stops and joins
 void ExportJob::start(FramePtr frame, const QString& file, const ExportOptions& options,
                       std::function<void(Result<ExportSummary>)> done) {
     const std::uint64_t generation = ++m_generation;
-    const auto tell = [this](double fraction) {
+    const auto progress = [this](double fraction) {
         m_replies.post([this, fraction] { emit progressed(fraction); });
     };
-    const auto report = [this, generation, done = std::move(done)](const Result<ExportSummary>& result) {
+    const auto finish = [this, generation, done = std::move(done)](const Result<ExportSummary>& result) {
         m_replies.post([this, generation, done, result] {
             if (generation == m_generation)
                 done(result);
         });
     };
-    m_thread =
-        std::jthread([frame = std::move(frame), file, options, tell, report](const std::stop_token& stop) {
+    m_thread = std::jthread(
+        [frame = std::move(frame), file, options, progress, finish](const std::stop_token& stop) {
             try {
-                report(exportFrame(*frame, file, options, {stop, tell}));
+                finish(exportFrame(*frame, file, options, {stop, progress}));
             } catch (const std::exception& problem) {
-                report(failure(window_finding::kExportFailed, {problem.what()}, toPath(file).string()));
+                finish(failure(window_finding::kExportFailed, {problem.what()}, toPath(file).string()));
             }
         });
 }

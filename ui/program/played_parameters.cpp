@@ -9,7 +9,7 @@ namespace proveout {
 
 void PlayedParameters::loaded(const DecimationParameters& wanted) {
     m_holdBack.reset();
-    m_told = wanted;
+    m_reported = wanted;
 }
 
 void PlayedParameters::restart(const DecimationParameters& wanted, const Frame* frame) {
@@ -26,14 +26,14 @@ std::optional<DecimationParameters> PlayedParameters::due(const DecimationParame
     DecimationParameters played = wanted;
     if (held(playing) != nullptr)
         played.method = DecimationMethod::none;
-    if (played == m_told)
+    if (played == m_reported)
         return std::nullopt;
-    m_told = played;
+    m_reported = played;
     return played;
 }
 
 void PlayedParameters::weigh(const Frame& frame, const FrameStatistics& row) {
-    if (!m_holdBack || !frame.playing || !(frame.parameters == m_told) || row.lastBlock != frame.block)
+    if (!m_holdBack || !frame.playing || !(frame.parameters == m_reported) || row.lastBlock != frame.block)
         return;
     FrameCost cost{row.decimationSeconds,
                    row.uploadSeconds,

@@ -29,7 +29,7 @@ public:
 
 private:
     std::optional<HoldBack> m_holdBack; ///< for the present map and parameters
-    DecimationParameters m_told;
+    DecimationParameters m_reported;
 };
 
 } // namespace proveout

@@ -21,7 +21,7 @@ PlaybackHub::PlaybackHub(const DocumentHub& document, const ProgramHub& program,
                          BreakpointList& breakpoints)
     : m_document(document), m_program(program), m_simulation(simulation), m_breakpoints(breakpoints) {
     connectTick();
-    connect(&simulation, &SimulationHub::taken, this, &PlaybackHub::onTaken);
+    connect(&simulation, &SimulationHub::taken, this, &PlaybackHub::onStarted);
     connect(&simulation, &SimulationHub::failed, this, &PlaybackHub::stopPlaying);
     connect(&simulation, &SimulationHub::cancelled, this, &PlaybackHub::stopPlaying);
     connect(&program, &ProgramHub::timesChanged, this, [this] {
@@ -213,7 +213,7 @@ void PlaybackHub::postParameters() {
 
 // Frames.
 
-void PlaybackHub::onTaken(const FramePtr& before) {
+void PlaybackHub::onStarted(const FramePtr& before) {
     const Frame& frame = *m_simulation.frame();
     if (frame.block == frame.program->blockCount() && !frame.playing && !m_program.isReading())
         stopPlaying();

@@ -83,7 +83,7 @@ signals:
 private:
     void connectTick();
     void continueWithEdit();
-    void onTaken(const FramePtr& before);
+    void onStarted(const FramePtr& before);
     void onTick();
     void stopPlaying();
     void restartHoldBack();

@@ -18,7 +18,7 @@ void addChanges(const std::map<std::string, double>& before, const std::map<std:
 }
 
 /// Another shape comes with keys of its own, which nobody has stated.
-void takeShape(ToolOrigin& origin, const ToolSpec& before, const ToolSpec& after) {
+void useShape(ToolOrigin& origin, const ToolSpec& before, const ToolSpec& after) {
     std::erase_if(origin.defaults, [&](const std::string& key) { return !after.values.contains(key); });
     for (const auto& row : after.values)
         if (!before.values.contains(row.first))
@@ -36,7 +36,7 @@ std::optional<ToolOrigin> editedOrigin(ToolOrigin origin, const ToolSpec& before
     } else {
         changed.insert("shape");
         if (origin.source == ToolSource::comment)
-            takeShape(origin, before, after);
+            useShape(origin, before, after);
     }
     for (const std::string& key : changed) {
         std::erase(origin.defaults, key);

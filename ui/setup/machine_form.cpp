@@ -81,14 +81,14 @@ void MachineForm::apply() {
     m_rest.stop();
     Machine machine = m_session.job().machine().value_or(Machine());
     std::size_t row = 0;
-    describe(machine, [&](double& value, const Field&) { takeShown(value, *m_boxes[row++]); });
+    describe(machine, [&](double& value, const Field&) { readShown(value, *m_boxes[row++]); });
     m_session.job().setMachine(machine);
 }
 
 void MachineForm::retranslate() {
-    Machine standard;
+    Machine defaults;
     std::size_t row = 0;
-    describe(standard, [&](double& value, const Field& field) {
+    describe(defaults, [&](double& value, const Field& field) {
         m_labels[row]->setText(coreText(field.label));
         showFieldTexts(*m_boxes[row], field, fieldNumber(field, value, locale()));
         ++row;

@@ -192,7 +192,7 @@ void SetupPanel::applyStock(Setup setup) {
     }
     const bool fromFile = spec.shape.kind != StockKind::cylinder;
     if (fromFile && spec.shape.file.empty())
-        return takeNoStock(spec, setup);
+        return useNoStock(spec, setup);
     // Something from another file lies where it lies by itself.
     makeStock(spec, another && fromFile ? std::nullopt : std::optional(setup.stock.corner));
 }
@@ -212,16 +212,16 @@ void SetupPanel::makeStock(const StockSpec& spec, const std::optional<Vec3>& cor
         }
         reply.post([this, made, done] {
             if (done)
-                takeStock(made, edited(m_session.job().setup()));
+                useStock(made, edited(m_session.job().setup()));
             else {
-                takeNoStock(made, edited(m_session.job().setup()));
+                useNoStock(made, edited(m_session.job().setup()));
                 showProblem(done.error());
             }
         });
     });
 }
 
-void SetupPanel::takeStock(const StockSpec& spec, Setup setup) {
+void SetupPanel::useStock(const StockSpec& spec, Setup setup) {
     const bool sameFile = setup.shape.kind == spec.shape.kind && setup.shape.file == spec.shape.file;
     setup.stock = spec.box;
     setup.shape = spec.shape;
@@ -231,7 +231,7 @@ void SetupPanel::takeStock(const StockSpec& spec, Setup setup) {
 }
 
 /// A shape that cannot be made: nothing else is simulated under its name.
-void SetupPanel::takeNoStock(const StockSpec& spec, Setup setup) {
+void SetupPanel::useNoStock(const StockSpec& spec, Setup setup) {
     setup.shape = spec.shape;
     setup.shape.body.reset();
     use(setup);

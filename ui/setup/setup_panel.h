@@ -46,8 +46,8 @@ private:
     void apply();
     void applyStock(Setup setup);
     void makeStock(const StockSpec& spec, const std::optional<Vec3>& corner);
-    void takeStock(const StockSpec& spec, Setup setup);
-    void takeNoStock(const StockSpec& spec, Setup setup);
+    void useStock(const StockSpec& spec, Setup setup);
+    void useNoStock(const StockSpec& spec, Setup setup);
     void use(Setup setup);
     void showProblem(const Diagnostics& errors);
     void fitToProgram();

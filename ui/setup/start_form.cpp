@@ -85,7 +85,7 @@ void StartForm::put(Setup& setup) const {
     }
     Vec3 start = setup.start.value_or(Vec3(0));
     for (std::size_t axis = 0; axis < m_position.size(); ++axis)
-        takeShown(start[static_cast<int>(axis)], *m_position[axis]);
+        readShown(start[static_cast<int>(axis)], *m_position[axis]);
     setup.start = start;
 }
 

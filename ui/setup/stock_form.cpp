@@ -178,7 +178,7 @@ void StockForm::show(const Setup& setup) {
 
 void StockForm::put(Setup& setup) const {
     for (std::size_t i = 0; i < kPlaceFields.size(); ++i)
-        takeShown(kPlaceFields[i].place(setup), *m_boxes[i]);
+        readShown(kPlaceFields[i].place(setup), *m_boxes[i]);
     m_grid->put(setup);
 }
 
@@ -192,7 +192,7 @@ StockSpec StockForm::spec(const Setup& setup) const {
         if (row.length != nullptr) {
             const auto& length = std::get<StockLength>(row.field->value);
             double value = length.get(before);
-            takeShown(value, *row.length);
+            readShown(value, *row.length);
             length.set(spec, value);
         } else if (row.choice != nullptr) {
             std::get<StockChoice>(row.field->value)
@@ -210,10 +210,10 @@ StockSpec StockForm::spec(const Setup& setup) const {
     return spec;
 }
 
-QString StockForm::rangeTip(const QString& help, const NumberBox& box, double standard) const {
+QString StockForm::rangeTip(const QString& help, const NumberBox& box, double defaultValue) const {
     return tr("%1\nRange: %2 to %3 mm\nDefault: %4 mm")
         .arg(help, locale().toString(box.range().minimum), locale().toString(box.range().maximum),
-             locale().toString(standard));
+             locale().toString(defaultValue));
 }
 
 void StockForm::retranslateShapes() {
@@ -250,11 +250,11 @@ void StockForm::retranslateShapes() {
 
 void StockForm::retranslate() {
     retranslateShapes();
-    Setup standard;
+    Setup defaults;
     for (std::size_t i = 0; i < kPlaceFields.size(); ++i) {
         const Field& field = *kPlaceFields[i].field;
         m_labels[i]->setText(coreText(field.label));
-        showFieldTexts(*m_boxes[i], field, fieldNumber(field, kPlaceFields[i].place(standard), locale()));
+        showFieldTexts(*m_boxes[i], field, fieldNumber(field, kPlaceFields[i].place(defaults), locale()));
     }
     m_gridLabel->setText(coreText(setup_field::kGrid.label));
 }

@@ -62,7 +62,7 @@ private:
     void showFieldsOfShape();
     void retranslate();
     void retranslateShapes();
-    [[nodiscard]] QString rangeTip(const QString& help, const NumberBox& box, double standard) const;
+    [[nodiscard]] QString rangeTip(const QString& help, const NumberBox& box, double defaultValue) const;
 
     QLabel* m_shapeLabel;
     QComboBox* m_shape;

@@ -35,7 +35,7 @@ const ShapeKey* sameKey(const std::vector<ShapeKey>& keys, const ShapeKey& wante
 } // namespace
 
 ToolForm::ToolForm(QWidget* parent)
-    : QWidget(parent), m_spec(standardSpec()), m_shape(new ChoiceBox(this)), m_layout(new QFormLayout(this)) {
+    : QWidget(parent), m_spec(defaultSpec()), m_shape(new ChoiceBox(this)), m_layout(new QFormLayout(this)) {
     m_layout->setContentsMargins(0, 0, 0, 0);
     m_layout->setRowWrapPolicy(QFormLayout::WrapLongRows);
     for (const CutterShape& shape : cutterShapes())
@@ -118,7 +118,7 @@ QWidget* ToolForm::numberBox(const ShapeKey& key) {
     const QString unit = coreText(key.unit);
     box->setToolTip(tr("%1\nRange: %2 to %3 %4\nDefault: %5 %4")
                         .arg(coreText(key.label), locale().toString(key.minimum),
-                             locale().toString(key.maximum), unit, locale().toString(key.standard)));
+                             locale().toString(key.maximum), unit, locale().toString(key.defaultValue)));
     connect(box, &QDoubleSpinBox::valueChanged, this, [this, name = std::string(key.key)](double value) {
         m_spec.values[name] = value;
         emit edited();
@@ -132,7 +132,7 @@ QWidget* ToolForm::textBox(const ShapeKey& key) {
         coreText(key.label) + u'\n' +
         tr("For an arc, add the centre or the radius to its end point, as in %1 or %2; a negative radius is "
            "concave.\nDefault: %3")
-            .arg(QStringLiteral("4/1@3/1"), QStringLiteral("4/1@1"), QLatin1String(key.standardText)));
+            .arg(QStringLiteral("4/1@3/1"), QStringLiteral("4/1@1"), QLatin1String(key.defaultText)));
     connect(box, &QLineEdit::editingFinished, this, [this, box, name = std::string(key.key)] {
         box->setModified(false);
         if (box->text().toStdString() == m_spec.texts[name])

@@ -42,11 +42,11 @@ void readPair(std::string_view pair, ToolSpec& tool) {
 }
 
 /// The value of a key as a spec holds it; empty where it need not be told.
-std::string valueToTell(const ToolSpec& spec, const ShapeKey& key) {
+std::string valueToReport(const ToolSpec& spec, const ShapeKey& key) {
     if (key.isText())
         return spec.texts.at(key.key);
     const double value = spec.values.at(key.key);
-    return key.required || value != key.standard ? fmt::format("{}", value) : std::string();
+    return key.required || value != key.defaultValue ? fmt::format("{}", value) : std::string();
 }
 
 } // namespace
@@ -57,9 +57,9 @@ ToolSpec readSpec(std::string_view spec) {
     tool.shape = spec.substr(0, colon);
     for (const ShapeKey& key : keysOf(tool.shape)) {
         if (key.isText())
-            tool.texts[key.key] = key.standardText;
+            tool.texts[key.key] = key.defaultText;
         else
-            tool.values[key.key] = key.standard;
+            tool.values[key.key] = key.defaultValue;
     }
     spec.remove_prefix(std::min(colon + 1, spec.size()));
     while (!spec.empty()) {
@@ -73,14 +73,14 @@ ToolSpec readSpec(std::string_view spec) {
 std::string writeSpec(const ToolSpec& spec) {
     std::string text;
     for (const ShapeKey& key : keysOf(spec.shape)) {
-        const std::string value = valueToTell(spec, key);
+        const std::string value = valueToReport(spec, key);
         if (key.required || !value.empty())
             text += fmt::format("{}{}={}", text.empty() ? ':' : ',', key.key, value);
     }
     return spec.shape + text;
 }
 
-ToolSpec standardSpec() {
+ToolSpec defaultSpec() {
     return readSpec(cutterShapes().front().key);
 }
 

@@ -30,6 +30,6 @@ struct ToolSpec {
 [[nodiscard]] const CutterShape& shapeRow(std::string_view shape);
 
 /// The tool that a dialog proposes: the first shape with its standard values.
-[[nodiscard]] ToolSpec standardSpec();
+[[nodiscard]] ToolSpec defaultSpec();
 
 } // namespace proveout

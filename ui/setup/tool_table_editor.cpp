@@ -114,7 +114,7 @@ void ToolTableEditor::show(const ToolTable& tools) {
 }
 
 void ToolTableEditor::add(int number) {
-    Result<Cutter> cutter = parseCutter(writeSpec(standardSpec()));
+    Result<Cutter> cutter = parseCutter(writeSpec(defaultSpec()));
     if (!cutter || m_tools.find(number) != nullptr)
         return;
     m_tools.set(number, std::move(*cutter), {ToolSource::assumed});

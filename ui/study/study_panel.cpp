@@ -118,7 +118,7 @@ StudyPanel::StudyPanel(Session& session, MakeDrawing makeDrawing, QWidget* paren
     enable();
 }
 
-bool StudyPanel::takeJob() {
+bool StudyPanel::useJob() {
     if (!m_session.program().current() || m_runner.busy())
         return false;
     m_subject = {{m_session.program().current(), std::make_shared<const Setup>(m_session.job().setup())},
@@ -129,12 +129,12 @@ bool StudyPanel::takeJob() {
     m_rehearsal.reset();
     m_measured.clear();
     m_progress->setValue(0);
-    tell(QString());
+    report(QString());
     return true;
 }
 
 void StudyPanel::startSweep() {
-    if (!takeJob())
+    if (!useJob())
         return;
     const SweepRow& sweep = sweepTable()[static_cast<std::size_t>(m_sweeps->currentIndex())];
     const QSignalBlocker quiet(m_figures);
@@ -144,7 +144,7 @@ void StudyPanel::startSweep() {
             m_figures->addItem(tr("Fig. %1").arg(QLatin1String(figureTable()[k].paper)), static_cast<int>(k));
     std::vector<StudyPoint> points = sweep.points(m_subject);
     if (points.empty())
-        tell(tr("This sweep does not apply to the current decimation method."));
+        report(tr("This sweep does not apply to the current decimation method."));
     else
         m_runner.sweep(m_subject.job, std::move(points));
     refresh();
@@ -152,7 +152,7 @@ void StudyPanel::startSweep() {
 }
 
 void StudyPanel::startOptimising() {
-    if (!takeJob())
+    if (!useJob())
         return;
     const QSignalBlocker quiet(m_figures);
     m_figures->clear();
@@ -189,11 +189,11 @@ void StudyPanel::showForecast() {
         text += QLatin1String("; ") + tr("measured %1 s, with the current parameters %2 s")
                                           .arg(locale.toString(m_measured[0].seconds, 'f', 2),
                                                locale.toString(m_measured[1].seconds, 'f', 2));
-    tell(text);
+    report(text);
     enable();
 }
 
-void StudyPanel::tell(const QString& text) {
+void StudyPanel::report(const QString& text) {
     m_result->setText(text);
     m_result->setVisible(!text.isEmpty()); // its line is the chart's else
 }

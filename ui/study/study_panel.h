@@ -39,10 +39,10 @@ protected:
 private:
     void startSweep();
     void startOptimising();
-    [[nodiscard]] bool takeJob();
+    [[nodiscard]] bool useJob();
     void addRun(const StudyRun& run);
     void showForecast();
-    void tell(const QString& text);
+    void report(const QString& text);
     void useChoice();
     void refresh();
     void askAndExport();

@@ -62,7 +62,7 @@ void StudyRunner::sweep(StudyJob job, std::vector<StudyPoint> points) {
 void StudyRunner::optimise(StudyJob job, const DecimationParameters& given) {
     start([this, job = std::move(job), given](DrawCost& drawing, const WorkContext& context) -> Result<void> {
         auto found = rehearse(job, given, rehearsalFor(job), drawing,
-                              {context.stop, [&](double done) { context.tell(kRehearsed * done); }});
+                              {context.stop, [&](double done) { context.report(kRehearsed * done); }});
         if (!found)
             return tl::unexpected(std::move(found.error()));
         const auto rehearsal = std::make_shared<const Rehearsal>(std::move(*found));
@@ -70,7 +70,7 @@ void StudyRunner::optimise(StudyJob job, const DecimationParameters& given) {
         const std::vector<StudyPoint> points{{withSchedule(given, cheapest(*rehearsal))}, {given}};
         const auto swept = runSweep(
             job, points, options(drawing, job, kCheckingRuns),
-            {context.stop, [&](double done) { context.tell(kRehearsed + (1 - kRehearsed) * done); }});
+            {context.stop, [&](double done) { context.report(kRehearsed + (1 - kRehearsed) * done); }});
         if (!swept)
             return tl::unexpected(swept.error());
         m_replies.post(
@@ -84,10 +84,11 @@ void StudyRunner::start(std::function<Result<void>(DrawCost&, const WorkContext&
         return;
     m_stop = std::stop_source();
     m_thread = QThread::create([this, work = std::move(work)] {
-        int told = 0;
+        int reported = 0;
         const WorkContext context{m_stop.get_token(), [&](double done) {
-                                      if (const int percent = static_cast<int>(100 * done); percent > told) {
-                                          told = percent;
+                                      if (const int percent = static_cast<int>(100 * done);
+                                          percent > reported) {
+                                          reported = percent;
                                           m_replies.post([this, done] { emit progressed(done); });
                                       }
                                   }};

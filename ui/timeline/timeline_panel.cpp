@@ -252,7 +252,7 @@ void TimelinePanel::showTimes() {
     m_time->setMinimumWidth(fontMetrics().horizontalAdvance(QStringLiteral("%1 / %1").arg(last)) + 8);
     m_timeTip =
         timeTip(*times, !m_session.job().machine(), toolChoice(m_session), m_session.job().setup().tools);
-    tellShares();
+    reportShares();
     showTime(m_session.simulation().block());
 }
 
@@ -260,11 +260,11 @@ void TimelinePanel::showActivity(const FramePtr& frame) {
     if (!m_activity.follow(frame.get()))
         return;
     m_scale->update();
-    tellShares();
+    reportShares();
 }
 
 /// Where the time goes by the program, and by what was cut so far.
-void TimelinePanel::tellShares() {
+void TimelinePanel::reportShares() {
     const QString shares = activitySummary(m_activity.log());
     m_time->setToolTip(shares.isEmpty() ? m_timeTip : m_timeTip + u'\n' + shares);
 }

@@ -43,7 +43,7 @@ private:
     void showProgram();
     void showFrame(const FramePtr& frame);
     void showActivity(const FramePtr& frame);
-    void tellShares();
+    void reportShares();
     void showTip(std::size_t block, QPoint globalPlace);
 
     Session& m_session;

@@ -68,18 +68,17 @@ ParameterForm::ParameterForm(QWidget* parent) : QWidget(parent), m_layout(new QF
     showMethod();
 }
 
-void ParameterForm::findStandards() {
+void ParameterForm::findDefaults() {
     const DecimationParameters untouched;
-    DecimationParameters standard;
-    standard.method = m_values.method;
-    useStandards(standard, false, false, m_points);
-    standard.method = untouched.method;
-    std::map<std::string_view, double> standards;
-    describe(standard, [&](const auto& value, const Field& field) {
-        standards[field.key] = static_cast<double>(value);
-    });
+    DecimationParameters defaults;
+    defaults.method = m_values.method;
+    useDefaults(defaults, false, false, m_points);
+    defaults.method = untouched.method;
+    std::map<std::string_view, double> values;
+    describe(defaults,
+             [&](const auto& value, const Field& field) { values[field.key] = static_cast<double>(value); });
     for (Row& row : m_rows)
-        row.standard = standards[row.field.key];
+        row.defaultValue = values[row.field.key];
 }
 
 QWidget* ParameterForm::makeChoices(Row& row) {
@@ -148,7 +147,7 @@ void ParameterForm::place(std::size_t index) {
 void ParameterForm::reset(std::size_t row) {
     finishTyping(*m_rows[row].editor);
     emit stepEnded();
-    change(row, m_rows[row].standard);
+    change(row, m_rows[row].defaultValue);
     emit stepEnded();
 }
 
@@ -169,7 +168,7 @@ void ParameterForm::setPoints(double points) {
 }
 
 void ParameterForm::showMethod() {
-    findStandards();
+    findDefaults();
     for (std::size_t i = 0; i < m_rows.size(); ++i) {
         m_rows[i].used = proveout::row(m_values.method).uses(m_rows[i].field.key);
         m_layout->setRowVisible(static_cast<int>(i), m_rows[i].used);
@@ -180,15 +179,15 @@ void ParameterForm::showMethod() {
 void ParameterForm::showRow(const Row& row) {
     const QSignalBlocker quiet(row.editor);
     row.show(row.value());
-    row.reset->setVisible(row.used && row.value() != row.standard);
+    row.reset->setVisible(row.used && row.value() != row.defaultValue);
 }
 
 void ParameterForm::change(std::size_t row, double value) {
     const DecimationMethodRow& before = proveout::row(m_values.method);
     m_rows[row].setValue(value);
     if (m_values.method != before.method) {
-        useStandards(m_values, m_values.regionCells != standardRegion(before.method, m_points),
-                     m_values.period != before.standardPeriod, m_points);
+        useDefaults(m_values, m_values.regionCells != defaultRegion(before.method, m_points),
+                    m_values.period != before.defaultPeriod, m_points);
         showMethod();
     }
     showRow(m_rows[row]);
@@ -206,9 +205,9 @@ QString ParameterForm::valueText(const Row& row, double value) const {
 void ParameterForm::retranslate() {
     for (const Row& row : m_rows) {
         row.label->setText(coreText(row.field.label));
-        showFieldTexts(*row.editor, row.field, valueText(row, row.standard));
+        showFieldTexts(*row.editor, row.field, valueText(row, row.defaultValue));
         row.label->setToolTip(row.editor->toolTip());
-        row.reset->setToolTip(tr("Back to the default: %1").arg(valueText(row, row.standard)));
+        row.reset->setToolTip(tr("Back to the default: %1").arg(valueText(row, row.defaultValue)));
         row.reset->setAccessibleName(tr("Reset %1").arg(coreText(row.field.label)));
         if (auto* box = qobject_cast<QComboBox*>(row.editor)) {
             for (int i = 0; i < box->count(); ++i)

@@ -44,7 +44,7 @@ private:
     /// One field; its value passes as a double, whatever its type.
     struct Row {
         Field field;
-        double standard = 0;                  ///< with the present method and map
+        double defaultValue = 0;              ///< with the present method and map
         bool used = true;                     ///< the present method looks at it
         std::function<double()> value;        ///< in m_values
         std::function<void(double)> setValue; ///< in m_values
@@ -67,7 +67,7 @@ private:
     void change(std::size_t row, double value);
     /// Standards and all rows, for the method of m_values.
     void showMethod();
-    void findStandards();
+    void findDefaults();
     void showRow(const Row& row);
     void retranslate();
     [[nodiscard]] QString valueText(const Row& row, double value) const;

@@ -7,7 +7,7 @@
 
 namespace proveout {
 
-inline constexpr double kStandardBox = 10;   ///< mm along each side
+inline constexpr double kDefaultBox = 10;    ///< mm along each side
 inline constexpr double kLeastBoxSide = 0.1; ///< mm
 
 /// A box of that size about a middle, moved and made smaller until it is within the stock.

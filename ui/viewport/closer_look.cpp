@@ -120,10 +120,10 @@ void CloserLook::cutSoon(int milliseconds) {
 void CloserLook::cut() {
     m_task.start([this, frame = m_frame, box = *m_box](const NewestTask::Reply& reply) {
         WorkContext context{reply.stop, {}};
-        context.progress = [&, told = 0.0](double done) mutable {
-            if (done < told + kLeastStep)
+        context.progress = [&, reported = 0.0](double done) mutable {
+            if (done < reported + kLeastStep)
                 return;
-            told = done;
+            reported = done;
             reply.post([this, done] {
                 m_done = done;
                 emit changed();

@@ -58,8 +58,8 @@ CloserLookForm::CloserLookForm(CloserLook& look, QWidget* parent)
     m_width->setObjectName(QStringLiteral("closerWidth"));
     m_depth->setObjectName(QStringLiteral("closerDepth"));
     m_spacing->setObjectName(QStringLiteral("closerSpacing"));
-    m_width->setValue(kStandardBox);
-    m_depth->setValue(kStandardBox);
+    m_width->setValue(kDefaultBox);
+    m_depth->setValue(kDefaultBox);
     m_spacing->setValue(BoxOfInterest().spacing);
     m_progress->setRange(0, kProgressSteps);
     m_progress->setTextVisible(false);
@@ -104,13 +104,13 @@ void CloserLookForm::retranslate() {
     m_depth->setAccessibleName(tr("Box size in Y"));
     m_spacing->setAccessibleName(tr("Grid spacing in the box"));
     const QLocale locale;
-    const auto tip = [&](QDoubleSpinBox& box, const QString& what, double standard) {
+    const auto tip = [&](QDoubleSpinBox& box, const QString& what, double defaultValue) {
         box.setToolTip(tr("%1 From %2 to %3 mm. Default: %4 mm.")
                            .arg(what, locale.toString(box.minimum()), locale.toString(box.maximum()),
-                                locale.toString(standard)));
+                                locale.toString(defaultValue)));
     };
-    tip(*m_width, tr("Size of the box in X; a click makes a box of this size."), kStandardBox);
-    tip(*m_depth, tr("Size of the box in Y; a click makes a box of this size."), kStandardBox);
+    tip(*m_width, tr("Size of the box in X; a click makes a box of this size."), kDefaultBox);
+    tip(*m_depth, tr("Size of the box in Y; a click makes a box of this size."), kDefaultBox);
     tip(*m_spacing, tr("Distance between the grid points in the box."), BoxOfInterest().spacing);
     m_cancel->setText(tr("Cancel"));
     m_cancel->setToolTip(tr("Cancel this task"));

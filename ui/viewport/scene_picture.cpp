@@ -37,7 +37,7 @@ ScenePicture::ScenePicture(QOpenGLWidget& widget, const CloserLook& look, const 
         m_widget.update();
     });
     m_uploading.setSingleShot(true);
-    connect(&m_uploading, &QTimer::timeout, this, &ScenePicture::goOnUploading);
+    connect(&m_uploading, &QTimer::timeout, this, &ScenePicture::continueUploading);
 }
 
 ScenePicture::~ScenePicture() {
@@ -120,7 +120,7 @@ void ScenePicture::drawSmooth(const View& view) {
 }
 
 /// Between the events of the window, and without a picture that shows nothing new.
-void ScenePicture::goOnUploading() {
+void ScenePicture::continueUploading() {
     if (m_renderer == nullptr)
         return;
     m_widget.makeCurrent();

@@ -61,7 +61,7 @@ private:
     void upload(const FramePtr& frame);
     void draw(const View& view);
     void drawSmooth(const View& view);
-    void goOnUploading();
+    void continueUploading();
     [[nodiscard]] bool showsHiddenPath() const;
     [[nodiscard]] bool workPending() const;
 

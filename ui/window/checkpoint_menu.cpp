@@ -16,7 +16,7 @@ namespace {
 const QString kKey = QStringLiteral("simulation/checkpoint-megabytes");
 constexpr std::size_t kMegabyte = 1'000'000;
 constexpr std::array<std::size_t, 7> kChoices{100, 250, 500, 1000, 2000, 4000, 8000};
-constexpr std::size_t kStandard = 1000;
+constexpr std::size_t kDefault = 1000;
 
 } // namespace
 
@@ -32,10 +32,10 @@ CheckpointMenu::CheckpointMenu(Session& session, QWidget* parent)
 /// Each time that it is shown: the language may be another.
 void CheckpointMenu::fill() {
     clear();
-    const std::size_t present = QSettings().value(kKey, static_cast<qulonglong>(kStandard)).toULongLong();
+    const std::size_t present = QSettings().value(kKey, static_cast<qulonglong>(kDefault)).toULongLong();
     for (const std::size_t megabytes : kChoices) {
         const QString amount = figuresText(readableBytes(static_cast<double>(megabytes * kMegabyte)));
-        QAction* action = addAction(megabytes == kStandard ? tr("%1 (default)").arg(amount) : amount);
+        QAction* action = addAction(megabytes == kDefault ? tr("%1 (default)").arg(amount) : amount);
         action->setCheckable(true);
         action->setChecked(megabytes == present);
         m_group->addAction(action);

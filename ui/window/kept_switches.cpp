@@ -15,18 +15,18 @@ KeptSwitches::KeptSwitches(QString group, const QList<QAction*>& actions, QObjec
     for (QAction* action : actions) {
         if (!action->isCheckable() || action->objectName().isEmpty())
             continue;
-        m_standard.emplace_back(action, action->isChecked());
+        m_default.emplace_back(action, action->isChecked());
         // One that the settings do not know came with this version.
         kept.emplace_back(action, settings.value(key(*action), action->isChecked()).toBool());
     }
     bring(kept);
-    for (const auto& [action, on] : m_standard)
+    for (const auto& [action, on] : m_default)
         connect(action, &QAction::toggled, this,
                 [key, action = action](bool checked) { QSettings().setValue(key(*action), checked); });
 }
 
 void KeptSwitches::reset() {
-    bring(m_standard);
+    bring(m_default);
 }
 
 void KeptSwitches::bring(const States& states) {

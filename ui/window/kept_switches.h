@@ -28,7 +28,7 @@ private:
     static void bring(const States& states);
 
     QString m_group;
-    States m_standard;
+    States m_default;
 };
 
 } // namespace proveout

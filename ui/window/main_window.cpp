@@ -91,7 +91,7 @@ void MainWindow::followSession() {
     connect(&m_session.document(), &DocumentHub::textReplaced, m_docks, &PanelDocks::fit);
     connect(&m_session.problems(), &ProblemsHub::troubled, this, [this] {
         m_docks->show(kProblemsPanel);
-        m_status->tellProblem();
+        m_status->reportProblem();
     });
     connect(&m_session.navigation(), &NavigationHub::lineRequested, this,
             [this] { m_docks->show(kProgramPanel); });

@@ -51,7 +51,7 @@ std::vector<Comparison> comparisonsOf(const KeptWork& work, const JobDocument& d
 
 } // namespace
 
-QString Recovery::standardRoot() {
+QString Recovery::defaultRoot() {
     return QDir(QStandardPaths::writableLocation(QStandardPaths::AppDataLocation))
         .filePath(QStringLiteral("recovery"));
 }

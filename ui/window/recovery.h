@@ -26,7 +26,7 @@ public:
     Recovery(MainWindow& window, const QString& root);
 
     /// Where the application keeps such sessions.
-    [[nodiscard]] static QString standardRoot();
+    [[nodiscard]] static QString defaultRoot();
     /// The window was closed with the consent of the user: nothing of it is unsaved.
     void end() { m_autosave.end(); }
     [[nodiscard]] Autosave& autosave() { return m_autosave; }

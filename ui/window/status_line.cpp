@@ -88,13 +88,13 @@ StatusLine::StatusLine(Session& session, QStatusBar& bar)
         if (m_session.playback().state().playing)
             forget(Until::moved);
     });
-    connect(&session.playback(), &PlaybackHub::stoppedAt, this, &StatusLine::tellStop);
-    connect(&session.navigation(), &NavigationHub::placeFound, this, &StatusLine::tellPlace);
+    connect(&session.playback(), &PlaybackHub::stoppedAt, this, &StatusLine::reportStop);
+    connect(&session.navigation(), &NavigationHub::placeFound, this, &StatusLine::reportPlace);
     retranslate();
 }
 
 /// Why the run stopped, until it goes on or something else is told.
-void StatusLine::tellStop(const BreakpointHit& hit) {
+void StatusLine::reportStop(const BreakpointHit& hit) {
     const QString reason = coreText(rowOf(hit.breakpoint.kind).reason, {valueText(hit.breakpoint)});
     say(reason, Until::moved, m_session.simulation().block());
 }
@@ -116,7 +116,7 @@ void StatusLine::forget(Until event) {
     m_said.clear();
 }
 
-void StatusLine::tellPlace(const PlaceAnswer& answer) {
+void StatusLine::reportPlace(const PlaceAnswer& answer) {
     const QString block = m_bar.locale().toString(static_cast<qulonglong>(answer.block));
     const QString text = [&]() -> QString {
         switch (answer.kind) {
@@ -136,7 +136,7 @@ void StatusLine::tellPlace(const PlaceAnswer& answer) {
     m_bar.setToolTip(text); // a narrow window cuts the message off
 }
 
-void StatusLine::tellProblem() {
+void StatusLine::reportProblem() {
     if (m_session.problems().all().empty())
         return;
     m_problem = sentence(m_session.problems().all().front());

@@ -29,7 +29,7 @@ public:
     void follow(const SurfaceProbe& pointer);
     void retranslate();
     /// The first problem, for a while; no longer than it is one.
-    void tellProblem();
+    void reportProblem();
 
 private:
     enum Field { kX, kY, kZ, kFeed, kSpindle, kTool, kBlock, kFaces, kFieldCount };
@@ -38,8 +38,8 @@ private:
     void showFrame(const FramePtr& frame);
     [[nodiscard]] QString toolText(const Frame& frame) const;
     void showWork();
-    void tellStop(const BreakpointHit& hit);
-    void tellPlace(const PlaceAnswer& answer);
+    void reportStop(const BreakpointHit& hit);
+    void reportPlace(const PlaceAnswer& answer);
     /// How long what a message says is true.
     enum class Until { moved, edited };
     void say(const QString& text, Until until, std::size_t block = 0, int milliseconds = 0);
@@ -58,7 +58,7 @@ private:
     ElidedLabel* m_place; ///< under the pointer
     QProgressBar* m_progress;
     QToolButton* m_cancel;
-    QString m_problem; ///< that tellProblem() has shown
+    QString m_problem; ///< that reportProblem() has shown
     QString m_said;    ///< by say(); something else may be shown meanwhile
     Until m_until = Until::edited;
     std::size_t m_saidOf = 0;    ///< the block that it is about

@@ -41,10 +41,10 @@ void NewestTask::run(const std::stop_token& stop) {
             request = std::move(*m_waiting);
             m_waiting.reset();
         }
-        const auto post = [this, generation = request.generation](std::function<void()> tell) {
-            m_replies.post([this, generation, tell = std::move(tell)] {
+        const auto post = [this, generation = request.generation](std::function<void()> report) {
+            m_replies.post([this, generation, report = std::move(report)] {
                 if (generation == m_generation)
-                    tell();
+                    report();
             });
         };
         request.task({request.stop, post});

@@ -39,17 +39,17 @@ DoneTile lowerBy(const PreparedSweep& prepared, ZMap& zmap, std::size_t tile, co
     return done;
 }
 
-void take(ZMap& zmap, std::size_t index, DoneTile& done, CutRecord& record) {
+void adopt(ZMap& zmap, std::size_t index, DoneTile& done, CutRecord& record) {
     if (done.cut.copy)
         zmap.adoptTile(index, std::move(done.cut.copy));
     record.add(done.record);
 }
 
 /// The record is summed in the order of the tiles, whichever thread lowered them.
-CutRecord takeAll(ZMap& zmap, const std::vector<std::size_t>& tiles, std::vector<DoneTile>& done) {
+CutRecord collect(ZMap& zmap, const std::vector<std::size_t>& tiles, std::vector<DoneTile>& done) {
     CutRecord record;
     for (std::size_t k = 0; k < tiles.size(); ++k)
-        take(zmap, tiles[k], done[k], record);
+        adopt(zmap, tiles[k], done[k], record);
     return record;
 }
 
@@ -65,12 +65,12 @@ CutRecord lower(ZMap& zmap, const std::vector<std::size_t>& tiles, const Prepare
                 bool withThreads) {
     if (withThreads && tiles.size() > 1) {
         std::vector<DoneTile> done = lowerAtOnce(zmap, tiles, prepared, {});
-        return takeAll(zmap, tiles, done);
+        return collect(zmap, tiles, done);
     }
     CutRecord record;
     for (const std::size_t index : tiles) {
         DoneTile done = lowerBy(prepared, zmap, index, {});
-        take(zmap, index, done, record);
+        adopt(zmap, index, done, record);
     }
     return record;
 }
@@ -82,7 +82,7 @@ std::optional<CutRecord> lowerUnlessStopped(ZMap& zmap, const std::vector<std::s
     std::vector<DoneTile> done = lowerAtOnce(zmap, tiles, prepared, stop);
     if (!std::ranges::all_of(done, [](const DoneTile& tile) { return tile.cut.complete; }))
         return std::nullopt;
-    return takeAll(zmap, tiles, done);
+    return collect(zmap, tiles, done);
 }
 
 } // namespace

@@ -97,7 +97,7 @@ public:
     CutRecord lower(const PreparedSweep& prepared) {
         m_sums = {};
         m_mark = prepared.mark;
-        if (!mayLower(prepared.sweep) || !goesOn())
+        if (!mayLower(prepared.sweep) || !mayContinue())
             return {};
         if (prepared.passes.empty()) {
             lowerRows(prepared.sweep);
@@ -126,7 +126,7 @@ public:
         acquire();
         table.arrange();
         m_result.complete = proveout::lowerByAll(table, *m_work, m_stop) && m_result.complete;
-        m_tile->takeMaximum();
+        m_tile->updateMaximum();
     }
 
     TileCut result() {
@@ -144,7 +144,7 @@ private:
         return static_cast<double>(tile().maximum) > sweep.lowest() && tile().maximum > m_floor;
     }
 
-    [[nodiscard]] bool goesOn() {
+    [[nodiscard]] bool mayContinue() {
         m_result.complete = !m_stop.stop_requested();
         return m_result.complete;
     }
@@ -166,10 +166,10 @@ private:
         if (m_marks != nullptr)
             m_work->mark(m_marks->data(), m_mark);
         const TileLoss loss = lowerByMotion(passes, *m_work, m_weights ? &*m_weights : nullptr, m_stop);
-        (void)goesOn();
+        (void)mayContinue();
         if (loss.points == 0)
             return;
-        m_tile->takeMaximum();
+        m_tile->updateMaximum();
         m_sums.record.removedMm3 = loss.sum;
         m_sums.record.maxDepth = static_cast<double>(loss.depth);
         m_sums.record.points = loss.points;
@@ -188,7 +188,7 @@ private:
             std::clamp(std::ceil((reach.lo.y - m_grid.y0) / m_grid.hy - 1e-6) - m_rect.j0, 0.0, rows);
         const double hi =
             std::clamp(std::floor((reach.hi.y - m_grid.y0) / m_grid.hy + 1e-6) - m_rect.j0 + 1, 0.0, rows);
-        for (int row = static_cast<int>(lo); row < static_cast<int>(hi) && goesOn(); ++row)
+        for (int row = static_cast<int>(lo); row < static_cast<int>(hi) && mayContinue(); ++row)
             lower(sweep, row);
     }
 

@@ -121,17 +121,17 @@ Layer uncovered(std::vector<Layer>& others, float lo, float hi) {
     float sum = 0;
     float lowest = hi;
     float reached = lo;
-    const auto takeUpTo = [&](float next) {
+    const auto addUpTo = [&](float next) {
         if (next - reached <= kNothing)
             return;
         sum += next - reached;
         lowest = std::min(lowest, reached);
     };
     for (const Layer& layer : others) {
-        takeUpTo(std::min(layer.lo, hi));
+        addUpTo(std::min(layer.lo, hi));
         reached = std::max(reached, layer.hi);
     }
-    takeUpTo(hi);
+    addUpTo(hi);
     return {lowest, lowest + sum};
 }
 
@@ -195,10 +195,10 @@ private:
             const Layer rubbed = uncovered(m_byHead[k], lo, hi);
             m_sum.neckDepth = std::max(m_sum.neckDepth, static_cast<double>(rubbed.hi - rubbed.lo));
         }
-        take(i, j, left);
+        add(i, j, left);
     }
 
-    void take(int i, int j, const Layer& left) {
+    void add(int i, int j, const Layer& left) {
         const double height = static_cast<double>(left.hi) - static_cast<double>(left.lo);
         if (height <= 0)
             return;

@@ -148,11 +148,11 @@ private:
             const double y = middle(m_near.y, j);
             const Columns columns = cells(early.rowSpan(y), m_near.x, m_box.width);
             for (int i = columns.begin; i < columns.end; ++i)
-                take(0, {middle(m_near.x, i), y}, m_box.topZ());
+                add(0, {middle(m_near.x, i), y}, m_box.topZ());
         }
     }
 
-    void take(std::size_t level, const Vec2& middle, double highest) {
+    void add(std::size_t level, const Vec2& middle, double highest) {
         const double early = m_levels[level].early.firstTouch(middle, highest);
         if (early < m_best - m_alike)
             m_cells.push({early, level, middle});
@@ -184,7 +184,7 @@ private:
             if (highest[k] < m_lowest || glm::any(glm::greaterThan(from, m_far)) ||
                 glm::any(glm::lessThan(from + size, m_near)))
                 continue;
-            take(level, from + size / 2, highest[k]);
+            add(level, from + size / 2, highest[k]);
             const Vec2 middle = glm::clamp(from + size / 2, m_near, m_far);
             consider(middle, stock.height(middle));
         }

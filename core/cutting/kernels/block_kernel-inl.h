@@ -23,14 +23,14 @@ namespace {
 
 /// For lowerGroup(): nobody wants to know.
 struct NoLosses {
-    HWY_INLINE void take(std::size_t, std::size_t, V, V, M, V, V) {}
+    HWY_INLINE void add(std::size_t, std::size_t, V, V, M, V, V) {}
     HWY_INLINE void endGroup() {}
 };
 
 /// Four rows of a block become the minimum of themselves and an envelope.
-template<class Envelope, class Taker>
+template<class Envelope, class Collector>
 HWY_INLINE void lowerGroup(const Envelope& envelope, const BlockPlaces& places, std::size_t group,
-                           float* heights, float* columnMaxima, float floor, Taker& taker) {
+                           float* heights, float* columnMaxima, float floor, Collector& collector) {
     const V lowest = all(floor);
     for (std::size_t k = 0; k < kVectors; ++k) {
         V most = lowest;
@@ -46,11 +46,11 @@ HWY_INLINE void lowerGroup(const Envelope& envelope, const BlockPlaces& places, 
             const V now = hn::IfThenElse(lower, z, before);
             most = hn::Max(most, now);
             hn::StoreU(now, kFloats, at);
-            taker.take(r, k, before, now, lower, along, across);
+            collector.add(r, k, before, now, lower, along, across);
         }
         hn::StoreU(most, kFloats, columnMaxima + k * kLanes);
     }
-    taker.endGroup();
+    collector.endGroup();
 }
 
 inline void learnMaxima(TileUnderWork& work, std::size_t block) {
@@ -137,27 +137,27 @@ inline std::uint32_t blocksAbove(const TilePass& pass, const float* blockMaxima,
 /// Those groups of a block that `groups` has bits of. `taking`: makes a taker for a group.
 template<class Envelope, class Taking>
 HWY_INLINE void lowerEach(const Envelope& envelope, const BlockPlaces& places, TileUnderWork& work,
-                          std::size_t block, std::uint32_t groups, const Taking& taking) {
+                          std::size_t block, std::uint32_t groups, const Taking& collectorOf) {
     for (; groups != 0; groups &= groups - 1) {
         const auto group = static_cast<std::size_t>(std::countr_zero(groups));
-        auto taker = taking(group);
+        auto collector = collectorOf(group);
         lowerGroup(envelope, places, group, work.heights(block, group), work.columnMaxima(block, group),
-                   work.floor(), taker);
+                   work.floor(), collector);
     }
 }
 
 /// The same, by whatever the envelope is over that block.
 template<class Envelope, class Taking>
 HWY_INLINE void lowerGroups(const Envelope& envelope, const TilePass& pass, TileUnderWork& work,
-                            std::size_t block, std::uint32_t groups, const Taking& taking) {
+                            std::size_t block, std::uint32_t groups, const Taking& collectorOf) {
     const BlockPlaces places(pass, block);
     if constexpr (kOfBlocks<Envelope>) {
         withBlockEnvelope(envelope, pass, block, [&](const auto& overBlock) HWY_ATTR {
             const auto own = overBlock; // nothing else can change it: it stays in registers
-            lowerEach(own, places, work, block, groups, taking);
+            lowerEach(own, places, work, block, groups, collectorOf);
         });
     } else {
-        lowerEach(envelope, places, work, block, groups, taking);
+        lowerEach(envelope, places, work, block, groups, collectorOf);
     }
     refreshBlockMaximum(work, block);
 }

@@ -34,10 +34,10 @@ TileLoss lowerByPass(const TilePass& pass, TileUnderWork& work, const PointWeigh
                 learnMaxima(work, block);
             const std::uint32_t groups =
                 groupsAbove(planeOf(planes, block), work.columnMaxima(block, 0), work.floor());
-            const auto taking = [&](std::size_t group)
-                                    HWY_ATTR { return GroupLosses(losses, pass, work, block, group); };
+            const auto collectorOf = [&](std::size_t group)
+                                         HWY_ATTR { return GroupLosses(losses, pass, work, block, group); };
             if (groups != 0)
-                lowerGroups(envelope, pass, work, block, groups, taking);
+                lowerGroups(envelope, pass, work, block, groups, collectorOf);
         }
     });
     return losses.total();
@@ -69,17 +69,17 @@ struct BlockBefore {
         const BlockPlaces places(pass, block);
         for (std::size_t group = 0; group < kGroups; ++group) {
             const float* to = work.heights(block, group);
-            GroupLosses taker(losses, pass, work, block, group);
+            GroupLosses collector(losses, pass, work, block, group);
             for (std::size_t k = 0; k < kVectors; ++k) {
                 for (std::size_t r = 0; r < kGroupRows; ++r) {
                     const std::size_t row = group * kGroupRows + r;
                     const V before = hn::LoadU(kFloats, &heights[row * kBlock + k * kLanes]);
                     const V now = hn::LoadU(kFloats, to + r * Tile::kSize + k * kLanes);
-                    taker.take(r, k, before, now, hn::Lt(now, before), places.alongAt(row, k),
-                               places.acrossAt(row, k));
+                    collector.add(r, k, before, now, hn::Lt(now, before), places.alongAt(row, k),
+                                  places.acrossAt(row, k));
                 }
             }
-            taker.endGroup();
+            collector.endGroup();
         }
     }
 };

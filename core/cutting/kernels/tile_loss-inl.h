@@ -117,7 +117,7 @@ public:
             deepest = hn::Zero(kFloats);
     }
 
-    HWY_INLINE void take(std::size_t row, std::size_t vector, V before, V now, M lower, V along, V across) {
+    HWY_INLINE void add(std::size_t row, std::size_t vector, V before, V now, M lower, V along, V across) {
         const V beside = besidePath(m_pass, along, across);
         const V lost = hn::Sub(before, now);
         const V weighed = m_losses.weighed(m_column + vector * kLanes, m_row + row, lost);

@@ -60,7 +60,7 @@ bool coveredBy(const ProfilePiece& piece, const ProfilePiece& next) {
 }
 
 /// Whether `piece` is a wall on the rim of `before`.
-bool standsOn(const ProfilePiece& before, const ProfilePiece& piece) {
+bool restsOn(const ProfilePiece& before, const ProfilePiece& piece) {
     return piece.r0 == piece.r1 && before.r1 == piece.r0 && before.z1 <= piece.z0;
 }
 
@@ -68,7 +68,7 @@ bool standsOn(const ProfilePiece& before, const ProfilePiece& piece) {
 template<class Work>
 void forEachNeeded(const std::vector<ProfilePiece>& pieces, const Work& work) {
     for (std::size_t i = 0; i < pieces.size(); ++i) {
-        const bool wall = i > 0 && standsOn(pieces[i - 1], pieces[i]);
+        const bool wall = i > 0 && restsOn(pieces[i - 1], pieces[i]);
         if (!wall && (i + 1 == pieces.size() || !coveredBy(pieces[i], pieces[i + 1])))
             work(pieces[i]);
     }

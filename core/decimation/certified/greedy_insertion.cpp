@@ -21,7 +21,7 @@ bool GreedyInsertion::run(const RegionPatch& patch,
     m_width = static_cast<std::size_t>(patch.width());
     m_taken.assign(m_width * static_cast<std::size_t>(patch.height()), 0);
     for (std::int32_t v = 0; v < 4; ++v)
-        taken(mesh.vertex(v).i, mesh.vertex(v).j) = 1;
+        occupied(mesh.vertex(v).i, mesh.vertex(v).j) = 1;
     insertBorders(patch, borders, mesh);
     m_touched.clear();
     for (std::size_t t = mesh.triangleSlots(); t-- > 0;)
@@ -90,12 +90,12 @@ void GreedyInsertion::insertAtCrossing(const RegionPatch& patch, std::int32_t t,
     const auto isInside = [&](std::int32_t i, std::int32_t j) {
         return i > 0 && j > 0 && i < patch.width() - 1 && j < patch.height() - 1;
     };
-    const bool isNearFree = taken(crossing.nearI, crossing.nearJ) == 0;
-    const bool isFarFree = taken(crossing.farI, crossing.farJ) == 0;
-    const bool takesFar = isFarFree && (!isNearFree || (!isInside(crossing.nearI, crossing.nearJ) &&
-                                                        isInside(crossing.farI, crossing.farJ)));
-    const std::int32_t i = takesFar ? crossing.farI : crossing.nearI;
-    const std::int32_t j = takesFar ? crossing.farJ : crossing.nearJ;
+    const bool isNearFree = occupied(crossing.nearI, crossing.nearJ) == 0;
+    const bool isFarFree = occupied(crossing.farI, crossing.farJ) == 0;
+    const bool prefersFar = isFarFree && (!isNearFree || (!isInside(crossing.nearI, crossing.nearJ) &&
+                                                          isInside(crossing.farI, crossing.farJ)));
+    const std::int32_t i = prefersFar ? crossing.farI : crossing.nearI;
+    const std::int32_t j = prefersFar ? crossing.farJ : crossing.nearJ;
     assert(isNearFree || isFarFree);
     if (isInside(i, j))
         insertPoint(patch, mesh.locate(t, i, j), i, j, mesh);
@@ -123,7 +123,7 @@ void GreedyInsertion::insertExtra(const RegionPatch& patch, std::int32_t t, std:
 
 std::int32_t GreedyInsertion::insertPoint(const RegionPatch& patch, std::int32_t t, std::int32_t i,
                                           std::int32_t j, LatticeTriangulation& mesh) {
-    taken(i, j) = 1;
+    occupied(i, j) = 1;
     const std::int32_t p = mesh.insert(t, {i, j, patch.at(i, j)}, m_touched);
     pushTouched(mesh);
     return p;
@@ -144,7 +144,7 @@ void GreedyInsertion::insertBorders(const RegionPatch& patch,
             const std::int32_t j = !alongX ? along : side == Side::north ? north : 0;
             m_touched.clear();
             const std::int32_t t = mesh.locate(LatticeTriangulation::triangleOf(mesh.edgeFrom(before)), i, j);
-            taken(i, j) = 1;
+            occupied(i, j) = 1;
             before = mesh.insert(t, {i, j, patch.at(i, j)}, m_touched);
         }
     }

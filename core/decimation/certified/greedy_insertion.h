@@ -34,7 +34,7 @@ private:
                      LatticeTriangulation& mesh);
     std::int32_t insertPoint(const RegionPatch& patch, std::int32_t t, std::int32_t i, std::int32_t j,
                              LatticeTriangulation& mesh);
-    [[nodiscard]] std::uint8_t& taken(std::int32_t i, std::int32_t j) {
+    [[nodiscard]] std::uint8_t& occupied(std::int32_t i, std::int32_t j) {
         return m_taken[static_cast<std::size_t>(j) * m_width + static_cast<std::size_t>(i)];
     }
     void insertBorders(const RegionPatch& patch, const std::array<std::span<const std::uint32_t>, 4>& borders,

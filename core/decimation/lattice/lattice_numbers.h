@@ -32,7 +32,7 @@ public:
     /// The grid points by number.
     [[nodiscard]] const std::vector<std::uint32_t>& used() const { return m_used; }
     /// The same for the last time: what the numbers take is free afterwards.
-    [[nodiscard]] std::vector<std::uint32_t> takeUsed() && { return std::move(m_used); }
+    [[nodiscard]] std::vector<std::uint32_t> releaseUsed() && { return std::move(m_used); }
 
 private:
     std::vector<std::uint32_t> m_numberOf; ///< per grid point

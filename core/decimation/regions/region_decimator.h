@@ -58,8 +58,8 @@ public:
 struct DecimationMethodRow {
     DecimationMethod method;
     bool wholeMap;        ///< works on one region that holds the whole map
-    int standardRegion;   ///< cells, where none is given and the map is not large: see standardRegion()
-    int standardPeriod;   ///< blocks, likewise
+    int defaultRegion;    ///< cells, where none is given and the map is not large: see defaultRegion()
+    int defaultPeriod;    ///< blocks, likewise
     double bytesPerPoint; ///< of its meshes and workers, where nothing can be removed
     double mostPoints;    ///< of a map: what its indices can count
     std::unique_ptr<RegionDecimator> (*create)(); ///< null for `none`
@@ -74,16 +74,16 @@ struct DecimationMethodRow {
 
 /// Beyond so many regions, what every block and every frame do for each of them was measured to cost more
 /// than small regions save.
-inline constexpr int kMostStandardRegions = 16'384;
-inline constexpr int kLargestStandardRegion = 128;
+inline constexpr int kMostDefaultRegions = 16'384;
+inline constexpr int kLargestDefaultRegion = 128;
 
 /// Cells along a side of a region, where none is given, on a map of `points`: the standard of the method,
-/// doubled up to kLargestStandardRegion while there were more than kMostStandardRegions regions.
-[[nodiscard]] int standardRegion(DecimationMethod method, double points);
+/// doubled up to kLargestDefaultRegion while there were more than kMostDefaultRegions regions.
+[[nodiscard]] int defaultRegion(DecimationMethod method, double points);
 
 /// Gives region size and period the standards of the method on a map of `points`, where nobody gave them a
 /// value.
-void useStandards(DecimationParameters& parameters, bool regionGiven, bool periodGiven, double points);
+void useDefaults(DecimationParameters& parameters, bool regionGiven, bool periodGiven, double points);
 
 /// Whether the allowance is a bound of the error at least at the z-map points.
 [[nodiscard]] bool isBounded(const DecimationParameters& parameters);

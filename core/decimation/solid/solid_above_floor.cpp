@@ -73,7 +73,7 @@ public:
         m_mesh.vertices.reserve(m_numbers.used().size() + kFloorCorners);
         for (const std::uint32_t lattice : m_numbers.used())
             m_mesh.vertices.push_back(m_frame.top(lattice));
-        context.tell(0.8);
+        context.report(0.8);
         if (context.stopped())
             return {};
         const int east = m_frame.nx() - 1;
@@ -83,7 +83,7 @@ public:
         addWall(east, 0, 0, 1, floor + 1, floor + 2);
         addWall(east, north, -1, 0, floor + 2, floor + 3);
         addWall(0, north, 0, -1, floor + 3, floor);
-        context.tell(1);
+        context.report(1);
         return std::move(m_mesh);
     }
 

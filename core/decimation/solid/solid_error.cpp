@@ -195,7 +195,7 @@ double measureSolidError(const ZMapSnapshot& zmap, const TriangleMesh& solid, Co
         if (t % kBatch == 0) {
             if (context.stopped())
                 break;
-            context.tell(static_cast<double>(t) / static_cast<double>(solid.triangles.size()));
+            context.report(static_cast<double>(t) / static_cast<double>(solid.triangles.size()));
         }
         measurement.add(solid, solid.triangles[t]);
     }

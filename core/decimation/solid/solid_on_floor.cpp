@@ -47,17 +47,17 @@ public:
 
     TriangleMesh build(std::vector<LatticeTriangle> surface, const WorkContext& context) {
         m_mesh.triangles = std::move(surface);
-        leaveOutHoles();
-        context.tell(0.2);
+        omitHoles();
+        context.report(0.2);
         if (m_mesh.triangles.empty() || context.stopped())
             return {};
         numberVertices();
         splitPinches();
-        context.tell(0.5);
+        context.report(0.5);
         if (context.stopped())
             return {};
         const std::vector<PlanEdge> boundary = boundaryOfPlan();
-        context.tell(0.8);
+        context.report(0.8);
         if (context.stopped())
             return {};
         // Room for all triangles while little else is there; they are added once the list of what was moved
@@ -66,12 +66,12 @@ public:
         addVertices();
         m_moved = {};
         addTriangles(boundary);
-        context.tell(1);
+        context.report(1);
         return std::move(m_mesh);
     }
 
 private:
-    void leaveOutHoles() {
+    void omitHoles() {
         m_atHole.assign(m_frame.points(), false);
         std::erase_if(m_mesh.triangles, [this](const LatticeTriangle& triangle) {
             const bool hole = std::all_of(triangle.begin(), triangle.end(),
@@ -89,7 +89,7 @@ private:
         for (LatticeTriangle& triangle : m_mesh.triangles)
             for (std::uint32_t& corner : triangle)
                 corner = numbers.number(corner);
-        m_plan = std::move(numbers).takeUsed();
+        m_plan = std::move(numbers).releaseUsed();
     }
 
     /// Only beside a hole can the material round a vertex fall apart into sectors.

@@ -23,7 +23,7 @@ public:
     class Loan {
     public:
         Loan(DecimatorPool& pool, const DecimationMethodRow& method)
-            : m_pool(pool), m_worker(pool.take(method)) {}
+            : m_pool(pool), m_worker(pool.acquire(method)) {}
         ~Loan() { m_pool.giveBack(std::move(m_worker)); }
         Loan(const Loan&) = delete;
         Loan& operator=(const Loan&) = delete;
@@ -35,7 +35,7 @@ public:
     };
 
 private:
-    std::unique_ptr<Worker> take(const DecimationMethodRow& method) {
+    std::unique_ptr<Worker> acquire(const DecimationMethodRow& method) {
         {
             const std::lock_guard lock(m_mutex);
             if (!m_idle.empty()) {

@@ -85,8 +85,8 @@ Result<void> checkMapMemory(const StockBox& stock, const Grid& grid, const Decim
         return failure(decimation_finding::kMethodMapTooLarge,
                        {kMethodChoices[static_cast<std::size_t>(parameters.method)].key,
                         fmt::format("{:.0f}", most), fmt::format("{:.0f}", points)});
-    DecimationParameters coarser = parameters; // on which standardRegion() is smaller
-    coarser.regionCells = std::min(parameters.regionCells, row(parameters.method).standardRegion);
+    DecimationParameters coarser = parameters; // on which defaultRegion() is smaller
+    coarser.regionCells = std::min(parameters.regionCells, row(parameters.method).defaultRegion);
     return checkMemory(stock, grid, limitBytes, meshBytesPerPoint(parameters, outputs),
                        meshBytesPerPoint(coarser, outputs));
 }

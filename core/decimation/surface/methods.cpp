@@ -68,19 +68,18 @@ const DecimationMethodRow& row(DecimationMethod method) {
     return found;
 }
 
-int standardRegion(DecimationMethod method, double points) {
-    int cells = row(method).standardRegion;
-    while (cells < kLargestStandardRegion &&
-           points > kMostStandardRegions * static_cast<double>(cells * cells))
+int defaultRegion(DecimationMethod method, double points) {
+    int cells = row(method).defaultRegion;
+    while (cells < kLargestDefaultRegion && points > kMostDefaultRegions * static_cast<double>(cells * cells))
         cells *= 2;
     return cells;
 }
 
-void useStandards(DecimationParameters& parameters, bool regionGiven, bool periodGiven, double points) {
+void useDefaults(DecimationParameters& parameters, bool regionGiven, bool periodGiven, double points) {
     if (!regionGiven)
-        parameters.regionCells = standardRegion(parameters.method, points);
+        parameters.regionCells = defaultRegion(parameters.method, points);
     if (!periodGiven)
-        parameters.period = row(parameters.method).standardPeriod;
+        parameters.period = row(parameters.method).defaultPeriod;
 }
 
 bool isBounded(const DecimationParameters& parameters) {

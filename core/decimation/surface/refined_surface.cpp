@@ -52,7 +52,7 @@ bool RefinedSurface::follow(const ZMapSnapshot& moment, std::span<const std::siz
                             const WorkContext& context) {
     for (const std::size_t region : changed)
         m_surface.touchRegion(region);
-    if (m_surface.dirtyRegions() > 0 && !decimateAnew(moment, context.part(0, kShareOfRegions)))
+    if (m_surface.dirtyRegions() > 0 && !redecimate(moment, context.part(0, kShareOfRegions)))
         return false;
     const double share =
         (1 - kShareOfRegions) / static_cast<double>(std::max<std::size_t>(m_layers.size(), 1));
@@ -69,7 +69,7 @@ bool RefinedSurface::follow(const ZMapSnapshot& moment, std::span<const std::siz
 /// So all regions that such borders join begin anew, without these points; and where a region beyond them
 /// turns out to need one, it joins them and all begin again. The outcome is that of a surface where all
 /// regions do.
-bool RefinedSurface::decimateAnew(const ZMapSnapshot& moment, const WorkContext& context) {
+bool RefinedSurface::redecimate(const ZMapSnapshot& moment, const WorkContext& context) {
     m_isTogether.resize(grid().regionCount());
     const auto join = [this](std::size_t region) {
         if (!m_isTogether[region])

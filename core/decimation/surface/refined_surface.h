@@ -56,7 +56,7 @@ private:
 
     struct Worker;
 
-    [[nodiscard]] bool decimateAnew(const ZMapSnapshot& moment, const WorkContext& context);
+    [[nodiscard]] bool redecimate(const ZMapSnapshot& moment, const WorkContext& context);
     void spreadAlongExtras(const SurfaceSnapshot& shown);
     [[nodiscard]] bool mergeLayer(std::size_t layer, const ZMapSnapshot& moment, const WorkContext& context);
     [[nodiscard]] RegionMeshPtr meshBelow(std::size_t layer, int bx, int by) const;

@@ -50,7 +50,7 @@ std::vector<LatticeTriangle> SurfaceSnapshot::triangles() const {
     return all;
 }
 
-std::vector<LatticeTriangle> SurfaceSnapshot::takeTriangles() {
+std::vector<LatticeTriangle> SurfaceSnapshot::releaseTriangles() {
     std::vector<LatticeTriangle> all = triangles();
     meshes = {};
     borders = {};
@@ -133,7 +133,7 @@ std::size_t Surface::decimateRegions(std::span<const std::size_t> regions, const
         }
         batch.clear();
         if (!wanted.empty() && !context.stopped())
-            batch = drawAnew(std::move(wanted), worked, moment, context);
+            batch = redraw(std::move(wanted), worked, moment, context);
         worked.insert(batch.begin(), batch.end());
     }
     const auto done = static_cast<std::size_t>(
@@ -165,8 +165,8 @@ std::vector<RegionMeshPtr> Surface::decimateBatch(std::span<const std::size_t> r
 /// Draws borders with more points than before, and returns the regions at them, dirty now, that are to be
 /// decimated with those: of the dirty ones only those `worked` on, as asked for or since their borders
 /// changed. Points only ever come: it ends, in practice after two or three rounds.
-std::vector<std::size_t> Surface::drawAnew(ExtrasOfBorders wanted, const std::set<std::size_t>& worked,
-                                           const ZMapSnapshot& moment, const WorkContext& context) {
+std::vector<std::size_t> Surface::redraw(ExtrasOfBorders wanted, const std::set<std::size_t>& worked,
+                                         const ZMapSnapshot& moment, const WorkContext& context) {
     std::vector<std::size_t> regions;
     for (const auto& [border, offsets] : wanted)
         for (const std::size_t region : grid().sharers(border))

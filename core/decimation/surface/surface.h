@@ -35,7 +35,7 @@ struct SurfaceSnapshot {
     [[nodiscard]] std::vector<LatticeTriangle> triangles() const;
     /// The same, for what takes as much memory itself: only the counts are left in the snapshot, and what no
     /// other one shares is given back to the system.
-    [[nodiscard]] std::vector<LatticeTriangle> takeTriangles();
+    [[nodiscard]] std::vector<LatticeTriangle> releaseTriangles();
     /// The largest measured error of the regions that are decimated, mm.
     [[nodiscard]] double largestError() const;
 };
@@ -90,9 +90,8 @@ private:
     [[nodiscard]] std::vector<RegionMeshPtr> decimateBatch(std::span<const std::size_t> regions,
                                                            const ZMapSnapshot& moment,
                                                            const WorkContext& context) const;
-    [[nodiscard]] std::vector<std::size_t> drawAnew(ExtrasOfBorders wanted,
-                                                    const std::set<std::size_t>& worked,
-                                                    const ZMapSnapshot& moment, const WorkContext& context);
+    [[nodiscard]] std::vector<std::size_t> redraw(ExtrasOfBorders wanted, const std::set<std::size_t>& worked,
+                                                  const ZMapSnapshot& moment, const WorkContext& context);
     [[nodiscard]] RegionMeshPtr decimated(std::size_t region, const ZMapSnapshot& moment,
                                           const std::stop_token& stop) const;
     void publish(std::size_t region, RegionMeshPtr mesh);

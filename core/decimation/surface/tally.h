@@ -16,15 +16,15 @@ public:
     Tally(const WorkContext& context, std::size_t jobs) : m_context(context), m_jobs(jobs) {}
     void finished() {
         const std::size_t done = ++m_done;
-        if (std::this_thread::get_id() == m_teller)
-            m_context.tell(static_cast<double>(done) / static_cast<double>(m_jobs));
+        if (std::this_thread::get_id() == m_reporter)
+            m_context.report(static_cast<double>(done) / static_cast<double>(m_jobs));
     }
 
 private:
     const WorkContext& m_context;
     std::size_t m_jobs;
     std::atomic<std::size_t> m_done = 0;
-    std::thread::id m_teller = std::this_thread::get_id();
+    std::thread::id m_reporter = std::this_thread::get_id();
 };
 
 } // namespace proveout

@@ -13,7 +13,7 @@ namespace {
 using enum CycleStep;
 
 constexpr std::array<CycleStep, CannedCycle::kMostSteps> kMixedTap{
-    rapidToR, mixedToBottom, reverseSpindle, dwell, mixedToClearance, restoreSpindle, takenAsLeft};
+    rapidToR, mixedToBottom, reverseSpindle, dwell, mixedToClearance, restoreSpindle, startedAsLeft};
 
 // Source: LinuxCNC's documentation of G73 to G89, in the order in which its stand-alone interpreter does it.
 constexpr CannedCycle kLinuxcncCycles[] = {
@@ -39,7 +39,7 @@ constexpr CannedCycle kLinuxcncCycles[] = {
      true,
      false,
      SpindleNeed::turning,
-     {rapidToR, feedToBottom, dwell, stopSpindle, stopProgram, restoreSpindle, takenAsLeft}},
+     {rapidToR, feedToBottom, dwell, stopSpindle, stopProgram, restoreSpindle, startedAsLeft}},
     {890, true, false, SpindleNeed::any, {rapidToR, feedToBottom, dwell, feedToClearance}},
 };
 

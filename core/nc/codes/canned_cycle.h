@@ -36,7 +36,7 @@ enum class CycleStep : std::uint8_t {
     backBore,         ///< G87 of LinuxCNC as a whole
     mixedToBottom,    ///< LinuxCNC's tap: outside of G17 with its axes mixed up
     mixedToClearance, ///< likewise
-    takenAsLeft       ///< LinuxCNC takes the tool to be out of the hole, wherever it is
+    startedAsLeft     ///< LinuxCNC takes the tool to be out of the hole, wherever it is
 };
 
 enum class SpindleNeed : std::uint8_t { any, turning, clockwise, counterClockwise };
@@ -81,10 +81,10 @@ struct CycleState {
     bool initialKnown = false;
     bool bottomGiven = false;
     bool retractGiven = false;
-    bool rigid = false;      ///< M29 came before the series
-    bool doubtsTold = false; ///< what cannot be shown of the cycle in force
-    Pecks shrinking;         ///< Haas: I J K
-    Vec3 aside{0};           ///< I J K of a cycle that shifts
+    bool rigid = false;          ///< M29 came before the series
+    bool doubtsReported = false; ///< what cannot be shown of the cycle in force
+    Pecks shrinking;             ///< Haas: I J K
+    Vec3 aside{0};               ///< I J K of a cycle that shifts
     bool asideGiven = false;
     double outRatio = 1; ///< Haas: J of a tapping cycle
 

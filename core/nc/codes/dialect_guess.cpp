@@ -128,7 +128,7 @@ void strip(std::string_view line, std::string& out) {
 }
 
 /// Whether a pattern stands at `at`: "#" is a digit, "%" any number of them.
-bool standsAt(std::string_view pattern, std::string_view line, std::size_t at) {
+bool matchesAt(std::string_view pattern, std::string_view line, std::size_t at) {
     for (std::size_t i = 0; i < pattern.size(); ++i) {
         // A "#" alone at the front is that of a parameter.
         const bool digit = pattern[i] == '#' && i > 0;
@@ -154,10 +154,10 @@ std::string shownComment(std::string_view line) {
 
 std::optional<std::size_t> placeOf(std::string_view pattern, std::string_view line) {
     if (pattern.front() == '^')
-        return standsAt(pattern.substr(1), line, 0) ? std::optional<std::size_t>(0) : std::nullopt;
+        return matchesAt(pattern.substr(1), line, 0) ? std::optional<std::size_t>(0) : std::nullopt;
     for (std::size_t at = line.find(pattern.front()); at != std::string_view::npos;
          at = line.find(pattern.front(), at + 1)) {
-        if (standsAt(pattern, line, at))
+        if (matchesAt(pattern, line, at))
             return at;
     }
     return {};

@@ -11,7 +11,7 @@ namespace proveout {
 
 namespace {
 
-constexpr double kAsItStands = 1;
+constexpr double kAsWritten = 1;
 
 // Source: FANUC's operator's manuals, tool compensation memory C; Haas' manuals.
 constexpr RegisterVariables kFanucRegisters[] = {
@@ -31,8 +31,8 @@ constexpr Dialect kDialects[] = {
      .key = "linuxcnc",
      .name = "LinuxCNC",
      .macros = MacroLanguage::oWords,
-     .leastMm = kAsItStands,
-     .leastInch = kAsItStands,
+     .leastMm = kAsWritten,
+     .leastInch = kAsWritten,
      .lastWordCounts = false,
      .leastFactor = 1,
      .rotationAdds = false,
@@ -140,8 +140,8 @@ constexpr Dialect kDialects[] = {
      .key = "grbl",
      .name = "grbl",
      .macros = MacroLanguage::none,
-     .leastMm = kAsItStands,
-     .leastInch = kAsItStands,
+     .leastMm = kAsWritten,
+     .leastInch = kAsWritten,
      .lastWordCounts = false,
      .leastFactor = 1,
      .rotationAdds = false,
@@ -177,8 +177,8 @@ constexpr Dialect kDialects[] = {
      .key = "mach",
      .name = "Mach3 / Mach4",
      .macros = MacroLanguage::labels,
-     .leastMm = kAsItStands,
-     .leastInch = kAsItStands,
+     .leastMm = kAsWritten,
+     .leastInch = kAsWritten,
      .lastWordCounts = false,
      .leastFactor = 1,
      .rotationAdds = false,

@@ -171,7 +171,7 @@ void switchMistWhereBuilt(Execution& execution, const Word& word); ///< M7 of gr
 
 // machine_codes.cpp
 /// Tells once where a setting of the control decides what P of a dwell counts.
-void tellDwellUnit(Execution& execution, const Word& time);
+void reportDwellUnit(Execution& execution, const Word& time);
 void dwell(Execution& execution, const Word& word);                       ///< G4
 void dwellByLetter(Execution& execution, const Word& word);               ///< G4 of Fanuc
 void orderRigidTapping(Execution& execution, const Word& word);           ///< M29

@@ -41,7 +41,7 @@ struct CycleOrder {
 /// Whether the spindle turns as the cycle needs it; tells it where not.
 [[nodiscard]] bool spindleTurns(Execution& execution, const Word& word, SpindleNeed need);
 /// Tells where a code of a reference position stands within a canned cycle and the control refuses that.
-void tellReferenceInCycle(Execution& execution, const Word& word);
+void reportReferenceInCycle(Execution& execution, const Word& word);
 /// Whether it is known where the tool stands along the normal of the plane.
 [[nodiscard]] bool depthKnown(const Execution& execution);
 

@@ -95,11 +95,11 @@ void CycleRun::drill() {
     m_turnBefore = m_execution.state.spindleDirection;
     m_turn = turnIn(m_cycle.spindle, m_turnBefore);
     for (const CycleStep step : m_cycle.steps)
-        take(step);
+        apply(step);
     m_level = m_order.clearance;
 }
 
-void CycleRun::take(CycleStep step) {
+void CycleRun::apply(CycleStep step) {
     switch (step) {
     case CycleStep::none:
         return;
@@ -142,12 +142,12 @@ void CycleRun::take(CycleStep step) {
     case CycleStep::backBore:
         return backBore();
     case CycleStep::mixedToBottom:
-        tellMixed();
+        reportMixed();
         return feedMixed(m_order.bottom);
     case CycleStep::mixedToClearance:
         return feedMixed(m_order.clearance);
-    case CycleStep::takenAsLeft:
-        return takeAsLeft();
+    case CycleStep::startedAsLeft:
+        return startAsLeft();
     }
 }
 
@@ -229,10 +229,10 @@ void CycleRun::backBore() {
     turn(m_turnBefore);
 }
 
-void CycleRun::tellMixed() {
+void CycleRun::reportMixed() {
     const Plane plane = m_execution.state.plane;
     if (plane != Plane::xy)
-        m_execution.reporter.tell(nc_message::kTapAxesMixed, m_word, {plane == Plane::zx ? "G18" : "G19"});
+        m_execution.reporter.report(nc_message::kTapAxesMixed, m_word, {plane == Plane::zx ? "G18" : "G19"});
 }
 
 /// LinuxCNC 2.9 turns the coordinates of a tap outside of G17 round once more than those of the other cycles.
@@ -246,7 +246,7 @@ void CycleRun::feedMixed(double level) {
     moveTo(MotionKind::feed, mixed, true);
 }
 
-void CycleRun::takeAsLeft() {
+void CycleRun::startAsLeft() {
     Vec3 left = m_hole;
     left[m_plane.normal] = m_order.clearance;
     if (left == m_at)
@@ -301,8 +301,8 @@ void CycleRun::moveTo(MotionKind kind, const Vec3& program, bool depthKnown, dou
     if (stays && !listsNothing())
         return;
     if (kind == MotionKind::feed) {
-        tellMissingFeed(m_execution, m_word);
-        tellUnknownStart(m_execution, motion, m_word);
+        reportMissingFeed(m_execution, m_word);
+        reportUnknownStart(m_execution, motion, m_word);
     }
     appendMotion(m_execution, motion);
 }

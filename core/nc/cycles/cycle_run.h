@@ -28,7 +28,7 @@ private:
 
     void lift();
     void drill();
-    void take(CycleStep step);
+    void apply(CycleStep step);
     void turn(int direction) { m_execution.state.spindleDirection = direction; }
     void dwell();
     [[nodiscard]] bool isAbove(double depth, double bottom) const;
@@ -38,9 +38,9 @@ private:
     void tapOut();
     void shift(const Vec3& offset);
     void backBore();
-    void tellMixed();
+    void reportMixed();
     void feedMixed(double level);
-    void takeAsLeft();
+    void startAsLeft();
     void moveOver();
     void depthTo(MotionKind kind, double level, double ratio = 1);
     void moveTo(MotionKind kind, const Vec3& program, bool depthKnown, double ratio = 1);

@@ -25,7 +25,7 @@ public:
         if (!isCycle(m_execution.motionBefore))
             begin();
         if (m_execution.motionBefore != m_execution.state.motion)
-            m_state.doubtsTold = false;
+            m_state.doubtsReported = false;
         const std::optional<int> repeats = readRepeats();
         const bool drills = block().letters().any(LetterSet("XYZR@^"));
         m_execution.state.cycle = m_state;
@@ -34,12 +34,12 @@ public:
             return {};
         m_execution.state.cycle = m_state;
         if (repeats == 0) {
-            tellPlaceOfStored();
+            reportPlaceOfStored();
             return {};
         }
         if (!complete() || !mayTurn())
             return {};
-        tellDoubts();
+        reportDoubts();
         m_execution.state.cycle = m_state;
         CycleOrder order = fanucOrderInForce(m_execution, m_cycle);
         order.repeats = *repeats;
@@ -51,11 +51,11 @@ private:
     [[nodiscard]] bool shrinks() const { return m_execution.dialect.pecksShrink; }
     [[nodiscard]] std::string cycleName() const { return fmt::format("G{}", m_cycle.tenths / 10); }
 
-    void tell(const FindingRow& message, const Word& word, std::vector<Argument> arguments = {}) {
-        m_execution.reporter.tell(message, word, std::move(arguments));
+    void report(const FindingRow& message, const Word& word, std::vector<Argument> arguments = {}) {
+        m_execution.reporter.report(message, word, std::move(arguments));
     }
     bool refuse(const FindingRow& message, const Word& word, std::vector<Argument> arguments = {}) {
-        tell(message, word, std::move(arguments));
+        report(message, word, std::move(arguments));
         return false;
     }
 
@@ -75,7 +75,7 @@ private:
         const Word& word = block().word(letter);
         if (word.value >= 0 && word.value <= kMostRepeats && word.value == std::round(word.value))
             return static_cast<int>(word.value);
-        tell(nc_message::kNotInteger, word, {std::string(1, letter), "0", std::to_string(kMostRepeats)});
+        report(nc_message::kNotInteger, word, {std::string(1, letter), "0", std::to_string(kMostRepeats)});
         return {};
     }
 
@@ -169,29 +169,29 @@ private:
             return true;
         if (m_execution.state.spindleDirection != 0)
             return spindleTurns(m_execution, m_word, m_cycle.spindle);
-        tell(nc_message::kTapSpindle, m_word);
+        report(nc_message::kTapSpindle, m_word);
         m_state.rigid = true;
         return true;
     }
 
     /// Once a cycle, not at every hole.
-    void tellDoubts() {
-        if (m_state.doubtsTold)
+    void reportDoubts() {
+        if (m_state.doubtsReported)
             return;
-        m_state.doubtsTold = true;
+        m_state.doubtsReported = true;
         const bool inPlace = m_cycle.shifts && m_state.peck == 0 && !m_state.asideGiven;
         if (m_cycle.caveat != nullptr && !inPlace)
-            tell(*m_cycle.caveat, m_word);
+            report(*m_cycle.caveat, m_word);
         if (m_cycle.upward && m_execution.state.retractToR)
-            tell(nc_message::kBackBoreReturn, m_word, {cycleName()});
+            report(nc_message::kBackBoreReturn, m_word, {cycleName()});
         if (!m_state.initialKnown && !m_execution.state.retractToR)
-            tell(nc_message::kInitialLevelUnknown, m_word);
+            report(nc_message::kInitialLevelUnknown, m_word);
         if (m_cycle.pecks && !tapping() && m_state.peck == 0 && m_state.shrinking.first == 0)
-            tell(nc_message::kPeckMissing, m_word, {cycleName()});
+            report(nc_message::kPeckMissing, m_word, {cycleName()});
     }
 
     /// Whether the machine goes to the place of a block that only stores is not said anywhere.
-    void tellPlaceOfStored() {
+    void reportPlaceOfStored() {
         for (const int axis : {m_plane.first, m_plane.second}) {
             const char letter = letterOfAxis(axis);
             if (!block().has(letter))
@@ -199,7 +199,7 @@ private:
             const double at = m_execution.state.incremental ? 0 : m_at[axis];
             const double difference = std::abs(m_execution.length(letter) - at);
             if (difference > m_execution.leastLength() / 2)
-                return tell(nc_message::kCycleStoredPlace, block().word(letter), {std::string(1, letter)});
+                return report(nc_message::kCycleStoredPlace, block().word(letter), {std::string(1, letter)});
         }
     }
 

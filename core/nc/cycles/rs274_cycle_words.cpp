@@ -28,7 +28,7 @@ public:
             return {};
         m_execution.state.cycle = m_state;
         if (m_cycle.caveat != nullptr)
-            m_execution.reporter.tell(*m_cycle.caveat, m_word);
+            m_execution.reporter.report(*m_cycle.caveat, m_word);
         m_order.dwell = m_state.dwell;
         m_order.pecks = {m_state.peck, 0, m_state.peck, 0};
         m_order.aside = m_state.aside;
@@ -53,7 +53,7 @@ private:
     }
 
     bool refuse(const FindingRow& message, const Word& word, std::vector<Argument> arguments = {}) {
-        m_execution.reporter.tell(message, word, std::move(arguments));
+        m_execution.reporter.report(message, word, std::move(arguments));
         return false;
     }
     bool refuseMissing(char letter) {
@@ -68,8 +68,8 @@ private:
             return refuse(nc_message::kCycleInverseTime, m_word);
         const MachineState& state = m_execution.state;
         if (state.polar.on && block().letters().any(LetterSet("XY")))
-            m_execution.reporter.tell(nc_message::kPolarArc, m_word,
-                                      {fmt::format("G{}", m_cycle.tenths / 10)});
+            m_execution.reporter.report(nc_message::kPolarArc, m_word,
+                                        {fmt::format("G{}", m_cycle.tenths / 10)});
         m_series = isCycle(m_execution.motionBefore);
         const bool sticky = m_execution.motionBefore == state.motion;
         if (!m_series)
@@ -87,7 +87,7 @@ private:
             return refuseMissing('R');
         if (block().has('R') && m_execution.dialect.radiusNotScaled &&
             m_execution.state.frame.transformation.scaled)
-            m_execution.reporter.tell(nc_message::kRadiusScaled, block().word('R'), {"R"});
+            m_execution.reporter.report(nc_message::kRadiusScaled, block().word('R'), {"R"});
         if (block().has('R'))
             m_state.retract = m_execution.length('R');
         if (block().has(depth))
@@ -110,7 +110,7 @@ private:
             return refuse(nc_message::kCyclePeck, block().has('Q') ? block().word('Q') : m_word);
         if (block().has('P')) {
             m_state.dwell = block().value('P');
-            tellDwellUnit(m_execution, block().word('P'));
+            reportDwellUnit(m_execution, block().word('P'));
         }
         if (m_state.dwell < 0)
             return refuse(nc_message::kNegative, block().word('P'), {"P"});

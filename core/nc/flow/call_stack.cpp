@@ -41,7 +41,7 @@ std::optional<CallStack::Place> CallStack::place() const {
     return Place{m_line, m_source->reached, m_endedRuns, m_roundsCounted, m_counts, m_indexAsked};
 }
 
-void CallStack::goOn(const Place& place) {
+void CallStack::continueAt(const Place& place) {
     m_line = place.line;
     m_at = place.line > 0 ? place.line - 1 : 0;
     m_source->reached = place.reached;

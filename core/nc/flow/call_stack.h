@@ -100,12 +100,12 @@ public:
     };
     /// Nothing within a call, nor once a subprogram was looked for in a file, which may change.
     [[nodiscard]] std::optional<Place> place() const;
-    void goOn(const Place& place);
+    void continueAt(const Place& place);
 
     /// To the line behind this one.
     void step();
     /// Another line is the one that is being carried out.
-    void standAt(std::size_t line) {
+    void moveTo(std::size_t line) {
         m_at = line;
         m_reporter.beginLine(static_cast<std::uint32_t>(line + 1));
     }
@@ -124,7 +124,7 @@ public:
     [[nodiscard]] std::uint64_t endedRuns() const { return m_endedRuns; }
     [[nodiscard]] std::size_t depth() const { return m_levels.size(); }
     /// The fewest calls that were open since the last call of this.
-    [[nodiscard]] std::size_t takeLowestDepth() { return std::exchange(m_lowestDepth, m_levels.size()); }
+    [[nodiscard]] std::size_t resetLowestDepth() { return std::exchange(m_lowestDepth, m_levels.size()); }
     /// One of a number of rounds was counted.
     void noteRound() { ++m_roundsCounted; }
     [[nodiscard]] std::uint64_t roundsCounted() const { return m_roundsCounted; }

@@ -33,7 +33,7 @@ const SystemValues& ControlVariables::systemValues() const {
 void ControlVariables::assign(std::span<const Assignment> assignments, std::uint32_t line) {
     for (const Assignment& order : assignments)
         assign(order, line);
-    (void)m_system.takeProbeRead(); // writing it is no use of it
+    (void)m_system.consumeProbeRead(); // writing it is no use of it
 }
 
 void ControlVariables::assign(const Assignment& order, std::uint32_t line) {
@@ -47,11 +47,11 @@ void ControlVariables::assign(const Assignment& order, std::uint32_t line) {
     const std::string shown =
         name.empty() ? fmt::format("#{}", order.target.number) : fmt::format("#<{}>", name);
     if (readOnly)
-        m_reporter.tell(nc_message::kParameterReadOnly, order.column, order.length, {shown});
+        m_reporter.report(nc_message::kParameterReadOnly, order.column, order.length, {shown});
     else if (name.empty())
         m_parameters.setNumbered(order.target.number, order.value);
     else if (!m_parameters.setNamed(name, order.value))
-        m_reporter.tell(nc_message::kNamesTooMany, order.column, order.length, {shown});
+        m_reporter.report(nc_message::kNamesTooMany, order.column, order.length, {shown});
 }
 
 /// What writing a parameter of LinuxCNC does besides; true where it is stored nowhere.
@@ -61,7 +61,7 @@ bool ControlVariables::assignInput(const Assignment& order) {
     if (order.target.number != kActiveOffset)
         return false;
     m_state.writtenOffset = order.value;
-    m_reporter.tell(nc_message::kOffsetNumberWritten, order.column, order.length);
+    m_reporter.report(nc_message::kOffsetNumberWritten, order.column, order.length);
     return true;
 }
 
@@ -80,10 +80,10 @@ bool ControlVariables::writeVariable(const Assignment& order, std::uint32_t line
         m_macroB.write(order.target.number, isNull(order.value) ? 0 : order.value, m_program, line);
         return true;
     case MacroVariables::Writing::readOnly:
-        m_reporter.tell(nc_message::kParameterReadOnly, order.column, order.length, {shown});
+        m_reporter.report(nc_message::kParameterReadOnly, order.column, order.length, {shown});
         return true;
     case MacroVariables::Writing::alarm:
-        m_reporter.tell(nc_message::kAlarm, order.column, order.length, {fmt::format("{:g}", order.value)});
+        m_reporter.report(nc_message::kAlarm, order.column, order.length, {fmt::format("{:g}", order.value)});
         m_state.ended = true;
         return true;
     case MacroVariables::Writing::stop:
@@ -94,19 +94,20 @@ bool ControlVariables::writeVariable(const Assignment& order, std::uint32_t line
 }
 
 void ControlVariables::reportReads() {
-    if (m_system.takeProbeRead())
-        tellProbeUse(m_state, m_reporter);
-    if (const int number = m_system.takeAssumedRead(); number != 0 && m_assumedReported.insert(number).second)
-        m_reporter.tell(nc_message::kVariableAssumed, 1, 0, {fmt::format("#{}", number)});
-    if (!m_machine.takeInputRead() || !m_state.inputAssumed)
+    if (m_system.consumeProbeRead())
+        reportProbeUse(m_state, m_reporter);
+    if (const int number = m_system.consumeAssumedRead();
+        number != 0 && m_assumedReported.insert(number).second)
+        m_reporter.report(nc_message::kVariableAssumed, 1, 0, {fmt::format("#{}", number)});
+    if (!m_machine.consumeInputRead() || !m_state.inputAssumed)
         return;
     m_state.inputAssumed = false;
-    m_reporter.tell(nc_message::kInputUsed, 1, 0);
+    m_reporter.report(nc_message::kInputUsed, 1, 0);
 }
 
 void ControlVariables::forgetReads() {
-    (void)m_machine.takeInputRead();
-    (void)m_system.takeProbeRead();
+    (void)m_machine.consumeInputRead();
+    (void)m_system.consumeProbeRead();
 }
 
 } // namespace proveout

@@ -38,7 +38,7 @@ public:
     /// What was read so far was no use of it by the program.
     void forgetReads();
     /// Whether an expression depended on the state of the machine since the last call of this.
-    [[nodiscard]] bool takeUse() { return m_system.takeUse(); }
+    [[nodiscard]] bool consumeUse() { return m_system.consumeUse(); }
 
 private:
     void assign(const Assignment& order, std::uint32_t line);

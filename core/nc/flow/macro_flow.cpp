@@ -39,18 +39,18 @@ const MacroIndex::Range* programIn(const MacroIndex& index, const FlowRequest& r
 
 MacroFlow::Next MacroFlow::fail(const FindingRow& message, const MacroStatement& statement,
                                 std::vector<Argument> arguments) {
-    m_reporter.tell(message, static_cast<int>(statement.begin + 1),
-                    static_cast<int>(statement.rest - statement.begin), std::move(arguments));
+    m_reporter.report(message, static_cast<int>(statement.begin + 1),
+                      static_cast<int>(statement.rest - statement.begin), std::move(arguments));
     return Next::failed;
 }
 
 MacroFlow::Next MacroFlow::fail(const ReadError& error) {
-    m_reporter.tell(*error.message, error.column, error.length, {std::string(error.argument)});
+    m_reporter.report(*error.message, error.column, error.length, {std::string(error.argument)});
     return Next::failed;
 }
 
 bool MacroFlow::refuse(const FindingRow& message, const Word& word, std::vector<Argument> arguments) {
-    m_reporter.tell(message, word, std::move(arguments));
+    m_reporter.report(message, word, std::move(arguments));
     return false;
 }
 
@@ -87,7 +87,7 @@ bool MacroFlow::jumpTo(long long block, const Word& word) {
         return refuse(nc_message::kBlockUnknown, word, {std::to_string(block)});
     if (m_calls.macroIndex().repeated(block, m_calls.at()) &&
         m_lint.ambiguousJumps.insert(m_calls.at()).second)
-        m_reporter.tell(nc_message::kBlockTwice, word, {std::to_string(block), std::to_string(line + 1)});
+        m_reporter.report(nc_message::kBlockTwice, word, {std::to_string(block), std::to_string(line + 1)});
     m_calls.jump(line);
     return true;
 }
@@ -112,8 +112,8 @@ MacroFlow::Next MacroFlow::branch(const MacroStatement& statement) {
     const auto taken = condition(statement, at);
     if (!taken)
         return Next::failed;
-    const bool jumps = takeKeyword(m_calls.currentText(), at, "GOTO");
-    if (!jumps && !takeKeyword(m_calls.currentText(), at, "THEN"))
+    const bool jumps = readKeyword(m_calls.currentText(), at, "GOTO");
+    if (!jumps && !readKeyword(m_calls.currentText(), at, "THEN"))
         return fail(nc_message::kStatementForm, statement);
     if (!*taken)
         return Next::line;

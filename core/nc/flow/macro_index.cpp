@@ -65,7 +65,7 @@ std::optional<long long> loopOf(std::string_view line, const MacroStatement& sta
     std::size_t at = statement.rest;
     if (statement.kind == StatementKind::whileLoop) {
         at = behindBracket(line, skipBlanks(line, at));
-        if (!takeKeyword(line, at, "DO"))
+        if (!readKeyword(line, at, "DO"))
             return {};
     } else if (statement.kind != StatementKind::doLoop && statement.kind != StatementKind::endLoop) {
         return {};

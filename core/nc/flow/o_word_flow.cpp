@@ -23,12 +23,12 @@ bool plainName(std::string_view label) {
 
 bool OWordFlow::fail(const FindingRow& message, const FlowWord& word, std::vector<Argument> arguments) {
     const auto length = static_cast<int>(std::max(word.arguments, word.begin + 1) - word.begin);
-    m_reporter.tell(message, static_cast<int>(word.begin + 1), length, std::move(arguments));
+    m_reporter.report(message, static_cast<int>(word.begin + 1), length, std::move(arguments));
     return false;
 }
 
 bool OWordFlow::fail(const ReadError& error) {
-    m_reporter.tell(*error.message, error.column, error.length, {std::string(error.argument)});
+    m_reporter.report(*error.message, error.column, error.length, {std::string(error.argument)});
     return false;
 }
 
@@ -121,7 +121,7 @@ bool OWordFlow::nothingBehind(std::size_t at) {
         at = std::min(line.find(')', at), line.size() - 1) + 1;
     if (at >= line.size() || line[at] == ';')
         return true;
-    m_reporter.tell(nc_message::kFlowRest, static_cast<int>(at + 1), 1, {std::string(line.substr(at, 1))});
+    m_reporter.report(nc_message::kFlowRest, static_cast<int>(at + 1), 1, {std::string(line.substr(at, 1))});
     return false;
 }
 
@@ -215,7 +215,7 @@ bool OWordFlow::branch(const FlowWord& word) {
         m_calls.jump(next + 1);
         if (row->kind != FlowKind::elseIf)
             return true;
-        m_calls.standAt(next);
+        m_calls.moveTo(next);
         const auto elseIf = readFlowWord(m_calls.currentText());
         taken = elseIf ? condition(*elseIf) : std::nullopt;
     }
@@ -227,7 +227,7 @@ bool OWordFlow::conditionsReadable() {
     const FlowLine* row = m_calls.flowIndex().at(m_calls.at());
     while (row != nullptr) {
         if (row->kind == FlowKind::elseIf) {
-            m_calls.standAt(row->line);
+            m_calls.moveTo(row->line);
             const auto word = readFlowWord(m_calls.currentText());
             if (!word || !condition(*word))
                 return false;
@@ -309,7 +309,7 @@ bool OWordFlow::leaveRepeat(std::size_t begin) {
     const FlowLine* row = m_calls.flowIndex().at(begin);
     if (row == nullptr || row->jump == FlowLine::kNone)
         return true;
-    m_calls.standAt(row->jump);
+    m_calls.moveTo(row->jump);
     const auto word = readFlowWord(m_calls.currentText());
     return !word ||
            fail(nc_message::kFlowPartner, *word,
@@ -318,7 +318,7 @@ bool OWordFlow::leaveRepeat(std::size_t begin) {
 
 bool OWordFlow::run(const FlowRequest& request) {
     const auto fail = [&](const FindingRow& message, std::vector<Argument> arguments) {
-        m_reporter.tell(message, request.word, std::move(arguments));
+        m_reporter.report(message, request.word, std::move(arguments));
         return false;
     };
     if (request.kind == FlowRequest::Kind::none)

@@ -29,7 +29,7 @@ private:
         for (std::size_t at = 0; at < line.size(); ++at) {
             const char c = upperCase(line[at]);
             std::size_t behind = at;
-            if (c == 'G' && takeKeyword(line, behind, "GOTO"))
+            if (c == 'G' && readKeyword(line, behind, "GOTO"))
                 add(line, behind);
             else if (c == 'P')
                 add(line, at + 1); // of M97 and M99, and of what else has a P

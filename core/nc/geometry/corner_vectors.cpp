@@ -114,16 +114,16 @@ public:
             return {};
         const double first = before.wayFrom(m_points[0]);
         const double second = before.wayFrom(m_points[1]);
-        const bool takesFirst =
+        const bool prefersFirst =
             (first >= -kSamePoint) == (second >= -kSamePoint) ? first <= second : first > second;
-        return m_points[takesFirst ? 0 : 1];
+        return m_points[prefersFirst ? 0 : 1];
     }
 
 private:
     void lines(const Curve& a, const Curve& b) {
         const double sine = cross(a.heading, b.heading);
         if (std::abs(sine) > kStraight)
-            take(a.point + a.heading * (cross(b.point - a.point, b.heading) / sine), Vec2(0));
+            add(a.point + a.heading * (cross(b.point - a.point, b.heading) / sine), Vec2(0));
     }
 
     void lineAndCircle(const Curve& line, const Curve& circle) {
@@ -133,7 +133,7 @@ private:
         if (std::abs(distance) > radius * (1 + kTouching))
             return;
         const double half = std::sqrt(std::max(0.0, (radius - distance) * (radius + distance)));
-        take(line.point + line.heading * along, line.heading * half);
+        add(line.point + line.heading * along, line.heading * half);
     }
 
     void circles(const Curve& a, const Curve& b) {
@@ -147,10 +147,10 @@ private:
             return;
         const double along = (distance * distance + (radius - other) * (radius + other)) / (2 * distance);
         const double half = std::sqrt(std::max(0.0, (radius - along) * (radius + along)));
-        take(a.centre + between * (along / distance), leftOf(between) * (half / distance));
+        add(a.centre + between * (along / distance), leftOf(between) * (half / distance));
     }
 
-    void take(const Vec2& middle, const Vec2& half) {
+    void add(const Vec2& middle, const Vec2& half) {
         m_points = {middle - half, middle + half};
         m_count = 2;
     }

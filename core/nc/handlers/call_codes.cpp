@@ -23,7 +23,7 @@ bool whole(const Word& word, double most) {
 void callProgram(Execution& execution, const Word& word) {
     const Block& block = execution.block;
     if (!block.has('P')) {
-        execution.reporter.tell(nc_message::kWordMissing, word, {"M98", "P"});
+        execution.reporter.report(nc_message::kWordMissing, word, {"M98", "P"});
         return;
     }
     FlowRequest request{FlowRequest::Kind::call, 0, 1, block.word('P')};
@@ -32,17 +32,17 @@ void callProgram(Execution& execution, const Word& word) {
     for (const char letter : {'P', repeats}) {
         const double most = letter == 'P' ? kMostNumber : kMostRuns;
         if (block.has(letter) && !whole(block.word(letter), most)) {
-            execution.reporter.tell(nc_message::kNotInteger, block.word(letter),
-                                    {std::string(1, letter), "0", fmt::format("{:.0f}", most)});
+            execution.reporter.report(nc_message::kNotInteger, block.word(letter),
+                                      {std::string(1, letter), "0", fmt::format("{:.0f}", most)});
             return;
         }
     }
     if (repeats == 'L' && block.has('Q'))
-        execution.reporter.tell(nc_message::kWordIgnored, block.word('Q'), {"Q"});
+        execution.reporter.report(nc_message::kWordIgnored, block.word('Q'), {"Q"});
     request.program = static_cast<int>(block.value('P'));
     request.repeats = block.has(repeats) ? static_cast<int>(block.value(repeats)) : 1;
     if (request.repeats == 0 && execution.dialect.entersUncalled)
-        execution.reporter.tell(nc_message::kCalledNever, block.word(repeats));
+        execution.reporter.report(nc_message::kCalledNever, block.word(repeats));
     execution.request = request;
 }
 

@@ -20,12 +20,12 @@ constexpr int kLargestRegister = 99999;
 bool mayBegin(Execution& execution, const Word& word) {
     const MachineState& state = execution.state;
     if (state.compensation.on)
-        execution.reporter.tell(nc_message::kCompensationOnAlready, word, {nameOf(word)});
+        execution.reporter.report(nc_message::kCompensationOnAlready, word, {nameOf(word)});
     else if (state.plane == Plane::yz)
-        execution.reporter.tell(nc_message::kCompensationPlane, word);
+        execution.reporter.report(nc_message::kCompensationPlane, word);
     else if ((state.plane != Plane::xy && state.frame.rotation != 0) ||
              !state.frame.transformation.keepsPlane(state.plane))
-        execution.reporter.tell(nc_message::kCompensationTurned, word);
+        execution.reporter.report(nc_message::kCompensationTurned, word);
     else
         return true;
     return false;
@@ -38,10 +38,10 @@ void begin(Execution& execution, const Word& word, double offset, bool assumed =
     compensation.offset = offset;
     compensation.assumed = assumed;
     if (offset == 0) {
-        execution.reporter.tell(execution.tools.given() || execution.block.has('D')
-                                    ? nc_message::kCompensationNoDiameter
-                                    : nc_message::kCompensationDiameterUnknown,
-                                word, {nameOf(word)});
+        execution.reporter.report(execution.tools.given() || execution.block.has('D')
+                                      ? nc_message::kCompensationNoDiameter
+                                      : nc_message::kCompensationDiameterUnknown,
+                                  word, {nameOf(word)});
     }
 }
 
@@ -52,13 +52,14 @@ const ToolOffset* toolAsked(Execution& execution, const Word& word) {
         number = execution.block.value('D');
     const Word& where = execution.block.has('D') ? execution.block.word('D') : word;
     if (number < 0 || number != std::round(number) || number > kLargestRegister) {
-        execution.reporter.tell(nc_message::kNotInteger, where, {"D", "0", std::to_string(kLargestRegister)});
+        execution.reporter.report(nc_message::kNotInteger, where,
+                                  {"D", "0", std::to_string(kLargestRegister)});
         return nullptr;
     }
     const ToolOffset* tool = execution.tools.find(static_cast<int>(number));
     if (tool == nullptr)
-        execution.reporter.tell(nc_message::kOffsetUnknown, where,
-                                {std::to_string(static_cast<int>(number))});
+        execution.reporter.report(nc_message::kOffsetUnknown, where,
+                                  {std::to_string(static_cast<int>(number))});
     return tool;
 }
 
@@ -75,7 +76,7 @@ void compensateForDiameter(Execution& execution, const Word& word, double side) 
     if (execution.block.has('D'))
         begin(execution, word, side * execution.length('D') / 2);
     else
-        execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "D"});
+        execution.reporter.report(nc_message::kWordMissing, word, {nameOf(word), "D"});
 }
 
 } // namespace

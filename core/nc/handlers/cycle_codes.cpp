@@ -24,11 +24,11 @@ bool spindleTurns(Execution& execution, const Word& word, SpindleNeed need) {
     const char* const needed = need == SpindleNeed::turning     ? "M3 / M4"
                                : need == SpindleNeed::clockwise ? "M3"
                                                                 : "M4";
-    execution.reporter.tell(nc_message::kCycleSpindle, word, {needed});
+    execution.reporter.report(nc_message::kCycleSpindle, word, {needed});
     return false;
 }
 
-void tellReferenceInCycle(Execution& execution, const Word& word) {
+void reportReferenceInCycle(Execution& execution, const Word& word) {
     // A motion code of the same block ends the cycle first, whatever the order of the steps.
     const bool ends = std::ranges::any_of(execution.block.codes(), [&](const Word& code) {
         const CodeRow* row = execution.codes.find(code);
@@ -36,7 +36,7 @@ void tellReferenceInCycle(Execution& execution, const Word& word) {
                (row->group == ModalGroup::motion || row->group == ModalGroup::motionOff);
     });
     if (execution.dialect.noReferenceInCycle && isCycle(execution.state.motion) && !ends)
-        execution.reporter.tell(nc_message::kReferenceInCycle, word, {nameOf(word)});
+        execution.reporter.report(nc_message::kReferenceInCycle, word, {nameOf(word)});
 }
 
 std::optional<CycleOrder> readCycle(Execution& execution, const Word& word, const CannedCycle& cycle) {

@@ -26,7 +26,7 @@ constexpr int kParametersToo = 52;
 std::optional<int> numberOfData(Execution& execution, const Word& kind, int least, int most) {
     if (execution.block.has('P'))
         return wholeNumber(execution, execution.block.word('P'), least, most);
-    execution.reporter.tell(nc_message::kWordMissing, kind, {"G10", "P"});
+    execution.reporter.report(nc_message::kWordMissing, kind, {"G10", "P"});
     return {};
 }
 
@@ -34,7 +34,7 @@ std::optional<int> numberOfData(Execution& execution, const Word& kind, int leas
 void setSystem(Execution& execution, int system) {
     MachineState& state = execution.state;
     if (state.compensation.on && (system == 0 || system == state.workOffset)) {
-        execution.reporter.tell(nc_message::kCompensationForbids, execution.block.word('L'), {"G10"});
+        execution.reporter.report(nc_message::kCompensationForbids, execution.block.word('L'), {"G10"});
         return;
     }
     const int first = system == 0 ? kCommonOffset : systemVariable(system);
@@ -53,15 +53,15 @@ void setRegister(Execution& execution, const Word& kind, OffsetRegisters::Entry 
     if (!number)
         return;
     if (!execution.block.has('R')) {
-        execution.reporter.tell(nc_message::kWordMissing, kind, {"G10", "R"});
+        execution.reporter.report(nc_message::kWordMissing, kind, {"G10", "R"});
         return;
     }
     double value = execution.length('R');
     if (execution.state.incremental) {
         const auto before = execution.registers.value(entry, *number);
         if (!before) {
-            execution.reporter.tell(nc_message::kRegisterUnknown, execution.block.word('P'),
-                                    {fmt::format("P{}", *number)});
+            execution.reporter.report(nc_message::kRegisterUnknown, execution.block.word('P'),
+                                      {fmt::format("P{}", *number)});
             return;
         }
         value += *before;
@@ -73,7 +73,7 @@ void setRegister(Execution& execution, const Word& kind, OffsetRegisters::Entry 
 
 void writeData(Execution& execution, const Word& word) {
     if (!execution.block.has('L')) {
-        execution.reporter.tell(nc_message::kWordMissing, word, {"G10", "L"});
+        execution.reporter.report(nc_message::kWordMissing, word, {"G10", "L"});
         return;
     }
     const Word& kind = execution.block.word('L');
@@ -90,9 +90,9 @@ void writeData(Execution& execution, const Word& word) {
         setRegister(execution, kind, static_cast<Entry>(static_cast<int>(kind.value) - kLength));
     } else if (kind.value == kParameters || kind.value == kParametersToo || kind.value == kToolLife) {
         execution.state.dataInput = true;
-        execution.reporter.tell(nc_message::kDataSkipped, kind, {fmt::format("{:g}", kind.value)});
+        execution.reporter.report(nc_message::kDataSkipped, kind, {fmt::format("{:g}", kind.value)});
     } else {
-        execution.reporter.tell(nc_message::kDataKind, kind, {fmt::format("{:g}", kind.value)});
+        execution.reporter.report(nc_message::kDataKind, kind, {fmt::format("{:g}", kind.value)});
     }
 }
 

@@ -5,11 +5,11 @@
 namespace proveout {
 
 void ignoreOptionalStop(Execution& execution, const Word& word) {
-    execution.reporter.tell(nc_message::kOptionalStopIgnored, word);
+    execution.reporter.report(nc_message::kOptionalStopIgnored, word);
 }
 
 void switchMistWhereBuilt(Execution& execution, const Word& word) {
-    execution.reporter.tell(nc_message::kMistOption, word);
+    execution.reporter.report(nc_message::kMistOption, word);
     switchMistOn(execution, word);
 }
 

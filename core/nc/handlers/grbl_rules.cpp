@@ -27,7 +27,7 @@ public:
 
 private:
     bool refuse(const FindingRow& message, const Word& word, std::vector<Argument> arguments = {}) {
-        m_execution.reporter.tell(message, word, std::move(arguments));
+        m_execution.reporter.report(message, word, std::move(arguments));
         return false;
     }
 

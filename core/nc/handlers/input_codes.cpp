@@ -22,7 +22,7 @@ bool wordsFit(Execution& execution, const Word& word) {
     const Block& block = execution.block;
     const auto refuse = [&](const FindingRow& message, const Word& where,
                             std::vector<Argument> arguments = {}) {
-        execution.reporter.tell(message, where, std::move(arguments));
+        execution.reporter.report(message, where, std::move(arguments));
         return false;
     };
     if (block.has('P') && block.has('E'))
@@ -51,17 +51,17 @@ void waitForInput(Execution& execution, const Word& word) {
     const double value = execution.block.has('P') ? (before != 0 ? 1.0 : 0.0) : before;
     execution.parameters.setNumbered(kInputParameter, value);
     execution.state.inputAssumed = true;
-    execution.reporter.tell(nc_message::kInputAssumed, word, {figures("{:g}", value)});
+    execution.reporter.report(nc_message::kInputAssumed, word, {figures("{:g}", value)});
 }
 
 void switchDigitalOutput(Execution& execution, const Word& word) {
     if (!execution.block.has('P'))
-        execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "P"});
+        execution.reporter.report(nc_message::kWordMissing, word, {nameOf(word), "P"});
 }
 
 void setAnalogOutput(Execution& execution, const Word& word) {
     if (!given(execution.block, 'E'))
-        execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "E"});
+        execution.reporter.report(nc_message::kWordMissing, word, {nameOf(word), "E"});
 }
 
 } // namespace proveout

@@ -20,13 +20,14 @@ const ToolOffset* offsetAsked(Execution& execution, const Word& word) {
     // H0 is the tool in the spindle.
     const double whole = given && number.value != 0 ? number.value : execution.state.tool;
     if (whole < 0 || whole != std::round(whole) || whole > kLargestOffset) {
-        execution.reporter.tell(nc_message::kNotInteger, number, {"H", "0", std::to_string(kLargestOffset)});
+        execution.reporter.report(nc_message::kNotInteger, number,
+                                  {"H", "0", std::to_string(kLargestOffset)});
         return nullptr;
     }
     const ToolOffset* offset = execution.tools.find(static_cast<int>(whole));
     if (offset == nullptr)
-        execution.reporter.tell(nc_message::kOffsetUnknown, number,
-                                {std::to_string(static_cast<int>(whole))});
+        execution.reporter.report(nc_message::kOffsetUnknown, number,
+                                  {std::to_string(static_cast<int>(whole))});
     return offset;
 }
 
@@ -71,7 +72,7 @@ void subtractToolLength(Execution& execution, const Word& word) {
 
 void useGivenLength(Execution& execution, const Word& word) {
     if (!execution.block.letters().any(kAxisWords)) {
-        execution.reporter.tell(nc_message::kWordMissing, word, {"G43.1", "Z"});
+        execution.reporter.report(nc_message::kWordMissing, word, {"G43.1", "Z"});
         return;
     }
     setToolOffset(execution, offsetsGiven(execution, execution.state.toolOffset));
@@ -82,11 +83,11 @@ void addToolLength(Execution& execution, const Word& word) {
     Vec3 more(0);
     const bool axes = execution.block.letters().any(kAxisWords);
     if (axes && execution.block.has('H')) {
-        execution.reporter.tell(nc_message::kLengthTwice, word);
+        execution.reporter.report(nc_message::kLengthTwice, word);
         return;
     }
     if (!axes && !execution.block.has('H')) {
-        execution.reporter.tell(nc_message::kWordMissing, word, {"G43.2", "H"});
+        execution.reporter.report(nc_message::kWordMissing, word, {"G43.2", "H"});
         return;
     }
     if (axes) {

@@ -19,7 +19,7 @@ namespace {
 bool inXyPlane(Execution& execution, const Word& word) {
     if (execution.state.plane == Plane::xy)
         return true;
-    execution.reporter.tell(nc_message::kPlaneXyOnly, word, {nameOf(word)});
+    execution.reporter.report(nc_message::kPlaneXyOnly, word, {nameOf(word)});
     return false;
 }
 
@@ -28,15 +28,15 @@ void millCircle(Execution& execution, const Word& word, double turn) {
     if (!inXyPlane(execution, word))
         return;
     if (!execution.block.has('I')) {
-        execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "I"});
+        execution.reporter.report(nc_message::kWordMissing, word, {nameOf(word), "I"});
         return;
     }
     const WorkFrame& frame = execution.state.frame;
     const Vec3 middle = frame.toProgram(execution.state.position);
     const Vec3 side = frame.toMachine(middle + Vec3(execution.length('I'), 0, 0));
     Motion out = motionFromHere(execution, MotionKind::feed);
-    tellMissingFeed(execution, word);
-    tellUnknownStart(execution, out, word);
+    reportMissingFeed(execution, word);
+    reportUnknownStart(execution, out, word);
     out.end = side;
     const Vec3 centre = out.start;
     appendMotion(execution, out);
@@ -54,7 +54,7 @@ void millCircle(Execution& execution, const Word& word, double turn) {
 bool numberGiven(Execution& execution, const Word& word) {
     if (execution.block.has('H') && execution.block.value('H') != 0)
         return true;
-    execution.reporter.tell(nc_message::kLengthNumberMissing, word, {nameOf(word)});
+    execution.reporter.report(nc_message::kLengthNumberMissing, word, {nameOf(word)});
     setToolOffset(execution, Vec3(0));
     return false;
 }
@@ -75,12 +75,12 @@ void beginPolarHere(Execution& execution, const Word& word) {
     const MachineState& state = execution.state;
     const Vec3 here = state.frame.toProgram(state.position);
     if (here.x != 0 || here.y != 0 || (state.known & kAxisX) == 0 || (state.known & kAxisY) == 0)
-        execution.reporter.tell(nc_message::kPolarPole, word);
+        execution.reporter.report(nc_message::kPolarPole, word);
     execution.state.polar = {true, here, 0, 0};
 }
 
 void referenceAxes(Execution& execution, const Word& word) {
-    execution.reporter.tell(nc_message::kAxesReferenced, word, {nameOf(word)});
+    execution.reporter.report(nc_message::kAxesReferenced, word, {nameOf(word)});
     const bool all = !execution.block.letters().any(kAxisWords);
     Motion motion = motionFromHere(execution, MotionKind::rapid);
     for (int axis = 0; axis < 3; ++axis) {
@@ -102,7 +102,7 @@ void subtractNumberedLength(Execution& execution, const Word& word) {
 
 void scaleByAxis(Execution& execution, const Word& word) {
     if (!execution.block.letters().any(kAxisWords)) {
-        execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "X"});
+        execution.reporter.report(nc_message::kWordMissing, word, {nameOf(word), "X"});
         return;
     }
     Transformation& now = execution.state.frame.transformation;
@@ -113,8 +113,8 @@ void scaleByAxis(Execution& execution, const Word& word) {
             continue;
         factors[axis] = execution.block.value(letter);
         if (factors[axis] == 0) {
-            execution.reporter.tell(nc_message::kScaleFactor, execution.block.word(letter),
-                                    {std::string(1, letter)});
+            execution.reporter.report(nc_message::kScaleFactor, execution.block.word(letter),
+                                      {std::string(1, letter)});
             return;
         }
     }
@@ -132,7 +132,7 @@ void turnByPoint(Execution& execution, const Word& word) {
     const bool mach4 = block.letters().any(LetterSet("XY"));
     for (const char letter : {mach4 ? 'X' : 'A', mach4 ? 'Y' : 'B', 'R'}) {
         if (!block.has(letter)) {
-            execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), std::string(1, letter)});
+            execution.reporter.report(nc_message::kWordMissing, word, {nameOf(word), std::string(1, letter)});
             return;
         }
     }
@@ -153,7 +153,7 @@ void selectNumberedSystem(Execution& execution, const Word& word) {
         if (g59)
             selectWorkOffset(execution, word);
         else
-            execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "P"});
+            execution.reporter.report(nc_message::kWordMissing, word, {nameOf(word), "P"});
         return;
     }
     const int first = g59 ? 0 : kStandard;
@@ -164,11 +164,11 @@ void selectNumberedSystem(Execution& execution, const Word& word) {
 
 void beginAgain(Execution& execution, const Word& word) {
     if (execution.callLevel > 0) {
-        execution.reporter.tell(nc_message::kCodeForeign, word, {nameOf(word)});
+        execution.reporter.report(nc_message::kCodeForeign, word, {nameOf(word)});
         return;
     }
     finishCompensated(execution, word);
-    execution.reporter.tell(nc_message::kProgramRepeats, word);
+    execution.reporter.report(nc_message::kProgramRepeats, word);
     execution.program.append(ProgramEnd{}, execution.line);
     execution.state.ended = true;
 }

@@ -14,10 +14,10 @@ namespace proveout {
 
 namespace {
 
-bool tellNegative(Execution& execution, const Word& word) {
+bool reportNegative(Execution& execution, const Word& word) {
     if (word.value >= 0)
         return false;
-    execution.reporter.tell(nc_message::kNegative, word, {std::string(1, word.letter)});
+    execution.reporter.report(nc_message::kNegative, word, {std::string(1, word.letter)});
     return true;
 }
 
@@ -46,32 +46,32 @@ std::optional<int> toolNumber(Execution& execution, const Word& word) {
     const bool whole = std::abs(word.value - std::round(word.value)) < 1e-4;
     if (whole && word.value >= 0 && word.value <= kLargestTool)
         return static_cast<int>(std::lround(word.value));
-    execution.reporter.tell(nc_message::kNotInteger, word,
-                            {std::string(1, word.letter), "0", std::to_string(kLargestTool)});
+    execution.reporter.report(nc_message::kNotInteger, word,
+                              {std::string(1, word.letter), "0", std::to_string(kLargestTool)});
     return {};
 }
 
 } // namespace
 
-void tellDwellUnit(Execution& execution, const Word& time) {
+void reportDwellUnit(Execution& execution, const Word& time) {
     constexpr double kMillisecond = 1e-3;
-    if (!execution.dialect.dwellUnitOpen || execution.state.dwellUnitTold || time.value == 0)
+    if (!execution.dialect.dwellUnitOpen || execution.state.dwellUnitReported || time.value == 0)
         return;
-    execution.state.dwellUnitTold = true;
-    execution.reporter.tell(
+    execution.state.dwellUnitReported = true;
+    execution.reporter.report(
         nc_message::kDwellUnit, time,
         {nameOf(time), figures("{:g}", time.value), figures("{:g}", time.value * kMillisecond)});
 }
 
 void dwell(Execution& execution, const Word& word) {
     if (!execution.block.has('P')) {
-        execution.reporter.tell(nc_message::kWordMissing, word, {"G4", "P"});
+        execution.reporter.report(nc_message::kWordMissing, word, {"G4", "P"});
         return;
     }
     const Word& seconds = execution.block.word('P');
-    if (tellNegative(execution, seconds))
+    if (reportNegative(execution, seconds))
         return;
-    tellDwellUnit(execution, seconds);
+    reportDwellUnit(execution, seconds);
     execution.program.append(Dwell{seconds.value}, execution.line);
 }
 
@@ -83,7 +83,7 @@ void dwellByLetter(Execution& execution, const Word& /*word*/) {
             continue;
         const Word& time = execution.block.word(letter);
         const bool seconds = time.point && (letter != 'P' || dialect.pointMeansSeconds);
-        if (!tellNegative(execution, time))
+        if (!reportNegative(execution, time))
             execution.program.append(Dwell{seconds ? time.value : time.value * kMillisecond}, execution.line);
         return;
     }
@@ -95,12 +95,12 @@ void orderRigidTapping(Execution& execution, const Word& /*word*/) {
 }
 
 void setFeed(Execution& execution, const Word& word) {
-    if (tellNegative(execution, word))
+    if (reportNegative(execution, word))
         return;
     MachineState& state = execution.state;
     state.feedNumber = word.value;
     state.feed = state.feedMode == FeedMode::inverseTime ? word.value : state.toMm(word.value);
-    state.missingFeedTold = false;
+    state.missingFeedReported = false;
 }
 
 void feedInverseTime(Execution& execution, const Word& /*word*/) {
@@ -116,23 +116,23 @@ void feedPerRevolution(Execution& execution, const Word& /*word*/) {
 }
 
 void setSpindleSpeed(Execution& execution, const Word& word) {
-    if (!tellNegative(execution, word))
+    if (!reportNegative(execution, word))
         execution.state.spindleRpm = word.value;
 }
 
 void keepSurfaceSpeed(Execution& execution, const Word& word) {
     const Block& block = execution.block;
     if (!block.has('S')) {
-        execution.reporter.tell(nc_message::kWordMissing, word, {"G96", "S"});
+        execution.reporter.report(nc_message::kWordMissing, word, {"G96", "S"});
         return;
     }
     execution.state.surfaceSpeed = true;
     execution.state.mostRpm = block.has('D') ? std::abs(block.value('D')) : 0;
     if (execution.state.mostRpm > 0) {
-        execution.reporter.tell(nc_message::kSurfaceSpeedLimited, word,
-                                {figures("{:g}", execution.state.mostRpm)});
+        execution.reporter.report(nc_message::kSurfaceSpeedLimited, word,
+                                  {figures("{:g}", execution.state.mostRpm)});
     } else {
-        execution.reporter.tell(nc_message::kSurfaceSpeedUnknown, word);
+        execution.reporter.report(nc_message::kSurfaceSpeedUnknown, word);
     }
 }
 
@@ -147,13 +147,13 @@ void selectTool(Execution& execution, const Word& word) {
     const MachineState& state = execution.state;
     const int present = state.selectedTool < 0 ? state.tool : state.selectedTool;
     if (!execution.dialect.changesTools && *number != 0 && *number != present) // T0 names none
-        execution.reporter.tell(nc_message::kToolNotChanged, word, {std::to_string(*number)});
+        execution.reporter.report(nc_message::kToolNotChanged, word, {std::to_string(*number)});
     execution.state.selectedTool = *number;
 }
 
 void setToolNumber(Execution& execution, const Word& word) {
     if (!execution.block.has('Q')) {
-        execution.reporter.tell(nc_message::kWordMissing, word, {"M61", "Q"});
+        execution.reporter.report(nc_message::kWordMissing, word, {"M61", "Q"});
         return;
     }
     if (const auto number = toolNumber(execution, execution.block.word('Q'))) {
@@ -164,7 +164,7 @@ void setToolNumber(Execution& execution, const Word& word) {
 
 void changeTool(Execution& execution, const Word& word) {
     if (execution.state.selectedTool < 0) {
-        execution.reporter.tell(nc_message::kNoToolSelected, word);
+        execution.reporter.report(nc_message::kNoToolSelected, word);
         return;
     }
     execution.state.tool = execution.state.selectedTool;

@@ -16,7 +16,7 @@ namespace {
 
 constexpr int kZ = 2;
 
-bool standsStill(const Motion& motion) {
+bool isStationary(const Motion& motion) {
     return motion.start == motion.end && motion.startKnown == motion.endKnown;
 }
 
@@ -33,7 +33,7 @@ void goByWayOf(Execution& execution) {
     if (goesNowhere(execution))
         return;
     const Motion motion = motionToTarget(execution, MotionKind::rapid);
-    if (!standsStill(motion))
+    if (!isStationary(motion))
         appendMotion(execution, motion);
 }
 
@@ -45,7 +45,7 @@ void suspendCompensation(Execution& execution, const Word& word) {
     const PlaneAxes plane = axes(execution.state.plane);
     // The manuals do not tell what becomes of the offset in axes that stand still.
     if (!execution.block.has(letterOfAxis(plane.first)) || !execution.block.has(letterOfAxis(plane.second)))
-        execution.reporter.tell(nc_message::kCompensationSuspended, word, {nameOf(word)});
+        execution.reporter.report(nc_message::kCompensationSuspended, word, {nameOf(word)});
     finishCompensated(execution, word);
     compensation.entered = compensation.held = false;
 }
@@ -60,10 +60,10 @@ void sendTo(Execution& execution, Motion& motion, int axis, double value) {
 /// By way of the point of the axis words to the first reference position, which is the machine's zero; where
 /// another one lies, nobody knows.
 void goToReference(Execution& execution, const Word& word, bool first) {
-    tellReferenceInCycle(execution, word);
+    reportReferenceInCycle(execution, word);
     const bool named = execution.block.letters().any(kAxisWords);
     if (!named && !execution.dialect.allAxesGoHome) {
-        execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "X"});
+        execution.reporter.report(nc_message::kWordMissing, word, {nameOf(word), "X"});
         return;
     }
     suspendCompensation(execution, word);
@@ -104,7 +104,7 @@ void goToFurtherReference(Execution& execution, const Word& word) {
 
 void moveInMachine(Execution& execution, const Word& word) {
     if (execution.state.incremental) {
-        execution.reporter.tell(nc_message::kMachineIgnored, word);
+        execution.reporter.report(nc_message::kMachineIgnored, word);
         return;
     }
     suspendCompensation(execution, word);

@@ -28,8 +28,8 @@ constexpr int kMostTriples = 10;
 std::optional<int> whole(Execution& execution, const Word& word, int most) {
     if (word.value >= 0 && word.value <= most && word.value == std::round(word.value))
         return static_cast<int>(word.value);
-    execution.reporter.tell(nc_message::kNotInteger, word,
-                            {std::string(1, word.letter), "0", std::to_string(most)});
+    execution.reporter.report(nc_message::kNotInteger, word,
+                              {std::string(1, word.letter), "0", std::to_string(most)});
     return {};
 }
 
@@ -38,8 +38,8 @@ bool readCall(Execution& execution, const Word& word, FlowRequest& request) {
     const Block& block = execution.block;
     request.name = block.called();
     if (!block.has('P') && request.name.empty()) {
-        execution.reporter.tell(nc_message::kWordMissing, word,
-                                {fmt::format("{}{:g}", word.letter, word.value), "P"});
+        execution.reporter.report(nc_message::kWordMissing, word,
+                                  {fmt::format("{}{:g}", word.letter, word.value), "P"});
         return false;
     }
     const auto program =
@@ -79,13 +79,13 @@ public:
         std::ranges::sort(words, {}, &Word::column);
         for (const Word& word : words) {
             if (word.column > code.column)
-                take(word);
+                addArgument(word);
         }
         return m_values;
     }
 
 private:
-    void take(const Word& word) {
+    void addArgument(const Word& word) {
         int number = kArguments[static_cast<std::size_t>(word.letter - '@')];
         if (word.letter >= 'I' && word.letter <= 'K')
             number = ofTriple(word.letter);

@@ -17,13 +17,13 @@ void setUnits(Execution& execution, const Word& word, bool inch) {
         // grbl reads the whole block before it converts F.
         setFeed(execution, execution.block.word('F'));
     } else if (execution.block.has('F')) {
-        execution.reporter.tell(nc_message::kFeedInOldUnit, execution.block.word('F'), {nameOf(word)});
+        execution.reporter.report(nc_message::kFeedInOldUnit, execution.block.word('F'), {nameOf(word)});
     }
 }
 
 void setPlane(Execution& execution, const Word& word, Plane plane) {
     if (execution.state.compensation.on && plane != execution.state.plane) {
-        execution.reporter.tell(nc_message::kCompensationForbids, word, {nameOf(word)});
+        execution.reporter.report(nc_message::kCompensationForbids, word, {nameOf(word)});
         return;
     }
     execution.state.plane = plane;
@@ -69,7 +69,7 @@ void setArcCentreIncremental(Execution& execution, const Word& /*word*/) {
 }
 
 void refuseDiameters(Execution& execution, const Word& word) {
-    execution.reporter.tell(nc_message::kDiameterMode, word);
+    execution.reporter.report(nc_message::kDiameterMode, word);
 }
 
 void selectPathControl(Execution& execution, const Word& word) {

@@ -21,13 +21,13 @@ void discardModes(Execution& execution, const Word& /*word*/) {
 void restoreModes(Execution& execution, const Word& word) {
     const MachineState* saved = execution.saves.at(execution.callLevel);
     if (saved == nullptr) {
-        execution.reporter.tell(nc_message::kNothingSaved, word);
+        execution.reporter.report(nc_message::kNothingSaved, word);
         return;
     }
     LetterSet others = execution.block.letters();
     others.remove(LetterSet("N"));
     if (execution.block.codes().size() > 1 || !others.empty())
-        execution.reporter.tell(nc_message::kRestoreNotAlone, word);
+        execution.reporter.report(nc_message::kRestoreNotAlone, word);
     restore(execution, *saved, word);
 }
 

@@ -24,18 +24,18 @@ bool endsWhereItBegins(const Motion& motion, double samePoint) {
 }
 
 /// What Fanuc makes of words from which LinuxCNC makes no arc. False where nothing moves.
-bool takeAsFanuc(Execution& execution, const Word& word, Motion& motion) {
+bool convertAsFanuc(Execution& execution, const Word& word, Motion& motion) {
     const Block& block = execution.block;
     if (!block.letters().any(kCentreOrRadius)) {
-        execution.reporter.tell(nc_message::kArcStraight, word);
+        execution.reporter.report(nc_message::kArcStraight, word);
         motion.kind = MotionKind::feed;
     } else if (block.has('R')) {
         if (endsWhereItBegins(motion, execution.leastLength() / 2)) {
-            execution.reporter.tell(nc_message::kArcStays, block.word('R'));
+            execution.reporter.report(nc_message::kArcStays, block.word('R'));
             return false;
         }
         if (block.letters().any(LetterSet("IJK")))
-            execution.reporter.tell(nc_message::kArcRadiusCounts, block.word('R'));
+            execution.reporter.report(nc_message::kArcRadiusCounts, block.word('R'));
     }
     return true;
 }
@@ -46,32 +46,32 @@ void moveArc(Execution& execution, const Word& word, bool clockwise) {
         return;
     Motion motion = motionToTarget(execution, MotionKind::arc);
     if (execution.state.polar.on && execution.dialect.polarAboutTool)
-        execution.reporter.tell(nc_message::kPolarArc, word, {clockwise ? "G2" : "G3"});
-    tellMissingFeed(execution, word);
-    tellUnknownStart(execution, motion, word);
+        execution.reporter.report(nc_message::kPolarArc, word, {clockwise ? "G2" : "G3"});
+    reportMissingFeed(execution, word);
+    reportUnknownStart(execution, motion, word);
     const bool leaving = execution.state.compensation.leaving();
     if (execution.dialect.straightFirst ? execution.state.straightDue : leaving) {
-        execution.reporter.tell(nc_message::kCompensationExitArc, word);
-        leaveOut(execution, motion);
+        execution.reporter.report(nc_message::kCompensationExitArc, word);
+        skipMotion(execution, motion);
         return;
     }
     if (leaving || execution.state.strayed != Vec3(0)) {
-        execution.reporter.tell(nc_message::kArcFromElsewhere, word);
-        leaveOut(execution, motion);
+        execution.reporter.report(nc_message::kArcFromElsewhere, word);
+        skipMotion(execution, motion);
         return;
     }
     const bool turned = turnsPlane(execution.state.frame, motion.plane);
     if (turned ? !motion.known() : !planeKnown(motion)) {
         // There is no centre to count from: what is left is where it goes.
         motion.kind = MotionKind::feed;
-    } else if (fanuc && !takeAsFanuc(execution, word, motion)) {
+    } else if (fanuc && !convertAsFanuc(execution, word, motion)) {
         return;
     } else if (motion.kind == MotionKind::arc && turned) {
         if (!appendTurnedArc(execution, word, motion, clockwise))
-            leaveOut(execution, motion);
+            skipMotion(execution, motion);
         return;
     } else if (motion.kind == MotionKind::arc && !shapeArc(execution, word, motion, clockwise)) {
-        leaveOut(execution, motion);
+        skipMotion(execution, motion);
         return;
     }
     appendWithCorner(execution, word, motion);
@@ -91,8 +91,8 @@ void moveFeed(Execution& execution, const Word& word) {
         return;
     execution.state.straightDue = false;
     const Motion motion = motionToTarget(execution, MotionKind::feed);
-    tellMissingFeed(execution, word);
-    tellUnknownStart(execution, motion, word);
+    reportMissingFeed(execution, word);
+    reportUnknownStart(execution, motion, word);
     appendWithCorner(execution, word, motion);
 }
 

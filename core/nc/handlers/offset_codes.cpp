@@ -78,12 +78,12 @@ void leaveShiftAsTurned(Execution& execution, double rotationBefore) {
     const Vec3 tip = state.position;
     state.position = frame.toMachine(frame.toProgram(tip) + frame.shift - by.turned(frame.shift));
     state.strayed += tip - state.position;
-    execution.reporter.tell(nc_message::kShiftNotTurned, execution.block.word('L'), {"G10"});
+    execution.reporter.report(nc_message::kShiftNotTurned, execution.block.word('L'), {"G10"});
 }
 
 void setWorkOffset(Execution& execution, bool here) {
     if (!execution.block.has('P')) {
-        execution.reporter.tell(nc_message::kWordMissing, execution.block.word('L'), {"G10", "P"});
+        execution.reporter.report(nc_message::kWordMissing, execution.block.word('L'), {"G10", "P"});
         return;
     }
     const auto chosen =
@@ -92,11 +92,11 @@ void setWorkOffset(Execution& execution, bool here) {
         return;
     const int system = *chosen == 0 ? execution.state.workOffset : *chosen;
     if (system == execution.state.workOffset && execution.state.compensation.on) {
-        execution.reporter.tell(nc_message::kCompensationForbids, execution.block.word('L'), {"G10"});
+        execution.reporter.report(nc_message::kCompensationForbids, execution.block.word('L'), {"G10"});
         return;
     }
     if (here && execution.block.has('R')) {
-        execution.reporter.tell(nc_message::kWordUnused, execution.block.word('R'), {"R"});
+        execution.reporter.report(nc_message::kWordUnused, execution.block.word('R'), {"R"});
         return;
     }
     WorkFrame frame = frameOf(execution, system);
@@ -113,14 +113,14 @@ void setWorkOffset(Execution& execution, bool here) {
 }
 
 /// Where the machine stands in the coordinates of a work offset, as if no tool length were in force.
-Vec3 standsWithoutTool(const Execution& execution, const WorkFrame& frame) {
+Vec3 positionWithoutTool(const Execution& execution, const WorkFrame& frame) {
     return frame.toProgram(execution.state.position) + execution.state.toolOffset;
 }
 
 /// G10 L1, L10, L11: the entry of the tool table.
 void setTool(Execution& execution, int kind) {
     if (!execution.block.has('P')) {
-        execution.reporter.tell(nc_message::kWordMissing, execution.block.word('L'), {"G10", "P"});
+        execution.reporter.report(nc_message::kWordMissing, execution.block.word('L'), {"G10", "P"});
         return;
     }
     const auto number = wholeNumber(execution, execution.block.word('P'), 1, kLargestTool);
@@ -128,8 +128,8 @@ void setTool(Execution& execution, int kind) {
         return;
     const ToolOffset* known = execution.tools.find(*number);
     if (known == nullptr) {
-        execution.reporter.tell(nc_message::kOffsetUnknown, execution.block.word('P'),
-                                {std::to_string(*number)});
+        execution.reporter.report(nc_message::kOffsetUnknown, execution.block.word('P'),
+                                  {std::to_string(*number)});
         return;
     }
     ToolOffset tool = *known;
@@ -138,12 +138,12 @@ void setTool(Execution& execution, int kind) {
         frame = frameOf(execution, kOffsetCount);
         frame.shift = Vec3(0);
     }
-    const Vec3 stands = standsWithoutTool(execution, frame);
+    const Vec3 current = positionWithoutTool(execution, frame);
     for (int axis = 0; axis < 3; ++axis) {
         if (!execution.block.has(letterOfAxis(axis)))
             continue;
         const double value = execution.length(letterOfAxis(axis));
-        tool.offset[axis] = kind == kToolItself ? value : stands[axis] - value;
+        tool.offset[axis] = kind == kToolItself ? value : current[axis] - value;
     }
     if (execution.block.has('R'))
         tool.diameter = 2 * execution.length('R');
@@ -160,7 +160,7 @@ void setShift(Execution& execution, const Vec3& shift, bool on) {
 }
 
 /// What is to be known before coordinates can be counted from where the machine stands.
-void standHere(Execution& execution, const Vec3& program) {
+void setPosition(Execution& execution, const Vec3& program) {
     MachineState& state = execution.state;
     for (int axis = 0; axis < 3; ++axis) {
         const auto bit = axisBit(axis);
@@ -170,7 +170,7 @@ void standHere(Execution& execution, const Vec3& program) {
         state.position[axis] = state.frame.toMachine(program)[axis];
         state.known |= bit;
         state.everKnown |= bit;
-        state.unknownTold &= static_cast<std::uint8_t>(~bit);
+        state.unknownReported &= static_cast<std::uint8_t>(~bit);
     }
 }
 
@@ -194,7 +194,7 @@ void selectWorkOffset(Execution& execution, const Word& word) {
 
 void setOffsets(Execution& execution, const Word& word) {
     if (!execution.block.has('L')) {
-        execution.reporter.tell(nc_message::kWordMissing, word, {"G10", "L"});
+        execution.reporter.report(nc_message::kWordMissing, word, {"G10", "L"});
         return;
     }
     const Word& kind = execution.block.word('L');
@@ -203,7 +203,7 @@ void setOffsets(Execution& execution, const Word& word) {
     else if (kind.value == kToolItself || kind.value == kToolHere || kind.value == kToolInFixture)
         setTool(execution, static_cast<int>(kind.value));
     else
-        execution.reporter.tell(nc_message::kOffsetKind, kind, {fmt::format("{:g}", kind.value)});
+        execution.reporter.report(nc_message::kOffsetKind, kind, {fmt::format("{:g}", kind.value)});
 }
 
 namespace {
@@ -211,7 +211,7 @@ namespace {
 bool namesAxis(Execution& execution, const Word& word) {
     if (execution.block.letters().any(LetterSet("XYZABCUVW")))
         return true;
-    execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "X / Y / Z"});
+    execution.reporter.report(nc_message::kWordMissing, word, {nameOf(word), "X / Y / Z"});
     return false;
 }
 
@@ -228,7 +228,7 @@ void shiftCoordinates(Execution& execution, const Word& word) {
         if (execution.block.has(letterOfAxis(axis)))
             wanted[axis] = execution.length(letterOfAxis(axis));
     }
-    standHere(execution, wanted);
+    setPosition(execution, wanted);
     program = state.frame.toProgram(state.position);
     for (int axis = 0; axis < 3; ++axis) {
         if (execution.block.has(letterOfAxis(axis)))

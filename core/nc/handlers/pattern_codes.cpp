@@ -36,14 +36,14 @@ std::optional<Pattern> readPattern(Execution& execution, const Word& word) {
     for (const char letter : {'I', 'L'}) {
         if (block.has(letter))
             continue;
-        execution.reporter.tell(nc_message::kWordMissing, word,
-                                {fmt::format("G{:g}", word.value), std::string(1, letter)});
+        execution.reporter.report(nc_message::kWordMissing, word,
+                                  {fmt::format("G{:g}", word.value), std::string(1, letter)});
         return {};
     }
     const double holes = block.value('L');
     if (holes < 1 || holes > kMostHoles || holes != std::round(holes)) {
-        execution.reporter.tell(nc_message::kNotInteger, block.word('L'),
-                                {"L", "1", std::to_string(kMostHoles)});
+        execution.reporter.report(nc_message::kNotInteger, block.word('L'),
+                                  {"L", "1", std::to_string(kMostHoles)});
         return {};
     }
     return Pattern{execution.length('I'), block.has('J') ? angleOf(execution, 'J') : 0,
@@ -56,14 +56,14 @@ std::optional<Vec2> beginOf(Execution& execution, const Word& word) {
     const MachineState& state = execution.state;
     const std::string name = fmt::format("G{:g}", word.value);
     if (!isCycle(state.motion) || !state.cycle.bottomGiven || !state.cycle.retractGiven) {
-        execution.reporter.tell(nc_message::kPatternWithoutCycle, word, {name});
+        execution.reporter.report(nc_message::kPatternWithoutCycle, word, {name});
         return {};
     }
     const PlaneAxes plane = axes(state.plane);
     for (const int axis : {plane.first, plane.second}) {
         if ((state.known >> static_cast<unsigned>(axis) & 1U) != 0)
             continue;
-        execution.reporter.tell(nc_message::kIncrementalUnknown, word, {name});
+        execution.reporter.report(nc_message::kIncrementalUnknown, word, {name});
         return {};
     }
     const Vec3 at = state.frame.toProgram(state.position);
@@ -100,7 +100,7 @@ void drillBoltCircle(Execution& execution, const Word& word) {
 
 void drillBoltArc(Execution& execution, const Word& word) {
     if (!execution.block.has('K')) {
-        execution.reporter.tell(nc_message::kWordMissing, word, {"G71", "K"});
+        execution.reporter.report(nc_message::kWordMissing, word, {"G71", "K"});
         return;
     }
     drill(execution, word, [step = angleOf(execution, 'K')](const Pattern& pattern, int hole) {
@@ -109,7 +109,7 @@ void drillBoltArc(Execution& execution, const Word& word) {
 }
 
 void drillBoltLine(Execution& execution, const Word& word) {
-    execution.reporter.tell(nc_message::kBoltLineFirst, word);
+    execution.reporter.report(nc_message::kBoltLineFirst, word);
     drill(execution, word,
           [](const Pattern& pattern, int hole) { return polar(pattern.length * hole, pattern.angle); });
 }

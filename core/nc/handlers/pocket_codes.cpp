@@ -31,9 +31,9 @@ public:
         const double ofPass = 2.0 * static_cast<double>(m_radii.size()) + 2;
         if (!m_execution.mayMake(m_repeats * ofPass, m_word))
             return;
-        m_execution.reporter.tell(nc_message::kPocketWay, m_word);
-        tellMissingFeed(m_execution, m_word);
-        tellUnknownStart(m_execution, motionFromHere(m_execution, MotionKind::feed), m_word);
+        m_execution.reporter.report(nc_message::kPocketWay, m_word);
+        reportMissingFeed(m_execution, m_word);
+        reportUnknownStart(m_execution, motionFromHere(m_execution, MotionKind::feed), m_word);
         for (int pass = 0; pass < m_repeats && !m_execution.mustEnd(); ++pass) {
             plunge();
             if (!circles())
@@ -44,7 +44,7 @@ public:
 private:
     [[nodiscard]] const Block& block() const { return m_execution.block; }
     bool refuse(const FindingRow& message, const Word& word, std::vector<Argument> arguments = {}) {
-        m_execution.reporter.tell(message, word, std::move(arguments));
+        m_execution.reporter.report(message, word, std::move(arguments));
         return false;
     }
     [[nodiscard]] std::string name() const { return fmt::format("G{:g}", m_word.value); }
@@ -86,8 +86,8 @@ private:
             return refuse(nc_message::kOffsetUnknown, word, {fmt::format("{:g}", word.value)});
         radius = tool->diameter / 2;
         if (radius == 0)
-            m_execution.reporter.tell(nc_message::kCompensationNoDiameter, word,
-                                      {fmt::format("D{:g}", word.value)});
+            m_execution.reporter.report(nc_message::kCompensationNoDiameter, word,
+                                        {fmt::format("D{:g}", word.value)});
         return true;
     }
 

@@ -27,7 +27,7 @@ bool moveToIntermediate(Execution& execution, const Word& word) {
     }
     const auto missing = static_cast<std::uint8_t>(named & ~state.intermediateKnown);
     if (missing != 0) {
-        execution.reporter.tell(nc_message::kNoIntermediate, word, {namesOfAxes(missing)});
+        execution.reporter.report(nc_message::kNoIntermediate, word, {namesOfAxes(missing)});
         state.forget(execution.block.letters(), Forgotten::reported);
         return false;
     }
@@ -41,18 +41,18 @@ bool moveToIntermediate(Execution& execution, const Word& word) {
 } // namespace
 
 void checkReference(Execution& execution, const Word& word) {
-    tellReferenceInCycle(execution, word);
+    reportReferenceInCycle(execution, word);
     appendMotion(execution, motionToTarget(execution, MotionKind::rapid));
 }
 
 void returnFromReference(Execution& execution, const Word& word) {
-    tellReferenceInCycle(execution, word);
+    reportReferenceInCycle(execution, word);
     if (moveToIntermediate(execution, word))
         appendMotion(execution, motionToTarget(execution, MotionKind::rapid));
 }
 
 void approachFromOneSide(Execution& execution, const Word& word) {
-    execution.reporter.tell(nc_message::kOneSided, word);
+    execution.reporter.report(nc_message::kOneSided, word);
     appendMotion(execution, motionToTarget(execution, MotionKind::rapid));
 }
 

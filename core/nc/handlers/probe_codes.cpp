@@ -28,11 +28,11 @@ constexpr int kAway = 384;
 
 bool mayProbe(Execution& execution, const Word& word) {
     if (!execution.block.letters().any(LetterSet("XYZ@^"))) {
-        execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "X / Y / Z"});
+        execution.reporter.report(nc_message::kWordMissing, word, {nameOf(word), "X / Y / Z"});
         return false;
     }
     if (execution.state.feedMode == FeedMode::perRevolution) {
-        execution.reporter.tell(nc_message::kProbePerRevolution, word);
+        execution.reporter.report(nc_message::kProbePerRevolution, word);
         return false;
     }
     return true;
@@ -61,8 +61,9 @@ void stopWhere(Execution& execution, const Word& word, Motion motion, const Prob
     motion.probing = true;
     const Vec3 place = state.frame.toProgram(motion.end);
     if (answer.kind == Kind::found)
-        execution.reporter.tell(seek == Seek::contact ? nc_message::kProbeContact : nc_message::kProbeRelease,
-                                word, coordinates(place));
+        execution.reporter.report(seek == Seek::contact ? nc_message::kProbeContact
+                                                        : nc_message::kProbeRelease,
+                                  word, coordinates(place));
     appendMotion(execution, motion);
     state.probed.place = place;
     state.probed.simulated = answer.kind != Kind::unknown;
@@ -71,11 +72,11 @@ void stopWhere(Execution& execution, const Word& word, Motion motion, const Prob
             state.probed.axes |= axisBit(axis);
 }
 
-void tellAssumed(Execution& execution, const Word& word, const FindingRow& message) {
-    if (execution.state.probed.assumedTold)
+void reportAssumed(Execution& execution, const Word& word, const FindingRow& message) {
+    if (execution.state.probed.assumedReported)
         return;
-    execution.state.probed.assumedTold = true;
-    execution.reporter.tell(message, word);
+    execution.state.probed.assumedReported = true;
+    execution.reporter.report(message, word);
 }
 
 /// The result in program coordinates, in the unit of the program.
@@ -95,13 +96,13 @@ void storeMachResult(Execution& execution) {
 }
 
 /// What a machine answers with an error; it does not go on then.
-void tellFailure(Execution& execution, const Word& word, Kind kind, int tenths) {
+void reportFailure(Execution& execution, const Word& word, Kind kind, int tenths) {
     const bool towards = tenths < kAway;
     const std::string code = fmt::format("G{:g}", tenths / 10.0);
     if (kind == Kind::already)
-        execution.reporter.tell(towards ? nc_message::kProbeTouches : nc_message::kProbeFree, word, {code});
+        execution.reporter.report(towards ? nc_message::kProbeTouches : nc_message::kProbeFree, word, {code});
     else if (kind == Kind::missed && (tenths == kTowards || tenths == kAway))
-        execution.reporter.tell(towards ? nc_message::kProbeMissed : nc_message::kProbeHeld, word, {code});
+        execution.reporter.report(towards ? nc_message::kProbeMissed : nc_message::kProbeHeld, word, {code});
 }
 
 } // namespace
@@ -112,18 +113,18 @@ void probe(Execution& execution, const Word& word) {
         return;
     }
     const Motion motion = motionToTarget(execution, MotionKind::feed);
-    tellMissingFeed(execution, word);
-    tellUnknownStart(execution, motion, word);
+    reportMissingFeed(execution, word);
+    reportUnknownStart(execution, motion, word);
     if (motion.known() && motion.start == motion.end) {
-        execution.reporter.tell(nc_message::kProbeTooClose, word);
+        execution.reporter.report(nc_message::kProbeTooClose, word);
         return;
     }
     const int tenths = execution.state.motion->tenths;
     const Seek seek = tenths < kAway ? Seek::contact : Seek::release;
     const ProbeTarget::Answer answer = ask(execution, motion, seek);
     if (answer.kind == Kind::unknown)
-        tellAssumed(execution, word, nc_message::kProbeAssumed);
-    tellFailure(execution, word, answer.kind, tenths);
+        reportAssumed(execution, word, nc_message::kProbeAssumed);
+    reportFailure(execution, word, answer.kind, tenths);
     if (answer.kind == Kind::already)
         return;
     stopWhere(execution, word, motion, answer, seek);
@@ -133,11 +134,11 @@ void probe(Execution& execution, const Word& word) {
 /// Where no signal comes the motion just ends; where it is there already, nothing moves.
 void skipMotion(Execution& execution, const Word& word) {
     const Motion motion = motionToTarget(execution, MotionKind::feed);
-    tellMissingFeed(execution, word);
-    tellUnknownStart(execution, motion, word);
+    reportMissingFeed(execution, word);
+    reportUnknownStart(execution, motion, word);
     ProbeTarget::Answer answer = ask(execution, motion, Seek::contact);
     if (answer.kind == Kind::unknown)
-        tellAssumed(execution, word, nc_message::kSkipAssumed);
+        reportAssumed(execution, word, nc_message::kSkipAssumed);
     if (answer.kind == Kind::already)
         answer = {Kind::found, motion.start};
     stopWhere(execution, word, motion, answer, Seek::contact);
@@ -145,11 +146,11 @@ void skipMotion(Execution& execution, const Word& word) {
         storeMachResult(execution);
 }
 
-void tellProbeUse(MachineState& state, Reporter& reporter) {
-    if (!state.probed.simulated || state.probed.useTold)
+void reportProbeUse(MachineState& state, Reporter& reporter) {
+    if (!state.probed.simulated || state.probed.useReported)
         return;
-    state.probed.useTold = true;
-    reporter.tell(nc_message::kProbeUsed, 1, 0);
+    state.probed.useReported = true;
+    reporter.report(nc_message::kProbeUsed, 1, 0);
 }
 
 namespace {
@@ -187,9 +188,9 @@ void lookForProbeUse(Execution& execution, std::uint8_t axes, std::size_t firstM
         const bool placed = !state.incremental || execution.machineCoordinates;
         state.probed.axes &= static_cast<std::uint8_t>(state.known & (placed ? ~named : 0xff));
         if (state.probed.axes != 0)
-            tellProbeUse(state, execution.reporter);
+            reportProbeUse(state, execution.reporter);
     } else if (!moved && (axes & named) != 0 && countsFromHere(execution.block)) {
-        tellProbeUse(state, execution.reporter);
+        reportProbeUse(state, execution.reporter);
     }
 }
 

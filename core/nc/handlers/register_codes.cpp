@@ -27,15 +27,15 @@ void offsetByRegister(Execution& execution, const Word& word, int sign) {
     if (!length) {
         if (execution.toolLacks(state.lengthRegister))
             return;
-        execution.reporter.tell(nc_message::kRegisterUnknown,
-                                execution.block.has('H') ? execution.block.word('H') : word,
-                                {fmt::format("H{}", state.lengthRegister)});
+        execution.reporter.report(nc_message::kRegisterUnknown,
+                                  execution.block.has('H') ? execution.block.word('H') : word,
+                                  {fmt::format("H{}", state.lengthRegister)});
         return;
     }
     state.lengthSign = sign;
     const double offset = sign * *length;
     if (offset != state.toolOffset[kZ] && !execution.block.has('Z'))
-        execution.reporter.tell(nc_message::kLengthWithoutAxis, word, {nameOf(word)});
+        execution.reporter.report(nc_message::kLengthWithoutAxis, word, {nameOf(word)});
     setToolOffset(execution, Vec3(0, 0, offset));
 }
 

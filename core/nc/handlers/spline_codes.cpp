@@ -19,7 +19,7 @@ constexpr LetterSet kPlaneWords("XY@^");
 
 bool refuse(Execution& execution, const FindingRow& message, const Word& word,
             std::vector<Argument> arguments = {}) {
-    execution.reporter.tell(message, word, std::move(arguments));
+    execution.reporter.report(message, word, std::move(arguments));
     return false;
 }
 
@@ -75,8 +75,8 @@ struct Handle {
 };
 void appendBezier(Execution& execution, const Word& word, const std::vector<Handle>& handles) {
     const Motion motion = motionToTarget(execution, MotionKind::feed);
-    tellMissingFeed(execution, word);
-    tellUnknownStart(execution, motion, word);
+    reportMissingFeed(execution, word);
+    reportUnknownStart(execution, motion, word);
     if (!planeKnown(motion)) {
         appendMotion(execution, motion);
         return;
@@ -173,13 +173,13 @@ void addNurbsPoint(Execution& execution, const Word& word) {
     Spline& nurbs = execution.splines.nurbs;
     if (!isNurbs(execution.motionBefore)) {
         if (!nurbs.points.empty())
-            execution.reporter.tell(nc_message::kNurbsOpen, word);
+            execution.reporter.report(nc_message::kNurbsOpen, word);
         nurbs = {};
     }
     if (!pointFits(execution, word))
         return;
     if (execution.state.feedMode == FeedMode::perMinute)
-        tellMissingFeed(execution, word);
+        reportMissingFeed(execution, word);
     const bool named = block.letters().any(kPlaneWords);
     const WorkFrame& frame = execution.state.frame;
     if (nurbs.points.empty()) {
@@ -198,7 +198,7 @@ void addNurbsPoint(Execution& execution, const Word& word) {
 namespace {
 
 /// LinuxCNC has G5.3 in the group of the non-modal codes as well.
-void tellNonModal(Execution& execution, const Word& end) {
+void reportNonModal(Execution& execution, const Word& end) {
     for (const Word& word : execution.block.codes()) {
         const CodeRow* row = execution.codes.find(word);
         if (row != nullptr && row->group == ModalGroup::nonModal)
@@ -210,7 +210,7 @@ void tellNonModal(Execution& execution, const Word& end) {
 
 void followNurbs(Execution& execution, const Word& word) {
     execution.state.motion = nullptr;
-    tellNonModal(execution, word);
+    reportNonModal(execution, word);
     if (!isNurbs(execution.motionBefore)) {
         refuse(execution, nc_message::kNurbsNotOpen, word);
         return;
@@ -226,8 +226,8 @@ void followNurbs(Execution& execution, const Word& word) {
             arrive(execution.state, motion);
         return;
     }
-    tellMissingFeed(execution, word);
-    tellUnknownStart(execution, motion, word);
+    reportMissingFeed(execution, word);
+    reportUnknownStart(execution, motion, word);
     if (planeKnown(motion))
         appendSpline(execution, word, motion, nurbs);
     else

@@ -16,7 +16,7 @@ namespace {
 
 bool refuse(Execution& execution, const FindingRow& message, const Word& word,
             std::vector<Argument> arguments = {}) {
-    execution.reporter.tell(message, word, std::move(arguments));
+    execution.reporter.report(message, word, std::move(arguments));
     return false;
 }
 
@@ -40,7 +40,7 @@ bool wordsFit(Execution& execution, const Word& word) {
 /// The motion to the target of the block, at the feed that the pitch asks for.
 Motion motionInStep(Execution& execution, const Word& word) {
     Motion motion = motionToTarget(execution, MotionKind::feed);
-    tellUnknownStart(execution, motion, word);
+    reportUnknownStart(execution, motion, word);
     motion.perRevolution = true;
     motion.feedMmPerMin = execution.length('K') * std::abs(motion.spindleRpm);
     return motion;

@@ -28,12 +28,12 @@ bool endsTurning(const Execution& execution) {
 }
 
 /// Mirror image, scaling and rotation lie within each other; tells where a code stands within a later one.
-void tellOrder(Execution& execution, const Word& word, bool scaling) {
+void reportOrder(Execution& execution, const Word& word, bool scaling) {
     const Transformation& now = transformation(execution);
     const bool turned = now.turned && !endsTurning(execution);
     if (turned || (scaling && now.scaled))
-        execution.reporter.tell(nc_message::kTransformationOrder, word,
-                                {nameOf(word), turned ? "G68" : "G51"});
+        execution.reporter.report(nc_message::kTransformationOrder, word,
+                                  {nameOf(word), turned ? "G68" : "G51"});
 }
 
 double factor(const Execution& execution, char letter) {
@@ -45,7 +45,7 @@ double factor(const Execution& execution, char letter) {
 std::optional<Vec3> factorsGiven(Execution& execution, const Word& word) {
     const Block& block = execution.block;
     if (!block.has('P') && !block.letters().any(LetterSet("IJK"))) {
-        execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "P"});
+        execution.reporter.report(nc_message::kWordMissing, word, {nameOf(word), "P"});
         return {};
     }
     Vec3 factors(1);
@@ -55,7 +55,7 @@ std::optional<Vec3> factorsGiven(Execution& execution, const Word& word) {
             continue;
         factors[axis] = factor(execution, letter);
         if (factors[axis] == 0) {
-            execution.reporter.tell(nc_message::kScaleFactor, block.word(letter), {std::string(1, letter)});
+            execution.reporter.report(nc_message::kScaleFactor, block.word(letter), {std::string(1, letter)});
             return {};
         }
     }
@@ -63,7 +63,7 @@ std::optional<Vec3> factorsGiven(Execution& execution, const Word& word) {
 }
 
 void mirror(Execution& execution, const Word& word, const Vec3& at) {
-    tellOrder(execution, word, true);
+    reportOrder(execution, word, true);
     Transformation& now = transformation(execution);
     for (int axis = 0; axis < 3; ++axis) {
         if (!execution.block.has(letterOfAxis(axis)))
@@ -85,7 +85,7 @@ std::uint8_t centreUnknown(Execution& execution, const Word& word, std::uint8_t 
     const auto known = (state.known & mixed) == mixed ? state.known : state.known & ~unsigned{mixed};
     const auto unknown = static_cast<std::uint8_t>(centre & ~known);
     if (unknown != 0)
-        execution.reporter.tell(nc_message::kCentreUnknown, word, {nameOf(word), namesOfAxes(unknown)});
+        execution.reporter.report(nc_message::kCentreUnknown, word, {nameOf(word), namesOfAxes(unknown)});
     return unknown;
 }
 
@@ -93,7 +93,7 @@ std::uint8_t centreUnknown(Execution& execution, const Word& word, std::uint8_t 
 
 void mirrorAxes(Execution& execution, const Word& word) {
     if (!execution.block.letters().any(kAxisWords)) {
-        execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "X"});
+        execution.reporter.report(nc_message::kWordMissing, word, {nameOf(word), "X"});
         return;
     }
     Vec3 at(0);
@@ -108,14 +108,14 @@ void mirrorAboutZero(Execution& execution, const Word& word) {
     if (execution.block.letters().any(kAxisWords))
         mirror(execution, word, Vec3(0));
     else
-        execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "X"});
+        execution.reporter.report(nc_message::kWordMissing, word, {nameOf(word), "X"});
 }
 
 void endMirror(Execution& execution, const Word& word) {
     Transformation& now = transformation(execution);
     if (now.mirrored == 0)
         return;
-    tellOrder(execution, word, true);
+    reportOrder(execution, word, true);
     const bool all = !execution.block.letters().any(kAxisWords);
     for (int axis = 0; axis < 3; ++axis) {
         if (all || execution.block.has(letterOfAxis(axis)))
@@ -127,11 +127,11 @@ void scaleCoordinates(Execution& execution, const Word& word) {
     const auto factors = factorsGiven(execution, word);
     if (!factors)
         return;
-    tellOrder(execution, word, false);
+    reportOrder(execution, word, false);
     const MachineState& state = execution.state;
     Transformation& now = transformation(execution);
     // An axis without a word is scaled about where the tool stands.
-    const Vec3 stands = now.unturn(state.frame.toWork(state.position));
+    const Vec3 current = now.unturn(state.frame.toWork(state.position));
     Vec3 given(0);
     std::uint8_t aboutTool = 0;
     for (int axis = 0; axis < 3; ++axis) {
@@ -143,7 +143,7 @@ void scaleCoordinates(Execution& execution, const Word& word) {
     now.scaleUnknown = centreUnknown(execution, word, aboutTool);
     given = now.mirror(given);
     for (int axis = 0; axis < 3; ++axis)
-        now.scaleAt[axis] = execution.block.has(letterOfAxis(axis)) ? given[axis] : stands[axis];
+        now.scaleAt[axis] = execution.block.has(letterOfAxis(axis)) ? given[axis] : current[axis];
     now.factors = *factors;
     now.scaled = true;
 }
@@ -151,14 +151,14 @@ void scaleCoordinates(Execution& execution, const Word& word) {
 void endScaling(Execution& execution, const Word& word) {
     if (!transformation(execution).scaled)
         return;
-    tellOrder(execution, word, false);
+    reportOrder(execution, word, false);
     transformation(execution).scaled = false;
     transformation(execution).factors = Vec3(1);
 }
 
 void turnCoordinates(Execution& execution, const Word& word) {
     if (!execution.block.has('R')) {
-        execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "R"});
+        execution.reporter.report(nc_message::kWordMissing, word, {nameOf(word), "R"});
         return;
     }
     const MachineState& state = execution.state;
@@ -179,7 +179,7 @@ void turnCoordinates(Execution& execution, const Word& word) {
     const bool adds = execution.dialect.rotationAdds && open;
     now.degrees = execution.angle('R') + (adds ? now.degrees : 0);
     if (open)
-        execution.reporter.tell(nc_message::kRotationSetting, word, {figures("{:.6g}", now.degrees)});
+        execution.reporter.report(nc_message::kRotationSetting, word, {figures("{:.6g}", now.degrees)});
     now.turnUnknown = centreUnknown(execution, word, aboutTool);
     now.turned = true;
     now.plane = state.plane;

@@ -18,7 +18,7 @@ constexpr double kRight = -1;
 bool mayBegin(Execution& execution, const Word& word) {
     if (execution.state.frame.transformation.keepsPlane(execution.state.plane))
         return true;
-    execution.reporter.tell(nc_message::kCompensationTurned, word);
+    execution.reporter.report(nc_message::kCompensationTurned, word);
     return false;
 }
 
@@ -35,8 +35,8 @@ std::optional<double> radiusInRegister(Execution& execution, const Word& word) {
     }
     const auto radius = execution.registers.radius(state.radiusRegister);
     if (!radius && !execution.toolLacks(state.radiusRegister)) {
-        execution.reporter.tell(nc_message::kRegisterUnknown, given ? execution.block.word('D') : word,
-                                {fmt::format("D{}", state.radiusRegister)});
+        execution.reporter.report(nc_message::kRegisterUnknown, given ? execution.block.word('D') : word,
+                                  {fmt::format("D{}", state.radiusRegister)});
     }
     return radius;
 }
@@ -52,13 +52,13 @@ void useRadius(Execution& execution, double radius) {
     compensation.entered = compensation.entered && radius != 0;
 }
 
-void tellZero(Execution& execution, const Word& word) {
+void reportZero(Execution& execution, const Word& word) {
     const bool certain =
         execution.state.radiusRegister == 0 ||
         execution.registers.certain(OffsetRegisters::Entry::radius, execution.state.radiusRegister);
-    execution.reporter.tell(certain ? nc_message::kCompensationNoDiameter
-                                    : nc_message::kCompensationDiameterUnknown,
-                            word, {nameOf(word)});
+    execution.reporter.report(certain ? nc_message::kCompensationNoDiameter
+                                      : nc_message::kCompensationDiameterUnknown,
+                              word, {nameOf(word)});
 }
 
 /// The same code once more leaves the tool square beside the block before; the other one changes the side.
@@ -73,7 +73,7 @@ void compensateByRegister(Execution& execution, const Word& word, double side) {
     compensation.side = side;
     useRadius(execution, *radius);
     if (*radius == 0)
-        tellZero(execution, word);
+        reportZero(execution, word);
 }
 
 } // namespace

@@ -31,7 +31,7 @@ void select(Execution& execution, int system) {
 }
 
 /// Whether another code of the block has a use for P.
-bool othersTakeP(const Execution& execution, const Word& own) {
+bool othersUseP(const Execution& execution, const Word& own) {
     return std::ranges::any_of(execution.block.codes(), [&](const Word& word) {
         const CodeRow* row = execution.codes.find(word);
         return word.column != own.column && row != nullptr && row->letters.has('P');
@@ -48,7 +48,7 @@ void selectAdditionalByP(Execution& execution) {
 
 void selectWorkSystem(Execution& execution, const Word& word) {
     const int tenths = static_cast<int>(std::lround(word.value * 10));
-    if (tenths == kG54 && execution.block.has('P') && !othersTakeP(execution, word))
+    if (tenths == kG54 && execution.block.has('P') && !othersUseP(execution, word))
         selectAdditionalByP(execution);
     else
         select(execution, (tenths - kG54) / 10 + 1);
@@ -58,7 +58,7 @@ void selectAdditionalSystem(Execution& execution, const Word& word) {
     if (execution.block.has('P'))
         selectAdditionalByP(execution);
     else
-        execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "P"});
+        execution.reporter.report(nc_message::kWordMissing, word, {nameOf(word), "P"});
 }
 
 void selectNamedSystem(Execution& execution, const Word& word) {
@@ -83,7 +83,7 @@ void shiftAllSystems(Execution& execution, const Word& /*word*/) {
 void presetCoordinates(Execution& execution, const Word& word) {
     MachineState& state = execution.state;
     if (!execution.block.letters().any(kAxisWords)) {
-        execution.reporter.tell(nc_message::kWordMissing, word, {nameOf(word), "X"});
+        execution.reporter.report(nc_message::kWordMissing, word, {nameOf(word), "X"});
         return;
     }
     Vec3 wanted = state.frame.toProgram(state.position);
@@ -101,7 +101,7 @@ void presetCoordinates(Execution& execution, const Word& word) {
             state.position[axis] = there[axis];
             state.known |= bit;
             state.everKnown |= bit;
-            state.unknownTold &= static_cast<std::uint8_t>(~bit);
+            state.unknownReported &= static_cast<std::uint8_t>(~bit);
         }
         state.presetShift[axis] += state.localShift[axis] + state.position[axis] - there[axis];
         state.localShift[axis] = 0;

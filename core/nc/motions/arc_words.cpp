@@ -59,7 +59,7 @@ public:
             return 0;
         const Word& turns = m_execution.block.word('P');
         if (turns.value < 1 || turns.value > kMostTurns || turns.value != std::round(turns.value)) {
-            m_execution.reporter.tell(nc_message::kArcTurns, turns, {std::to_string(kMostTurns)});
+            m_execution.reporter.report(nc_message::kArcTurns, turns, {std::to_string(kMostTurns)});
             return {};
         }
         return static_cast<int>(turns.value) - 1;
@@ -89,7 +89,7 @@ private:
 
     std::optional<Arc> refuse(const FindingRow& message, const Word& word,
                               std::vector<Argument> arguments = {}) {
-        m_execution.reporter.tell(message, word, std::move(arguments));
+        m_execution.reporter.report(message, word, std::move(arguments));
         return {};
     }
 
@@ -103,25 +103,26 @@ private:
     /// grbl reads the third centre word and does nothing with it.
     bool ignoresOffPlane() {
         const char off = letter(m_plane.normal);
-        m_execution.reporter.tell(nc_message::kArcWordIgnored, m_execution.block.word(off), {letterOf(off)});
+        m_execution.reporter.report(nc_message::kArcWordIgnored, m_execution.block.word(off),
+                                    {letterOf(off)});
         return true;
     }
 
     /// Where the setting of the control decides how I J K count, whether both ways make an arc.
-    void tellOpenCentre() {
+    void reportOpenCentre() {
         MachineState& state = m_execution.state;
-        if (!m_execution.dialect.arcCentreOpen || state.arcCentreChosen || state.arcCentreTold)
+        if (!m_execution.dialect.arcCentreOpen || state.arcCentreChosen || state.arcCentreReported)
             return;
         const Vec2 absolute(value(m_plane.first), value(m_plane.second));
         const bool other = absolute != absolute + m_ends.start;
         if (!other || !arcAbout(absolute, m_ends, tolerances()))
             return;
-        state.arcCentreTold = true;
-        m_execution.reporter.tell(nc_message::kArcCentreOpen, m_word);
+        state.arcCentreReported = true;
+        m_execution.reporter.report(nc_message::kArcCentreOpen, m_word);
     }
 
     std::optional<Arc> aboutCentre() {
-        tellOpenCentre();
+        reportOpenCentre();
         Vec2 centre(value(m_plane.first), value(m_plane.second));
         if (!m_execution.state.arcCentreAbsolute)
             centre += m_ends.start;
@@ -134,7 +135,7 @@ private:
 
     std::optional<Arc> ofRadius() {
         if (m_execution.dialect.radiusNotScaled && m_execution.state.frame.transformation.scaled)
-            m_execution.reporter.tell(nc_message::kRadiusScaled, m_execution.block.word('R'), {"R"});
+            m_execution.reporter.report(nc_message::kRadiusScaled, m_execution.block.word('R'), {"R"});
         const Word& word = m_execution.block.word('R');
         return checked(arcOfRadius(m_execution.length('R'), m_ends, tolerances()), word);
     }
@@ -173,21 +174,21 @@ private:
 bool fitForSize(Execution& execution, const Word& word, Motion& motion) {
     const double radius = arcRadius(motion);
     if (radius < kLeastRadius) {
-        execution.reporter.tell(nc_message::kArcZeroRadius, word, {figures("{:.6g}", radius)});
+        execution.reporter.report(nc_message::kArcZeroRadius, word, {figures("{:.6g}", radius)});
         return false;
     }
     if (radius <= kLargestRadius) {
         if (withinLimits(motion))
             return true;
-        execution.reporter.tell(nc_message::kArcTooLong, word,
-                                {figures("{:.6g}", pathLength(motion)), figures("{:g}", kLongestArc)});
+        execution.reporter.report(nc_message::kArcTooLong, word,
+                                  {figures("{:.6g}", pathLength(motion)), figures("{:g}", kLongestArc)});
         return false;
     }
     if (std::abs(motion.sweep) < 1 && sagitta(radius, motion.sweep) < kFlat) {
         motion.kind = MotionKind::feed;
         return true;
     }
-    execution.reporter.tell(nc_message::kArcTooLarge, word, {figures("{:.6g}", radius)});
+    execution.reporter.report(nc_message::kArcTooLarge, word, {figures("{:.6g}", radius)});
     return false;
 }
 
@@ -209,7 +210,7 @@ bool shapeArc(Execution& execution, const Word& word, Motion& motion, bool clock
     const WorkFrame& frame = execution.state.frame;
     const Transformation& transformation = frame.transformation;
     if (!transformation.keepsPlane(motion.plane) || !transformation.keepsCircles(motion.plane)) {
-        execution.reporter.tell(
+        execution.reporter.report(
             transformation.keepsPlane(motion.plane) ? nc_message::kArcScaled : nc_message::kArcTurned, word);
         return false;
     }

@@ -35,12 +35,12 @@ void CompensatedMotion::append() {
 }
 
 void CompensatedMotion::report(const FindingRow& message, std::vector<Argument> arguments) {
-    m_execution.reporter.tell(message, m_word, std::move(arguments));
+    m_execution.reporter.report(message, m_word, std::move(arguments));
 }
 
 void CompensatedMotion::refuse(const FindingRow& message, std::vector<Argument> arguments) {
-    tellOfRadius(m_execution, message, m_word, std::move(arguments));
-    leaveOut(m_execution, m_motion);
+    reportOfRadius(m_execution, message, m_word, std::move(arguments));
+    skipMotion(m_execution, m_motion);
 }
 
 void CompensatedMotion::refuseSmallArc() {
@@ -63,10 +63,10 @@ void CompensatedMotion::append(Motion& motion, const Vec3& programmedEnd) {
 }
 
 void CompensatedMotion::appendUnknown() {
-    if (!m_compensation.unknownTold)
+    if (!m_compensation.unknownReported)
         report(nc_message::kCompensationUnknownStart);
-    m_compensation.unknownTold = true;
-    m_compensation.beginAnew();
+    m_compensation.unknownReported = true;
+    m_compensation.restart();
     appendMotion(m_execution, m_motion);
 }
 

@@ -28,7 +28,7 @@ void withPath(Execution& execution, const Word& word, const Motion& motion, Step
 
 void appendCompensated(Execution& execution, const Word& word, const Motion& motion) {
     if (execution.machineCoordinates) {
-        execution.reporter.tell(nc_message::kCompensationForbids, word, {"G53"});
+        execution.reporter.report(nc_message::kCompensationForbids, word, {"G53"});
         return;
     }
     // Inverse time counts for the programmed length, not for the one of the path beside it.

@@ -46,19 +46,19 @@ public:
         const bool whole = m_corner.compensated || m_corner.path.arc();
         const bool consumed = shape && whole && leadsNowhere(upTo(m_corner.path, shape->start));
         if (!shape || consumed) {
-            tell(nc_message::kCornerTooLarge, {figures("{:.6g}", m_corner.size)});
+            report(nc_message::kCornerTooLarge, {figures("{:.6g}", m_corner.size)});
             return true;
         }
         if (!m_corner.rounded && (m_corner.path.arc() || m_after.arc()))
-            tell(nc_message::kChamferOnArc);
+            report(nc_message::kChamferOnArc);
         shortenBefore(*shape);
         appendBetween(*shape);
         return shortenAfter(*shape);
     }
 
 private:
-    void tell(const FindingRow& message, std::vector<Argument> arguments = {}) {
-        m_execution.reporter.tell(message, m_word, std::move(arguments));
+    void report(const FindingRow& message, std::vector<Argument> arguments = {}) {
+        m_execution.reporter.report(message, m_word, std::move(arguments));
     }
 
     bool fits() {
@@ -67,14 +67,14 @@ private:
         const bool held =
             m_corner.compensated ? compensation.held : !m_execution.program.isSettled(m_corner.motion);
         if (m_motion.kind == MotionKind::rapid)
-            tell(nc_message::kCornerNextBlock);
+            report(nc_message::kCornerNextBlock);
         else if (m_corner.compensated != compensation.moves() || changesSide(compensation))
-            tell(nc_message::kCornerCompensation);
+            report(nc_message::kCornerCompensation);
         else if (!held || leadsNowhere(m_after))
-            tell(nc_message::kCornerWithoutMotion);
+            report(nc_message::kCornerWithoutMotion);
         else if (m_corner.across || m_corner.plane != m_execution.state.plane ||
                  m_motion.start[m_plane.normal] != m_motion.end[m_plane.normal] || !planeKnown(m_motion))
-            tell(nc_message::kCornerOffPlane);
+            report(nc_message::kCornerOffPlane);
         else
             return m_corner.size > 0;
         return false;
@@ -132,7 +132,7 @@ const Word* cornerWord(Execution& execution) {
         return block.has(kChamferLetter) ? &block.word(kChamferLetter) : nullptr;
     if (!block.has(kChamferLetter))
         return &block.word(kRoundingLetter);
-    execution.reporter.tell(nc_message::kCornerTwice, block.word(kRoundingLetter));
+    execution.reporter.report(nc_message::kCornerTwice, block.word(kRoundingLetter));
     return nullptr;
 }
 
@@ -170,15 +170,15 @@ void appendHeld(Execution& execution, const Word& word, const Motion& motion, co
     const bool changes =
         corner.compensated ? !compensation.entered || changesSide(compensation) : compensation.leaving();
     if (changes || !planeKnown(motion) || leadsNowhere(corner.path)) {
-        execution.reporter.tell(changes ? nc_message::kCornerCompensation : nc_message::kCornerWithoutMotion,
-                                ordered);
+        execution.reporter.report(
+            changes ? nc_message::kCornerCompensation : nc_message::kCornerWithoutMotion, ordered);
         appendOrdered(execution, word, motion);
         return;
     }
     if (corner.size < 0)
-        execution.reporter.tell(nc_message::kCornerNegative, ordered, {figures("{:.6g}", corner.size)});
+        execution.reporter.report(nc_message::kCornerNegative, ordered, {figures("{:.6g}", corner.size)});
     else if (scaledInPlane(execution.state))
-        execution.reporter.tell(nc_message::kCornerScaled, ordered);
+        execution.reporter.report(nc_message::kCornerScaled, ordered);
     if (corner.compensated)
         appendOrdered(execution, word, motion);
     else
@@ -214,7 +214,7 @@ void checkOrderedCorner(Execution& execution) {
         return;
     }
     corner.pending = false;
-    execution.reporter.tell(nc_message::kCornerNextBlock, 1, 0);
+    execution.reporter.report(nc_message::kCornerNextBlock, 1, 0);
 }
 
 } // namespace proveout

@@ -45,7 +45,7 @@ bool MeetingPath::finish(const Vec2& end, bool noticed) {
 
 void MeetingPath::reportGouge(const FindingRow& message) {
     const Motion motion = m_execution.program.motion(m_compensation.firstHeld);
-    tellOfRadius(m_execution, message, m_word, {shownLength(radius()), std::to_string(motion.line)});
+    reportOfRadius(m_execution, message, m_word, {shownLength(radius()), std::to_string(motion.line)});
 }
 
 void MeetingPath::enter() {
@@ -120,7 +120,7 @@ void MeetingPath::emit(const PlanePath& path, const Vec2& from) {
     motion.centre = withPlane(m_motion.centre, path.centre, m_plane);
     motion.sweep = from == path.start ? path.sweep : sweepBetween(path, from, path.end);
     if (motion.kind == MotionKind::arc && !fitForSize(m_execution, m_word, motion))
-        return leaveOut(m_execution, m_motion);
+        return skipMotion(m_execution, m_motion);
     m_execution.program.settle();
     hold(path, from);
     m_compensation.heading = headingAtEnd(m_programmed);

@@ -30,7 +30,7 @@ Vec3 tipAt(const Execution& execution, const Vec3& programmed) {
     return glm::distance(tip, last) < kRounding ? last : tip;
 }
 
-void goOnFromTip(Execution& execution) {
+void continueFromTip(Execution& execution) {
     MachineState& state = execution.state;
     state.position = tipAt(execution, state.position);
     state.compensation.displacement = state.strayed = Vec3(0);
@@ -52,11 +52,11 @@ void arrive(MachineState& state, const Motion& motion) {
     state.known = motion.endKnown;
     state.zAtReference = motion.endAtReference;
     state.everKnown |= motion.endKnown;
-    state.unknownTold &= static_cast<std::uint8_t>(~state.known);
+    state.unknownReported &= static_cast<std::uint8_t>(~state.known);
 }
 
-void leaveOut(Execution& execution, const Motion& motion) {
-    execution.state.compensation.beginAnew();
+void skipMotion(Execution& execution, const Motion& motion) {
+    execution.state.compensation.restart();
     arrive(execution.state, motion);
 }
 
@@ -104,7 +104,7 @@ void forgetTooFar(Execution& execution, Motion& motion) {
     motion.endKnown &= static_cast<std::uint8_t>(~static_cast<unsigned>(beyond));
     if (motion.kind == MotionKind::arc)
         motion.kind = MotionKind::feed;
-    execution.reporter.tell(nc_message::kTargetTooFar, 1, 0, {"1e14", namesOfAxes(beyond)});
+    execution.reporter.report(nc_message::kTargetTooFar, 1, 0, {"1e14", namesOfAxes(beyond)});
 }
 
 } // namespace

@@ -16,7 +16,7 @@ namespace proveout {
 /// Where the tip stands when the machine is to stand at `programmed`: elsewhere under cutter compensation.
 [[nodiscard]] Vec3 tipAt(const Execution& execution, const Vec3& programmed);
 /// The control asks its machine where the tip stands, and goes on from there.
-void goOnFromTip(Execution& execution);
+void continueFromTip(Execution& execution);
 
 /// Whether both ends are known in the plane of the motion.
 [[nodiscard]] bool planeKnown(const Motion& motion);
@@ -29,7 +29,7 @@ void arrive(MachineState& state, const Motion& motion);
 
 /// A motion that is ordered and not made: its end is known all the same, and what follows starts there, into
 /// cutter compensation where that is on.
-void leaveOut(Execution& execution, const Motion& motion);
+void skipMotion(Execution& execution, const Motion& motion);
 
 /// The feed of a motion by G93, which depends on its length.
 void setInverseTimeFeed(const Execution& execution, Motion& motion);

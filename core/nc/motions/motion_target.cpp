@@ -52,9 +52,9 @@ void setMachineTarget(Execution& execution, Motion& motion, int axis, double val
     constexpr int kZ = 2;
     if (axis == kZ)
         motion.endAtReference = value == 0;
-    if (!state.referenceTold) {
-        state.referenceTold = true;
-        execution.reporter.tell(nc_message::kReferenceUnknown, 1, 0, {std::string(1, letterOfAxis(axis))});
+    if (!state.referenceReported) {
+        state.referenceReported = true;
+        execution.reporter.report(nc_message::kReferenceUnknown, 1, 0, {std::string(1, letterOfAxis(axis))});
     }
 }
 
@@ -66,12 +66,12 @@ std::optional<Vec2> polarTarget(Execution& execution, const Vec3& program, std::
     constexpr std::uint8_t kBoth = kAxisX | kAxisY;
     if ((incremental || !block.has('@') || !block.has('^')) && (known & kBoth) != kBoth) {
         const Word& word = block.word(block.has('@') ? '@' : '^');
-        execution.reporter.tell(nc_message::kIncrementalUnknown, word, {std::string(1, word.letter)});
+        execution.reporter.report(nc_message::kIncrementalUnknown, word, {std::string(1, word.letter)});
         return {};
     }
     if ((incremental || !block.has('^')) && program.x == 0 && program.y == 0) {
         const Word& word = block.word(block.has('@') ? '@' : '^');
-        execution.reporter.tell(nc_message::kPolarOrigin, word, {std::string(1, word.letter)});
+        execution.reporter.report(nc_message::kPolarOrigin, word, {std::string(1, word.letter)});
         return {};
     }
     double radius = std::hypot(program.x, program.y);
@@ -98,10 +98,10 @@ bool axisTarget(Execution& execution, int axis, std::uint8_t known, Vec3& progra
         program[axis] += value;
         return true;
     }
-    if ((state.unknownTold & axisBit(axis)) == 0) {
-        state.unknownTold |= axisBit(axis);
-        execution.reporter.tell(nc_message::kIncrementalUnknown, execution.block.word(letter),
-                                {std::string(1, letter)});
+    if ((state.unknownReported & axisBit(axis)) == 0) {
+        state.unknownReported |= axisBit(axis);
+        execution.reporter.report(nc_message::kIncrementalUnknown, execution.block.word(letter),
+                                  {std::string(1, letter)});
     }
     return false;
 }
@@ -150,7 +150,7 @@ Motion motionToTarget(Execution& execution, MotionKind kind) {
     if (named == 0)
         return motion;
     if (state.turning.axes != 0)
-        tellTurning(execution, named);
+        reportTurning(execution, named);
     const Vec3 machine = frame.toMachine(program);
     const std::uint8_t mixed = frame.mixedAxes();
     for (int axis = 0; axis < 3; ++axis) {
@@ -170,27 +170,27 @@ bool onlySelectsMode(const Execution& execution) {
     return !moves && !execution.block.letters().any(LetterSet("XYZ@^"));
 }
 
-void tellMissingFeed(Execution& execution, const Word& word) {
+void reportMissingFeed(Execution& execution, const Word& word) {
     MachineState& state = execution.state;
     const bool inverse = state.feedMode == FeedMode::inverseTime;
     if (inverse && !execution.block.has('F'))
-        execution.reporter.tell(nc_message::kInverseTimeFeed, word);
-    if (inverse || state.missingFeedTold)
+        execution.reporter.report(nc_message::kInverseTimeFeed, word);
+    if (inverse || state.missingFeedReported)
         return;
-    const bool stands = state.feedMode == FeedMode::perRevolution && state.feed > 0 &&
-                        (state.spindleDirection == 0 || state.rpm() <= 0);
-    state.missingFeedTold = state.feed <= 0 || stands;
-    if (state.missingFeedTold)
-        execution.reporter.tell(stands ? nc_message::kFeedWithoutSpindle : nc_message::kNoFeed, word);
+    const bool isStopped = state.feedMode == FeedMode::perRevolution && state.feed > 0 &&
+                           (state.spindleDirection == 0 || state.rpm() <= 0);
+    state.missingFeedReported = state.feed <= 0 || isStopped;
+    if (state.missingFeedReported)
+        execution.reporter.report(isStopped ? nc_message::kFeedWithoutSpindle : nc_message::kNoFeed, word);
 }
 
-void tellUnknownStart(Execution& execution, const Motion& motion, const Word& word) {
+void reportUnknownStart(Execution& execution, const Motion& motion, const Word& word) {
     const auto unknown =
         static_cast<std::uint8_t>(kAllAxes & ~static_cast<unsigned>(motion.startKnown & motion.endKnown));
-    if ((unknown & ~execution.state.unknownTold) == 0)
+    if ((unknown & ~execution.state.unknownReported) == 0)
         return;
-    execution.state.unknownTold |= unknown;
-    execution.reporter.tell(nc_message::kStartUnknown, word, {namesOfAxes(unknown)});
+    execution.state.unknownReported |= unknown;
+    execution.reporter.report(nc_message::kStartUnknown, word, {namesOfAxes(unknown)});
 }
 
 } // namespace proveout

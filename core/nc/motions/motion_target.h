@@ -29,9 +29,9 @@ void setMachineTarget(Execution& execution, Motion& motion, int axis, double val
 [[nodiscard]] bool onlySelectsMode(const Execution& execution);
 
 /// Tells once that there is no feed rate.
-void tellMissingFeed(Execution& execution, const Word& word);
+void reportMissingFeed(Execution& execution, const Word& word);
 
 /// Tells that the motion cuts nothing, once an axis until its place becomes known and is lost again.
-void tellUnknownStart(Execution& execution, const Motion& motion, const Word& word);
+void reportUnknownStart(Execution& execution, const Motion& motion, const Word& word);
 
 } // namespace proveout

@@ -24,12 +24,12 @@ std::uint8_t readPolarWords(Execution& execution, std::uint8_t known, Vec3& prog
     const auto bits = static_cast<std::uint8_t>(1U << static_cast<unsigned>(plane.first) |
                                                 1U << static_cast<unsigned>(plane.second));
     if (incremental && execution.dialect.polarAboutTool)
-        execution.reporter.tell(nc_message::kPolarArc, block.word(block.has(radius) ? radius : angle),
-                                {"G91"});
+        execution.reporter.report(nc_message::kPolarArc, block.word(block.has(radius) ? radius : angle),
+                                  {"G91"});
     if (block.has(radius)) {
         if (incremental && (known & bits) != bits) {
-            execution.reporter.tell(nc_message::kIncrementalUnknown, block.word(radius),
-                                    {std::string(1, radius)});
+            execution.reporter.report(nc_message::kIncrementalUnknown, block.word(radius),
+                                      {std::string(1, radius)});
             return 0;
         }
         if (!execution.dialect.polarAboutTool)

@@ -7,12 +7,12 @@
 
 namespace proveout {
 
-void tellOfRadius(Execution& execution, const FindingRow& message, const Word& word,
-                  std::vector<Argument> arguments) {
+void reportOfRadius(Execution& execution, const FindingRow& message, const Word& word,
+                    std::vector<Argument> arguments) {
     if (execution.state.compensation.assumed)
-        execution.reporter.tellAsWarning(message, word, std::move(arguments));
+        execution.reporter.reportAsWarning(message, word, std::move(arguments));
     else
-        execution.reporter.tell(message, word, std::move(arguments));
+        execution.reporter.report(message, word, std::move(arguments));
 }
 
 } // namespace proveout

@@ -12,7 +12,7 @@ struct Execution;
 struct FindingRow;
 
 /// Tells what is due to the radius of the tool: a warning only where that is assumed.
-void tellOfRadius(Execution& execution, const FindingRow& message, const Word& word,
-                  std::vector<Argument> arguments);
+void reportOfRadius(Execution& execution, const FindingRow& message, const Word& word,
+                    std::vector<Argument> arguments);
 
 } // namespace proveout

@@ -8,6 +8,6 @@ namespace proveout {
 struct Execution;
 
 /// The first motion behind a rotation names these axes: tells where controls differ about the others.
-void tellTurning(Execution& execution, std::uint8_t named);
+void reportTurning(Execution& execution, std::uint8_t named);
 
 } // namespace proveout

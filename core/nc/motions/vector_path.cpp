@@ -125,9 +125,9 @@ bool VectorPath::finish(const Vec2& end) {
     const Vec2& from = m_compensation.from;
     if (!m_compensation.entry && !changesSide() && goesBackward(path, from, end)) {
         const Motion motion = m_execution.program.motion(m_compensation.firstHeld);
-        tellOfRadius(m_execution,
-                     m_held.cornered ? nc_message::kCompensationErased : nc_message::kCompensationGouge,
-                     m_word, {shownLength(std::abs(m_held.offset)), std::to_string(motion.line)});
+        reportOfRadius(m_execution,
+                       m_held.cornered ? nc_message::kCompensationErased : nc_message::kCompensationGouge,
+                       m_word, {shownLength(std::abs(m_held.offset)), std::to_string(motion.line)});
         m_execution.program.settle();
         return false;
     }
@@ -161,7 +161,7 @@ void VectorPath::emit(const Vec2& from) {
         motion.sweep = sweepWithin(path, from, path.end);
     }
     if (motion.kind == MotionKind::arc && !fitForSize(m_execution, m_word, motion))
-        return leaveOut(m_execution, m_motion);
+        return skipMotion(m_execution, m_motion);
     hold(path, from);
     m_held = {m_programmed, m_compensation.offset, false, true, 0, Vec2(0)};
     append(motion, m_motion.end);

@@ -33,18 +33,18 @@ Program::Program(const Program& other, const Extent& extent)
     m_motions.reserve(other.m_motions.size());
     m_blocks.reserve(other.m_blocks.size());
     m_arcs.reserve(other.m_arcs.size());
-    const auto take = [](auto& to, const auto& from, std::size_t count) {
+    const auto copyFirst = [](auto& to, const auto& from, std::size_t count) {
         to.assign(from.begin(), from.begin() + static_cast<std::ptrdiff_t>(count));
     };
-    take(m_motions, other.m_motions, extent.motions);
-    take(m_arcs, other.m_arcs, extent.arcs);
-    take(m_states, other.m_states, extent.states);
-    take(m_blocks, other.m_blocks, extent.blocks);
-    take(m_jumps, other.m_jumps, extent.jumps);
-    take(m_compensations, other.m_compensations, extent.compensations);
-    take(m_events, other.m_events, extent.events);
-    take(m_diagnostics, other.m_diagnostics, extent.diagnostics);
-    take(m_diagnosticMotions, other.m_diagnosticMotions, extent.diagnostics);
+    copyFirst(m_motions, other.m_motions, extent.motions);
+    copyFirst(m_arcs, other.m_arcs, extent.arcs);
+    copyFirst(m_states, other.m_states, extent.states);
+    copyFirst(m_blocks, other.m_blocks, extent.blocks);
+    copyFirst(m_jumps, other.m_jumps, extent.jumps);
+    copyFirst(m_compensations, other.m_compensations, extent.compensations);
+    copyFirst(m_events, other.m_events, extent.events);
+    copyFirst(m_diagnostics, other.m_diagnostics, extent.diagnostics);
+    copyFirst(m_diagnosticMotions, other.m_diagnosticMotions, extent.diagnostics);
     m_unverified = std::ranges::any_of(m_diagnostics, &Diagnostic::unverified);
 }
 

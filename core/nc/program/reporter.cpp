@@ -41,20 +41,20 @@ std::string writtenAs(char letter) {
     }
 }
 
-void Reporter::tell(const FindingRow& message, int column, int length, std::vector<Argument> arguments) {
+void Reporter::report(const FindingRow& message, int column, int length, std::vector<Argument> arguments) {
     std::ranges::for_each(arguments, shorten);
     m_memory.unverified = m_memory.unverified || message.unverified;
     if (isKnown(message, column, arguments)) {
         ++m_memory.repeated;
         return;
     }
-    std::size_t& told = message.severity == Severity::error ? m_memory.errorsTold : m_memory.told;
-    if (told == m_limit) {
+    std::size_t& reported = message.severity == Severity::error ? m_memory.errorsReported : m_memory.reported;
+    if (reported == m_limit) {
         ++m_memory.suppressed;
         m_memory.suppressedUnverified = m_memory.suppressedUnverified || message.unverified;
         return;
     }
-    ++told;
+    ++reported;
     append(message, message.unverified, {m_line, column, length}, std::move(arguments));
 }
 
@@ -66,14 +66,14 @@ bool Reporter::isKnown(const FindingRow& message, int column, const std::vector<
     });
 }
 
-void Reporter::tellInAnyCase(const FindingRow& message, int column, int length,
-                             std::vector<Argument> arguments) {
+void Reporter::reportInAnyCase(const FindingRow& message, int column, int length,
+                               std::vector<Argument> arguments) {
     std::ranges::for_each(arguments, shorten);
     m_memory.unverified = m_memory.unverified || message.unverified;
     append(message, message.unverified, {m_line, column, length}, std::move(arguments));
 }
 
-void Reporter::tellSuppressed() {
+void Reporter::reportSuppressed() {
     if (m_memory.suppressed > 0)
         append(base_finding::kTooManyMessages, m_memory.suppressedUnverified, {m_line, 1, 0},
                {std::to_string(m_memory.suppressed)});

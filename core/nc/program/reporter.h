@@ -34,25 +34,25 @@ public:
     void setFile(std::string file) { m_file = std::move(file); }
     void beginLine(std::uint32_t line) { m_line = static_cast<int>(line); }
     [[nodiscard]] std::uint32_t line() const { return static_cast<std::uint32_t>(m_line); }
-    void tell(const FindingRow& message, int column, int length, std::vector<Argument> arguments = {});
-    void tell(const FindingRow& message, const Word& word, std::vector<Argument> arguments = {}) {
-        tell(message, word.column, word.length, std::move(arguments));
+    void report(const FindingRow& message, int column, int length, std::vector<Argument> arguments = {});
+    void report(const FindingRow& message, const Word& word, std::vector<Argument> arguments = {}) {
+        report(message, word.column, word.length, std::move(arguments));
     }
     /// What would be more if it did not rest on something assumed.
-    void tellAsWarning(FindingRow message, const Word& word, std::vector<Argument> arguments) {
+    void reportAsWarning(FindingRow message, const Word& word, std::vector<Argument> arguments) {
         message.severity = Severity::warning;
-        tell(message, word, std::move(arguments));
+        report(message, word, std::move(arguments));
     }
     /// For what is told about the whole program, once: is shown whatever the limit.
-    void tellInAnyCase(const FindingRow& message, int column, int length,
-                       std::vector<Argument> arguments = {});
+    void reportInAnyCase(const FindingRow& message, int column, int length,
+                         std::vector<Argument> arguments = {});
     /// The last message, where there were more than the limit.
-    void tellSuppressed();
+    void reportSuppressed();
 
     /// What it remembers of the messages so far. A value.
     struct Memory {
-        std::size_t told = 0; ///< but for errors
-        std::size_t errorsTold = 0;
+        std::size_t reported = 0; ///< but for errors
+        std::size_t errorsReported = 0;
         std::size_t suppressed = 0;
         std::size_t repeated = 0; ///< that were handed on before
         bool unverified = false;
@@ -63,7 +63,7 @@ public:
 
     /// All messages, shown or not.
     [[nodiscard]] std::size_t count() const {
-        return m_memory.told + m_memory.errorsTold + m_memory.suppressed + m_memory.repeated;
+        return m_memory.reported + m_memory.errorsReported + m_memory.suppressed + m_memory.repeated;
     }
     [[nodiscard]] bool unverified() const { return m_memory.unverified; }
 

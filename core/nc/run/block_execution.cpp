@@ -29,7 +29,7 @@ void readBackAfterToolChange(Execution& execution) {
         return;
     for (const Word& word : execution.block.codes()) {
         if (word.letter == 'M' && word.value == kToolChange && !execution.state.compensation.on)
-            goOnFromTip(execution);
+            continueFromTip(execution);
     }
 }
 

@@ -91,7 +91,7 @@ bool BlockExecutor::execute(const Line& line, FlowRequest& request) {
 /// A control would start the program again; once is what there is to see.
 void BlockExecutor::endAtReturn(Execution& execution, const Word& word) {
     finishCompensated(execution, word);
-    m_reporter.tell(nc_message::kMainReturn, word);
+    m_reporter.report(nc_message::kMainReturn, word);
     m_program.append(ProgramEnd{}, m_calls.mainLineNumber());
     m_memory.machine.ended = true;
 }
@@ -104,17 +104,17 @@ bool BlockExecutor::tooLong() const {
         return false;
     const std::string count = std::to_string(m_options.maxMotions);
     if (motions)
-        m_reporter.tellInAnyCase(nc_message::kTooManyMotions, 1, 0, {count});
+        m_reporter.reportInAnyCase(nc_message::kTooManyMotions, 1, 0, {count});
     else if (events)
-        m_reporter.tellInAnyCase(nc_message::kTooManyEvents, 1, 0, {count});
+        m_reporter.reportInAnyCase(nc_message::kTooManyEvents, 1, 0, {count});
     else
-        m_reporter.tellInAnyCase(nc_message::kProgramTooLarge, 1, 0,
-                                 {figures("{}", readableBytes(static_cast<double>(m_options.maxBytes)))});
+        m_reporter.reportInAnyCase(nc_message::kProgramTooLarge, 1, 0,
+                                   {figures("{}", readableBytes(static_cast<double>(m_options.maxBytes)))});
     return true;
 }
 
 void BlockExecutor::skip(const ReadError& error, std::string_view text) {
-    m_reporter.tell(*error.message, error.column, error.length, {readable(error.argument)});
+    m_reporter.report(*error.message, error.column, error.length, {readable(error.argument)});
     m_memory.machine.forget(axisLetters(text), Forgotten::reported);
     if (m_dialect.streamed) // grbl forgets a line that it refuses
         return;

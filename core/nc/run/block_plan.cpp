@@ -37,13 +37,13 @@ public:
                 return planWithArguments();
         }
         for (const Word& word : m_block.earlier())
-            tell(nc_message::kLastWordCounts, word, {writtenAs(word.letter)});
+            report(nc_message::kLastWordCounts, word, {writtenAs(word.letter)});
         for (const LetterRow& row : letters()) {
             if (row.handler != nullptr && m_block.has(row.letter))
                 m_plan.add(row.step, row.handler, m_block.word(row.letter));
         }
         planRegisters();
-        tellOtherAxes();
+        reportOtherAxes();
         return checkSpindle() && checkPolar() && planMotion() && checkUnused();
     }
 
@@ -53,8 +53,8 @@ private:
         if (word.letter == 'M' && ++m_mWords > m_execution.dialect.mostMWords)
             return refuse(nc_message::kTooManyM, word, {std::to_string(m_execution.dialect.mostMWords)});
         if (row == nullptr) {
-            tell(word.letter == 'M' ? nc_message::kUnknownMCode : nc_message::kUnknownCode, word,
-                 {nameOf(word)});
+            report(word.letter == 'M' ? nc_message::kUnknownMCode : nc_message::kUnknownCode, word,
+                   {nameOf(word)});
             m_strange = true;
             m_unknownCode = true;
             return true;
@@ -96,7 +96,7 @@ private:
     bool replaces(const CodeRow& row, const Word& earlier, const Word& later) {
         if (!m_execution.dialect.lastWordCounts || row.group == ModalGroup::nonModal)
             return refuse(nc_message::kModalConflict, later, {nameOf(earlier), nameOf(later)});
-        tell(nc_message::kLastCounts, later, {nameOf(earlier), nameOf(later)});
+        report(nc_message::kLastCounts, later, {nameOf(earlier), nameOf(later)});
         return true;
     }
 
@@ -115,11 +115,11 @@ private:
     }
 
     void planUnsupported(const CodeRow& row, const Word& word) {
-        tell(nc_message::kUnsupportedCode, word, {nameOf(word), row.name});
+        report(nc_message::kUnsupportedCode, word, {nameOf(word), row.name});
         m_strange = true;
         if (row.axisUse == AxisUse::none)
             return;
-        m_axesTaken = true;
+        m_axesUsed = true;
         if (row.axisUse == AxisUse::allAxes && !m_block.letters().any(kTargetWords))
             m_execution.state.forget(kTargetWords, Forgotten::reported);
     }
@@ -179,7 +179,7 @@ private:
         return !m_block.letters().any(LetterSet("XY")) || refuse(nc_message::kPolarMixed, firstAxisWord());
     }
 
-    void tellOtherAxes() {
+    void reportOtherAxes() {
         LetterSet others = kOtherAxes;
         // Fanuc's dwell counts by any of X, U and P.
         if (m_axisWord != nullptr && m_execution.codes.find(*m_axisWord)->step == Step::dwell)
@@ -191,7 +191,7 @@ private:
             return;
         for (const LetterRow& row : letters()) {
             if (others.has(row.letter) && m_block.has(row.letter))
-                tell(nc_message::kAxisUnsupported, m_block.word(row.letter), {std::string(1, row.letter)});
+                report(nc_message::kAxisUnsupported, m_block.word(row.letter), {std::string(1, row.letter)});
         }
         m_used.add(kOtherAxes);
     }
@@ -200,7 +200,7 @@ private:
     bool planMotion() {
         MachineState& state = m_execution.state;
         const bool named = m_block.letters().any(kTargetWords);
-        if (m_axisWord != nullptr && !m_axesTaken && !m_unknownCode)
+        if (m_axisWord != nullptr && !m_axesUsed && !m_unknownCode)
             return planWithoutMotion(named);
         if (m_motionRow == nullptr && m_machineWord != nullptr && isLost(state.motion))
             return planMotionInForce();
@@ -208,7 +208,7 @@ private:
             return false;
         if (m_motionRow != nullptr && m_motionRow->handler == nullptr)
             state.motion = m_motionRow;
-        if (m_axesTaken || (m_unknownCode && m_motionRow == nullptr)) {
+        if (m_axesUsed || (m_unknownCode && m_motionRow == nullptr)) {
             forgetNamedAxes();
             // "G53 G0 Z0": G0 stays in force, but this block moves somewhere else.
             if (m_motionRow != nullptr)
@@ -284,7 +284,7 @@ private:
         m_execution.state.motion = m_execution.codes.find('G', kRapid);
         if (!named)
             return true;
-        tell(nc_message::kRapidAfterG80, firstAxisWord(), {std::string(1, firstAxisWord().letter)});
+        report(nc_message::kRapidAfterG80, firstAxisWord(), {std::string(1, firstAxisWord().letter)});
         return planMotionInForce();
     }
 
@@ -317,7 +317,7 @@ private:
             const Word& word = m_block.word(row.letter);
             if (m_execution.dialect.refusesUnused)
                 return refuse(nc_message::kWordUnused, word, {writtenAs(row.letter)});
-            tell(nc_message::kWordIgnored, word, {writtenAs(row.letter)});
+            report(nc_message::kWordIgnored, word, {writtenAs(row.letter)});
         }
         return true;
     }
@@ -342,11 +342,11 @@ private:
         return m_block.word('X');
     }
 
-    void tell(const FindingRow& message, const Word& word, std::vector<Argument> arguments = {}) {
-        m_execution.reporter.tell(message, word, std::move(arguments));
+    void report(const FindingRow& message, const Word& word, std::vector<Argument> arguments = {}) {
+        m_execution.reporter.report(message, word, std::move(arguments));
     }
     bool refuse(const FindingRow& message, const Word& word, std::vector<Argument> arguments = {}) {
-        tell(message, word, std::move(arguments));
+        report(message, word, std::move(arguments));
         return false;
     }
 
@@ -360,7 +360,7 @@ private:
     bool m_allWords = false;    ///< G65: the words behind it are its arguments
     bool m_strange;             ///< something in the block is not supported: other words may belong to it
     bool m_unknownCode = false; ///< it may use the axis words, unless a motion code does
-    bool m_axesTaken = false;   ///< by a code that is not supported
+    bool m_axesUsed = false;    ///< by a code that is not supported
     const Word* m_axisWord = nullptr;    ///< a supported code that uses the axis words itself
     const Word* m_machineWord = nullptr; ///< G53
 };
@@ -378,7 +378,7 @@ void BlockPlan::run(Execution& execution) const {
         const Order& order = m_orders[static_cast<std::size_t>(std::countr_zero(rest))];
         // Asked only now: G40 of the same block comes first.
         if (isRefused(order.withCompensation, execution.state.compensation))
-            execution.reporter.tell(nc_message::kCompensationForbids, *order.word, {nameOf(*order.word)});
+            execution.reporter.report(nc_message::kCompensationForbids, *order.word, {nameOf(*order.word)});
         else
             order.handler(execution, *order.word);
     }

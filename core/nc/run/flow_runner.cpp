@@ -61,7 +61,7 @@ bool FlowRunner::leaveText() {
     while (m_calls.atEnd()) {
         if (m_calls.inMainProgram())
             return false;
-        m_reporter.tell(nc_message::kSubEndMissing, 1, 0, {m_calls.level().label});
+        m_reporter.report(nc_message::kSubEndMissing, 1, 0, {m_calls.level().label});
         m_calls.leave();
     }
     return true;
@@ -88,10 +88,10 @@ void FlowRunner::checkPlaceOfCall(const Line& line, const FlowRequest& request) 
         return;
     const Place& late = line.lateCall;
     if (request.kind == FlowRequest::Kind::call && late.column > 0)
-        m_reporter.tell(nc_message::kCallNotFirst, late.column, late.length, {"M98"});
+        m_reporter.report(nc_message::kCallNotFirst, late.column, late.length, {"M98"});
     const bool alone = late.column == 0 && line.block.letters().empty() && line.block.codes().size() == 1;
     if (request.kind == FlowRequest::Kind::returns && !m_calls.inMainProgram() && !alone)
-        m_reporter.tell(nc_message::kReturnNotAlone, request.word);
+        m_reporter.report(nc_message::kReturnNotAlone, request.word);
 }
 
 /// This line always leads elsewhere. One that block delete may skip does not.

@@ -57,7 +57,7 @@ std::size_t behindNumber(std::string_view line) {
     return end < line.size() && line[end] == ' ' ? end + 1 : end;
 }
 
-void takeOutComments(std::string_view line, std::string& out) {
+void removeComments(std::string_view line, std::string& out) {
     out.clear();
     bool comment = false;
     bool arguments = false;
@@ -87,7 +87,7 @@ struct Forms {
     void set(std::string_view text) {
         constexpr std::size_t kLongest = 2'000;
         trim(text.substr(0, kLongest), line);
-        takeOutComments(line, block);
+        removeComments(line, block);
         squeezed = block;
         std::erase(squeezed, ' ');
     }
@@ -217,8 +217,8 @@ std::shared_ptr<const Program> foreignProgram(const NcText& text, const Interpre
     }
     Reporter reporter(*program, options.file, options.maxDiagnostics);
     reporter.beginLine(static_cast<std::uint32_t>(foreign->line));
-    reporter.tell(*foreign->message, 1, 0,
-                  {foreign->kind, std::to_string(foreign->line), foreign->sign, dialectNames()});
+    reporter.report(*foreign->message, 1, 0,
+                    {foreign->kind, std::to_string(foreign->line), foreign->sign, dialectNames()});
     return program;
 }
 

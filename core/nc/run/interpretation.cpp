@@ -12,7 +12,7 @@ namespace proveout {
 namespace {
 
 constexpr std::size_t kLinesPerLook = 1024; ///< lines between two looks at the stop token
-constexpr std::size_t kLinesPerTell = 65536;
+constexpr std::size_t kLinesPerReport = 65536;
 
 /// The row of the table with what the builder of the machine set.
 Dialect configured(DialectId id, const InterpretOptions& options) {
@@ -67,13 +67,13 @@ std::shared_ptr<const Program> Interpretation::run() {
     return std::move(m_program);
 }
 
-void Interpretation::goOn(const ResumePoint& point, const Program& earlier) {
+void Interpretation::resume(const ResumePoint& point, const Program& earlier) {
     m_begun = true;
     *m_program = Program(earlier, point.program);
-    m_reporter.restore(point.told);
+    m_reporter.restore(point.reported);
     m_run = point.run;
     m_lines.registers().restore(point.registers);
-    m_calls.goOn(point.calls);
+    m_calls.continueAt(point.calls);
 }
 
 void Interpretation::keepPoints(std::size_t firstLine, KeepPoint keep) {
@@ -114,14 +114,14 @@ void Interpretation::end() {
     m_notices.reportIgnoredCodes();
     m_program->setIgnoredCodes(m_run.ignored);
     m_reporter.beginLine(last);
-    m_reporter.tellSuppressed();
+    m_reporter.reportSuppressed();
     m_program->setSourceBlockCount(m_run.read.sourceBlocks);
     m_program->setAsksForTools(m_run.memory.tools.asked());
     m_program->setAsksForStock(m_run.memory.machine.probed.asked);
     m_program->setRunsAgain(m_run.repeats.runsAgain);
     if (m_lines.watch().active())
         m_program->setLineValues(std::make_shared<const LineValues>(m_lines.watch().values()));
-    m_context.tell(1);
+    m_context.report(1);
 }
 
 /// Once in many lines: whether to stop, and how far it is. False where it has to stop.
@@ -129,11 +129,11 @@ bool Interpretation::lookUp() {
     m_reporter.beginLine(static_cast<std::uint32_t>(m_calls.line() + 1));
     const std::size_t step = m_run.steps++;
     if (step % kLinesPerLook == 0 && m_context.stopped()) {
-        m_reporter.tellInAnyCase(nc_message::kStopped, 1, 0, {m_calls.linesOfCalls()});
+        m_reporter.reportInAnyCase(nc_message::kStopped, 1, 0, {m_calls.linesOfCalls()});
         return false;
     }
-    if (step % kLinesPerTell == 0)
-        m_context.tell(static_cast<double>(m_run.read.linesRead) / static_cast<double>(m_text.lineCount()));
+    if (step % kLinesPerReport == 0)
+        m_context.report(static_cast<double>(m_run.read.linesRead) / static_cast<double>(m_text.lineCount()));
     return true;
 }
 
@@ -144,9 +144,9 @@ bool Interpretation::runLine() {
     if (!m_repeats.mayRun())
         return false;
     const RepeatGuard::Started started = m_repeats.begin(m_run.read.linesRead);
-    const bool goesOn = m_lines.run();
-    m_repeats.end(started, m_lines.takeDependence());
-    return goesOn && (isFinished() || !m_repeats.reportsTooOften());
+    const bool continues = m_lines.run();
+    m_repeats.end(started, m_lines.consumeDependence());
+    return continues && (isFinished() || !m_repeats.reportsTooOften());
 }
 
 } // namespace proveout

@@ -27,7 +27,7 @@ public:
 
     /// Instead of at the beginning: at a point of an earlier run, of which `earlier` is the result, or a
     /// longer program. The lines before it must be the same.
-    void goOn(const ResumePoint& point, const Program& earlier);
+    void resume(const ResumePoint& point, const Program& earlier);
 
     /// Is handed a point and the program so far; returns the line from which on it wants the next one.
     using KeepPoint = std::function<std::size_t(ResumePoint, const Program&)>;

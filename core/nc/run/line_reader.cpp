@@ -36,7 +36,7 @@ void LineReader::skipToPercent() {
         }
         if (text) {
             m_reporter.beginLine(1);
-            m_reporter.tell(nc_message::kTextBeforePercent, 1, 0);
+            m_reporter.report(nc_message::kTextBeforePercent, 1, 0);
             m_calls.jump(line);
         }
         m_read.linesSeen = line + 1;
@@ -87,25 +87,25 @@ LineReader::Content LineReader::readText(std::size_t index, bool first, Line& li
 void LineReader::reportFirst(std::size_t index, std::string_view text) {
     m_read.linesRead = index + 1;
     if (index == 0 && m_text.hadByteOrderMark())
-        m_reporter.tell(nc_message::kByteOrderMark, 1, 0);
+        m_reporter.report(nc_message::kByteOrderMark, 1, 0);
     if (index == m_loneCr)
-        m_reporter.tell(nc_message::kLoneCr, static_cast<int>(text.size() + 1), 1);
+        m_reporter.report(nc_message::kLoneCr, static_cast<int>(text.size() + 1), 1);
 }
 
 /// The same once its words are known.
 void LineReader::reportRead(const Line& line, std::string_view text) {
     const std::size_t longest = m_dialect.streamed ? 0 : m_dialect.longestLine;
     if (longest > 0 && text.size() > longest)
-        m_reporter.tell(nc_message::kLineLong, static_cast<int>(longest + 1), 1,
-                        {std::to_string(text.size())});
+        m_reporter.report(nc_message::kLineLong, static_cast<int>(longest + 1), 1,
+                          {std::to_string(text.size())});
     if (line.controlCodeColumn > 0 && !m_read.controlCodeReported) {
         m_read.controlCodeReported = true;
-        m_reporter.tell(nc_message::kControlCode, line.controlCodeColumn, 1);
+        m_reporter.report(nc_message::kControlCode, line.controlCodeColumn, 1);
     }
     if (line.longBlockNumber.column > 0 && !m_read.longNumberReported) {
         m_read.longNumberReported = true;
-        m_reporter.tell(nc_message::kBlockNumberLong, line.longBlockNumber.column,
-                        line.longBlockNumber.length);
+        m_reporter.report(nc_message::kBlockNumberLong, line.longBlockNumber.column,
+                          line.longBlockNumber.length);
     }
 }
 
@@ -131,7 +131,7 @@ bool LineReader::beginsProgram(std::size_t index) {
 /// LinuxCNC runs what is between two "%". One alone is forgiven at the end of the file.
 void LineReader::handlePercent(std::size_t index) {
     if (m_dialect.streamed) {
-        m_reporter.tell(nc_message::kPercentRefused, 1, 1);
+        m_reporter.report(nc_message::kPercentRefused, 1, 1);
         return;
     }
     if (!m_read.percentOpen && m_read.sourceBlocks == 0) {
@@ -139,11 +139,11 @@ void LineReader::handlePercent(std::size_t index) {
     } else if (m_read.percentOpen) {
         m_read.percentClosed = true;
     } else if (firstTextFrom(index + 1) == m_text.lineCount()) {
-        m_reporter.tell(nc_message::kPercentUnpaired, 1, 1);
+        m_reporter.report(nc_message::kPercentUnpaired, 1, 1);
         m_read.percentClosed = true;
     } else {
         m_read.linesSeen = firstTextFrom(index + 1) + 1;
-        m_reporter.tell(nc_message::kPercentInside, 1, 1);
+        m_reporter.report(nc_message::kPercentInside, 1, 1);
     }
 }
 

@@ -25,7 +25,7 @@ struct ReadState {
     bool percentOpen = false;
     bool percentClosed = false; ///< the text has ended, whatever follows
     // Reported once.
-    SerialLine::Told serial;
+    SerialLine::Reported serial;
     bool controlCodeReported = false;
     bool longNumberReported = false;
 };

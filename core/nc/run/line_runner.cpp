@@ -83,8 +83,8 @@ void LineRunner::runBlock() {
     m_tooLong = !m_run.memory.machine.ended && m_blocks.tooLong();
 }
 
-bool LineRunner::takeDependence() {
-    return m_variables.takeUse() || m_flow.hasModalMacro() || m_run.memory.machine.dataInput;
+bool LineRunner::consumeDependence() {
+    return m_variables.consumeUse() || m_flow.hasModalMacro() || m_run.memory.machine.dataInput;
 }
 
 } // namespace proveout

@@ -30,7 +30,7 @@ public:
     [[nodiscard]] bool leaveText() { return m_flow.leaveText(); }
 
     /// Whether what was run since the last call of this depends on more than parameters.
-    [[nodiscard]] bool takeDependence();
+    [[nodiscard]] bool consumeDependence();
     [[nodiscard]] ControlState controlState() const;
     [[nodiscard]] bool hasModalMacro() const { return m_flow.hasModalMacro(); }
     [[nodiscard]] OffsetRegisters& registers() { return m_variables.registers(); }

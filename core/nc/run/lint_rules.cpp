@@ -37,9 +37,9 @@ const Word* findGroup(const LintView& view, ModalGroup group) {
     return nullptr;
 }
 
-void tell(const LintView& view, const FindingRow& message, const Word& word,
-          std::vector<Argument> arguments = {}) {
-    view.execution.reporter.tell(message, word, std::move(arguments));
+void report(const LintView& view, const FindingRow& message, const Word& word,
+            std::vector<Argument> arguments = {}) {
+    view.execution.reporter.report(message, word, std::move(arguments));
 }
 
 /// Where a message about the whole block points.
@@ -108,20 +108,20 @@ void toolNotInTable(const LintView& view, const FindingRow& /*message*/) {
 
 void feedZero(const LintView& view, const FindingRow& message) {
     if (view.execution.block.value('F') == 0)
-        tell(view, message, view.execution.block.word('F'));
+        report(view, message, view.execution.block.word('F'));
 }
 
 void lengthMissing(const LintView& view, const FindingRow& message) {
     // A machine for LinuxCNC that is zeroed with its one tool needs none.
     const int needed = view.execution.dialect.macros == MacroLanguage::macroB ? 1 : 2;
     if (view.memory.toolChanges >= needed && !view.memory.lengthChosen)
-        tell(view, message, anyWord(view), {std::to_string(view.execution.state.tool)});
+        report(view, message, anyWord(view), {std::to_string(view.execution.state.tool)});
 }
 
 void offsetNeverChosen(const LintView& view, const FindingRow& message) {
     // Programs for LinuxCNC and its like seldom name the one that is in force at the start.
     if (!view.memory.offsetChosen && view.execution.dialect.macros == MacroLanguage::macroB)
-        tell(view, message, anyWord(view));
+        report(view, message, anyWord(view));
     view.memory.offsetChosen = true;
 }
 
@@ -132,7 +132,7 @@ void lengthOfOtherTool(const LintView& view, const FindingRow& message) {
     const int tool = view.execution.state.tool;
     const double number = block.value('H');
     if (tool > 0 && number != 0 && number != tool)
-        tell(view, message, block.word('H'), {fmt::format("{:g}", number), std::to_string(tool)});
+        report(view, message, block.word('H'), {fmt::format("{:g}", number), std::to_string(tool)});
 }
 
 void diameterMissing(const LintView& view, const FindingRow& message) {
@@ -141,7 +141,7 @@ void diameterMissing(const LintView& view, const FindingRow& message) {
     const bool registers = view.execution.dialect.macros == MacroLanguage::macroB;
     if (registers && word != nullptr && word->value != kG40 && !view.execution.block.has('D') &&
         !view.before.compensation.on)
-        tell(view, message, *word, {fmt::format("G{:g}", word->value)});
+        report(view, message, *word, {fmt::format("G{:g}", word->value)});
 }
 
 void compensationOnArc(const LintView& view, const FindingRow& message) {
@@ -149,22 +149,23 @@ void compensationOnArc(const LintView& view, const FindingRow& message) {
         return;
     view.memory.compensationBegins = false;
     if (view.execution.program.motion(view.firstMotion).kind == MotionKind::arc)
-        tell(view, message, anyWord(view));
+        report(view, message, anyWord(view));
 }
 
 void unitsMixed(const LintView& view, const FindingRow& message) {
     const Word* word = findGroup(view, ModalGroup::units);
     LintMemory& memory = view.memory;
-    if (word != nullptr && view.before.inch != view.execution.state.inch && memory.cut && !memory.unitsTold) {
-        memory.unitsTold = true;
-        tell(view, message, *word, {fmt::format("G{:g}", word->value)});
+    if (word != nullptr && view.before.inch != view.execution.state.inch && memory.cut &&
+        !memory.unitsReported) {
+        memory.unitsReported = true;
+        report(view, message, *word, {fmt::format("G{:g}", word->value)});
     }
 }
 
 void leftOn(const LintView& view, const FindingRow& message) {
     const std::string codes = codesLeftOn(view.before, view.execution.dialect);
     if (!codes.empty())
-        tell(view, message, anyWord(view), {codes});
+        report(view, message, anyWord(view), {codes});
 }
 
 void changeLow(const LintView& view, const FindingRow& message) {
@@ -172,32 +173,32 @@ void changeLow(const LintView& view, const FindingRow& message) {
     if (!view.memory.cut || state.zAtReference || (state.known & kAxisZ) == 0)
         return;
     if (state.position.z <= view.memory.highestFeed)
-        tell(view, message, anyWord(view),
-             {figures("{:.4g}", state.position.z), figures("{:.4g}", view.memory.highestFeed)});
+        report(view, message, anyWord(view),
+               {figures("{:.4g}", state.position.z), figures("{:.4g}", view.memory.highestFeed)});
 }
 
 void changeTurning(const LintView& view, const FindingRow& message) {
     if (view.before.spindleDirection != 0)
-        tell(view, message, anyWord(view));
+        report(view, message, anyWord(view));
 }
 
 void noPoint(const LintView& view, const FindingRow& message) {
     const Block& block = view.execution.block;
     for (const char letter : {'X', 'Y', 'Z', 'I', 'J', 'K', 'Q', 'R'}) {
-        if (!block.has(letter) || view.memory.pointTold.has(letter))
+        if (!block.has(letter) || view.memory.pointReported.has(letter))
             continue;
         const Word& word = block.word(letter);
         // K counts repeats in a cycle, and the words of a macro are its own.
         const bool count = letter == 'K' && isCycle(view.execution.state.motion);
         if (word.point || word.value == 0 || count || findGroup(view, ModalGroup::macroCall) != nullptr)
             continue;
-        view.memory.pointTold.add(letter);
+        view.memory.pointReported.add(letter);
         const MachineState& state = view.execution.state;
         const double least = state.inch ? view.execution.dialect.leastInch : view.execution.dialect.leastMm;
         const char* const unit = state.inch ? "in" : "mm";
-        tell(view, message, word,
-             {fmt::format("{}{:g}", letter, word.value), figures("{:g} {}", word.value * least, unit),
-              figures("{:g} {}", word.value, unit)});
+        report(view, message, word,
+               {fmt::format("{}{:g}", letter, word.value), figures("{:g} {}", word.value * least, unit),
+                figures("{:g} {}", word.value, unit)});
     }
 }
 
@@ -208,7 +209,7 @@ void nearlyHalfCircle(const LintView& view, const FindingRow& message) {
         return;
     const double degrees = std::abs(motion.sweep) * 180 / std::numbers::pi;
     if (std::abs(degrees - 180) < kNearlyHalf)
-        tell(view, message, view.execution.block.word('R'), {figures("{:.2f}", degrees)});
+        report(view, message, view.execution.block.word('R'), {figures("{:.2f}", degrees)});
 }
 
 } // namespace proveout::lint

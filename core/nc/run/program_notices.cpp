@@ -36,7 +36,7 @@ void ProgramNotices::reportGuess() {
     const std::span signs(m_guess.reasons);
     for (const DialectSign& sign : signs.first(std::min(signs.size(), kMostShown)))
         reasons += fmt::format("{}{} ({})", reasons.empty() ? "" : ", ", sign.shown, sign.line);
-    m_reporter.tell(nc_message::kDialectGuessed, 1, 0, {m_dialect.name, reasons});
+    m_reporter.report(nc_message::kDialectGuessed, 1, 0, {m_dialect.name, reasons});
 }
 
 /// Codes that the list of ignored ones has, but that have an effect.
@@ -47,7 +47,7 @@ void ProgramNotices::reportListedButExecuted() {
     for (const int number : m_options.ignoredM) {
         const CodeRow* row = number < kLargestMCode / kTenths ? codes.find('M', number * kTenths) : nullptr;
         if (row != nullptr && row->handler != nullptr)
-            m_reporter.tell(nc_message::kIgnoredExecuted, 1, 0, {fmt::format("M{}", number), row->name});
+            m_reporter.report(nc_message::kIgnoredExecuted, 1, 0, {fmt::format("M{}", number), row->name});
     }
 }
 
@@ -60,8 +60,8 @@ void ProgramNotices::reportIgnoredCodes() {
         arguments.push_back(std::to_string(code.count));
         arguments.push_back(linesOf(code));
         m_reporter.beginLine(code.lines.front());
-        m_reporter.tell(ignoredMessage(known, code.lines.size() > 1), code.column, code.length,
-                        std::move(arguments));
+        m_reporter.report(ignoredMessage(known, code.lines.size() > 1), code.column, code.length,
+                          std::move(arguments));
     }
 }
 
@@ -69,17 +69,17 @@ void ProgramNotices::reportEnd(std::size_t rest) {
     const MachineState& state = m_run.memory.machine;
     const bool closed = m_run.read.percentClosed;
     if (state.compensation.on)
-        m_reporter.tellInAnyCase(nc_message::kCompensationAtEnd, 1, 0);
+        m_reporter.reportInAnyCase(nc_message::kCompensationAtEnd, 1, 0);
     if (!m_run.memory.splines.nurbs.points.empty())
-        m_reporter.tellInAnyCase(nc_message::kNurbsOpen, 1, 0);
+        m_reporter.reportInAnyCase(nc_message::kNurbsOpen, 1, 0);
     if ((state.ended || closed) && rest < m_text.lineCount()) {
         m_reporter.beginLine(static_cast<std::uint32_t>(rest + 1));
-        m_reporter.tellInAnyCase(state.ended ? nc_message::kAfterEnd : nc_message::kAfterPercent, 1, 0);
+        m_reporter.reportInAnyCase(state.ended ? nc_message::kAfterEnd : nc_message::kAfterPercent, 1, 0);
     }
     if (m_program.motionCount() == 0)
-        m_reporter.tellInAnyCase(nc_message::kNoMotion, 1, 0);
+        m_reporter.reportInAnyCase(nc_message::kNoMotion, 1, 0);
     else if (!state.ended && !closed)
-        m_reporter.tellInAnyCase(nc_message::kNoProgramEnd, 1, 0);
+        m_reporter.reportInAnyCase(nc_message::kNoProgramEnd, 1, 0);
     reportNeverKnown();
     if (m_options.lint)
         reportUnseen();
@@ -89,20 +89,20 @@ void ProgramNotices::reportEnd(std::size_t rest) {
 void ProgramNotices::reportUnseen() {
     for (const auto& [line, leaving] : m_run.unreachable.find(m_text, m_dialect.macros)) {
         m_reporter.beginLine(static_cast<std::uint32_t>(line + 1));
-        m_reporter.tell(nc_message::kUnreachable, 1, 0, {std::to_string(leaving + 1)});
+        m_reporter.report(nc_message::kUnreachable, 1, 0, {std::to_string(leaving + 1)});
     }
     for (const auto& [tool, selected] : m_run.memory.lint.missingTools) {
         m_reporter.beginLine(selected.line);
-        m_reporter.tell(nc_message::kToolNotInTable, selected.word, {std::to_string(tool)});
+        m_reporter.report(nc_message::kToolNotInTable, selected.word, {std::to_string(tool)});
     }
 }
 
 /// Axes without which a motion cut nothing were reported there.
 void ProgramNotices::reportNeverKnown() {
     const MachineState& state = m_run.memory.machine;
-    const auto never = static_cast<std::uint8_t>(kAllAxes & ~(state.everKnown | state.unknownTold));
+    const auto never = static_cast<std::uint8_t>(kAllAxes & ~(state.everKnown | state.unknownReported));
     if (never != 0 && m_program.motionCount() > 0 && !m_options.assumeStartAtZero)
-        m_reporter.tellInAnyCase(nc_message::kNeverKnown, 1, 0, {namesOfAxes(never)});
+        m_reporter.reportInAnyCase(nc_message::kNeverKnown, 1, 0, {namesOfAxes(never)});
 }
 
 } // namespace proveout

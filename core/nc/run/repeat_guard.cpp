@@ -16,12 +16,13 @@ bool RepeatGuard::mayRun() {
 bool RepeatGuard::repeatsTooMuch() {
     const Repetition& repetition = m_state.repetition;
     const Repetition::Verdict verdict = repetition.verdict(m_limits);
-    if (verdict == Repetition::Verdict::goesOn)
+    if (verdict == Repetition::Verdict::continues)
         return false;
     const bool idle = verdict == Repetition::Verdict::idle;
     m_program.cutBack(repetition.before());
-    m_reporter.tellInAnyCase(idle ? nc_message::kIdleLoop : nc_message::kTooMuchRepeated, 1, 0,
-                             {std::to_string(idle ? m_limits.idle : m_limits.work), m_calls.linesOfCalls()});
+    m_reporter.reportInAnyCase(
+        idle ? nc_message::kIdleLoop : nc_message::kTooMuchRepeated, 1, 0,
+        {std::to_string(idle ? m_limits.idle : m_limits.work), m_calls.linesOfCalls()});
     return true;
 }
 
@@ -36,8 +37,8 @@ bool RepeatGuard::goesRoundForGood() {
     if (!repetition.closes(head, m_program))
         return false;
     m_program.cutBack(repetition.firstRound());
-    m_reporter.tellInAnyCase(nc_message::kEndlessLoop, 1, 0,
-                             {std::to_string(*from + 1), std::to_string(m_calls.at() + 1)});
+    m_reporter.reportInAnyCase(nc_message::kEndlessLoop, 1, 0,
+                               {std::to_string(*from + 1), std::to_string(m_calls.at() + 1)});
     return true;
 }
 
@@ -55,7 +56,7 @@ void RepeatGuard::end(const Started& line, bool depends) {
     // What was reported once may be done otherwise the next time.
     if (depends || reported)
         repetition.noteUse();
-    repetition.leftTo(m_calls.takeLowestDepth());
+    repetition.leftTo(m_calls.resetLowestDepth());
     repetition.end(line.length, m_calls.line() <= line.at ? std::optional(line.at) : std::nullopt, m_program);
 }
 
@@ -64,7 +65,7 @@ bool RepeatGuard::reportsTooOften() const {
     constexpr std::size_t kMostAgain = 10'000;
     if (m_state.reportedAgain < kMostAgain)
         return false;
-    m_reporter.tellInAnyCase(nc_message::kTooManyAgain, 1, 0, {std::to_string(kMostAgain)});
+    m_reporter.reportInAnyCase(nc_message::kTooManyAgain, 1, 0, {std::to_string(kMostAgain)});
     return true;
 }
 

@@ -37,7 +37,7 @@ void Repetition::end(std::size_t length, std::optional<std::size_t> jumpedFrom, 
 Repetition::Verdict Repetition::verdict(const Limits& limits) const {
     if (m_idle > limits.idle)
         return Verdict::idle;
-    return m_work > limits.work ? Verdict::tooMuch : Verdict::goesOn;
+    return m_work > limits.work ? Verdict::tooMuch : Verdict::continues;
 }
 
 void Repetition::leftTo(std::size_t depth) {

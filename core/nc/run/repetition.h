@@ -20,7 +20,7 @@ public:
         std::uint64_t idle; ///< lines in a row without a motion or an event
     };
 
-    enum class Verdict : std::uint8_t { goesOn, tooMuch, idle };
+    enum class Verdict : std::uint8_t { continues, tooMuch, idle };
 
     /// Before a line runs: the first one again begins a repetition.
     void begin(bool again, const Program& program);

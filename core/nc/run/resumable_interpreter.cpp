@@ -64,7 +64,7 @@ public:
         auto program = std::make_shared<Program>(soFar, point.program);
         Reporter reporter(*program, m_file, 0);
         reporter.beginLine(static_cast<std::uint32_t>(point.calls.line + 1));
-        reporter.tellInAnyCase(nc_message::kStillReading, 1, 0);
+        reporter.reportInAnyCase(nc_message::kStillReading, 1, 0);
         program->setSourceBlockCount(point.run.read.sourceBlocks);
         m_publish(program);
     }
@@ -95,7 +95,7 @@ std::shared_ptr<const Program> ResumableInterpreter::interpret(const NcText& tex
     m_resumedAt = 0;
     if (usable > 0) {
         m_resumedAt = m_points[usable - 1].calls.line;
-        run.goOn(m_points[usable - 1], *m_last->program);
+        run.resume(m_points[usable - 1], *m_last->program);
     }
     // Of what was read farther nothing is forgotten for a look back.
     if (again && usable < unchanged && sameText(text, m_last->text))

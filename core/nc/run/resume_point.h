@@ -16,7 +16,7 @@ struct ResumePoint {
     RunState run;
     OffsetRegisters::Contents registers;
     CallStack::Place calls;
-    Reporter::Memory told;
+    Reporter::Memory reported;
     Program::Extent program;
 };
 

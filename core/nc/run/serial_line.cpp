@@ -47,22 +47,22 @@ std::string upper(std::string_view line) {
 
 } // namespace
 
-void SerialLine::takeOut(std::size_t at, bool comment, Told& told, Reporter& reporter) {
+void SerialLine::removeComment(std::size_t at, bool comment, Reported& reported, Reporter& reporter) {
     const char c = m_text[at];
     const auto column = static_cast<int>(at + 1);
     const bool printed = byteOf(c) > 0x20 && byteOf(c) < 0x7f;
     const std::string shown =
         printed ? fmt::format("\"{}\"", c) : fmt::format("0x{:02x}", static_cast<unsigned>(byteOf(c)));
     if (stopsProgram(c)) {
-        reporter.tell(nc_message::kRealtimeReset, column, 1, {shown});
+        reporter.report(nc_message::kRealtimeReset, column, 1, {shown});
     } else if (isRealtime(c)) {
-        if (!told.realtime)
-            reporter.tell(nc_message::kRealtimeCharacter, column, 1, {shown});
-        told.realtime = true;
+        if (!reported.realtime)
+            reporter.report(nc_message::kRealtimeCharacter, column, 1, {shown});
+        reported.realtime = true;
     } else if (c == '/' && !comment) {
-        if (!told.deleteMark)
-            reporter.tell(nc_message::kDeleteMarkIgnored, column, 1);
-        told.deleteMark = true;
+        if (!reported.deleteMark)
+            reporter.report(nc_message::kDeleteMarkIgnored, column, 1);
+        reported.deleteMark = true;
     } else {
         return;
     }
@@ -71,13 +71,13 @@ void SerialLine::takeOut(std::size_t at, bool comment, Told& told, Reporter& rep
         m_text[at] = ' ';
 }
 
-bool SerialLine::read(std::string_view line, Told& told, Reporter& reporter, MachineState& state) {
+bool SerialLine::read(std::string_view line, Reported& reported, Reporter& reporter, MachineState& state) {
     m_text = line;
     const std::size_t begin = skipBlanks(line, 0);
     if (begin < line.size() && line[begin] == '$') {
         const std::string command = upper(line.substr(begin));
-        reporter.tell(nc_message::kSystemCommand, static_cast<int>(begin + 1),
-                      static_cast<int>(line.size() - begin), {command.substr(0, kLongestCommand)});
+        reporter.report(nc_message::kSystemCommand, static_cast<int>(begin + 1),
+                        static_cast<int>(line.size() - begin), {command.substr(0, kLongestCommand)});
         state.forget(movedBy(command));
         return false;
     }
@@ -85,7 +85,7 @@ bool SerialLine::read(std::string_view line, Told& told, Reporter& reporter, Mac
     bool comment = false;
     bool rest = false; // behind ";"
     for (std::size_t at = 0; at < m_text.size(); ++at) {
-        takeOut(at, comment || rest, told, reporter);
+        removeComment(at, comment || rest, reported, reporter);
         const char c = m_text[at];
         rest = rest || (c == ';' && !comment);
         comment = !rest && (comment || c == '(');
@@ -94,8 +94,8 @@ bool SerialLine::read(std::string_view line, Told& told, Reporter& reporter, Mac
     }
     if (count <= m_longest)
         return true;
-    reporter.tell(nc_message::kLineDropped, 1, static_cast<int>(line.size()),
-                  {std::to_string(count), std::to_string(m_longest)});
+    reporter.report(nc_message::kLineDropped, 1, static_cast<int>(line.size()),
+                    {std::to_string(count), std::to_string(m_longest)});
     return false;
 }
 

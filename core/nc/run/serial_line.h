@@ -14,7 +14,7 @@ namespace proveout {
 class SerialLine {
 public:
     /// What was told already, so that it is told once. A value.
-    struct Told {
+    struct Reported {
         bool realtime = false;
         bool deleteMark = false;
     };
@@ -24,12 +24,13 @@ public:
     /// Puts blanks in the place of characters that are no part of the block, so that columns stay, and tells
     /// them. False where the line holds no block: it is an order to the control or too long, which is told;
     /// what that may have moved is forgotten.
-    [[nodiscard]] bool read(std::string_view line, Told& told, Reporter& reporter, MachineState& state);
+    [[nodiscard]] bool read(std::string_view line, Reported& reported, Reporter& reporter,
+                            MachineState& state);
     /// The line as read() left it.
     [[nodiscard]] std::string_view text() const { return m_text; }
 
 private:
-    void takeOut(std::size_t at, bool comment, Told& told, Reporter& reporter);
+    void removeComment(std::size_t at, bool comment, Reported& reported, Reporter& reporter);
 
     std::size_t m_longest;
     std::string m_text;

@@ -34,12 +34,12 @@ struct CutterCompensation {
     Vec2 from{0};              ///< where it begins
     Vec2 heading{0};           ///< of the programmed path at its end
     Vec3 displacement{0};      ///< from the programmed position to where the tip stands
-    bool unknownTold = false;
+    bool unknownReported = false;
     VectorState vectors; ///< of Fanuc's dialect
 
     [[nodiscard]] bool moves() const { return on && offset != 0; }
     /// What follows begins compensation from the programmed path.
-    void beginAnew() {
+    void restart() {
         held = entered = false;
         displacement = Vec3(0);
     }

@@ -14,16 +14,16 @@ std::optional<int> wholeNumber(Execution& execution, const Word& word, int least
     const double whole = std::round(word.value);
     if (std::abs(word.value - whole) < kWhole && whole >= least && whole <= most)
         return static_cast<int>(whole);
-    execution.reporter.tell(nc_message::kNotInteger, word,
-                            {std::string(1, word.letter), std::to_string(least), std::to_string(most)});
+    execution.reporter.report(nc_message::kNotInteger, word,
+                              {std::string(1, word.letter), std::to_string(least), std::to_string(most)});
     return {};
 }
 
 bool Execution::mayMake(double motions, const Word& word) const {
     if (motions <= static_cast<double>(kMostBlockMotions))
         return true;
-    reporter.tell(nc_message::kBlockTooLong, word,
-                  {fmt::format("{:.15g}", motions), std::to_string(kMostBlockMotions)});
+    reporter.report(nc_message::kBlockTooLong, word,
+                    {fmt::format("{:.15g}", motions), std::to_string(kMostBlockMotions)});
     return false;
 }
 

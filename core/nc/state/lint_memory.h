@@ -21,14 +21,14 @@ struct LintMemory {
     bool compensationBegins = false; ///< no motion since G41 or G42
     bool movedInInch = false;
     bool movedInMm = false;
-    bool unitsTold = false;
+    bool unitsReported = false;
     struct Selected {
         std::uint32_t line = 0;
         Word word;
     };
     std::map<int, Selected> missingTools; ///< by T, that the table lacks and that nothing moved yet
     std::set<std::size_t> ambiguousJumps; ///< lines whose jump has several targets, told once
-    LetterSet pointTold;                  ///< letters whose numbers without a point were told
+    LetterSet pointReported;              ///< letters whose numbers without a point were told
     double highestFeed =
         -std::numeric_limits<double>::infinity(); ///< Z of the ends of feed motions, since then
 };

@@ -100,11 +100,11 @@ struct MachineState {
     Vec3 strayed{0};
 
     // What was told already, so that it is told once.
-    std::uint8_t unknownTold = 0; ///< AxisBits
-    bool missingFeedTold = false;
-    bool referenceTold = false;
-    bool arcCentreTold = false;
-    bool dwellUnitTold = false;
+    std::uint8_t unknownReported = 0; ///< AxisBits
+    bool missingFeedReported = false;
+    bool referenceReported = false;
+    bool arcCentreReported = false;
+    bool dwellUnitReported = false;
 
     ProbeState probed;
     bool inputAssumed = false; ///< M66 put into #5399 what nobody knows, and nothing has read it yet
@@ -121,9 +121,9 @@ struct MachineState {
             if (axes.has(static_cast<char>('X' + axis)) || (axis < 2 && axes.any(LetterSet("@^")))) {
                 const auto rest = static_cast<std::uint8_t>(~axisBit(axis));
                 known &= rest;
-                unknownTold &= rest;
+                unknownReported &= rest;
                 if (why == Forgotten::reported)
-                    unknownTold |= static_cast<std::uint8_t>(~rest);
+                    unknownReported |= static_cast<std::uint8_t>(~rest);
             }
         }
     }

@@ -31,7 +31,7 @@ public:
     [[nodiscard]] std::optional<double> named(std::string_view name) const override;
 
     /// Whether the parameter of M66 was asked for since the last call of this.
-    [[nodiscard]] bool takeInputRead() { return std::exchange(m_inputRead, false); }
+    [[nodiscard]] bool consumeInputRead() { return std::exchange(m_inputRead, false); }
 
 private:
     const MachineState& m_state;

@@ -19,12 +19,12 @@ struct ProbeState {
     std::uint8_t axes = 0;  ///< AxisBits of the machine's position that it has left and nothing else has set
     bool simulated = false; ///< answered by the stock of the simulation
     bool asked = false;     ///< a probing motion was carried out
-    bool assumedTold = false;
-    bool useTold = false;
+    bool assumedReported = false;
+    bool useReported = false;
 };
 
 /// Tells once that what follows depends on it.
-void tellProbeUse(MachineState& state, Reporter& reporter);
+void reportProbeUse(MachineState& state, Reporter& reporter);
 
 /// Behind a block: whether it went on from where the probe had stopped. `axes`: what ProbeState::axes was
 /// before it; `firstMotion`: of the block.

@@ -58,7 +58,7 @@ char ExpressionReader::peek(std::size_t& at) const {
     return at < m_line.size() ? upperCase(m_line[at]) : '\0';
 }
 
-bool ExpressionReader::take(std::size_t& at, std::string_view word) const {
+bool ExpressionReader::accept(std::size_t& at, std::string_view word) const {
     std::size_t next = at;
     for (const char c : word) {
         if (peek(next) != c)
@@ -220,14 +220,14 @@ Value ExpressionReader::operation(double left, std::size_t& at, int strength) {
         const Operator* found = nullptr;
         for (const Operator& row : m_rules.operators) {
             std::size_t behind = at;
-            if (take(behind, row.word)) {
+            if (accept(behind, row.word)) {
                 found = &row;
                 break;
             }
         }
         if (found == nullptr || found->strength < strength)
             return left;
-        take(at, found->word);
+        accept(at, found->word);
         const Value right = operand(at, found->strength + 1);
         if (!right)
             return right;
@@ -242,9 +242,9 @@ Value ExpressionReader::operation(double left, std::size_t& at, int strength) {
 
 /// The row of a table that stands at `at`, which then points behind it; null where none does.
 template<class Row>
-const Row* ExpressionReader::taken(std::span<const Row> rows, std::size_t& at) const {
+const Row* ExpressionReader::accepted(std::span<const Row> rows, std::size_t& at) const {
     for (const Row& row : rows) {
-        if (take(at, row.word))
+        if (accept(at, row.word))
             return &row;
     }
     return nullptr;
@@ -252,11 +252,11 @@ const Row* ExpressionReader::taken(std::span<const Row> rows, std::size_t& at) c
 
 Value ExpressionReader::function(std::size_t& at, std::string_view letter) {
     const std::size_t begin = at;
-    if (m_rules.named && take(at, "EXISTS"))
+    if (m_rules.named && accept(at, "EXISTS"))
         return existence(at);
-    if (const PairFunction* pair = taken(m_rules.pairs, at))
+    if (const PairFunction* pair = accepted(m_rules.pairs, at))
         return ofPair(*pair, begin, at);
-    const Function* found = taken(m_rules.functions, at);
+    const Function* found = accepted(m_rules.functions, at);
     if (found == nullptr)
         return fail(nc_message::kNumberMissing, begin, begin + 1, letter);
     if (peek(at) != '[')
@@ -286,7 +286,7 @@ Value ExpressionReader::ofPair(const PairFunction& function, std::size_t begin, 
             second = closed(*second, open, at);
     } else if (const Value end = closed(*first, open, at); !end) {
         return end;
-    } else if (std::size_t behind = at; function.slash && take(behind, "/") && peek(behind) == '[') {
+    } else if (std::size_t behind = at; function.slash && accept(behind, "/") && peek(behind) == '[') {
         at = behind + 1;
         second = bracket(at);
     } else if (!function.alone) {
@@ -304,7 +304,7 @@ Value ExpressionReader::ofPair(const PairFunction& function, std::size_t begin, 
 /// EXISTS[#<name>]; of a number, whether there is such a parameter.
 Value ExpressionReader::existence(std::size_t& at) {
     const std::size_t begin = at;
-    if (!take(at, "[") || !take(at, "#"))
+    if (!accept(at, "[") || !accept(at, "#"))
         return fail(nc_message::kExistsForm, begin, begin + 1);
     bool exists = false;
     if (peek(at) == '<') {

@@ -59,7 +59,7 @@ private:
     using Value = tl::expected<double, ReadError>;
 
     [[nodiscard]] char peek(std::size_t& at) const; ///< upper case, behind blanks; 0 at the end
-    bool take(std::size_t& at, std::string_view word) const;
+    bool accept(std::size_t& at, std::string_view word) const;
     [[nodiscard]] Value inRange(const Value& value, std::size_t begin, std::size_t end,
                                 std::string_view letter) const;
     Value signedValue(std::size_t& at, std::string_view letter);
@@ -73,7 +73,7 @@ private:
     Value ofPair(const PairFunction& function, std::size_t begin, std::size_t& at);
     Value closed(double value, std::size_t open, std::size_t& at);
     template<class Row>
-    const Row* taken(std::span<const Row> rows, std::size_t& at) const;
+    const Row* accepted(std::span<const Row> rows, std::size_t& at) const;
     Value existence(std::size_t& at);
     tl::expected<std::string, ReadError> quotedName(std::size_t& at);
 

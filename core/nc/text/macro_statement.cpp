@@ -20,7 +20,7 @@ constexpr Keyword kKeywords[] = {
 
 } // namespace
 
-bool takeKeyword(std::string_view line, std::size_t& at, std::string_view keyword) {
+bool readKeyword(std::string_view line, std::size_t& at, std::string_view keyword) {
     std::size_t next = at;
     for (const char c : keyword) {
         next = skipBlanks(line, next);
@@ -35,7 +35,7 @@ bool takeKeyword(std::string_view line, std::size_t& at, std::string_view keywor
 std::optional<MacroStatement> readStatement(std::string_view line, std::size_t at) {
     for (const Keyword& row : kKeywords) {
         std::size_t rest = at;
-        if (takeKeyword(line, rest, row.word))
+        if (readKeyword(line, rest, row.word))
             return MacroStatement{row.kind, skipBlanks(line, at), rest};
     }
     return {};

@@ -28,6 +28,6 @@ struct MacroStatement {
 [[nodiscard]] std::optional<MacroStatement> readStatement(std::string_view line, std::size_t at);
 
 /// Whether a word of letters stands at `at`, blanks between them allowed; `at` then points behind it.
-[[nodiscard]] bool takeKeyword(std::string_view line, std::size_t& at, std::string_view keyword);
+[[nodiscard]] bool readKeyword(std::string_view line, std::size_t& at, std::string_view keyword);
 
 } // namespace proveout

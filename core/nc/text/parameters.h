@@ -33,14 +33,14 @@ public:
     [[nodiscard]] virtual std::optional<double> named(std::string_view name) const = 0;
 
     /// Whether the result of a probing motion was asked for since the last call of this.
-    [[nodiscard]] bool takeProbeRead() const { return std::exchange(m_probeRead, false); }
+    [[nodiscard]] bool consumeProbeRead() const { return std::exchange(m_probeRead, false); }
     /// The number of a value that was read since the last call of this and is assumed to be 0; 0: none.
-    [[nodiscard]] int takeAssumedRead() const { return std::exchange(m_assumedRead, 0); }
+    [[nodiscard]] int consumeAssumedRead() const { return std::exchange(m_assumedRead, 0); }
 
     /// An expression depends on how the machine stands.
     void noteUse() const { m_used = true; }
     /// Whether one did since the last call of this.
-    [[nodiscard]] bool takeUse() const { return std::exchange(m_used, false); }
+    [[nodiscard]] bool consumeUse() const { return std::exchange(m_used, false); }
 
 protected:
     /// The control asks for a number: what a probing motion leaves lies within.

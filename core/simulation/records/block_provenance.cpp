@@ -63,7 +63,7 @@ std::optional<Provenance> blockProvenance(const ZMapSnapshot& uncut, const Progr
         const auto motions = cutterMotions(program, first, last, setup, tools);
         if (!cut(zmap, motions, context.stop, &provenance))
             return std::nullopt;
-        context.tell(static_cast<double>(last) / static_cast<double>(blocks));
+        context.report(static_cast<double>(last) / static_cast<double>(blocks));
     }
     return provenance;
 }
@@ -82,7 +82,7 @@ std::optional<std::size_t> blockThatMade(const Program& program, const Setup& se
             if (reaches(one, place))
                 return one.mark - 1;
         }
-        context.tell(static_cast<double>(last) / static_cast<double>(blocks));
+        context.report(static_cast<double>(last) / static_cast<double>(blocks));
     }
     return std::nullopt;
 }

@@ -83,7 +83,7 @@ std::optional<std::size_t> cutNear(ZMap& zmap, const GridPart& place, const Neig
             return std::nullopt;
         count += motions.size();
         motions.clear();
-        context.tell(static_cast<double>(last) / static_cast<double>(blocks));
+        context.report(static_cast<double>(last) / static_cast<double>(blocks));
     }
     return count;
 }

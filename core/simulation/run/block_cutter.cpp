@@ -36,12 +36,12 @@ bool mayMeetInPlan(const StockBox& stock, const Motion& motion, double radius) {
 }
 
 /// Whether the cutter, standing still at the end of the motion, would be in the stock that is left.
-bool standsInStock(const ZMap& zmap, const Cutter& cutter, const Motion& motion) {
+bool isInStock(const ZMap& zmap, const Cutter& cutter, const Motion& motion) {
     ZMap trial(zmap.snapshot());
-    Motion standing = motion;
-    standing.start = motion.end;
-    standing.startKnown = kAllAxes;
-    return cut(trial, cutter, standing).maxDepth > kNothingRemoved;
+    Motion stationary = motion;
+    stationary.start = motion.end;
+    stationary.startKnown = kAllAxes;
+    return cut(trial, cutter, stationary).maxDepth > kNothingRemoved;
 }
 
 /// A rapid to, at or from the machine's reference position, above everything, that stays clear of the part:
@@ -83,7 +83,7 @@ void judgeUnknownRapid(const ZMap& zmap, const Cutter& cutter, const Motion& mot
     if ((motion.endKnown & kAxisZ) == 0 || below <= kNothingRemoved ||
         !mayMeetInPlan(zmap.stock(), motion, cutter.radius()))
         return;
-    if (motion.endKnown != kAllAxes || standsInStock(zmap, cutter, motion))
+    if (motion.endKnown != kAllAxes || isInStock(zmap, cutter, motion))
         findings.add(block, FindingKind::rapidUnchecked, below);
 }
 

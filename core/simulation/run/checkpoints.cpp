@@ -52,9 +52,9 @@ Checkpoints::Tiles Checkpoints::keep(const ZMapSnapshot& zmap, std::size_t index
     const Tiles* after = index < m_kept.size() ? &m_kept[index].tiles : nullptr;
     Tiles tiles = before != nullptr ? *before : Tiles(zmap.tileCount());
     for (std::size_t tile = 0; tile < zmap.tileCount(); ++tile) {
-        if (before != nullptr && (*before)[tile]->standsFor(zmap.tile(tile)))
+        if (before != nullptr && (*before)[tile]->isCopyOf(zmap.tile(tile)))
             continue;
-        tiles.edit(tile) = after != nullptr && (*after)[tile]->standsFor(zmap.tile(tile))
+        tiles.edit(tile) = after != nullptr && (*after)[tile]->isCopyOf(zmap.tile(tile))
                                ? (*after)[tile]
                                : std::make_shared<KeptTile>(zmap.tile(tile));
     }

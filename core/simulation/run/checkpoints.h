@@ -44,7 +44,7 @@ public:
     [[nodiscard]] std::size_t size() const { return m_kept.size(); }
     [[nodiscard]] std::size_t packedTiles() const { return m_packedTiles; } ///< so far
 
-    static constexpr std::size_t kStandardBudget = 1'000'000'000;
+    static constexpr std::size_t kDefaultBudget = 1'000'000'000;
 
 private:
     using Tiles = PersistentArray<std::shared_ptr<KeptTile>>;
@@ -68,7 +68,7 @@ private:
     Grid m_grid;
     std::vector<Kept> m_kept; ///< ascending blocks
     std::size_t m_bytes = 0;
-    std::size_t m_budget = kStandardBudget;
+    std::size_t m_budget = kDefaultBudget;
     double m_packSeconds = 0;
     std::size_t m_packedTiles = 0;
 };

@@ -85,7 +85,7 @@ inline constexpr FindingRow kMoreFindings{
     PROVEOUT_TEXT("Core", "More findings"),
     PROVEOUT_TEXT("Core", "{} more findings of the simulation are not shown."),
     "",
-    SeverityRule::worstLeftOut};
+    SeverityRule::worstOmitted};
 
 inline constexpr std::array kCuttingRows{&kRapidCuts,           &kRapidCutsUnconfirmed,
                                          &kDepthBeyondFlutes,   &kDepthBeyondFlutesUnconfirmed,

@@ -50,7 +50,8 @@ const FindingRow& rowOf(const MissingTool& missing, bool callsTool) {
     return callsTool ? tool_finding::kNoTool : tool_finding::kNoToolEver;
 }
 
-void tell(BoundedDiagnostics& out, const FindingRow& row, std::vector<Argument> values, std::uint32_t line) {
+void report(BoundedDiagnostics& out, const FindingRow& row, std::vector<Argument> values,
+            std::uint32_t line) {
     Diagnostic finding = diagnosticOf(row, std::move(values));
     finding.where = {static_cast<int>(line), 1, 0};
     out.add(std::move(finding));
@@ -69,27 +70,27 @@ std::string assumedOf(const UnconfirmedTool& tool) {
     return listArgument(labels);
 }
 
-void tellUnconfirmed(BoundedDiagnostics& out, const UnconfirmedTool& tool) {
+void reportUnconfirmed(BoundedDiagnostics& out, const UnconfirmedTool& tool) {
     const CutterShape* shape = shapeOf(tool.cutter);
     std::vector<Argument> values{std::to_string(tool.number), diameterOf(tool.cutter),
                                  shape == nullptr ? "" : shape->label};
     if (tool.origin.source == ToolSource::assumed)
-        return tell(out, tool_finding::kToolUnconfirmedSizes, std::move(values), tool.line);
+        return report(out, tool_finding::kToolUnconfirmedSizes, std::move(values), tool.line);
     std::string assumed = assumedOf(tool);
     if (assumed.empty())
-        return tell(out, tool_finding::kToolUnconfirmedComment, std::move(values), tool.origin.line);
+        return report(out, tool_finding::kToolUnconfirmedComment, std::move(values), tool.origin.line);
     values.push_back(std::move(assumed));
-    tell(out, tool_finding::kToolUnconfirmedVague, std::move(values), tool.origin.line);
+    report(out, tool_finding::kToolUnconfirmedVague, std::move(values), tool.origin.line);
 }
 
-void tellAboutTools(const Program& program, const ToolChoice& tools, BoundedDiagnostics& out) {
+void reportAboutTools(const Program& program, const ToolChoice& tools, BoundedDiagnostics& out) {
     if (tools.assumed() && program.blockCount() > 0)
-        tell(out, tools.callsTool() ? tool_finding::kToolAssumed : tool_finding::kToolAssumedOnly,
-             {std::to_string(*tools.assumed())}, program.blockLine(0));
+        report(out, tools.callsTool() ? tool_finding::kToolAssumed : tool_finding::kToolAssumedOnly,
+               {std::to_string(*tools.assumed())}, program.blockLine(0));
     for (const MissingTool& missing : tools.missing())
-        tell(out, rowOf(missing, tools.callsTool()), {std::to_string(missing.number)}, missing.line);
+        report(out, rowOf(missing, tools.callsTool()), {std::to_string(missing.number)}, missing.line);
     for (const UnconfirmedTool& tool : tools.unconfirmed())
-        tellUnconfirmed(out, tool);
+        reportUnconfirmed(out, tool);
 }
 
 } // namespace
@@ -142,8 +143,8 @@ void FindingLog::truncate(std::size_t block) {
 
 Diagnostics FindingLog::diagnostics(const Program& program, const ToolChoice& tools) const {
     BoundedDiagnostics out;
-    tellAboutTools(program, tools, out);
-    std::set<std::tuple<std::uint32_t, FindingKind, bool>> told;
+    reportAboutTools(program, tools, out);
+    std::set<std::tuple<std::uint32_t, FindingKind, bool>> reported;
     static_assert(kKindRows.size() == kKinds);
     auto left = m_counts;
     for (const Finding& finding : m_findings) {
@@ -151,13 +152,13 @@ Diagnostics FindingLog::diagnostics(const Program& program, const ToolChoice& to
             break;
         --left[finding.unconfirmed ? 1 : 0][static_cast<std::size_t>(finding.kind)];
         const auto line = program.blockLine(finding.block);
-        if (told.emplace(line, finding.kind, finding.unconfirmed).second)
-            tell(out, rowOf(finding.kind, finding.unconfirmed), argumentsOf(finding, program, tools), line);
+        if (reported.emplace(line, finding.kind, finding.unconfirmed).second)
+            report(out, rowOf(finding.kind, finding.unconfirmed), argumentsOf(finding, program, tools), line);
     }
     for (const bool unconfirmed : {false, true})
         for (std::size_t kind = 0; kind < kKinds; ++kind) {
             const FindingRow& row = rowOf(static_cast<FindingKind>(kind), unconfirmed);
-            out.leaveOut(row.severity, row.unverified, left[unconfirmed ? 1 : 0][kind]);
+            out.omit(row.severity, row.unverified, left[unconfirmed ? 1 : 0][kind]);
         }
     return out.take(cutting_finding::kMoreFindings);
 }

@@ -18,7 +18,7 @@ public:
     [[nodiscard]] bool isPacked() const { return !m_packed.empty(); }
     [[nodiscard]] std::size_t bytes() const { return isPacked() ? m_packed.size() : sizeof(Tile); }
     /// Whether it stands for this very tile.
-    [[nodiscard]] bool standsFor(const std::shared_ptr<const Tile>& tile) const {
+    [[nodiscard]] bool isCopyOf(const std::shared_ptr<const Tile>& tile) const {
         return m_plain == tile || m_shown.lock() == tile;
     }
     /// From now on it takes less memory, once nobody else holds the plain one.

@@ -82,7 +82,7 @@ ProbedStock::Range ProbedStock::squaresUnder(const Vec2& lo, const Vec2& hi) con
             last(hi.y, stock.corner.y, rows)};
 }
 
-void ProbedStock::takeIn(const Program& program, std::size_t end) {
+void ProbedStock::addGroup(const Program& program, std::size_t end) {
     if (m_squares.empty())
         m_squares.resize(m_columns * squaresAlong(m_setup->stock.depth, m_size));
     for (; m_taken < end; ++m_taken) {
@@ -126,10 +126,10 @@ std::vector<PastCut> ProbedStock::cutsWithin(const Program& program, const Vec2&
 std::optional<StockContact> ProbedStock::stockAfter(const Program& program, std::size_t end,
                                                     const WorkContext& context) {
     const Result<Grid> grid = makeGrid(m_setup->stock, m_setup->spacing);
-    const auto mayTake = static_cast<double>(memoryLimitBytes());
-    if (!grid || !checkMemory(m_setup->stock, *grid, mayTake))
+    const auto limit = static_cast<double>(memoryLimitBytes());
+    if (!grid || !checkMemory(m_setup->stock, *grid, limit))
         return std::nullopt; // the simulation tells why
-    takeIn(program, end);
+    addGroup(program, end);
     return std::optional<StockContact>(
         std::in_place, m_setup->stock,
         [&](const Vec2& lo, const Vec2& hi) { return cutsWithin(program, lo, hi); }, context.stop,

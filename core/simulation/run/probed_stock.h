@@ -34,7 +34,7 @@ private:
 
     [[nodiscard]] const Cutter* cutterOf(const Program& program, const Motion& motion) const;
     /// The motions before the `end`-th.
-    void takeIn(const Program& program, std::size_t end);
+    void addGroup(const Program& program, std::size_t end);
     /// The stock as it is known; nothing where there can be none.
     [[nodiscard]] std::optional<StockContact> stockAfter(const Program& program, std::size_t end,
                                                          const WorkContext& context);

@@ -45,7 +45,7 @@ Result<std::unique_ptr<Simulation>> Simulation::prepare(std::shared_ptr<const Pr
     state->checkpoints.restart(state->base);
     // Of what is left beside the map, and no more than a part of it: other programs want to live too.
     const auto quarter = static_cast<std::size_t>(memoryLimitBytes() / 4);
-    state->checkpoints.setBudget(std::min(Checkpoints::kStandardBudget, quarter));
+    state->checkpoints.setBudget(std::min(Checkpoints::kDefaultBudget, quarter));
     state->effort.allocateSeconds = watch.seconds();
     state->behind = state->schedule.decimates();
     return std::unique_ptr<Simulation>(new Simulation(std::move(state)));

@@ -207,7 +207,7 @@ bool Simulation::State::replay(StockRun& run, std::size_t block, const WorkConte
             portion *= 2;
         else if (watch.seconds() > kCheckpointSeconds)
             portion = std::max(portion / 2, kFirstPortion);
-        context.tell(static_cast<double>(run.block - from) / static_cast<double>(block - from));
+        context.report(static_cast<double>(run.block - from) / static_cast<double>(block - from));
     }
     return run.block == block;
 }
@@ -219,7 +219,7 @@ void Simulation::State::jump(std::size_t block, const WorkContext& context) {
     std::optional<Checkpoint> newBase;
     const auto moment = schedule.lastMoment(block);
     if (moment && *moment != base.block) {
-        run.goOnFrom(nearest(*moment));
+        run.continueFrom(nearest(*moment));
         if (!replay(run, *moment, context.part(0, 0.4)))
             return;
         newBase = run.moment();
@@ -227,7 +227,7 @@ void Simulation::State::jump(std::size_t block, const WorkContext& context) {
     if (block != stock.block) {
         const Checkpoint start = nearest(block);
         if (!newBase || start.block > run.block)
-            run.goOnFrom(start);
+            run.continueFrom(start);
         if (!replay(run, block, context.part(0.4, 0.6)))
             return;
         abandonUnfinished();
@@ -247,7 +247,7 @@ void Simulation::State::fallBack(std::size_t kept) {
     const ZMapSnapshot shown = base.zmap;
     unfinished.reset();
     atRest.outdate();
-    stock.goOnFrom(saved);
+    stock.continueFrom(saved);
     if (base.block > kept)
         base = saved;
     for (const ZMapSnapshot& other : {base.zmap, saved.zmap})
@@ -268,7 +268,7 @@ void Simulation::State::seek(std::size_t block, const WorkContext& context) {
         return; // stopped on the way
     while (stock.block < block && !context.stopped()) {
         step(context);
-        context.tell(static_cast<double>(stock.block - from) / static_cast<double>(block - from));
+        context.report(static_cast<double>(stock.block - from) / static_cast<double>(block - from));
     }
 }
 

@@ -26,7 +26,7 @@ struct StockRun {
     double cutSeconds = 0;
 
     [[nodiscard]] Checkpoint moment() const { return {block, zmap.snapshot(), removedMm3, cutSeconds}; }
-    void goOnFrom(const Checkpoint& moment) {
+    void continueFrom(const Checkpoint& moment) {
         zmap = ZMap(moment.zmap);
         block = moment.block;
         removedMm3 = moment.removedMm3;

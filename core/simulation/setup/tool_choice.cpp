@@ -72,14 +72,14 @@ std::optional<int> assumedTool(const Program& program, const Setup& setup) {
 ToolChoice::ToolChoice(const Program& program, const Setup& setup)
     : m_assumed(assumedTool(program, setup)), m_callsTool(proveout::callsTool(program)) {
     const std::size_t firstCalled = firstMotionWithCalledTool(program);
-    std::set<int> told;
+    std::set<int> reported;
     for (const Program::ToolRun& run : program.toolRuns()) {
         const int number = tool(run.tool);
-        if (setup.tools.find(number) != nullptr || told.contains(number))
+        if (setup.tools.find(number) != nullptr || reported.contains(number))
             continue;
         if (const auto index = firstMiss(program, run)) {
             m_missing.push_back({number, program.motion(*index).line, *index >= firstCalled});
-            told.insert(number);
+            reported.insert(number);
         }
     }
     m_unconfirmed = unconfirmedTools(program, setup.tools, [this](int number) { return tool(number); });

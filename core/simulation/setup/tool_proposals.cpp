@@ -62,36 +62,36 @@ private:
     void step() {
         const char c = m_line[m_at];
         if (c == '(')
-            return takeComment(m_line.find(')', m_at));
+            return readComment(m_line.find(')', m_at));
         if (c == ';')
-            return takeComment(std::string_view::npos);
+            return readComment(std::string_view::npos);
         if (c == '<')
             m_at = std::min(m_line.find('>', m_at), m_line.size() - 1);
         else if (c == '[')
             m_at = behindBracket(m_line, m_at) - 1;
         else if (isLetter(c))
-            return takeLetters();
+            return readLetters();
         ++m_at;
     }
 
     static bool isLetter(char c) { return upperCase(c) >= 'A' && upperCase(c) <= 'Z'; }
 
-    void takeComment(std::size_t end) {
+    void readComment(std::size_t end) {
         m_words.comments.push_back(
             m_line.substr(m_at + 1, end == std::string_view::npos ? end : end - m_at - 1));
         m_at = end == std::string_view::npos ? m_line.size() : end + 1;
     }
 
     /// One letter is the address of a word; several are an operator or a statement.
-    void takeLetters() {
+    void readLetters() {
         const std::size_t first = m_at;
         while (m_at < m_line.size() && isLetter(m_line[m_at]))
             ++m_at;
         if (m_at == first + 1)
-            takeWord(upperCase(m_line[first]));
+            readWord(upperCase(m_line[first]));
     }
 
-    void takeWord(char letter) {
+    void readWord(char letter) {
         const std::size_t at = skipBlanks(m_line, m_at);
         const char next = at < m_line.size() ? m_line[at] : '\0';
         const bool computed = next == '#' || next == '[' || next == '{';
@@ -100,10 +100,10 @@ private:
         else if (letter == 'T' && computed)
             m_words.computedTool = true;
         else if (isDigit(next))
-            takeCode(letter, at);
+            readCode(letter, at);
     }
 
-    void takeCode(char letter, std::size_t at) {
+    void readCode(char letter, std::size_t at) {
         std::size_t end = at;
         while (end < m_line.size() && isDigit(m_line[end]))
             ++end;

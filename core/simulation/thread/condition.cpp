@@ -69,7 +69,7 @@ private:
             ++m_at;
     }
 
-    bool take(std::string_view token) {
+    bool accept(std::string_view token) {
         skipBlanks();
         if (!m_text.substr(m_at).starts_with(token))
             return false;
@@ -79,7 +79,7 @@ private:
 
     void readEither() {
         readBoth();
-        while (m_error == nullptr && take("||")) {
+        while (m_error == nullptr && accept("||")) {
             readBoth();
             m_condition.m_steps.push_back({Action::either, {}, {}, {}});
         }
@@ -87,7 +87,7 @@ private:
 
     void readBoth() {
         readOne();
-        while (m_error == nullptr && take("&&")) {
+        while (m_error == nullptr && accept("&&")) {
             readOne();
             m_condition.m_steps.push_back({Action::both, {}, {}, {}});
         }
@@ -100,7 +100,7 @@ private:
             negated = !negated;
             ++m_at;
         }
-        if (take("("))
+        if (accept("("))
             readGroup();
         else
             readComparison();
@@ -112,7 +112,7 @@ private:
         if (++m_depth > Condition::kDeepest)
             return fail(condition_finding::kConditionDepth);
         readEither();
-        if (m_error == nullptr && !take(")"))
+        if (m_error == nullptr && !accept(")"))
             fail(condition_finding::kConditionParenthesis);
         --m_depth;
     }
@@ -129,7 +129,7 @@ private:
             {">", Comparison::greater},
         }};
         const auto* const found =
-            std::ranges::find_if(kComparisons, [this](const auto& row) { return take(row.first); });
+            std::ranges::find_if(kComparisons, [this](const auto& row) { return accept(row.first); });
         if (found == kComparisons.end())
             return fail(condition_finding::kConditionComparison);
         step.comparison = found->second;

@@ -40,10 +40,10 @@ void PlaybackClock::start(std::size_t block, double unitsPerSecond, Time now) {
     m_windowStart = now;
     m_lost = 0;
     m_keptPart = 1;
-    goOn(block, now);
+    resume(block, now);
 }
 
-void PlaybackClock::goOn(std::size_t block, Time now) {
+void PlaybackClock::resume(std::size_t block, Time now) {
     m_start = now;
     m_from = at(block);
 }
@@ -58,7 +58,7 @@ void PlaybackClock::reached(std::size_t block, Time now) {
     const double late = (dueAt(now) - at(block + 1)) / m_rate;
     if (late > kOwedSeconds) {
         m_lost += (dueAt(now) - at(block)) / m_rate;
-        goOn(block, now);
+        resume(block, now);
     }
     const double window = secondsBetween(m_windowStart, now);
     if (window >= kWindowSeconds) {

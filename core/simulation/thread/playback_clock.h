@@ -39,7 +39,7 @@ public:
 private:
     [[nodiscard]] double at(std::size_t block) const;
     [[nodiscard]] double dueAt(Time now) const;
-    void goOn(std::size_t block, Time now);
+    void resume(std::size_t block, Time now);
 
     std::shared_ptr<const PlaybackMeasure> m_measure;
     Time m_start;

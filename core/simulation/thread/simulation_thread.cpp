@@ -12,7 +12,7 @@
 #include "core/simulation/run/simulation.h"
 #include "core/simulation/thread/command_queue.h"
 #include "core/simulation/thread/mailbox.h"
-#include "core/simulation/thread/progress_teller.h"
+#include "core/simulation/thread/progress_reporter.h"
 #include "core/simulation/thread/run_findings.h"
 
 namespace proveout {
@@ -49,7 +49,7 @@ struct SimulationThread::State {
     // From here on: the simulation thread alone.
     std::unique_ptr<Simulation> simulation;
     std::optional<std::size_t> goal; ///< a block that was asked for and is not reached yet
-    std::uint64_t seekTaken = 0;     ///< ticket of the newest seek or step
+    std::uint64_t seekStarted = 0;   ///< ticket of the newest seek or step
     std::uint64_t seekOver = 0;
     PlaybackClock clock;
     bool playing = false;
@@ -104,7 +104,7 @@ struct SimulationThread::State {
         frame->generation = generation;
         frame->sequence = ++sequence;
         if (!goal)
-            seekOver = seekTaken;
+            seekOver = seekStarted;
         frame->seekOver = seekOver;
         frame->playing = playing;
         frame->keptSpeed = playing && !everyBlock ? clock.keptPart() : 1;
@@ -119,16 +119,16 @@ struct SimulationThread::State {
     void execute(SimulationCommand command) {
         resting = false;
         if (auto* load = std::get_if<LoadCommand>(&command)) {
-            take(std::move(*load));
+            carryOut(std::move(*load));
             return;
         }
         if (!simulation)
             return;
-        std::visit(Overloaded{[](const LoadCommand&) {}, [this](auto other) { take(std::move(other)); }},
+        std::visit(Overloaded{[](const LoadCommand&) {}, [this](auto other) { carryOut(std::move(other)); }},
                    std::move(command));
     }
 
-    void take(LoadCommand&& load) {
+    void carryOut(LoadCommand&& load) {
         simulation.reset(); // its memory is needed for the next
         goal.reset();
         playing = false;
@@ -146,7 +146,7 @@ struct SimulationThread::State {
             publish();
     }
 
-    void take(EditCommand&& edit) {
+    void carryOut(EditCommand&& edit) {
         generation = edit.generation;
         const std::size_t wanted = simulation->noteProgram(std::move(edit.program));
         breakpoints.follow(simulation->program(), simulation->tools());
@@ -156,14 +156,14 @@ struct SimulationThread::State {
             goal = wanted;
     }
 
-    void take(ParametersCommand&& command) {
+    void carryOut(ParametersCommand&& command) {
         simulation->noteParameters(command.parameters);
         // Where there is nothing to decimate there is no work, and yet another picture.
         if (simulation->settled())
             publish();
     }
 
-    void take(PlayCommand&& play) {
+    void carryOut(PlayCommand&& play) {
         const std::size_t from = goal.value_or(simulation->position());
         if (!std::exchange(playing, true))
             playedFrom = from;
@@ -173,28 +173,28 @@ struct SimulationThread::State {
         clock.start(from, play.unitsPerSecond, Clock::now());
     }
 
-    void take(BreakpointsCommand&& command) {
+    void carryOut(BreakpointsCommand&& command) {
         breakpoints.set(command.breakpoints, simulation->program(), simulation->tools());
     }
 
-    void take(BudgetCommand&& command) { simulation->setCheckpointBudget(command.bytes); }
+    void carryOut(BudgetCommand&& command) { simulation->setCheckpointBudget(command.bytes); }
 
-    void take(PauseCommand&&) {
+    void carryOut(PauseCommand&&) {
         playing = false;
         goal.reset();
         publish();
     }
 
-    void take(SeekCommand&& seek) {
+    void carryOut(SeekCommand&& seek) {
         stoppedBy.reset();
-        seekTaken = seek.ticket;
+        seekStarted = seek.ticket;
         goal = std::min(seek.block, simulation->blockCount());
     }
 
-    void take(StepCommand&& step) {
+    void carryOut(StepCommand&& step) {
         stoppedBy.reset();
         playing = false;
-        seekTaken = step.ticket;
+        seekStarted = step.ticket;
         const auto from = static_cast<std::ptrdiff_t>(goal.value_or(simulation->position()));
         const auto last = static_cast<std::ptrdiff_t>(simulation->blockCount());
         goal = static_cast<std::size_t>(std::clamp(step.blocks, -from, last - from) +
@@ -206,9 +206,9 @@ struct SimulationThread::State {
     void work() {
         bool cut = false;
         {
-            ProgressTeller teller(listener.progress);
+            ProgressReporter reporter(listener.progress);
             const WorkContext context{queue.beginWork(patient),
-                                      [&teller](double done) { teller.tell(done); }};
+                                      [&reporter](double done) { reporter.report(done); }};
             const std::size_t wanted =
                 std::min(goal.value_or(simulation->position()), simulation->blockCount());
             simulation->seek(wanted, context);

@@ -97,7 +97,7 @@ private:
         for (const auto& events = m_program.events();
              m_event < events.size() && events[m_event].beforeMotion <= motion; ++m_event) {
             if (const auto* dwell = std::get_if<Dwell>(&events[m_event].data))
-                stand(&TimeParts::dwell, dwell->seconds);
+                addStandstill(&TimeParts::dwell, dwell->seconds);
             else if (const auto* change = std::get_if<ToolChange>(&events[m_event].data))
                 changeTool(change->tool);
             else if (std::holds_alternative<ProgramStop>(events[m_event].data) ||
@@ -111,10 +111,10 @@ private:
             return;
         m_plan.stop();
         ofTool(tool);
-        stand(&TimeParts::toolChange, m_machine.toolChangeSeconds);
+        addStandstill(&TimeParts::toolChange, m_machine.toolChangeSeconds);
     }
 
-    void stand(double TimeParts::*part, double seconds) {
+    void addStandstill(double TimeParts::*part, double seconds) {
         m_plan.stop();
         m_times->parts.*part += seconds;
         if (!m_times->tools.empty())
@@ -123,7 +123,7 @@ private:
             return;
         m_times->secondsAfter[m_block + 1] += seconds;
         if (seconds > 0)
-            m_times->stands.push_back({m_block, seconds});
+            m_times->standstills.push_back({m_block, seconds});
     }
 
     /// Of the motions that are planned together all are rapids or none, and of one tool.
@@ -230,9 +230,9 @@ private:
 
 double MachineTimes::movingSeconds(std::size_t block) const {
     double seconds = secondsAfter[block + 1] - secondsAfter[block];
-    for (auto stand = std::ranges::lower_bound(stands, block, {}, &Stand::block);
-         stand != stands.end() && stand->block == block; ++stand)
-        seconds -= stand->seconds;
+    for (auto addStandstill = std::ranges::lower_bound(standstills, block, {}, &Standstill::block);
+         addStandstill != standstills.end() && addStandstill->block == block; ++addStandstill)
+        seconds -= addStandstill->seconds;
     return std::max(0.0, seconds); // differences of sums are not exact
 }
 

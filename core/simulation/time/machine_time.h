@@ -39,11 +39,11 @@ struct MachineTimes {
     std::size_t motionsWithoutFeed = 0; ///< counted with the largest feed of the machine
     std::size_t motionsFromUnknown = 0; ///< counted along the axes that are known at both ends
     /// The machine stands still before a motion of a block.
-    struct Stand {
+    struct Standstill {
         std::size_t block = 0;
         double seconds = 0;
     };
-    std::vector<Stand> stands; ///< dwells and tool changes, by block
+    std::vector<Standstill> standstills; ///< dwells and tool changes, by block
 
     static constexpr double kBytesPerBlock = 2 * sizeof(double);
 

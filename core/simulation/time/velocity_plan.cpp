@@ -31,8 +31,8 @@ double secondsOf(double length, double acceleration, double topSquared, double e
 
 } // namespace
 
-VelocityPlan::VelocityPlan(double cornerDeviation, Told told)
-    : m_cornerDeviation(cornerDeviation), m_told(std::move(told)), m_watch(kPiecesAtOnce) {}
+VelocityPlan::VelocityPlan(double cornerDeviation, Reported reported)
+    : m_cornerDeviation(cornerDeviation), m_reported(std::move(reported)), m_watch(kPiecesAtOnce) {}
 
 /// Squared; of the junction deviation alone, because the length of the side behind is not known yet.
 double VelocityPlan::cornerLimit(const PathPiece& before, const PathPiece& after) const {
@@ -66,7 +66,7 @@ void VelocityPlan::add(const PathPiece& piece) {
     m_pieces.push_back({piece.length, squared(piece.topSpeed), piece.acceleration, limit, piece.owner});
     m_last = piece;
     if (m_pieces.size() >= m_watch && !sameSide)
-        tellWhatIsSure();
+        reportWhatIsSure();
 }
 
 /// The side has its whole length now: so has the limit at its first corner.
@@ -86,12 +86,12 @@ void VelocityPlan::planBackward() {
 }
 
 /// Times of the first pieces, whose entry speeds are planned, and forgets them.
-void VelocityPlan::tell(std::size_t count) {
+void VelocityPlan::report(std::size_t count) {
     double entry = m_pieces.empty() ? 0 : m_entry[0];
     for (std::size_t i = 0; i < count; ++i) {
         const Planned& piece = m_pieces[i];
         const double exit = std::min(m_entry[i + 1], entry + 2 * piece.acceleration * piece.length);
-        m_told(piece.owner, secondsOf(piece.length, piece.acceleration, piece.topSquared, entry, exit));
+        m_reported(piece.owner, secondsOf(piece.length, piece.acceleration, piece.topSquared, entry, exit));
         entry = exit;
     }
     m_pieces.erase(m_pieces.begin(), m_pieces.begin() + static_cast<std::ptrdiff_t>(count));
@@ -101,7 +101,7 @@ void VelocityPlan::tell(std::size_t count) {
 
 /// Where a piece may be entered at its limit although the machine had to stop at the last corner of all,
 /// nothing that follows can change what comes before.
-void VelocityPlan::tellWhatIsSure() {
+void VelocityPlan::reportWhatIsSure() {
     const double open = std::exchange(m_pieces[m_side].entryLimit, 0); // its side may still grow
     planBackward();
     m_pieces[m_side].entryLimit = open;
@@ -110,7 +110,7 @@ void VelocityPlan::tellWhatIsSure() {
         --sure;
     sure -= sure > 0 ? 1 : 0;
     if (sure > 0) {
-        tell(sure);
+        report(sure);
         m_side -= sure;
     }
     m_watch = std::max(kPiecesAtOnce, 2 * m_pieces.size());
@@ -121,7 +121,7 @@ void VelocityPlan::stop() {
         return;
     closeSide();
     planBackward();
-    tell(m_pieces.size());
+    report(m_pieces.size());
     m_side = 0;
     m_sideLength = 0;
     m_watch = kPiecesAtOnce;

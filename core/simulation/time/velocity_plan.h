@@ -30,9 +30,9 @@ struct PathPiece {
 /// their speeds reaches over. One thread.
 class VelocityPlan {
 public:
-    using Told = std::function<void(std::uint32_t owner, double seconds)>;
+    using Reported = std::function<void(std::uint32_t owner, double seconds)>;
     /// `told` is called for every piece in their order, later.
-    VelocityPlan(double cornerDeviation, Told told);
+    VelocityPlan(double cornerDeviation, Reported reported);
 
     void add(const PathPiece& piece);
     /// The machine stands still here; the times of all pieces before are told.
@@ -50,11 +50,11 @@ private:
     void closeSide();
     [[nodiscard]] double cornerLimit(const PathPiece& before, const PathPiece& after) const;
     void planBackward();
-    void tell(std::size_t count);
-    void tellWhatIsSure();
+    void report(std::size_t count);
+    void reportWhatIsSure();
 
     double m_cornerDeviation;
-    Told m_told;
+    Reported m_reported;
     std::vector<Planned> m_pieces; ///< whose times were not told yet
     std::vector<double> m_entry;   ///< squared speeds at their starts and at the end of the last
     PathPiece m_last;

@@ -136,7 +136,7 @@ TEST(AtomicFile, NeverReplacesFoldersAndSpecialFiles) {
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
-TEST(AtomicFile, TellsAMissingFolder) {
+TEST(AtomicFile, ReportsAMissingFolder) {
     const TemporaryFolder folder;
     const auto result = writeFile(folder / "no/such/file", "x");
     ASSERT_FALSE(result);
@@ -153,7 +153,7 @@ TEST(AtomicFile, NeverReplacesAWriteProtectedFile) {
     EXPECT_EQ(readFile(folder / "a").value(), "old");
 }
 
-TEST(AtomicFile, FullDiskTellsTheBytesNeededAndKeepsTheOldFile) {
+TEST(AtomicFile, FullDiskReportsTheBytesNeededAndKeepsTheOldFile) {
     const TemporaryFolder folder;
     ASSERT_TRUE(writeFile(folder / "a", "old"));
     const std::string large(3'000'000, 'x');
@@ -167,7 +167,7 @@ TEST(AtomicFile, FullDiskTellsTheBytesNeededAndKeepsTheOldFile) {
 }
 
 /// What comes after the disk was found to be full is needed as well.
-TEST(AtomicFile, FullDiskTellsTheBytesOfAllThatWasWritten) {
+TEST(AtomicFile, FullDiskReportsTheBytesOfAllThatWasWritten) {
     const TemporaryFolder folder;
     const FileSizeLimit limit(2'000'000);
     AtomicFile file(folder / "a");
@@ -178,7 +178,7 @@ TEST(AtomicFile, FullDiskTellsTheBytesOfAllThatWasWritten) {
     EXPECT_THAT(message(result.error().front()), HasSubstr("50 MB needed"));
 }
 
-TEST(AtomicFile, FullDiskTellsTheBytesThatAreExpected) {
+TEST(AtomicFile, FullDiskReportsTheBytesThatAreExpected) {
     const TemporaryFolder folder;
     const FileSizeLimit limit(2'000'000);
     AtomicFile file(folder / "a", 9'000'000);
@@ -192,17 +192,18 @@ TEST(AtomicFile, FullDiskTellsTheBytesThatAreExpected) {
 /// Asked before hours of work: whether the file can be written, and has room.
 TEST(AtomicFile, IsReadyOnlyWhereItCanBeWritten) {
     const TemporaryFolder folder;
-    const auto told = [](const fs::path& file, std::uint64_t bytes) {
+    const auto reported = [](const fs::path& file, std::uint64_t bytes) {
         const auto ready = AtomicFile(file, bytes).ready();
         return ready ? std::string() : message(ready.error().front());
     };
-    EXPECT_EQ(told(folder / "a", 1000), "");
-    EXPECT_THAT(told(folder / "no/such/file", 1000), HasSubstr("No such file or directory"));
-    EXPECT_THAT(told(folder.path(), 1000), HasSubstr("Is a directory"));
-    EXPECT_THAT(told(folder / "a", std::uint64_t{1} << 62), HasSubstr("(4612 PB needed)"));
+    EXPECT_EQ(reported(folder / "a", 1000), "");
+    EXPECT_THAT(reported(folder / "no/such/file", 1000), HasSubstr("No such file or directory"));
+    EXPECT_THAT(reported(folder.path(), 1000), HasSubstr("Is a directory"));
+    EXPECT_THAT(reported(folder / "a", std::uint64_t{1} << 62), HasSubstr("(4612 PB needed)"));
     const FileSizeLimit limit(2'000'000);
-    EXPECT_EQ(told(folder / "a", 2'000'000), "");
-    EXPECT_EQ(told(folder / "a", 2'000'001), "The file cannot be written (2.0 MB needed): File too large.");
+    EXPECT_EQ(reported(folder / "a", 2'000'000), "");
+    EXPECT_EQ(reported(folder / "a", 2'000'001),
+              "The file cannot be written (2.0 MB needed): File too large.");
     EXPECT_EQ(folder.entries(), 0U);
 }
 
@@ -289,7 +290,7 @@ TEST(ReadFile, KeepsToItsLimit) {
     EXPECT_EQ(message(result.error().front()), "The file has 5 B; the limit is 4 B.");
 }
 
-TEST(ReadFile, ReadsFilesWhoseSizeTheSystemDoesNotTell) {
+TEST(ReadFile, ReadsFilesWhoseSizeTheSystemDoesNotReport) {
     EXPECT_THAT(readFile("/proc/self/status").value(), HasSubstr("Name:"));
     EXPECT_FALSE(readFile("/proc/self/status", 10));
 }

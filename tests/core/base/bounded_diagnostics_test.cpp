@@ -36,7 +36,7 @@ TEST(BoundedDiagnostics, BeyondTheLimitACountIsAsSevereAsTheWorst) {
     Diagnostic worst = atLine(7, Severity::error);
     worst.unverified = true;
     list.add(worst);
-    list.leaveOut(Severity::note, false, 9);
+    list.omit(Severity::note, false, 9);
     const Diagnostics all = list.take();
     ASSERT_EQ(all.size(), 101U);
     EXPECT_EQ(message(all.back()), "60 more messages are not shown.");

@@ -31,7 +31,7 @@ TEST(FolderLock, NothingThatAnotherHasWrittenIsLost) {
     EXPECT_EQ(folder.entries(), 1U) << "a lock leaves no file";
 }
 
-TEST(FolderLock, GoesOnWhereTheTurnDoesNotCome) {
+TEST(FolderLock, ContinuesWhereTheTurnDoesNotCome) {
     const TemporaryFolder folder;
     const FolderLock first(folder.path());
     std::atomic<bool> through = false;

@@ -33,7 +33,7 @@ TEST(Utf8, GivesBytesThatAreNoneOneByOne) {
     }
 }
 
-TEST(Utf8, IsToldFromOtherBytes) {
+TEST(Utf8, IsDistinguishedFromOtherBytes) {
     EXPECT_TRUE(isUtf8(""));
     EXPECT_TRUE(isUtf8("G1 X1 (Fr\xc3\xa4ser \xe2\x8c\x80 \xf0\x9f\x94\xa7)"));
     EXPECT_FALSE(isUtf8("Fr\xe4ser"));        // Latin-1

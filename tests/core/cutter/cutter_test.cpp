@@ -12,7 +12,7 @@
 
 #include "core/cutter/shapes.h"
 #include "core/cutter/solvable_pieces.h"
-#include "tests/core/cutter/standard_spec.h"
+#include "tests/core/cutter/default_spec.h"
 
 namespace proveout {
 namespace {
@@ -131,7 +131,7 @@ TEST(Cutter, PiecesJoinWithoutGapsAndRise) {
     }
     for (const CutterShape& shape : cutterShapes()) {
         SCOPED_TRACE(shape.key);
-        expectRising(parseCutter(standardSpecOf(shape)).value().pieces());
+        expectRising(parseCutter(defaultSpecOf(shape)).value().pieces());
     }
 }
 
@@ -187,7 +187,7 @@ bool uprightAt(const ProfilePiece& arc, double r) {
     return r < arc.centreR - arc.radius + kUprightPart || r > arc.centreR + arc.radius - kUprightPart;
 }
 
-TEST(Cutter, LinesThatStandForAnArcAreNearItAndFew) {
+TEST(Cutter, LinesInPlaceOfAnArcAreNearItAndFew) {
     for (const auto& [spec, most] : {std::pair{"form:p=0/0:1/0:6/5@-5", 70},
                                      {"form:p=0/0:1/0:2/1@-1", 35},
                                      {"form:p=0/0:3/4@20", 40},

@@ -28,7 +28,7 @@ TEST(EnteredSizes, StayWhereTheCommentChanges) {
     EXPECT_EQ(out.origin.line, 3U);
 }
 
-TEST(EnteredSizes, AStandardValueThatWasEnteredStaysTheStandard) {
+TEST(EnteredSizes, ADefaultValueThatWasEnteredStaysTheDefault) {
     const SourcedCutter out = withEntered(sourced("flat:d=8,l=30", {}), sourced("flat:d=8", {}, {"l"}));
     EXPECT_EQ(out.cutter.spec(), "flat:d=8");
 }

@@ -7,7 +7,7 @@
 
 #include "core/cutter/shapes.h"
 #include "core/cutter/tool_table.h"
-#include "tests/core/cutter/standard_spec.h"
+#include "tests/core/cutter/default_spec.h"
 #include "tests/random_seed.h"
 
 namespace proveout {
@@ -192,7 +192,7 @@ TEST(ParseCutter, GivesAHeadAShankAsThickAsItsNeck) {
 
 TEST(ParseCutter, MakesACutterOfEveryRowFromItsProposedValues) {
     for (const CutterShape& shape : cutterShapes()) {
-        const std::string spec = standardSpecOf(shape);
+        const std::string spec = defaultSpecOf(shape);
         SCOPED_TRACE(spec);
         EXPECT_TRUE(parseCutter(spec).has_value());
     }

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "tests/core/cutter/standard_spec.h"
+#include "tests/core/cutter/default_spec.h"
 #include "tests/core/temporary_folder.h"
 
 namespace proveout {
@@ -20,7 +20,7 @@ protected:
         return readToolFile(m_folder / "t.toml");
     }
     /// All that is told, "LINE:COLUMN sentence [id]" a line; empty where the table was read.
-    std::string told(const std::string& text) {
+    std::string reported(const std::string& text) {
         const auto tools = read(text);
         std::string out;
         if (tools)
@@ -53,7 +53,7 @@ TEST_F(ToolFile, MayMarkSizesAsNotConfirmed) {
     ASSERT_TRUE(tools);
     ASSERT_EQ(tools->unconfirmed().size(), 1U);
     EXPECT_EQ(tools->unconfirmedOrigin(1)->source, ToolSource::assumed);
-    EXPECT_THAT(told("[[tool]]\nnumber = 1\ncutter = \"flat:d=6\"\nsource = \"me\"\n"),
+    EXPECT_THAT(reported("[[tool]]\nnumber = 1\ncutter = \"flat:d=6\"\nsource = \"me\"\n"),
                 HasSubstr("[tool-source]"));
 }
 
@@ -61,15 +61,15 @@ TEST_F(ToolFile, HoldsCuttersOfEveryShape) {
     std::string text;
     int number = 0;
     for (const CutterShape& shape : cutterShapes())
-        text += fmt::format("[[tool]]\nnumber = {}\ncutter = \"{}\"\n", ++number, standardSpecOf(shape));
+        text += fmt::format("[[tool]]\nnumber = {}\ncutter = \"{}\"\n", ++number, defaultSpecOf(shape));
     const auto tools = read(text);
     ASSERT_TRUE(tools) << oneLine(tools.error().front());
     number = 0;
     for (const CutterShape& shape : cutterShapes())
-        EXPECT_EQ(tools->find(++number)->spec(), standardSpecOf(shape));
+        EXPECT_EQ(tools->find(++number)->spec(), defaultSpecOf(shape));
 }
 
-TEST_F(ToolFile, TellsAHundredErrorsAndHowManyMoreThereAre) {
+TEST_F(ToolFile, ReportsAHundredErrorsAndHowManyMoreThereAre) {
     std::string text;
     for (int row = 0; row < 20'000; ++row)
         text += "[[tool]]\nnumber = -1\n";
@@ -81,39 +81,39 @@ TEST_F(ToolFile, TellsAHundredErrorsAndHowManyMoreThereAre) {
 }
 
 TEST_F(ToolFile, KeysOfARowThatAreNotKnownAreErrorsWithTheirPlace) {
-    EXPECT_EQ(told("[[tool]]\nnumber = 1\ncuter = \"ball:d=4\"\n"),
+    EXPECT_EQ(reported("[[tool]]\nnumber = 1\ncuter = \"ball:d=4\"\n"),
               "1:1 Tool 1 needs a cutter, e.g. cutter = \"ball:d=11,l=50\". [tool-cutter]\n"
               "3:1 “cuter” is not a key of a tool; perhaps “cutter” is meant. [tool-key-unknown]\n");
-    EXPECT_EQ(told("[[tool]]\nnumber = 1\ncutter = \"ball:d=4\"\n  flutes = 2\n"),
+    EXPECT_EQ(reported("[[tool]]\nnumber = 1\ncutter = \"ball:d=4\"\n  flutes = 2\n"),
               "4:3 “flutes” is not a key of a tool; there are number, cutter, source. [tool-key-unknown]\n");
-    EXPECT_EQ(told("[[tool]]\nnumber = 1\ncutter = \"ball:d=4\"\nNumber = 2\n"),
+    EXPECT_EQ(reported("[[tool]]\nnumber = 1\ncutter = \"ball:d=4\"\nNumber = 2\n"),
               "4:1 “Number” is not a key of a tool; perhaps “number” is meant. [tool-key-unknown]\n");
 }
 
 TEST_F(ToolFile, TablesThatAreNotKnownAreErrorsWithTheirPlace) {
     const std::string row = "[[tool]]\nnumber = 1\ncutter = \"ball:d=4\"\n";
-    EXPECT_EQ(told(row + "[[tools]]\nnumber = 2\ncutter = \"ball:d=4\"\n"),
+    EXPECT_EQ(reported(row + "[[tools]]\nnumber = 2\ncutter = \"ball:d=4\"\n"),
               "4:3 “tools” is not a table of a tool file; perhaps “tool” is meant. [tool-key-unknown]\n");
-    EXPECT_EQ(told("unit = \"mm\"\n" + row),
+    EXPECT_EQ(reported("unit = \"mm\"\n" + row),
               "1:1 “unit” is not a table of a tool file; each tool is a [[tool]]. [tool-key-unknown]\n");
-    EXPECT_EQ(told(row + "[tool.holder]\nd = 40\n"),
+    EXPECT_EQ(reported(row + "[tool.holder]\nd = 40\n"),
               "4:7 “holder” is not a key of a tool; there are number, cutter, source. [tool-key-unknown]\n");
-    EXPECT_EQ(told("[machine]\nname = \"x\"\n"),
+    EXPECT_EQ(reported("[machine]\nname = \"x\"\n"),
               "0:0 The file holds no [[tool]] tables. [tool-file-empty]\n"
               "1:2 “machine” is not a table of a tool file; each tool is a [[tool]]. [tool-key-unknown]\n");
 }
 
 TEST_F(ToolFile, KeysOfACutterThatAreNotKnownAreErrorsAtTheCutter) {
-    EXPECT_THAT(told("[[tool]]\nnumber = 1\ncutter = \"ball:d=4,x=3\"\n"),
+    EXPECT_THAT(reported("[[tool]]\nnumber = 1\ncutter = \"ball:d=4,x=3\"\n"),
                 testing::MatchesRegex("3:10 .*“x” is not a key .*\\[cutter-key-unknown\\]\n"));
 }
 
-TEST_F(ToolFile, AllErrorsAreToldAtOnceInTheOrderOfTheText) {
-    EXPECT_EQ(told("[[tool]]\nnumber = -1\ncutter = \"ball:d=4\"\n"
-                   "[[tool]]\nnumber = 3\n"
-                   "[[tool]]\nnumber = \"4\"\ncolour = 1\n"
-                   "[[tool]]\nnumber = 3\ncutter = \"ball:d=4\"\n"
-                   "[[tool]]\ncutter = \"ball:d=4\"\n"),
+TEST_F(ToolFile, AllErrorsAreReportedAtOnceInTheOrderOfTheText) {
+    EXPECT_EQ(reported("[[tool]]\nnumber = -1\ncutter = \"ball:d=4\"\n"
+                       "[[tool]]\nnumber = 3\n"
+                       "[[tool]]\nnumber = \"4\"\ncolour = 1\n"
+                       "[[tool]]\nnumber = 3\ncutter = \"ball:d=4\"\n"
+                       "[[tool]]\ncutter = \"ball:d=4\"\n"),
               "2:10 A tool needs a number, a whole one from 0 to 99999999. [tool-number]\n"
               "4:1 Tool 3 needs a cutter, e.g. cutter = \"ball:d=11,l=50\". [tool-cutter]\n"
               "7:10 A tool needs a number, a whole one from 0 to 99999999. [tool-number]\n"
@@ -123,11 +123,11 @@ TEST_F(ToolFile, AllErrorsAreToldAtOnceInTheOrderOfTheText) {
 }
 
 TEST_F(ToolFile, OtherFilesAreRefused) {
-    EXPECT_THAT(told(""), HasSubstr("0:0 The file holds no [[tool]] tables. [tool-file-empty]"));
-    EXPECT_THAT(told("[tool]\nnumber = 1\n"), HasSubstr("[tool-file-empty]"));
-    EXPECT_THAT(told("tool = [1, 2]\n"), HasSubstr("1:9 A tool must be a table: [[tool]]. [tool-row]"));
-    EXPECT_THAT(told("[[tool]]\nnumber = 1\ncutter = \"ball:d=4\n"), HasSubstr("3:"));
-    EXPECT_THAT(told("[[tool]]\nnumber = 1\nnumber = 2\n"), HasSubstr("[tool-file-syntax]"));
+    EXPECT_THAT(reported(""), HasSubstr("0:0 The file holds no [[tool]] tables. [tool-file-empty]"));
+    EXPECT_THAT(reported("[tool]\nnumber = 1\n"), HasSubstr("[tool-file-empty]"));
+    EXPECT_THAT(reported("tool = [1, 2]\n"), HasSubstr("1:9 A tool must be a table: [[tool]]. [tool-row]"));
+    EXPECT_THAT(reported("[[tool]]\nnumber = 1\ncutter = \"ball:d=4\n"), HasSubstr("3:"));
+    EXPECT_THAT(reported("[[tool]]\nnumber = 1\nnumber = 2\n"), HasSubstr("[tool-file-syntax]"));
     EXPECT_STREQ(readToolFile(m_folder / "missing.toml").error().front().id, "file-unreadable");
 }
 

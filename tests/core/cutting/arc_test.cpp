@@ -24,7 +24,7 @@ TEST_P(ArcMotions, AgreeWithTheOracle) {
         Random random(seed);
         const Cutter cutter = randomCutter(random, shape);
         const Motion motion = randomArc(random, stock, plane, kind);
-        SCOPED_TRACE(fmt::format("seed {} {}", seed, told(cutter, motion)));
+        SCOPED_TRACE(fmt::format("seed {} {}", seed, reported(cutter, motion)));
         const double error = largestError(cutter, motion, stock, 1.5, kSamples);
         EXPECT_LE(error, kAllowed);
         largest = std::max(largest, error);

@@ -76,7 +76,7 @@ void forRandomJobs(unsigned seeds, const StockBox& stock, const Check& check) {
     for (unsigned seed = 1; seed <= seeds; ++seed) {
         Random random(seed);
         const Job job = randomJobs(random, 1, stock)[0];
-        SCOPED_TRACE(fmt::format("seed {} {}", seed, told(job.cutter, job.motion)));
+        SCOPED_TRACE(fmt::format("seed {} {}", seed, reported(job.cutter, job.motion)));
         check(job, random);
     }
 }
@@ -118,7 +118,7 @@ double differenceFromEnvelope(const Job& job, const StockBox& stock, const Vec2&
 TEST(Cut, AgreesWithTheEnvelopeOfSinglePoints) {
     forRandomMaps(60, 1, [](Random& /*random*/, const Map& map, const std::vector<Job>& jobs) {
         const Job& job = jobs[0];
-        SCOPED_TRACE(told(job.cutter, job.motion));
+        SCOPED_TRACE(reported(job.cutter, job.motion));
         ZMap zmap = freshMap(map);
         (void)cut(zmap, job.cutter, job.motion);
         const ZMapSnapshot moment = zmap.snapshot();
@@ -138,7 +138,7 @@ TEST(Cut, NeverRaisesAPointAndIsDoneAfterOnce) {
     forRandomMaps(10, 12, [](Random& /*random*/, const Map& map, const std::vector<Job>& jobs) {
         ZMap zmap = freshMap(map);
         for (const Job& job : jobs) {
-            SCOPED_TRACE(told(job.cutter, job.motion));
+            SCOPED_TRACE(reported(job.cutter, job.motion));
             const std::vector<float> before = heightsOf(zmap);
             (void)cut(zmap, job.cutter, job.motion);
             const std::vector<float> after = heightsOf(zmap);
@@ -181,7 +181,7 @@ Motion partOf(const Motion& motion, double t0, double t1) {
 TEST(Cut, SplittingAMotionChangesNothing) {
     forRandomMaps(60, 1, [](Random& random, const Map& map, const std::vector<Job>& jobs) {
         const Job& job = jobs[0];
-        SCOPED_TRACE(told(job.cutter, job.motion));
+        SCOPED_TRACE(reported(job.cutter, job.motion));
         ZMap whole = freshMap(map);
         (void)cut(whole, job.cutter, job.motion);
         ZMap split = freshMap(map);
@@ -258,7 +258,7 @@ TEST(Cut, RecordsWhatTheMapLost) {
     forRandomMaps(40, 6, [](Random& /*random*/, const Map& map, const std::vector<Job>& jobs) {
         ZMap zmap = freshMap(map);
         for (const Job& job : jobs) {
-            SCOPED_TRACE(told(job.cutter, job.motion));
+            SCOPED_TRACE(reported(job.cutter, job.motion));
             const ZMapSnapshot before = zmap.snapshot();
             const CutRecord record = cut(zmap, job.cutter, job.motion);
             const ZMapSnapshot after = zmap.snapshot();
@@ -445,7 +445,7 @@ TEST(Cut, LeavesTheMapAsItWasWhereItIsStopped) {
         const double spacing = round % 2 == 0 ? 0.9 : 0.04;
         const Job job = round < 4 ? Job{cutterOf("ball:d=40"), straightMotion({-3, 20, -4}, {80, 50, -5})}
                                   : randomJobs(random, 1)[0];
-        SCOPED_TRACE(fmt::format("seed {} round {} {}", seed, round, told(job.cutter, job.motion)));
+        SCOPED_TRACE(fmt::format("seed {} round {} {}", seed, round, reported(job.cutter, job.motion)));
         ZMap zmap = freshMap(kStock, spacing);
         (void)cut(zmap, cutterOf("ball:d=6"), straightMotion({-3, 20, -2}, {80, 50, -3}));
         const std::vector<float> before = heightsOf(zmap);

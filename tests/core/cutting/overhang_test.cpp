@@ -84,7 +84,7 @@ TEST(Overhang, IsNoneWhereTheHeadClearsItsWayFromAbove) {
     }
 }
 
-TEST(Overhang, TellsHowFarANeckGoesThroughStock) {
+TEST(Overhang, ReportsHowFarANeckGoesThroughStock) {
     ZMap zmap = freshMap();
     const Overhang left = cutAndMeasure(zmap, cutterOf("tslot:d=20,w=5,neck=9"), across(-12));
     EXPECT_NEAR(left.neckDepth, 7, 1e-4);
@@ -145,7 +145,7 @@ TEST(Overhang, AgreesWithBruteForce) {
         const Motion motion = k % 2 == 0 ? randomStraight(random, stock, static_cast<StraightKind>(k / 2 % 5))
                                          : randomArc(random, stock, static_cast<Plane>(k / 2 % 3),
                                                      static_cast<ArcKind>(k / 6 % 3));
-        SCOPED_TRACE(told(cutter, motion));
+        SCOPED_TRACE(reported(cutter, motion));
         ZMap zmap(stock, makeGrid(stock, 1.5).value());
         const Overhang left = cutAndMeasure(zmap, cutter, motion);
         const ZMapSnapshot after = zmap.snapshot();

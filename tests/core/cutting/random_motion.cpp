@@ -9,7 +9,7 @@
 #include <utility>
 
 #include "core/cutting/cut/cutting.h"
-#include "tests/core/cutter/standard_spec.h"
+#include "tests/core/cutter/default_spec.h"
 #include "tests/core/cutting/oracle.h"
 
 namespace proveout {
@@ -169,7 +169,7 @@ Cutter randomCutter(Random& random, const std::string& shape) {
     const double d = uniform(random, 2, 12);
     if (row == std::end(kSpecs)) { // a new shape: as dialogs propose it
         const auto known = std::ranges::find(cutterShapes(), shape, &CutterShape::key);
-        return cutterOf(known == cutterShapes().end() ? shape : standardSpecOf(*known));
+        return cutterOf(known == cutterShapes().end() ? shape : defaultSpecOf(*known));
     }
     return cutterOf(shape + ':' + row->keys(random, d));
 }
@@ -261,7 +261,7 @@ Motion randomArc(Random& random, const StockBox& stock, Plane plane, ArcKind kin
     return arcMotion(plane, centre, radius, uniform(random, -4, 4), sweep, climb, endRadius);
 }
 
-std::string told(const Cutter& cutter, const Motion& m) {
+std::string reported(const Cutter& cutter, const Motion& m) {
     return fmt::format("{} kind {} plane {} start {:.17g},{:.17g},{:.17g} end {:.17g},{:.17g},{:.17g} centre "
                        "{:.17g},{:.17g},{:.17g} sweep {:.17g}",
                        cutter.spec(), static_cast<int>(m.kind), static_cast<int>(m.plane), m.start.x,

@@ -31,7 +31,7 @@ enum class ArcKind { level, helix, spiral, turns };
 [[nodiscard]] Motion randomArc(Random& random, const StockBox& stock, Plane plane, ArcKind kind);
 
 /// What to print when a random case fails.
-[[nodiscard]] std::string told(const Cutter& cutter, const Motion& motion);
+[[nodiscard]] std::string reported(const Cutter& cutter, const Motion& motion);
 
 /// The largest difference of `cut` from the oracle over every `stride`-th row and column of points of a fresh
 /// map, rim points left out.

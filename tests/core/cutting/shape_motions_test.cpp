@@ -91,7 +91,7 @@ TEST_P(ShapeMotions, AgreeWithTheOracle) {
         const double spacing = kSpacings[static_cast<std::size_t>(k) % kSpacings.size()];
         const double error = largestErrorNear(random, cutter, motion, kStock, spacing, row.samples, kPoints);
         EXPECT_LE(error, kAllowed) << fmt::format("seed {} spacing {} {}", seed, spacing,
-                                                  told(cutter, motion));
+                                                  reported(cutter, motion));
         largest = std::max(largest, error);
     }
     std::cout << fmt::format("{} {}: {} motions from seed {}, largest error {:.2e} mm\n", shape, row.name,

@@ -201,7 +201,7 @@ double gapAt(const CutStock& stock, const Cutter& cutter, const Vec3& tip, const
 
 /// Whether the tool at a place stands in the stock: columns about it and along its rim, ever closer ones
 /// where the gap is smallest.
-bool standsInStock(const CutStock& stock, const Cutter& cutter, const Vec3& tip) {
+bool isInStock(const CutStock& stock, const Cutter& cutter, const Vec3& tip) {
     struct Column {
         Vec2 at;
         double gap;
@@ -266,8 +266,8 @@ TEST(StockContact, AgreesWithBruteForce) {
                                         [&](double tolerances) {
                                             const double further =
                                                 std::min(length, way + tolerances * kTolerance);
-                                            return standsInStock(stock, probe,
-                                                                 start + (end - start) * (further / length));
+                                            return isInStock(stock, probe,
+                                                             start + (end - start) * (further / length));
                                         }))
             << "after " << way;
         ++touched;

@@ -25,7 +25,7 @@ TEST_P(StraightMotions, AgreeWithTheOracle) {
         Random random(seed);
         const Cutter cutter = randomCutter(random, shape);
         const Motion motion = randomStraight(random, stock, kind);
-        SCOPED_TRACE(fmt::format("seed {} {}", seed, told(cutter, motion)));
+        SCOPED_TRACE(fmt::format("seed {} {}", seed, reported(cutter, motion)));
         // The points lie close together in single precision, far apart in double precision.
         for (const auto& [spacing, stride] : {std::pair{0.15, 10}, {1.5, 1}}) {
             const double error = largestError(cutter, motion, stock, spacing, kSamples, stride);

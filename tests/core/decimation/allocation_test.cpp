@@ -24,7 +24,7 @@ std::atomic<std::size_t> allocations{0};
 std::atomic<std::size_t> bytesHeld{0};
 std::atomic<std::size_t> bytesPeak{0};
 
-void take(std::size_t bytes) {
+void count(std::size_t bytes) {
     const std::size_t held = bytesHeld += bytes;
     std::size_t peak = bytesPeak;
     while (peak < held && !bytesPeak.compare_exchange_weak(peak, held)) {
@@ -36,7 +36,7 @@ void take(std::size_t bytes) {
 [[gnu::noinline]] void* operator new(std::size_t size) {
     ++allocations;
     if (void* memory = std::malloc(size == 0 ? 1 : size)) {
-        take(malloc_usable_size(memory));
+        count(malloc_usable_size(memory));
         return memory;
     }
     throw std::bad_alloc();
@@ -145,7 +145,7 @@ TEST(MapMemory, IsNoLessThanSolidsTake) {
         const ZMapSnapshot zmap = test::zmapOf(kSize, kSize, 0.1, heights);
         const double peak = peakOf([&] {
             const TriangleMesh solid =
-                closeSolid(zmap, Surface(kSize, kSize, none).snapshot().takeTriangles());
+                closeSolid(zmap, Surface(kSize, kSize, none).snapshot().releaseTriangles());
             EXPECT_GT(solid.triangles.size(), 0U);
         });
         EXPECT_LE(peak, most) << pattern.name << ", bytes a point: " << peak / (kSize * kSize);

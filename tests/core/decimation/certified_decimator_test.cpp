@@ -41,7 +41,7 @@ RandomCase randomCase(std::uint32_t seed, ErrorLevel level) {
     return made;
 }
 
-std::string tell(std::uint32_t seed, const RandomCase& made) {
+std::string report(std::uint32_t seed, const RandomCase& made) {
     return made.map.kind + " of seed " + std::to_string(seed) + ", " + std::to_string(made.map.nx) + " x " +
            std::to_string(made.map.ny) + ", region " + std::to_string(made.parameters.regionCells) +
            ", allowance " + std::to_string(made.parameters.allowance);
@@ -53,7 +53,7 @@ TEST(Certified, keepsEveryPointWithinTheAllowance) {
     for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
         const RandomCase made = randomCase(seed, ErrorLevel::sample);
         const HardMap& map = made.map;
-        SCOPED_TRACE(tell(seed, made));
+        SCOPED_TRACE(report(seed, made));
         const SurfaceSnapshot surface = decimated(map, made.parameters);
         const std::vector<LatticeTriangle> triangles = surface.triangles();
         const double error = test::surfaceDistance(map.nx, map.ny, map.heights, triangles).samples;
@@ -68,7 +68,7 @@ TEST(Certified, keepsTheWholeSurfaceWithinTheAllowance) {
     for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
         const RandomCase made = randomCase(seed, ErrorLevel::surface);
         const HardMap& map = made.map;
-        SCOPED_TRACE(tell(seed, made));
+        SCOPED_TRACE(report(seed, made));
         const std::vector<LatticeTriangle> triangles = decimated(map, made.parameters).triangles();
         EXPECT_LE(test::surfaceDistance(map.nx, map.ny, map.heights, triangles).surface,
                   made.parameters.allowance);
@@ -91,7 +91,7 @@ TEST(Certified, atSampleLevelIsSeenToLeaveTheSurfaceAtWalls) {
 TEST(Certified, dirtyRegionsMeetDecimatedOnesWithoutACrack) {
     for (std::uint32_t seed = 0; seed < 60; ++seed) {
         const RandomCase made = randomCase(seed, seed % 2 == 0 ? ErrorLevel::sample : ErrorLevel::surface);
-        SCOPED_TRACE(tell(seed, made));
+        SCOPED_TRACE(report(seed, made));
         Surface surface(made.map.nx, made.map.ny, made.parameters);
         const ZMapSnapshot zmap = test::zmapOf(made.map.nx, made.map.ny, made.map.spacing, made.map.heights);
         surface.decimateDirty(zmap);

@@ -81,7 +81,7 @@ TEST_P(LeeOn, certifiedKeepsEveryPointWithinTheAllowance) {
     EXPECT_NEAR(surface.largestError(), bruteForce, 1e-12);
 }
 
-TEST_P(LeeOn, uncertifiedTellsTheErrorThatIsMeasured) {
+TEST_P(LeeOn, uncertifiedReportsTheErrorThatIsMeasured) {
     DecimationParameters uncertified = parameters();
     uncertified.certify = false;
     const SurfaceSnapshot surface = decimated(uncertified);
@@ -216,7 +216,7 @@ TEST(LeeDecimator, withoutAllowanceGivesTheFullMesh) {
     EXPECT_EQ(mesh.largestError, 0);
 }
 
-TEST(LeeDecimator, standsFlatConstantAndExtremeHeights) {
+TEST(LeeDecimator, acceptsFlatConstantAndExtremeHeights) {
     LeeDecimator decimator;
     const RegionGrid grid(17, 17, 16);
     for (const float extreme : {0.0F, -1e-30F, 1e6F, -1e20F, std::numeric_limits<float>::max()}) {
@@ -248,7 +248,7 @@ TEST(LeeDecimator, standsFlatConstantAndExtremeHeights) {
 }
 
 /// A map of a single row of cells, a single cell, and regions cut off to one cell.
-TEST(LeeDecimator, standsRegionsOfOneCell) {
+TEST(LeeDecimator, acceptsRegionsOfOneCell) {
     for (const auto& [nx, ny, cells] :
          {std::array{2, 2, 8}, {2, 40, 8}, {40, 2, 8}, {10, 18, 8}, {18, 10, 8}, {5, 5, 3}, {9, 9, 2}}) {
         for (const auto& kind : test::mapKinds()) {

@@ -43,7 +43,7 @@ TEST(Methods, lookAtTheFieldsOfTheirRowAndAtNoOthers) {
     for (const DecimationMethodRow& method : decimationMethods()) {
         DecimationParameters parameters;
         parameters.method = method.method;
-        useStandards(parameters, false, false, 0);
+        useDefaults(parameters, false, false, 0);
         const auto before = decimated(parameters);
         describe(parameters, [&](const auto&, const Field& field) {
             const std::string_view key = field.key;
@@ -57,33 +57,33 @@ TEST(Methods, lookAtTheFieldsOfTheirRowAndAtNoOthers) {
     }
 }
 
-TEST(Methods, standardRegionsGrowWithTheMapSoThatTheirNumberDoesNot) {
+TEST(Methods, defaultRegionsGrowWithTheMapSoThatTheirNumberDoesNot) {
     for (const DecimationMethodRow& method : decimationMethods()) {
         SCOPED_TRACE(kMethodChoices[static_cast<std::size_t>(method.method)].key);
-        EXPECT_EQ(standardRegion(method.method, 0), method.standardRegion);
-        EXPECT_EQ(standardRegion(method.method, 1e6), method.standardRegion);
-        int last = method.standardRegion;
+        EXPECT_EQ(defaultRegion(method.method, 0), method.defaultRegion);
+        EXPECT_EQ(defaultRegion(method.method, 1e6), method.defaultRegion);
+        int last = method.defaultRegion;
         for (double points = 1e6; points < 3e9; points *= 1.1) {
-            const int cells = standardRegion(method.method, points);
+            const int cells = defaultRegion(method.method, points);
             EXPECT_TRUE(cells == last || cells == 2 * last) << points;
-            EXPECT_TRUE(points <= kMostStandardRegions * static_cast<double>(cells * cells) ||
-                        cells == kLargestStandardRegion)
+            EXPECT_TRUE(points <= kMostDefaultRegions * static_cast<double>(cells * cells) ||
+                        cells == kLargestDefaultRegion)
                 << points;
-            EXPECT_TRUE(cells == method.standardRegion ||
-                        points > kMostStandardRegions * static_cast<double>(cells * cells) / 4)
+            EXPECT_TRUE(cells == method.defaultRegion ||
+                        points > kMostDefaultRegions * static_cast<double>(cells * cells) / 4)
                 << points << ": no larger than it must be";
             last = cells;
         }
-        EXPECT_EQ(last, kLargestStandardRegion);
+        EXPECT_EQ(last, kLargestDefaultRegion);
     }
 }
 
 TEST(Methods, aRegionSizeThatWasNamedStaysOnAnyMap) {
     DecimationParameters parameters;
     parameters.regionCells = 16;
-    useStandards(parameters, true, false, 2e8);
+    useDefaults(parameters, true, false, 2e8);
     EXPECT_EQ(parameters.regionCells, 16);
-    useStandards(parameters, false, false, 2e8);
+    useDefaults(parameters, false, false, 2e8);
     EXPECT_EQ(parameters.regionCells, 128);
 }
 

@@ -84,20 +84,20 @@ TEST(RefinedSurface, ofAPlaneIsTwoTriangles) {
     EXPECT_EQ(surface.snapshot().faces, 2U);
 }
 
-TEST(RefinedSurface, tellsItsProgressRisingOnItsOwnThread) {
+TEST(RefinedSurface, reportsItsProgressRisingOnItsOwnThread) {
     const ZMapSnapshot zmap = test::zmapOf(301, 257, 0.2, test::mapKind("spheres").make(301, 257, 0.2, 8));
     RefinedSurface surface(301, 257, certified(16, 0.05));
     double last = 0;
-    std::size_t told = 0;
+    std::size_t reported = 0;
     const auto self = std::this_thread::get_id();
     ASSERT_TRUE(surface.follow(zmap, {}, {{}, [&](double done) {
                                               EXPECT_GE(done, last);
                                               EXPECT_LE(done, 1 + 1e-9);
                                               EXPECT_EQ(std::this_thread::get_id(), self);
                                               last = done;
-                                              ++told;
+                                              ++reported;
                                           }}));
-    EXPECT_GT(told, 50U);
+    EXPECT_GT(reported, 50U);
     EXPECT_GT(last, 0.9);
 }
 
@@ -146,10 +146,10 @@ TEST(RefinedSurface, afterAnyWalkOfCutsIsWhatItWouldBeFromScratch) {
             std::vector<std::size_t> changed = regionsIn(walking.grid(), rect);
             if (random() % 4 == 0) { // stopped somewhere, and called again
                 std::stop_source source;
-                int told = 0;
+                int reported = 0;
                 const int enough = static_cast<int>(random() % 8);
                 const WorkContext context{source.get_token(), [&](double) {
-                                              if (++told > enough)
+                                              if (++reported > enough)
                                                   source.request_stop();
                                           }};
                 if (random() % 2 == 0)

@@ -26,7 +26,7 @@ TEST(RegionAllowances, AreTheSmallestEverywhereUntilAViewIsFollowed) {
     EXPECT_EQ(allowances.border(0), kSmallest);
 }
 
-TEST(RegionAllowances, NeverExceedWhatTheViewCanStandAndDoNotFlicker) {
+TEST(RegionAllowances, NeverExceedWhatTheViewCanDrawAndDoNotFlicker) {
     const RegionGrid grid(3, 2, 2); // one region
     RegionAllowances allowances(grid, kSmallest);
     std::mt19937 random(5);
@@ -51,7 +51,7 @@ TEST(RegionAllowances, NeverExceedWhatTheViewCanStandAndDoNotFlicker) {
     }
 }
 
-TEST(RegionAllowances, TellWhoseMeshOrBorderHadAnother) {
+TEST(RegionAllowances, ReportWhoseMeshOrBorderHadAnother) {
     const RegionGrid grid(41, 11, 10); // four in a row
     RegionAllowances allowances(grid, 1);
     EXPECT_EQ(allowances.follow(std::vector<double>{1, 1, 2, 1}), std::vector<std::size_t>{})

@@ -168,17 +168,17 @@ TEST(SolidError, canBeStopped) {
     const ZMapSnapshot zmap = test::zmapOf(150, 150, 1, test::mapKind("noise").make(150, 150, 1, 1));
     const TriangleMesh solid = closeSolid(zmap, test::fullTriangulation(150, 150));
     std::stop_source stop;
-    std::vector<double> told;
+    std::vector<double> reported;
     WorkContext context;
     context.stop = stop.get_token();
     context.progress = [&](double done) {
-        told.push_back(done);
+        reported.push_back(done);
         if (done > 0.3)
             stop.request_stop();
     };
     static_cast<void>(measureSolidError(zmap, solid, CoordinateType::float32, ErrorLevel::sample, context));
-    EXPECT_TRUE(std::ranges::is_sorted(told));
-    EXPECT_LT(told.back(), 0.6);
+    EXPECT_TRUE(std::ranges::is_sorted(reported));
+    EXPECT_LT(reported.back(), 0.6);
 }
 
 } // namespace

@@ -158,12 +158,12 @@ TEST(Solid, ProgressRisesToOne) {
     for (const float lowest : {-1.0F, kFloor}) {
         Map map{9, 9, 1, 1, std::vector<float>(81, 0), kStock};
         map.heights[40] = lowest;
-        std::vector<double> told;
+        std::vector<double> reported;
         WorkContext context;
-        context.progress = [&told](double done) { told.push_back(done); };
+        context.progress = [&reported](double done) { reported.push_back(done); };
         EXPECT_FALSE(isEmpty(closeSolid(map.zmap(), fullTriangulation(9, 9), context)));
-        EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-        EXPECT_EQ(told.back(), 1);
+        EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
+        EXPECT_EQ(reported.back(), 1);
     }
 }
 
@@ -207,7 +207,7 @@ TEST(Solid, HolesThatMeetInAVertexArePinchedOff) {
     EXPECT_EQ(partsOf(corner), 2U);
 }
 
-TEST(Solid, IslandsStandAlone) {
+TEST(Solid, IslandsAreSeparate) {
     EXPECT_EQ(partsOf(drawn({"#.....#", ".......", ".......", "...#...", ".......", ".......", "#.....#"})),
               5U);
 }

@@ -107,7 +107,7 @@ TEST(Surface, globalIsOneRegion) {
     EXPECT_LE(surface.faces(), 30U);
 }
 
-TEST(Surface, touchTellsHowManyWereDecimatedBefore) {
+TEST(Surface, touchReportsHowManyWereDecimatedBefore) {
     Surface surface(33, 33, withRegion(8, 0.05));
     const ZMapSnapshot zmap = test::zmapOf(33, 33, 1, Heights(33 * 33, 0.0F));
     EXPECT_EQ(surface.touch({0, 0, 33, 33}), 0U);
@@ -212,11 +212,11 @@ TEST(Surface, aStoppedContextLeavesAValidState) {
     const ZMapSnapshot zmap = test::zmapOf(200, 200, 1, test::mapKind("terrain").make(200, 200, 1, 2));
     Surface surface(200, 200, withRegion(8, 0.05));
     std::stop_source source;
-    std::vector<double> told;
+    std::vector<double> reported;
     WorkContext context;
     context.stop = source.get_token();
     context.progress = [&](double done) {
-        told.push_back(done);
+        reported.push_back(done);
         if (done > 0.3)
             source.request_stop();
     };
@@ -224,7 +224,7 @@ TEST(Surface, aStoppedContextLeavesAValidState) {
     EXPECT_GT(done, 0U);
     EXPECT_LT(done, surface.grid().regionCount());
     EXPECT_EQ(surface.dirtyRegions(), surface.grid().regionCount() - done);
-    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
+    EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
     expectConsistent(surface.snapshot());
     EXPECT_EQ(surface.decimateDirty(zmap, context), 0U);
     surface.decimateDirty(zmap);

@@ -38,7 +38,7 @@ protected:
         return readJob(m_folder / "a.proveout");
     }
     /// All that is told, "LINE:COLUMN sentence [id]" a line; empty where the job was read without a warning.
-    std::string told(const std::string& text) {
+    std::string reported(const std::string& text) {
         const auto job = read(text);
         std::string out;
         for (const Diagnostic& diagnostic : job ? job->warnings : job.error()) {
@@ -95,7 +95,7 @@ TEST_F(JobFile, KeepsWhereTheSizesOfAToolComeFrom) {
     EXPECT_EQ(again->setup.tools.unconfirmedOrigin(5)->source, ToolSource::assumed);
 
     const auto refused = [this](const std::string& field) {
-        return told(with("\"grid\"", "\"unconfirmedTools\": " + field + ", \"grid\""));
+        return reported(with("\"grid\"", "\"unconfirmedTools\": " + field + ", \"grid\""));
     };
     EXPECT_THAT(refused(R"({"1": {"source": "guessed"}})"), HasSubstr("unconfirmedTools.1.source"));
     EXPECT_THAT(refused(R"({"1": {"source": "comment", "line": -1}})"), HasSubstr("unconfirmedTools.1.line"));
@@ -118,8 +118,8 @@ TEST_F(JobFile, OptionalFieldsHaveTheirDefaults) {
 
 TEST_F(JobFile, ThePositionOfTheStockHasFieldsOfItsOwnNames) {
     const auto positioned = [this](const std::string& fields) {
-        return told(R"({"proveout": 2, "program": "a.nc", "stock": {)" + fields +
-                    R"("width": 1, "depth": 2, "height": 3}})");
+        return reported(R"({"proveout": 2, "program": "a.nc", "stock": {)" + fields +
+                        R"("width": 1, "depth": 2, "height": 3}})");
     };
     EXPECT_EQ(positioned(R"("minX": -70, "minY": 4.5, "topZ": 2, )"), "");
     EXPECT_EQ(readJob(m_folder / "a.proveout")->setup.stock, (StockBox{{-70, 4.5, 2}, 1, 2, 3}));
@@ -136,7 +136,7 @@ TEST_F(JobFile, TheStartHasAPositionAndATool) {
     EXPECT_EQ(read(with("\"grid\"", "\"startTool\": 12, \"grid\"")).value().setup.startTool, 12);
     EXPECT_EQ(read(with("\"grid\"", "\"startTool\": 0, \"grid\"")).value().setup.startTool, 0);
     for (const char* wrong : {"-1", "100000000", "1.5", "\"T1\"", "null"})
-        EXPECT_THAT(told(with("\"grid\"", std::string("\"startTool\": ") + wrong + ", \"grid\"")),
+        EXPECT_THAT(reported(with("\"grid\"", std::string("\"startTool\": ") + wrong + ", \"grid\"")),
                     HasSubstr("\"startTool\" must be a"))
             << wrong;
 }
@@ -168,7 +168,7 @@ TEST_F(JobFile, KeepsTheIgnoredMCodes) {
     ASSERT_TRUE(writeJob(m_folder / "b.proveout", job));
     EXPECT_EQ(readJob(m_folder / "b.proveout")->setup, job.setup);
     for (const char* value : {"16", "[\"16\"]", "[1.5]", "[-1]", "[100000]", "{}", "[[1]]"})
-        EXPECT_EQ(told(with("\"grid\"", std::string("\"ignoredM\": ") + value + ", \"grid\"")),
+        EXPECT_EQ(reported(with("\"grid\"", std::string("\"ignoredM\": ") + value + ", \"grid\"")),
                   "5:3 The field \"ignoredM\" must be a list of whole numbers from 0 to 99999. [job-field]\n")
             << value;
 }
@@ -183,10 +183,10 @@ TEST_F(JobFile, CompensationStartsByTypeAUnlessTheJobSaysB) {
     const std::string refused =
         "5:3 The field \"compensationStart\" must be one of \"a\", \"b\". [job-field]\n";
     for (const char* value : {"\"c\"", "\"\"", "\"B\"", "true", "1", "null", "[\"b\"]", "{}"})
-        EXPECT_EQ(told(with("\"grid\"", std::string("\"compensationStart\": ") + value + ", \"grid\"")),
+        EXPECT_EQ(reported(with("\"grid\"", std::string("\"compensationStart\": ") + value + ", \"grid\"")),
                   refused)
             << value;
-    EXPECT_THAT(told(with("\"grid\"", "\"compensation-start\": \"b\", \"grid\"")),
+    EXPECT_THAT(reported(with("\"grid\"", "\"compensation-start\": \"b\", \"grid\"")),
                 HasSubstr("compensationStart"));
 }
 
@@ -201,7 +201,7 @@ TEST_F(JobFile, TheMachineIsAssumedUnlessTheJobDescribesIt) {
     EXPECT_FALSE(read(with("\"grid\"", R"("machine": {"rapidXY": 0}, "grid")")));
 }
 
-TEST_F(JobFile, RegionAndPeriodAreTheStandardsOfTheMethodUnlessTheyAreGiven) {
+TEST_F(JobFile, RegionAndPeriodAreTheDefaultsOfTheMethodUnlessTheyAreGiven) {
     const auto parameters = [this](const std::string& decimation) {
         return read(R"({"proveout": 1, "program": "a.nc", "stock": {"width": 1, "depth": 2, "height": 3},
                         "decimation": )" +
@@ -229,40 +229,42 @@ TEST_F(JobFile, RegionsGrowWithTheMapUnlessTheirSizeIsGiven) {
 }
 
 TEST_F(JobFile, ErrorsNameTheFieldAndWhatIsAllowed) {
-    EXPECT_EQ(told(with("140", "-1")),
+    EXPECT_EQ(reported(with("140", "-1")),
               "4:40 The field \"stock.width\" must be a number above 0 and at most 1000000. [job-field]\n");
-    EXPECT_THAT(told(with("140", "0")), HasSubstr("\"stock.width\""));
-    EXPECT_THAT(told(with("140", "\"140\"")), HasSubstr("\"stock.width\" must be a number"));
-    EXPECT_THAT(told(with("140", "1e7")), HasSubstr("\"stock.width\""));
-    EXPECT_THAT(told(with("-50.5", "null")), HasSubstr("\"stock.corner[1]\" must be a number from"));
-    EXPECT_THAT(told(with("[0, 0, 50]", "[0, 0]")), HasSubstr("\"start\" must be three numbers [x, y, z]."));
-    EXPECT_THAT(told(with("\"grid\": 0.5", "\"grid\": 0")), HasSubstr("\"grid\""));
-    EXPECT_THAT(told(with("16", "1")), HasSubstr("\"decimation.region\" must be a number from 2 to 256."));
-    EXPECT_THAT(told(with("16", "16.5")), HasSubstr("\"decimation.region\" must be a whole number."));
-    EXPECT_THAT(told(with("16", "1e300")), HasSubstr("\"decimation.region\""));
+    EXPECT_THAT(reported(with("140", "0")), HasSubstr("\"stock.width\""));
+    EXPECT_THAT(reported(with("140", "\"140\"")), HasSubstr("\"stock.width\" must be a number"));
+    EXPECT_THAT(reported(with("140", "1e7")), HasSubstr("\"stock.width\""));
+    EXPECT_THAT(reported(with("-50.5", "null")), HasSubstr("\"stock.corner[1]\" must be a number from"));
+    EXPECT_THAT(reported(with("[0, 0, 50]", "[0, 0]")),
+                HasSubstr("\"start\" must be three numbers [x, y, z]."));
+    EXPECT_THAT(reported(with("\"grid\": 0.5", "\"grid\": 0")), HasSubstr("\"grid\""));
+    EXPECT_THAT(reported(with("16", "1")),
+                HasSubstr("\"decimation.region\" must be a number from 2 to 256."));
+    EXPECT_THAT(reported(with("16", "16.5")), HasSubstr("\"decimation.region\" must be a whole number."));
+    EXPECT_THAT(reported(with("16", "1e300")), HasSubstr("\"decimation.region\""));
     EXPECT_THAT(
-        told(with("\"global\"", "\"best\"")),
+        reported(with("\"global\"", "\"best\"")),
         HasSubstr("\"decimation.method\" must be one of \"certified\", \"lee\", \"global\", \"none\"."));
-    EXPECT_THAT(told(with("\"global\"", "3")), HasSubstr("\"decimation.method\" must be one of"));
-    EXPECT_THAT(told(with("false", "0")), HasSubstr("\"decimation.certify\" must be true or false."));
-    EXPECT_THAT(told(with("flat:d=6", "flat:d=-6")), HasSubstr("\"tools.12\" is not a cutter: "));
-    EXPECT_THAT(told(with("\"12\"", "\"T12\"")), HasSubstr("\"tools.T12\" is not a tool number"));
-    EXPECT_THAT(told(with("\"12\"", "\"-1\"")), HasSubstr("\"tools.-1\" is not a tool number"));
-    EXPECT_EQ(told(with("\"12\"", "\"0\"")), "") << "T0 is a cutter where the table says so";
-    EXPECT_THAT(told(with("\"12\"", "\"100000000\"")), HasSubstr("from 0 to 99999999."));
-    EXPECT_THAT(told(with("\"12\"", "\"01\"")),
+    EXPECT_THAT(reported(with("\"global\"", "3")), HasSubstr("\"decimation.method\" must be one of"));
+    EXPECT_THAT(reported(with("false", "0")), HasSubstr("\"decimation.certify\" must be true or false."));
+    EXPECT_THAT(reported(with("flat:d=6", "flat:d=-6")), HasSubstr("\"tools.12\" is not a cutter: "));
+    EXPECT_THAT(reported(with("\"12\"", "\"T12\"")), HasSubstr("\"tools.T12\" is not a tool number"));
+    EXPECT_THAT(reported(with("\"12\"", "\"-1\"")), HasSubstr("\"tools.-1\" is not a tool number"));
+    EXPECT_EQ(reported(with("\"12\"", "\"0\"")), "") << "T0 is a cutter where the table says so";
+    EXPECT_THAT(reported(with("\"12\"", "\"100000000\"")), HasSubstr("from 0 to 99999999."));
+    EXPECT_THAT(reported(with("\"12\"", "\"01\"")),
                 HasSubstr("\"tools.1\" names a tool that is in the table already."));
-    EXPECT_THAT(told(with("\"12\"", "\"99999999999\"")), HasSubstr("is not a tool number"));
-    EXPECT_THAT(told(with("\"flat:d=6\"", "6")), HasSubstr("\"tools.12\" must be a text."));
-    EXPECT_THAT(told(with("core-insert.nc", "")), HasSubstr("\"program\" must name a file."));
-    EXPECT_THAT(told(with("core-insert.nc", "a\\u0000b")), HasSubstr("\"program\" must be a text."));
-    EXPECT_THAT(told(with("\"stock\"", "\"stack\"")), HasSubstr("\"stock\" is missing."));
-    EXPECT_THAT(told(with("\"height\"", "\"hight\"")), HasSubstr("\"stock.height\" is missing."));
+    EXPECT_THAT(reported(with("\"12\"", "\"99999999999\"")), HasSubstr("is not a tool number"));
+    EXPECT_THAT(reported(with("\"flat:d=6\"", "6")), HasSubstr("\"tools.12\" must be a text."));
+    EXPECT_THAT(reported(with("core-insert.nc", "")), HasSubstr("\"program\" must name a file."));
+    EXPECT_THAT(reported(with("core-insert.nc", "a\\u0000b")), HasSubstr("\"program\" must be a text."));
+    EXPECT_THAT(reported(with("\"stock\"", "\"stack\"")), HasSubstr("\"stock\" is missing."));
+    EXPECT_THAT(reported(with("\"height\"", "\"hight\"")), HasSubstr("\"stock.height\" is missing."));
 }
 
-TEST_F(JobFile, AllWrongFieldsAreToldAtOnceWithTheirPlaces) {
+TEST_F(JobFile, AllWrongFieldsAreReportedAtOnceWithTheirPlaces) {
     EXPECT_EQ(
-        told(
+        reported(
             "{\"proveout\": 1, \"stock\": 5,\n \"grid\": -1, \"decimation\": [],\n\"start\": [1, \"2\", 3]}"),
         "0:0 The field \"program\" is missing. [job-field]\n"
         "1:17 The field \"stock\" must be an object { }. [job-field]\n"
@@ -275,18 +277,19 @@ TEST_F(JobFile, AllWrongFieldsAreToldAtOnceWithTheirPlaces) {
 }
 
 TEST_F(JobFile, FieldsThatAreNotKnownAreWarningsInTheOrderOfTheText) {
-    EXPECT_EQ(told(kWhole), "");
-    EXPECT_EQ(told("{\"proveout\": 1, \"program\": \"a.nc\", \"from the future\": [[], {\"grid\": 1}],\n"
-                   "  \"stock\": {\"width\": 1, \"depth\": 2, \"height\": 3,\n\"colour\": {\"red\": 1}},\n"
-                   "  \"grd\": 0.5, \"decimation\": {\"Allowence\": 0.1},\n"
-                   "  \"tools\": {\"1\": \"ball:d=4\"}, \"a\\\"b\\\\\": {}}"),
-              "1:36 The field \"from the future\" is not known and has no effect. [job-field-unknown]\n"
-              "3:1 The field \"stock.colour\" is not known and has no effect. [job-field-unknown]\n"
-              "4:3 The field \"grd\" is not known and has no effect; perhaps \"grid\" is meant. "
-              "[job-field-unknown]\n"
-              "4:30 The field \"decimation.Allowence\" is not known and has no effect; perhaps "
-              "\"decimation.allowance\" is meant. [job-field-unknown]\n"
-              "5:31 The field \"a\"b\\\" is not known and has no effect. [job-field-unknown]\n");
+    EXPECT_EQ(reported(kWhole), "");
+    EXPECT_EQ(
+        reported("{\"proveout\": 1, \"program\": \"a.nc\", \"from the future\": [[], {\"grid\": 1}],\n"
+                 "  \"stock\": {\"width\": 1, \"depth\": 2, \"height\": 3,\n\"colour\": {\"red\": 1}},\n"
+                 "  \"grd\": 0.5, \"decimation\": {\"Allowence\": 0.1},\n"
+                 "  \"tools\": {\"1\": \"ball:d=4\"}, \"a\\\"b\\\\\": {}}"),
+        "1:36 The field \"from the future\" is not known and has no effect. [job-field-unknown]\n"
+        "3:1 The field \"stock.colour\" is not known and has no effect. [job-field-unknown]\n"
+        "4:3 The field \"grd\" is not known and has no effect; perhaps \"grid\" is meant. "
+        "[job-field-unknown]\n"
+        "4:30 The field \"decimation.Allowence\" is not known and has no effect; perhaps "
+        "\"decimation.allowance\" is meant. [job-field-unknown]\n"
+        "5:31 The field \"a\"b\\\" is not known and has no effect. [job-field-unknown]\n");
 }
 
 TEST_F(JobFile, AWarningHasTheLengthOfTheNameAndAHint) {
@@ -299,7 +302,7 @@ TEST_F(JobFile, AWarningHasTheLengthOfTheNameAndAHint) {
 }
 
 TEST_F(JobFile, AMisspeltFieldThatIsNeededIsNamedBesideTheError) {
-    const std::string hight = told(with("\"height\"", "\"hight\""));
+    const std::string hight = reported(with("\"height\"", "\"hight\""));
     EXPECT_THAT(hight, HasSubstr("4:3 The field \"stock.height\" is missing. [job-field]\n4:68 The field "
                                  "\"stock.hight\" is not known and has no effect; perhaps \"stock.height\""));
 }
@@ -330,43 +333,44 @@ TEST_F(JobFile, ErrorsAndWarningsTogetherAreBounded) {
 }
 
 TEST_F(JobFile, SyntaxErrorsHaveLineAndColumn) {
-    EXPECT_EQ(told("{\n  \"proveout\": 1,\n  \"grid\": x\n}"),
+    EXPECT_EQ(reported("{\n  \"proveout\": 1,\n  \"grid\": x\n}"),
               "3:11 This is not valid JSON. [json-syntax]\n");
-    EXPECT_THAT(told("{\n  \"grid\": 1e999\n}"), HasSubstr("2:11 "));
-    EXPECT_THAT(told("{\"grid\": 1e999}"), HasSubstr("1:10 "));
-    EXPECT_THAT(told("1e999"), HasSubstr("1:1 "));
+    EXPECT_THAT(reported("{\n  \"grid\": 1e999\n}"), HasSubstr("2:11 "));
+    EXPECT_THAT(reported("{\"grid\": 1e999}"), HasSubstr("1:10 "));
+    EXPECT_THAT(reported("1e999"), HasSubstr("1:1 "));
     for (const char* end : {"", "\n", "x"})
-        EXPECT_THAT(told(std::string("{\"proveout\": 1, \"a\": 1]") + end), HasSubstr("1:23 ")) << end;
-    EXPECT_THAT(told("{\"proveout\": 1"), HasSubstr("1:15 "));
-    EXPECT_THAT(told(""), HasSubstr("1:1 This is not valid JSON."));
-    EXPECT_THAT(told("{\"a\": \"\xff\"}"), HasSubstr("1:8 This is not valid JSON."));
-    EXPECT_THAT(told(kWhole + "x"), HasSubstr("[json-syntax]"));
+        EXPECT_THAT(reported(std::string("{\"proveout\": 1, \"a\": 1]") + end), HasSubstr("1:23 ")) << end;
+    EXPECT_THAT(reported("{\"proveout\": 1"), HasSubstr("1:15 "));
+    EXPECT_THAT(reported(""), HasSubstr("1:1 This is not valid JSON."));
+    EXPECT_THAT(reported("{\"a\": \"\xff\"}"), HasSubstr("1:8 This is not valid JSON."));
+    EXPECT_THAT(reported(kWhole + "x"), HasSubstr("[json-syntax]"));
 }
 
 TEST_F(JobFile, OtherJsonAndNewerJobsAreRefusedPolitely) {
     for (const char* other : {"{}", "[]", "5", "null", "\"text\"", "{\"grid\": 1}"})
-        EXPECT_THAT(told(other), HasSubstr("[not-a-job]")) << other;
-    EXPECT_EQ(told(R"({"proveout": 3, "everything": "else may differ"})"),
+        EXPECT_THAT(reported(other), HasSubstr("[not-a-job]")) << other;
+    EXPECT_EQ(reported(R"({"proveout": 3, "everything": "else may differ"})"),
               "0:0 The job was written by a newer Proveout (format 3); this one reads up to format 2. "
               "[job-newer]\n");
-    EXPECT_THAT(told(R"({"proveout": 18446744073709551615})"), HasSubstr("[job-newer]"));
+    EXPECT_THAT(reported(R"({"proveout": 18446744073709551615})"), HasSubstr("[job-newer]"));
     for (const char* schema : {"0", "-1", "1.5", "\"1\"", "null"})
-        EXPECT_THAT(told(std::string("{\"proveout\": ") + schema + "}"), HasSubstr("\"proveout\"")) << schema;
+        EXPECT_THAT(reported(std::string("{\"proveout\": ") + schema + "}"), HasSubstr("\"proveout\""))
+            << schema;
 }
 
 TEST_F(JobFile, HostileSizesAreRefused) {
     const std::string deep(1'000'000, '[');
-    EXPECT_THAT(told(deep), HasSubstr("[json-depth]"));
-    EXPECT_THAT(told("{\"proveout\": 1, \"x\": " + deep), HasSubstr("deeper than 32 levels"));
+    EXPECT_THAT(reported(deep), HasSubstr("[json-depth]"));
+    EXPECT_THAT(reported("{\"proveout\": 1, \"x\": " + deep), HasSubstr("deeper than 32 levels"));
     std::string objects;
     for (int i = 0; i < 100'000; ++i)
         objects += "{\"a\":";
-    EXPECT_THAT(told(objects), HasSubstr("[json-depth]"));
-    EXPECT_THAT(told("{\"proveout\": 1, \"x\": \"" + std::string(17'000'000, 'x') + "\"}"),
+    EXPECT_THAT(reported(objects), HasSubstr("[json-depth]"));
+    EXPECT_THAT(reported("{\"proveout\": 1, \"x\": \"" + std::string(17'000'000, 'x') + "\"}"),
                 HasSubstr("[file-too-large]"));
 }
 
-TEST_F(JobFile, TellsFilesThatCannotBeRead) {
+TEST_F(JobFile, ReportsFilesThatCannotBeRead) {
     EXPECT_STREQ(readJob(m_folder / "missing.proveout").error().front().id, "file-unreadable");
     EXPECT_STREQ(readJob(m_folder.path()).error().front().id, "file-not-regular");
 }
@@ -453,7 +457,7 @@ TEST_F(JobFile, HasTheLayoutThatOthersWrite) {
         R"("seed":7,"level":"surface"}})");
 }
 
-TEST_F(JobFile, AProgramNameThatIsNotUtf8IsTold) {
+TEST_F(JobFile, AProgramNameThatIsNotUtf8IsReported) {
     Job job = read(kWhole).value();
     job.program = m_folder / "\xff\xfe.nc";
     const auto result = writeJob(m_folder / "b.proveout", job);

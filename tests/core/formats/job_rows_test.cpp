@@ -33,7 +33,7 @@ protected:
     }
     json written() { return json::parse(*readFile(file(), 100'000)); }
     /// What is wrong with the job whose JSON has been changed.
-    std::string told(const json& changed) {
+    std::string reported(const json& changed) {
         m_folder.put("a.proveout", changed.dump());
         const auto read = readJob(file());
         return read ? std::string() : message(read.error().front());
@@ -46,7 +46,8 @@ private:
 
 /// Numbers out of the range of their row are refused with it.
 template<class Test, class Params>
-void expectRefusedOutOfRange(Test told, const Params& params, const json& whole, const std::string& object) {
+void expectRefusedOutOfRange(Test reported, const Params& params, const json& whole,
+                             const std::string& object) {
     describe(params, [&](const auto& value, const Field& field) {
         if constexpr (std::is_arithmetic_v<std::remove_cvref_t<decltype(value)>>) {
             if (!hasRange(field))
@@ -54,8 +55,9 @@ void expectRefusedOutOfRange(Test told, const Params& params, const json& whole,
             for (const double wrong : {field.minimum - 1, field.maximum + 1}) {
                 json changed = whole;
                 changed[object][field.key] = wrong;
-                EXPECT_EQ(told(changed), fmt::format("The field \"{}.{}\" must be a number from {} to {}.",
-                                                     object, field.key, field.minimum, field.maximum));
+                EXPECT_EQ(reported(changed),
+                          fmt::format("The field \"{}.{}\" must be a number from {} to {}.", object,
+                                      field.key, field.minimum, field.maximum));
             }
         }
     });
@@ -77,7 +79,7 @@ TEST_F(JobRows, OfTheDecimationAreReadAsTheyAreWritten) {
         EXPECT_TRUE(reread(changed).parameters == parameters) << field.key;
         EXPECT_TRUE(written()["decimation"].contains(field.key)) << field.key;
     });
-    expectRefusedOutOfRange([this](const json& changed) { return told(changed); }, DecimationParameters(),
+    expectRefusedOutOfRange([this](const json& changed) { return reported(changed); }, DecimationParameters(),
                             written(), "decimation");
 }
 
@@ -88,7 +90,7 @@ TEST_F(JobRows, OfTheMachineAreReadAsTheyAreWritten) {
         EXPECT_TRUE(reread(changed).machine == machine) << field.key;
         EXPECT_TRUE(written()["machine"].contains(field.key)) << field.key;
     });
-    expectRefusedOutOfRange([this](const json& changed) { return told(changed); }, Machine(), written(),
+    expectRefusedOutOfRange([this](const json& changed) { return reported(changed); }, Machine(), written(),
                             "machine");
 }
 

@@ -53,7 +53,7 @@ INSTANTIATE_TEST_SUITE_P(Formats, MeshFile, testing::ValuesIn(writableKeys()), [
     return name;
 });
 
-TEST_P(MeshFile, TellsItsTrianglesAndBytes) {
+TEST_P(MeshFile, ReportsItsTrianglesAndBytes) {
     const auto written = write(randomSoup(20'000, 1)); // more than one batch
     ASSERT_TRUE(written);
     EXPECT_EQ(written->triangles, 20'000U);
@@ -85,13 +85,13 @@ TEST_P(MeshFile, ACancelledExportLeavesTheOldFileAndNoOther) {
 }
 
 TEST_P(MeshFile, ProgressRisesToOne) {
-    std::vector<double> told;
+    std::vector<double> reported;
     WorkContext context;
-    context.progress = [&told](double done) { told.push_back(done); };
+    context.progress = [&reported](double done) { reported.push_back(done); };
     ASSERT_TRUE(write(randomSoup(30'000, 4), context));
-    EXPECT_GT(told.size(), 3U);
-    EXPECT_TRUE(std::is_sorted(told.begin(), told.end()));
-    EXPECT_EQ(told.back(), 1);
+    EXPECT_GT(reported.size(), 3U);
+    EXPECT_TRUE(std::is_sorted(reported.begin(), reported.end()));
+    EXPECT_EQ(reported.back(), 1);
 }
 
 TEST_P(MeshFile, AMeshWithoutTrianglesIsRefused) {
@@ -117,7 +117,7 @@ TEST_P(MeshFile, CoordinatesThatAreNotFiniteAreRefused) {
     EXPECT_EQ(m_folder.entries(), 0U);
 }
 
-TEST_P(MeshFile, AFullDiskTellsTheBytesNeededAndKeepsTheOldFile) {
+TEST_P(MeshFile, AFullDiskReportsTheBytesNeededAndKeepsTheOldFile) {
     const TriangleMesh mesh = randomSoup(100'000, 5);
     const auto whole = write(mesh);
     ASSERT_TRUE(whole);
@@ -144,9 +144,9 @@ TEST_P(MeshFile, PlacesThatCannotBeWrittenAreNamed) {
           {m_folder / (std::string(300, 'n') + m_name), "File name too long"}}) {
         const auto result = writeTo(target, tetrahedron());
         ASSERT_FALSE(result) << target;
-        const std::string told = oneLine(result.error().front());
-        EXPECT_THAT(told, HasSubstr(target.string() + ": error: The file cannot be written"));
-        EXPECT_THAT(told, HasSubstr(reason));
+        const std::string reported = oneLine(result.error().front());
+        EXPECT_THAT(reported, HasSubstr(target.string() + ": error: The file cannot be written"));
+        EXPECT_THAT(reported, HasSubstr(reason));
     }
     EXPECT_EQ(m_folder.entries(), 1U);
 }

@@ -57,7 +57,7 @@ protected:
     TemporaryFolder m_folder;
 };
 
-TEST_F(SolidExport, TheErrorToldIsThatOfTheFile) {
+TEST_F(SolidExport, TheErrorReportedIsThatOfTheFile) {
     for (const double far : {0.1, 700.3, 20'000.7}) {
         const ZMapSnapshot zmap = waveAt(far);
         const TriangleMesh solid = decimated(zmap);
@@ -168,20 +168,20 @@ TEST_F(SolidExport, ProgressRisesToOneAndAWishToStopLeavesNoFile) {
     const TriangleMesh solid = decimated(zmap, 0.001);
     for (const double stopAt : {2.0, 0.0, 0.25, 0.5}) {
         std::stop_source stop;
-        std::vector<double> told;
+        std::vector<double> reported;
         WorkContext context;
         context.stop = stop.get_token();
         context.progress = [&](double done) {
-            told.push_back(done);
+            reported.push_back(done);
             if (done >= stopAt)
                 stop.request_stop();
         };
         const auto result = exportTo("a.stl", zmap, solid, 0.001, context);
-        EXPECT_TRUE(std::ranges::is_sorted(told));
+        EXPECT_TRUE(std::ranges::is_sorted(reported));
         EXPECT_EQ(result.has_value(), stopAt > 1) << stopAt;
         EXPECT_EQ(m_folder.entries(), stopAt > 1 ? 1U : 0U);
         if (result)
-            EXPECT_EQ(told.back(), 1);
+            EXPECT_EQ(reported.back(), 1);
         else
             EXPECT_STREQ(result.error().front().id, "cancelled");
         std::filesystem::remove(m_folder / "a.stl");

@@ -81,7 +81,7 @@ protected:
         return readStlContents(m_folder / "a.stl");
     }
     /// "LINE:COLUMN sentence [id]" of the error, or of the first warning, or "clean".
-    std::string told(const std::string& bytes) {
+    std::string reported(const std::string& bytes) {
         const auto contents = read(bytes);
         if (contents && contents->warnings.empty())
             return "clean";
@@ -96,17 +96,17 @@ protected:
 
 TEST_F(StlFaults, ACountIsCheckedAgainstTheFileBeforeAnythingIsTaken) {
     const auto start = std::chrono::steady_clock::now();
-    EXPECT_EQ(told(binaryStl(0xffffffff, kTetrahedron)),
+    EXPECT_EQ(reported(binaryStl(0xffffffff, kTetrahedron)),
               "error 0:0 The header specifies 4294967295 facets, but the file ends at byte 284, after 4. "
               "[stl-cut-off]");
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::milliseconds(50));
-    EXPECT_THAT(told(binaryStl(5, kTetrahedron)), HasSubstr("specifies 5 facets"));
-    EXPECT_THAT(told(binaryStl(4, kTetrahedron).substr(0, 280)), HasSubstr("ends at byte 280, after 3"));
+    EXPECT_THAT(reported(binaryStl(5, kTetrahedron)), HasSubstr("specifies 5 facets"));
+    EXPECT_THAT(reported(binaryStl(4, kTetrahedron).substr(0, 280)), HasSubstr("ends at byte 280, after 3"));
 }
 
 TEST_F(StlFaults, BytesBehindTheFacetsAreAWarning) {
     EXPECT_EQ(
-        told(binaryStl(3, kTetrahedron)),
+        reported(binaryStl(3, kTetrahedron)),
         "warning 0:0 The 3 facets specified in the header were read; 50 bytes follow them from byte 234. "
         "[stl-trailing-bytes]");
     EXPECT_EQ(read(binaryStl(3, kTetrahedron))->mesh.triangles.size(), 3U);
@@ -123,13 +123,13 @@ TEST_F(StlFaults, TheSizeDecidesNotTheHeader) {
 
 TEST_F(StlFaults, FilesOfOtherKindsAreNamedSo) {
     for (const char* other : {"v 0 0 0\nv 1 0 0\nf 1 2 3\n", "<!DOCTYPE html><html></html>", "G0 X0\n", "x"})
-        EXPECT_THAT(told(other), HasSubstr("[not-stl]")) << other;
-    EXPECT_THAT(told("PK\3\4" + std::string(200, '\7')), HasSubstr("[not-stl]"));
-    EXPECT_THAT(told(std::string("\0\1\2", 3)), HasSubstr("ends at byte 3, within the header"));
-    EXPECT_THAT(told(std::string(80, '\1')), HasSubstr("ends at byte 80"));
+        EXPECT_THAT(reported(other), HasSubstr("[not-stl]")) << other;
+    EXPECT_THAT(reported("PK\3\4" + std::string(200, '\7')), HasSubstr("[not-stl]"));
+    EXPECT_THAT(reported(std::string("\0\1\2", 3)), HasSubstr("ends at byte 3, within the header"));
+    EXPECT_THAT(reported(std::string(80, '\1')), HasSubstr("ends at byte 80"));
     EXPECT_FALSE(read(""));
-    EXPECT_THAT(told(binaryStl(0, {})), HasSubstr("[stl-no-facets]"));
-    EXPECT_THAT(told("solid\nendsolid\n"), HasSubstr("[stl-no-facets]"));
+    EXPECT_THAT(reported(binaryStl(0, {})), HasSubstr("[stl-no-facets]"));
+    EXPECT_THAT(reported("solid\nendsolid\n"), HasSubstr("[stl-no-facets]"));
 }
 
 TEST_F(StlFaults, FacetsThatAreNoFacetsAreCountedAndLeftOut) {
@@ -152,18 +152,18 @@ TEST_F(StlFaults, FacetsThatAreNoFacetsAreCountedAndLeftOut) {
 
 TEST_F(StlFaults, AsciiErrorsHaveTheirPlace) {
     const std::string solid = "solid part 1 2 3\n";
-    EXPECT_EQ(told(solid + asciiTetrahedron() + "endsolid part\n"), "clean");
-    EXPECT_EQ(told(solid + kAsciiFacet),
+    EXPECT_EQ(reported(solid + asciiTetrahedron() + "endsolid part\n"), "clean");
+    EXPECT_EQ(reported(solid + kAsciiFacet),
               "warning 9:1 The file ends without \"endsolid\"; it may have been cut off. [stl-no-endsolid]");
     EXPECT_EQ(
-        told(solid +
-             "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nvertex 1 1 0\n"),
+        reported(solid +
+                 "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nvertex 1 1 0\n"),
         "error 7:1 Expected \"endloop\" but found \"vertex\". [stl-syntax]");
-    EXPECT_EQ(told(solid + "facet normal 0 0 1\nouter loop\nvertex 0 0,5 0\n"),
+    EXPECT_EQ(reported(solid + "facet normal 0 0 1\nouter loop\nvertex 0 0,5 0\n"),
               "error 4:10 Expected \"number\" but found \"0,5\". [stl-syntax]");
-    EXPECT_EQ(told(solid + "facet normal 0 0 1\nouter loop\nvertex 0"),
+    EXPECT_EQ(reported(solid + "facet normal 0 0 1\nouter loop\nvertex 0"),
               "error 4:9 Expected \"number\" but the file ends. [stl-cut-off]");
-    EXPECT_EQ(told(solid + kAsciiFacet + "endsolid\nrubbish\n"),
+    EXPECT_EQ(reported(solid + kAsciiFacet + "endsolid\nrubbish\n"),
               "error 10:1 Expected \"solid\" but found \"rubbish\". [stl-syntax]");
 }
 
@@ -192,7 +192,7 @@ TEST_F(StlFaults, AsciiIsReadWhateverItsCaseAndWhiteSpace) {
     const auto wanted = read(plain)->mesh;
     for (const auto& [form, text] : forms) {
         SCOPED_TRACE(form);
-        EXPECT_EQ(told(text), "clean");
+        EXPECT_EQ(reported(text), "clean");
         const auto contents = read(text);
         ASSERT_TRUE(contents);
         EXPECT_EQ(contents->encoding, StlEncoding::ascii);
@@ -213,7 +213,7 @@ TEST_F(StlFaults, SeveralSolidsMayShareALine) {
 TEST_F(StlFaults, LinesAreCountedHoweverTheyEnd) {
     const std::string wrong = "solid a\n\nfacet normal 0 0 1\nouter loop\n vertex 0 x 0\n";
     for (const char* end : {"\n", "\r", "\r\n"})
-        EXPECT_EQ(told(replaced(wrong, "\n", end)),
+        EXPECT_EQ(reported(replaced(wrong, "\n", end)),
                   "error 5:11 Expected \"number\" but found \"x\". [stl-syntax]");
 }
 
@@ -234,35 +234,35 @@ TEST_F(StlFaults, WarnsOfCoordinatesThatCannotBeMeant) {
     for (auto& facet : far)
         for (Corner& corner : facet)
             corner[0] = 1e7F + corner[0] * 10;
-    EXPECT_THAT(told(binaryStl(4, far)), HasSubstr("[stl-far-origin]"));
-    EXPECT_THAT(told(binaryStl(4, scaled(kTetrahedron, 1e-40F))), HasSubstr("[stl-no-size]"));
+    EXPECT_THAT(reported(binaryStl(4, far)), HasSubstr("[stl-far-origin]"));
+    EXPECT_THAT(reported(binaryStl(4, scaled(kTetrahedron, 1e-40F))), HasSubstr("[stl-no-size]"));
 }
 
 TEST_F(StlFaults, WarnsOfAPartInAnotherUnit) {
-    EXPECT_EQ(told(binaryStl(4, scaled(kTetrahedron, 1e-3F))),
+    EXPECT_EQ(reported(binaryStl(4, scaled(kTetrahedron, 1e-3F))),
               "warning 0:0 The mesh is only 0.009 × 0.009 × 0.009 mm in size; in metres it would be "
               "9 × 9 × 9 mm. [stl-size-suspect]");
-    EXPECT_EQ(told(binaryStl(4, scaled(kTetrahedron, 1e3F))),
+    EXPECT_EQ(reported(binaryStl(4, scaled(kTetrahedron, 1e3F))),
               "warning 0:0 The mesh is 9000 × 9000 × 9000 mm in size; in micrometres it would be "
               "9 × 9 × 9 mm. [stl-size-suspect]");
     for (const float factor : {0.3F, 1.0F, 500.0F}) // up to 4.5 m
-        EXPECT_EQ(told(binaryStl(4, scaled(kTetrahedron, factor))), "clean") << factor;
+        EXPECT_EQ(reported(binaryStl(4, scaled(kTetrahedron, factor))), "clean") << factor;
 }
 
-TEST_F(StlFaults, DefectsOfTheMeshAreToldWithTheirCounts) {
+TEST_F(StlFaults, DefectsOfTheMeshAreReportedWithTheirCounts) {
     auto facets = kTetrahedron;
     facets.pop_back();
-    EXPECT_EQ(told(binaryStl(3, facets)),
+    EXPECT_EQ(reported(binaryStl(3, facets)),
               "warning 0:0 The mesh is not closed: 3 edges belong to only one facet. [stl-not-closed]");
     facets = kTetrahedron;
     std::swap(facets[2][0], facets[2][1]);
-    EXPECT_EQ(told(binaryStl(4, facets)),
+    EXPECT_EQ(reported(binaryStl(4, facets)),
               "warning 0:0 The winding of the facets is inconsistent: it changes at 3 edges. "
               "[stl-flipped-facets]");
     facets = kTetrahedron;
     for (auto& facet : facets)
         std::swap(facet[0], facet[1]);
-    EXPECT_EQ(told(binaryStl(4, facets)),
+    EXPECT_EQ(reported(binaryStl(4, facets)),
               "warning 0:0 The mesh is inside out: 4 of 4 facets face inwards; they are taken as facing "
               "outwards. [stl-inside-out]");
     facets = kTetrahedron;
@@ -358,7 +358,7 @@ TEST(StlCorpus, AgreesWithTheFacts) {
     EXPECT_GT(compared, 20);
 }
 
-TEST(StlCorpus, EveryFaultIsTold) {
+TEST(StlCorpus, EveryFaultIsReported) {
     const fs::path folder = fs::path(PROVEOUT_SHARED_DIR) / "corpus" / "faults-stl";
     if (!fs::exists(folder))
         GTEST_SKIP() << folder << " is not there";
@@ -380,8 +380,8 @@ TEST(StlCorpus, EveryFaultIsTold) {
                                                     {"bin-denormal.stl", "stl-no-size"}};
     for (const auto& [name, id] : wanted) {
         const auto contents = readStlContents(folder / name);
-        const Diagnostics& told = contents ? contents->warnings : contents.error();
-        EXPECT_TRUE(std::any_of(told.begin(), told.end(), [&id = id](const Diagnostic& diagnostic) {
+        const Diagnostics& reported = contents ? contents->warnings : contents.error();
+        EXPECT_TRUE(std::any_of(reported.begin(), reported.end(), [&id = id](const Diagnostic& diagnostic) {
             return diagnostic.id == id;
         })) << name;
     }

@@ -50,7 +50,7 @@ TEST(StockShapes, OfTheCommandLine) {
     EXPECT_EQ(saved->shape.flip, StockFlip::aboutY);
 }
 
-TEST(StockShapes, WhatCannotBeIsTold) {
+TEST(StockShapes, WhatCannotBeIsReported) {
     EXPECT_EQ(idOf("140x100"), "stock-size-form");
     EXPECT_EQ(idOf("cone:d=5"), "stock-shape-unknown");
     EXPECT_EQ(idOf("cylinder:d=50"), "stock-key-missing");
@@ -80,7 +80,7 @@ TEST(StockShapes, BodiesLieWhereTheyLieOrWhereTheyAreWanted) {
     EXPECT_EQ(spec.box.corner, Vec3(-1, -2, 3));
 }
 
-TEST(StockShapes, WrongOutlinesAreToldWithTheirLine) {
+TEST(StockShapes, WrongOutlinesAreReportedWithTheirLine) {
     TemporaryFolder folder;
     const auto file = folder.path() / "plate.csv";
     const std::pair<const char*, int> cases[] = {

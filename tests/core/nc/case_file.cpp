@@ -144,9 +144,10 @@ std::vector<std::string> stepsOf(const Program& program) {
         if (i < program.motionCount())
             steps.push_back(stepOf(program.motion(i)));
     }
-    for (const Diagnostic& told : program.diagnostics()) {
-        if (told.severity != Severity::note)
-            steps.push_back(fmt::format("! {}:{} {}", told.where.line, told.where.column, told.id));
+    for (const Diagnostic& reported : program.diagnostics()) {
+        if (reported.severity != Severity::note)
+            steps.push_back(
+                fmt::format("! {}:{} {}", reported.where.line, reported.where.column, reported.id));
     }
     return steps;
 }

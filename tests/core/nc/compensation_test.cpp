@@ -29,12 +29,12 @@ std::shared_ptr<const Program> interpreted(const std::string& text) {
     return interpret(NcText(text), options);
 }
 
-bool toldId(const Program& program, const std::string& id) {
+bool reportedId(const Program& program, const std::string& id) {
     return std::ranges::any_of(program.diagnostics(),
                                [&](const Diagnostic& d) { return std::string(d.id) == id; });
 }
 
-bool told(const Program& program) {
+bool reported(const Program& program) {
     return std::ranges::any_of(program.diagnostics(), [](const Diagnostic& d) {
         return std::string(d.id) != "compensation-at-end";
     });
@@ -107,7 +107,7 @@ TEST(Compensation, KeepsTheRadiusFromThePath) {
         const std::vector<PlanePath> paths = randomPath(random, shape);
         const std::string text = programAlong(paths, i % 2 == 0);
         const auto program = interpreted(text);
-        if (told(*program))
+        if (reported(*program))
             continue;
         ++kept;
         expectDistance(*program, paths);
@@ -124,7 +124,7 @@ TEST(Compensation, KeepsTheProgrammedEnds) {
     for (int i = 0; i < 200; ++i) {
         const std::vector<PlanePath> paths = randomPath(random, {8, 2, 40, 3, 0});
         const auto program = interpreted(programAlong(paths, true));
-        for (std::size_t k = 0; k < program->motionCount() && !told(*program); ++k) {
+        for (std::size_t k = 0; k < program->motionCount() && !reported(*program); ++k) {
             const std::size_t line = program->motion(k).line;
             const bool corner = k + 1 < program->motionCount() && program->motion(k + 1).line == line;
             const Vec2 end = corner ? paths[line - 3].start : paths[line - 3].end;
@@ -139,12 +139,12 @@ TEST(Compensation, BoundsHoldTheShortenedMotions) {
     EXPECT_DOUBLE_EQ(program->bounds().hi.y, 17);
     EXPECT_DOUBLE_EQ(program->motion(1).end.y, 17);
     EXPECT_DOUBLE_EQ(program->programmedEnd(1).y, 20);
-    EXPECT_TRUE(toldId(*program, "compensation-at-end"));
+    EXPECT_TRUE(reportedId(*program, "compensation-at-end"));
 }
 
-TEST(Compensation, FromAnUnknownPlaceIsTold) {
+TEST(Compensation, FromAnUnknownPlaceIsReported) {
     const auto program = interpret(NcText("G41.1 D6\nG0 X10 Y0 Z0\nG1 F100 X50\nG1 Y50\nG40 G1 X0\nM2\n"));
-    EXPECT_TRUE(toldId(*program, "compensation-from-unknown"));
+    EXPECT_TRUE(reportedId(*program, "compensation-from-unknown"));
     EXPECT_TRUE(program->unverified());
     // The motion after it begins compensation.
     EXPECT_EQ(program->motion(1).end, Vec3(47, 3, 0));
@@ -152,8 +152,8 @@ TEST(Compensation, FromAnUnknownPlaceIsTold) {
 
 TEST(Compensation, OfZeroSaysWhetherTheDiameterIsKnown) {
     const std::string text = "G41\nG0 X10 Y0 Z0\nM2\n";
-    EXPECT_TRUE(toldId(*interpret(NcText(text)), "compensation-diameter-unknown"));
-    EXPECT_TRUE(toldId(*interpreted(text), "compensation-without-diameter"));
+    EXPECT_TRUE(reportedId(*interpret(NcText(text)), "compensation-diameter-unknown"));
+    EXPECT_TRUE(reportedId(*interpreted(text), "compensation-without-diameter"));
 }
 
 } // namespace proveout::test

@@ -16,15 +16,15 @@ namespace proveout {
 
 namespace {
 
-std::string toldBy(const std::string& text, const InterpretOptions& options = {}) {
-    std::string told;
+std::string reportedBy(const std::string& text, const InterpretOptions& options = {}) {
+    std::string reported;
     const auto program = interpret(NcText(text), options);
     for (const Diagnostic& diagnostic : program->diagnostics()) {
         if (diagnostic.severity == Severity::error)
-            told += std::to_string(diagnostic.where.line) + ":" + std::to_string(diagnostic.where.column) +
-                    " " + diagnostic.id + "\n";
+            reported += std::to_string(diagnostic.where.line) + ":" +
+                        std::to_string(diagnostic.where.column) + " " + diagnostic.id + "\n";
     }
-    return told;
+    return reported;
 }
 
 InterpretOptions withFolder(const std::filesystem::path& folder) {
@@ -53,26 +53,26 @@ TEST(ControlFlow, RunsSubprogramsOfTheirOwnFiles) {
 /// As LinuxCNC: behind words or a comment M98 is no code that it knows.
 TEST(ControlFlow, CallsByNumberAtTheBeginningOfABlockOnly) {
     const std::string sub = "\nM2\nO102\nG1 X3\nM99\n";
-    EXPECT_EQ(toldBy("F100\nN5 M98 P102 L2" + sub), "");
-    EXPECT_EQ(toldBy("F100\n/ M98 L2 P102 (twice)" + sub), "");
-    EXPECT_EQ(toldBy("F100\nL2 M98 P102" + sub), "2:4 call-not-first\n");
-    EXPECT_EQ(toldBy("F100\n(once) M98 P102" + sub), "2:8 call-not-first\n");
+    EXPECT_EQ(reportedBy("F100\nN5 M98 P102 L2" + sub), "");
+    EXPECT_EQ(reportedBy("F100\n/ M98 L2 P102 (twice)" + sub), "");
+    EXPECT_EQ(reportedBy("F100\nL2 M98 P102" + sub), "2:4 call-not-first\n");
+    EXPECT_EQ(reportedBy("F100\n(once) M98 P102" + sub), "2:8 call-not-first\n");
 }
 
 TEST(ControlFlow, ReturnsByABlockOfItsOwnOnly) {
     const std::string main = "F100\nM98 P102\nM2\nO102\n";
-    EXPECT_EQ(toldBy(main + "G1 X3\nN9 M99 (back)\n"), "");
-    EXPECT_EQ(toldBy(main + "G1 X3 M99\n"), "5:7 return-not-alone\n");
-    EXPECT_EQ(toldBy(main + "G1 X3\nM99 M8\n"), "6:1 return-not-alone\n");
-    EXPECT_EQ(toldBy(main + "G1 X3\n(back) M99\n"), "6:8 return-not-alone\n");
-    EXPECT_EQ(toldBy("G91 F100\nG1 X3\nG90 M99\n"), "");
+    EXPECT_EQ(reportedBy(main + "G1 X3\nN9 M99 (back)\n"), "");
+    EXPECT_EQ(reportedBy(main + "G1 X3 M99\n"), "5:7 return-not-alone\n");
+    EXPECT_EQ(reportedBy(main + "G1 X3\nM99 M8\n"), "6:1 return-not-alone\n");
+    EXPECT_EQ(reportedBy(main + "G1 X3\n(back) M99\n"), "6:8 return-not-alone\n");
+    EXPECT_EQ(reportedBy("G91 F100\nG1 X3\nG90 M99\n"), "");
 }
 
 /// LinuxCNC meets the break when it looks for the end of the loop, whether or not it was executed.
 TEST(ControlFlow, RefusesABreakOfARepeatWhereTheLoopEnds) {
     const std::string loop = "o1 if [0]\no9 break\no1 endif\nG1 X3\no9 endrepeat\nM2\n";
-    EXPECT_EQ(toldBy("F100\no9 repeat [2]\n" + loop), "4:1 flow-partner\n");
-    EXPECT_EQ(toldBy("F100\no9 repeat [0]\n" + loop), "4:1 flow-partner\n");
+    EXPECT_EQ(reportedBy("F100\no9 repeat [2]\n" + loop), "4:1 flow-partner\n");
+    EXPECT_EQ(reportedBy("F100\no9 repeat [0]\n" + loop), "4:1 flow-partner\n");
     const auto program = interpret(NcText("F100\no9 repeat [2]\n" + loop));
     EXPECT_EQ(program->motionCount(), 2U);
 }
@@ -97,38 +97,38 @@ TEST(ControlFlow, OpensNothingOutsideOfItsFolders) {
     std::filesystem::create_directory(folder / "folder.ngc");
     const std::string up = "../" + outside.path().filename().string() + "/out";
     const InterpretOptions options = withFolder(folder.path());
-    EXPECT_EQ(toldBy("o<" + up + "> call\nM2\n", options), "1:1 sub-folder\n");
-    EXPECT_EQ(toldBy("o<" + (outside / "out").string() + "> call\nM2\n", options), "1:1 sub-folder\n");
-    EXPECT_EQ(toldBy("o<link> call\nM2\n", options), "1:1 sub-folder\n");
-    EXPECT_EQ(toldBy("o<folder> call\nM2\n", options), "1:1 sub-unknown\n");
-    EXPECT_EQ(toldBy("o<none> call\nM2\n"), "1:1 sub-unknown\n");
+    EXPECT_EQ(reportedBy("o<" + up + "> call\nM2\n", options), "1:1 sub-folder\n");
+    EXPECT_EQ(reportedBy("o<" + (outside / "out").string() + "> call\nM2\n", options), "1:1 sub-folder\n");
+    EXPECT_EQ(reportedBy("o<link> call\nM2\n", options), "1:1 sub-folder\n");
+    EXPECT_EQ(reportedBy("o<folder> call\nM2\n", options), "1:1 sub-unknown\n");
+    EXPECT_EQ(reportedBy("o<none> call\nM2\n"), "1:1 sub-unknown\n");
 }
 
 TEST(ControlFlow, NamesTheMissingPartner) {
-    EXPECT_EQ(toldBy("o1 if [1]\nM2\n"), "1:1 flow-partner\n");
-    EXPECT_EQ(toldBy("o1 while [1]\no1 endif\nM2\n"), "1:1 flow-partner\n2:1 flow-partner\n");
-    EXPECT_EQ(toldBy("o1 sub\nM2\n"), "1:1 flow-partner\n");
-    EXPECT_EQ(toldBy("o1 break\nM2\n"), "1:1 flow-partner\n");
-    EXPECT_EQ(toldBy("o1 endsub\nM2\n"), "1:1 return-outside\n");
-    EXPECT_EQ(toldBy("o1 if [0]\no1 endif\no1 if [0]\no1 endif\nM2\n"), "3:1 label-twice\n");
-    EXPECT_EQ(toldBy("o1 sub\no2 sub\no2 endsub\no1 endsub\nM2\n"),
+    EXPECT_EQ(reportedBy("o1 if [1]\nM2\n"), "1:1 flow-partner\n");
+    EXPECT_EQ(reportedBy("o1 while [1]\no1 endif\nM2\n"), "1:1 flow-partner\n2:1 flow-partner\n");
+    EXPECT_EQ(reportedBy("o1 sub\nM2\n"), "1:1 flow-partner\n");
+    EXPECT_EQ(reportedBy("o1 break\nM2\n"), "1:1 flow-partner\n");
+    EXPECT_EQ(reportedBy("o1 endsub\nM2\n"), "1:1 return-outside\n");
+    EXPECT_EQ(reportedBy("o1 if [0]\no1 endif\no1 if [0]\no1 endif\nM2\n"), "3:1 label-twice\n");
+    EXPECT_EQ(reportedBy("o1 sub\no2 sub\no2 endsub\no1 endsub\nM2\n"),
               "1:1 flow-partner\n2:1 sub-nested\n3:1 return-outside\n4:1 return-outside\n");
-    EXPECT_EQ(toldBy("o1 if 1\no1 endif\nM2\n"), "1:1 flow-condition\n");
-    EXPECT_EQ(toldBy("o1 if [1] G0\no1 endif\nM2\n"), "1:11 flow-rest\n");
-    EXPECT_EQ(toldBy("M98 P7\nM2\n"), "1:5 sub-unknown\n");
+    EXPECT_EQ(reportedBy("o1 if 1\no1 endif\nM2\n"), "1:1 flow-condition\n");
+    EXPECT_EQ(reportedBy("o1 if [1] G0\no1 endif\nM2\n"), "1:11 flow-rest\n");
+    EXPECT_EQ(reportedBy("M98 P7\nM2\n"), "1:5 sub-unknown\n");
 }
 
 TEST(ControlFlow, LimitsTheDepthOfCallsAndShowsTheirChain) {
     const auto program = interpret(NcText("o1 sub\no1 call\no1 endsub\no1 call\nM2\n"));
     ASSERT_FALSE(program->diagnostics().empty());
-    const Diagnostic& told = program->diagnostics().front();
-    EXPECT_STREQ(told.id, "call-too-deep");
-    EXPECT_EQ(told.arguments, (std::vector<Argument>{"9", "1 > 1 > 1 > 1 > 1 > 1 > 1 > 1 > 1 > 1"}));
+    const Diagnostic& reported = program->diagnostics().front();
+    EXPECT_STREQ(reported.id, "call-too-deep");
+    EXPECT_EQ(reported.arguments, (std::vector<Argument>{"9", "1 > 1 > 1 > 1 > 1 > 1 > 1 > 1 > 1 > 1"}));
 }
 
 TEST(ControlFlow, FindsALoopThatNothingEnds) {
-    EXPECT_EQ(toldBy("o1 while [1]\no1 endwhile\nM2\n"), "1:1 endless-loop\n");
-    EXPECT_EQ(toldBy("o9 sub\n#2=7\no9 endsub\no1 while [1]\no9 call\no1 endwhile\nM2\n"),
+    EXPECT_EQ(reportedBy("o1 while [1]\no1 endwhile\nM2\n"), "1:1 endless-loop\n");
+    EXPECT_EQ(reportedBy("o9 sub\n#2=7\no9 endsub\no1 while [1]\no9 call\no1 endwhile\nM2\n"),
               "4:1 endless-loop\n");
 }
 
@@ -152,7 +152,7 @@ TEST(ControlFlow, TakesNoLoopForEndlessThatEnds) {
           "o1 sub\nG91 G0 X1\no1 endsub\no1 call\no1 call\no1 call\nM2\n",
           "o1 sub\no2 if [#1 GT 0]\no1 call [#1-1]\no2 endif\nG91 G0 X1\no1 endsub\no1 call [3]\nM2\n",
           "#1=0\no1 while [#1 LT 3]\n#1=[#1+1]\nG91 G0 X1\no1 endwhile\nM2\n"})
-        EXPECT_EQ(toldBy(text, options), "") << text;
+        EXPECT_EQ(reportedBy(text, options), "") << text;
 }
 
 TEST(ControlFlow, EndsALoopAtTheLimitOfWhatItRepeats) {
@@ -165,20 +165,21 @@ TEST(ControlFlow, EndsALoopAtTheLimitOfWhatItRepeats) {
     EXPECT_EQ(counting->motionCount(), 2U); // what the loop made when it ran first
     EXPECT_EQ(counting->bounds().hi.x, 1);
     options.maxIdle = 500;
-    EXPECT_EQ(toldBy("#1=0\no1 while [1]\n#1=[#1+1]\no1 endwhile\nM2\n", options),
+    EXPECT_EQ(reportedBy("#1=0\no1 while [1]\n#1=[#1+1]\no1 endwhile\nM2\n", options),
               "2:1 loop-without-motion\n");
     const std::string lines(1000, '\n');
-    EXPECT_EQ(toldBy("#1=0\no1 while [#1 LT 3000]\n#1=[#1+1]\no1 endwhile\nM2\n" + lines, options), "");
+    EXPECT_EQ(reportedBy("#1=0\no1 while [#1 LT 3000]\n#1=[#1+1]\no1 endwhile\nM2\n" + lines, options), "");
 }
 
 TEST(ControlFlow, RefusesMoreRoundsThanAnybodyWaitsFor) {
     InterpretOptions options;
-    EXPECT_EQ(toldBy("o1 repeat [1e12]\nG91\no1 endrepeat\nM2\n", options), "1:13 operator-missing\n");
-    EXPECT_EQ(toldBy("o1 repeat [1000000000]\nG91\no1 endrepeat\nM2\n", options), "1:1 too-many-rounds\n");
-    EXPECT_EQ(toldBy("M98 P5 L999999999\nM2\nO5\nG91\nM99\n", options), "1:5 too-many-rounds\n");
+    EXPECT_EQ(reportedBy("o1 repeat [1e12]\nG91\no1 endrepeat\nM2\n", options), "1:13 operator-missing\n");
+    EXPECT_EQ(reportedBy("o1 repeat [1000000000]\nG91\no1 endrepeat\nM2\n", options),
+              "1:1 too-many-rounds\n");
+    EXPECT_EQ(reportedBy("M98 P5 L999999999\nM2\nO5\nG91\nM99\n", options), "1:5 too-many-rounds\n");
 }
 
-TEST(ControlFlow, TellsTheCallsThatLedIntoAnEndlessLoop) {
+TEST(ControlFlow, ReportsTheCallsThatLedIntoAnEndlessLoop) {
     InterpretOptions options;
     options.maxRepeated = 1000;
     const auto program = interpret(
@@ -221,16 +222,17 @@ TEST(ControlFlow, EndsALoopThatOnlyRepeatsItsErrors) {
     options.dialect = DialectId::fanuc;
     const std::string text = "#1=1\nWHILE [#1 LT 5] DO 1\nX[\nEND 1\nM30\n";
     const auto program = interpret(NcText(text), options);
-    EXPECT_THAT(toldBy(text, options), testing::HasSubstr("too-many-again"));
+    EXPECT_THAT(reportedBy(text, options), testing::HasSubstr("too-many-again"));
     EXPECT_TRUE(program->unverified());
     EXPECT_LE(program->diagnostics().size(), options.maxDiagnostics + 3);
     options.dialect = DialectId::linuxcnc;
-    EXPECT_THAT(toldBy("o1 while [1]\nX[\no1 endwhile\nM2\n", options), testing::HasSubstr("too-many-again"));
+    EXPECT_THAT(reportedBy("o1 while [1]\nX[\no1 endwhile\nM2\n", options),
+                testing::HasSubstr("too-many-again"));
 }
 
 TEST(ControlFlow, EndsWhereACallOnTheLastLineLeadsToTheEndOfTheText) {
-    const std::string told = toldBy("o100 sub\nG0 X1 endsub\n\no100 call [10] [15]");
-    EXPECT_NE(told.find("4:1 sub-end-missing\n"), std::string::npos) << told;
+    const std::string reported = reportedBy("o100 sub\nG0 X1 endsub\n\no100 call [10] [15]");
+    EXPECT_NE(reported.find("4:1 sub-end-missing\n"), std::string::npos) << reported;
 }
 
 } // namespace proveout

@@ -91,7 +91,7 @@ TEST(CornerVectors, SmallMovesAreLeftOutButBeforeHalfATurn) {
     expectPoints(withoutSmallMoves(points, 1e-3, half), {{0, 0}, {0.0009, -0.0009}, {0.0009, 0.002}});
 }
 
-TEST(CornerVectors, ArcsThatWouldTurnBackAreTold) {
+TEST(CornerVectors, ArcsThatWouldTurnBackAreReported) {
     const PlanePath arc{{10, 0}, {0, 10}, {0, 0}, kPi / 2};
     const Vec2 third(10 * std::cos(kPi / 6), 10 * std::sin(kPi / 6));
     const Vec2 sixth(10 * std::cos(kPi / 3), 10 * std::sin(kPi / 3));

@@ -119,7 +119,7 @@ void compareProgram(const fs::path& path, const Program& program, Tally& tally) 
         why = "we refuse: " + oneLine(*error);
         agreed = false;
     }
-    if (agreed && refused && answer.errorLine > 0 && !toldOnLine(program, answer.errorLine)) {
+    if (agreed && refused && answer.errorLine > 0 && !reportedOnLine(program, answer.errorLine)) {
         why = fmt::format("LinuxCNC refuses line {}: {}", answer.errorLine, answer.errorText);
         agreed = false;
     }
@@ -180,12 +180,12 @@ TEST(Corpus, EveryFileIsInterpretedInTime) {
         options.maxRepeated = kSteps;
         options.maxMotions = kSteps;
         std::shared_ptr<const Program> program;
-        const auto secondsTaken = [&] {
+        const auto secondsUsed = [&] {
             const std::clock_t begin = std::clock(); // of the processor
             program = interpret(*text, options);
             return static_cast<double>(std::clock() - begin) / CLOCKS_PER_SEC;
         };
-        double seconds = secondsTaken();
+        double seconds = secondsUsed();
         ++files;
         const bool endless = firstOf(*program, std::set<std::string>{"too-many-steps", "too-many-motions",
                                                                      "loop-without-motion"}) != nullptr;
@@ -193,7 +193,7 @@ TEST(Corpus, EveryFileIsInterpretedInTime) {
                                (endless ? 1e-6 * static_cast<double>(kSteps) : 0.0);
         // Two cores may be one, and then the other half's work slows this one down: the least counts.
         for (int again = 0; again < 2 && seconds >= allowed * kSlowness; ++again)
-            seconds = std::min(seconds, secondsTaken());
+            seconds = std::min(seconds, secondsUsed());
         EXPECT_LT(seconds, allowed * kSlowness) << name;
         EXPECT_LE(program->diagnostics().size(), 2 * InterpretOptions().maxDiagnostics - 3) << name;
         for (std::size_t i = 0; i < program->motionCount(); ++i) {

@@ -46,7 +46,7 @@ constexpr auto kFeed = MotionKind::feed;
 
 } // namespace
 
-TEST(Cycles, RigidTappingTurnsInAndOutAndStandsOtherwise) {
+TEST(Cycles, RigidTappingTurnsInAndOutAndStopsOtherwise) {
     const std::string text = "G21 G90 S500 M3\nM29\nG98 G84 X1. R2. Z-4. F500.\nG80\nM30\n";
     const std::vector<Turn> expected{
         {kRapid, 5, 0}, {kRapid, 2, 0}, {kFeed, -4, 500}, {kFeed, 2, -500}, {kRapid, 5, 0}};

@@ -24,7 +24,7 @@ std::shared_ptr<const Program> readAs(DialectId dialect, const std::string& text
     return interpret(NcText(text), options);
 }
 
-bool told(const Program& program, std::string_view id) {
+bool reported(const Program& program, std::string_view id) {
     return std::ranges::any_of(program.diagnostics(), [&](const Diagnostic& d) { return d.id == id; });
 }
 
@@ -125,14 +125,14 @@ TEST(Dialects, NameTheErrorWithWhichGrblAnswers) {
     }
 }
 
-TEST(Dialects, TellThatTheyWereGuessedAndKeepQuietWhereTheyWereChosen) {
+TEST(Dialects, ReportThatTheyWereGuessedAndKeepQuietWhereTheyWereChosen) {
     InterpretOptions options;
     options.dialect.reset();
     const auto program = interpret(NcText("O1\nG65 P2\nM30\nO2\nG0 X1.\nM99\n"), options);
     EXPECT_EQ(program->dialect(), DialectId::fanuc);
-    EXPECT_TRUE(told(*program, "dialect-guessed"));
+    EXPECT_TRUE(reported(*program, "dialect-guessed"));
     EXPECT_EQ(interpret(NcText("G0 X1\nM2\n"), options)->dialect(), DialectId::linuxcnc);
-    EXPECT_FALSE(told(*readAs(DialectId::fanuc, "G0 X1.\nM30\n"), "dialect-guessed"));
+    EXPECT_FALSE(reported(*readAs(DialectId::fanuc, "G0 X1.\nM30\n"), "dialect-guessed"));
 }
 
 TEST(DialectComparison, FindsTheLinesThatMoveOtherwise) {

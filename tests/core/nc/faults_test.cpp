@@ -80,13 +80,13 @@ struct Answer {
 
 Answer answerTo(const fs::path& file) {
     Answer answer;
-    const auto tell = [&](const Diagnostics& diagnostics) {
+    const auto report = [&](const Diagnostics& diagnostics) {
         for (const Diagnostic& d : diagnostics)
             answer.messages.push_back(fmt::format("{}:{} {}", d.where.line, d.where.column, d.id));
     };
     const auto text = NcText::load(file);
     if (!text) {
-        tell(text.error());
+        report(text.error());
         return answer;
     }
     InterpretOptions options;
@@ -95,13 +95,13 @@ Answer answerTo(const fs::path& file) {
     options.maxRepeated = options.maxMotions = 1'000'000;
     const auto program = interpret(*text, options);
     answer.motions = program->motionCount();
-    tell(program->diagnostics());
+    report(program->diagnostics());
     return answer;
 }
 
 } // namespace
 
-TEST(Faults, AreToldInTheirPlace) {
+TEST(Faults, AreReportedInTheirPlace) {
     if (!fs::exists(kFaults))
         GTEST_SKIP() << "the corpus is not here";
     for (const Expectation& expected : kExpectations) {

@@ -164,7 +164,7 @@ TEST(ForeignText, TakesNoLongOverHostileLines) {
         EXPECT_FALSE(findForeignText(NcText(text)));
 }
 
-TEST(Glob, StandsForTheWholeText) {
+TEST(Glob, MatchesTheWholeText) {
     EXPECT_TRUE(matchesGlob("BEGIN PGM ~", "BEGIN PGM 11 MM"));
     EXPECT_FALSE(matchesGlob("BEGIN PGM ~", "END PGM 11 MM"));
     EXPECT_TRUE(matchesGlob("~CYCLE#(~", "N10 CYCLE CYCLE83(1,2)"));

@@ -13,7 +13,7 @@ namespace proveout {
 namespace {
 
 /// The ids of the messages of a program that does `line` and moves.
-std::vector<std::string> told(const std::string& line, DialectId dialect = DialectId::haas) {
+std::vector<std::string> reported(const std::string& line, DialectId dialect = DialectId::haas) {
     InterpretOptions options;
     options.dialect = dialect;
     options.lint = false;
@@ -33,22 +33,22 @@ const std::vector<std::string> kNothing;
 TEST(HaasVariables, TimersAndMonitorsAreAssumedToBeZeroWithANote) {
     for (const int number : {1064, 1601, 1801, 3020, 3025, 3201, 3401, 5401, 5405, 5500, 5501, 5600,
                              5601, 5699, 5701, 5801, 5901, 6000, 7501, 7806, 8501, 8550, 8559, 9000})
-        EXPECT_EQ(told("#1=#" + std::to_string(number)), kAssumed) << number;
-    EXPECT_EQ(told("IF [#5405 GT 3600] GOTO 99\n#1=#5405\nN99"), kAssumed);
-    EXPECT_EQ(told("#1=#5405\n#1=#5406").size(), 2U);
+        EXPECT_EQ(reported("#1=#" + std::to_string(number)), kAssumed) << number;
+    EXPECT_EQ(reported("IF [#5405 GT 3600] GOTO 99\n#1=#5405\nN99"), kAssumed);
+    EXPECT_EQ(reported("#1=#5405\n#1=#5406").size(), 2U);
 }
 
 TEST(HaasVariables, ResettingATimerIsNoUseOfIt) {
-    EXPECT_EQ(told("#5405=0\n#1=5"), kNothing);
-    EXPECT_EQ(told("#7501=1\n#1=5"), kNothing);
+    EXPECT_EQ(reported("#5405=0\n#1=5"), kNothing);
+    EXPECT_EQ(reported("#7501=1\n#1=5"), kNothing);
 }
 
 TEST(HaasVariables, SettingsAreOfTheMachine) {
     for (const int number : {1090, 6001, 6277, 6501, 11000, 13000})
-        EXPECT_EQ(told("#1=#" + std::to_string(number)).front(), "variable-of-machine") << number;
+        EXPECT_EQ(reported("#1=#" + std::to_string(number)).front(), "variable-of-machine") << number;
 }
 
-TEST(HaasVariables, TellTheToolAndTheSpindle) {
+TEST(HaasVariables, ShowTheToolAndTheSpindle) {
     InterpretOptions options;
     options.dialect = DialectId::haas;
     options.lint = false;
@@ -69,7 +69,7 @@ TEST(HaasVariables, OfGeneralPurposeHaveTwoNumbers) {
 }
 
 TEST(HaasVariables, AreNotThoseOfFanuc) {
-    EXPECT_EQ(told("#1=#5405", DialectId::fanuc).front(), "parameter-number");
+    EXPECT_EQ(reported("#1=#5405", DialectId::fanuc).front(), "parameter-number");
 }
 
 } // namespace proveout

@@ -28,7 +28,7 @@ std::shared_ptr<const Program> read(const std::string& text, DialectId dialect,
 }
 
 /// "line:column id sentence" of every message.
-std::vector<std::string> told(const Program& program) {
+std::vector<std::string> reported(const Program& program) {
     std::vector<std::string> all;
     for (const Diagnostic& d : program.diagnostics())
         all.push_back(std::to_string(d.where.line) + ":" + std::to_string(d.where.column) + " " + d.id + " " +
@@ -43,7 +43,7 @@ const char* const kClamped = "G21 G90 F100\nM11\nG0 X0. Y0. Z5.\nM10\nG1 Z-1.\nX
 TEST(IgnoredCodes, OfTheControlAreListedAndLeaveTheRestVerified) {
     const auto program = read(kClamped, DialectId::fanuc);
     EXPECT_FALSE(program->unverified());
-    EXPECT_EQ(told(*program),
+    EXPECT_EQ(reported(*program),
               (std::vector<std::string>{
                   "4:1 code-ignored M10 (clamp of a rotary axis or pallet on) moves no axis and is ignored "
                   "(2×, lines 4, 7).",
@@ -73,7 +73,7 @@ TEST(IgnoredCodes, OfTheListAreIgnoredOnEveryControl) {
         const auto program = read("G21 G90\nG0 X1.\nM163 P2\nG1 X2. F100\nM2\n", row.id, {163});
         EXPECT_FALSE(program->unverified()) << row.key;
         EXPECT_EQ(program->motionCount(), 2U) << row.key;
-        EXPECT_EQ(told(*program),
+        EXPECT_EQ(reported(*program),
                   (std::vector<std::string>{"3:1 code-ignored M163 is ignored because the setup lists it "
                                             "(1×, line 3)."}))
             << row.key;
@@ -137,7 +137,7 @@ TEST(LostPosition, IsNotReportedOnceMoreBehindAnError) {
                               "G777 X5. Y5. Z5.", "X5. Y5. Z5. (open", "G1 X5. Y#[1 Z5."}) {
         const auto program =
             read(std::string("G21 G90 G17\nG0 X0. Y0. Z5.\n") + wrong + after, DialectId::linuxcnc);
-        EXPECT_EQ(program->diagnostics().size(), 1U) << wrong << "\n" << told(*program).back();
+        EXPECT_EQ(program->diagnostics().size(), 1U) << wrong << "\n" << reported(*program).back();
         EXPECT_TRUE(program->unverified()) << wrong;
         // What comes from an unknown place still cuts nothing.
         EXPECT_NE(program->motion(1).startKnown, kAllAxes) << wrong;

@@ -56,7 +56,7 @@ TEST(Interpreter, NamesTheFileAndThePlaceOfEveryMessage) {
     EXPECT_TRUE(program->unverified());
 }
 
-TEST(Interpreter, TellsAnAxisWhosePositionIsNeverKnown) {
+TEST(Interpreter, ReportsAnAxisWhosePositionIsNeverKnown) {
     const auto axesNeverKnown = [](const char* text, const InterpretOptions& options = {}) {
         const auto program = interpret(NcText(text), options);
         for (const Diagnostic& diagnostic : program->diagnostics())
@@ -84,7 +84,7 @@ TEST(Interpreter, SaysNothingOfTheWholeWhereItWasStopped) {
     EXPECT_TRUE(program->unverified());
 }
 
-TEST(Interpreter, TellsTheSmallerRadiusWhereAnArcHasNone) {
+TEST(Interpreter, ReportsTheSmallerRadiusWhereAnArcHasNone) {
     // As texts, "10" stands before "5e-05".
     const auto program = interpret(NcText("G0 X0 Y0 Z0\nF100\nG2 X10 Y0 I-0.00005 J0\nM2\n"));
     ASSERT_EQ(program->diagnostics().size(), 1U);
@@ -92,7 +92,7 @@ TEST(Interpreter, TellsTheSmallerRadiusWhereAnArcHasNone) {
     EXPECT_EQ(program->diagnostics()[0].arguments, std::vector<Argument>{"5e-05"});
 }
 
-TEST(Interpreter, KnowsNothingOfTheStartUnlessTold) {
+TEST(Interpreter, KnowsNothingOfTheStartUnlessGiven) {
     const NcText text("G1 X1 Y1 F100\n");
     const auto unknown = interpret(text);
     EXPECT_EQ(unknown->motion(0).startKnown, 0);
@@ -115,7 +115,7 @@ TEST(Interpreter, KnowsNothingOfTheStartUnlessTold) {
     EXPECT_EQ(motion.end, Vec3(1, 1, 7));
 }
 
-TEST(Interpreter, ASpindleThatStandsHasItsSpeedAllTheSame) {
+TEST(Interpreter, AStoppedSpindleHasItsSpeedAllTheSame) {
     InterpretOptions options;
     options.assumeStartAtZero = true;
     const auto program = interpret(NcText("S500 G1 X1 F10\nM4\nX2\nM2\n"), options);
@@ -150,7 +150,7 @@ TEST(Interpreter, ShowsAnErrorBehindAnyNumberOfWarnings) {
     options.dialect = DialectId::fanuc;
     const auto program =
         interpret(NcText("G0 X1.\n" + repeated("G1 X1. P5 F100.\n", 250) + "G1 X2. R\nM30\n"), options);
-    const auto severe = [](const Diagnostic& told) { return told.severity == Severity::error; };
+    const auto severe = [](const Diagnostic& reported) { return reported.severity == Severity::error; };
     ASSERT_EQ(std::ranges::count_if(program->diagnostics(), severe), 1);
     EXPECT_EQ(std::ranges::find_if(program->diagnostics(), severe)->where.line, 252);
     EXPECT_STREQ(program->diagnostics().back().id, "too-many-messages");
@@ -224,7 +224,7 @@ TEST(Interpreter, AnswersAStopAndSaysSo) {
     EXPECT_GT(program->motionCount(), 0U);
 }
 
-TEST(Interpreter, TellsItsProgressUpToOne) {
+TEST(Interpreter, ReportsItsProgressUpToOne) {
     double last = 0;
     bool rises = true;
     WorkContext context;

@@ -114,7 +114,7 @@ TEST(Lexer, PointsAtWhatItCannotRead) {
     }
 }
 
-TEST(Lexer, HasRoomForEveryLegalBlockAndTellsOfMore) {
+TEST(Lexer, HasRoomForEveryLegalBlockAndReportsMore) {
     std::string text;
     for (std::size_t i = 0; i < Block::kMostCodes; ++i)
         text += "G1 ";

@@ -50,7 +50,7 @@ TEST(LineWatch, KnowsTheValuesOfWords) {
     EXPECT_EQ(valueAt(values, 26), "7. °");
 }
 
-TEST(LineWatch, TellsInTheUnitOfTheProgram) {
+TEST(LineWatch, ReportsInTheUnitOfTheProgram) {
     EXPECT_EQ(valueAt(valuesOf("G20\nF5\nG1 X0.5 F7\nM2\n", 3), 3), "0.5 in");
     EXPECT_EQ(valueAt(valuesOf("G20\nF5\nG1 X0.5 F7\nM2\n", 3), 8), "7. in/min");
     EXPECT_EQ(valueAt(valuesOf("G20 G1 X0.5 F7\nM2\n", 1), 7), "0.5 in");

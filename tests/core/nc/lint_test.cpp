@@ -78,16 +78,16 @@ std::vector<int> linesOf(const Twins& twins, const std::string& text) {
     options.tools = ToolOffsets({{1, {}}, {2, {}}, {3, {}}});
     std::vector<int> lines;
     const auto program = interpret(NcText(text), options);
-    for (const Diagnostic& told : program->diagnostics()) {
-        if (told.id == twins.id)
-            lines.push_back(told.where.line);
+    for (const Diagnostic& reported : program->diagnostics()) {
+        if (reported.id == twins.id)
+            lines.push_back(reported.where.line);
     }
     return lines;
 }
 
 } // namespace
 
-TEST(Lint, TellsTheBadTwinAndNotTheCleanOne) {
+TEST(Lint, ReportsTheBadTwinAndNotTheCleanOne) {
     for (const Twins& twins : kTwins) {
         EXPECT_EQ(linesOf(twins, twins.bad), std::vector<int>{twins.line}) << twins.id << "\n" << twins.bad;
         EXPECT_EQ(linesOf(twins, twins.clean), std::vector<int>{}) << twins.id << "\n" << twins.clean;

@@ -36,7 +36,7 @@ TEST(Number, EndsBeforeWhatIsNotPartOfIt) {
     EXPECT_EQ(read.end, 3U) << "the blank before the next word does not belong to it";
 }
 
-TEST(Number, TellsWhatIsWrong) {
+TEST(Number, ReportsWhatIsWrong) {
     struct Case {
         const char* text;
         NumberStatus status;

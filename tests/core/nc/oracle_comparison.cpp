@@ -193,7 +193,7 @@ const Diagnostic* firstParting(const Program& program) {
     return nullptr;
 }
 
-bool toldOnLine(const Program& program, int line) {
+bool reportedOnLine(const Program& program, int line) {
     for (const Diagnostic& diagnostic : program.diagnostics()) {
         if (diagnostic.where.line == line && diagnostic.severity >= Severity::warning)
             return true;

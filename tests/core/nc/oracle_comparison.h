@@ -23,7 +23,7 @@ bool isUnlikeControl(const Diagnostic& diagnostic);
 /// The first of either.
 const Diagnostic* firstParting(const Program& program);
 
-bool toldOnLine(const Program& program, int line);
+bool reportedOnLine(const Program& program, int line);
 
 /// Which of both lists ends early, because of an error.
 enum class Extent : std::uint8_t {

@@ -24,19 +24,19 @@ std::string brokenByDiagnostics(const NcText& text, const InterpretOptions& opti
         return "more messages than asked for";
     bool unverified = false;
     for (std::size_t i = 0; i < program.diagnostics().size(); ++i) {
-        const Diagnostic& told = program.diagnostics()[i];
-        if (told.where.line < 1 || !isLine(text, static_cast<std::uint32_t>(told.where.line)))
-            return "a message is about no line of the text: " + oneLine(told);
-        const auto size = text.line(static_cast<std::size_t>(told.where.line) - 1).size();
-        if (told.where.column < 1 || told.where.length < 0 ||
-            static_cast<std::size_t>(told.where.column + told.where.length) > size + 2)
-            return "a message is about a place outside of its line: " + oneLine(told);
-        const std::string_view sentence = told.text;
-        if (static_cast<std::size_t>(std::ranges::count(sentence, '{')) > told.arguments.size())
-            return "a message lacks an argument: " + oneLine(told);
+        const Diagnostic& reported = program.diagnostics()[i];
+        if (reported.where.line < 1 || !isLine(text, static_cast<std::uint32_t>(reported.where.line)))
+            return "a message is about no line of the text: " + oneLine(reported);
+        const auto size = text.line(static_cast<std::size_t>(reported.where.line) - 1).size();
+        if (reported.where.column < 1 || reported.where.length < 0 ||
+            static_cast<std::size_t>(reported.where.column + reported.where.length) > size + 2)
+            return "a message is about a place outside of its line: " + oneLine(reported);
+        const std::string_view sentence = reported.text;
+        if (static_cast<std::size_t>(std::ranges::count(sentence, '{')) > reported.arguments.size())
+            return "a message lacks an argument: " + oneLine(reported);
         if (program.motionAfterDiagnostic(i) > program.motionCount())
-            return "a message stands behind the last motion: " + oneLine(told);
-        unverified = unverified || told.unverified;
+            return "a message stands behind the last motion: " + oneLine(reported);
+        unverified = unverified || reported.unverified;
     }
     return unverified && !program.unverified() ? "a message is unverified and the program is not" : "";
 }

@@ -108,7 +108,7 @@ TEST(Program, GivesBackTheMotionsItWasGiven) {
     }
 }
 
-TEST(Program, TellsTheRunsOfEachTool) {
+TEST(Program, ReportsTheRunsOfEachTool) {
     EXPECT_EQ(runs(*programOf("M2\n")), "");
     EXPECT_EQ(runs(*programOf("G0 X1\nT1 M6\nG0 X2\nS100 M3\nX3\nS200\nX4\nT2 M6\nT0 M6\nX5\nT1 M6\nX6\n")),
               "0:0-1 1:1-4 0:4-5 1:5-6 ");

@@ -68,15 +68,15 @@ std::shared_ptr<const Program> readAs(const std::string& text, DialectId dialect
 }
 
 /// Messages as "line:column id", in order.
-std::vector<std::string> told(const Diagnostics& diagnostics) {
+std::vector<std::string> reported(const Diagnostics& diagnostics) {
     std::vector<std::string> messages;
     for (const Diagnostic& d : diagnostics)
         messages.push_back(fmt::format("{}:{} {}", d.where.line, d.where.column, d.id));
     return messages;
 }
 
-std::vector<std::string> told(const std::string& text, DialectId dialect = DialectId::linuxcnc) {
-    return told(readAs(text, dialect)->diagnostics());
+std::vector<std::string> reported(const std::string& text, DialectId dialect = DialectId::linuxcnc) {
+    return reported(readAs(text, dialect)->diagnostics());
 }
 
 /// The sentence of the first message with an id.
@@ -93,11 +93,11 @@ std::string sentence(const std::string& text, std::string_view id, DialectId dia
 }
 
 /// What loading a file with these bytes tells; empty where it is read.
-std::vector<std::string> toldByLoading(const std::string& bytes) {
+std::vector<std::string> reportedByLoading(const std::string& bytes) {
     const TemporaryFolder folder;
     folder.put("p.nc", bytes);
     const auto text = NcText::load(folder / "p.nc");
-    return text ? std::vector<std::string>{} : told(text.error());
+    return text ? std::vector<std::string>{} : reported(text.error());
 }
 
 std::string repeated(const std::string& part, std::size_t count) {
@@ -127,13 +127,13 @@ TEST(Reliability, Fault02BinaryFiles) {
         noise.push_back(static_cast<char>(random() & 0xff));
     for (const std::string& bytes :
          {std::string(1024, '\0'), noise, std::string("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16)})
-        EXPECT_THAT(toldByLoading(bytes), ElementsAre("0:0 nc-binary"));
+        EXPECT_THAT(reportedByLoading(bytes), ElementsAre("0:0 nc-binary"));
 }
 
 TEST(Reliability, Fault03ByteOrderMarksAndUtf16) {
-    EXPECT_THAT(told("\xef\xbb\xbfG0 X1\nM2\n"), ElementsAre("1:1 byte-order-mark"));
+    EXPECT_THAT(reported("\xef\xbb\xbfG0 X1\nM2\n"), ElementsAre("1:1 byte-order-mark"));
     EXPECT_EQ(readAs("\xef\xbb\xbfG0 X1\nM2\n")->motionCount(), 1U);
-    EXPECT_THAT(toldByLoading(std::string("\xff\xfeG\0000\0 \0X\0001\0", 12)),
+    EXPECT_THAT(reportedByLoading(std::string("\xff\xfeG\0000\0 \0X\0001\0", 12)),
                 ElementsAre("0:0 nc-encoding"));
 }
 
@@ -141,7 +141,7 @@ TEST(Reliability, Fault04LineEnds) {
     const auto old = readAs("G0 X1\rG0 X2\rM2\r");
     EXPECT_EQ(old->motionCount(), 2U);
     EXPECT_EQ(old->motion(1).line, 2U);
-    EXPECT_THAT(told(old->diagnostics()), ElementsAre("1:6 cr-line-end"));
+    EXPECT_THAT(reported(old->diagnostics()), ElementsAre("1:6 cr-line-end"));
     const auto mixed = readAs("G0 X1\r\nG0 X2\n\rG0 X3");
     EXPECT_EQ(mixed->motionCount(), 3U);
     EXPECT_EQ(mixed->motion(2).line, 4U);
@@ -149,10 +149,10 @@ TEST(Reliability, Fault04LineEnds) {
 }
 
 TEST(Reliability, Fault05ControlZAndDcCodes) {
-    EXPECT_THAT(told("G0 X1\nM2\n\x1a"), IsEmpty());
+    EXPECT_THAT(reported("G0 X1\nM2\n\x1a"), IsEmpty());
     const auto program = readAs("\x11\x12G0 X1\n\x13G0 X2\n\x14M2\n");
     EXPECT_EQ(program->motionCount(), 2U);
-    EXPECT_THAT(told(program->diagnostics()), ElementsAre("1:2 control-code"));
+    EXPECT_THAT(reported(program->diagnostics()), ElementsAre("1:2 control-code"));
     EXPECT_FALSE(program->unverified());
 }
 
@@ -170,35 +170,35 @@ TEST(Reliability, Fault07NumbersOutsideOfAscii) {
                                    "X\xef\xbc\x91\xef\xbc\x90"}) { // minus sign, wide digits
         const auto program = readAs("G0 " + word + "\nM2\n");
         EXPECT_EQ(program->motionCount(), 0U);
-        EXPECT_THAT(told(program->diagnostics()), Contains("1:5 bad-character"));
+        EXPECT_THAT(reported(program->diagnostics()), Contains("1:5 bad-character"));
     }
 }
 
 TEST(Reliability, Fault08LongLines) {
     const auto blanks = readAs("G0 X1" + std::string(100'000, ' ') + "Y2\nM2\n");
     EXPECT_EQ(blanks->motionCount(), 1U);
-    EXPECT_THAT(told(blanks->diagnostics()), ElementsAre("1:253 line-long"));
+    EXPECT_THAT(reported(blanks->diagnostics()), ElementsAre("1:253 line-long"));
     const auto digits = readAs("G0 X" + std::string(1'000'000, '7') + "\nM2\n");
     EXPECT_EQ(digits->motionCount(), 0U);
-    EXPECT_THAT(told(digits->diagnostics()), Contains("1:4 number-out-of-range"));
+    EXPECT_THAT(reported(digits->diagnostics()), Contains("1:4 number-out-of-range"));
 }
 
 TEST(Reliability, Fault09NumbersOutOfRange) {
-    EXPECT_THAT(told("G0 X1" + std::string(308, '0') + "\nM2\n"), Contains("1:4 number-out-of-range"));
+    EXPECT_THAT(reported("G0 X1" + std::string(308, '0') + "\nM2\n"), Contains("1:4 number-out-of-range"));
     for (const std::string word : {"Xnan", "Xinf", "X-inf"})
         EXPECT_EQ(readAs("G0 " + word + "\nM2\n")->motionCount(), 0U) << word;
     // An exponent is the word E, which nothing uses.
     const auto program = readAs("G0 X1e5\nM2\n");
     EXPECT_EQ(program->motionCount(), 0U);
     EXPECT_TRUE(program->unverified());
-    EXPECT_THAT(told("G0 X[10**400]\nM2\n"), Contains(HasSubstr("1:")));
+    EXPECT_THAT(reported("G0 X[10**400]\nM2\n"), Contains(HasSubstr("1:")));
 }
 
 TEST(Reliability, Fault10NumbersThatAreNone) {
-    EXPECT_THAT(told("G0 X--1\nM2\n"), Contains(HasSubstr("number-double-sign")));
-    EXPECT_THAT(told("G0 X1.2.3\nM2\n"), Contains("1:8 number-two-points"));
+    EXPECT_THAT(reported("G0 X--1\nM2\n"), Contains(HasSubstr("number-double-sign")));
+    EXPECT_THAT(reported("G0 X1.2.3\nM2\n"), Contains("1:8 number-two-points"));
     for (const std::string word : {"X", "X-", "X.", "X+", "X-."})
-        EXPECT_THAT(told("G0 " + word + "\nM2\n"), Contains(HasSubstr("number-missing"))) << word;
+        EXPECT_THAT(reported("G0 " + word + "\nM2\n"), Contains(HasSubstr("number-missing"))) << word;
 }
 
 TEST(Reliability, Fault11NestedTooDeep) {
@@ -206,21 +206,21 @@ TEST(Reliability, Fault11NestedTooDeep) {
     const std::string functions = repeated("SIN[", 10'000) + "1" + repeated("]", 10'000);
     for (const std::string& value :
          {brackets, functions, repeated("#", 10'000) + "1", repeated("[-", 10'000) + "1"})
-        EXPECT_THAT(told("G0 X" + value + "\nM2\n"), Contains(HasSubstr("nested-too-deep")))
+        EXPECT_THAT(reported("G0 X" + value + "\nM2\n"), Contains(HasSubstr("nested-too-deep")))
             << value.substr(0, 5);
 }
 
 TEST(Reliability, Fault12ExpressionsWithoutAResult) {
-    const auto messages =
-        told("G0 X[1/0]\nX[SQRT[0-1]]\nX[LN[0]]\nX[ACOS[2]]\nX[ASIN[0-2]]\nX[[0-1]**0.5]\nX[5 MOD 0]\nM2\n");
+    const auto messages = reported(
+        "G0 X[1/0]\nX[SQRT[0-1]]\nX[LN[0]]\nX[ACOS[2]]\nX[ASIN[0-2]]\nX[[0-1]**0.5]\nX[5 MOD 0]\nM2\n");
     for (int line = 1; line <= 7; ++line)
         EXPECT_THAT(messages, Contains(testing::MatchesRegex(fmt::format("{}:[1-9][0-9]* no-result", line))));
 }
 
 TEST(Reliability, Fault13LimitsOfParameters) {
     for (const std::string name : {"#0", "#5602", "#99999999", "#-1"})
-        EXPECT_THAT(told(name + "=1\nM2\n"), Contains("1:2 parameter-number")) << name;
-    EXPECT_THAT(told("#1.5=1\nM2\n"), Contains("1:2 parameter-not-whole"));
+        EXPECT_THAT(reported(name + "=1\nM2\n"), Contains("1:2 parameter-number")) << name;
+    EXPECT_THAT(reported("#1.5=1\nM2\n"), Contains("1:2 parameter-not-whole"));
     EXPECT_THAT(sentence("#<" + std::string(5000, 'a') + ">=1\nM2\n", "name-long"), HasSubstr("256"));
     std::string many;
     for (int i = 0; i < 100'200; ++i)
@@ -231,31 +231,32 @@ TEST(Reliability, Fault13LimitsOfParameters) {
 }
 
 TEST(Reliability, Fault14BlockNumbers) {
-    EXPECT_THAT(told("N" + std::string(40, '9') + " G0 X1\nN-5 G0 X2\nM2\n"),
+    EXPECT_THAT(reported("N" + std::string(40, '9') + " G0 X1\nN-5 G0 X2\nM2\n"),
                 ElementsAre("1:1 n-long", "2:1 n-negative"));
-    EXPECT_THAT(told("O1\nG0 X1.\nGOTO 7\nN7 X2.\nN7 X3.\nM30\n", DialectId::fanuc),
+    EXPECT_THAT(reported("O1\nG0 X1.\nGOTO 7\nN7 X2.\nN7 X3.\nM30\n", DialectId::fanuc),
                 ElementsAre("3:1 block-twice"));
-    EXPECT_THAT(told("N7 G0 X1\nN7 X2\nM2\n"), IsEmpty()); // labels only
+    EXPECT_THAT(reported("N7 G0 X1\nN7 X2\nM2\n"), IsEmpty()); // labels only
 }
 
 TEST(Reliability, Fault15Comments) {
     for (const DialectId dialect :
          {DialectId::linuxcnc, DialectId::fanuc, DialectId::grbl, DialectId::mach}) {
         const auto program = readAs("G0 X1.\nY1. (open X2.\nM2\n", dialect);
-        EXPECT_THAT(told(program->diagnostics()), Contains("2:5 comment-unclosed"));
+        EXPECT_THAT(reported(program->diagnostics()), Contains("2:5 comment-unclosed"));
         EXPECT_TRUE(program->unverified());
     }
-    EXPECT_THAT(told("G0 X1\n(a (b) c) X2\nM2\n"), ElementsAre("2:4 comment-nested"));
-    EXPECT_THAT(told("G0 X1.\n(a (b) c) X2.\nM30\n", DialectId::fanuc), ElementsAre("2:9 number-missing"));
+    EXPECT_THAT(reported("G0 X1\n(a (b) c) X2\nM2\n"), ElementsAre("2:4 comment-nested"));
+    EXPECT_THAT(reported("G0 X1.\n(a (b) c) X2.\nM30\n", DialectId::fanuc),
+                ElementsAre("2:9 number-missing"));
 }
 
 TEST(Reliability, Fault16ContradictionsWithinABlock) {
-    EXPECT_THAT(told("G0 G1 X1 F1\nM2\n"), Contains("1:4 modal-conflict"));
-    EXPECT_THAT(told("G0 G1 X1. F1\nM30\n", DialectId::fanuc), Contains("1:4 last-counts"));
-    EXPECT_THAT(told("G0 X1 X2\nM2\n"), Contains("1:7 word-twice"));
-    EXPECT_THAT(told("G0 X1. X2.\nM30\n", DialectId::fanuc), Contains(HasSubstr("last-word-counts")));
-    EXPECT_THAT(told("S100 M3 M8 M48 M1 T1 M6\nM2\n"), Contains(HasSubstr("too-many-m")));
-    EXPECT_THAT(told("S100 M3 M8 M1 M6\nM30\n", DialectId::fanuc), Contains(HasSubstr("too-many-m")));
+    EXPECT_THAT(reported("G0 G1 X1 F1\nM2\n"), Contains("1:4 modal-conflict"));
+    EXPECT_THAT(reported("G0 G1 X1. F1\nM30\n", DialectId::fanuc), Contains("1:4 last-counts"));
+    EXPECT_THAT(reported("G0 X1 X2\nM2\n"), Contains("1:7 word-twice"));
+    EXPECT_THAT(reported("G0 X1. X2.\nM30\n", DialectId::fanuc), Contains(HasSubstr("last-word-counts")));
+    EXPECT_THAT(reported("S100 M3 M8 M48 M1 T1 M6\nM2\n"), Contains(HasSubstr("too-many-m")));
+    EXPECT_THAT(reported("S100 M3 M8 M1 M6\nM30\n", DialectId::fanuc), Contains(HasSubstr("too-many-m")));
 }
 
 TEST(Reliability, Fault17WhatIsNotKnownIsNeverIgnored) {
@@ -263,13 +264,13 @@ TEST(Reliability, Fault17WhatIsNotKnownIsNeverIgnored) {
          {"G777 X1", "G68 X0 Y0 R30", "G0 A90", "M777", "G0 X1 B5", "G1 X1 C5 F1", "G100"}) {
         const auto program = readAs("G0 X0 Y0\n" + line + "\nG0 X9\nM2\n");
         EXPECT_TRUE(program->unverified()) << line;
-        EXPECT_THAT(told(program->diagnostics()), Contains(testing::StartsWith("2:"))) << line;
+        EXPECT_THAT(reported(program->diagnostics()), Contains(testing::StartsWith("2:"))) << line;
     }
 }
 
 TEST(Reliability, Fault18ArcsThatDoNotFit) {
     const std::string head = "G21 F100 G0 X0 Y0\n";
-    EXPECT_THAT(told(head + "G2 X10 Y0\nM2\n"), ElementsAre("2:1 arc-no-centre"));
+    EXPECT_THAT(reported(head + "G2 X10 Y0\nM2\n"), ElementsAre("2:1 arc-no-centre"));
     EXPECT_THAT(sentence(head + "G2 X10 Y0 R4\nM2\n", "arc-radius-small"),
                 testing::AllOf(HasSubstr("4 mm"), HasSubstr("10 mm"), HasSubstr("2 mm")));
     EXPECT_THAT(sentence(head + "G2 X10 Y0 I6\nM2\n", "arc-ends-differ"),
@@ -287,11 +288,12 @@ TEST(Reliability, Fault20ArcAboutAFarCentre) {
     const auto program = readAs("F100 G0 X0 Y0\nG2 X10 Y0 I5 J-1000000000000\nM2\n");
     ASSERT_EQ(program->motionCount(), 2U);
     EXPECT_EQ(program->motion(1).kind, MotionKind::feed); // straight within a nanometre
-    EXPECT_THAT(told("F100 G0 X0 Y0\nG2 X0 Y0 I1000000000000\nM2\n"), ElementsAre("2:1 arc-too-large"));
+    EXPECT_THAT(reported("F100 G0 X0 Y0\nG2 X0 Y0 I1000000000000\nM2\n"), ElementsAre("2:1 arc-too-large"));
 }
 
 TEST(Reliability, Fault21PecksOfNoDepth) {
-    EXPECT_THAT(told("F100 G0 X0 Y0 Z5\nG83 X1 Y1 Z-10 R1 Q0\nG80\nM2\n"), Contains(HasSubstr("cycle-peck")));
+    EXPECT_THAT(reported("F100 G0 X0 Y0 Z5\nG83 X1 Y1 Z-10 R1 Q0\nG80\nM2\n"),
+                Contains(HasSubstr("cycle-peck")));
     const auto program = readAs("F100 G0 X0 Y0 Z5\nG83 X1 Y1 Z-10 R1 Q0.0000001\nG80\nM2\n");
     EXPECT_THAT(sentence(*program, "block-too-long"),
                 testing::AllOf(HasSubstr("3300000"), HasSubstr("100000")));
@@ -388,11 +390,13 @@ TEST(Reliability, Fault30CompensationThatGouges) {
     const std::string head = "F100 G0 X0 Y-20\n";
     const auto corner = readAs(head + "G41.1 D10 G1 X20 Y0\nY20\nX15\nY-20\nG40 G0 X99\nM2\n");
     EXPECT_TRUE(corner->unverified());
-    EXPECT_THAT(told(corner->diagnostics()), Contains(testing::ContainsRegex("[45]:[0-9]+ compensation-")));
+    EXPECT_THAT(reported(corner->diagnostics()),
+                Contains(testing::ContainsRegex("[45]:[0-9]+ compensation-")));
     const auto end = readAs(head + "G41.1 D4 G1 X20 Y0\nY20\nM2\n");
-    EXPECT_THAT(told(end->diagnostics()), Contains(HasSubstr("compensation-at-end")));
+    EXPECT_THAT(reported(end->diagnostics()), Contains(HasSubstr("compensation-at-end")));
     EXPECT_EQ(end->motion(end->motionCount() - 1).end.y, 20); // the last motion is there
-    EXPECT_THAT(told("F100 G0 X0 Y0\nG41.1 D4\nG3 X3 Y0 I1.5\nM2\n"), Contains(testing::StartsWith("3:")));
+    EXPECT_THAT(reported("F100 G0 X0 Y0\nG41.1 D4\nG3 X3 Y0 I1.5\nM2\n"),
+                Contains(testing::StartsWith("3:")));
 }
 
 TEST(Reliability, Fault31FeedsThatAreNone) {
@@ -402,9 +406,9 @@ TEST(Reliability, Fault31FeedsThatAreNone) {
         for (std::size_t i = 0; i < program->motionCount(); ++i)
             EXPECT_EQ(program->motion(i).feedMmPerMin, 0) << line; // no default
     }
-    EXPECT_THAT(told("G1 X1 F-5\nM2\n"), Contains("1:7 number-negative"));
-    EXPECT_THAT(told("G95 F0.1 G1 X1\nM2\n"), Contains(HasSubstr("feed-without-spindle")));
-    EXPECT_THAT(told("G93 G1 X1\nM2\n"), Contains(HasSubstr("inverse-time-feed")));
+    EXPECT_THAT(reported("G1 X1 F-5\nM2\n"), Contains("1:7 number-negative"));
+    EXPECT_THAT(reported("G95 F0.1 G1 X1\nM2\n"), Contains(HasSubstr("feed-without-spindle")));
+    EXPECT_THAT(reported("G93 G1 X1\nM2\n"), Contains(HasSubstr("inverse-time-feed")));
 }
 
 TEST(Reliability, Fault32ToolsThatAreNotThere) {
@@ -413,10 +417,12 @@ TEST(Reliability, Fault32ToolsThatAreNotThere) {
     options.lint = true;
     const auto program = soundly("G21 T777\nG43 H888\nG0 X1\nM2\n", options);
     EXPECT_TRUE(program->unverified());
-    EXPECT_THAT(told(program->diagnostics()), testing::IsSupersetOf({std::string("2:5 offset-unknown"),
-                                                                     std::string("1:5 tool-not-in-table")}));
+    EXPECT_THAT(
+        reported(program->diagnostics()),
+        testing::IsSupersetOf({std::string("2:5 offset-unknown"), std::string("1:5 tool-not-in-table")}));
     for (const std::string word : {"T1.5", "T-1", "T100000000000"})
-        EXPECT_THAT(told(word + " M6\nG0 X1\nM2\n"), Contains(HasSubstr("1:1 number-not-integer"))) << word;
+        EXPECT_THAT(reported(word + " M6\nG0 X1\nM2\n"), Contains(HasSubstr("1:1 number-not-integer")))
+            << word;
 }
 
 TEST(Reliability, Fault33MotionsOfAlmostNoLength) {
@@ -427,7 +433,7 @@ TEST(Reliability, Fault33MotionsOfAlmostNoLength) {
     EXPECT_EQ(program->motionCount(), 20'001U);
     EXPECT_NEAR(program->motion(20'000).end.x, 2e-8, 1e-12);
     EXPECT_THAT(program->diagnostics(), IsEmpty());
-    EXPECT_THAT(told("F100 G0 X0 Y0\nG2 X0 Y0 I0.0000001\nM2\n"), Contains(HasSubstr("arc-zero-radius")));
+    EXPECT_THAT(reported("F100 G0 X0 Y0\nG2 X0 Y0 I0.0000001\nM2\n"), Contains(HasSubstr("arc-zero-radius")));
 }
 
 TEST(Reliability, Fault34PartsOfAThousandKilometres) {

@@ -77,9 +77,9 @@ TEST(Repetition, CountsWhatRunsAgain) {
         return repetition.verdict(kFew);
     };
     for (int line = 0; line < 100; ++line)
-        ASSERT_EQ(run(false, true), Repetition::Verdict::goesOn);
+        ASSERT_EQ(run(false, true), Repetition::Verdict::continues);
     for (int line = 0; line < 5; ++line)
-        ASSERT_EQ(run(true, true), Repetition::Verdict::goesOn);
+        ASSERT_EQ(run(true, true), Repetition::Verdict::continues);
     EXPECT_EQ(run(true, true), Repetition::Verdict::tooMuch); // six lines and their motions
     EXPECT_EQ(repetition.before().motions, 100U);
 
@@ -87,7 +87,7 @@ TEST(Repetition, CountsWhatRunsAgain) {
     for (int line = 0; line < 5; ++line) {
         idle.begin(true, program);
         idle.end(10, {}, program);
-        EXPECT_EQ(idle.verdict(kFew), Repetition::Verdict::goesOn);
+        EXPECT_EQ(idle.verdict(kFew), Repetition::Verdict::continues);
     }
     idle.begin(true, program);
     idle.end(10, {}, program);
@@ -96,7 +96,7 @@ TEST(Repetition, CountsWhatRunsAgain) {
     Repetition longLine;
     longLine.begin(true, program);
     longLine.end(100'000, {}, program);
-    EXPECT_NE(longLine.verdict(kFew), Repetition::Verdict::goesOn);
+    EXPECT_NE(longLine.verdict(kFew), Repetition::Verdict::continues);
 }
 
 TEST(Repetition, ParametersCountWhatIsAnotherValue) {

@@ -171,7 +171,7 @@ TEST(ResumableInterpreter, SaysWhatAFreshRunSays) {
     EXPECT_GT(resumed, 400U); // or nothing was tried
 }
 
-TEST(ResumableInterpreter, GoesOnShortBeforeTheChange) {
+TEST(ResumableInterpreter, ContinuesShortBeforeTheChange) {
     ResumableInterpreter interpreter(100);
     const NcText text(straightLines(50'000));
     static_cast<void>(interpreter.interpret(text, {}));
@@ -200,7 +200,7 @@ TEST(ResumableInterpreter, LooksBackAndForth) {
     }
 }
 
-TEST(ResumableInterpreter, OtherOptionsBeginAnew) {
+TEST(ResumableInterpreter, OtherOptionsRestart) {
     ResumableInterpreter interpreter(100);
     const NcText text(straightLines(5000));
     InterpretOptions options;
@@ -217,8 +217,8 @@ TEST(ResumableInterpreter, AStoppedRunIsGoneOnWith) {
     ResumableInterpreter interpreter(100);
     std::stop_source source;
     WorkContext context{source.get_token(), {}};
-    std::size_t told = 0;
-    context.progress = [&](double) { told++ > 0 ? source.request_stop() : false; };
+    std::size_t reported = 0;
+    context.progress = [&](double) { reported++ > 0 ? source.request_stop() : false; };
     static_cast<void>(interpreter.interpret(text, {}, context));
     const auto program = interpreter.interpret(text, {});
     EXPECT_GT(interpreter.resumedAt(), 0U);

@@ -24,7 +24,7 @@ class Rs274Listing {
 public:
     void readLine(std::string_view line);
     /// Motions and the events that can be compared, in order.
-    [[nodiscard]] std::vector<nlohmann::json> takeRecords() { return std::move(m_records); }
+    [[nodiscard]] std::vector<nlohmann::json> releaseRecords() { return std::move(m_records); }
     /// Whether the radius of a cutter was compensated anywhere.
     [[nodiscard]] bool compensated() const { return m_compensated; }
     /// Why the stand-alone machine is not where LinuxCNC's would be, after which nothing is read; empty: it

@@ -138,7 +138,7 @@ OracleAnswer Rs274::run(const std::string& program) const {
     }
     const int status = pclose(pipe);
     OracleAnswer answer;
-    answer.records = listing.takeRecords();
+    answer.records = listing.releaseRecords();
     answer.compensated = listing.compensated();
     answer.lost = listing.lost();
     if (listing.beforeRename() && asksForTool(program)) {

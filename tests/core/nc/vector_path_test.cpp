@@ -140,7 +140,7 @@ int keptOf(std::mt19937& random, const RandomPathShape& shape, int count) {
     return kept;
 }
 
-bool toldId(const Program& program, const std::string& id) {
+bool reportedId(const Program& program, const std::string& id) {
     return std::ranges::any_of(program.diagnostics(),
                                [&](const Diagnostic& d) { return std::string(d.id) == id; });
 }
@@ -168,13 +168,13 @@ TEST(VectorPath, KeepsTheRadiusAtSharpCornersOfLines) {
     EXPECT_GT(kept, 300);
 }
 
-TEST(VectorPath, TellsWhereTheToolDoesNotFit) {
+TEST(VectorPath, ReportsWhereTheToolDoesNotFit) {
     // A slot of 4 mm for a tool of 6 mm, and a step of 1 mm between two inside corners.
-    EXPECT_TRUE(toldId(*interpreted("G21 G90 F100.\nG41 D1 G1 X10. Y0\nX50.\nY4.\nX10.\nG40 Y20.\nM30\n"),
-                       "compensation-gouge"));
+    EXPECT_TRUE(reportedId(*interpreted("G21 G90 F100.\nG41 D1 G1 X10. Y0\nX50.\nY4.\nX10.\nG40 Y20.\nM30\n"),
+                           "compensation-gouge"));
     EXPECT_TRUE(
-        toldId(*interpreted("G21 G90 F100.\nG41 D1 G1 X10. Y0\nX50.\nG3 X50. Y4. R2.\nG1 X10.\nM30\n"),
-               "compensation-arc-small"));
+        reportedId(*interpreted("G21 G90 F100.\nG41 D1 G1 X10. Y0\nX50.\nG3 X50. Y4. R2.\nG1 X10.\nM30\n"),
+                   "compensation-arc-small"));
 }
 
 } // namespace proveout::test

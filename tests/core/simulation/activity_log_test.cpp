@@ -43,7 +43,7 @@ void expectSame(const ActivitySums& sums, const ActivitySums& expected) {
     }
 }
 
-TEST(ActivityLog, TellsRapidsAirAndCutting) {
+TEST(ActivityLog, ReportsRapidsAirAndCutting) {
     const auto program = programOf("G21 G90\nT1 M6\nG0 X-10 Y15 Z-2\nG1 X-5 F600\nX20\nG0 X25\nZ5\nG1 X30\n");
     const auto simulation = startedSimulation(program, smallSetup(), {});
     simulation->seek(program->blockCount());

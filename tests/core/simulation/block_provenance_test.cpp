@@ -130,7 +130,7 @@ TEST(BlockThatMade, NamesNoneOfThoseThatOnlyPassedAlongTheStock) {
         EXPECT_EQ(madeAt(20, y), program->blockCount() - 1) << y;
 }
 
-TEST_F(BlockProvenance, StopsWhereItIsTold) {
+TEST_F(BlockProvenance, StopsWhereRequested) {
     std::stop_source source;
     source.request_stop();
     WorkContext context;

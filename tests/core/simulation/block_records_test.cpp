@@ -172,7 +172,7 @@ TEST(BlockRecords, PlaceOfContactOnAnArcAndInAPlunge) {
 }
 
 TEST(BlockRecords, EveryBlockOfFirstContactHasItsPlace) {
-    int told = 0;
+    int reported = 0;
     for (std::uint_fast32_t seed = 1; seed <= 3; ++seed) {
         const auto program = programOf(randomProgram(seed, 30));
         const auto setup = smallSetup();
@@ -180,12 +180,12 @@ TEST(BlockRecords, EveryBlockOfFirstContactHasItsPlace) {
         const auto& rows = frames.back().statistics;
         for (std::size_t block = 1; block < rows.size(); ++block)
             if (isFirstContact(rows, block)) {
-                ++told;
+                ++reported;
                 EXPECT_TRUE(contactPlace(setup, *program, block))
                     << fmt::format("seed {}, block {}", seed, block);
             }
     }
-    EXPECT_GT(told, 3);
+    EXPECT_GT(reported, 3);
 }
 
 } // namespace

@@ -168,7 +168,7 @@ TEST(BoxOfInterest, StopsWhenAsked) {
     EXPECT_FALSE(cutBox(*program, *setup, program->blockCount(), place, {source.get_token(), {}}));
 }
 
-TEST(BoxOfInterest, TellsHowFarItIs) {
+TEST(BoxOfInterest, ReportsHowFarItIs) {
     const auto program = programOf(randomProgram(3, 50));
     double last = 0;
     const WorkContext context{{}, [&](double done) {
@@ -186,10 +186,10 @@ TEST(BoxOfInterest, MemoryIsAskedForBeforeItIsTaken) {
         BoxOfInterest box{{{5, 5}, {25, 25}}, 0.001};
         const auto refused = fineGrid(setup, box, undecimated(), {}, megabytes * 1e6);
         ASSERT_FALSE(refused);
-        const Diagnostic& told = refused.error().front();
-        ASSERT_STREQ(told.id, "box-needs-too-much-memory");
-        box.spacing = std::stod(told.arguments.back());
-        EXPECT_TRUE(fineGrid(setup, box, undecimated(), {}, megabytes * 1e6)) << message(told);
+        const Diagnostic& reported = refused.error().front();
+        ASSERT_STREQ(reported.id, "box-needs-too-much-memory");
+        box.spacing = std::stod(reported.arguments.back());
+        EXPECT_TRUE(fineGrid(setup, box, undecimated(), {}, megabytes * 1e6)) << message(reported);
     }
 }
 

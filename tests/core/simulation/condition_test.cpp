@@ -51,7 +51,7 @@ TEST(Condition, NothingHoldsOfWhatIsNotKnown) {
     EXPECT_FALSE(Condition().holds(values));
 }
 
-TEST(Condition, TellsWhereItCannotBeRead) {
+TEST(Condition, ReportsWhereItCannotBeRead) {
     const std::pair<const char*, const char*> kCases[] = {
         {"", "Column 1: a number"},          {"Z", "Column 2: one of <"},
         {"Z <", "Column 4: a number"},       {"Z < -20 T == 3", "Column 9: && or ||"},

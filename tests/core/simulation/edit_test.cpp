@@ -61,7 +61,7 @@ auto outcome(const BlockStatistics& row) {
                            row.maxDepth, row.radialEngagement, row.removedMm3);
 }
 
-TEST(Edit, GoesOnLikeAFreshRun) {
+TEST(Edit, ContinuesLikeAFreshRun) {
     const std::uint32_t seed = randomSeed();
     SCOPED_TRACE(testing::Message() << "seed " << seed);
     std::mt19937 random(seed);
@@ -141,7 +141,7 @@ TEST(Edit, BehindThePositionKeepsThePosition) {
     EXPECT_EQ(simulation->blockCount(), 5U);
 }
 
-TEST(Edit, ThatSelectsAToolStartsAnew) {
+TEST(Edit, ThatSelectsAToolRestarts) {
     const auto setup = smallSetup();
     const auto simulation = startedSimulation(programOf("G0 X5 Y5 Z5\nG1 Z-2 F100\nX30\n"), setup, {});
     simulation->seek(3);

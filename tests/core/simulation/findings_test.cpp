@@ -88,7 +88,7 @@ TEST(Findings, TheReferencePositionIsClearOfThePart) {
         EXPECT_NE(find(findingsOf(pocket + rest), "rapid-unchecked"), nullptr) << rest;
 }
 
-TEST(Findings, TellLargeToolNumbersExactly) {
+TEST(Findings, ReportLargeToolNumbersExactly) {
     const auto findings = findingsOf("T16777217 M6\nG0 X5 Y5 Z5\n");
     ASSERT_EQ(findings.size(), 1U);
     EXPECT_THAT(message(findings[0]), HasSubstr("T16777217 "));
@@ -113,9 +113,9 @@ TEST(Findings, OfAToolThatIsNotConfirmedAreNoFaults) {
         }
         EXPECT_NE(find(findings, "rapid-cuts"), nullptr);
         EXPECT_NE(find(findings, "depth-beyond-flutes"), nullptr);
-        const auto* told = find(findings, "tool-unconfirmed");
-        ASSERT_NE(told, nullptr);
-        EXPECT_EQ(told->where.line, origin.source == ToolSource::comment ? 3 : 2);
+        const auto* reported = find(findings, "tool-unconfirmed");
+        ASSERT_NE(reported, nullptr);
+        EXPECT_EQ(reported->where.line, origin.source == ToolSource::comment ? 3 : 2);
     }
     const auto given = faultsWith({});
     EXPECT_EQ(find(given, "rapid-cuts")->severity, Severity::fault);
@@ -123,17 +123,17 @@ TEST(Findings, OfAToolThatIsNotConfirmedAreNoFaults) {
 }
 
 TEST(Findings, AToolThatIsNotConfirmedIsDescribedInWords) {
-    const auto told = [](const ToolOrigin& origin) {
+    const auto reported = [](const ToolOrigin& origin) {
         const auto findings = faultsWith(origin);
         const auto* finding = find(findings, "tool-unconfirmed");
         return finding == nullptr ? "" : message(*finding);
     };
-    EXPECT_EQ(told({ToolSource::comment, 3, "T7 D4", {}}),
+    EXPECT_EQ(reported({ToolSource::comment, 3, "T7 D4", {}}),
               "T7 is read from a comment (⌀ 4 mm Flat end mill); it is not confirmed.");
-    EXPECT_EQ(told({ToolSource::comment, 3, "T7 D4", {"shape", "l"}}),
+    EXPECT_EQ(reported({ToolSource::comment, 3, "T7 D4", {"shape", "l"}}),
               "T7 is read from a comment (⌀ 4 mm Flat end mill; assumed: Shape, Flute length); it is not "
               "confirmed.");
-    EXPECT_EQ(told({ToolSource::assumed}),
+    EXPECT_EQ(reported({ToolSource::assumed}),
               "The sizes of T7 are assumed (⌀ 4 mm Flat end mill); they are not confirmed.");
 }
 
@@ -232,7 +232,7 @@ TEST(Findings, ANeckThatGoesThroughStockIsAFault) {
     EXPECT_EQ(found->arguments.front(), "5.000");
 }
 
-TEST(Findings, WhatStaysAboveAHeadIsToldTheSameAfterAnySeek) {
+TEST(Findings, WhatStaysAboveAHeadIsReportedTheSameAfterAnySeek) {
     const auto program = programOf(tSlot("-8"));
     const auto setup = tSlotSetup("flat:d=6,l=20", "tslot:d=14,w=3,neck=6");
     const auto simulation = startedSimulation(program, setup, {});
@@ -252,7 +252,7 @@ std::string manyRapids(int count) {
     return text;
 }
 
-TEST(Findings, AreBoundedAndTheLastTellsTheRest) {
+TEST(Findings, AreBoundedAndTheLastReportsTheRest) {
     const auto program = programOf(manyRapids(400));
     const auto straight = straightRun(program, smallSetup(), {});
     std::size_t cutting = 0;

@@ -99,7 +99,7 @@ TEST(HoldBack, TriesAgainMoreAndMoreSeldom) {
     EXPECT_LT(decimating, kFrames / 100);
 }
 
-TEST(HoldBack, GoesOnWhenItPaysAgain) {
+TEST(HoldBack, ContinuesWhenItPaysAgain) {
     Machine machine{1e-3, 1e-9, 5e-5, 200, 722, 4};
     HoldBack holdBack(5, machine.facesFull);
     (void)play(holdBack, machine, 5000);

@@ -51,7 +51,7 @@ TEST(PlaybackClock, AMeasureOfNothingIsPlayedAtOnce) {
     EXPECT_TRUE(clock.isDue(1000, start));
 }
 
-TEST(PlaybackClock, TellsWhichPartOfItsSpeedItKeeps) {
+TEST(PlaybackClock, ReportsWhichPartOfItsSpeedItKeeps) {
     const PlaybackClock::Time start{};
     PlaybackClock clock;
     clock.start(0, 100, start);

@@ -59,7 +59,7 @@ TEST(ProbedStock, ComesFreeAndTouchesAgain) {
     EXPECT_EQ(program->diagnostics().back().id, std::string("probe-touches"));
 }
 
-TEST(ProbedStock, MissesAreToldByTheCode) {
+TEST(ProbedStock, MissesAreReportedByTheCode) {
     const auto program =
         interpreted(kMillASlot + "T2 M6\nG0 X20 Y15 Z5\nG38.3 Z1 F50\nG38.2 Z0.5\nM2\n", milledAndProbed());
     ASSERT_FALSE(program->diagnostics().empty());

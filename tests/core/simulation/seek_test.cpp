@@ -101,21 +101,21 @@ TEST(Simulation, SeeksShareTheTilesThatDidNotChange) {
         EXPECT_EQ(before.tile(tile), after.tile(tile)) << "tile " << tile;
 }
 
-TEST(Seek, TellsItsProgressRisingOnItsOwnThread) {
+TEST(Seek, ReportsItsProgressRisingOnItsOwnThread) {
     const auto program = programOf(randomProgram(17, 300));
     const auto simulation = startedSimulation(program, smallSetup(), {});
     for (const std::size_t block : {300U, 250U, 37U, 300U, 0U}) {
         double last = 0;
-        std::size_t told = 0;
+        std::size_t reported = 0;
         const auto self = std::this_thread::get_id();
         simulation->seek(block, {{}, [&](double done) {
                                      EXPECT_GE(done, last) << "towards block " << block;
                                      EXPECT_LE(done, 1);
                                      EXPECT_EQ(std::this_thread::get_id(), self);
                                      last = done;
-                                     ++told;
+                                     ++reported;
                                  }});
-        EXPECT_GT(told, 0U) << "towards block " << block;
+        EXPECT_GT(reported, 0U) << "towards block " << block;
     }
 }
 

@@ -201,7 +201,7 @@ TEST(SimulationThread, PlaysByAMeasure) {
     EXPECT_NE(listening.waitForBlock(program->blockCount()), nullptr);
 }
 
-TEST(SimulationThread, StopsAtBreakpointsAndGoesOnFromThem) {
+TEST(SimulationThread, StopsAtBreakpointsAndContinuesFromThem) {
     const auto program = programOf("G0 X5 Y5 Z5\nG1 Z-1 F300\nG1 X20\nG1 Z-3\nG1 X30\nG1 Z-5\nG0 Z5\n");
     Breakpoint below;
     below.kind = BreakpointKind::condition;
@@ -332,7 +332,7 @@ TEST(SimulationThread, ShowsABetterPictureAtRestUntilTheNextBlock) {
     EXPECT_NE(stepped->surface.triangles(), rested->surface.triangles());
 }
 
-TEST(SimulationThread, TellsWhyALoadFailed) {
+TEST(SimulationThread, ReportsWhyALoadFailed) {
     auto setup = std::make_shared<proveout::Setup>(*smallSetup());
     setup->stock.width = 1e9;
     setup->spacing = 1e-3;

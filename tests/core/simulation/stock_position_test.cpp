@@ -38,7 +38,7 @@ TEST(StockPosition, AStockWhereTheProgramCutsIsFine) {
     EXPECT_TRUE(warningsAt({-10, -2, 1}).empty());
 }
 
-TEST(StockPosition, ABottomThatWasGivenForTheTopIsTold) {
+TEST(StockPosition, ABottomThatWasGivenForTheTopIsReported) {
     const auto below = warningsAt({0, 0, -10}); // the program ends above it
     ASSERT_EQ(below.size(), 1U);
     EXPECT_STREQ(below[0].id, "never-cuts");
@@ -52,7 +52,7 @@ TEST(StockPosition, ABottomThatWasGivenForTheTopIsTold) {
               "Cutting moves extend 10 mm beyond the stock in Z-, where it measures 10 mm.");
 }
 
-TEST(StockPosition, AStockBesideThePathIsTold) {
+TEST(StockPosition, AStockBesideThePathIsReported) {
     const auto beside = warningsAt({200, 0, 0});
     ASSERT_EQ(beside.size(), 1U);
     EXPECT_STREQ(beside[0].id, "never-cuts");
@@ -60,7 +60,7 @@ TEST(StockPosition, AStockBesideThePathIsTold) {
     EXPECT_EQ(warningsAt({37, 0, 0}).size(), 1U);
 }
 
-TEST(StockPosition, APathThatLeavesTheStockByMoreThanItsSizeIsTold) {
+TEST(StockPosition, APathThatLeavesTheStockByMoreThanItsSizeIsReported) {
     const auto far = warningsAt({0, 0, 0}, "T1 M6\nG0 X5 Y5 Z5\nG1 Z-2 F100\nX81\nY-40\nM2\n");
     ASSERT_EQ(far.size(), 2U);
     EXPECT_THAT(message(far[0]), HasSubstr("41 mm beyond the stock in X+"));
@@ -69,7 +69,7 @@ TEST(StockPosition, APathThatLeavesTheStockByMoreThanItsSizeIsTold) {
         << "a run-out, and a rapid";
 }
 
-TEST(StockPosition, AProgramThatHasRemovedNothingInTheEndIsTold) {
+TEST(StockPosition, AProgramThatHasRemovedNothingInTheEndIsReported) {
     // Down beside the stock, and up again over it: the box of its motions reaches the stock.
     const std::string around = "T1 M6\nG0 X-5 Y15 Z5\nG1 Z-2 F100\nZ5\nX20\nM2\n";
     const auto untouched = warningsAt({0, 0, 0}, around);

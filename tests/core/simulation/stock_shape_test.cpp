@@ -85,7 +85,7 @@ std::vector<Vec3> probedStops(const Program& program) {
 const std::string kProbe = "G21 G90 F500\nT2 M6\nG0 X-20 Y15 Z-4\nG38.2 X20\nG0 X-20\nG0 Y6\nG38.3 X20\nG0 "
                            "X-20\nG0 Y0.5\nG38.3 X-10\nG0 Z5\nG0 X15 Y15\nG38.2 Z-8\nM2\n";
 
-TEST(StockOfAShape, IsProbedWhereItStands) {
+TEST(StockOfAShape, IsProbedWhereItIs) {
     proveout::Setup setup = *roundSetup();
     setup.tools.set(2, parseToolOption("2=flat:d=6")->second);
     const auto program = interpret(NcText(kProbe), interpretOptions(setup, {}));
@@ -119,7 +119,7 @@ TEST(StockOfAShape, OfASavedOneIsProbedAsItsMapIs) {
     EXPECT_NEAR(stops[3].z, 0, StockContact::kTolerance);
 }
 
-TEST(StockOfAShape, AnotherShapeIsInterpretedAnewOnlyWhereItIsProbed) {
+TEST(StockOfAShape, AnotherShapeIsReinterpretedOnlyWhereItIsProbed) {
     proveout::Setup round = *roundSetup();
     round.tools.set(2, parseToolOption("2=flat:d=6")->second);
     proveout::Setup box = round;

@@ -17,7 +17,7 @@ namespace {
 StudySubject subjectOf(int blocks = 120) {
     DecimationParameters base;
     base.method = DecimationMethod::lee;
-    useStandards(base, false, false, 0);
+    useDefaults(base, false, false, 0);
     return {{programOf(randomProgram(8, blocks)), smallSetup()}, base, "Time"};
 }
 

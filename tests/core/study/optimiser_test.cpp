@@ -85,15 +85,15 @@ TEST(Rehearse, DecimatesEveryBlockWhereDrawingIsDear) {
 TEST(Rehearse, StopsAndSaysSo) {
     RatedDrawing drawing;
     std::stop_source stop;
-    int told = 0;
+    int reported = 0;
     const WorkContext context{stop.get_token(), [&](double) {
-                                  if (++told == 5)
+                                  if (++reported == 5)
                                       stop.request_stop();
                               }};
     const auto rehearsal = rehearse(randomJob(3), lee(), {{8}, {20}, 16}, drawing, context);
     ASSERT_FALSE(rehearsal);
     EXPECT_STREQ(rehearsal.error().front().id, "study-stopped");
-    EXPECT_EQ(told, 5);
+    EXPECT_EQ(reported, 5);
 }
 
 TEST(Rehearse, RefusesMethodsWithoutRegions) {

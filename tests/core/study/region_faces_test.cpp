@@ -50,7 +50,7 @@ TEST(RegionFaces, CountsTheShareOfAnAreaByItsCells) {
     EXPECT_DOUBLE_EQ(reference.beyondUncut({7, 0, 10, 3}), 4); // half of one with 8, half of one with 0
 }
 
-TEST(RegionFaces, TellsRegionsThatWereNotDecimated) {
+TEST(RegionFaces, ReportsRegionsThatWereNotDecimated) {
     // Half as many as the small regions have: one region shows it, the others follow.
     const RegionFaces reference = referenceWith({4, 1, 6, 0});
     RegionFaces faces(kLarge, {2, 2, 2, 2});

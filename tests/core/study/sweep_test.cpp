@@ -121,17 +121,17 @@ TEST(RunSweep, AgreesWithSingleRunsAndRunsInTurns) {
     options.repeats = 3;
     int finished = 0;
     options.finished = [&](const StudyRun&) { ++finished; };
-    double told = 0;
+    double reported = 0;
     const WorkContext context{{}, [&](double done) {
-                                  EXPECT_GE(done, told);
+                                  EXPECT_GE(done, reported);
                                   EXPECT_LE(done, 1);
-                                  told = done;
+                                  reported = done;
                               }};
     const auto swept = runSweep(job, points, options, context);
     ASSERT_TRUE(swept);
     ASSERT_EQ(swept->size(), 3U);
     EXPECT_EQ(finished, 3);
-    EXPECT_DOUBLE_EQ(told, 1);
+    EXPECT_DOUBLE_EQ(reported, 1);
     for (std::size_t k = 0; k < points.size(); ++k) {
         EXPECT_EQ((*swept)[k].run.point, points[k]);
         EXPECT_EQ((*swept)[k].run.count, runStudy(job, points[k], nullptr)->count);
@@ -141,16 +141,16 @@ TEST(RunSweep, AgreesWithSingleRunsAndRunsInTurns) {
 
 TEST(RunSweep, StopsSoonAndSaysSo) {
     std::stop_source stop;
-    int told = 0;
+    int reported = 0;
     const WorkContext context{stop.get_token(), [&](double) {
-                                  if (++told == 10)
+                                  if (++reported == 10)
                                       stop.request_stop();
                               }};
     const std::vector<StudyPoint> points(50, {parametersOf(8, 1)});
     const auto swept = runSweep(randomJob(), points, {}, context);
     ASSERT_FALSE(swept);
     EXPECT_STREQ(swept.error().front().id, "study-stopped");
-    EXPECT_EQ(told, 10);
+    EXPECT_EQ(reported, 10);
 }
 
 TEST(RunSweep, RefusesParametersOutOfRange) {

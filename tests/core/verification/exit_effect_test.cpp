@@ -36,7 +36,7 @@ ExitEffect effectOf(std::string_view id) {
     return ExitEffect::none;
 }
 
-TEST(ExitEffects, OfRowsTellRefusedInputFromWhatIsUnverified) {
+TEST(ExitEffects, OfRowsDistinguishRefusedInputFromWhatIsUnverified) {
     EXPECT_EQ(effectOf("rapid-cuts"), ExitEffect::faults);
     EXPECT_EQ(effectOf("code-unknown"), ExitEffect::unverified);
     EXPECT_EQ(effectOf("tool-unconfirmed"), ExitEffect::unverified);

@@ -44,16 +44,17 @@ bool holdsRows(const SourceFile& file) {
     return file.path.ends_with("_findings.h") || file.path.ends_with("messages.h");
 }
 
-TEST(FindingSources, NothingIsToldWithoutARow) {
-    static const std::regex kTold(
+TEST(FindingSources, NothingIsReportedWithoutARow) {
+    static const std::regex kReported(
         R"re((failure|Diagnostic)\s*[({]\s*"|\b(warning|diagnostic|error|finding|note|more)\.id = "|\bDiagnostic \w+;|\[[a-z-]+\]\\n")re");
     std::set<std::string> tops;
     for (const SourceFile& file : sourceTree()) {
         const bool isTheType = file.path.starts_with("core/base/diagnostic.");
-        std::smatch told;
+        std::smatch reported;
         if (isOfTheProgram(file) && !isTheType) {
             tops.insert(file.path.substr(0, file.path.find('/')));
-            EXPECT_FALSE(std::regex_search(file.text, told, kTold)) << file.path << ": " << told.str();
+            EXPECT_FALSE(std::regex_search(file.text, reported, kReported))
+                << file.path << ": " << reported.str();
         }
     }
     EXPECT_EQ(tops, (std::set<std::string>{"app", "core", "ui"}));

@@ -56,11 +56,11 @@ TEST(Findings, OfOneIdAreEquallySevereUnlessOneRestsOnSomethingAssumed) {
 }
 
 TEST(Findings, OfOneIdDifferInTheirSentences) {
-    std::set<std::pair<std::string, std::string>> told;
+    std::set<std::pair<std::string, std::string>> reported;
     forEachRow([&](const FindingTable&, const FindingRow& row) {
         const bool sameSentence = std::string_view(row.id) == "grid-coarse" || // two remedies
                                   std::string_view(row.id) == "code-unknown";
-        EXPECT_TRUE(told.emplace(row.id, row.text).second || sameSentence) << row.id << ": " << row.text;
+        EXPECT_TRUE(reported.emplace(row.id, row.text).second || sameSentence) << row.id << ": " << row.text;
     });
 }
 
@@ -91,7 +91,7 @@ TEST(Findings, AreSentences) {
 /// What refuses input says itself which values are possible, and a count of others has no remedy of its own.
 bool needsHint(const FindingTable& table, const FindingRow& row) {
     return !table.refusesInput && row.severity >= Severity::warning &&
-           row.severityRule != SeverityRule::worstLeftOut &&
+           row.severityRule != SeverityRule::worstOmitted &&
            std::string_view(row.id) != "interpretation-stopped"; // by the user
 }
 

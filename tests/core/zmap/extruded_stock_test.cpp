@@ -216,10 +216,10 @@ TEST(ExtrudedStock, CrossingsAreFoundAsByBruteForce) {
         const auto body = extrudedStock({loop}, 5);
         const bool found = !body && std::string(body.error().front().id) == "outline-crosses-itself";
         crossing += expected ? 1 : 0;
-        std::string told;
+        std::string reported;
         for (const OutlinePoint& point : loop)
-            told += std::to_string(point.at.x) + "," + std::to_string(point.at.y) + " ";
-        ASSERT_EQ(found, expected) << told;
+            reported += std::to_string(point.at.x) + "," + std::to_string(point.at.y) + " ";
+        ASSERT_EQ(found, expected) << reported;
     }
     EXPECT_GT(crossing, roundsOf(3000) / 10);
 }

@@ -152,7 +152,7 @@ TEST(MeshStock, SphereHasItsVolumeAboveAndItsUndercutBelow) {
     EXPECT_NEAR(std::stod(uncut.findings.front().arguments[0]) / (kPi / 3 * r * r * r), 1, 0.01);
 }
 
-TEST(MeshStock, CavityIsToldWithItsVolumeHeightAndPlace) {
+TEST(MeshStock, CavityIsReportedWithItsVolumeHeightAndPlace) {
     StockMesh mesh;
     addBox(mesh, {0, 0, 0}, {40, 30, 20});
     StockMesh cavity;
@@ -163,12 +163,12 @@ TEST(MeshStock, CavityIsToldWithItsVolumeHeightAndPlace) {
         mesh.triangles.push_back({t[0] + shift, t[2] + shift, t[1] + shift});
     const UncutStock uncut = uncutOf(mesh, 0.1, Vec3(100, 200, 0));
     ASSERT_EQ(idsOf(uncut.findings), "stock-undercut ");
-    const auto& told = uncut.findings.front().arguments;
-    EXPECT_NEAR(std::stod(told[0]), 10 * 5 * 7, 10);
-    EXPECT_NEAR(std::stod(told[1]), 7, 1e-9);
-    EXPECT_NEAR(std::stod(told[4]), 12 - 20, 1e-9);
-    EXPECT_GE(std::stod(told[2]), 110);
-    EXPECT_LE(std::stod(told[2]), 120);
+    const auto& reported = uncut.findings.front().arguments;
+    EXPECT_NEAR(std::stod(reported[0]), 10 * 5 * 7, 10);
+    EXPECT_NEAR(std::stod(reported[1]), 7, 1e-9);
+    EXPECT_NEAR(std::stod(reported[4]), 12 - 20, 1e-9);
+    EXPECT_GE(std::stod(reported[2]), 110);
+    EXPECT_LE(std::stod(reported[2]), 120);
 }
 
 TEST(MeshStock, ShellsThatOverlapAreOneBody) {
@@ -191,7 +191,7 @@ TEST(MeshStock, InsideOutIsTheSame) {
     EXPECT_EQ(turned.findings, uncut.findings);
 }
 
-TEST(MeshStock, OpenMeshIsToldAndUnverified) {
+TEST(MeshStock, OpenMeshIsReportedAndUnverified) {
     StockMesh mesh;
     addBox(mesh, {0, 0, 0}, {40, 30, 20});
     mesh.triangles.erase(mesh.triangles.begin()); // of the bottom

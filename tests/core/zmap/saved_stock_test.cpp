@@ -42,8 +42,8 @@ ZMapSnapshot prism(std::uint_fast32_t seed, const StockBox& stock) {
     return zmap.snapshot();
 }
 
-UncutStock taken(const ZMapSnapshot& map, StockTurn turn, StockFlip flip = StockFlip::none,
-                 double spacing = kSpacing) {
+UncutStock fromSaved(const ZMapSnapshot& map, StockTurn turn, StockFlip flip = StockFlip::none,
+                     double spacing = kSpacing) {
     const auto body = savedStock(map, kSpacing, turn, flip).value();
     return body->uncut(body->box(), makeGrid(body->box(), spacing).value());
 }
@@ -57,7 +57,7 @@ const StockBox kStock{{-5, 7, 12}, 83.5, 61.1, 20};
 
 TEST(SavedStock, IsWhatItWasAndSharesItsTiles) {
     const ZMapSnapshot map = randomMap(1, kStock);
-    const UncutStock uncut = taken(map, StockTurn::none);
+    const UncutStock uncut = fromSaved(map, StockTurn::none);
     EXPECT_TRUE(same(uncut.zmap.snapshot(), map));
     EXPECT_EQ(uncut.zmap.snapshot().tile(0), map.tile(0));
     EXPECT_TRUE(uncut.findings.empty());
@@ -79,13 +79,13 @@ TEST(SavedStock, FourQuartersAreOneWholeTurn) {
         const ZMapSnapshot map = randomMap(seed, kStock);
         ZMapSnapshot now = map;
         for (int k = 0; k < 4; ++k)
-            now = taken(now, StockTurn::quarter).zmap.snapshot();
+            now = fromSaved(now, StockTurn::quarter).zmap.snapshot();
         EXPECT_TRUE(same(now, map)) << "seed " << seed;
-        const ZMapSnapshot half = taken(map, StockTurn::half).zmap.snapshot();
-        const ZMapSnapshot quarter = taken(map, StockTurn::quarter).zmap.snapshot();
-        EXPECT_TRUE(same(taken(quarter, StockTurn::quarter).zmap.snapshot(), half));
-        EXPECT_TRUE(same(taken(half, StockTurn::quarter).zmap.snapshot(),
-                         taken(map, StockTurn::threeQuarters).zmap.snapshot()));
+        const ZMapSnapshot half = fromSaved(map, StockTurn::half).zmap.snapshot();
+        const ZMapSnapshot quarter = fromSaved(map, StockTurn::quarter).zmap.snapshot();
+        EXPECT_TRUE(same(fromSaved(quarter, StockTurn::quarter).zmap.snapshot(), half));
+        EXPECT_TRUE(same(fromSaved(half, StockTurn::quarter).zmap.snapshot(),
+                         fromSaved(map, StockTurn::threeQuarters).zmap.snapshot()));
         EXPECT_EQ(quarter.grid().nx, map.grid().ny);
         EXPECT_NEAR(quarter.volume(), map.volume(), 1e-6);
     }
@@ -93,7 +93,7 @@ TEST(SavedStock, FourQuartersAreOneWholeTurn) {
 
 TEST(SavedStock, TurnsCounterClockwise) {
     const ZMapSnapshot map = randomMap(3, kStock);
-    const ZMapSnapshot turned = taken(map, StockTurn::quarter).zmap.snapshot();
+    const ZMapSnapshot turned = fromSaved(map, StockTurn::quarter).zmap.snapshot();
     // The lower left corner becomes the lower right one.
     EXPECT_EQ(turned.height(turned.grid().nx - 1, 0), map.height(0, 0));
     EXPECT_EQ(turned.height(0, 0), map.height(0, map.grid().ny - 1));
@@ -103,9 +103,9 @@ TEST(SavedStock, FlippedTwiceIsTheSameWhereNothingIsUnderneath) {
     for (std::uint_fast32_t seed = 1; seed <= 10; ++seed)
         for (const StockFlip flip : {StockFlip::aboutX, StockFlip::aboutY}) {
             const ZMapSnapshot map = prism(seed, kStock);
-            const UncutStock once = taken(map, StockTurn::none, flip);
+            const UncutStock once = fromSaved(map, StockTurn::none, flip);
             EXPECT_TRUE(once.findings.empty());
-            EXPECT_TRUE(same(taken(once.zmap.snapshot(), StockTurn::none, flip).zmap.snapshot(), map))
+            EXPECT_TRUE(same(fromSaved(once.zmap.snapshot(), StockTurn::none, flip).zmap.snapshot(), map))
                 << "seed " << seed;
             const bool aboutX = flip == StockFlip::aboutX;
             EXPECT_EQ(once.zmap.snapshot().height(3, 5),
@@ -125,15 +125,15 @@ TEST(SavedStock, WhatWasCutIsAirUnderTheFlippedStock) {
     EXPECT_EQ(body->box(), (StockBox{{0, 0, 0}, 30, 40, 10}));
     const UncutStock uncut = body->uncut(body->box(), makeGrid(body->box(), 0.5).value());
     ASSERT_EQ(uncut.findings.size(), 1U);
-    const Diagnostic& told = uncut.findings.front();
-    EXPECT_EQ(told.id, std::string("stock-undercut"));
-    EXPECT_TRUE(told.unverified);
-    EXPECT_NEAR(std::stod(told.arguments[0]), 300 * 0.25 * 4, 1e-9);
-    EXPECT_NEAR(std::stod(told.arguments[1]), 4, 1e-9);
-    EXPECT_NEAR(std::stod(told.arguments[4]), -6, 1e-9);
+    const Diagnostic& reported = uncut.findings.front();
+    EXPECT_EQ(reported.id, std::string("stock-undercut"));
+    EXPECT_TRUE(reported.unverified);
+    EXPECT_NEAR(std::stod(reported.arguments[0]), 300 * 0.25 * 4, 1e-9);
+    EXPECT_NEAR(std::stod(reported.arguments[1]), 4, 1e-9);
+    EXPECT_NEAR(std::stod(reported.arguments[4]), -6, 1e-9);
     // Flipped about X the pocket lies from Y30-14.5 to Y30-10; then a quarter to the left: X from 40-… on.
-    const double x = std::stod(told.arguments[2]);
-    const double y = std::stod(told.arguments[3]);
+    const double x = std::stod(reported.arguments[2]);
+    const double y = std::stod(reported.arguments[3]);
     EXPECT_TRUE(x >= 30 - 20 && x <= 30 - 15) << x;
     EXPECT_TRUE(y >= 5 && y <= 20) << y;
 }
@@ -168,7 +168,7 @@ TEST(SavedStock, IsNowhereLowerOnAnotherGrid) {
     const ZMapSnapshot map = randomMap(5, kStock);
     for (const double spacing : {0.2, 0.31, 0.5, 0.69, 0.71, 1.0, 1.4, 3.3, 20.0}) {
         SCOPED_TRACE(fmt::format("spacing {}", spacing));
-        const UncutStock uncut = taken(map, StockTurn::none, StockFlip::none, spacing);
+        const UncutStock uncut = fromSaved(map, StockTurn::none, StockFlip::none, spacing);
         const ZMapSnapshot other = uncut.zmap.snapshot();
         for (int j = 0; j < map.grid().ny; ++j)
             for (int i = 0; i < map.grid().nx; ++i)

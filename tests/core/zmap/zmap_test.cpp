@@ -94,7 +94,7 @@ TEST(ZMap, SharesUntouchedTilesBetweenMoments) {
         EXPECT_EQ(first.tile(tile) == second.tile(tile), tile != 1) << tile;
 }
 
-TEST(ZMap, GoesOnFromAMomentWithoutChangingIt) {
+TEST(ZMap, ContinuesFromAMomentWithoutChangingIt) {
     ZMap zmap = freshMap();
     write(zmap, 5, 5, -3);
     const ZMapSnapshot moment = zmap.snapshot();

@@ -53,7 +53,7 @@ private slots:
         QCoreApplication::setApplicationName(QStringLiteral("Proveout"));
     }
 
-    void aRunStopsBeforeItsLineAndTellsWhy() {
+    void aRunStopsBeforeItsLineAndReportsWhy() {
         Session session;
         QVERIFY(opened(session, kSample));
         QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kPatience);
@@ -108,7 +108,7 @@ private slots:
         QCOMPARE(after(1, true, -20), Lines{});
     }
 
-    void theMachinesTimeIsToldAndPlayedBy() {
+    void theMachinesTimeIsReportedAndPlayedBy() {
         Session session;
         QVERIFY(opened(session, kSample));
         QTRY_VERIFY_WITH_TIMEOUT(

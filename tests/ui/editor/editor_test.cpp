@@ -237,7 +237,7 @@ private slots:
         }
     }
 
-    void choosingALineIsToldTypingIsNot() {
+    void choosingALineEmitsTypingDoesNot() {
         NcEditor editor;
         editor.load(documentOf("G0\nG1\nG2\n"));
         QList<int> chosen;
@@ -343,7 +343,7 @@ private slots:
                  qPrintable(tipAt(12)));
     }
 
-    void wordsTellTheirValuesAtThatPoint() {
+    void wordsShowTheirValuesAtThatPoint() {
         QTemporaryDir folder;
         const QString path = folder.filePath("values.ngc");
         const QByteArray text =
@@ -375,22 +375,22 @@ private slots:
             QHelpEvent event(QEvent::ToolTip, place, editor.mapToGlobal(place));
             QApplication::sendEvent(&editor, &event);
         };
-        const auto tells = [](const char* what) { return QToolTip::text().contains(QLatin1String(what)); };
+        const auto reports = [](const char* what) { return QToolTip::text().contains(QLatin1String(what)); };
         point("X[");
-        QVERIFY(tells("X: X coordinate (LinuxCNC)")); // at once; the value follows
-        QTRY_VERIFY2(tells("<br>Value: 12.5 mm"), qPrintable(QToolTip::text()));
+        QVERIFY(reports("X: X coordinate (LinuxCNC)")); // at once; the value follows
+        QTRY_VERIFY2(reports("<br>Value: 12.5 mm"), qPrintable(QToolTip::text()));
         point("#1+2");
-        QTRY_VERIFY2(tells("#1: parameter (LinuxCNC)<br>Value: 10.5"), qPrintable(QToolTip::text()));
+        QTRY_VERIFY2(reports("#1: parameter (LinuxCNC)<br>Value: 10.5"), qPrintable(QToolTip::text()));
         point("G1 ");
-        QTRY_VERIFY2(tells("After this line: G1 (straight feed)"), qPrintable(QToolTip::text()));
-        QVERIFY2(tells("Active before: G80"), qPrintable(QToolTip::text()));
+        QTRY_VERIFY2(reports("After this line: G1 (straight feed)"), qPrintable(QToolTip::text()));
+        QVERIFY2(reports("Active before: G80"), qPrintable(QToolTip::text()));
         point("#1=[");
-        QTRY_VERIFY2(tells("Value: 10.5<br>After this line: 11.5"), qPrintable(QToolTip::text()));
-        QTRY_VERIFY2(tells("First of 3 executions"), qPrintable(QToolTip::text()));
+        QTRY_VERIFY2(reports("Value: 10.5<br>After this line: 11.5"), qPrintable(QToolTip::text()));
+        QTRY_VERIFY2(reports("First of 3 executions"), qPrintable(QToolTip::text()));
         point("X1\n");
-        QTRY_VERIFY2(tells("Value: 1 in (25.4 mm)"), qPrintable(QToolTip::text()));
+        QTRY_VERIFY2(reports("Value: 1 in (25.4 mm)"), qPrintable(QToolTip::text()));
         point("X9");
-        QTRY_VERIFY2(tells("This line is not executed"), qPrintable(QToolTip::text()));
+        QTRY_VERIFY2(reports("This line is not executed"), qPrintable(QToolTip::text()));
     }
 
     void aTipThatWasLeftStaysAway() {
@@ -443,10 +443,11 @@ private slots:
         QVERIFY(editor.text(2).startsWith(QString::fromUtf8("(\xc3\xa4\xc3\xa4")));
         QVERIFY(editor.text(2).endsWith(QString::fromUtf8("\xc3\xa4 ...\n")));
         QCOMPARE(editor.text(3), QStringLiteral("G0 Z5\n"));
-        bool told = false;
+        bool reported = false;
         for (const QLabel* label : panel.findChildren<QLabel*>())
-            told = told || label->text().contains(QLatin1String("line 2 has more than 20,000 characters"));
-        QVERIFY(told);
+            reported =
+                reported || label->text().contains(QLatin1String("line 2 has more than 20,000 characters"));
+        QVERIFY(reported);
         // The text itself is whole.
         QVERIFY(session.document().text().text.size() > 1'060'000);
     }

@@ -170,7 +170,7 @@ private slots:
         QCOMPARE(editor.caretLine(), 2);
     }
 
-    void theBarTellsWhichOfHowMany() {
+    void theBarShowsWhichOfHowMany() {
         NcEditor editor;
         editor.load(documentOf("G2\nG21\nG2 X1\n"));
         FindBar bar(editor, nullptr);

@@ -119,10 +119,10 @@ private slots:
     void catalogueRowsAreComplete();
     void statisticsWithAPlotAreInTheCatalogue();
     void historyFindsTheFirstRowThatDiffers();
-    void historyKeepsFramesUntilTheirBlocksArePlayedAnew();
+    void historyKeepsFramesUntilTheirBlocksArePlayedAgain();
     void parameterChangesAreMarkedWhereTheyMeet();
     void viewsHoldWhatTheStatisticsSay();
-    void stackedCurvesStandOnEachOther();
+    void stackedCurvesAddUp();
     void csvHoldsEveryValue();
     void ratesAreThoseOfTheMachinesTime();
     void clickSeeksAndDragDoesNot();
@@ -135,7 +135,7 @@ private slots:
     void plotsWrapIntoRows();
     void restylesWithThePalette();
     void manyRowsCostLittle();
-    void fillingsStandUnderTheirCurves();
+    void fillingsAreUnderTheirCurves();
     void jaggedFillingsCostLittle();
     void panelShowsARunAndExportsIt();
     void exportAsksBeforeItOverwrites();
@@ -205,7 +205,7 @@ void PlotsTest::historyFindsTheFirstRowThatDiffers() {
     QVERIFY(changes.any && changes.firstBlock == 10 && changes.firstFrame == 0);
 }
 
-void PlotsTest::historyKeepsFramesUntilTheirBlocksArePlayedAnew() {
+void PlotsTest::historyKeepsFramesUntilTheirBlocksArePlayedAgain() {
     const PersistentArray<BlockStatistics> blocks;
     PlotHistory history;
     const auto lastBlocks = [&] {
@@ -287,7 +287,7 @@ void PlotsTest::viewsHoldWhatTheStatisticsSay() {
     }
 }
 
-void PlotsTest::stackedCurvesStandOnEachOther() {
+void PlotsTest::stackedCurvesAddUp() {
     PersistentArray<BlockStatistics> blocks;
     blocks.push_back({0, 0, 0, 0, 0.001f, 0.002f, 0, 0, 0});
     const std::vector<FrameStatistics> frames{{0, 1, 0.001f, 0.002f, 0.003f, 0.004f}};
@@ -631,7 +631,7 @@ void PlotsTest::manyRowsCostLittle() {
 }
 
 /// Against Qt's polygons, where these have a simple shape.
-void PlotsTest::fillingsStandUnderTheirCurves() {
+void PlotsTest::fillingsAreUnderTheirCurves() {
     const auto picture = [](const char* id, bool columns) {
         PersistentArray<BlockStatistics> blocks;
         for (int k = 0; k < 40; ++k) {

@@ -47,8 +47,8 @@ std::vector<std::size_t> lastCuts(const Frame& moment, const std::vector<MapPoin
 }
 
 /// The answers of a session, and the lines that it asked to be seen.
-struct Told {
-    explicit Told(Session& session) {
+struct Reported {
+    explicit Reported(Session& session) {
         QObject::connect(&session.navigation(), &NavigationHub::placeFound, &session,
                          [this](const PlaceAnswer& answer) { answers.push_back(answer); });
         QObject::connect(&session.navigation(), &NavigationHub::lineRequested, &session,
@@ -87,12 +87,12 @@ private slots:
         QCOMPARE(stopped.load(), 1);
     }
 
-    void tellsOfProgressOnceItTakesLong() {
+    void reportsProgressOfLongWork() {
         const FramePtr moment = openedAt(100)->simulation().frame();
-        std::atomic<bool> goOn = false;
+        std::atomic<bool> proceed = false;
         BlockSearch search(nullptr, [&](const Frame&, const MapPoint&, const WorkContext& context) {
-            for (int percent = 0; !goOn && !context.stopped(); percent = std::min(percent + 1, 90)) {
-                context.tell(percent / 100.0);
+            for (int percent = 0; !proceed && !context.stopped(); percent = std::min(percent + 1, 90)) {
+                context.report(percent / 100.0);
                 std::this_thread::sleep_for(std::chrono::milliseconds(10));
             }
             return std::optional<std::size_t>();
@@ -103,11 +103,11 @@ private slots:
         search.ask(moment, {1, 1});
         QVERIFY(!search.done());
         QTRY_VERIFY_WITH_TIMEOUT(search.done().value_or(0) > 0.3, kPatience);
-        goOn = true;
+        proceed = true;
         QTRY_COMPARE_WITH_TIMEOUT(answers.size(), std::size_t{1}, kPatience);
         QVERIFY(!search.done());
         QCOMPARE(answers.front(), (PlaceAnswer{PlaceAnswer::Kind::neverCut, 100, 0, 0}));
-        goOn = false;
+        proceed = false;
         search.ask(moment, {1, 1});
         QTRY_VERIFY_WITH_TIMEOUT(search.done().has_value(), kPatience);
         search.cancel();
@@ -117,17 +117,17 @@ private slots:
         QCOMPARE(answers.size(), std::size_t{1});
     }
 
-    void whatIsThrownIsTold() {
+    void whatIsThrownIsReported() {
         const FramePtr moment = openedAt(10)->simulation().frame();
         BlockSearch search(
             nullptr, [](const Frame&, const MapPoint&, const WorkContext&) -> std::optional<std::size_t> {
                 throw std::runtime_error("reason");
             });
-        Diagnostics told;
-        connect(&search, &BlockSearch::failed, this, [&](const Diagnostics& errors) { told = errors; });
+        Diagnostics reported;
+        connect(&search, &BlockSearch::failed, this, [&](const Diagnostics& errors) { reported = errors; });
         search.ask(moment, {1, 1});
-        QTRY_COMPARE_WITH_TIMEOUT(told.size(), std::size_t{1}, kPatience);
-        QCOMPARE(told.front().arguments.front(), std::string("reason"));
+        QTRY_COMPARE_WITH_TIMEOUT(reported.size(), std::size_t{1}, kPatience);
+        QCOMPARE(reported.front().arguments.front(), std::string("reason"));
     }
 
     void goesToTheBlockThatCutThePlaceLast_data() {
@@ -145,12 +145,12 @@ private slots:
             for (int i = 5; i < moment->zmap.grid().nx; i += 23)
                 points.push_back({i, j});
         const std::vector<std::size_t> expected = lastCuts(*moment, points);
-        Told told(*session);
+        Reported reported(*session);
         std::size_t cut = 0;
         for (std::size_t k = 0; k < points.size(); ++k) {
             session->navigation().goToBlockThatMade({moment, points[k]});
-            QTRY_COMPARE_WITH_TIMEOUT(told.answers.size(), k + 1, kPatience);
-            const PlaceAnswer& answer = told.answers.back();
+            QTRY_COMPARE_WITH_TIMEOUT(reported.answers.size(), k + 1, kPatience);
+            const PlaceAnswer& answer = reported.answers.back();
             QCOMPARE(answer.kind == PlaceAnswer::Kind::cut, expected[k] != 0);
             QCOMPARE(answer.block, expected[k] == 0 ? moment->block : expected[k]);
             if (expected[k] == 0)
@@ -158,8 +158,8 @@ private slots:
             ++cut;
             QCOMPARE(answer.line, moment->program->blockLine(expected[k] - 1));
             QCOMPARE(answer.tool, 1);
-            QCOMPARE(told.lines.size(), cut);
-            QCOMPARE(told.lines.back(), answer.line);
+            QCOMPARE(reported.lines.size(), cut);
+            QCOMPARE(reported.lines.back(), answer.line);
             QTRY_COMPARE_WITH_TIMEOUT(session->simulation().block(), expected[k], kPatience);
         }
         QVERIFY(cut > 5);
@@ -169,17 +169,17 @@ private slots:
     void leadsBackAsOftenAsAway() {
         const auto session = openedAt(200);
         const FramePtr moment = session->simulation().frame();
-        Told told(*session);
+        Reported reported(*session);
         QVERIFY(!session->navigation().canReturn());
-        const std::size_t first = jump(*session, told, moment, cutPlace(*moment, 0));
-        const std::size_t second = jump(*session, told, moment, cutPlace(*moment, first));
+        const std::size_t first = jump(*session, reported, moment, cutPlace(*moment, 0));
+        const std::size_t second = jump(*session, reported, moment, cutPlace(*moment, first));
         QVERIFY(first != second && first < 200);
         session->navigation().returnFromJump();
         QTRY_COMPARE_WITH_TIMEOUT(session->simulation().block(), first, kPatience);
         session->navigation().returnFromJump();
         QTRY_COMPARE_WITH_TIMEOUT(session->simulation().block(), std::size_t{200}, kPatience);
         QVERIFY(!session->navigation().canReturn());
-        jump(*session, told, moment, cutPlace(*moment, 0));
+        jump(*session, reported, moment, cutPlace(*moment, 0));
         QVERIFY(session->navigation().canReturn());
         session->document().applyEdit(0, 0, "\n"); // its blocks are others
         QTRY_VERIFY_WITH_TIMEOUT(!session->navigation().canReturn(), kPatience);
@@ -189,7 +189,7 @@ private slots:
         const auto session = openedAt(200);
         const FramePtr moment = session->simulation().frame();
         const MapPoint point = cutPlace(*moment, 0);
-        Told told(*session);
+        Reported reported(*session);
         const auto asked = [&] {
             session->navigation().goToBlockThatMade({moment, point});
             letItFinishUnheard();
@@ -205,59 +205,59 @@ private slots:
         setup.stock.height += 1;
         QVERIFY(session->job().setSetup(setup));
         QTRY_VERIFY_WITH_TIMEOUT(session->simulation().frame()->setup != moment->setup, kPatience);
-        QVERIFY(told.answers.empty() && told.lines.empty());
+        QVERIFY(reported.answers.empty() && reported.lines.empty());
         // Of a moment that is gone it is told so, and the new one can be asked.
         session->navigation().goToBlockThatMade({moment, point});
-        QCOMPARE(told.answers.size(), std::size_t{1});
-        QCOMPARE(told.answers.back().kind, PlaceAnswer::Kind::outdated);
+        QCOMPARE(reported.answers.size(), std::size_t{1});
+        QCOMPARE(reported.answers.back().kind, PlaceAnswer::Kind::outdated);
         session->playback().seek(200);
         QTRY_COMPARE_WITH_TIMEOUT(session->simulation().block(), std::size_t{200}, kPatience);
         session->navigation().goToBlockThatMade({session->simulation().frame(), point});
-        QTRY_COMPARE_WITH_TIMEOUT(told.answers.size(), std::size_t{2}, kPatience);
-        QCOMPARE(told.answers.back().kind, PlaceAnswer::Kind::cut);
+        QTRY_COMPARE_WITH_TIMEOUT(reported.answers.size(), std::size_t{2}, kPatience);
+        QCOMPARE(reported.answers.back().kind, PlaceAnswer::Kind::cut);
     }
 
     void anEditMakesItVoidBeforeItIsRead() {
         const auto session = openedAt(200);
         const FramePtr moment = session->simulation().frame();
         const MapPoint point = cutPlace(*moment, 0);
-        Told told(*session);
+        Reported reported(*session);
         session->navigation().goToBlockThatMade({moment, point});
         letItFinishUnheard();
         session->document().applyEdit(0, 0, "\n");
         // Its lines are no longer those of the text.
         session->navigation().goToBlockThatMade({moment, point});
-        QCOMPARE(told.answers.size(), std::size_t{1});
-        QCOMPARE(told.answers.back().kind, PlaceAnswer::Kind::outdated);
+        QCOMPARE(reported.answers.size(), std::size_t{1});
+        QCOMPARE(reported.answers.back().kind, PlaceAnswer::Kind::outdated);
         QTRY_VERIFY_WITH_TIMEOUT(session->simulation().frame()->program != moment->program &&
                                      session->simulation().frame()->program == session->program().current(),
                                  kPatience);
-        QCOMPARE(told.answers.size(), std::size_t{1});
-        QVERIFY(told.lines.empty());
+        QCOMPARE(reported.answers.size(), std::size_t{1});
+        QVERIFY(reported.lines.empty());
     }
 
     void saysWhereNothingWasCutOrNothingIs() {
         const auto session = openedAt(200);
-        Told told(*session);
+        Reported reported(*session);
         session->navigation().goToBlockThatMade({});
         session->navigation().goToBlockThatMade({session->simulation().frame(), std::nullopt});
-        QCOMPARE(told.answers, (std::vector<PlaceAnswer>{{PlaceAnswer::Kind::noStock, 200, 0, 0},
-                                                         {PlaceAnswer::Kind::neverCut, 200, 0, 0}}));
-        QVERIFY(told.lines.empty());
+        QCOMPARE(reported.answers, (std::vector<PlaceAnswer>{{PlaceAnswer::Kind::noStock, 200, 0, 0},
+                                                             {PlaceAnswer::Kind::neverCut, 200, 0, 0}}));
+        QVERIFY(reported.lines.empty());
     }
 
     void aRunIsPaused() {
         const auto session = openedAt(50);
-        Told told(*session);
+        Reported reported(*session);
         session->playback().setSpeed(20);
         session->playback().play();
         QTRY_VERIFY_WITH_TIMEOUT(session->simulation().block() > 60, kPatience);
         const FramePtr moment = session->simulation().frame();
         session->navigation().goToBlockThatMade({moment, cutPlace(*moment, 0)});
         QVERIFY(!session->playback().state().playing);
-        QTRY_COMPARE_WITH_TIMEOUT(told.answers.size(), std::size_t{1}, kPatience);
-        QCOMPARE(told.answers.back().kind, PlaceAnswer::Kind::cut);
-        QTRY_COMPARE_WITH_TIMEOUT(session->simulation().block(), told.answers.back().block, kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(reported.answers.size(), std::size_t{1}, kPatience);
+        QCOMPARE(reported.answers.back().kind, PlaceAnswer::Kind::cut);
+        QTRY_COMPARE_WITH_TIMEOUT(session->simulation().block(), reported.answers.back().block, kPatience);
     }
 
 private:
@@ -283,12 +283,13 @@ private:
         return {};
     }
 
-    static std::size_t jump(Session& session, const Told& told, const FramePtr& moment,
+    static std::size_t jump(Session& session, const Reported& reported, const FramePtr& moment,
                             const MapPoint& point) {
-        const std::size_t before = told.answers.size();
+        const std::size_t before = reported.answers.size();
         session.navigation().goToBlockThatMade({moment, point});
         const auto there = [&] {
-            return told.answers.size() > before && session.simulation().block() == told.answers.back().block;
+            return reported.answers.size() > before &&
+                   session.simulation().block() == reported.answers.back().block;
         };
         if (!QTest::qWaitFor(there, kPatience))
             qFatal("the block is not reached");

@@ -29,7 +29,7 @@ private slots:
         QVERIFY(QFile::link(m_folder->path(), m_folder->filePath(QStringLiteral("other/link"))));
     }
 
-    void whoOpensAFileIsToldOfChangesInAnotherWindow() {
+    void changesInAnotherWindowAreReported() {
         EditClaim first(root());
         EditClaim second(root());
         first.follow(m_file, true);

@@ -105,16 +105,16 @@ private slots:
     void whatFailsNamesTheFile() {
         QTemporaryDir folder;
         const Frame frame = uncutFrame();
-        const auto toldFor = [&](const QString& file, const WorkContext& context, double memory) {
+        const auto reportedFor = [&](const QString& file, const WorkContext& context, double memory) {
             const Result<ExportSummary> result = exportFrame(frame, file, {}, context, memory);
             return result ? QString() : sentence(result.error().front());
         };
         std::stop_source stopped;
         stopped.request_stop();
         for (const QString& text :
-             {toldFor(folder.filePath(QStringLiteral("bracket.stl")), {}, 0),
-              toldFor(folder.filePath(QStringLiteral("gone/bracket.stl")), {}, 1e9),
-              toldFor(folder.filePath(QStringLiteral("bracket.stl")), {stopped.get_token(), {}}, 1e9)})
+             {reportedFor(folder.filePath(QStringLiteral("bracket.stl")), {}, 0),
+              reportedFor(folder.filePath(QStringLiteral("gone/bracket.stl")), {}, 1e9),
+              reportedFor(folder.filePath(QStringLiteral("bracket.stl")), {stopped.get_token(), {}}, 1e9)})
             QVERIFY2(text.startsWith(QLatin1String("bracket.stl: ")), qPrintable(text));
     }
 };

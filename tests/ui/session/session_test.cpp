@@ -117,17 +117,17 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kPatience);
         Setup setup = session.job().setup();
         setup.automaticGrid = false;
-        const auto loadAnew = [&] {
+        const auto reload = [&] {
             setup.spacing *= 1.5;
             return session.job().setSetup(setup).has_value();
         };
         session.playback().seek(100);
-        QVERIFY(loadAnew());
-        QVERIFY(loadAnew());
+        QVERIFY(reload());
+        QVERIFY(reload());
         QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), std::size_t{100}, kPatience);
         session.playback().step(std::numeric_limits<std::ptrdiff_t>::max());
         session.playback().step(-5);
-        QVERIFY(loadAnew());
+        QVERIFY(reload());
         QTRY_COMPARE_WITH_TIMEOUT(session.simulation().block(), session.program().blockCount() - 5,
                                   kPatience);
 
@@ -257,7 +257,7 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame()->surface.dirtyRegions == 0, kPatience);
     }
 
-    void anEditGoesOnFromTheFirstChangedBlock() {
+    void anEditContinuesFromTheFirstChangedBlock() {
         QTemporaryDir folder;
         Session session;
         QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
@@ -298,8 +298,8 @@ private slots:
         QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
         QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() != nullptr, kPatience);
         QCOMPARE(session.job().parameters().regionCells, 16);
-        int told = 0;
-        connect(&session.job(), &JobHub::parametersChanged, this, [&told] { ++told; });
+        int reported = 0;
+        connect(&session.job(), &JobHub::parametersChanged, this, [&reported] { ++reported; });
         Setup setup = session.job().setup();
         setup.stock.width = 40;
         setup.stock.depth = 30;
@@ -310,7 +310,7 @@ private slots:
         };
         QVERIFY(useSpacing(0.0125)); // 3201 × 2401 points
         QCOMPARE(session.job().parameters().regionCells, 32);
-        QCOMPARE(told, 1);
+        QCOMPARE(reported, 1);
         QTRY_VERIFY_WITH_TIMEOUT(session.simulation().frame() &&
                                      session.simulation().frame()->surface.grid.cells() == 32,
                                  kPatience);
@@ -396,7 +396,7 @@ private slots:
         QVERIFY(!session.document().modified());
     }
 
-    void badInputIsToldAndLeavesTheDocument() {
+    void badInputIsReportedAndLeavesTheDocument() {
         QTemporaryDir folder;
         Session session;
         QVERIFY(opened(session, write(folder, "good.nc", kSquare)));
@@ -426,7 +426,7 @@ private slots:
         QVERIFY(!session.job().setSetup(setup).has_value());
     }
 
-    void programsWithoutToolsOrMotionsAreTold() {
+    void programsWithoutToolsOrMotionsAreReported() {
         QTemporaryDir folder;
         Session session;
         QVERIFY(opened(session, write(folder, "empty.nc", "%\n(nothing)\n%\n")));
@@ -603,7 +603,7 @@ private slots:
         QCOMPARE(QFileInfo(toQString(again.document().text().path)).fileName(), QString("other.nc"));
     }
 
-    void tellsFieldsOfAJobThatAreNotKnown() {
+    void reportsFieldsOfAJobThatAreNotKnown() {
         QTemporaryDir folder;
         Session session;
         QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
@@ -718,7 +718,7 @@ private slots:
         QVERIFY(!QFile::exists(folder.filePath("second.stl")));
     }
 
-    void anInterpreterThatThrowsIsToldAndTheNextTextIsRead() {
+    void anInterpreterThatThrowsIsReportedAndTheNextTextIsRead() {
         ProgramSource source(nullptr,
                              [](const NcText& text, const InterpretOptions& options,
                                 const WorkContext& context,
@@ -739,20 +739,20 @@ private slots:
         QTemporaryDir folder;
         Session session;
         std::vector<std::size_t> counts;
-        bool told = false;
+        bool reported = false;
         connect(&session.program(), &ProgramHub::changed, this, [&] {
             if (!session.program().current())
                 return;
             counts.push_back(session.program().blockCount());
-            told = told || hasProblem(session, "still-reading");
+            reported = reported || hasProblem(session, "still-reading");
         });
         connect(&session.problems(), &ProblemsHub::changed, this,
-                [&] { told = told || hasProblem(session, "still-reading"); });
+                [&] { reported = reported || hasProblem(session, "still-reading"); });
         QVERIFY(opened(session, write(folder, "long.nc", longProgram(600'000))));
         QTRY_COMPARE_WITH_TIMEOUT(session.program().blockCount(), std::size_t{600'003}, kPatience);
         QVERIFY(counts.size() >= 2);
         QVERIFY(counts.front() < 150'000);
-        QVERIFY(told);
+        QVERIFY(reported);
         QVERIFY(!hasProblem(session, "still-reading"));
         QVERIFY(!session.work().current());
         // The stock is that of the whole program.
@@ -781,9 +781,9 @@ private slots:
         const QString file = write(folder, "long.nc", longProgram(3'000'000));
         Session session;
         QVERIFY(opened(session, write(folder, "square.nc", kSquare)));
-        int told = 0;
+        int reported = 0;
         connect(&session.work(), &WorkHub::changed, this, [&] {
-            told +=
+            reported +=
                 session.work().current() && session.work().current()->label == Session::tr("Opening the file")
                     ? 1
                     : 0;
@@ -800,7 +800,7 @@ private slots:
             QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
         QVERIFY(through);
         QVERIFY2(rounds > 10, qPrintable(QString::number(rounds)));
-        QVERIFY(told >= 2);
+        QVERIFY(reported >= 2);
         QCOMPARE(session.document().text().path, toPath(file));
     }
 
@@ -900,7 +900,7 @@ private slots:
         QVERIFY(!session.document().modified());
     }
 
-    void aFailedOpenIsToldWithItsFile() {
+    void aFailedOpenIsReportedWithItsFile() {
         QTemporaryDir folder;
         Session session;
         QVERIFY(opened(session, write(folder, "square.nc", kSquare)));

@@ -57,7 +57,7 @@ private slots:
         }
     }
 
-    void tellsTheBlockOncePointerRests() {
+    void showsTheBlockOncePointerRests() {
         SurfaceProbe probe;
         QSignalSpy answered(&probe, &SurfaceProbe::answered);
         probe.point(at(3, {10, 5}));

@@ -92,13 +92,13 @@ private slots:
         // One that is not there is told and changes nothing.
         file->setText(folder.filePath(QStringLiteral("none.pvstock")));
         emit file->editingFinished();
-        const auto told = [&panel] {
+        const auto reported = [&panel] {
             const auto labels = panel.findChildren<QLabel*>();
             return std::ranges::any_of(labels, [](const QLabel* label) {
                 return label->text().contains(QStringLiteral("cannot be read"));
             });
         };
-        QTRY_VERIFY_WITH_TIMEOUT(told(), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(reported(), kPatience);
         QCOMPARE(session.job().setup().stock.width, 42.0);
 
         Session other;

@@ -60,7 +60,7 @@ struct Opened {
     Widget& find(const char* name) {
         return *panel.findChild<Widget*>(QLatin1String(name));
     }
-    bool tells(const char* id) const {
+    bool reports(const char* id) const {
         return std::ranges::any_of(session.problems().all(),
                                    [id](const Diagnostic& d) { return std::string_view(d.id) == id; });
     }
@@ -90,18 +90,18 @@ private slots:
         QVERIFY(at.open());
         auto& tool = at.find<QComboBox>("start-tool");
         QTRY_COMPARE_WITH_TIMEOUT(tool.currentText(), QStringLiteral("Not set: T1 is assumed"), kPatience);
-        QVERIFY(at.tells("tool-assumed"));
+        QVERIFY(at.reports("tool-assumed"));
         QVERIFY(at.session.simulation().frame()->toolAssumed);
         tool.setFocus();
         QTest::keyClick(&tool, Qt::Key_Down); // the empty spindle
         QTRY_COMPARE_WITH_TIMEOUT(at.session.job().setup().startTool, std::optional(0), kPatience);
-        QTRY_VERIFY_WITH_TIMEOUT(at.tells("no-tool"), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(at.reports("no-tool"), kPatience);
         QTest::keyClick(&tool, Qt::Key_Down);
         QTRY_COMPARE_WITH_TIMEOUT(at.session.job().setup().startTool, std::optional(1), kPatience);
         QCOMPARE(tool.currentText(), QStringLiteral("T1"));
         QTRY_VERIFY_WITH_TIMEOUT(at.settled() && at.session.simulation().frame()->tool == 1, kPatience);
         QVERIFY(!at.session.simulation().frame()->toolAssumed);
-        QVERIFY(!at.tells("tool-assumed") && !at.tells("no-tool"));
+        QVERIFY(!at.reports("tool-assumed") && !at.reports("no-tool"));
 
         const QString job = at.folder.filePath(QStringLiteral("p.proveout"));
         QVERIFY(at.session.document().saveJobAs(job));
@@ -153,7 +153,7 @@ private slots:
         QVERIFY(!automatic.isChecked());
         QTRY_COMPARE_WITH_TIMEOUT(at.session.job().setup().spacing, 2.0, kPatience);
         QVERIFY(!at.session.job().setup().automaticGrid);
-        QTRY_VERIFY_WITH_TIMEOUT(at.tells("grid-coarse"), kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(at.reports("grid-coarse"), kPatience);
     }
 
     void aNewProgramHasAnAutomaticGrid() {
@@ -174,7 +174,7 @@ private slots:
         QTest::keyClick(&shape, Qt::Key_End); // a saved stock
         QTRY_COMPARE_WITH_TIMEOUT(at.session.job().setup().shape.kind, StockKind::saved, kPatience);
         QVERIFY(at.session.simulation().frame() == nullptr);
-        QVERIFY(at.tells("stock-incomplete"));
+        QVERIFY(at.reports("stock-incomplete"));
         QVERIFY(at.shows(QStringLiteral("The stock has no file yet; nothing is simulated.")));
         // Nor under the name of a file that cannot be read.
         auto& file = at.find<QLineEdit>("stock-file-file");
@@ -184,7 +184,7 @@ private slots:
         QVERIFY(at.session.simulation().frame() == nullptr);
         QTest::keyClick(&shape, Qt::Key_Home); // a box again
         QVERIFY(at.settled());
-        QVERIFY(!at.tells("stock-incomplete"));
+        QVERIFY(!at.reports("stock-incomplete"));
         QVERIFY(!at.shows(QStringLiteral("nothing is simulated")));
     }
 
@@ -232,7 +232,7 @@ private slots:
         const Setup setup = at.session.job().setup();
         const DecimationParameters parameters = at.session.job().parameters();
         const QString shown = box->text();
-        connect(box, SIGNAL(refused(QString)), this, SLOT(take(QString)));
+        connect(box, SIGNAL(refused(QString)), this, SLOT(noteRefusal(QString)));
         m_refused.clear();
         type(*box, typed);
         QVERIFY2(m_refused.contains(range), qPrintable(m_refused));
@@ -243,7 +243,7 @@ private slots:
         QVERIFY(!at.session.job().machine());
     }
 
-    void take(const QString& sentence) { m_refused = sentence; }
+    void noteRefusal(const QString& sentence) { m_refused = sentence; }
 
     void aGridThatIsRefusedLeavesTheFormAndBlocksNothing() {
         Opened at;

@@ -7,7 +7,7 @@
 #include <QSignalSpy>
 #include <QTest>
 
-#include "tests/core/cutter/standard_spec.h"
+#include "tests/core/cutter/default_spec.h"
 
 namespace proveout {
 
@@ -30,7 +30,7 @@ private slots:
 
     void aSpecOfEveryShapeComesBackAsItWas() {
         for (const CutterShape& shape : cutterShapes()) {
-            const std::string spec = standardSpecOf(shape);
+            const std::string spec = defaultSpecOf(shape);
             ToolForm form;
             form.show(readSpec(spec));
             const Result<Cutter> shown = parseCutter(writeSpec(form.spec()));

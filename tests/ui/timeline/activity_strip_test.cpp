@@ -65,7 +65,7 @@ class ActivityStripTest : public QObject {
     Q_OBJECT
 
 private slots:
-    void everyBlockStandsInAColumn() {
+    void everyBlockHasAColumn() {
         for (const int columns : {1, 2, 7, 100, 1500})
             for (const std::size_t blocks : {1UL, 2UL, 6UL, 7UL, 99UL, 1500UL, 1501UL, 20'000UL}) {
                 std::vector<int> shown(blocks, 0);
@@ -139,7 +139,7 @@ private slots:
         }
     }
 
-    void drawsAnewOnlyWhatIsNew() {
+    void drawsOnlyWhatIsNew() {
         std::mt19937 random(4);
         const auto program = randomProgram(random, 10'000);
         const auto rows = randomRows(random, 10'000);
@@ -185,7 +185,7 @@ private slots:
         QCOMPARE(follower.log().size(), std::size_t{0});
     }
 
-    void theLegendTellsWhatStandsThere() {
+    void theLegendNamesWhatIsThere() {
         const auto program = interpret(NcText("G21 G90\nG0 X0 Y0 Z5\nG1 X10 F600\nX20\nX10\nG0 X0\n"), {});
         PersistentArray<BlockStatistics> rows(program->blockCount());
         rows.edit(2).maxDepth = 1;
@@ -210,7 +210,7 @@ private slots:
         QVERIFY(!activitySummary(log).isEmpty());
     }
 
-    void coloursAreToldApart() {
+    void coloursAreDistinct() {
         for (const QPalette& palette : {lightPalette(), darkPalette()}) {
             const auto colors = ActivityStrip::colors(palette);
             const QColor ground = palette.color(QPalette::Base);

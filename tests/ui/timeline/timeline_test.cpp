@@ -39,7 +39,7 @@ private slots:
         QCOMPARE(scale.blockAt(900), std::size_t{10'273});
     }
 
-    void scrubbingTellsTheBlockUnderTheMouse() {
+    void scrubbingShowsTheBlockUnderTheMouse() {
         TimelineScale scale;
         scale.resize(800, scale.sizeHint().height());
         scale.setBlockCount(255);
@@ -176,7 +176,7 @@ private slots:
         QCOMPARE(lines().front(), QStringLiteral("no tool: 0:00:00"));
     }
 
-    void aLagIsToldInPlainNumbersAndMovesNothing() {
+    void aLagIsReportedInPlainNumbersAndMovesNothing() {
         Session session;
         const PlaybackCommands commands(session);
         TimelinePanel panel(session, commands);
@@ -190,15 +190,15 @@ private slots:
         QVERIFY(!lag.isVisible());
         const QRect before = panel.scale().geometry();
         session.playback().setSpeed(1000 * kUnitBlocksPerSecond);
-        for (const auto& [kept, told] : {std::pair{0.5, "500×"},
-                                         {0.1234, "120×"},
-                                         {0.0012, "1.2×"},
-                                         {0.00004, "0.040×"},
-                                         {0.94, "940×"}}) {
+        for (const auto& [kept, reported] : {std::pair{0.5, "500×"},
+                                             {0.1234, "120×"},
+                                             {0.0012, "1.2×"},
+                                             {0.00004, "0.040×"},
+                                             {0.94, "940×"}}) {
             frame->keptSpeed = kept;
             emit session.playback().tick(frame);
             QVERIFY(lag.isVisible());
-            QVERIFY2(lag.text().endsWith(u' ' + QString::fromUtf8(told)), qPrintable(lag.text()));
+            QVERIFY2(lag.text().endsWith(u' ' + QString::fromUtf8(reported)), qPrintable(lag.text()));
             QCoreApplication::processEvents();
             QCOMPARE(panel.scale().geometry(), before);
         }

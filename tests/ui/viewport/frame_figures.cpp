@@ -8,7 +8,7 @@ namespace proveout {
 
 namespace {
 
-constexpr int kTold = 10; ///< frames that break the promise are told up to here, then counted
+constexpr int kReported = 10; ///< frames that break the promise are told up to here, then counted
 
 double percentile(const std::vector<double>& sorted, int percent) {
     return sorted[(sorted.size() - 1) * static_cast<std::size_t>(percent) / 100];
@@ -62,7 +62,7 @@ std::size_t compare(const char* name, const std::vector<FrameFigures>& with,
         if (a <= b)
             continue;
         excess += static_cast<double>(a - b);
-        if (++broken <= kTold)
+        if (++broken <= kReported)
             std::printf("block %zu: %zu %s with decimation, %zu without\n", k * every, a, name, b);
     }
     std::printf("%s: more on %zu of %zu frames, %.0f in all\n", name, broken, with.size(), excess);

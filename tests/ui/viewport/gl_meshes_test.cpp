@@ -12,7 +12,7 @@
 #include <QTest>
 
 #include "core/decimation/surface/refined_surface.h"
-#include "tests/core/cutter/standard_spec.h"
+#include "tests/core/cutter/default_spec.h"
 #include "tests/ui/viewport/frame_builder.h"
 #include "ui/gl/cutter_mesh.h"
 #include "ui/gl/path_lines.h"
@@ -69,7 +69,7 @@ void GlMeshesTest::cutterIsClosedAndToScale_data() {
                              "dovetail:d=20,angle=60,h=6,neck=8,r=0.5", "form:p=0/0:3/0:3/1:6/4@-3"})
         QTest::newRow(spec) << QString::fromLatin1(spec);
     for (const CutterShape& shape : cutterShapes())
-        QTest::newRow(shape.key) << QString::fromStdString(standardSpecOf(shape));
+        QTest::newRow(shape.key) << QString::fromStdString(defaultSpecOf(shape));
 }
 
 /// How far a place in r-z is from the profile, the back of a head and its walls, mm of height.

@@ -122,7 +122,7 @@ private slots:
     void cutterIsDrawnToScale();
     void pathHasTheColourOfItsMotion();
     void hiddenPathIsSeenThroughTheStock();
-    void tintTellsDirtyFromDecimated();
+    void tintDistinguishesDirtyFromDecimated();
     void wireframeShowsRegionBorders();
     void decimationDoesNotShow();
     void indicesOfAnyWidthDrawTheSame();
@@ -130,9 +130,9 @@ private slots:
     void noCracksInHalfDirtyStates();
     void cracksWouldBeSeen();
     void uploadsOnlyWhatChanged();
-    void anotherGridIsTakenAnew();
+    void anotherGridReplacesTheOldOne();
     void staysRightFarFromTheOrigin();
-    void boxStandsInThePlaceOfWhatIsThere();
+    void boxReplacesWhatIsThere();
     void boxComesInPartsAndIsShownWhole();
     void boxLeavesNoCracks();
     void boxAtTheEdgeOfTheStockLeavesNoCracks();
@@ -329,7 +329,7 @@ void SceneRendererTest::hiddenPathIsSeenThroughTheStock() {
     }
 }
 
-void SceneRendererTest::tintTellsDirtyFromDecimated() {
+void SceneRendererTest::tintDistinguishesDirtyFromDecimated() {
     FrameBuilder builder(kStock, 1);
     builder.decimate();
     builder.cut({0, 0, 40, 71}, [](double, double) { return -3.0; });
@@ -513,7 +513,7 @@ void SceneRendererTest::uploadsOnlyWhatChanged() {
     QCOMPARE(picture.uploaded().lists, std::size_t{2});
 }
 
-void SceneRendererTest::anotherGridIsTakenAnew() {
+void SceneRendererTest::anotherGridReplacesTheOldOne() {
     const Camera camera = cameraAt(StandardView::iso, true);
     FrameBuilder fine(kStock, 0.5);
     fine.cutAll(hills);
@@ -545,7 +545,7 @@ void SceneRendererTest::staysRightFarFromTheOrigin() {
     QVERIFY2(unlike < 200, qPrintable(QString::number(unlike)));
 }
 
-void SceneRendererTest::boxStandsInThePlaceOfWhatIsThere() {
+void SceneRendererTest::boxReplacesWhatIsThere() {
     FrameBuilder around(kStock, 1);
     around.decimate();
     // A groove that no point of the grid around it meets, in one half of the box.
@@ -615,9 +615,9 @@ void SceneRendererTest::boxComesInPartsAndIsShownWhole() {
     QCOMPARE(back, 5); // the rest of it was still there
     QCOMPARE(picture, withOther);
     QCOMPARE(drawn(nullptr, {}), without);
-    const auto [steps, anew] = bring(box, 1000);
+    const auto [steps, again] = bring(box, 1000);
     QVERIFY2(steps > 20, qPrintable(QString::number(steps)));
-    QCOMPARE(anew, with);
+    QCOMPARE(again, with);
     // Given back, it comes anew.
     m_picture->renderer().releaseBox();
     QCOMPARE(drawn(nullptr, {}), without);

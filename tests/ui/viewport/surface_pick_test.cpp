@@ -60,7 +60,7 @@ private slots:
     void hitsWhatAMarchOfSmallStepsHits();
     void missesBesideTheStock();
     void seesThroughHoles();
-    void aPlaceStandsForTheFootOfItsWall();
+    void aPlaceMeansTheFootOfItsWall();
     void theOutsideOfTheStockIsNoPointOfTheMap();
     void aCloserLookIsMetInThePlaceOfTheStock();
 };
@@ -114,7 +114,7 @@ void SurfacePickTest::seesThroughHoles() {
     QVERIFY(pickStock(frame->zmap, {{3, 3, -50}, {0, 0, 1}}));
 }
 
-void SurfacePickTest::aPlaceStandsForTheFootOfItsWall() {
+void SurfacePickTest::aPlaceMeansTheFootOfItsWall() {
     FrameBuilder builder({{0, 0, 0}, 20, 20, 10}, 1);
     builder.cutAll([](double x, double) { return x < 9.5 ? 0.0 : -6.0; });
     const ZMapSnapshot zmap = builder.frame()->zmap;

@@ -93,7 +93,7 @@ private slots:
         QVERIFY(bench.has(Severity::warning));
     }
 
-    void aProgramThatCallsNoToolIsToldSo() {
+    void aProgramThatCallsNoToolIsReported() {
         Bench bench;
         QVERIFY(bench.open("G21 G90\nG0 X0 Y0 Z5\nG1 Z-2 F100\nX20\nM30\n"));
         QTRY_VERIFY(bench.isShown());

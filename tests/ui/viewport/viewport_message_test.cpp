@@ -12,7 +12,7 @@ class ViewportMessageTest : public QObject {
 
 private slots:
     void saysWhyThereIsNoPicture();
-    void paperModeGoesOnWithoutAPicture();
+    void paperModeContinuesWithoutAPicture();
     void knowsSoftwareByName();
 };
 
@@ -26,7 +26,7 @@ void ViewportMessageTest::saysWhyThereIsNoPicture() {
     QCOMPARE(label->text(), support.reason);
 }
 
-void ViewportMessageTest::paperModeGoesOnWithoutAPicture() {
+void ViewportMessageTest::paperModeContinuesWithoutAPicture() {
     Session session;
     const std::unique_ptr<QWidget> view(createViewport(session, GlSupport{}, nullptr));
     QVERIFY(opened(session, QStringLiteral(PROVEOUT_SOURCE_DIR "/resources/samples/core-insert.proveout")));

@@ -62,7 +62,7 @@ private slots:
     void init();
     void cleanup();
     void fitsTheStockAtFirst();
-    void tellsTheSessionWhatDrawingTook();
+    void reportsDrawingTimesToTheSession();
     void wheelKeepsThePointUnderThePointer();
     void dragsTurnAndMove();
     void doubleMiddleClickCentres();
@@ -119,7 +119,7 @@ void ViewportTest::fitsTheStockAtFirst() {
         }
 }
 
-void ViewportTest::tellsTheSessionWhatDrawingTook() {
+void ViewportTest::reportsDrawingTimesToTheSession() {
     QTRY_VERIFY_WITH_TIMEOUT(!m_session->playback().frameStatistics().empty(), kPatience);
     QTRY_COMPARE_WITH_TIMEOUT(m_session->playback().frameStatistics().back().lastBlock, 100u, kPatience);
     QVERIFY(m_session->playback().frameStatistics().back().drawSeconds > 0);

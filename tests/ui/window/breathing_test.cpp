@@ -192,7 +192,7 @@ private slots:
     void theEventLoopBreathesThroughEndlessPrograms() {
         QFETCH(QByteArray, text);
         QFETCH(QByteArray, id);
-        const auto isTold = [&](const Session& session) {
+        const auto isReported = [&](const Session& session) {
             return std::ranges::any_of(session.problems().all(), [&](const Diagnostic& problem) {
                 return id == problem.id && ProblemsHub::isInText(problem);
             });
@@ -206,7 +206,7 @@ private slots:
             station.session.document().applyEdit(0, station.session.document().text().text.size(),
                                                  text.toStdString());
             QVERIFY(station.session.simulation().frame() == before); // until the new program is known
-            QTRY_VERIFY_WITH_TIMEOUT(isTold(station.session), kPatience);
+            QTRY_VERIFY_WITH_TIMEOUT(isReported(station.session), kPatience);
             QTest::qWait(1000); // it is cut and drawn
             QVERIFY2(breath.longestComputed() <= kLongestGapMs,
                      qPrintable(QString::number(breath.longestComputed())));
@@ -222,7 +222,7 @@ private slots:
             return QTest::qWaitFor(
                 [&] {
                     return station.session.document().text().path == file.fileName().toStdString() &&
-                           isTold(station.session);
+                           isReported(station.session);
                 },
                 kPatience);
         };

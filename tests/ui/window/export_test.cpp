@@ -149,10 +149,10 @@ private slots:
         const auto bytes = readFile(toPath(wanted));
         QVERIFY(bytes.has_value());
         QVERIFY(QByteArray::fromStdString(bytes->substr(0, 100)).startsWith(begins));
-        const QString told = station.window.statusBar()->currentMessage();
+        const QString reported = station.window.statusBar()->currentMessage();
         for (const QString& part :
              {QFileInfo(wanted).fileName(), QLocale().toString(summary.largestErrorMm, 'f', 6)})
-            QVERIFY2(told.contains(part), qPrintable(told));
+            QVERIFY2(reported.contains(part), qPrintable(reported));
         const QString more = station.window.statusBar()->toolTip();
         for (const QString& part : {wanted, QLocale().toString(static_cast<qulonglong>(summary.triangles))})
             QVERIFY2(more.contains(part), qPrintable(more));
@@ -162,7 +162,7 @@ private slots:
         QTemporaryDir folder;
         const QString file = folder.filePath(QStringLiteral("part.ply"));
         Workstation station(true);
-        const auto toldAfter = [&](const ExportOptions& options) {
+        const auto reportedAfter = [&](const ExportOptions& options) {
             QSignalSpy exported(&station.session.exports(), &ExportHub::exported);
             station.session.exports().exportMesh(file, options);
             return QTest::qWaitFor([&] { return exported.count() == 1; }, kPatience)
@@ -173,20 +173,20 @@ private slots:
         parameters.allowance = 0.0325;
         station.session.job().setParameters(parameters);
         QTRY_COMPARE_WITH_TIMEOUT(station.session.simulation().frame()->parameters, parameters, kPatience);
-        QVERIFY(toldAfter({}).endsWith(QLatin1String("certified within 0.0325 mm everywhere")));
-        QVERIFY(toldAfter({false}).contains(QLatin1String("full resolution, largest error 0")));
-        const auto toldWith = [&] {
+        QVERIFY(reportedAfter({}).endsWith(QLatin1String("certified within 0.0325 mm everywhere")));
+        QVERIFY(reportedAfter({false}).contains(QLatin1String("full resolution, largest error 0")));
+        const auto reportedWith = [&] {
             station.session.job().setParameters(parameters);
             const bool taken = QTest::qWaitFor(
                 [&] { return station.session.simulation().frame()->parameters == parameters; }, kPatience);
-            return taken ? toldAfter({}) : QString();
+            return taken ? reportedAfter({}) : QString();
         };
         parameters.level = ErrorLevel::sample;
-        QVERIFY(toldWith().endsWith(QLatin1String("certified within 0.0325 mm at every z-map point")));
+        QVERIFY(reportedWith().endsWith(QLatin1String("certified within 0.0325 mm at every z-map point")));
         parameters.method = DecimationMethod::lee;
-        QVERIFY(toldWith().endsWith(QLatin1String("certified within 0.0325 mm at every z-map point")));
+        QVERIFY(reportedWith().endsWith(QLatin1String("certified within 0.0325 mm at every z-map point")));
         parameters.certify = false;
-        QVERIFY(toldWith().endsWith(QLatin1String("mm, not guaranteed")));
+        QVERIFY(reportedWith().endsWith(QLatin1String("mm, not guaranteed")));
     }
 
     void aHalfRunProgramIsNamedAsSuch() {
@@ -213,11 +213,11 @@ private slots:
         QVERIFY2(title.contains(of), qPrintable(title));
         QTRY_COMPARE_WITH_TIMEOUT(exported.count(), 1, kPatience);
         QCOMPARE(session.exports().last()->block, std::size_t{3});
-        const QString told = station.window.statusBar()->currentMessage();
-        QVERIFY2(told.contains(of), qPrintable(told));
+        const QString reported = station.window.statusBar()->currentMessage();
+        QVERIFY2(reported.contains(of), qPrintable(reported));
         // A message about the past goes when something else is open.
         session.document().newFile();
-        QTRY_VERIFY_WITH_TIMEOUT(station.window.statusBar()->currentMessage() != told, kPatience);
+        QTRY_VERIFY_WITH_TIMEOUT(station.window.statusBar()->currentMessage() != reported, kPatience);
     }
 
     void aHalfRunProgramCanBeRunToItsEndFirst_data() {
@@ -408,8 +408,8 @@ private slots:
         QVERIFY(warned());
         QVERIFY(station.session.exports().last()->largestErrorMm >
                 station.session.job().parameters().allowance);
-        const QString told = station.window.statusBar()->currentMessage();
-        QVERIFY2(told.endsWith(QLatin1String("exceeds the allowance of 0.05 mm")), qPrintable(told));
+        const QString reported = station.window.statusBar()->currentMessage();
+        QVERIFY2(reported.endsWith(QLatin1String("exceeds the allowance of 0.05 mm")), qPrintable(reported));
     }
 
 private:

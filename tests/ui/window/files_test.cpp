@@ -170,7 +170,7 @@ private slots:
         QCOMPARE(kept.readAll(), QByteArray("mine"));
     }
 
-    void missingFilesAreGreyedAndToldWhy() {
+    void missingFilesAreGreyedWithTheReason() {
         QTemporaryDir folder;
         const QString gone = folder.filePath(QStringLiteral("gone.nc"));
         const QString there = folder.filePath(QStringLiteral("there.nc"));
@@ -254,7 +254,7 @@ private slots:
         QVERIFY(QFile::exists(file));
     }
 
-    void closingDropsAnExportWhenTold() {
+    void closingDropsAnExportWhenConfirmed() {
         QTemporaryDir folder;
         Workstation station(false);
         const QString file = startLongExport(station, folder);

@@ -240,7 +240,7 @@ private slots:
         QTRY_VERIFY2_WITH_TIMEOUT(status().contains(QLatin1String("Line ")), qPrintable(status()), kPatience);
     }
 
-    void rawStockAndNoStockAreTold() {
+    void rawStockAndNoStockAreReported() {
         goTo(kFacing);
         const QPoint at = placeOf(false);
         QTest::mouseClick(&view(), Qt::LeftButton, Qt::ControlModifier, at);

@@ -148,7 +148,7 @@ private slots:
         QCOMPARE(read(m_program), kTheirs);
     }
 
-    void overwritesWhenTold() {
+    void overwritesWhenConfirmed() {
         Workstation station(false);
         station.open(m_program);
         type(station, QStringLiteral("(mine)"));
@@ -233,13 +233,13 @@ private slots:
         station.open(m_program);
         const QString job = m_folder->filePath(QStringLiteral("bracket.proveout"));
         QVERIFY(station.session.document().saveJobAs(job));
-        FileChangedBar* told = bar(station, FilePart::job);
-        QVERIFY(told->isHidden());
+        FileChangedBar* reported = bar(station, FilePart::job);
+        QVERIFY(reported->isHidden());
         write(job, read(job).replace("\"blockDelete\": false", "\"blockDelete\": true"));
-        QTRY_VERIFY_WITH_TIMEOUT(!told->isHidden(), kPatience);
-        press(*told, QStringLiteral("Reload"));
+        QTRY_VERIFY_WITH_TIMEOUT(!reported->isHidden(), kPatience);
+        press(*reported, QStringLiteral("Reload"));
         QTRY_VERIFY_WITH_TIMEOUT(station.session.job().setup().blockDelete, kPatience);
-        QVERIFY(told->isHidden());
+        QVERIFY(reported->isHidden());
         QVERIFY(!station.session.document().modified());
     }
 

@@ -108,7 +108,7 @@ struct Bench {
         });
     }
     [[nodiscard]] StockChangedBar& bar() const { return *station.window.findChild<StockChangedBar*>(); }
-    [[nodiscard]] QString told() const { return bar().findChild<QLabel*>()->text(); }
+    [[nodiscard]] QString reported() const { return bar().findChild<QLabel*>()->text(); }
     void press(const char* button) const {
         QTest::mouseClick(bar().findChild<QPushButton*>(QLatin1String(button)), Qt::LeftButton);
     }
@@ -170,8 +170,8 @@ private slots:
         QVERIFY(bench.first != bench.deeper);
         write(bench.stock, bench.deeper);
         QTRY_VERIFY_WITH_TIMEOUT(bench.bar().isVisible(), kPatience);
-        QVERIFY2(bench.told().startsWith(QStringLiteral("blank.pvstock has changed on disk.")),
-                 qPrintable(bench.told()));
+        QVERIFY2(bench.reported().startsWith(QStringLiteral("blank.pvstock has changed on disk.")),
+                 qPrintable(bench.reported()));
         QVERIFY(bench.hasProblem());
         QCOMPARE(bench.heightInSlot(), -2.0); // as it says
         bench.press("stock-reload");
@@ -196,7 +196,8 @@ private slots:
         QCOMPARE(bench.heightInSlot(), -2.0);
         QVERIFY(QFile::remove(bench.stock));
         QTRY_VERIFY_WITH_TIMEOUT(bench.bar().isVisible(), kPatience);
-        QVERIFY2(bench.told().contains(QStringLiteral("was deleted or renamed")), qPrintable(bench.told()));
+        QVERIFY2(bench.reported().contains(QStringLiteral("was deleted or renamed")),
+                 qPrintable(bench.reported()));
         QVERIFY(bench.bar().findChild<QPushButton*>(QStringLiteral("stock-reload"))->isHidden());
         bench.session.document().newFile(); // another document has nothing to do with it
         QVERIFY(bench.bar().isHidden());

@@ -99,7 +99,7 @@ private:
     Longest m_longest;
 };
 
-void tell(const char* when, const HoldUp::Longest& longest) {
+void report(const char* when, const HoldUp::Longest& longest) {
     std::printf("%s, the window is held up for %.0f ms at most (computing: %.0f ms)\n", when,
                 longest.milliseconds, longest.computed);
 }
@@ -145,7 +145,7 @@ Opening open(Session& session, const NcEditor& editor, const QString& file) {
     return opening;
 }
 
-void tell(const char* what, std::vector<double> milliseconds) {
+void report(const char* what, std::vector<double> milliseconds) {
     std::ranges::sort(milliseconds);
     const auto percentile = [&](double share) {
         return milliseconds[static_cast<std::size_t>(share * static_cast<double>(milliseconds.size() - 1))];
@@ -179,9 +179,9 @@ int main(int argc, char** argv) {
         writeProgram(folder.filePath(QLatin1String(name)).toStdString(), kShort);
         open(session, editor, folder.filePath(QLatin1String(name)));
     }
-    tell("while a short program is opened", holdUp.take());
+    report("while a short program is opened", holdUp.take());
     const Opening opening = open(session, editor, file);
-    tell("while the long one is opened", holdUp.take());
+    report("while the long one is opened", holdUp.take());
     std::printf("read after %.0f ms, seen after %.0f ms, first motions after %.0f ms, all after %.0f ms\n",
                 opening.read, opening.seen, opening.first, opening.whole);
 
@@ -199,6 +199,6 @@ int main(int argc, char** argv) {
         // What is wrong is gone with its mark; the next key shall find nothing under way.
         until([&] { return session.program().current()->diagnostics().empty(); });
     }
-    tell("from a key to its squiggle", marked);
+    report("from a key to its squiggle", marked);
     return *std::ranges::max_element(marked) < kPatienceMs ? EXIT_SUCCESS : EXIT_FAILURE;
 }

@@ -244,7 +244,7 @@ private slots:
         Bench bench;
         Session& session = bench.session();
         auto& allowance = bench.box("dock-tuning", "allowance");
-        const double standard = session.job().parameters().allowance;
+        const double initial = session.job().parameters().allowance;
         const auto setAllowance = [&](const char* text) {
             Bench::type(allowance, QLatin1String(text));
             QTRY_COMPARE_WITH_TIMEOUT(session.job().parameters().allowance, QString(text).toDouble(),
@@ -253,7 +253,7 @@ private slots:
         setAllowance("0.2");
         QToolButton* reset = resetOf(bench);
         QTest::mouseClick(reset, Qt::LeftButton);
-        QTRY_COMPARE_WITH_TIMEOUT(session.job().parameters().allowance, standard, kPatience);
+        QTRY_COMPARE_WITH_TIMEOUT(session.job().parameters().allowance, initial, kPatience);
         // The button is gone with what it resets; the keys still belong to the panel.
         QWidget* const focus = QApplication::focusWidget();
         QVERIFY(focus != nullptr);
@@ -261,15 +261,15 @@ private slots:
         Bench::pressUndo(*focus);
         QCOMPARE(session.job().parameters().allowance, 0.2);
         Bench::pressRedo(allowance);
-        QCOMPARE(session.job().parameters().allowance, standard);
+        QCOMPARE(session.job().parameters().allowance, initial);
         Bench::pressUndo(allowance);
         QTRY_VERIFY_WITH_TIMEOUT(reset->isVisible(), kPatience);
         // Typed, and never entered: it is a step all the same.
         allowance.selectAll();
         QTest::keyClicks(&allowance, QStringLiteral("0.3"));
         QTest::mouseClick(reset, Qt::LeftButton);
-        QCOMPARE(session.job().parameters().allowance, standard);
-        QCOMPARE(allowance.value(), standard);
+        QCOMPARE(session.job().parameters().allowance, initial);
+        QCOMPARE(allowance.value(), initial);
         Bench::pressUndo(allowance);
         QCOMPARE(session.job().parameters().allowance, 0.3);
     }
@@ -279,13 +279,13 @@ private slots:
         Session& session = bench.session();
         auto& allowance = bench.box("dock-tuning", "allowance");
         bench.action("default-parameters").trigger(); // so that all else is a default already
-        const double standard = session.job().parameters().allowance;
+        const double initial = session.job().parameters().allowance;
         Bench::type(allowance, QStringLiteral("0.2"));
         bench.action("default-parameters").trigger(); // before the value is applied by itself
-        QCOMPARE(session.job().parameters().allowance, standard);
+        QCOMPARE(session.job().parameters().allowance, initial);
         QTest::qWait(400);
-        QCOMPARE(session.job().parameters().allowance, standard);
-        QCOMPARE(allowance.value(), standard);
+        QCOMPARE(session.job().parameters().allowance, initial);
+        QCOMPARE(allowance.value(), initial);
         Bench::pressUndo(allowance);
         QCOMPARE(session.job().parameters().allowance, 0.2);
     }

@@ -216,7 +216,7 @@ private slots:
         QCOMPARE(withKeys, 9);
     }
 
-    void menusSayAllAndNoKeyIsTakenTwice() {
+    void menusHaveAllActionsAndNoKeyIsUsedTwice() {
         Workstation station(true);
         const QList<QAction*> inMenus = menuActions(station.window);
         std::map<QString, QString> windowKeys;

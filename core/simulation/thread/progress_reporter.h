@@ -7,33 +7,33 @@
 namespace proveout {
 
 /// Tells of long work only, not too often, and of its end. The listener must outlive it; one thread.
-class ProgressTeller {
+class ProgressReporter {
 public:
-    explicit ProgressTeller(const std::function<void(double)>& listener) : m_listener(listener) {}
-    ProgressTeller(const ProgressTeller&) = delete;
-    ProgressTeller& operator=(const ProgressTeller&) = delete;
-    ~ProgressTeller() {
-        if (m_told)
+    explicit ProgressReporter(const std::function<void(double)>& listener) : m_listener(listener) {}
+    ProgressReporter(const ProgressReporter&) = delete;
+    ProgressReporter& operator=(const ProgressReporter&) = delete;
+    ~ProgressReporter() {
+        if (m_reported)
             m_listener(1.0);
     }
-    void tell(double done) {
+    void report(double done) {
         const auto now = Clock::now();
         if (!m_listener || now < m_next || done >= 1)
             return;
         m_listener(done);
-        m_told = true;
-        m_next = now + kBetweenTellings;
+        m_reported = true;
+        m_next = now + kBetweenReports;
     }
 
 private:
     using Clock = std::chrono::steady_clock;
     /// Shorter work is not worth a progress bar.
     static constexpr std::chrono::milliseconds kQuietWork{50};
-    static constexpr std::chrono::milliseconds kBetweenTellings{30};
+    static constexpr std::chrono::milliseconds kBetweenReports{30};
 
     const std::function<void(double)>& m_listener;
     Clock::time_point m_next = Clock::now() + kQuietWork;
-    bool m_told = false;
+    bool m_reported = false;
 };
 
 } // namespace proveout

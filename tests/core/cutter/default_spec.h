@@ -9,11 +9,11 @@
 namespace proveout {
 
 /// The spec of a shape with all its own keys at what a dialog proposes.
-inline std::string standardSpecOf(const CutterShape& shape) {
+inline std::string defaultSpecOf(const CutterShape& shape) {
     std::string spec;
     for (const ShapeKey& key : shape.keys)
         spec += fmt::format("{}{}={}", spec.empty() ? ':' : ',', key.key,
-                            key.isText() ? key.standardText : fmt::format("{}", key.standard));
+                            key.isText() ? key.defaultText : fmt::format("{}", key.defaultValue));
     return shape.key + spec;
 }
 
