@@ -6,6 +6,7 @@
 #include "core/nc/codes/handlers.h"
 #include "core/nc/cycles/cycle_order.h"
 #include "core/nc/motions/compensated_path.h"
+#include "core/nc/motions/known_axes.h"
 #include "core/nc/motions/motion_sink.h"
 #include "core/nc/motions/motion_target.h"
 #include "core/nc/state/execution.h"
@@ -99,7 +100,7 @@ void goToFurtherReference(Execution& execution, const Word& word) {
     if (!execution.block.has('P') || wholeNumber(execution, execution.block.word('P'), kSecond, kFourth))
         goToReference(execution, word, false);
     else
-        execution.state.forget(execution.block.letters(), Forgotten::reported);
+        forgetAxes(execution.state, execution.block.letters(), Forgotten::reported);
 }
 
 void moveInMachine(Execution& execution, const Word& word) {

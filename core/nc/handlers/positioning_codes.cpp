@@ -4,6 +4,7 @@
 
 #include "core/nc/codes/handlers.h"
 #include "core/nc/cycles/cycle_order.h"
+#include "core/nc/motions/known_axes.h"
 #include "core/nc/motions/motion_sink.h"
 #include "core/nc/motions/motion_target.h"
 #include "core/nc/state/execution.h"
@@ -28,7 +29,7 @@ bool moveToIntermediate(Execution& execution, const Word& word) {
     const auto missing = static_cast<std::uint8_t>(named & ~state.intermediateKnown);
     if (missing != 0) {
         execution.reporter.report(nc_message::kNoIntermediate, word, {namesOfAxes(missing)});
-        state.forget(execution.block.letters(), Forgotten::reported);
+        forgetAxes(state, execution.block.letters(), Forgotten::reported);
         return false;
     }
     motion.end = state.frame.toMachine(program);

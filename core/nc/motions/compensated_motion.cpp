@@ -66,7 +66,7 @@ void CompensatedMotion::appendUnknown() {
     if (!m_compensation.unknownReported)
         report(nc_message::kCompensationUnknownStart);
     m_compensation.unknownReported = true;
-    m_compensation.restart();
+    restartCompensation(m_compensation);
     appendMotion(m_execution, m_motion);
 }
 

@@ -55,8 +55,13 @@ void arrive(MachineState& state, const Motion& motion) {
     state.unknownReported &= static_cast<std::uint8_t>(~state.known);
 }
 
+void restartCompensation(CutterCompensation& compensation) {
+    compensation.held = compensation.entered = false;
+    compensation.displacement = Vec3(0);
+}
+
 void skipMotion(Execution& execution, const Motion& motion) {
-    execution.state.compensation.restart();
+    restartCompensation(execution.state.compensation);
     arrive(execution.state, motion);
 }
 

@@ -27,6 +27,9 @@ void forgetUnplaced(const Execution& execution, Motion& motion);
 /// The machine stands at the end of the motion, whether or not it was appended.
 void arrive(MachineState& state, const Motion& motion);
 
+/// What follows begins cutter compensation from the programmed path.
+void restartCompensation(CutterCompensation& compensation);
+
 /// A motion that is ordered and not made: its end is known all the same, and what follows starts there, into
 /// cutter compensation where that is on.
 void skipMotion(Execution& execution, const Motion& motion);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/motions/compensated_path.h"
 #include "core/nc/motions/corner_insertion.h"
+#include "core/nc/motions/known_axes.h"
 #include "core/nc/motions/motion_sink.h"
 #include "core/nc/run/block_plan.h"
 #include "core/nc/run/lint.h"
@@ -41,7 +42,7 @@ void executeBlock(Execution& execution) {
     BlockPlan plan;
     if (!makePlan(execution, plan)) {
         execution.state = before;
-        execution.state.forget(execution.block.letters(), Forgotten::reported);
+        forgetAxes(execution.state, execution.block.letters(), Forgotten::reported);
         if (!execution.dialect.streamed)
             keepModes(execution, true);
         return;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/run/block_executor.h"
+#include "core/nc/motions/known_axes.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -115,7 +116,7 @@ bool BlockExecutor::tooLong() const {
 
 void BlockExecutor::skip(const ReadError& error, std::string_view text) {
     m_reporter.report(*error.message, error.column, error.length, {readable(error.argument)});
-    m_memory.machine.forget(axisLetters(text), Forgotten::reported);
+    forgetAxes(m_memory.machine, axisLetters(text), Forgotten::reported);
     if (m_dialect.streamed) // grbl forgets a line that it refuses
         return;
     const ReadableWords words = readableWords(text);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/run/block_plan.h"
+#include "core/nc/motions/known_axes.h"
 
 #include <cmath>
 #include <fmt/format.h>
@@ -121,7 +122,7 @@ private:
             return;
         m_axesUsed = true;
         if (row.axisUse == AxisUse::allAxes && !m_block.letters().any(kTargetWords))
-            m_execution.state.forget(kTargetWords, Forgotten::reported);
+            forgetAxes(m_execution.state, kTargetWords, Forgotten::reported);
     }
 
     /// A supported code with a claim on the axis words.
@@ -322,7 +323,7 @@ private:
         return true;
     }
 
-    void forgetNamedAxes() { m_execution.state.forget(m_block.letters(), Forgotten::reported); }
+    void forgetNamedAxes() { forgetAxes(m_execution.state, m_block.letters(), Forgotten::reported); }
 
     [[nodiscard]] const Word* groupWord(ModalGroup group) const {
         return m_groups[static_cast<std::size_t>(group)];

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/run/flow_runner.h"
+#include "core/nc/motions/known_axes.h"
 
 #include <charconv>
 #include <string>
@@ -29,7 +30,7 @@ bool FlowRunner::runStatement(Line& line) {
     const MacroFlow::Next next = m_macros.run(*line.statement);
     m_variables.reportReads();
     if (next == MacroFlow::Next::failed)
-        m_state.forget(LetterSet("XYZ"), Forgotten::reported);
+        forgetAxes(m_state, LetterSet("XYZ"), Forgotten::reported);
     if (next != MacroFlow::Next::rest)
         return false;
     readRest(m_calls.currentText(), m_macros.rest(), m_variables.context(), line);
@@ -44,7 +45,7 @@ void FlowRunner::follow(const Line& line, const FlowRequest& request, bool moved
     if (request.kind != FlowRequest::Kind::none)
         execute([&] { return run(request); });
     if (moved && m_macroB && !m_macros.afterMotion())
-        m_state.forget(LetterSet("XYZ"), Forgotten::reported);
+        forgetAxes(m_state, LetterSet("XYZ"), Forgotten::reported);
 }
 
 bool FlowRunner::run(const FlowRequest& request) {
@@ -74,7 +75,7 @@ void FlowRunner::execute(const std::function<bool()>& order) {
     const std::uint64_t endedRuns = m_calls.endedRuns();
     const std::uint32_t line = m_calls.mainLineNumber();
     if (!order())
-        m_state.forget(LetterSet("XYZ"), Forgotten::reported);
+        forgetAxes(m_state, LetterSet("XYZ"), Forgotten::reported);
     if (m_calls.endedRuns() == endedRuns)
         return;
     if (const auto saved = m_saves.endRun(level))

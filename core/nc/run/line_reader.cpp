@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/run/line_reader.h"
+#include "core/nc/motions/known_axes.h"
 
 #include <algorithm>
 #include <string>
@@ -113,7 +114,7 @@ void LineReader::reportRead(const Line& line, std::string_view text) {
 bool LineReader::readStreamed(std::string_view& text, bool first) {
     const bool block = m_serial.read(text, m_read.serial, m_reporter, m_state);
     if (!block) {
-        m_state.forget(axisLetters(text));
+        forgetAxes(m_state, axisLetters(text));
         m_read.sourceBlocks += first ? 1 : 0;
     }
     text = m_serial.text();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/nc/run/serial_line.h"
+#include "core/nc/motions/known_axes.h"
 
 #include <algorithm>
 #include <fmt/format.h>
@@ -78,7 +79,7 @@ bool SerialLine::read(std::string_view line, Reported& reported, Reporter& repor
         const std::string command = upper(line.substr(begin));
         reporter.report(nc_message::kSystemCommand, static_cast<int>(begin + 1),
                         static_cast<int>(line.size() - begin), {command.substr(0, kLongestCommand)});
-        state.forget(movedBy(command));
+        forgetAxes(state, movedBy(command));
         return false;
     }
     std::size_t count = 0;

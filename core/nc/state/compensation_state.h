@@ -38,11 +38,6 @@ struct CutterCompensation {
     VectorState vectors; ///< of Fanuc's dialect
 
     [[nodiscard]] bool moves() const { return on && offset != 0; }
-    /// What follows begins compensation from the programmed path.
-    void restart() {
-        held = entered = false;
-        displacement = Vec3(0);
-    }
     /// On the way from the compensated to the programmed path.
     [[nodiscard]] bool leaving() const { return !entered && displacement != Vec3(0); }
 };

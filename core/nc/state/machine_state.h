@@ -26,12 +26,6 @@ enum class FeedMode : std::uint8_t {
     perRevolution, ///< G95
 };
 
-/// Why the place of an axis is no longer known.
-enum class Forgotten : std::uint8_t {
-    silently, ///< the first motion from there reports it
-    reported, ///< by an error after which everything is unverified; to report it again would be noise
-};
-
 /// Everything that one block leaves behind for the next. A value: saving and restoring it is a copy.
 /// Lengths are in mm whatever the unit of the program.
 struct MachineState {
@@ -113,20 +107,6 @@ struct MachineState {
     [[nodiscard]] double rpm() const { return surfaceSpeed ? mostRpm : spindleRpm; }
     [[nodiscard]] double toMm(double value) const { return inch ? value * kMmPerInch : value; }
     [[nodiscard]] double fromMm(double value) const { return inch ? value / kMmPerInch : value; }
-
-    /// From now on the position of these axes is unknown.
-    void forget(LetterSet axes, Forgotten why = Forgotten::silently) {
-        zAtReference = zAtReference && !axes.has('Z');
-        for (int axis = 0; axis < 3; ++axis) {
-            if (axes.has(static_cast<char>('X' + axis)) || (axis < 2 && axes.any(LetterSet("@^")))) {
-                const auto rest = static_cast<std::uint8_t>(~axisBit(axis));
-                known &= rest;
-                unknownReported &= rest;
-                if (why == Forgotten::reported)
-                    unknownReported |= static_cast<std::uint8_t>(~rest);
-            }
-        }
-    }
 };
 
 } // namespace proveout
