@@ -21,7 +21,7 @@ PlotHeader::PlotHeader(QCustomPlot& plot, std::size_t curves)
     plot.plotLayout()->setRowSpacing(0);
     m_grid->setRowSpacing(0);
     m_grid->setMargins({kMargin, 2, kMargin, 0});
-    m_title->setTextFlags(Qt::AlignLeft | Qt::AlignVCenter);
+    m_title->setTextFlags(Qt::AlignLeft | Qt::AlignTop);
     m_title->setMargins({2, 0, 2, 0});
     m_grid->addElement(0, 0, m_title);
     if (curves < 2) {
@@ -51,7 +51,11 @@ void PlotHeader::style(const QFont& font, const QColor& text) {
         return;
     m_legend->setFont(font);
     m_legend->setTextColor(text);
-    m_legend->setIconSize(QFontMetrics(font).height(), QFontMetrics(font).height() / 2);
+    const QFontMetrics metrics(font);
+    m_legend->setIconSize(metrics.height(), metrics.height() / 2);
+    // An item is as high as the text is for the layout, which is less than a text with descenders takes.
+    for (int i = 0; i < m_legend->itemCount(); ++i)
+        m_legend->item(i)->setMargins({0, 0, 0, metrics.descent()});
 }
 
 void PlotHeader::fit(int width) {
