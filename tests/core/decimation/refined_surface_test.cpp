@@ -132,6 +132,7 @@ std::vector<std::size_t> regionsIn(const RegionGrid& grid, const IndexRect& rect
 TEST(RefinedSurface, afterAnyWalkOfCutsIsWhatItWouldBeFromScratch) {
     constexpr int kNx = 131;
     constexpr int kNy = 90;
+    const int steps = std::max(12, roundsOf(60));
     const std::uint32_t seed = randomSeed();
     SCOPED_TRACE("seed " + std::to_string(seed));
     std::mt19937 random(seed);
@@ -140,7 +141,7 @@ TEST(RefinedSurface, afterAnyWalkOfCutsIsWhatItWouldBeFromScratch) {
         Heights heights(static_cast<std::size_t>(kNx) * kNy, 0.0F);
         RefinedSurface walking(kNx, kNy, parameters);
         ASSERT_TRUE(walking.follow(test::zmapOf(kNx, kNy, 1, heights), {}));
-        for (int step = 0; step < 60; ++step) {
+        for (int step = 0; step < steps; ++step) {
             const IndexRect rect = cutDisc(random, kNx, kNy, heights);
             const ZMapSnapshot zmap = test::zmapOf(kNx, kNy, 1, heights);
             std::vector<std::size_t> changed = regionsIn(walking.grid(), rect);
